@@ -64,7 +64,7 @@ def probe(command: str) -> Interpreter | None:
         return None
     try:
         # -S and -E: no site hooks, no variables of another environment.
-        answer = subprocess.run([found, "-ES", "-c", _PROBE], capture_output=True, text=True, timeout=30)
+        answer = subprocess.run([found, "-ES", "-c", _PROBE], capture_output=True, text=True, timeout=30, check=False)
         facts = json.loads(answer.stdout)
     except (OSError, ValueError, subprocess.TimeoutExpired):
         return None

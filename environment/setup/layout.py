@@ -41,6 +41,11 @@ class Layout:
         return self.root / "environment" / "ros2_ws" / "src"
 
     @property
+    def cmake_include(self) -> Path:
+        """CMake code that every package's build includes."""
+        return self.root / "environment" / "ros2_ws" / "cmake" / "faster_interfaces.cmake"
+
+    @property
     def mutex(self) -> Path:
         return self.root / "environment" / ".lock"
 

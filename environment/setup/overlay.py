@@ -2,10 +2,10 @@
 
 import os
 import shutil
-import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
+from xml.etree import ElementTree
 
 from environment.setup.stamps import digest, digest_tree
 
@@ -96,5 +96,6 @@ def colcon(layout, selected: Iterable[str], workers: int | None = None) -> list[
         "--event-handlers", "console_cohesion+", "console_start_end+", "status-", "desktop_notification-",
         *(["--parallel-workers", str(workers)] if workers else []),
         "--cmake-args", "-G", "Ninja", "-DBUILD_TESTING=OFF", f"-DPython3_EXECUTABLE={layout.python}",
+        f"-DCMAKE_PROJECT_INCLUDE={layout.cmake_include}",
         "--no-warn-unused-cli",
     ]  # fmt: skip

@@ -19,9 +19,7 @@ ROBOSTACK = (
 )
 
 
-def check_platform(
-    system: str | None = None, machine: str | None = None, libc: tuple[str, str] | None = None
-) -> None:
+def check_platform(system: str | None = None, machine: str | None = None, libc: tuple[str, str] | None = None) -> None:
     """Raise Lack unless the ROS wheels run here: Linux, x86-64, glibc 2.28 or newer."""
     system, machine = system or platform.system(), machine or platform.machine()
     if system != "Linux" or machine not in ("x86_64", "AMD64"):
@@ -48,7 +46,12 @@ def check_compiler(environ: Mapping[str, str]) -> None:
             source = Path(scratch, f"probe.{suffix}")
             source.write_text(text)
             trial = subprocess.run(
-                [command, source.name, "-o", "probe"], cwd=scratch, env=dict(environ), capture_output=True, text=True
+                [command, source.name, "-o", "probe"],
+                cwd=scratch,
+                env=dict(environ),
+                capture_output=True,
+                text=True,
+                check=False,
             )
         if trial.returncode:
             reason = next((line for line in trial.stderr.splitlines() if "error" in line), "").strip()[:120]

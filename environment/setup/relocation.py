@@ -58,6 +58,36 @@ def repair(places: Places) -> int:
     return changed
 
 
+def setup_scripts(prefix: Path) -> list[Path]:
+    """colcon's scripts that ask a Python which variables to set."""
+    return sorted(prefix.glob("local_setup.*"))
+
+
+def scripts_ask(prefix: Path, python: Path) -> bool:
+    """Whether there is a setup.bash, and whether its Python is the given one."""
+    wanted = b'_colcon_python_executable="%s"' % os.fsencode(python)
+    try:
+        return (prefix / "setup.bash").is_file() and wanted in (prefix / "local_setup.bash").read_bytes()
+    except FileNotFoundError:
+        return False
+
+
+def let_scripts_ask(prefix: Path, python: Path) -> None:
+    """Let the setup scripts ask the base interpreter.
+
+    They set only what is not set yet. The environment's own Python completes its variables as it starts, so that
+    under it the scripts would find nothing left to do.
+    """
+    for path in setup_scripts(prefix):
+        old = path.read_bytes()
+        new = old.replace(
+            b'_colcon_python_executable="%s"' % os.fsencode(prefix / "bin" / "python"),
+            b'_colcon_python_executable="%s"' % os.fsencode(python),
+        )
+        if new != old:
+            _replace(path, new)
+
+
 def _replace(path: Path, content: bytes) -> None:
     partial = path.with_name(f".{path.name}.partial")
     partial.write_bytes(content)

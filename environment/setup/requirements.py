@@ -3,12 +3,12 @@
 import re
 from collections.abc import Mapping
 
-LINE = re.compile(r"^([A-Za-z0-9][A-Za-z0-9._-]*)==", re.M)
+LINE = re.compile(r"^([A-Za-z0-9][A-Za-z0-9._-]*)==", re.MULTILINE)
 
 
 def entry(lock: str, name: str) -> str:
     """The lines of one package in the lock: its pin with its hashes."""
-    found = re.search(rf"^{re.escape(name)}==.*?(?=^\S|\Z)", lock, re.M | re.S)
+    found = re.search(rf"^{re.escape(name)}==.*?(?=^\S|\Z)", lock, re.MULTILINE | re.DOTALL)
     if not found:
         raise KeyError(f"{name} is not in the lock")
     return found.group()
@@ -16,7 +16,7 @@ def entry(lock: str, name: str) -> str:
 
 def entries(lock: str, pattern: str) -> str:
     """The lines of all packages whose name matches `pattern` from its start."""
-    blocks = re.findall(r"^[A-Za-z0-9].*?(?=^\S|\Z)", lock, re.M | re.S)
+    blocks = re.findall(r"^[A-Za-z0-9].*?(?=^\S|\Z)", lock, re.MULTILINE | re.DOTALL)
     return "".join(block for block in blocks if re.match(pattern, block))
 
 

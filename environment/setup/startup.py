@@ -26,7 +26,9 @@ def activate(environ=os.environ, prefix=sys.prefix):
         environ.setdefault(name, value)
     prefixes = [p for p in environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if p]
     if prefix not in prefixes:
-        environ["AMENT_PREFIX_PATH"] = os.pathsep.join([prefix, *prefixes])
+        # Others are workspaces that stand on this prefix, unless it stands on a stock ROS itself.
+        underlay = os.path.isdir(os.path.join(prefix, "share", "rclpy"))
+        environ["AMENT_PREFIX_PATH"] = os.pathsep.join([*prefixes, prefix] if underlay else [prefix, *prefixes])
     drop_foreign_guard(environ, prefix)
 
 

@@ -6,6 +6,7 @@ import shutil
 import subprocess
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from environment.setup import kernel, overlay, processes, relocation, requirements, startup, tools
 from environment.setup.console import Console
@@ -42,7 +43,13 @@ class Setup:
 
     def foundation(self, lock: str) -> str:
         """What the packages are built upon."""
-        return digest(VERSION, str(self.underlay), self.stamps.read("venv"), requirements.entries(lock, OF_THE_BUILD))
+        return digest(
+            VERSION,
+            str(self.underlay),
+            self.stamps.read("venv"),
+            requirements.entries(lock, OF_THE_BUILD),
+            self.layout.cmake_include.read_bytes(),
+        )
 
     def packages(self) -> dict[str, overlay.Package]:
         found = overlay.discover(self.layout.sources)
@@ -61,8 +68,8 @@ class Setup:
             if self.stamps.read(packages[name].stamp) != key:
                 stale.append(packages[name].stamp)
         stale += [s for s in self.stamps.names("package.") if s.removeprefix("package.") not in packages]
-        if not (self.layout.prefix / "setup.bash").is_file():
-            stale.append("overlay")
+        if not relocation.scripts_ask(self.layout.prefix, self.base_python()):
+            stale.append("setup.bash")
         return stale
 
     def kernel_key(self) -> str:
@@ -83,13 +90,16 @@ class Setup:
         if facts["underlay"] != str(self.underlay):
             return False
         wanted = self.environ.get("COURSE_PYTHON")
-        if wanted and os.path.realpath(shutil.which(wanted) or wanted) != facts["python"] \
-                and facts["asked"] != wanted:
+        if wanted and os.path.realpath(shutil.which(wanted) or wanted) != facts["python"] and facts["asked"] != wanted:
             return False
         # An interrupted installation may have left a package half there, which no installer can tell.
         if self.stamps.read("requirements.started"):
             return False
         return os.path.realpath(self.layout.python) == facts["python"] and self.layout.python.exists()
+
+    def base_python(self) -> Path:
+        """The interpreter that the environment was made from."""
+        return Path(self.venv_facts()["python"])
 
     def make_venv(self, interpreter: Interpreter) -> None:
         prefix = self.layout.prefix
@@ -118,14 +128,16 @@ class Setup:
         )
         self.stamps.write(
             "venv",
-            json.dumps({
-                "setup": VERSION,
-                "prefix": str(prefix),
-                "python": interpreter.path,
-                "version": interpreter.short,
-                "asked": self.environ.get("COURSE_PYTHON", ""),
-                "underlay": str(self.underlay),
-            }),
+            json.dumps(
+                {
+                    "setup": VERSION,
+                    "prefix": str(prefix),
+                    "python": interpreter.path,
+                    "version": interpreter.short,
+                    "asked": self.environ.get("COURSE_PYTHON", ""),
+                    "underlay": str(self.underlay),
+                }
+            ),
         )
 
     # What comes from PyPI.
@@ -138,18 +150,27 @@ class Setup:
         self.stamps.write("requirements.started", "1")
         env = self._env()
         config = subprocess.run(
-            [self.layout.python, "-m", "pip", "config", "list"], env=env, capture_output=True, text=True
+            [self.layout.python, "-m", "pip", "config", "list"],
+            env=env,
+            capture_output=True,
+            text=True,
+            check=False,
         )
         env.update(requirements.for_uv(env, config.stdout))
         uv = [self.layout.prefix / "bin" / "uv", "pip"]
         gone = sorted(before - requirements.names(lock))
         if gone:
-            self._run("Removing packages that are no longer needed",
-                      [*uv, "uninstall", "--python", self.layout.python, *gone], "uninstall", env)
+            self._run(
+                "Removing packages that are no longer needed",
+                [*uv, "uninstall", "--python", self.layout.python, *gone],
+                "uninstall",
+                env,
+            )
         wanted = self.layout.state / "requirements.new.txt"
         wanted.write_text(lock)
         self._run(
             f"Installing {len(requirements.names(lock))} locked packages",
+            # Several indexes may hold different versions of one package; the hashes say which file is right.
             [*uv, "install", "--python", self.layout.python, "--index-strategy", "unsafe-best-match", "--no-deps", "--require-hashes",
              "--build-constraints", wanted, "-r", wanted],
             "requirements", env,
@@ -162,14 +183,13 @@ class Setup:
         foundation = self.foundation(self.lock())
         self.stamps.remove("relocation")
         if not self.underlay.stock:
-            facts = self.venv_facts()
             asked = subprocess.run(
-                [facts["python"], "-ES", "-c", "import sysconfig; print(sysconfig.get_path('include'))"],
+                [self.base_python(), "-ES", "-c", "import sysconfig; print(sysconfig.get_path('include'))"],
                 capture_output=True, text=True, check=True,
             )  # fmt: skip
             numpy = self.layout.site_packages() / "numpy" / "_core" / "include"
             self.console.begin("Repairing paths in the ROS packages")
-            relocation.repair(relocation.Places(self.layout.prefix, _path(asked.stdout.strip()), numpy))
+            relocation.repair(relocation.Places(self.layout.prefix, Path(asked.stdout.strip()), numpy))
             self.console.end()
         self.stamps.write("relocation", foundation)
 
@@ -189,7 +209,7 @@ class Setup:
             if self.stamps.read(f"started.{name}") == keys[name] and overlay.succeeded(name, build):
                 self._finish(packages[name], keys[name])
                 selected.remove(name)
-        if not selected and (prefix / "setup.bash").is_file():
+        if not selected and relocation.scripts_ask(prefix, self.base_python()):
             return
         for name in selected:
             self.stamps.remove(packages[name].stamp)
@@ -208,9 +228,14 @@ class Setup:
             self.console.update(f"{finished} of {len(selected)} done")
 
         try:
-            self._run(f"Building {len(selected)} ROS packages ({', '.join(selected)})",
-                      overlay.colcon(self.layout, selected), "colcon", on_line=watch)
+            self._run(
+                f"Building {len(selected)} ROS packages ({', '.join(selected)})",
+                overlay.colcon(self.layout, selected),
+                "colcon",
+                on_line=watch,
+            )
         finally:
+            relocation.let_scripts_ask(prefix, self.base_python())
             for name in selected:
                 if overlay.succeeded(name, build):
                     self._finish(packages[name], keys[name])
@@ -240,9 +265,3 @@ class Setup:
         if status:
             raise tools.explain(label[0].lower() + label[1:], output, str(file), env)
         self.console.end()
-
-
-def _path(text: str):
-    from pathlib import Path
-
-    return Path(text)

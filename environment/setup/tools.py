@@ -34,15 +34,17 @@ def environment(environ: Mapping[str, str], layout: Layout, underlay: Underlay) 
     return env
 
 
-_NO_SPACE = re.compile(r"No space left on device|os error 28|ENOSPC|Errno 28|Disk quota exceeded", re.I)
-_NO_MEMORY = re.compile(r"Killed signal terminated program|virtual memory exhausted|Cannot allocate memory", re.I)
-_BAD_HASH = re.compile(r"hash(es)? (mismatch|do not match)|DO NOT MATCH THE HASHES", re.I)
+_NO_SPACE = re.compile(r"No space left on device|os error 28|ENOSPC|Errno 28|Disk quota exceeded", re.IGNORECASE)
+_NO_MEMORY = re.compile(
+    r"Killed signal terminated program|virtual memory exhausted|Cannot allocate memory", re.IGNORECASE
+)
+_BAD_HASH = re.compile(r"hash(es)? (mismatch|do not match)|DO NOT MATCH THE HASHES", re.IGNORECASE)
 _NO_INDEX = re.compile(
     r"Failed to fetch|Request failed after|error sending request|dns error|tcp connect|Connection refused|"
     r"NewConnectionError|Max retries exceeded|ConnectTimeout|ReadTimeout|Temporary failure in name resolution|"
     r"Name or service not known|Network is unreachable|ProxyError|SSLError|Could not connect|"
     r"No matching distribution found|operation timed out",
-    re.I,
+    re.IGNORECASE,
 )
 
 
