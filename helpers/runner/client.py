@@ -22,10 +22,10 @@ class RunnerError(Exception):
 class ForkServer:
     """The learner's side, ready to start programs."""
 
-    def __init__(self, domain_id: int, limits: launch.Limits = launch.Limits(), start=launch.start):
-        """`start` is the launcher: `launch.start`, or a sandbox's."""
+    def __init__(self, started: launch.Started, limits: launch.Limits = launch.Limits()):
+        """`started` comes from a launcher: `launch.start`, or a sandbox's. Waits until it is ready."""
         self.limits = limits
-        self._started = start(domain_id, limits)
+        self._started = started
         self.sandbox = self._started.sandbox
         self._control = self._started.control
         self._keys = itertools.count(1)

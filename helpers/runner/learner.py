@@ -131,18 +131,20 @@ class Learner:
 
     # What the learner's program is asked to do
 
-    def start(self, name: str, *args, parameters: dict | None = None, remap: dict | None = None, **kwargs) -> Started:
+    def start(self, name: str, *args, parameters: dict | None = None, remap: dict | None = None,
+              beside: Started | None = None, **kwargs) -> Started:
         """Make the learner's node in a process of its own, in simulated time.
 
         `name` is their class, or a function that returns a node or a list of nodes. `parameters` and `remap` act as
-        `-p name:=value` and `-r from:=to` on the command line.
+        `-p name:=value` and `-r from:=to` on the command line. `beside` puts the node into the process of an earlier
+        one, with that one's parameters and remappings: two objects of one class must not share state.
         """
         ros_args = []
         for key, value in (parameters or {}).items():
             ros_args += ["-p", f"{key}:={_yaml(value)}"]
         for key, value in (remap or {}).items():
             ros_args += ["-r", f"{key}:={value}"]
-        process = self._process(ros_args)
+        process = beside.process if beside else self._process(ros_args)
         from helpers.runner import values
         answer = process.ask("start", self.timeouts.start, name=name, args=[values.encode(a) for a in args],
                              kwargs={k: values.encode(v) for k, v in kwargs.items()})
