@@ -10,6 +10,8 @@ import threading
 import time
 from collections.abc import Callable, Mapping, Sequence
 
+from helpers import journal
+
 _SHOWN = 10  # lines of output in an error text
 _children: list['Process'] = []
 _guardian: subprocess.Popen | None = None
@@ -27,6 +29,7 @@ def background(
             talker.wait_for_output('Publishing')
 
     It has a process group of its own. It ends with ``stop()``, with the block, or with the kernel, also a killed one.
+    In a kernel it replaces the same command in the same folder that an earlier cell run left running.
 
     :param argv: the command and its arguments, or one string that is split as a shell would.
     :param env: variables to add to the environment.
@@ -35,6 +38,9 @@ def background(
     :raises FileNotFoundError: there is no such command.
     """
     argv = shlex.split(argv) if isinstance(argv, str) else [str(part) for part in argv]
+    for child in _children.copy():
+        if child.made_in < journal.number() and (child.argv, child.cwd) == (argv, cwd):
+            child.stop()
     return Process(argv, env, cwd, echo)
 
 
@@ -43,6 +49,8 @@ class Process:
 
     def __init__(self, argv, env=None, cwd=None, echo=False):
         self.argv = argv
+        self.cwd = cwd
+        self.made_in = journal.number()  # the cell run
         self.lines: list[str] = []  #: output so far (stdout and stderr together), without line ends
         self._news = threading.Condition()
         self._echo = echo
