@@ -59,7 +59,8 @@ def ensure(layout: Layout, environ: Mapping[str, str], console: Console) -> unde
     preflight.check_writable(layout.root)
 
     def waiting(process: str) -> None:
-        console.line(f'course: another ./course (process {process}) is setting up; waiting for it to end')
+        which = f' (process {process})' if process else ''
+        console.line(f'course: another ./course{which} is setting up; waiting for it to end')
 
     with mutex.exclusive(layout.mutex, waiting) as descriptor:
         setup.keep = (descriptor,)
