@@ -1,4 +1,4 @@
-# expect: The report belongs into a timer
+# expect: not the clock on the wall
 # Exercise 3.6: a rate and gap monitor
 import time
 
