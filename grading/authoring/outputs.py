@@ -41,6 +41,8 @@ def settle(notebook: NotebookNode, root: Path) -> None:
 
     for cell in notebook.cells:
         cell.metadata.pop('execution', None)
+        if cell.cell_type == 'code':
+            cell.outputs = _merged(cell.outputs)
         for output in cell.get('outputs', []):
             for key in FIELDS.get(output.output_type, ()):
                 output[key] = clean(output[key])
@@ -49,3 +51,21 @@ def settle(notebook: NotebookNode, root: Path) -> None:
             for mime in TEXT_TYPES:
                 if mime in output.get('data', {}):
                     output.data[mime] = clean(output.data[mime])
+
+
+def _merged(found: list[NotebookNode]) -> list[NotebookNode]:
+    """Join what one stream printed between two other outputs, stdout first; how a kernel splits them is chance.
+
+    nbclient could do it, but takes minutes for a long line.
+    """
+    merged, streams = [], {}
+    for output in found:
+        if output.output_type != 'stream':
+            merged += [streams[name] for name in sorted(streams, reverse=True)]
+            streams = {}
+            merged.append(output)
+        elif output.name in streams:
+            streams[output.name].text += output.text
+        else:
+            streams[output.name] = output
+    return merged + [streams[name] for name in sorted(streams, reverse=True)]
