@@ -118,6 +118,7 @@ class Process:
         self.output = Output(output, server.limits.output)
         self._ids = itertools.count(1)
         self.ended = False
+        self._early: list[dict] = []  # answers that came while another one was awaited
         try:
             self.ask('load', timeout, cells=program['cells'], ros_args=list(ros_args), token=token, now=now)
         except BaseException:
@@ -129,7 +130,13 @@ class Process:
         number = next(self._ids)
         try:
             self.channel.send({'id': number, 'op': op, 'with': arguments})
-            answer = self._answer(number, limit)
+            try:
+                answer = self._answer(number, limit)
+            except ChannelTimeout:
+                if self._where() != []:
+                    raise
+                # It is in none of the learner's lines: the machine is slow, not the program.
+                answer = self._answer(number, 3 * limit)
         except ChannelTimeout:
             raise self._hanging(op, limit, arguments) from None
         except ChannelClosed:
@@ -143,18 +150,27 @@ class Process:
     def _answer(self, number: int, timeout: float) -> dict:
         deadline = time.monotonic() + timeout
         while True:
-            answer = self.channel.receive(max(0.0, deadline - time.monotonic()))
+            answer = (self._early.pop(0) if self._early else
+                      self.channel.receive(max(0.0, deadline - time.monotonic())))
             if answer.get('id') == number:
                 return answer
 
-    def _hanging(self, op: str, limit: float, arguments: dict) -> LearnerFault:
-        lines = []
+    def _where(self) -> list[dict] | None:
+        """The learner's lines that the program is at; None if not even that is answered."""
+        number = next(self._ids)
         try:
-            number = next(self._ids)
             self.channel.send({'id': number, 'op': 'where'})
-            lines = _lines(self._answer(number, 2.0))
+            deadline = time.monotonic() + 5
+            while True:
+                answer = self.channel.receive(max(0.0, deadline - time.monotonic()))
+                if answer.get('id') == number:
+                    return _lines(answer)
+                self._early.append(answer)
         except (ChannelTimeout, ChannelClosed, ChannelError):
-            pass
+            return None
+
+    def _hanging(self, op: str, limit: float, arguments: dict) -> LearnerFault:
+        lines = self._where() or []
         self.kill()
         doing = {'load': 'The cell', 'start': f"`{arguments.get('name')}(…)`",
                  'call': f"`{arguments.get('name')}(…)`"}.get(op, 'A callback')

@@ -209,7 +209,10 @@ class _Collection:
 
 
 def _events(process: subprocess.Popen, descriptor: int, test_timeout: float):
-    """The events of the tests' process; `timeout` and the end if none came in time: START_TIMEOUT, then `test_timeout`."""
+    """The events of the tests' process; `timeout` and the end if none came in time.
+
+    That is START_TIMEOUT for the first test to begin, then `test_timeout`.
+    """
     buffer, limit = b'', START_TIMEOUT
     while True:
         deadline = time.monotonic() + limit

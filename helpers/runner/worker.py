@@ -59,15 +59,17 @@ class _SimulatedTimeSource(TimeSource):
 class Program:
     """The learner's code, loaded into a module of its own."""
 
-    def __init__(self, cells: list[dict]):
-        """Run the cells; `cells` have `label`, `source` and `required`.
-
-        An exception in a cell that is not required is remembered in `notes`; in the required one it is a Fault.
-        """
+    def __init__(self):
         self.module = types.ModuleType('notebook')
         self.notes: list[str] = []
         self.labels: dict[str, str] = {}
         sys.modules['notebook'] = self.module
+
+    def load(self, cells: list[dict]) -> None:
+        """Run the cells; they have `label`, `source` and `required`.
+
+        An exception in a cell that is not required is remembered in `notes`; in the required one it is a Fault.
+        """
         for number, cell in enumerate(cells):
             filename = f'<cell {number}>'
             self.labels[filename] = cell['label']
@@ -136,35 +138,43 @@ class Conductor:
     def _on_echo(self, message: UInt64) -> None:
         self.echo_seen = message.data
 
-    def step(self, number: int, now: int, nodes: list[Node], timeout: float) -> int:
-        """Run callbacks until step `number` and time `now` (ns) have come and nothing more is ready.
+    def step(self, number: int, now: int, nodes: list[Node], timeout: float) -> tuple[int, bool]:
+        """Run callbacks until step `number` has come and nothing more is ready.
 
-        Returns the number of the learner's callbacks that ran. Faults: `busy` (never idle), `deaf` (the step did
-        not arrive), `exception` in a callback.
+        Returns the number of the learner's callbacks that ran, and whether the time `now` (ns) has come, too.
+        Faults: `busy` (never idle), `deaf` (the step did not arrive), `exception` in a callback.
         """
         deadline = time.monotonic() + timeout
+        # No callback of the learner's runs before all has arrived that was sent before the step.
+        while self.step_seen < number:
+            self._hear(deadline)
         count = 0
-        while self.step_seen < number or any(node.get_clock().now().nanoseconds < now for node in nodes
-                                             if node.get_clock().ros_time_is_active):
-            if time.monotonic() > deadline:
-                raise Fault('deaf')
-            count += self._once(0.05)
         quiet = False
         while not quiet:
             ran = self._drain(count)
             count += ran
             # What its nodes have sent to each other may still be on its way: it arrives before this echo.
-            quiet = ran == 0 and self.echo_sent > 0 and self.echo_seen == self.echo_sent and not self._sent_since_echo
+            quiet = ran == 0 and self.echo_sent > 0 and not self._sent_since_echo
             if not quiet:
+                self._sent_since_echo = False
                 self.echo_sent += 1
                 self.echo.publish(UInt64(data=self.echo_sent))
                 while self.echo_seen < self.echo_sent:
-                    if time.monotonic() > deadline:
-                        raise Fault('deaf')
-                    count += self._once(0.05)
-                self._sent_since_echo = False
+                    self._hear(deadline)
+        reached = all(node.get_clock().now().nanoseconds >= now for node in nodes
+                      if node.get_clock().ros_time_is_active)
         self.done.publish(UInt64(data=number))
-        return count
+        return count, reached
+
+    def _hear(self, deadline: float) -> None:
+        """Wait for a message to the conductor itself."""
+        if time.monotonic() > deadline:
+            raise Fault('deaf')
+        try:
+            handler, _, _ = self.executor.wait_for_ready_callbacks(timeout_sec=0.05, nodes=[self.node])
+        except TimeoutException:
+            return
+        handler()
 
     _sent_since_echo = True
 
@@ -193,12 +203,6 @@ class Conductor:
             progressed = True
             if ran > MAX_CALLBACKS:
                 return ran, progressed
-
-    def _once(self, timeout: float) -> int:
-        try:
-            return self._run(*self.executor.wait_for_ready_callbacks(timeout_sec=timeout))
-        except TimeoutException:
-            return 0
 
     def _run(self, handler, entity, node) -> int:
         """Run one ready callback; returns 1 if it is the learner's and has finished, else 0."""
@@ -287,7 +291,8 @@ class Worker:
         # The notebook's own start and stop of ROS mean this context.
         rclpy.init = lambda *args, **kwargs: None
         rclpy.shutdown = rclpy.try_shutdown = lambda *args, **kwargs: None
-        self.program = Program(cells)
+        self.program = Program()
+        self.program.load(cells)
         return {'notes': self.program.notes}
 
     def do_start(self, name: str, args: list, kwargs: dict):
@@ -362,8 +367,8 @@ class Worker:
     def do_step(self, number: int, now: int, timeout: float):
         """Go to simulated time `now` (ns) with all that was sent before, and become idle."""
         _SimulatedTimeSource.now = now
-        count = self.conductor.step(number, now, self.nodes, timeout)
-        return {'count': count, 'next': self._next_timer(now)}
+        count, reached = self.conductor.step(number, now, self.nodes, timeout)
+        return {'count': count, 'reached': reached, 'next': self._next_timer(now)}
 
     def _next_timer(self, now: int) -> int | None:
         """The simulated time (ns) at which the next timer is due."""
