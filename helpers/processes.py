@@ -9,6 +9,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import contextmanager
 
 from helpers import journal
 
@@ -56,17 +57,18 @@ class Process:
         self._echo = echo
         self._closed = False
         try:
-            self._popen = subprocess.Popen(
-                argv,
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.STDOUT,
-                start_new_session=True,
-                env={**os.environ, 'PYTHONUNBUFFERED': '1', **(env or {})},
-                cwd=cwd,
-                text=True,
-                errors='replace',
-            )
+            with _interruptible():
+                self._popen = subprocess.Popen(
+                    argv,
+                    stdin=subprocess.DEVNULL,
+                    stdout=subprocess.PIPE,
+                    stderr=subprocess.STDOUT,
+                    start_new_session=True,
+                    env={**os.environ, 'PYTHONUNBUFFERED': '1', **(env or {})},
+                    cwd=cwd,
+                    text=True,
+                    errors='replace',
+                )
         except FileNotFoundError:
             raise FileNotFoundError(f'no command {argv[0]!r}: check its spelling and the PATH') from None
         _children.append(self)
@@ -181,6 +183,20 @@ class Process:
             os.killpg(self._popen.pid, number)
         except (ProcessLookupError, PermissionError):
             pass
+
+
+@contextmanager
+def _interruptible():
+    """While a child is born do not ignore SIGINT, as a program in the background of a shell does: that is inherited."""
+    ignored = signal.getsignal(signal.SIGINT) is signal.SIG_IGN
+    if not ignored or threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def _tell_guardian(line: str) -> None:
