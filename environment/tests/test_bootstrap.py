@@ -45,7 +45,7 @@ def test_a_clone_is_interrupted_resumed_changed_and_moved(tmp_path, clean_enviro
     assert [out for out, _ in answers] == ['works\n', 'works\n']
     said = ''.join(err for _, err in answers)
     assert 'Installing' not in said
-    assert said.count('Building') == 1
+    assert said.count('The environment is ready.') == 1
     assert said.count('waiting for it to end') == 1
 
     # Nothing to do: quick, in processor time, as the machine may be loaded.
