@@ -23,6 +23,7 @@ threading.Thread(target=threading.Event().wait, name='waiter', daemon=True).star
 NOTEBOOKS = {  # name: cells, as (source, output on record; None: never executed)
     'good': [(GOOD, 'good\n')],
     'unsolved': [('print(1)', None)],
+    'quiet': [('6 * 7;', ''), ('%%bash\necho hello', 'hello\n')],
     'wrong_output': [('print(42)', '41\n')],
     'failing': [('1 / 0', '')],
     'second_run_fails': [("assert 'seen' not in globals()\nseen = 1", '')],
@@ -74,6 +75,11 @@ def results(tmp_path_factory):
 def failures(results, name):
     """The failed tests of one notebook."""
     return {test: message for test, message in results[name].items() if message is not None}
+
+
+def test_a_semicolon_hides_a_value_and_ipythons_own_thread_is_none_of_ours(results):
+    assert len(results['quiet']) == 6
+    assert failures(results, 'quiet') == {}
 
 
 @pytest.mark.parametrize('name', ['good', 'unsolved'])
