@@ -222,10 +222,11 @@ assert learner.wait_until(lambda: not learner.endpoints('/chatter').publishers)
     'an expectation': Case(small.TALKER, START + "\nexpect(False, 'You spoke too much.')", 'failed',
                            ('You spoke too much.',)),
     'a bare assertion stays with the grader': Case(small.TALKER, 'secret = 42\nassert secret == 43', 'failed', ('',)),
-    'wrong topic': Case(small.TALKER.replace("'chatter'", "'/chater'"), EXACT.replace('assert', 'expect(False, "x")#'),
-                        'failed', ('no publisher on /chatter; it has one on /chater (std_msgs/msg/String).',)),
     'wrong topic': Case(small.TALKER.replace("'chatter'", "'/chater'"), EXACT.replace('assert', 'expect(0, "x")#'),
-                       ('must carry std_msgs/msg/String; your publisher there has the type std_msgs/msg/Int32',)),
+                        'failed', ('no publisher on /chatter; it has one on /chater (std_msgs/msg/String).',)),
+    'wrong type': Case(small.TALKER.replace('String', 'Int32').replace('str(self.count)', 'self.count'), EXACT,
+                       'failed', ('/chatter must carry std_msgs/msg/String; your publisher there has the type '
+                                  'std_msgs/msg/Int32',)),
     'weak offer': Case(small.TALKER.replace(', 10)', ', qos_profile_sensor_data)'), EXACT, 'failed',
                        ('publisher on /chatter offers reliability BEST_EFFORT, the subscription asks for RELIABLE',)),
     'strong request': Case(NODE + "        self.create_subscription(String, 'x', print, 10)\n", """
