@@ -19,6 +19,7 @@ def sanitizers(root: Path) -> list[tuple[str, str, str]]:
     return [
         ('checkout', re.escape(str(root)), '/course'),
         ('ipykernel_file', r'/tmp/ipykernel_\d+/\d+\.py', '/tmp/ipykernel_0/0.py'),
+        ('temporary', r'/tmp/tmp[a-z0-9_]{8}\b', '/tmp/tmp00000000'),
         ('address', r'\b0x[0-9a-f]{6,16}\b', '0x0'),
         ('port', r'(127\.0\.0\.1|localhost):\d{4,5}', r'\1:0'),
         ('pid', r'\b(pid|process)([ =])\d+', r'\1\g<2>0'),
