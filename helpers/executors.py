@@ -11,7 +11,7 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 
 from helpers.errors import Failure, learners_part
-from helpers.nodes import is_alive
+from helpers.nodes import is_doomed
 
 #: Notified after every callback of a watched executor, so that waits react at once.
 activity = threading.Condition()
@@ -151,10 +151,10 @@ class Work:
         return
 
     def _died_with_its_node(self, error: BaseException) -> bool:
-        """Tell whether another thread destroyed the node while the callback ran: nobody's mistake in the callback."""
+        """Tell whether the node was being destroyed while the callback ran: no mistake of the callback."""
         from rclpy.exceptions import InvalidHandle
 
-        return isinstance(error, InvalidHandle) and self.node is not None and not is_alive(self.node)
+        return isinstance(error, InvalidHandle) and self.node is not None and is_doomed(self.node)
 
     @property
     def seconds(self) -> float:
