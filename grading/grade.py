@@ -73,20 +73,18 @@ def grade(submissions: list[Submission], course: Course, output: Path, jobs: int
             waiting.append((submission, key))
     log.info('%d of %d submissions to grade, sandbox %s', len(waiting), len(submissions), course.sandbox)
     processes = max(1, jobs // max(1, len(waiting)))
-    with ThreadPoolExecutor(max(1, jobs)) as pool:
-        graded = {pool.submit(_grade_one, submission, key, course, output, processes): submission
-                  for submission, key in waiting}
-        try:
-            for future in as_completed(graded):
-                record = future.result()
-                records[record.learner] = record
-                log.info('%s: %s, %s of %g points', record.learner, record.status, record.score, record.points)
-                for line in record.log:
-                    log.warning('%s: %s', record.learner, line)
-                say(record, True)
-        except BaseException:
-            pool.shutdown(wait=False, cancel_futures=True)
-            raise
+    pool = ThreadPoolExecutor(max(1, jobs))
+    try:
+        graded = [pool.submit(_grade_one, submission, key, course, output, processes) for submission, key in waiting]
+        for future in as_completed(graded):
+            record = future.result()
+            records[record.learner] = record
+            log.info('%s: %s, %s of %g points', record.learner, record.status, record.score, record.points)
+            for line in record.log:
+                log.warning('%s: %s', record.learner, line)
+            say(record, True)
+    finally:
+        pool.shutdown(wait=False, cancel_futures=True)  # an interrupted run does not wait for the rest
     ordered = [records[learner] for learner in sorted(records)]
     finish(ordered, course, output)
     log.info('done: %d records', len(ordered))

@@ -37,16 +37,20 @@ def grade(
         console.print('Sandbox: none. Submissions run as plain processes with limits; grade only what you trust.',
                       style='yellow', markup=False)
     columns = (TextColumn('{task.description}'), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=console) as progress:
-        task = progress.add_task('grading', total=len(found))
+    try:
+        with Progress(*columns, console=console) as progress:
+            task = progress.add_task('grading', total=len(found))
 
-        def say(record, fresh):
-            score = 'unknown' if record.score is None else f'{record.score:g}'
-            note = '' if fresh else ' (unchanged)'
-            console.print(f'{record.learner}: {score} of {record.points:g}, {record.status}{note}', markup=False)
-            progress.advance(task)
+            def say(record, fresh):
+                score = 'unknown' if record.score is None else f'{record.score:g}'
+                note = '' if fresh else ' (unchanged)'
+                console.print(f'{record.learner}: {score} of {record.points:g}, {record.status}{note}', markup=False)
+                progress.advance(task)
 
-        records = grader.grade(found, course, output, jobs, say)
+            records = grader.grade(found, course, output, jobs, say)
+    except KeyboardInterrupt:
+        console.print('Stopped. What is graded is kept: run the same command to go on.')
+        os._exit(130)  # at once: the tests that still run end with this process
     console.print(f'{output / "gradebook.csv"}: {len(records)} learners', markup=False)
     faults = [record.learner for record in records if record.status == 'grader_error']
     if faults:

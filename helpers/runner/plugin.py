@@ -13,7 +13,7 @@ import pytest
 
 from helpers.runner import verdicts
 from helpers.runner.client import ForkServer
-from helpers.runner.learner import Learner
+from helpers.runner.learner import AGAIN, TIMEOUTS, Learner
 
 
 class Plugin:
@@ -24,6 +24,7 @@ class Plugin:
         """`programs` by exercise id; tests of other exercises are left out. `only`: the ids of the tests to run."""
         self.programs, self.server, self.domain_id = programs, server, domain_id
         self.report, self.only = report, only
+        self._stuck: set[str] = set()  # exercises of which a test has met a timeout
 
     def pytest_configure(self, config):
         config.addinivalue_line('markers', 'exercise(id): the exercise that a test judges')
@@ -50,7 +51,9 @@ class Plugin:
     @pytest.fixture
     def learner(self, request):
         """The learner's program, fresh for each test."""
-        learner = Learner(self.server, self.programs[_exercise(request.node)], self.domain_id)
+        exercise = _exercise(request.node)
+        learner = Learner(self.server, self.programs[exercise], self.domain_id,
+                          AGAIN if exercise in self._stuck else TIMEOUTS)
         request.node.learner = learner
         yield learner
         learner.close()
@@ -74,6 +77,8 @@ class Plugin:
         yield
         state = item.stash.get(_STATE, {'verdict': None, 'message': '', 'details': '', 'fault': 'no report'})
         learner = getattr(item, 'learner', None)
+        if state['verdict'] == verdicts.TIMEOUT:
+            self._stuck.add(_exercise(item))
         self.report({'event': 'result', 'test': test_id(item), 'message': state['message'],
                      'verdict': state['verdict'] or verdicts.GRADER_ERROR, 'details': state['details'],
                      'fault': state['fault'], 'output': learner.output if learner else ''})

@@ -171,7 +171,8 @@ class _Collection:
             json.dump(job, file)
             file.seek(0)
             process = subprocess.Popen([sys.executable, '-m', 'helpers.runner.tester', str(write)], cwd=cwd,
-                                       env=environment, stdin=file, stdout=printed, stderr=printed, pass_fds=[write])
+                                       env=environment, stdin=file, stdout=printed, stderr=printed, pass_fds=[write],
+                                       start_new_session=True)  # Ctrl-C is for the grader, which ends it
         os.close(write)
         return process, read
 

@@ -9,13 +9,14 @@ safe and as good as a fresh start. When the control socket closes, it kills what
     (a child ended)                    ->  {"event": "ended", "key": k, "status": wait status}
 """
 import array
-import ctypes
 import json
 import os
 import select
 import signal
 import socket
 import sys
+
+from helpers.runner.lifetime import die_with_parent
 
 # What most programs import; the rest is imported by the program itself.
 _MESSAGE_PACKAGES = ('std_msgs', 'geometry_msgs', 'sensor_msgs', 'nav_msgs', 'builtin_interfaces', 'rosgraph_msgs',
@@ -51,11 +52,6 @@ def _warm_up() -> None:
         getattr(srv, name).__class__.__import_type_support__()
 
     import helpers.runner.worker  # noqa: F401
-
-
-def _die_with_parent() -> None:
-    PR_SET_PDEATHSIG = 1
-    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
 
 
 def serve(control: socket.socket) -> None:
@@ -99,7 +95,7 @@ def serve(control: socket.socket) -> None:
             signal.set_wakeup_fd(-1)
             os.close(wake)
             signal.signal(signal.SIGCHLD, signal.SIG_DFL)
-            _die_with_parent()
+            die_with_parent()
             _become_program(channel, output)
         os.close(channel)
         os.close(output)
@@ -149,7 +145,7 @@ def _become_program(channel: int, output: int) -> None:
 
 def main() -> None:
     control = socket.socket(fileno=int(sys.argv[1]))
-    _die_with_parent()
+    die_with_parent()
     _warm_up()
     control.send(b'{"event": "ready"}')
     serve(control)

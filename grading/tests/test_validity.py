@@ -1,0 +1,132 @@
+"""Do the graders judge rightly? Every chapter's solution, unsolved notebook, wrong solutions and alternatives.
+
+Variants of different exercises share a notebook, so that there are as many runs as the richest exercise has variants.
+"""
+
+import re
+from dataclasses import dataclass
+from itertools import zip_longest
+from pathlib import Path
+
+import pytest
+
+from grading import grade
+from grading.authoring import chapter as chapters
+from grading.authoring import notebooks as authored
+from grading.submissions import Submission
+from helpers import paths
+from helpers.exercises import manifest, notebooks, program
+from helpers.runner import session
+
+pytestmark = pytest.mark.timeout(600)
+EXERCISES = manifest.load()
+CHAPTERS = {chapters.read(path).number: path for path in chapters.sources(paths.ROOT / 'solutions')}
+VARIANTS = {kind: sorted((paths.ROOT / 'grading' / kind).glob('chapter_*/*.py'))
+            for kind in ('mutants', 'alternatives')}
+
+
+@dataclass(frozen=True)
+class Variant:
+    """A text for an exercise's cell; a mutant says which fragments the learner must read."""
+
+    name: str
+    exercise: str
+    source: str
+    expected: tuple[str, ...]
+
+    @classmethod
+    def read(cls, path: Path) -> 'Variant':
+        text = path.read_text()
+        chapter, number, _ = path.stem.split('_', 2)
+        return cls(path.stem, f'{chapter}.{number}', re.sub(r'^# expect:.*\n', '', text, flags=re.MULTILINE),
+                   tuple(re.findall(r'^# expect: (.+)$', text, re.MULTILINE)))
+
+
+def layers(kind):
+    """(chapter, variants of different exercises): one notebook each."""
+    found = []
+    for number in CHAPTERS:
+        columns = [[variant for path in VARIANTS[kind] if (variant := Variant.read(path)).exercise == identity]
+                   for identity in EXERCISES if identity.startswith(f'{number}.')]
+        found += [pytest.param(number, [variant for variant in row if variant], id=f'{number:02}-{index}')
+                  for index, row in enumerate(zip_longest(*columns))]
+    return found
+
+
+def solved(number):
+    text = authored.dumps(authored.solved(chapters.read(CHAPTERS[number])))
+    return notebooks.parse(text.encode(), CHAPTERS[number].name)
+
+
+def judge(number, cells, only=None):
+    chosen = [exercise for exercise in EXERCISES.values() if exercise.chapter == number
+              and (only is None or exercise.id in only)]
+    report = session.run(cells, chosen, session.Options(hidden=grade.HIDDEN, processes=2))
+    assert not report.log
+    return {result.id: result for result in report.exercises}
+
+
+def varied(number, variants):
+    """The solved notebook with the variants in place of their exercises."""
+    cells = solved(number)
+    texts = {variant.exercise: variant.source for variant in variants}
+    return [notebooks.Cell(texts.get(program.exercise_id(cell), cell.source), cell.number, cell.id) for cell in cells]
+
+
+def told(result):
+    """What the learner reads about the tests that did not pass."""
+    return '\n'.join([result.message, *(f'{test.message}\n{test.expected}' for test in result.tests
+                                        if not test.passed)])
+
+
+@pytest.mark.parametrize('number', CHAPTERS)
+def test_solution_gets_full_marks(number):
+    for result in judge(number, solved(number)).values():
+        assert (result.verdict, result.score) == ('passed', result.points), told(result)
+
+
+@pytest.mark.parametrize('number', CHAPTERS)
+def test_unsolved_notebook_gets_nothing_kindly(number):
+    path = paths.NOTEBOOKS / f'{CHAPTERS[number].stem}.ipynb'
+    work = Submission('ada', path, {path.name: path.read_bytes()})
+    mine = tuple(exercise for exercise in EXERCISES.values() if exercise.chapter == number)
+    for result in grade.judge(work, grade.Course(mine)).exercises:
+        assert (result.verdict, result.score) == ('not_attempted', 0)
+        assert result.message == f'Exercise {result.id} is not solved yet.'
+
+
+@pytest.mark.parametrize(('number', 'variants'), layers('mutants'))
+def test_wrong_solutions_are_rejected_with_the_right_words(number, variants):
+    results = judge(number, varied(number, variants), {variant.exercise for variant in variants})
+    for variant in variants:
+        result = results[variant.exercise]
+        assert variant.expected, f'{variant.name} has no line "# expect: …"'
+        assert result.score is not None and result.score < result.points, f'{variant.name} gets full marks'
+        assert any(test.hidden and not test.passed for test in result.tests), f'no hidden test rejects {variant.name}'
+        for fragment in variant.expected:
+            assert fragment in told(result), (variant.name, told(result))
+
+
+@pytest.mark.parametrize(('number', 'variants'), layers('alternatives'))
+def test_alternatives_get_full_marks(number, variants):
+    results = judge(number, varied(number, variants), {variant.exercise for variant in variants})
+    for variant in variants:
+        result = results[variant.exercise]
+        assert (result.verdict, result.score) == ('passed', result.points), (variant.name, told(result))
+
+
+def test_there_are_enough_of_them():
+    """At least three mutants and one alternative per exercise, and none without an exercise."""
+    for kind, least in (('mutants', 3), ('alternatives', 1)):
+        exercises = [Variant.read(path).exercise for path in VARIANTS[kind]]
+        assert set(exercises) == set(EXERCISES)
+        assert all(exercises.count(identity) >= least for identity in EXERCISES), kind
+
+
+@pytest.mark.parametrize('path', VARIANTS['mutants'] + VARIANTS['alternatives'], ids=lambda path: path.stem)
+def test_variants_are_cells(path):
+    """Each is recognised as the exercise that its file's name says, and is no stub."""
+    variant = Variant.read(path)
+    cell = notebooks.Cell(variant.source.lstrip('\n'), 1)
+    assert program.exercise_id(cell) == variant.exercise
+    assert program.build([cell], EXERCISES[variant.exercise]).cells
