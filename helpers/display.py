@@ -25,10 +25,13 @@ _TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).f
 <div style="border-left: 4px solid {{ colour(exercise) }}; padding: 0.2em 0 0.2em 0.9em; margin: 0.3em 0">
 <div style="font-weight: 600">{{ heading(exercise) }}</div>
 <div>{{ summary(exercise) }}</div>
+{% set again = repeated(exercise) %}
 {% for test in exercise.tests if not exercise.passed %}
 <div style="margin-top: 0.5em"><span style="color: {{ good if test.passed else bad }}; font-weight: 700">\
 {{ '✓' if test.passed else '✗' }}</span> {{ expected(test) }}</div>
-{% if not test.passed %}
+{% if test.test in again %}
+<div style="margin-left: 1.4em">The same as above.</div>
+{% elif not test.passed %}
 {% for line in happened(test) %}
 <div style="margin-left: 1.4em">{{ line }}</div>
 {% endfor %}
@@ -74,7 +77,9 @@ def expected(test: TestResult) -> str:
 
 
 def hint(test: TestResult) -> str:
-    """The rest of a test's docstring, as one paragraph: where to look."""
+    """The rest of a test's docstring, as one paragraph: where to look. Beside an error or a hang it would mislead."""
+    if test.verdict != verdicts.FAILED:
+        return ''
     return ' '.join(test.expected.partition('\n')[2].split())
 
 
@@ -83,6 +88,17 @@ def happened(test: TestResult) -> list[str]:
     if test.verdict == verdicts.GRADER_ERROR:
         return ['This test itself failed, not your code.']
     return test.message.splitlines()
+
+
+def repeated(exercise: ExerciseResult) -> set[str]:
+    """The tests that failed in the same way as an earlier one: what happened is told once."""
+    seen, found = set(), set()
+    for test in exercise.tests:
+        if test.verdict in (verdicts.LEARNER_CRASHED, verdicts.TIMEOUT, verdicts.INVALID_SUBMISSION):
+            key = (test.message, test.details)
+            found |= {test.test} if key in seen else set()
+            seen.add(key)
+    return found
 
 
 def colour(exercise: ExerciseResult) -> str:
@@ -95,7 +111,7 @@ def colour(exercise: ExerciseResult) -> str:
 def html(exercises: list[ExerciseResult]) -> str:
     """The results for a notebook."""
     return _TEMPLATE.render(exercises=exercises, heading=heading, summary=summary, colour=colour, hint=hint,
-                            expected=expected, happened=happened, good=GOOD, bad=BAD)
+                            expected=expected, happened=happened, repeated=repeated, good=GOOD, bad=BAD)
 
 
 def lines(exercises: list[ExerciseResult]) -> list[tuple[str, str]]:
@@ -104,9 +120,12 @@ def lines(exercises: list[ExerciseResult]) -> list[tuple[str, str]]:
     for exercise in exercises:
         style = {GOOD: 'green', BAD: 'red', OPEN: 'yellow'}[colour(exercise)]
         found += [(f'bold {style}', heading(exercise)), ('', f'  {summary(exercise)}')]
+        again = repeated(exercise)
         for test in exercise.tests if not exercise.passed else ():
             found.append(('green' if test.passed else 'red', f'  {"✓" if test.passed else "✗"} {expected(test)}'))
-            if not test.passed:
+            if test.test in again:
+                found.append(('', '      The same as above.'))
+            elif not test.passed:
                 found += [('', f'      {line}') for line in happened(test)]
                 if hint(test):
                     found.append(('dim', f'      {hint(test)}'))

@@ -28,4 +28,4 @@ def dumps(record: Record) -> str:
     """The page."""
     return _ENVIRONMENT.get_template('feedback.html.j2').render(
         record=record, words=_WORDS, expected=display.expected, hint=display.hint, happened=display.happened,
-        colour=display.colour, heading=display.heading)
+        repeated=display.repeated, colour=display.colour, heading=display.heading)

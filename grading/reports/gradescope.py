@@ -24,10 +24,13 @@ def dumps(record: Record) -> str:
 
 def _text(exercise) -> str:
     lines = [exercise.message] if exercise.message else []
+    again = display.repeated(exercise)
     for test in exercise.tests:
         if test.expected:
             lines.append(f'{"passed" if test.passed else "FAILED"}: {display.expected(test)}')
-        if not test.passed:
+        if test.test in again:
+            lines.append('    The same as above.')
+        elif not test.passed:
             lines += [f'    {line}' for line in display.happened(test)]
             if display.hint(test):
                 lines.append(f'    {display.hint(test)}')

@@ -1,5 +1,6 @@
 """`check` and `submit` in a kernel, on the command line, and what they show."""
 
+import dataclasses
 import importlib
 import json
 import re
@@ -40,6 +41,14 @@ def test_what_a_failure_looks_like():
     assert 'It was &lt;3&gt;.' in page and '<details' in page and 'printed' in page and '<script' not in page
     # A theme decides on the colours of text and ground.
     assert not re.search(r'[^-]color: (black|white|#000|#fff)|background', page)
+
+
+def test_the_same_error_is_told_once():
+    test = result('learner_crashed').tests[1]
+    both = [dataclasses.replace(test, test=name) for name in 'ab']
+    for text in (display.plain([result(tests=both)]), display.html([result(tests=both)])):
+        assert text.count('Really.') == text.count('The same as above.') == 1
+        assert 'there.' not in text  # what to look at for another reason
 
 
 @pytest.mark.parametrize(('exercise', 'text'), [

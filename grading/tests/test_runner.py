@@ -140,6 +140,24 @@ sender.send(*(Int32(data=number) for number in range(10)))
 learner.settle()
 expect(heard.data == [7, 8, 9], f'{heard.data}')
 """),
+    'endpoints that a callback makes': Case(NODE + """\
+        self.create_timer(1.0, self.tick)
+        self.p = None
+
+    def tick(self):
+        if self.p:
+            self.p.publish(String(data='tick'))
+        else:
+            self.p = self.create_publisher(String, 'late', 10)
+            self.create_subscription(String, 'ask', self.p.publish, 10)
+""", """
+heard, asked = learner.listen('/late', String), learner.talk('/ask', String)
+learner.start('Talker')
+learner.run(1.0)
+asked.send(String(data='hi'))
+learner.run(1.0)
+assert heard.data == ['hi', 'tick'], heard.data
+"""),
     'latched, in both directions': Case(NODE + """\
         latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
         self.p = self.create_publisher(String, 'map', latched)

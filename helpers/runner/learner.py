@@ -120,6 +120,7 @@ class Learner:
         self._recordings: list[Recording] = []
         self._talkers: list[Talker] = []
         self._connected = True
+        self._endpoints: dict = {}  # how many each of the learner's processes has, by its key
         self._past_output = ''
         self._done: dict[int, int] = {}
         self.context = Context()
@@ -152,6 +153,7 @@ class Learner:
         answer = process.ask('start', self.timeouts.start, name=name, args=[values.encode(a) for a in args],
                              kwargs={k: values.encode(v) for k, v in kwargs.items()})
         self._stepped.add(process.key)
+        self._endpoints[process.key] = answer['endpoints']
         self._connected = False
         return Started(self, process, answer['index'], [str(node) for node in answer['nodes']])
 
@@ -175,6 +177,7 @@ class Learner:
         """Drop a process that has ended; its output stays."""
         self.processes.remove(process)
         self._stepped.discard(process.key)
+        self._endpoints.pop(process.key, None)
         self._past_output += process.output.text
 
     @property
@@ -230,6 +233,7 @@ class Learner:
         while self.now < end:
             due = [time_due for time_due in self._due if time_due is not None]
             self._step_to(max(self.now + 1, min([end, self.now + largest, *due])))
+            self.connect()
         self._acknowledge()
 
     def settle(self) -> None:
@@ -239,6 +243,7 @@ class Learner:
 
     def _settle(self) -> None:
         self._step_to(self.now)
+        self.connect()
         self._acknowledge()
 
     def wait_until(self, condition, timeout: float = 10.0) -> bool:
@@ -264,12 +269,19 @@ class Learner:
                        for process in self._conducted()]
             self._drain(number, len(answers))
             self._due = tuple(answer.get('next') for answer in answers)
+            # A callback may have made or destroyed endpoints: these are connected before the next step.
+            endpoints = {process.key: answer.get('endpoints')
+                         for process, answer in zip(self._conducted(), answers, strict=True)}
+            self._connected &= endpoints == self._endpoints
+            self._endpoints = endpoints
             self.unsettled = False
             # One process is idle after one round. Several may have sent something to each other, and /clock is best
             # effort: what is lost is sent again.
             active = len(answers) > 1 and any(answer.get('count') for answer in answers)
             if not active and all(answer.get('reached') for answer in answers):
                 return
+            for process in self._conducted():  # what they have sent to each other arrives before the next round
+                process.ask('ack', self.timeouts.step, timeout=5.0)
         if active:
             raise LearnerFault('Your nodes never come to rest: they answer each other\'s messages without end.')
         raise RunnerError('/clock does not reach the learner\'s processes')
@@ -333,7 +345,10 @@ class Learner:
         subscription = self.node.create_subscription(UInt64, f'{mark}/tests', lambda message: None, 1)
         processes = self._conducted()
         for process in processes:
-            process.ask('sync', self.timeouts.discovery + 5, mark=mark, timeout=self.timeouts.discovery)
+            process.ask('mark', self.timeouts.step, mark=mark)
+        for process in processes:
+            process.ask('sync', self.timeouts.discovery + 5, mark=mark, workers=len(processes),
+                        timeout=self.timeouts.discovery)
         deadline = time.monotonic() + self.timeouts.discovery
         while min(self.node.count_publishers(f'{mark}/worker'),
                   self.node.count_subscribers(f'{mark}/worker')) < len(processes):

@@ -3,8 +3,8 @@
 Nothing spins between requests, so the order of things is the same on an idle and on a loaded machine. Requests
 and replies are JSON objects on a private socket (`helpers.runner.channel`); standard output is the learner's own.
 
-Requests: load, start, call, join, sync, step, ack, stop; `where` is answered at once, by another thread, while the
-main thread is busy. Each reply has the request's `id` and either `ok: true` with results or `fault: {...}`.
+Requests: load, start, call, join, mark, sync, unsync, step, ack, stop; `where` is answered at once, by another thread,
+while the main thread is busy. Each reply has the request's `id` and either `ok: true` with results or `fault: {...}`.
 """
 import linecache
 import os
@@ -315,7 +315,8 @@ class Worker:
             self.executor.add_node(node)
         self.nodes += nodes
         self.started.append(made)
-        return {'index': len(self.started) - 1, 'nodes': [node.get_fully_qualified_name() for node in nodes]}
+        return {'index': len(self.started) - 1, 'endpoints': self._endpoints(),
+                'nodes': [node.get_fully_qualified_name() for node in nodes]}
 
     def do_call(self, name: str, args: list, kwargs: dict, index: int | None = None):
         """Call the learner's function, or a method of what a `start` made."""
@@ -341,22 +342,25 @@ class Worker:
             self.conductor = Conductor(self.token, self.program, self.executor)
         return {}
 
-    def do_sync(self, mark: str, timeout: float):
-        """Announce a fresh publisher and subscription on `mark`/worker and wait for those on `mark`/tests.
+    def do_mark(self, mark: str):
+        """Announce a fresh publisher and subscription on `mark`/worker.
 
-        Discovery keeps order: when both sides see the other's mark, each has matched all that was made before.
+        Discovery keeps order: who sees the mark has matched all that was made before it. Writers and readers are two
+        ordered streams, so there is a mark in each.
         """
         node = self.conductor.node
-        # Discovery of writers and of readers are two ordered streams: one mark in each.
         publisher = node.create_publisher(UInt64, f'{mark}/worker', 1)
-        subscription = node.create_subscription(UInt64, f'{mark}/worker', lambda message: None, 1)
-        self._marks = (publisher, subscription)
+        self._marks = (publisher, node.create_subscription(UInt64, f'{mark}/worker', lambda message: None, 1))
+
+    def do_sync(self, mark: str, workers: int, timeout: float):
+        """Wait for the marks of the tests' side and of all `workers` processes of the learner's."""
+        node = self.conductor.node
+        wanted = ((f'{mark}/tests', 1), (f'{mark}/worker', workers))
         deadline = time.monotonic() + timeout
-        while not (node.count_publishers(f'{mark}/tests') and node.count_subscribers(f'{mark}/tests')):
+        while any(min(node.count_publishers(topic), node.count_subscribers(topic)) < count for topic, count in wanted):
             if time.monotonic() > deadline:
                 raise Fault('deaf')
             time.sleep(0.001)  # a bounded poll: the graph has no event to wait for without spinning
-        return {}
 
     def do_unsync(self):
         """Withdraw the marks of `sync`."""
@@ -368,7 +372,12 @@ class Worker:
         """Go to simulated time `now` (ns) with all that was sent before, and become idle."""
         _SimulatedTimeSource.now = now
         count, reached = self.conductor.step(number, now, self.nodes, timeout)
-        return {'count': count, 'reached': reached, 'next': self._next_timer(now)}
+        return {'count': count, 'reached': reached, 'next': self._next_timer(now), 'endpoints': self._endpoints()}
+
+    def _endpoints(self) -> int:
+        """How many endpoints the learner's nodes have: more or fewer than before means new discovery."""
+        return sum(len(list(kind)) for node in self.nodes
+                   for kind in (node.publishers, node.subscriptions, node.services, node.clients))
 
     def _next_timer(self, now: int) -> int | None:
         """The simulated time (ns) at which the next timer is due."""
