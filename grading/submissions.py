@@ -22,6 +22,7 @@ from helpers.submit import LEARNER
 MAX_ARCHIVE = 50 * 2**20  # bytes of a zip
 MAX_MEMBERS = 200
 MAX_TOTAL = 60 * 2**20  # bytes of all members that are read
+_CHAPTER = re.compile(r'\d\d_.*\.ipynb')  # a file name; downloads add words such as " (1)" behind the number
 
 
 class Unusable(Exception):
@@ -76,7 +77,9 @@ class Submission:
 
 
 def find(paths: Iterable[Path]) -> list[Submission]:
-    """Read the submissions at `paths`, sorted by learner. A folder without notebooks is a folder of submissions.
+    """Read the submissions at `paths`, sorted by learner.
+
+    A folder that holds chapters (`03_….ipynb`) is one learner's; any other is a folder of submissions.
 
     :raises Unusable: a path does not exist or holds no submission, or two are the same learner's.
     """
@@ -97,11 +100,17 @@ def find(paths: Iterable[Path]) -> list[Submission]:
 def _inside(path: Path) -> list[Submission]:
     if path.is_file():
         return [read(path)]
-    if any(_is_notebook(child.name) for child in path.iterdir()):
+    children = sorted(child for child in path.iterdir() if not child.name.startswith('.'))
+    chapters = [child for child in children if child.is_file() and _CHAPTER.match(child.name)]
+    archives = [child for child in children if child.is_file() and child.suffix == '.zip']
+    if chapters and archives:
+        raise Unusable(f'{path} holds both {chapters[0].name}, as one learner\'s folder does, and {archives[0].name}: '
+                       'put each learner\'s notebooks into a folder of their own')
+    if chapters:
         return [read(path)]
-    found = [read(child) for child in sorted(path.iterdir()) if not child.name.startswith('.')
-             and (child.is_dir() and any(_is_notebook(inner.name) for inner in child.iterdir())
-                  or child.is_file() and child.suffix in ('.zip', '.ipynb'))]
+    found = [read(child) for child in children
+             if child.is_dir() and any(_is_notebook(inner.name) for inner in child.iterdir())
+             or child.is_file() and child.suffix in ('.zip', '.ipynb')]
     if not found:
         raise Unusable(f'{path} holds no submission: expected notebooks, or zip files and folders of learners')
     return found

@@ -47,6 +47,20 @@ def test_a_folder_of_submissions(tmp_path):
     assert [found.learner for found in submissions.find([tmp_path])] == ['ada', 'bob', 'eve']
 
 
+def test_notebooks_named_after_learners_are_one_submission_each(tmp_path):
+    for name in ('ada.ipynb', 'bob.ipynb'):
+        (tmp_path / name).write_bytes(small.solved())
+    zipped(tmp_path / 'x.zip', (small.NOTEBOOK, small.solved()), ('submission.json', b'{"learner": "eve"}'))
+    assert [found.learner for found in submissions.find([tmp_path])] == ['ada', 'bob', 'eve']
+
+
+def test_a_chapter_beside_a_zip_is_refused_not_lost(tmp_path):
+    (tmp_path / small.NOTEBOOK).write_bytes(small.solved())
+    zipped(tmp_path / 'x.zip', (small.NOTEBOOK, small.solved()))
+    with pytest.raises(Unusable, match='holds both 90_small.ipynb.* and x.zip'):
+        submissions.find([tmp_path])
+
+
 @pytest.mark.parametrize(('members', 'problem'), [
     ([], 'no notebook'),
     ([('a/x.ipynb', b'{}'), ('b/x.ipynb', b'{}')], 'two notebooks called x.ipynb'),
