@@ -1,0 +1,143 @@
+"""Builds the chapters: sources to solved notebooks, learner's notebooks and the list of exercises."""
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import nbformat
+
+from grading.authoring import chapter as chapters
+from grading.authoring import execution, notebooks, outputs, rules
+from grading.authoring.chapter import Chapter
+from grading.authoring.errors import AuthoringError, ChapterErrors
+from helpers.exercises import manifest
+
+
+@dataclass(frozen=True)
+class Tree:
+    """Where sources and generated files are, below the root of the course."""
+
+    root: Path
+
+    @property
+    def solutions(self) -> Path:
+        """Sources and executed notebooks."""
+        return self.root / 'solutions'
+
+    @property
+    def notebooks(self) -> Path:
+        """What the learner opens."""
+        return self.root / 'notebooks'
+
+    @property
+    def manifest(self) -> Path:
+        """The list of exercises."""
+        return self.root / manifest.MANIFEST.relative_to(manifest.MANIFEST.parents[2])
+
+    def solved(self, chapter: Chapter) -> Path:
+        """The executed notebook of ``chapter``."""
+        return self.solutions / f'{chapter.name}.ipynb'
+
+    def learner(self, chapter: Chapter) -> Path:
+        """The learner's notebook of ``chapter``."""
+        return self.notebooks / f'{chapter.name}.ipynb'
+
+
+def read_all(tree: Tree) -> list[Chapter]:
+    """Read every source and check it against the rules.
+
+    :raises ChapterErrors: with all mistakes found.
+    """
+    read, errors = [], []
+    for path in chapters.sources(tree.solutions):
+        try:
+            read.append(chapters.read(path))
+        except AuthoringError as error:
+            errors.append(error)
+    errors += rules.check(read)
+    if errors:
+        raise ChapterErrors(errors)
+    return read
+
+
+def build(tree: Tree, selected: set[int] | None = None, force: bool = False, timeout: float = execution.CELL_TIMEOUT,
+          say: Callable[[str], None] = print) -> None:
+    """Build the chapters numbered in ``selected`` (default: all) that differ from their sources, or all with ``force``.
+
+    The learner's notebook and the list of exercises are written first, as ``check`` in the executed notebook needs them.
+
+    :param timeout: longest time of one cell, in seconds.
+    :param say: takes the lines that tell the progress.
+    :raises ChapterErrors: mistakes in the sources, a failing cell, a notebook that is too big.
+    """
+    all_chapters = read_all(tree)
+    _write(tree.manifest, manifest.dumps(row for chapter in all_chapters for row in chapter.exercises()))
+    errors = []
+    for chapter in all_chapters:
+        if selected is not None and chapter.number not in selected:
+            continue
+        for text in rules.advice(chapter):
+            say(text)
+        _write(tree.learner(chapter), notebooks.dumps(notebooks.learner(chapter)))
+        if not force and not solved_drift(tree, chapter):
+            say(f'{chapter.name}: unchanged')
+            continue
+        say(f'{chapter.name}: executing')
+        try:
+            _write(tree.solved(chapter), _executed(tree, chapter, timeout))
+        except AuthoringError as error:
+            errors.append(error)
+    if errors:
+        raise ChapterErrors(errors)
+
+
+def solved_drift(tree: Tree, chapter: Chapter) -> list[str]:
+    """Return in what the executed notebook differs from its source, as short texts; empty if in step."""
+    path = tree.solved(chapter)
+    try:
+        text = path.read_text(encoding='utf-8')
+        notebook = nbformat.reads(text, as_version=4)
+    except FileNotFoundError:
+        return ['is missing']
+    except (ValueError, nbformat.ValidationError) as error:
+        return [f'cannot be read ({error})']
+    drift = [] if len(text.encode()) <= outputs.MAX_BYTES else [f'is larger than {outputs.MAX_BYTES // 1000} kB']
+    if any(cell.cell_type == 'code' and cell.execution_count is None for cell in notebook.cells):
+        drift.append('has cells that were never executed')
+    return drift + differences(notebook, notebooks.solved(chapter))
+
+
+def differences(found: nbformat.NotebookNode, wanted: nbformat.NotebookNode) -> list[str]:
+    """Return how two notebooks differ, outputs and execution counts aside."""
+    if [cell.id for cell in found.cells] != [cell.id for cell in wanted.cells]:
+        return ['has other cells than its source']
+    result = []
+    for number, (one, other) in enumerate(zip(found.cells, wanted.cells, strict=True), start=1):
+        what = [part for part in ('cell_type', 'source', 'metadata') if one[part] != other[part]]
+        if what:
+            result.append(f'differs from its source in the {" and ".join(what)} of cell {number} ({one.id})')
+    if found.metadata != wanted.metadata:
+        result.append("differs from its source in the notebook's metadata")
+    return result
+
+
+def _executed(tree: Tree, chapter: Chapter, timeout: float) -> str:
+    notebook = notebooks.solved(chapter)
+    execution.execute(notebook, chapter, tree.notebooks, timeout)
+    outputs.settle(notebook, tree.root)
+    text = notebooks.dumps(notebook)
+    if len(text.encode()) > outputs.MAX_BYTES:
+        raise AuthoringError(chapter.path, None, f'its notebook has {len(text.encode()) / 1e6:.1f} MB with outputs, 1 MB is allowed',
+                             'make its outputs smaller: fewer or smaller pictures, a link instead of a page')
+    return text
+
+
+def _write(path: Path, text: str) -> None:
+    """Write a file in one step, and only if it changes."""
+    if path.exists() and path.read_text(encoding='utf-8') == text:
+        return
+    path.parent.mkdir(parents=True, exist_ok=True)
+    partial = path.with_name(f'.{path.name}.partial')
+    partial.write_text(text, encoding='utf-8')
+    os.replace(partial, path)

@@ -1,0 +1,29 @@
+"""Proves that the generated files are in step with their sources, without running anything."""
+
+from grading.authoring import build, notebooks
+from grading.authoring.build import Tree
+from helpers.exercises import manifest
+
+
+def drift(tree: Tree) -> list[str]:
+    """Return one line for each generated file that its source would not give; empty if all is in step.
+
+    :raises ChapterErrors: the sources themselves have mistakes.
+    """
+    chapters = build.read_all(tree)
+    lines = []
+    for chapter in chapters:
+        lines += [f'solutions/{chapter.name}.ipynb {what}' for what in build.solved_drift(tree, chapter)]
+        lines += _text_drift(tree.learner(chapter), notebooks.dumps(notebooks.learner(chapter)), tree)
+    lines += _text_drift(tree.manifest, manifest.dumps(row for chapter in chapters for row in chapter.exercises()), tree)
+    names = {f'{chapter.name}.ipynb' for chapter in chapters}
+    for folder in (tree.solutions, tree.notebooks):
+        lines += [f'{folder.name}/{path.name} has no source' for path in sorted(folder.glob('*.ipynb')) if path.name not in names]
+    return lines
+
+
+def _text_drift(path, wanted, tree):
+    name = path.relative_to(tree.root)
+    if not path.exists():
+        return [f'{name} is missing']
+    return [] if path.read_text(encoding='utf-8') == wanted else [f'{name} is not what its source gives']

@@ -1,0 +1,74 @@
+"""From a chapter to its two notebooks, without running anything."""
+
+import hashlib
+from collections import Counter
+
+import nbformat
+from nbformat import NotebookNode
+
+from grading.authoring.chapter import Cell, Chapter
+
+# Fixed, so that neither the author's machine nor the kernel's version shows.
+METADATA = {
+    'kernelspec': {'display_name': 'Python 3 (ipykernel)', 'language': 'python', 'name': 'python3'},
+    'language_info': {
+        'codemirror_mode': {'name': 'ipython', 'version': 3},
+        'file_extension': '.py',
+        'mimetype': 'text/x-python',
+        'name': 'python',
+        'nbconvert_exporter': 'python',
+        'pygments_lexer': 'ipython3',
+    },
+}
+
+
+def solved(chapter: Chapter) -> NotebookNode:
+    """Return the notebook with all solutions, not executed."""
+    return _notebook(chapter, lambda cell: (cell.split.solved, cell.metadata))
+
+
+def learner(chapter: Chapter) -> NotebookNode:
+    """Return the notebook that the learner opens: stubs instead of solutions, exercise cells that cannot be deleted."""
+    return _notebook(chapter, lambda cell: (cell.split.stub, _learner_metadata(cell.metadata)))
+
+
+def dumps(notebook: NotebookNode) -> str:
+    """Return the text of the notebook's file."""
+    nbformat.validate(notebook)
+    return nbformat.writes(notebook).rstrip('\n') + '\n'
+
+
+def _notebook(chapter, form):
+    cells = []
+    for cell, identifier in zip(chapter.cells, _ids(chapter.cells), strict=True):
+        source, metadata = form(cell)
+        node = {'id': identifier, 'cell_type': cell.kind, 'metadata': dict(metadata), 'source': source}
+        if cell.kind == 'code':
+            node |= {'execution_count': None, 'outputs': []}
+        cells.append(node)
+    return nbformat.from_dict({'cells': cells, 'metadata': METADATA, 'nbformat': 4, 'nbformat_minor': 5})
+
+
+def _learner_metadata(metadata: dict) -> dict:
+    """Outputs are not compared in the learner's notebook, so the tags about them go; an exercise cell is kept in place."""
+    kept = {key: value for key, value in metadata.items() if key != 'tags'}
+    tags = [tag for tag in metadata.get('tags', []) if not tag.startswith('nbval-')]
+    if tags:
+        kept['tags'] = tags
+    if 'exercise' in metadata:
+        kept['deletable'] = False
+    return kept
+
+
+def _ids(cells: tuple[Cell, ...]) -> list[str]:
+    """Return ids that depend on a cell's own text only, so that an edit elsewhere does not change them."""
+    seen = Counter()
+    ids = []
+    for cell in cells:
+        if cell.exercise is not None:
+            ids.append('ex-' + cell.exercise['id'].replace('.', '-'))
+            continue
+        text = f'{cell.kind}\n{cell.source}'
+        seen[text] += 1
+        ids.append(hashlib.sha256(f'{seen[text]}\n{text}'.encode()).hexdigest()[:8])
+    return ids

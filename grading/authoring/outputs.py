@@ -1,0 +1,51 @@
+"""What may stand in the outputs of a solved notebook, and which differences between two runs do not count.
+
+One list of patterns serves both: the build applies it to what it keeps, nbval to what it compares. A replacement
+must be its own fixed point, or the kept output would change again under nbval.
+"""
+
+import re
+from pathlib import Path
+
+from nbformat import NotebookNode
+
+MAX_BYTES = 1_000_000
+FIELDS = {'stream': ('text',), 'error': ('evalue',)}
+TEXT_TYPES = ('text/plain', 'text/html', 'text/markdown', 'text/latex')
+
+
+def sanitizers(root: Path) -> list[tuple[str, str, str]]:
+    """Return (name, regular expression, replacement) for what differs between machines and runs."""
+    return [
+        ('checkout', re.escape(str(root)), '/course'),
+        ('ipykernel_file', r'/tmp/ipykernel_\d+/\d+\.py', '/tmp/ipykernel_0/0.py'),
+        ('address', r'\b0x[0-9a-f]{6,16}\b', '0x0'),
+        ('port', r'(127\.0\.0\.1|localhost):\d{4,5}', r'\1:0'),
+        ('pid', r'\b(pid|process)([ =])\d+', r'\1\g<2>0'),
+    ]
+
+
+def nbval_config(root: Path) -> str:
+    """Return the sanitizers as the text of a file for ``nbval --nbval-sanitize-with``."""
+    return '\n'.join(f'[{name}]\nregex: {regex}\nreplace: {replace}\n' for name, regex, replace in sanitizers(root))
+
+
+def settle(notebook: NotebookNode, root: Path) -> None:
+    """Bring the outputs of an executed notebook into the form that is kept, in place."""
+    patterns = [(re.compile(regex), replace) for _, regex, replace in sanitizers(root)]
+
+    def clean(text):
+        for pattern, replace in patterns:
+            text = pattern.sub(replace, text)
+        return text
+
+    for cell in notebook.cells:
+        cell.metadata.pop('execution', None)
+        for output in cell.get('outputs', []):
+            for key in FIELDS.get(output.output_type, ()):
+                output[key] = clean(output[key])
+            if 'traceback' in output:
+                output.traceback = [clean(line) for line in output.traceback]
+            for mime in TEXT_TYPES:
+                if mime in output.get('data', {}):
+                    output.data[mime] = clean(output.data[mime])

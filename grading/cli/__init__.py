@@ -1,0 +1,1 @@
+"""The instructor's commands of ``./course``; helpers.cli says how a command is made."""

@@ -1,0 +1,49 @@
+"""``./course build``: from the sources of the chapters to the notebooks."""
+
+import re
+import sys
+from typing import Annotated
+
+import typer
+
+from helpers import paths
+from helpers.cli import Refusal
+
+
+def build(
+    chapters: Annotated[list[str] | None, typer.Argument(metavar='[NN …]', help='Numbers of chapters; all if none.')] = None,
+    check: Annotated[bool, typer.Option('--check', help='Run nothing: prove that the generated files fit their sources.')] = False,
+    force: Annotated[bool, typer.Option('--force', help='Execute also the chapters whose source has not changed.')] = False,
+    timeout: Annotated[float, typer.Option(help='Longest time of one cell, in seconds.')] = 60.0,
+):
+    """Make the executed solution and the learner's notebook of each chapter from solutions/NN_name.md."""
+    from grading.authoring import build as builder
+    from grading.authoring import in_step
+    from grading.authoring.chapter import sources
+    from grading.authoring.errors import ChapterErrors
+
+    tree = builder.Tree(paths.ROOT)
+    known = {int(path.name[:2]) for path in sources(tree.solutions)}
+    selected = {_number(text) for text in chapters or []}
+    if selected - known:
+        there = ', '.join(f'{number:02}' for number in sorted(known)) or 'none'
+        raise Refusal(f'no source of chapter {min(selected - known):02} in solutions/; there are: {there}')
+    try:
+        if check:
+            lines = in_step.drift(tree)
+            for line in lines:
+                print(line)
+            print(f'{len(lines)} generated files are out of step; run ./course build' if lines
+                  else f'{len(known)} chapters are in step with their sources')
+            raise typer.Exit(1 if lines else 0)
+        builder.build(tree, selected or None, force=force, timeout=timeout)
+    except ChapterErrors as errors:
+        print(errors, file=sys.stderr)
+        raise typer.Exit(1) from None
+
+
+def _number(text: str) -> int:
+    match = re.fullmatch(r'(\d{1,2})(_\w+)?(\.md)?', text.rpartition('/')[2])
+    if not match:
+        raise Refusal(f'{text!r} is no chapter: write its number, such as 03')
+    return int(match[1])

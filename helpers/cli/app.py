@@ -1,0 +1,47 @@
+"""Puts the commands together."""
+
+import sys
+from importlib import import_module
+from importlib.util import find_spec
+
+import typer
+
+from helpers.cli import Refusal
+
+# In the order of --help. The instructor's commands exist only where the instructor's half is.
+LEARNER = ('lab', 'test', 'doctor', 'shell', 'check', 'submit')
+INSTRUCTOR = ('release', 'grade', 'build', 'bench')
+
+
+def make_app() -> typer.Typer:
+    """Return the application with every command whose module is there."""
+    app = typer.Typer(
+        help='The ROS 2 course: notebooks, checks and submissions.',
+        no_args_is_help=True,
+        add_completion=False,
+        pretty_exceptions_enable=False,
+        rich_markup_mode=None,
+        context_settings={'help_option_names': ['-h', '--help']},
+    )
+    app.callback()(lambda: None)  # else typer would take a single command for the whole application
+    for package, names in (('helpers.cli', LEARNER), ('grading.cli', INSTRUCTOR)):
+        if find_spec(package.partition('.')[0]) is None:
+            continue
+        for name in names:
+            if find_spec(f'{package}.{name}') is not None:
+                module = import_module(f'{package}.{name}')
+                app.command(name, **getattr(module, 'SETTINGS', {}))(getattr(module, name))
+    return app
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run the command line and return its exit status: 0 done, 1 something failed, 2 wrong usage or unusable input."""
+    try:
+        return make_app()(args=arguments, prog_name='./course', standalone_mode=True) or 0
+    except Refusal as refusal:
+        print(f'course: {refusal}', file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        return 130
+    except SystemExit as end:
+        return end.code if isinstance(end.code, int) else int(end.code is not None)

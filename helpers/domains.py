@@ -1,0 +1,50 @@
+"""Free ROS domain ids, so that programs on one machine do not hear each other.
+
+Fast DDS derives its UDP ports from the domain: 7400 + 250 * id and upwards. Linux hands out ports from 32768 on to
+anybody, so ids above 101 may collide with them; 0 is everybody's default. That leaves 1 to 101.
+
+A claimed id is a locked file in ``/tmp/ros-domains`` (``COURSE_DOMAINS_DIR`` names another folder). The lock ends with the
+process that holds it, however it ends. The folder is writable for every user and sticky, as /tmp itself is.
+"""
+
+import os
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+from filelock import FileLock, Timeout
+
+FIRST, LAST = 1, 101
+
+
+@contextmanager
+def claim() -> Iterator[int]:
+    """Hold a free ROS domain id from 1 to 101 for the duration of the block, and return it.
+
+    It is nobody else's who asks here, in any process of any user. The environment is not changed:
+    set ``ROS_DOMAIN_ID`` or pass the id to ``helpers.ros.start``.
+
+    :raises RuntimeError: all ids are claimed.
+    """
+    folder = _folder()
+    for domain_id in range(FIRST, LAST + 1):
+        lock = FileLock(folder / f'{domain_id}.lock', mode=0o666, timeout=0, thread_local=False)
+        try:
+            lock.acquire()
+        except (Timeout, PermissionError):  # in use; PermissionError: the file of a user with other ideas of modes
+            continue
+        try:
+            yield domain_id
+        finally:
+            lock.release()
+        return
+    raise RuntimeError(f'all ROS domain ids from {FIRST} to {LAST} are in use: end programs that hold locks in {folder}')
+
+
+def _folder() -> Path:
+    folder = Path(os.environ.get('COURSE_DOMAINS_DIR') or Path(tempfile.gettempdir()) / 'ros-domains')
+    folder.mkdir(parents=True, exist_ok=True)
+    with suppress(PermissionError):  # another user's folder already has the mode
+        folder.chmod(0o1777)
+    return folder

@@ -1,0 +1,111 @@
+"""An exception in a callback: how it is shown, and the CallbackError that the next wait raises."""
+
+import sys
+import traceback
+from pathlib import Path
+
+_RULE = '─' * 78
+# What rclpy says about a mistake -> what the mistake is. rclpy 7.1.9 words some of them differently from 7.1.6.
+_HINTS = (
+    ('generator already executing', 'Two threads spin one executor. Inside a callback do not spin: `await` the future.'),
+    ('already spinning', 'Two threads spin one executor. Inside a callback do not spin: `await` the future.'),
+    ('destruction was requested', 'This node, publisher or client was destroyed. Run the cell that creates it again.'),
+)
+
+
+class CallbackError(RuntimeError):
+    """A callback raised. ``__cause__`` is the exception; ``node`` and ``callback`` say where it happened."""
+
+    def __init__(self, node: str, callback: str, error: BaseException, times: int = 1, others: int = 0):
+        self.node = node
+        self.callback = callback
+        again = f' ({times} times)' if times > 1 else ''
+        more = f'; {others} more callback(s) raised too' if others else ''
+        super().__init__(f'{callback} of node {node} raised {type(error).__name__}: {error}{again}{more}')
+        self.__cause__ = error
+
+
+class Failure:
+    """One place where callbacks raise: node, callback, and how often."""
+
+    def __init__(self, node: str, callback: str, error: BaseException):
+        self.node = node
+        self.callback = callback
+        self.error = error.with_traceback(_learners_part(error.__traceback__))
+        self.times = 1
+
+    @property
+    def place(self) -> tuple:
+        """What makes two failures the same one: a timer that raises at every tick is shown once."""
+        frames = traceback.extract_tb(self.error.__traceback__)
+        last = (frames[-1].filename, frames[-1].lineno) if frames else None
+        return self.node, self.callback, type(self.error), last
+
+    def show(self) -> None:
+        """Write the failure to stderr, in one piece; in a kernel that is the output of the running cell."""
+        lines = [f'An exception in {self.callback} of node {self.node}', '', *self._traceback_lines()]
+        advice = hint(self.error)
+        if advice:
+            lines += ['', advice]
+        lines += ['', 'All nodes go on spinning. The next spin_for, wait_for or collect raises this as a CallbackError.']
+        box = ''.join(f'│ {line}'.rstrip() + '\n' for line in lines)
+        say(f'┌{_RULE}\n{box}└{_RULE}\n')
+
+    def _traceback_lines(self) -> list[str]:
+        summary = traceback.TracebackException.from_exception(self.error)
+        _name_cells(summary)
+        return ''.join(summary.format()).splitlines()
+
+
+def raise_failures(failures: list[Failure]) -> None:
+    """Raise the first of ``failures`` as a CallbackError that names how many others there are; nothing if empty."""
+    __tracebackhide__ = True
+    if failures:
+        first = failures[0]
+        raise CallbackError(first.node, first.callback, first.error, first.times, len(failures) - 1)
+
+
+def hint(error: BaseException) -> str:
+    """Return one sentence on what to do about a well-known mistake, or ''."""
+    text = str(error)
+    return next((advice for fragment, advice in _HINTS if fragment in text), '')
+
+
+def say(text: str) -> None:
+    """Write ``text`` to stderr; at the end of the process, when stderr may be closed, do nothing."""
+    try:
+        sys.stderr.write(text)
+        sys.stderr.flush()
+    except (AttributeError, OSError, ValueError):
+        pass
+
+
+def _learners_part(tb):
+    """Cut the frames of rclpy and of this package off the top: a learner's traceback begins in the learner's code."""
+    whole = tb
+    while tb is not None and _is_machinery(tb.tb_frame.f_code.co_filename):
+        tb = tb.tb_next
+    return tb or whole
+
+
+def _is_machinery(filename: str) -> bool:
+    path = Path(filename)
+    return path.parent.name == 'rclpy' or path.parent == Path(__file__).parent
+
+
+def _name_cells(summary: traceback.TracebackException) -> None:
+    """Show ``Cell In[3]`` instead of the temporary file name that IPython gives a cell."""
+    from helpers.journal import _interactive_shell
+
+    shell = _interactive_shell()
+    naming = getattr(getattr(shell, 'compile', None), 'format_code_name', None)
+    if naming is None:
+        return
+    for frame in summary.stack:
+        frame.line  # read the source line before the name of its file changes
+        label = naming(frame.filename)
+        if label:
+            frame.filename = ' '.join(label)
+    for chained in (summary.__cause__, summary.__context__):
+        if chained is not None:
+            _name_cells(chained)

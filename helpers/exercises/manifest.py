@@ -1,0 +1,74 @@
+"""The list of all exercises, ``helpers/checks/exercises.json``, and the digest that recognises an untouched stub.
+
+``./course build`` (grading.authoring) writes the list from the sources of the chapters; ``check``, ``submit`` and
+``grade`` read it. Both sides take the format and the digest from here.
+"""
+
+import ast
+import hashlib
+import json
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+MANIFEST = Path(__file__).resolve().parents[1] / 'checks' / 'exercises.json'
+
+
+@dataclass(frozen=True)
+class Exercise:
+    """One exercise, as its cell in the chapter's source declares it."""
+
+    id: str  # '3.2'
+    chapter: int
+    notebook: str  # file name in notebooks/, '03_nodes_and_topics.ipynb'
+    title: str
+    points: float
+    names: tuple[str, ...]  # what the cell must define
+    cell_id: str  # 'ex-3-2'
+    stub: str  # stub_digest of the cell as the learner gets it
+
+
+class ManifestError(Exception):
+    """The list of exercises is missing or damaged; the message names the remedy."""
+
+
+def stub_digest(source: str) -> str:
+    """Return the SHA-256 of the program in ``source``, blind to comments, blank lines and layout.
+
+    It hashes the syntax tree as ``ast.dump`` would show it, less the empty fields: which of those exist and which are
+    printed differs between Python versions, and one list must serve them all.
+
+    :raises SyntaxError: ``source`` does not parse.
+    """
+    return hashlib.sha256(_dump(ast.parse(source)).encode()).hexdigest()
+
+
+def load(path: Path = MANIFEST) -> dict[str, Exercise]:
+    """Return all exercises by id, in the order of the chapters.
+
+    :raises ManifestError: the file is missing or damaged.
+    """
+    try:
+        rows = json.loads(path.read_text(encoding='utf-8'))['exercises']
+        exercises = [Exercise(**{**row, 'names': tuple(row['names'])}) for row in rows]
+    except FileNotFoundError:
+        raise ManifestError(f'{path} is missing: get a complete copy of the course, or run ./course build') from None
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise ManifestError(f'{path} is damaged ({error}): get a fresh copy of it, or run ./course build') from None
+    return {exercise.id: exercise for exercise in exercises}
+
+
+def dumps(exercises: Iterable[Exercise]) -> str:
+    """Return the text of the file for ``exercises``, sorted by chapter and number."""
+    ordered = sorted(exercises, key=lambda exercise: [int(part) for part in exercise.id.split('.')])
+    return json.dumps({'exercises': [asdict(exercise) for exercise in ordered]}, indent=2, ensure_ascii=False) + '\n'
+
+
+def _dump(node: object) -> str:
+    if isinstance(node, ast.AST):
+        fields = ((name, getattr(node, name, None)) for name in node._fields)
+        shown = ', '.join(f'{name}={_dump(value)}' for name, value in fields if value is not None and value != [])
+        return f'{type(node).__name__}({shown})'
+    if isinstance(node, list):
+        return f'[{", ".join(map(_dump, node))}]'
+    return repr(node)

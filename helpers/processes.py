@@ -1,0 +1,199 @@
+"""Child processes of a kernel: a second program beside the notebook, whose output can be read and which never stays."""
+
+import atexit
+import os
+import shlex
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Mapping, Sequence
+
+_SHOWN = 10  # lines of output in an error text
+_children: list['Process'] = []
+_guardian: subprocess.Popen | None = None
+_process = os.getpid()
+
+
+def background(argv: Sequence[str] | str, *, env: Mapping[str, str] | None = None, cwd=None, echo: bool = False) -> 'Process':
+    """Start a command as a child process and return its handle.
+
+    ::
+
+        with background(['ros2', 'run', 'demo_nodes_py', 'talker']) as talker:
+            talker.wait_for_output('Publishing')
+
+    It has a process group of its own. It ends with ``stop()``, with the block, or with the kernel, even if that is killed.
+
+    :param argv: the command and its arguments, or one string that is split as a shell would.
+    :param env: variables to add to the environment.
+    :param cwd: folder to run in.
+    :param echo: print each line as it comes.
+    :raises FileNotFoundError: there is no such command.
+    """
+    argv = shlex.split(argv) if isinstance(argv, str) else [str(part) for part in argv]
+    return Process(argv, env, cwd, echo)
+
+
+class Process:
+    """A running child process; made by `background`."""
+
+    def __init__(self, argv, env=None, cwd=None, echo=False):
+        self.argv = argv
+        self.lines: list[str] = []  #: output so far (stdout and stderr together), without line ends
+        self._news = threading.Condition()
+        self._echo = echo
+        self._closed = False
+        try:
+            self._popen = subprocess.Popen(
+                argv,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+                start_new_session=True,
+                env={**os.environ, 'PYTHONUNBUFFERED': '1', **(env or {})},
+                cwd=cwd,
+                text=True,
+                errors='replace',
+            )
+        except FileNotFoundError:
+            raise FileNotFoundError(f'no command {argv[0]!r}: check its spelling, or the environment it needs') from None
+        _children.append(self)
+        _tell_guardian(f'+{self._popen.pid}')
+        self._reader = threading.Thread(target=self._read, daemon=True, name=f'output of {argv[0]}')
+        self._reader.start()
+
+    @property
+    def pid(self) -> int:
+        """The process id."""
+        return self._popen.pid
+
+    @property
+    def returncode(self) -> int | None:
+        """Exit status; negative is the signal that ended it; None while it runs."""
+        return self._popen.poll()
+
+    @property
+    def running(self) -> bool:
+        """Whether the process runs."""
+        return self.returncode is None
+
+    @property
+    def output(self) -> str:
+        """The output so far as one text."""
+        return '\n'.join(self.lines)
+
+    def wait_for_output(self, text: str | Callable[[str], bool], timeout: float = 10.0) -> str:
+        """Wait for a line that contains ``text`` (or for which ``text(line)`` is true), and return it.
+
+        Lines that came earlier count.
+
+        :param timeout: seconds.
+        :raises TimeoutError: no such line in time.
+        :raises RuntimeError: the process ended without such a line; shows its exit status and last lines.
+        """
+        matches = text if callable(text) else lambda line: text in line
+        deadline = time.monotonic() + timeout
+        seen = 0
+        with self._news:
+            while True:
+                while seen < len(self.lines):
+                    seen += 1
+                    if matches(self.lines[seen - 1]):
+                        return self.lines[seen - 1]
+                left = deadline - time.monotonic()
+                if self._closed:
+                    raise RuntimeError(f'{self._name} ended{self._status()} before it printed {text!r}{self._tail()}')
+                if left <= 0:
+                    raise TimeoutError(f'{self._name} did not print {text!r} in {timeout:g} s{self._tail()}')
+                self._news.wait(left)
+
+    def stop(self, timeout: float = 3.0) -> int:
+        """End the process and all that it started: SIGINT, and SIGKILL after ``timeout`` seconds; idempotent.
+
+        :return: its exit status.
+        """
+        if self.running:
+            self._signal(signal.SIGINT)
+            try:
+                self._popen.wait(timeout)
+            except subprocess.TimeoutExpired:
+                pass
+        self._signal(signal.SIGKILL)  # the rest of the group, too
+        status = self._popen.wait()
+        self._reader.join(1.0)
+        _tell_guardian(f'-{self._popen.pid}')
+        if self in _children:
+            _children.remove(self)
+        return status
+
+    def __enter__(self) -> 'Process':
+        return self
+
+    def __exit__(self, kind, error, tb) -> None:
+        self.stop()
+
+    def __repr__(self) -> str:
+        state = 'running' if self.running else f'ended{self._status()}'
+        return f'<{self._name}: {state}, {len(self.lines)} lines>'
+
+    @property
+    def _name(self) -> str:
+        return shlex.join(self.argv)
+
+    def _status(self) -> str:
+        try:
+            return f' with status {self._popen.wait(1.0)}'
+        except subprocess.TimeoutExpired:
+            return ''
+
+    def _tail(self) -> str:
+        if not self.lines:
+            return '; it printed nothing'
+        return '; its last lines:\n' + '\n'.join(f'    {line}' for line in self.lines[-_SHOWN:])
+
+    def _read(self) -> None:
+        with self._popen.stdout as stream:
+            for line in stream:
+                line = line.rstrip('\n')
+                with self._news:
+                    self.lines.append(line)
+                    self._news.notify_all()
+                if self._echo:
+                    print(line, flush=True)
+        with self._news:
+            self._closed = True
+            self._news.notify_all()
+
+    def _signal(self, number: int) -> None:
+        try:
+            os.killpg(self._popen.pid, number)
+        except (ProcessLookupError, PermissionError):
+            pass
+
+
+def _tell_guardian(line: str) -> None:
+    """Keep the guardian (see `helpers.guardian`) informed of the process groups that must not outlive this process."""
+    global _guardian
+    if _guardian is None or _guardian.poll() is not None:
+        script = os.path.join(os.path.dirname(__file__), 'guardian.py')
+        _guardian = subprocess.Popen(
+            [sys.executable, '-I', '-S', script], stdin=subprocess.PIPE, start_new_session=True, text=True, bufsize=1
+        )
+    try:
+        _guardian.stdin.write(line + '\n')
+        _guardian.stdin.flush()
+    except BrokenPipeError:
+        pass
+
+
+@atexit.register
+def _at_exit() -> None:
+    if os.getpid() != _process:  # a forked child owns none of this
+        return
+    for child in list(_children):
+        child.stop(timeout=1.0)
+    if _guardian is not None:
+        _guardian.stdin.close()
+        _guardian.wait()
