@@ -1,0 +1,43 @@
+"""What the programs have in common: start ROS, spin until interrupted, stop; and say errors without a traceback."""
+
+import sys
+from contextlib import contextmanager
+from pathlib import Path
+
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.impl.rcutils_logger import RcutilsLogger
+from rclpy.utilities import remove_ros_args
+
+# Stock's programs log through the unnamed root logger until they have a node.
+root_logger = RcutilsLogger()
+
+
+@contextmanager
+def ros(argv):
+    """
+    Start ROS for a `with` block; its value is `argv` without ROS arguments.
+
+    Interruption ends the block quietly. An error (ROS arguments that cannot be parsed, a parameter of the wrong type)
+    ends the program with one line and status 1.
+    """
+    try:
+        rclpy.init(args=argv)
+        yield remove_ros_args(args=argv)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    except Exception as error:
+        print(f'{Path(argv[0]).name}: {error}', file=sys.stderr)
+        raise SystemExit(1) from None
+    finally:
+        rclpy.try_shutdown()
+
+
+def spin(node):
+    """Spin the node until interrupted or shut down."""
+    try:
+        rclpy.spin(node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        node.destroy_node()
