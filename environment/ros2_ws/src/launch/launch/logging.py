@@ -31,7 +31,7 @@ class _ScreenHandler(logging.StreamHandler):
         self.stream = sys.stdout
         super().emit(record)
 
-    def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 (a name of the base class)
+    def handleError(self, record: logging.LogRecord) -> None:
         # A reader that has gone away, as in "ros2 launch … | head", must not stop the launch from ending well.
         if not isinstance(sys.exc_info()[1], BrokenPipeError):
             super().handleError(record)

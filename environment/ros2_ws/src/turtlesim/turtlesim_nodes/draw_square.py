@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from geometry_msgs.msg import Twist
 from rclpy.node import Node
 from std_srvs.srv import Empty
-
 from turtlesim.msg import Pose
+
 from turtlesim_nodes.qos import TOPIC_QOS
 from turtlesim_nodes.running import run
 from turtlesim_nodes.world import STEP, normalize

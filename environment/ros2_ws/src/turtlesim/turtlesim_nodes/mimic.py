@@ -2,8 +2,8 @@
 
 from geometry_msgs.msg import Twist
 from rclpy.node import Node
-
 from turtlesim.msg import Pose
+
 from turtlesim_nodes.qos import TOPIC_QOS
 from turtlesim_nodes.running import run
 

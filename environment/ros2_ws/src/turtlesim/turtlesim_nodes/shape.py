@@ -4,7 +4,10 @@ import math
 
 from turtlesim_nodes.world import BREEDS, Turtle
 
-_SHELLS = ('#6a8f3c', '#8a6d3b', '#4f9fb5', '#c9822b', '#7b5ea7', '#b5533c', '#3c6e8f', '#5b8c5a', '#7d7f86', '#2f7f6f', '#a05a7f')
+_SHELLS = (
+    '#6a8f3c', '#8a6d3b', '#4f9fb5', '#c9822b', '#7b5ea7', '#b5533c',
+    '#3c6e8f', '#5b8c5a', '#7d7f86', '#2f7f6f', '#a05a7f',
+)  # one for each breed
 _SKIN, _DARK = '#cfd98a', '#2f3b1c'
 
 
@@ -26,6 +29,8 @@ def polygons(turtle: Turtle) -> list[tuple[str, list[tuple[float, float]]]]:
         (shell, _ellipse(0.0, 0.0, 0.30, 0.24)),
     ]
     cos, sin = math.cos(turtle.theta), math.sin(turtle.theta)
-    return [
-        (fill, [(turtle.x + cos * x - sin * y, turtle.y + sin * x + cos * y) for x, y in corners]) for fill, corners in parts
-    ]
+
+    def place(x: float, y: float) -> tuple[float, float]:
+        return turtle.x + cos * x - sin * y, turtle.y + sin * x + cos * y
+
+    return [(fill, [place(*corner) for corner in corners]) for fill, corners in parts]

@@ -11,10 +11,10 @@ from rclpy.exceptions import InvalidTopicNameException
 from rclpy.node import Node
 from rclpy.validate_topic_name import validate_topic_name
 from std_srvs.srv import Empty
-
 from turtlesim.action import RotateAbsolute
 from turtlesim.msg import Color, Pose
 from turtlesim.srv import Kill, SetPen, Spawn, TeleportAbsolute, TeleportRelative
+
 from turtlesim_nodes.qos import TOPIC_QOS
 from turtlesim_nodes.running import run
 from turtlesim_nodes.window import NoWindowError, Window

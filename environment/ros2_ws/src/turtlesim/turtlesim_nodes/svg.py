@@ -20,7 +20,8 @@ def draw_svg(world: World, size: int = PIXELS) -> str:
     lines += [_polyline(trail) for trail in world.trails]
     for name in sorted(world.turtles):
         lines.append(f'<g><title>{escape(name)}</title>')
-        lines += [f'<polygon fill="{fill}" points="{_points(corners)}"/>' for fill, corners in polygons(world.turtles[name])]
+        for fill, corners in polygons(world.turtles[name]):
+            lines.append(f'<polygon fill="{fill}" points="{_points(corners)}"/>')
         lines.append('</g>')
     return '\n'.join([*lines, '</svg>'])
 

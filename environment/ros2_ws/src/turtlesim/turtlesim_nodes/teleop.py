@@ -14,8 +14,8 @@ from rclpy.action import ActionClient
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
-
 from turtlesim.action import RotateAbsolute
+
 from turtlesim_nodes.qos import TOPIC_QOS
 
 HELP = """\

@@ -27,6 +27,8 @@ from launch.utilities import (
     to_text,
 )
 
+_SIGTERM_TIMEOUT = LaunchConfiguration('sigterm_timeout', default=5)
+_SIGKILL_TIMEOUT = LaunchConfiguration('sigkill_timeout', default=5)
 _numbers = itertools.count(1)
 
 
@@ -64,8 +66,8 @@ class ExecuteProcess(Action):
         env: dict | None = None,
         additional_env: dict | None = None,
         shell: bool = False,
-        sigterm_timeout: SomeSubstitutionsType = LaunchConfiguration('sigterm_timeout', default=5),
-        sigkill_timeout: SomeSubstitutionsType = LaunchConfiguration('sigkill_timeout', default=5),
+        sigterm_timeout: SomeSubstitutionsType = _SIGTERM_TIMEOUT,
+        sigkill_timeout: SomeSubstitutionsType = _SIGKILL_TIMEOUT,
         emulate_tty: bool = False,
         output: SomeSubstitutionsType | dict = 'log',
         output_format: str = '[{this.process_name}] {line}',

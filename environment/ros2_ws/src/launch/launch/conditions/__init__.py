@@ -64,8 +64,9 @@ class LaunchConfigurationEquals(Condition):
         value = context.launch_configurations.get(self._name)
         if self._expected is None or value is None:
             return value is self._expected
-        expected = self._expected
-        return value == (to_text(context, expected) if isinstance(expected, (str, Substitution, list, tuple)) else expected)
+        if isinstance(self._expected, (str, Substitution, list, tuple)):
+            return value == to_text(context, self._expected)
+        return value == self._expected
 
 
 class LaunchConfigurationNotEquals(LaunchConfigurationEquals):

@@ -34,6 +34,7 @@ class Command(Substitution):
             result = subprocess.run(
                 shlex.split(text),
                 text=True,
+                check=False,
                 stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT if on_stderr == 'capture' else subprocess.PIPE,
                 env=dict(context.environment),
@@ -45,7 +46,9 @@ class Command(Substitution):
                 f'executed command failed. Command: {text}\nCaptured stderr output: {result.stderr or ""}'
             )
         if result.stderr and on_stderr != 'ignore':
-            message = f'executed command showed stderr output. Command: {text}\nCaptured stderr output:\n{result.stderr}'
+            message = (
+                f'executed command showed stderr output. Command: {text}\nCaptured stderr output:\n{result.stderr}'
+            )
             if on_stderr == 'fail':
                 raise SubstitutionFailure(message)
             launch.logging.get_logger('launch.substitutions').warning(message)

@@ -19,9 +19,9 @@ class _Named(Substitution):
 
     def __init__(self, name: SomeSubstitutionsType, *, default=None):
         self._name = normalize_to_list_of_substitutions(name)
-        # str(): upstream takes numbers as defaults, too
-        plain = isinstance(default, (int, float))
-        self._default = None if default is None else normalize_to_list_of_substitutions(str(default) if plain else default)
+        if isinstance(default, (int, float)):  # upstream takes numbers, too
+            default = str(default)
+        self._default = None if default is None else normalize_to_list_of_substitutions(default)
 
     def describe(self) -> str:
         return f'{self._label}({describe_substitutions(self._name)})'

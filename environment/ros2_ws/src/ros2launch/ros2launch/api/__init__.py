@@ -36,7 +36,8 @@ def get_share_file_path_from_package(*, package_name: str, file_name: str) -> st
     if len(paths) > 1:
         listed = ', '.join(f"'{path}'" for path in sorted(paths))
         raise MultipleLaunchFilesError(
-            f"file '{file_name}' was found more than once in the share directory of package '{package_name}': [{listed}]",
+            f"file '{file_name}' was found more than once in the share directory of package '{package_name}': "
+            f'[{listed}]',
             paths,
         )
     return paths[0]
