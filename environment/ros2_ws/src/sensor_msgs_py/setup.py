@@ -16,5 +16,5 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description='Read and make point clouds with numpy.',
     license='Apache-2.0',
-    tests_require=['pytest'],
+    extras_require={'test': ['pytest']},
 )

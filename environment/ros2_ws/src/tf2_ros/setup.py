@@ -16,7 +16,7 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description='The programs of tf2: static_transform_publisher, tf2_echo, tf2_monitor, buffer_server.',
     license='Apache-2.0',
-    tests_require=['pytest'],
+    extras_require={'test': ['pytest']},
     entry_points={
         'console_scripts': [
             'buffer_server = tf2_ros_executables.buffer_server:main',

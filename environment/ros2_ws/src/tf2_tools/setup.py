@@ -16,7 +16,7 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description='view_frames: the tree of frames as a picture.',
     license='Apache-2.0',
-    tests_require=['pytest'],
+    extras_require={'test': ['pytest']},
     entry_points={
         'console_scripts': [
             'view_frames = tf2_tools.view_frames:main',

@@ -16,5 +16,5 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description='Quaternions, Euler angles and matrices: the functions of tf.transformations, x y z w.',
     license='Apache-2.0',
-    tests_require=['pytest'],
+    extras_require={'test': ['pytest']},
 )

@@ -271,7 +271,8 @@ class BufferCore:
         """Return the tree as a Graphviz digraph; with a time, how old each transform is then."""
         now = 0 if time is None else to_nanoseconds(time)
         lines = ['digraph G {']
-        legend = ['edge [style=invis];', ' subgraph cluster_legend { style=bold; color=black; label ="view_frames Result";']
+        legend = ['edge [style=invis];',
+                  ' subgraph cluster_legend { style=bold; color=black; label ="view_frames Result";']
         if now:
             legend.append(f'"Recorded at time: {seconds(now):.6f}"[ shape=plaintext ] ;')
         with self._lock:

@@ -12,13 +12,12 @@ from tf2_ros.transform_listener import TransformListener
 from tf2_ros_executables.program import ros, spin
 from tf2_ros_executables.static_transform_publisher import NUMBER
 
-USAGE = """\
-Usage: tf2_echo source_frame target_frame [echo_rate]
-
-This will echo the transform from the coordinate frame of the source_frame
-to the coordinate frame of the target_frame. 
-Note: This is the transform to get data from target_frame into the source_frame.
-Default echo rate is 1 if echo_rate is not given."""
+USAGE = (
+    'Usage: tf2_echo source_frame target_frame [echo_rate]\n\n'
+    'This will echo the transform from the coordinate frame of the source_frame\n'
+    'to the coordinate frame of the target_frame. \n'
+    'Note: This is the transform to get data from target_frame into the source_frame.\n'
+    'Default echo rate is 1 if echo_rate is not given.')
 
 
 def matrix_of(rotation):

@@ -24,21 +24,70 @@ def _recent():
     return deque(maxlen=HISTORY)
 
 
+def _seconds(stamp):
+    return stamp.sec + stamp.nanosec / 1e9
+
+
+def _figures(delays):
+    return f'{sum(delays) / len(delays):g}', f'{max(0.0, *delays):g}'
+
+
+class Delays:
+    """How long transforms took from their stamps to their arrival, in seconds; without ROS."""
+
+    def __init__(self):
+        self._frames = defaultdict(_recent)
+        self._messages = _recent()   # the mean of each message
+        self._arrivals = _recent()
+        self._chain_mean = self._chain_worst = 0.0
+
+    def receive(self, message, now):
+        """Note how old each transform of a message is."""
+        ages = []
+        for transform in message.transforms:
+            ages.append(now - _seconds(transform.header.stamp))
+            self._frames[transform.child_frame_id].append(ages[-1])
+        self._messages.append(sum(ages) / max(1, len(ages)))
+        self._arrivals.append(now)
+
+    def sample_chain(self, stamp, now):
+        """Note how old the latest transform along the chain is."""
+        delay = now - _seconds(stamp)
+        self._chain_mean += WEIGHT * (delay - self._chain_mean)
+        self._chain_worst = max(self._chain_worst, delay)
+
+    def report(self, chain=()):
+        """Return the report in stock's words: for all frames, or for those on a chain."""
+        if chain:
+            lines = [f'\n\n\nRESULTS: for {chain[0]} to {chain[-1]}', f'Chain is: {" -> ".join(chain)}',
+                     f'Net delay     avg = {self._chain_mean:g}: max = {self._chain_worst:g}']
+        else:
+            lines = ['\n\n\nRESULTS: for all Frames']
+        lines.append('\nFrames:')
+        for frame in sorted(self._frames):
+            if not chain or frame in chain:
+                mean, worst = _figures(self._frames[frame])
+                lines.append(f'Frame: {frame}, published by {AUTHORITY}, Average Delay: {mean}, Max Delay: {worst}')
+        lines.append('\nAll Broadcasters:')
+        if self._arrivals:
+            rate = len(self._arrivals) / max(1e-8, self._arrivals[-1] - self._arrivals[0])
+            mean, worst = _figures(self._messages)
+            lines.append(f'Node: {AUTHORITY} {rate:g} Hz, Average Delay: {mean} Max Delay: {worst}')
+        return '\n'.join(lines)
+
+
 class Monitor(Node):
     """
-    Collects delays in seconds from the stamps to the arrival, and prints them every ten seconds.
+    Prints the delays every ten seconds.
 
-    :param chain: two frame ids to watch only what joins these, or nothing for all frames.
+    :param asked: two frame ids to watch only what joins these, or nothing for all frames.
     """
 
-    def __init__(self, chain=()):
+    def __init__(self, asked=()):
         super().__init__('tf2_monitor_main')
-        self.asked = tuple(chain)
+        self.asked = tuple(asked)
         self.chain = []
-        self.delays = defaultdict(_recent)   # per frame
-        self.sender_delays = _recent()
-        self.sender_times = _recent()
-        self.mean = self.worst = 0.0
+        self.delays = Delays()
         self.samples = None   # None until the chain is known
         self.buffer = Buffer(node=self)
         self.listener = TransformListener(self.buffer, self)
@@ -53,15 +102,8 @@ class Monitor(Node):
         return self.get_clock().now().nanoseconds / 1e9
 
     def receive(self, message):
-        """Note how old each transform of a message is."""
-        now = self.now()
-        ages = []
-        for transform in message.transforms:
-            stamp = transform.header.stamp
-            ages.append(now - (stamp.sec + stamp.nanosec / 1e9))
-            self.delays[transform.child_frame_id].append(ages[-1])
-        self.sender_delays.append(sum(ages) / max(1, len(ages)))
-        self.sender_times.append(now)
+        """Take a message into account."""
+        self.delays.receive(message, self.now())
 
     def tick(self):
         """Wait for the chain; then sample its delay; report now and then."""
@@ -71,10 +113,13 @@ class Monitor(Node):
             self.samples = 0
         self.samples += 1
         if self.chain:
-            self.sample()
+            try:
+                self.delays.sample_chain(self.buffer.lookup_transform(*self.asked, Time()).header.stamp, self.now())
+            except TransformException as error:   # the tree has changed
+                self.get_logger().warning(f'Transform Exception {error}')
         if self.samples > SAMPLES:
             self.samples = 0
-            self.report()
+            print(self.delays.report(self.chain), flush=True)
 
     def begin(self):
         """Return whether there is something to watch; say so, or what is missing."""
@@ -93,43 +138,6 @@ class Monitor(Node):
             return False
         print(f'Gathering data on {a} -> {b} for 10 seconds...', flush=True)
         return True
-
-    def sample(self):
-        """Take the delay of the whole chain into account."""
-        try:
-            stamp = self.buffer.lookup_transform(*self.asked, Time()).header.stamp
-        except TransformException as error:   # the tree has changed
-            self.get_logger().warning(f'Transform Exception {error}')
-            return
-        delay = self.now() - (stamp.sec + stamp.nanosec / 1e9)
-        self.mean += WEIGHT * (delay - self.mean)
-        self.worst = max(self.worst, delay)
-
-    def report(self):
-        """Print the collected figures."""
-        if self.chain:
-            a, b = self.asked
-            print(f'\n\n\nRESULTS: for {a} to {b}\n'
-                  f'Chain is: {" -> ".join(self.chain)}\n'
-                  f'Net delay     avg = {self.mean:g}: max = {self.worst:g}')
-        else:
-            print('\n\n\nRESULTS: for all Frames')
-        print('\nFrames:')
-        for frame in sorted(self.delays):
-            if not self.chain or frame in self.chain:
-                delays = self.delays[frame]
-                print(f'Frame: {frame}, published by {AUTHORITY}, Average Delay: {_mean(delays):g}, '
-                      f'Max Delay: {max(0.0, *delays):g}')
-        sys.stdout.flush()
-        print('\nAll Broadcasters:', file=sys.stderr, flush=True)   # stock prints this one line there
-        if self.sender_times:
-            rate = len(self.sender_times) / max(1e-8, self.sender_times[-1] - self.sender_times[0])
-            print(f'Node: {AUTHORITY} {rate:g} Hz, Average Delay: {_mean(self.sender_delays):g} '
-                  f'Max Delay: {max(0.0, *self.sender_delays):g}', flush=True)
-
-
-def _mean(values):
-    return sum(values) / len(values)
 
 
 def main():
