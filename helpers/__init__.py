@@ -32,11 +32,10 @@ _HOME = {
     'submit': 'submit',
     'wait_for': 'waiting',
 }
-__all__ = sorted(_HOME)
 
 
 class _Package(ModuleType):
-    """The package's type: where a function and its module share a name (``spinning``), the package shows the function."""
+    """The type of this package: where a function and its module share a name (``spinning``), it shows the function."""
 
     def __setattr__(self, name, value):
         if isinstance(value, ModuleType) and _HOME.get(name) == name:

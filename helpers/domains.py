@@ -3,8 +3,8 @@
 Fast DDS derives its UDP ports from the domain: 7400 + 250 * id and upwards. Linux hands out ports from 32768 on to
 anybody, so ids above 101 may collide with them; 0 is everybody's default. That leaves 1 to 101.
 
-A claimed id is a locked file in ``/tmp/ros-domains`` (``COURSE_DOMAINS_DIR`` names another folder). The lock ends with the
-process that holds it, however it ends. The folder is writable for every user and sticky, as /tmp itself is.
+A claimed id is a locked file in ``/tmp/ros-domains`` (``COURSE_DOMAINS_DIR`` names another folder). The lock ends with
+the process that holds it, however it ends. The folder is writable for every user and sticky, as /tmp itself is.
 """
 
 import os
@@ -32,14 +32,14 @@ def claim() -> Iterator[int]:
         lock = FileLock(folder / f'{domain_id}.lock', mode=0o666, timeout=0, thread_local=False)
         try:
             lock.acquire()
-        except (Timeout, PermissionError):  # in use; PermissionError: the file of a user with other ideas of modes
+        except (Timeout, PermissionError):  # in use, or made by somebody whose files are private
             continue
         try:
             yield domain_id
         finally:
             lock.release()
         return
-    raise RuntimeError(f'all ROS domain ids from {FIRST} to {LAST} are in use: end programs that hold locks in {folder}')
+    raise RuntimeError(f'all ROS domain ids {FIRST} to {LAST} are in use: end programs that lock files in {folder}')
 
 
 def _folder() -> Path:

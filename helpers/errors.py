@@ -4,12 +4,14 @@ import sys
 import traceback
 from pathlib import Path
 
+from helpers import journal
+
 _RULE = '─' * 78
 # What rclpy says about a mistake -> what the mistake is. rclpy 7.1.9 words some of them differently from 7.1.6.
 _HINTS = (
-    ('generator already executing', 'Two threads spin one executor. Inside a callback do not spin: `await` the future.'),
-    ('already spinning', 'Two threads spin one executor. Inside a callback do not spin: `await` the future.'),
-    ('destruction was requested', 'This node, publisher or client was destroyed. Run the cell that creates it again.'),
+    ('generator already executing', 'One executor is spun twice. Inside a callback do not spin: `await` the future.'),
+    ('already spinning', 'One executor is spun twice. Inside a callback do not spin: `await` the future.'),
+    ('destruction was requested', 'This node, publisher or client was destroyed: run the cell that creates it again.'),
 )
 
 
@@ -31,8 +33,9 @@ class Failure:
     def __init__(self, node: str, callback: str, error: BaseException):
         self.node = node
         self.callback = callback
-        self.error = error.with_traceback(_learners_part(error.__traceback__))
+        self.error = error.with_traceback(learners_part(error.__traceback__))
         self.times = 1
+        self.shown_in = -1  # number of the cell run
 
     @property
     def place(self) -> tuple:
@@ -42,12 +45,15 @@ class Failure:
         return self.node, self.callback, type(self.error), last
 
     def show(self) -> None:
-        """Write the failure to stderr, in one piece; in a kernel that is the output of the running cell."""
+        """Write the failure to stderr (in a kernel, the running cell's output), in one piece and once in a cell run."""
+        if self.shown_in == journal.number():
+            return
+        self.shown_in = journal.number()
         lines = [f'An exception in {self.callback} of node {self.node}', '', *self._traceback_lines()]
         advice = hint(self.error)
         if advice:
             lines += ['', advice]
-        lines += ['', 'All nodes go on spinning. The next spin_for, wait_for or collect raises this as a CallbackError.']
+        lines += ['', 'All nodes go on. The next spin_for, wait_for or collect raises this as a CallbackError.']
         box = ''.join(f'│ {line}'.rstrip() + '\n' for line in lines)
         say(f'┌{_RULE}\n{box}└{_RULE}\n')
 
@@ -80,7 +86,7 @@ def say(text: str) -> None:
         pass
 
 
-def _learners_part(tb):
+def learners_part(tb):
     """Cut the frames of rclpy and of this package off the top: a learner's traceback begins in the learner's code."""
     whole = tb
     while tb is not None and _is_machinery(tb.tb_frame.f_code.co_filename):
@@ -95,14 +101,11 @@ def _is_machinery(filename: str) -> bool:
 
 def _name_cells(summary: traceback.TracebackException) -> None:
     """Show ``Cell In[3]`` instead of the temporary file name that IPython gives a cell."""
-    from helpers.journal import _interactive_shell
-
-    shell = _interactive_shell()
-    naming = getattr(getattr(shell, 'compile', None), 'format_code_name', None)
+    naming = getattr(getattr(journal.shell(), 'compile', None), 'format_code_name', None)
     if naming is None:
         return
     for frame in summary.stack:
-        frame.line  # read the source line before the name of its file changes
+        _ = frame.line  # read the source line before the name of its file changes
         label = naming(frame.filename)
         if label:
             frame.filename = ' '.join(label)

@@ -1,7 +1,7 @@
 """Watching an rclpy executor: what its callbacks raise, which of them runs, and who else tries to spin it.
 
-Works on the public surface of rclpy (7.1.6 to 7.1.9 and later): every executor takes its work from
-``wait_for_ready_callbacks``, and a node changes its executor through ``remove_node``.
+Written for rclpy 7.1.6 as well as 7.1.9 and later: every executor takes its work from ``wait_for_ready_callbacks``, and
+another executor that wants a node calls ``remove_node``.
 """
 
 import queue
@@ -9,72 +9,86 @@ import sys
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
-from functools import partial
 
-from helpers.errors import Failure
+from helpers.errors import Failure, learners_part
 
 #: Notified after every callback of a watched executor, so that waits react at once.
 activity = threading.Condition()
 
-# Thread -> the callback that a watched executor runs there.
-_running: dict[int, '_Work'] = {}
+_running: dict[int, 'Work'] = {}  # thread -> the callback that a watched executor runs there
+_KINDS = {
+    'ActionClient': 'action client',
+    'ActionServer': 'action server',
+    'EventHandler': 'QoS event callback',
+    'GuardCondition': 'guard condition callback',
+    'NoneType': 'task',
+    'Timer': 'timer callback',
+}
 
 
 class StopCallback(BaseException):
     """Thrown into a callback that does not return although its node is being stopped."""
 
 
-def running_here() -> '_Work | None':
-    """Return the callback in which the calling code runs, or None."""
-    return _running.get(threading.get_ident())
+class StopSignal:
+    """What an executor takes for a future: done once spinning is to stop. Nobody needs to be called back."""
 
+    def __init__(self):
+        self._set = False
 
-def refuse_in_callback(what: str) -> None:
-    """Raise RuntimeError if the caller is inside a callback of a watched executor, where waiting stops all callbacks."""
-    __tracebackhide__ = True
-    work = running_here()
-    if work:
-        raise RuntimeError(
-            f'{what} was called inside {work.callback} of node {work.node_name}: the executor cannot run other callbacks '
-            'meanwhile. Return from the callback; let a timer or another callback go on later.'
-        )
+    def set(self) -> None:
+        self._set = True
+
+    def done(self) -> bool:
+        return self._set
+
+    def cancelled(self) -> bool:
+        return False
+
+    def add_done_callback(self, callback) -> None:
+        pass
 
 
 class Watch:
-    """Watches one executor.
+    """Watches one executor, and makes sure that only the thread ``spinner`` spins it.
 
-    :param on_failure: called in the executor's thread with each new `Failure`.
+    :param on_failure: called with a `Failure` in the thread in which a callback has raised.
     """
 
     def __init__(self, executor, on_failure):
         self.executor = executor
         self.on_failure = on_failure
-        self.spinner: int | None = None  # the thread that may take work
-        self._inner_wait = executor.wait_for_ready_callbacks
-        self._inner_remove = executor.remove_node
-        executor.wait_for_ready_callbacks = self._wait_for_ready_callbacks
-        executor.remove_node = self._refuse_remove
+        self.spinner: int | None = None
         self.pool = _replace_pool(executor)
+        self._wait_for_ready_callbacks = executor.wait_for_ready_callbacks
+        self._remove_node = executor.remove_node
+        executor.wait_for_ready_callbacks = self._next_work
+        executor.remove_node = self._refuse_remove
 
     def release(self, node) -> None:
         """Let go of a node."""
-        self._inner_remove(node)
+        self._remove_node(node)
 
     def end(self) -> None:
         """Give the executor back as it was."""
         for name in ('wait_for_ready_callbacks', 'remove_node'):
-            self.executor.__dict__.pop(name, None)
+            vars(self.executor).pop(name, None)
 
-    def running(self) -> list['_Work']:
-        """Return the callbacks that this executor runs now, longest first."""
-        mine = [work for work in list(_running.values()) if work.watch is self]
-        return sorted(mine, key=lambda work: work.since)
+    def busy(self) -> bool:
+        """Tell whether callbacks run, or wait for a worker thread."""
+        waiting = self.pool.pending if self.pool else 0
+        work = running_here()
+        return bool(self.running()) or waiting > (work is not None and work.watch is self)
 
-    def _wait_for_ready_callbacks(self, *args, **kwargs):
+    def running(self) -> list['Work']:
+        """Return the callbacks that run now, except one that the caller itself is in."""
+        return [w for thread, w in _running.copy().items() if w.watch is self and thread != threading.get_ident()]
+
+    def _next_work(self, *args, **kwargs):
         if threading.get_ident() != self.spinner or running_here():
-            raise RuntimeError(self._refusal(self.executor.get_nodes()))
-        task, entity, node = self._inner_wait(*args, **kwargs)
-        return _Work(self, task, entity, node), entity, node
+            raise RuntimeError(_refusal(self.executor.get_nodes()))
+        task, entity, node = self._wait_for_ready_callbacks(*args, **kwargs)
+        return Work(self, task, entity, node), entity, node
 
     def _refuse_remove(self, node) -> None:
         """Another executor wants a node of this one: rclpy.spin_once(node) and its like would silently take it away."""
@@ -82,44 +96,28 @@ class Watch:
             return
         frame = sys._getframe(1)
         while frame is not None:
-            other = frame.f_locals.get('self')
-            if frame.f_code.co_name == 'add_node' and other is not self.executor:
-                other.remove_node(node)  # it has already noted the node as its own
+            if frame.f_code.co_name == 'add_node':
+                frame.f_locals['self'].remove_node(node)  # it has already noted the node as its own
                 break
             frame = frame.f_back
-        raise RuntimeError(self._refusal([node]))
-
-    def _refusal(self, nodes) -> str:
-        names = ', '.join(sorted(node.get_name() for node in nodes)) or 'no node'
-        call = _spin_call()
-        work = running_here()
-        if work:
-            return (
-                f'{call} was called inside {work.callback} of node {work.node_name}, but {names} is already spun by '
-                'spinning(). Do not spin inside a callback: make it `async def` and `await` the future, or use '
-                'future.add_done_callback(...).'
-            )
-        return (
-            f'{call} was called on {names}, which spinning() already spins in the background. Use wait_for(...) or '
-            'spin_for(seconds) to wait, or stop the background spinning first.'
-        )
+        raise RuntimeError(_refusal([node]))
 
 
-class _Work:
-    """Stands for the task that rclpy hands out: runs it, keeps what it raises away from the executor, and reports it."""
+class Work:
+    """Stands for the task that rclpy hands out: runs it, and reports what it raises instead of passing it on."""
 
     def __init__(self, watch: Watch, task, entity, node):
         self.watch = watch
         self.task = task
         self.entity = entity
         self.node = node
+        self.thread = 0
         self.since = 0.0
 
     def __call__(self):
-        thread = threading.get_ident()
+        self.thread = threading.get_ident()
         self.since = time.monotonic()
-        outer = _running.get(thread)
-        _running[thread] = self
+        _running[self.thread] = self
         error = None
         try:
             self.task()
@@ -127,18 +125,15 @@ class _Work:
                 error = self.task.exception()
         except StopCallback:
             self.task.cancel()
-        except KeyboardInterrupt:
+        except KeyboardInterrupt:  # the stop button, while spin_for() spins in the main thread
             self.task.cancel()
             raise
-        except BaseException as stopped:  # exit() and sys.exit() in a callback must not end the executor's thread
+        except BaseException as left:  # exit() in a callback must not end the executor's thread
             self.task.cancel()
-            error = stopped
+            error = left
         finally:
-            if outer is None:
-                _running.pop(thread, None)
-            else:
-                _running[thread] = outer
-        if error is not None and not isinstance(error, StopCallback):
+            _running.pop(self.thread, None)
+        if error is not None:
             self.watch.on_failure(Failure(self.node_name, self.describe(error), error))
         with activity:
             activity.notify_all()
@@ -146,12 +141,13 @@ class _Work:
     def __getattr__(self, name):
         return getattr(self.task, name)
 
-    # The executor asks for these after the run, to raise them in the thread that spins.
     def exception(self):
-        return None
+        """Return None: the executor asks after the run, to raise it in the thread that spins."""
+        return
 
     def result(self):
-        return None
+        """Return None, as `exception` does."""
+        return
 
     @property
     def seconds(self) -> float:
@@ -160,60 +156,81 @@ class _Work:
 
     @property
     def node_name(self) -> str:
-        if self.node is not None:
-            return self.node.get_name()
-        return ', '.join(sorted(node.get_name() for node in self.watch.executor.get_nodes())) or '?'
+        """The name of the callback's node; of all the executor's nodes, if it is nobody's in particular."""
+        nodes = self.watch.executor.get_nodes() if self.node is None else [self.node]
+        return ' or '.join(sorted(node.get_name() for node in nodes)) or '?'
 
-    @property
-    def callback(self) -> str:
-        return self.describe(None)
+    def describe(self, error: BaseException | None = None) -> str:
+        """Name the callback, such as ``timer callback Talker.tick``; one without a name of its own after ``error``."""
+        kind = _KINDS.get(type(self.entity).__name__, type(self.entity).__name__.lower())
+        if hasattr(self.entity, 'topic_name'):
+            kind = f'subscription callback on {self.entity.topic_name!r}'
+        elif hasattr(self.entity, 'srv_name'):
+            kind = f'{kind} callback of {self.entity.srv_name!r}'
+        function = getattr(self.entity, 'callback', None)
+        name = getattr(getattr(function, 'func', function), '__qualname__', '')
+        if not name and error is not None and error.__traceback__ is not None:
+            code = learners_part(error.__traceback__).tb_frame.f_code
+            name = getattr(code, 'co_qualname', code.co_name)  # co_qualname: Python >= 3.11
+        return f'{kind} {name.split("<locals>.")[-1]}'.rstrip()
 
-    def describe(self, error) -> str:
-        """Name the callback, such as ``timer callback Talker.tick``."""
-        kind, function = _kind_and_function(self.entity)
-        name = getattr(function, '__qualname__', None)
-        if name is None and isinstance(function, partial):
-            name = function.func.__qualname__
-        if name is None and error is not None and error.__traceback__ is not None:
-            tb = Failure('', '', error).error.__traceback__
-            name = getattr(tb.tb_frame.f_code, 'co_qualname', tb.tb_frame.f_code.co_name)
-        return f'{kind} {name.replace("<locals>.", "")}' if name else kind
+
+def running_here() -> Work | None:
+    """Return the callback in which the calling code runs, or None."""
+    return _running.get(threading.get_ident())
 
 
-def _kind_and_function(entity):
-    function = getattr(entity, 'callback', None)
-    if entity is None:
-        return 'task', None
-    kind = type(entity).__name__.lower()
-    if hasattr(entity, 'topic_name') and function:
-        return f'subscription {entity.topic_name!r} callback', function
-    if hasattr(entity, 'srv_name'):
-        return f'{kind} {entity.srv_name!r} callback', function
-    return f'{kind} callback', function
+def refuse_in_callback(what: str) -> None:
+    """Raise RuntimeError if the caller is in a callback of a watched executor, where waiting stops all callbacks."""
+    __tracebackhide__ = True
+    work = running_here()
+    if work:
+        raise RuntimeError(
+            f'{what} was called inside the {work.describe()} of node {work.node_name}, where waiting stops the other '
+            'callbacks: return, and let a timer or another callback go on later'
+        )
+
+
+def _refusal(nodes) -> str:
+    names = ', '.join(sorted(node.get_name() for node in nodes)) or 'it'
+    work = running_here()
+    if work:
+        return (
+            f'{_spin_call()} was called inside the {work.describe()} of node {work.node_name}, but {names} is already '
+            'being spun. Do not spin in a callback: make it `async def` and `await` the future, or use '
+            'future.add_done_callback().'
+        )
+    return (
+        f'{_spin_call()} was called, but {names} already spins in the background. Wait with wait_for() or spin_for(), '
+        'or stop the background spinning first.'
+    )
 
 
 def _spin_call() -> str:
     """Name the spin function that the calling code used, as it is written in a program."""
+    found = 'spin()'
     frame = sys._getframe(1)
-    found = 'spin'
-    while frame is not None:
-        module = frame.f_globals.get('__name__', '')
-        if module in ('rclpy', 'rclpy.executors') and frame.f_code.co_name.startswith(('spin', 'add_node')):
-            found = f'rclpy.{frame.f_code.co_name}' if module == 'rclpy' else f'executor.{frame.f_code.co_name}'
+    while frame is not None and frame.f_code is not Work.__call__.__code__:  # what is further out spins rightly
+        module, function = frame.f_globals.get('__name__'), frame.f_code.co_name
+        if module == 'rclpy' and function.startswith('spin'):
+            return f'rclpy.{function}()'
+        if module == 'rclpy.executors' and function.startswith(('spin', 'add_node')):
+            found = f'executor.{function}()'
         frame = frame.f_back
-    return f'{found}()'
+    return found
 
 
 class DaemonPool:
     """Worker threads for a MultiThreadedExecutor that never keep the interpreter from exiting.
 
-    The threads of ``concurrent.futures`` do, and rclpy does not end them: one callback that never returns would hang
-    every exit and every kernel restart.
+    The threads of ``concurrent.futures`` do, and rclpy 7.1.6 does not end them: one callback that never returns would
+    hang every exit and every kernel restart.
     """
 
     def __init__(self, size: int):
         self.size = size
         self.threads: list[threading.Thread] = []
+        self.pending = 0  # work that waits or runs
         self._queue: queue.SimpleQueue = queue.SimpleQueue()
         self._stopped = False
 
@@ -221,32 +238,46 @@ class DaemonPool:
         """Run ``work()`` in one of the threads."""
         if self._stopped:
             return
+        with activity:
+            self.pending += 1
         self._queue.put(work)
         if len(self.threads) < self.size:
             thread = threading.Thread(target=self._run, daemon=True, name=f'callbacks {len(self.threads) + 1}')
             self.threads.append(thread)
             thread.start()
 
-    def shutdown(self, wait: bool = False) -> None:
-        """Tell the threads to end after the work that they have; does not wait for them."""
+    def shutdown(self, wait: bool = False, timeout: float = 1.0) -> None:
+        """Tell the threads to end after the work that they have.
+
+        :param wait: wait for them, at most ``timeout`` seconds.
+        """
         self._stopped = True
         for _ in self.threads:
-            self._queue.put(None)
+            self._queue.put(None)  # behind the work
+        deadline = time.monotonic() + (timeout if wait else 0.0)
+        for thread in self.threads:
+            if thread is not threading.current_thread():
+                thread.join(max(0.0, deadline - time.monotonic()))
 
     def _run(self) -> None:
-        while (work := self._queue.get()) is not None:
+        while True:
             try:
-                work()
-            except StopCallback:
+                work = self._queue.get()
+                if work is None:
+                    return
+                try:
+                    work()
+                finally:
+                    with activity:
+                        self.pending -= 1
+                        activity.notify_all()
+            except StopCallback:  # came late: the callback that it was meant for had just returned
                 pass
 
 
 def _replace_pool(executor) -> DaemonPool | None:
     pool = getattr(executor, '_executor', None)
-    if isinstance(pool, DaemonPool):
-        return pool
-    if not isinstance(pool, ThreadPoolExecutor):
-        return None
-    executor._executor = DaemonPool(pool._max_workers)
-    pool.shutdown(wait=False)
-    return executor._executor
+    if isinstance(pool, ThreadPoolExecutor):
+        executor._executor = DaemonPool(pool._max_workers)
+        pool.shutdown(wait=False)
+    return executor._executor if isinstance(pool, (DaemonPool, ThreadPoolExecutor)) else None

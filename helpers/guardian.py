@@ -1,7 +1,7 @@
 """A tiny process beside the kernel that outlives it by a moment, to end the children a killed kernel leaves.
 
-Reads ``+PGID`` and ``-PGID`` lines from stdin. The pipe closes when the kernel ends, however it ends; the process groups
-that are then still noted are killed. Standard library only; started by `helpers.processes`.
+Reads ``+PGID`` and ``-PGID`` lines from stdin. The pipe closes when the kernel ends, however it ends; the process
+groups that are then still noted are killed. Standard library only; started by `helpers.processes`.
 """
 
 import os

@@ -17,12 +17,18 @@ class Cell(NamedTuple):
 
 
 cells: list[Cell] = []
-_shell = None
+_noting = None  # the IPython shell whose cells are noted
+
+
+def shell():
+    """Return the IPython shell of this process, or None."""
+    ipython = sys.modules.get('IPython')
+    return ipython.get_ipython() if ipython else None
 
 
 def in_kernel() -> bool:
     """Tell whether this process is an IPython session (a Jupyter kernel or a terminal)."""
-    return _interactive_shell() is not None
+    return shell() is not None
 
 
 def number() -> int:
@@ -36,34 +42,29 @@ def latest(cell_id: str) -> Cell | None:
 
 
 def start() -> None:
-    """Begin to note cells; idempotent. Cells executed earlier and the running cell are noted as far as IPython knows."""
-    global _shell
-    shell = _interactive_shell()
-    if shell is None or shell is _shell:
+    """Begin to note cells; idempotent. The running cell, and earlier ones that IPython remembers, are noted too."""
+    global _noting
+    ipython = shell()
+    if ipython is None or ipython is _noting:
         return
-    _shell = shell
-    running = _running_cell(shell)
-    earlier = [source for source in shell.user_ns.get('In', [])[1:] if source]
+    _noting = ipython
+    running = _running_cell(ipython)
+    earlier = [source for source in ipython.user_ns.get('In', [])[1:] if source]
     if running and earlier and earlier[-1] == running.source:
         earlier.pop()
     cells.extend(Cell(None, source) for source in earlier)
     if running:
         cells.append(running)
-    shell.events.register('pre_run_cell', _note)
+    ipython.events.register('pre_run_cell', _note)
 
 
 def _note(info) -> None:
     cells.append(Cell(getattr(info, 'cell_id', None), info.raw_cell))
 
 
-def _interactive_shell():
-    ipython = sys.modules.get('IPython')
-    return ipython.get_ipython() if ipython else None
-
-
-def _running_cell(shell) -> Cell | None:
+def _running_cell(ipython) -> Cell | None:
     """The cell that imports this package: its pre_run_cell event came before anybody listened."""
-    kernel = getattr(shell, 'kernel', None)
+    kernel = getattr(ipython, 'kernel', None)
     message = kernel.get_parent('shell') if kernel else None
     if not message or message.get('msg_type', message.get('header', {}).get('msg_type')) != 'execute_request':
         return None

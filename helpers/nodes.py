@@ -43,7 +43,7 @@ def track() -> None:
 
 def living(context=None) -> list:
     """Return the nodes that are not destroyed, oldest first; with ``context``, only those of that context."""
-    nodes = [node for node in list(_made_in) if is_alive(node)]
+    nodes = [node for node in _made_in.copy() if is_alive(node)]
     return [node for node in nodes if context is None or node.context is context]
 
 

@@ -16,7 +16,9 @@ _guardian: subprocess.Popen | None = None
 _process = os.getpid()
 
 
-def background(argv: Sequence[str] | str, *, env: Mapping[str, str] | None = None, cwd=None, echo: bool = False) -> 'Process':
+def background(
+    argv: Sequence[str] | str, *, env: Mapping[str, str] | None = None, cwd=None, echo: bool = False
+) -> 'Process':
     """Start a command as a child process and return its handle.
 
     ::
@@ -24,7 +26,7 @@ def background(argv: Sequence[str] | str, *, env: Mapping[str, str] | None = Non
         with background(['ros2', 'run', 'demo_nodes_py', 'talker']) as talker:
             talker.wait_for_output('Publishing')
 
-    It has a process group of its own. It ends with ``stop()``, with the block, or with the kernel, even if that is killed.
+    It has a process group of its own. It ends with ``stop()``, with the block, or with the kernel, also a killed one.
 
     :param argv: the command and its arguments, or one string that is split as a shell would.
     :param env: variables to add to the environment.
@@ -58,7 +60,7 @@ class Process:
                 errors='replace',
             )
         except FileNotFoundError:
-            raise FileNotFoundError(f'no command {argv[0]!r}: check its spelling, or the environment it needs') from None
+            raise FileNotFoundError(f'no command {argv[0]!r}: check its spelling and the PATH') from None
         _children.append(self)
         _tell_guardian(f'+{self._popen.pid}')
         self._reader = threading.Thread(target=self._read, daemon=True, name=f'output of {argv[0]}')
@@ -192,7 +194,9 @@ def _tell_guardian(line: str) -> None:
 def _at_exit() -> None:
     if os.getpid() != _process:  # a forked child owns none of this
         return
-    for child in list(_children):
+    for child in _children:
+        child._signal(signal.SIGINT)
+    for child in _children.copy():
         child.stop(timeout=1.0)
     if _guardian is not None:
         _guardian.stdin.close()

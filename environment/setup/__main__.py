@@ -5,7 +5,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 
-if __name__ == "__main__":
+if __name__ == '__main__':
     sys.path[0] = str(ROOT)
     from environment.setup.main import main
 

@@ -11,7 +11,7 @@ class Console:
     def __init__(self, stream=None):
         self.stream = stream or sys.stderr
         self.live = self.stream.isatty()
-        self._label = ""
+        self._label = ''
         self._started = 0.0
         self._drawn = 0.0
 
@@ -22,9 +22,9 @@ class Console:
     def begin(self, label: str) -> None:
         self._label, self._started = label, time.monotonic()
         if self.live:
-            self.update("")
+            self.update('')
         else:
-            self.line(f"{label} ...")
+            self.line(f'{label} ...')
 
     def update(self, detail: str) -> None:
         """Show the latest line of output of the step under way; nothing happens off a terminal."""
@@ -32,13 +32,13 @@ class Console:
         if not self.live or (detail and now - self._drawn < 0.1):
             return
         self._drawn = now
-        text = f"{self._label} ... {now - self._started:.0f} s  {detail.strip()}"
+        text = f'{self._label} ... {now - self._started:.0f} s  {detail.strip()}'
         width = max(shutil.get_terminal_size().columns - 1, 20)
-        print("\r\x1b[K" + text[:width], end="", file=self.stream, flush=True)
+        print('\r\x1b[K' + text[:width], end='', file=self.stream, flush=True)
 
     def end(self) -> None:
-        self.line(f"{self._label}: {time.monotonic() - self._started:.1f} s")
+        self.line(f'{self._label}: {time.monotonic() - self._started:.1f} s')
 
     def _clear(self) -> None:
         if self.live:
-            print("\r\x1b[K", end="", file=self.stream, flush=True)
+            print('\r\x1b[K', end='', file=self.stream, flush=True)

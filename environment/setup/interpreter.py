@@ -11,7 +11,7 @@ from environment.setup.lack import Lack
 from environment.setup.underlay import Underlay
 
 OLDEST, NEWEST = (3, 10), (3, 13)
-SYSTEM = "/usr/bin/python3"
+SYSTEM = '/usr/bin/python3'
 
 _PROBE = """
 import json, os, sys, sysconfig
@@ -54,7 +54,7 @@ class Interpreter:
 
     @property
     def short(self) -> str:
-        return f"{self.version[0]}.{self.version[1]}"
+        return f'{self.version[0]}.{self.version[1]}'
 
 
 def probe(command: str) -> Interpreter | None:
@@ -64,11 +64,11 @@ def probe(command: str) -> Interpreter | None:
         return None
     try:
         # -S and -E: no site hooks, no variables of another environment.
-        answer = subprocess.run([found, "-ES", "-c", _PROBE], capture_output=True, text=True, timeout=30, check=False)
+        answer = subprocess.run([found, '-ES', '-c', _PROBE], capture_output=True, text=True, timeout=30, check=False)
         facts = json.loads(answer.stdout)
     except (OSError, ValueError, subprocess.TimeoutExpired):
         return None
-    return Interpreter(command=found, **{**facts, "version": tuple(facts["version"])})
+    return Interpreter(command=found, **{**facts, 'version': tuple(facts['version'])})
 
 
 def choose(environ: Mapping[str, str], underlay: Underlay, probe=probe) -> Interpreter:
@@ -77,11 +77,11 @@ def choose(environ: Mapping[str, str], underlay: Underlay, probe=probe) -> Inter
     The system's comes first, as graders run it under another user, whom a private home would keep out.
     Raises Lack with what is missing from the best candidate.
     """
-    wanted = environ.get("COURSE_PYTHON")
+    wanted = environ.get('COURSE_PYTHON')
     if wanted:
         chosen = probe(wanted)
         if chosen is None:
-            raise Lack(f"COURSE_PYTHON={wanted} is no Python that runs", "unset COURSE_PYTHON, or name another")
+            raise Lack(f'COURSE_PYTHON={wanted} is no Python that runs', 'unset COURSE_PYTHON, or name another')
         return demand(chosen)
     if underlay.stock:
         for command in underlay.interpreters():
@@ -89,9 +89,9 @@ def choose(environ: Mapping[str, str], underlay: Underlay, probe=probe) -> Inter
             if chosen and chosen.right_version:
                 return demand(chosen)
         raise Lack(
-            f"the Python of the sourced ROS ({underlay}) was not found", "set COURSE_PYTHON to the Python it uses"
+            f'the Python of the sourced ROS ({underlay}) was not found', 'set COURSE_PYTHON to the Python it uses'
         )
-    others = [f"python3.{minor}" for minor in range(NEWEST[1], OLDEST[1] - 1, -1)]
+    others = [f'python3.{minor}' for minor in range(NEWEST[1], OLDEST[1] - 1, -1)]
     seen = []
     for command in [SYSTEM, sys.executable, *others]:
         candidate = probe(command) if command else None
@@ -108,25 +108,25 @@ def demand(candidate: Interpreter) -> Interpreter:
     """The same interpreter; raises Lack when something is missing from it."""
     if not candidate.right_version:
         raise _wrong_version(candidate)
-    missing = [m for m, there in (("venv", candidate.venv), ("dev", candidate.headers)) if not there]
+    missing = [m for m, there in (('venv', candidate.venv), ('dev', candidate.headers)) if not there]
     if not missing:
         return candidate
-    names = {"venv": "the venv module", "dev": "the headers (Python.h)"}
-    what = f"Python {candidate.short} ({candidate.path}) lacks " + " and ".join(names[m] for m in missing)
-    if candidate.path.startswith("/usr/bin/"):
-        remedy = "run: sudo apt install " + " ".join(f"python{candidate.short}-{m}" for m in missing)
+    names = {'venv': 'the venv module', 'dev': 'the headers (Python.h)'}
+    what = f'Python {candidate.short} ({candidate.path}) lacks ' + ' and '.join(names[m] for m in missing)
+    if candidate.path.startswith('/usr/bin/'):
+        remedy = 'run: sudo apt install ' + ' '.join(f'python{candidate.short}-{m}' for m in missing)
     else:
-        remedy = "install it whole, or name another Python: COURSE_PYTHON=/usr/bin/python3 ./course"
+        remedy = 'install it whole, or name another Python: COURSE_PYTHON=/usr/bin/python3 ./course'
     raise Lack(what, remedy)
 
 
 def _wrong_version(candidate: Interpreter | None) -> Lack:
     if candidate is None:
-        what = "no Python 3.10-3.13 found"
+        what = 'no Python 3.10-3.13 found'
     elif not candidate.cpython or candidate.bits != 64:
-        what = f"{candidate.path} is not the standard 64-bit CPython that the ROS wheels are for"
+        what = f'{candidate.path} is not the standard 64-bit CPython that the ROS wheels are for'
     else:
-        what = f"{candidate.path} is Python {candidate.short}, the course needs 3.10-3.13"
+        what = f'{candidate.path} is Python {candidate.short}, the course needs 3.10-3.13'
     return Lack(
-        what, "run: sudo apt install python3.12 python3.12-venv python3.12-dev, then COURSE_PYTHON=python3.12 ./course"
+        what, 'run: sudo apt install python3.12 python3.12-venv python3.12-dev, then COURSE_PYTHON=python3.12 ./course'
     )

@@ -6,28 +6,28 @@ from pathlib import Path
 from environment.setup import startup
 from environment.setup.layout import Layout
 
-HOOK = "_course_startup"
-KERNEL = "course"
+HOOK = '_course_startup'
+KERNEL = 'course'
 
 
 def install(layout: Layout) -> None:
     """Write `course.pth`, the start-up hook and the kernelspec; a second call changes nothing."""
     site = layout.site_packages()
     # A copy, as a sandbox may show the environment without the repository.
-    (site / f"{HOOK}.py").write_text(Path(startup.__file__).read_text())
+    (site / f'{HOOK}.py').write_text(Path(startup.__file__).read_text())
     # Named so that it runs before ros_wheels_bootstrapper.pth, whose guard it looks after.
-    (site / "course.pth").write_text(f"{layout.root}\nimport {HOOK}\n")
-    directory = layout.prefix / "share" / "jupyter" / "kernels" / KERNEL
+    (site / 'course.pth').write_text(f'{layout.root}\nimport {HOOK}\n')
+    directory = layout.prefix / 'share' / 'jupyter' / 'kernels' / KERNEL
     directory.mkdir(parents=True, exist_ok=True)
-    (directory / "kernel.json").write_text(json.dumps(kernelspec(layout), indent=1) + "\n")
+    (directory / 'kernel.json').write_text(json.dumps(kernelspec(layout), indent=1) + '\n')
 
 
 def kernelspec(layout: Layout) -> dict:
     """The kernel `course`. Under pytest (nbval) PYTEST_CURRENT_TEST would reach the kernel and change libraries."""
-    command = ["env", "-u", "PYTEST_CURRENT_TEST", str(layout.python), "-m", "ipykernel_launcher"]
+    command = ['env', '-u', 'PYTEST_CURRENT_TEST', str(layout.python), '-m', 'ipykernel_launcher']
     return {
-        "argv": [*command, "-f", "{connection_file}"],
-        "display_name": "ROS 2 course",
-        "language": "python",
-        "metadata": {"debugger": True},
+        'argv': [*command, '-f', '{connection_file}'],
+        'display_name': 'ROS 2 course',
+        'language': 'python',
+        'metadata': {'debugger': True},
     }

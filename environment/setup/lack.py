@@ -8,7 +8,7 @@ class Lack(Exception):
     """
 
     def __init__(self, what: str, remedy: str):
-        super().__init__(f"{what}; {remedy}")
+        super().__init__(f'{what}; {remedy}')
         self.what = what
         self.remedy = remedy
 

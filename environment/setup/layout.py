@@ -13,44 +13,44 @@ class Layout:
     @property
     def prefix(self) -> Path:
         """The virtual environment, which is also the ament prefix that colcon installs into."""
-        return self.root / ".venv"
+        return self.root / '.venv'
 
     @property
     def python(self) -> Path:
-        return self.prefix / "bin" / "python"
+        return self.prefix / 'bin' / 'python'
 
     @property
     def state(self) -> Path:
         """What the set-up remembers; inside the environment, so that both vanish together."""
-        return self.prefix / ".course"
+        return self.prefix / '.course'
 
     @property
     def logs(self) -> Path:
-        return self.state / "log"
+        return self.state / 'log'
 
     @property
     def build(self) -> Path:
-        return self.state / "build"
+        return self.state / 'build'
 
     @property
     def requirements(self) -> Path:
-        return self.root / "environment" / "requirements.lock"
+        return self.root / 'environment' / 'requirements.lock'
 
     @property
     def sources(self) -> Path:
-        return self.root / "environment" / "ros2_ws" / "src"
+        return self.root / 'environment' / 'ros2_ws' / 'src'
 
     @property
     def cmake_include(self) -> Path:
         """CMake code that every package's build includes."""
-        return self.root / "environment" / "ros2_ws" / "cmake" / "faster_interfaces.cmake"
+        return self.root / 'environment' / 'ros2_ws' / 'cmake' / 'faster_interfaces.cmake'
 
     @property
     def mutex(self) -> Path:
-        return self.root / "environment" / ".lock"
+        return self.root / 'environment' / '.lock'
 
     def site_packages(self) -> Path:
         """Raises FileNotFoundError when there is no environment yet."""
-        for found in sorted((self.prefix / "lib").glob("python3.*/site-packages")):
+        for found in sorted((self.prefix / 'lib').glob('python3.*/site-packages')):
             return found
-        raise FileNotFoundError(f"no site-packages below {self.prefix}")
+        raise FileNotFoundError(f'no site-packages below {self.prefix}')

@@ -28,19 +28,19 @@ def main(arguments: list[str], root: Path = ROOT) -> int:
     try:
         underlay = ensure(layout, os.environ, console)
     except Lack as lack:
-        console.line(f"course: {lack}")
+        console.line(f'course: {lack}')
         return UNUSABLE
     except BuildFailed as failure:
         console.line(failure.tail)
-        console.line(f"course: {failure.what}; the whole output is in {failure.log}")
+        console.line(f'course: {failure.what}; the whole output is in {failure.log}')
         return FAILED
     except KeyboardInterrupt:
-        console.line("course: interrupted; the next ./course goes on from here")
+        console.line('course: interrupted; the next ./course goes on from here')
         return 128 + signal.SIGINT
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
     python = str(layout.python)
-    os.execve(python, [python, "-m", "helpers.cli", *arguments], activated(layout, underlay, os.environ))
+    os.execve(python, [python, '-m', 'helpers.cli', *arguments], activated(layout, underlay, os.environ))
 
 
 def _interrupt(number, frame):
@@ -59,7 +59,7 @@ def ensure(layout: Layout, environ: Mapping[str, str], console: Console) -> unde
     preflight.check_writable(layout.root)
 
     def waiting(process: str) -> None:
-        console.line(f"course: another ./course (process {process}) is setting up; waiting for it to end")
+        console.line(f'course: another ./course (process {process}) is setting up; waiting for it to end')
 
     with mutex.exclusive(layout.mutex, waiting) as descriptor:
         setup.keep = (descriptor,)
@@ -74,7 +74,7 @@ def _underlay(layout: Layout, environ: Mapping[str, str]) -> underlays.Underlay:
     found = underlays.find(environ)
     if not found.stock:
         facts = Setup(layout, found, environ).venv_facts()
-        before = underlays.parse(facts["underlay"]) if facts else found
+        before = underlays.parse(facts['underlay']) if facts else found
         if before.stock and all(prefix.is_dir() for prefix in before.prefixes):
             return before
     return found
@@ -83,23 +83,23 @@ def _underlay(layout: Layout, environ: Mapping[str, str]) -> underlays.Underlay:
 def refresh(setup: Setup, stale: list[str]) -> None:
     """Do the steps that are due. A lack during the first set-up leaves nothing behind."""
     layout, environ = setup.layout, setup.environ
-    anew = "venv" in stale
-    builds = anew or any(name.startswith("package.") or name == "relocation" for name in stale)
+    anew = 'venv' in stale
+    builds = anew or any(name.startswith('package.') or name == 'relocation' for name in stale)
     chosen = interpreter.choose(environ, setup.underlay) if anew else None
     if builds:
         needed = preflight.SPACE_NEEDED - _size_hint(layout) if anew else preflight.SPACE_NEEDED // 10
         preflight.check(layout.root, environ, setup.underlay, needed)
     if anew and layout.prefix.exists():
-        setup.console.line(f"The environment has to be made anew: {_reason(setup)}.")
+        setup.console.line(f'The environment has to be made anew: {_reason(setup)}.')
     try:
         if anew:
             setup.make_venv(chosen)
-        if anew or "requirements" in setup.stale():
+        if anew or 'requirements' in setup.stale():
             setup.install_requirements()
-        if "relocation" in setup.stale():
+        if 'relocation' in setup.stale():
             setup.relocate()
         setup.build_overlay()
-        if "kernel" in setup.stale():
+        if 'kernel' in setup.stale():
             setup.install_kernel()
     except Lack:
         if anew:
@@ -110,45 +110,45 @@ def refresh(setup: Setup, stale: list[str]) -> None:
             shutil.rmtree(layout.prefix, ignore_errors=True)
         if isinstance(error, (FileNotFoundError, NotADirectoryError)):
             raise
-        raise tools.explain("setting up", str(error), str(layout.logs), environ) from error
-    setup.console.line("The environment is ready.")
+        raise tools.explain('setting up', str(error), str(layout.logs), environ) from error
+    setup.console.line('The environment is ready.')
 
 
 def _size_hint(layout: Layout) -> int:
     """Bytes that clearing away the old environment will free."""
     if not layout.prefix.is_dir():
         return 0
-    return sum(f.lstat().st_size for f in layout.prefix.rglob("*") if f.is_file() and not f.is_symlink())
+    return sum(f.lstat().st_size for f in layout.prefix.rglob('*') if f.is_file() and not f.is_symlink())
 
 
 def _reason(setup: Setup) -> str:
     facts = setup.venv_facts()
     if not facts:
-        return "the last set-up was interrupted early"
-    if facts["prefix"] != str(setup.layout.prefix):
-        return f"the course was at {Path(facts['prefix']).parent}"
-    if facts["underlay"] != str(setup.underlay):
-        return f"it stands on {facts['underlay']}, now ROS is {setup.underlay}"
-    if Stamps(setup.layout.state / "stamps").read("requirements.started"):
-        return "an installation was interrupted"
-    return "its Python has changed"
+        return 'the last set-up was interrupted early'
+    if facts['prefix'] != str(setup.layout.prefix):
+        return f'the course was at {Path(facts["prefix"]).parent}'
+    if facts['underlay'] != str(setup.underlay):
+        return f'it stands on {facts["underlay"]}, now ROS is {setup.underlay}'
+    if Stamps(setup.layout.state / 'stamps').read('requirements.started'):
+        return 'an installation was interrupted'
+    return 'its Python has changed'
 
 
 def activated(layout: Layout, underlay: underlays.Underlay, environ: Mapping[str, str]) -> dict[str, str]:
     """The variables that `source .venv/setup.bash` would give, for a program that is started without a shell."""
     env = dict(environ)
-    env.pop("PYTHONHOME", None)
+    env.pop('PYTHONHOME', None)
     if underlay.stock:
         # A stock ROS adds more than can be known here: let its own script say so.
         script = '. "$0" >/dev/null && exec env -0'
         answer = subprocess.run(
-            ["bash", "-c", script, str(layout.prefix / "setup.bash")], env=env, capture_output=True, check=True
+            ['bash', '-c', script, str(layout.prefix / 'setup.bash')], env=env, capture_output=True, check=True
         )
-        env = dict(item.split("=", 1) for item in answer.stdout.decode().split("\0") if "=" in item)
+        env = dict(item.split('=', 1) for item in answer.stdout.decode().split('\0') if '=' in item)
     else:
-        env.update({"ROS_DISTRO": underlays.DISTRO, "ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"})
+        env.update({'ROS_DISTRO': underlays.DISTRO, 'ROS_VERSION': '2', 'ROS_PYTHON_VERSION': '3'})
     startup.activate(env, str(layout.prefix))
-    first = str(layout.prefix / "bin")
-    env["PATH"] = os.pathsep.join([first, *(p for p in env.get("PATH", os.defpath).split(os.pathsep) if p != first)])
-    env["VIRTUAL_ENV"] = str(layout.prefix)
+    first = str(layout.prefix / 'bin')
+    env['PATH'] = os.pathsep.join([first, *(p for p in env.get('PATH', os.defpath).split(os.pathsep) if p != first)])
+    env['VIRTUAL_ENV'] = str(layout.prefix)
     return env

@@ -19,10 +19,10 @@ def exclusive(path: Path, on_wait: Callable[[str], None]) -> Iterator[int]:
         try:
             fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            on_wait(os.pread(descriptor, 32, 0).decode(errors="replace").strip() or "?")
+            on_wait(os.pread(descriptor, 32, 0).decode(errors='replace').strip() or '?')
             fcntl.flock(descriptor, fcntl.LOCK_EX)
         os.ftruncate(descriptor, 0)
-        os.pwrite(descriptor, f"{os.getpid()}\n".encode(), 0)
+        os.pwrite(descriptor, f'{os.getpid()}\n'.encode(), 0)
         yield descriptor
     finally:
         os.close(descriptor)

@@ -18,22 +18,22 @@ class Package:
 
     @property
     def stamp(self) -> str:
-        return f"package.{self.name}"
+        return f'package.{self.name}'
 
 
 def discover(sources: Path) -> dict[str, Package]:
     """The ROS packages below `sources`, by name. Raises ValueError when two share a name."""
     found: dict[str, Package] = {}
     for parent, directories, files in os.walk(sources):
-        if "COLCON_IGNORE" in files:
+        if 'COLCON_IGNORE' in files:
             directories.clear()
-        elif "package.xml" in files:
+        elif 'package.xml' in files:
             directories.clear()
-            root = ElementTree.parse(Path(parent, "package.xml")).getroot()
-            needs = frozenset(e.text.strip() for e in root if e.tag.endswith("depend") and e.text)
-            package = Package(root.findtext("name", "").strip(), Path(parent), needs)
+            root = ElementTree.parse(Path(parent, 'package.xml')).getroot()
+            needs = frozenset(e.text.strip() for e in root if e.tag.endswith('depend') and e.text)
+            package = Package(root.findtext('name', '').strip(), Path(parent), needs)
             if package.name in found:
-                raise ValueError(f"two packages are named {package.name}: {found[package.name].directory}, {parent}")
+                raise ValueError(f'two packages are named {package.name}: {found[package.name].directory}, {parent}')
             found[package.name] = package
     return dict(sorted(found.items()))
 
@@ -44,7 +44,7 @@ def keys(packages: dict[str, Package], foundation: str) -> dict[str, str]:
 
     def key(name: str, path: tuple[str, ...]) -> str:
         if name in path:
-            raise ValueError("packages need each other in a circle: " + " -> ".join([*path, name]))
+            raise ValueError('packages need each other in a circle: ' + ' -> '.join([*path, name]))
         if name not in done:
             package = packages[name]
             below = [key(n, (*path, name)) for n in sorted(package.needs & packages.keys())]
@@ -56,7 +56,7 @@ def keys(packages: dict[str, Package], foundation: str) -> dict[str, str]:
 
 def uninstall(name: str, build: Path, prefix: Path) -> None:
     """Remove what the last build of a package installed, so that a file it no longer has does not stay behind."""
-    manifests = (build / name / "install_manifest.txt", build / name / "install.log")
+    manifests = (build / name / 'install_manifest.txt', build / name / 'install.log')
     listed = [line for m in manifests if m.is_file() for line in m.read_text().splitlines() if line.strip()]
     ours = [path for path in map(Path, listed) if path.is_absolute() and prefix in path.parents]
     for path in ours:
@@ -70,14 +70,14 @@ def forget(name: str, build: Path, prefix: Path) -> None:
     """Remove a package whose sources are gone."""
     uninstall(name, build, prefix)
     shutil.rmtree(build / name, ignore_errors=True)
-    shutil.rmtree(prefix / "share" / name, ignore_errors=True)
-    (prefix / "share" / "colcon-core" / "packages" / name).unlink(missing_ok=True)
+    shutil.rmtree(prefix / 'share' / name, ignore_errors=True)
+    (prefix / 'share' / 'colcon-core' / 'packages' / name).unlink(missing_ok=True)
 
 
 def succeeded(name: str, build: Path) -> bool:
     """Whether colcon's last build of the package ended well."""
     try:
-        return (build / name / "colcon_build.rc").read_text().strip() == "0"
+        return (build / name / 'colcon_build.rc').read_text().strip() == '0'
     except FileNotFoundError:
         return False
 

@@ -15,38 +15,38 @@ OLDEST_GLIBC = (2, 28)  # the wheels are manylinux_2_28
 SPACE_NEEDED = 2_000_000_000  # bytes: the environment and its build tree, with some to spare
 ROBOSTACK = (
     "use RoboStack's conda packages: conda create -n jazzy -c conda-forge -c robostack-jazzy "
-    "ros-jazzy-ros-base compilers && conda activate jazzy, then run ./course again"
+    'ros-jazzy-ros-base compilers && conda activate jazzy, then run ./course again'
 )
 
 
 def check_platform(system: str | None = None, machine: str | None = None, libc: tuple[str, str] | None = None) -> None:
     """Raise Lack unless the ROS wheels run here: Linux, x86-64, glibc 2.28 or newer."""
     system, machine = system or platform.system(), machine or platform.machine()
-    if system != "Linux" or machine not in ("x86_64", "AMD64"):
-        raise Lack(f"PyPI has ROS for x86-64 Linux only, this is {machine} {system}", ROBOSTACK)
+    if system != 'Linux' or machine not in ('x86_64', 'AMD64'):
+        raise Lack(f'PyPI has ROS for x86-64 Linux only, this is {machine} {system}', ROBOSTACK)
     name, version = libc or platform.libc_ver()
-    if name != "glibc" or tuple(int(n) for n in version.split(".")[:2]) < OLDEST_GLIBC:
-        has = f"{name} {version}".strip() or "another C library"
-        raise Lack(f"the ROS wheels need glibc 2.28 or newer, this system has {has}", ROBOSTACK)
+    if name != 'glibc' or tuple(int(n) for n in version.split('.')[:2]) < OLDEST_GLIBC:
+        has = f'{name} {version}'.strip() or 'another C library'
+        raise Lack(f'the ROS wheels need glibc 2.28 or newer, this system has {has}', ROBOSTACK)
 
 
 def check_compiler(environ: Mapping[str, str]) -> None:
     """Raise Lack unless C and C++ compile and link."""
-    path = environ.get("PATH", os.defpath)
+    path = environ.get('PATH', os.defpath)
     for variable, names, suffix, language, text in (
-        ("CC", ("cc", "gcc", "clang"), "c", "C", "#include <stdio.h>\nint main(void){return 0;}\n"),
-        ("CXX", ("c++", "g++", "clang++"), "cpp", "C++", "#include <string>\nint main(){return 0;}\n"),
+        ('CC', ('cc', 'gcc', 'clang'), 'c', 'C', '#include <stdio.h>\nint main(void){return 0;}\n'),
+        ('CXX', ('c++', 'g++', 'clang++'), 'cpp', 'C++', '#include <string>\nint main(){return 0;}\n'),
     ):
         names = (environ[variable].split()[0],) if environ.get(variable) else names
         command = next(filter(None, (shutil.which(name, path=path) for name in names)), None)
-        remedy = "run: sudo apt install g++"
+        remedy = 'run: sudo apt install g++'
         if command is None:
-            raise Lack(f"no {language} compiler ({', '.join(names)}) on PATH", remedy)
+            raise Lack(f'no {language} compiler ({", ".join(names)}) on PATH', remedy)
         with tempfile.TemporaryDirectory() as scratch:
-            source = Path(scratch, f"probe.{suffix}")
+            source = Path(scratch, f'probe.{suffix}')
             source.write_text(text)
             trial = subprocess.run(
-                [command, source.name, "-o", "probe"],
+                [command, source.name, '-o', 'probe'],
                 cwd=scratch,
                 env=dict(environ),
                 capture_output=True,
@@ -54,8 +54,8 @@ def check_compiler(environ: Mapping[str, str]) -> None:
                 check=False,
             )
         if trial.returncode:
-            reason = next((line for line in trial.stderr.splitlines() if "error" in line), "").strip()[:120]
-            raise Lack(f"the {language} compiler {command} does not work ({reason})", remedy)
+            reason = next((line for line in trial.stderr.splitlines() if 'error' in line), '').strip()[:120]
+            raise Lack(f'the {language} compiler {command} does not work ({reason})', remedy)
 
 
 def check_space(directory: Path, needed: int = SPACE_NEEDED) -> None:
@@ -63,15 +63,15 @@ def check_space(directory: Path, needed: int = SPACE_NEEDED) -> None:
     free = shutil.disk_usage(directory).free
     if free < needed:
         raise Lack(
-            f"no room: {directory} has {free / 1e9:.1f} GB free, the course needs {needed / 1e9:.1f} GB",
-            f"free some space (see: df -h {directory}), or move the course to a larger disk",
+            f'no room: {directory} has {free / 1e9:.1f} GB free, the course needs {needed / 1e9:.1f} GB',
+            f'free some space (see: df -h {directory}), or move the course to a larger disk',
         )
 
 
 def check_writable(root: Path) -> None:
     """Raise Lack unless the checkout can be written to."""
-    if not os.access(root, os.W_OK) or not os.access(root / "environment", os.W_OK):
-        raise Lack(f"{root} is not writable for you", f"run: sudo chown -R $(id -un) {root}")
+    if not os.access(root, os.W_OK) or not os.access(root / 'environment', os.W_OK):
+        raise Lack(f'{root} is not writable for you', f'run: sudo chown -R $(id -un) {root}')
 
 
 def check(root: Path, environ: Mapping[str, str], underlay: Underlay, needed: int = SPACE_NEEDED) -> None:

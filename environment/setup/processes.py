@@ -27,7 +27,7 @@ def run(
     """
     log.parent.mkdir(parents=True, exist_ok=True)
     lines: list[str] = []
-    with log.open("wb") as sink:
+    with log.open('wb') as sink:
         process = subprocess.Popen(
             [os.fspath(a) for a in argv],
             stdin=subprocess.DEVNULL,
@@ -41,10 +41,10 @@ def run(
         try:
             for line in _lines(process):
                 if line is None:
-                    on_line("")
+                    on_line('')
                     continue
                 sink.write(line)
-                lines.append(line.decode(errors="replace"))
+                lines.append(line.decode(errors='replace'))
                 on_line(lines[-1])
             process.wait()
         except BaseException:
@@ -52,13 +52,13 @@ def run(
             raise
         finally:
             process.stdout.close()
-    return process.returncode, "".join(lines)
+    return process.returncode, ''.join(lines)
 
 
 def _lines(process: subprocess.Popen):
     """Lines of output as they come; None once a second in between, so that a clock can be drawn."""
     descriptor = process.stdout.fileno()
-    pending = b""
+    pending = b''
     with selectors.DefaultSelector() as selector:
         selector.register(descriptor, selectors.EVENT_READ)
         while True:
@@ -71,9 +71,9 @@ def _lines(process: subprocess.Popen):
             block = os.read(descriptor, 65536)
             if not block:
                 break
-            *whole, pending = (pending + block).split(b"\n")
+            *whole, pending = (pending + block).split(b'\n')
             for line in whole:
-                yield line + b"\n"
+                yield line + b'\n'
     if pending:
         yield pending
 

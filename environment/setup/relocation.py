@@ -12,11 +12,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 # The machine's Python, its numpy, and the prefix that the packages were installed into.
-_INCLUDE = re.compile(rb"/opt/python/cp3\d+-cp3\d+/include/python3\.\d+")
-_NUMPY = re.compile(rb"/opt/python/cp3\d+-cp3\d+/lib/python3\.\d+/site-packages/numpy/_core/include")
-_PREFIX = re.compile(rb"/project/build/temp\.[\w.-]+/install")
-_FOREIGN = re.compile(rb"/opt/python/cp3|/project/build/")
-_SUFFIXES = (".cmake", ".sh", ".bash", ".zsh", ".dsv", ".ps1")
+_INCLUDE = re.compile(rb'/opt/python/cp3\d+-cp3\d+/include/python3\.\d+')
+_NUMPY = re.compile(rb'/opt/python/cp3\d+-cp3\d+/lib/python3\.\d+/site-packages/numpy/_core/include')
+_PREFIX = re.compile(rb'/project/build/temp\.[\w.-]+/install')
+_FOREIGN = re.compile(rb'/opt/python/cp3|/project/build/')
+_SUFFIXES = ('.cmake', '.sh', '.bash', '.zsh', '.dsv', '.ps1')
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ class Places:
 
 
 def _candidates(prefix: Path) -> Iterator[Path]:
-    for parent, _, files in os.walk(prefix / "share"):
+    for parent, _, files in os.walk(prefix / 'share'):
         yield from (Path(parent, name) for name in files if name.endswith(_SUFFIXES))
 
 
@@ -47,27 +47,27 @@ def repair(places: Places) -> int:
         new = _INCLUDE.sub(lambda _: os.fsencode(places.include), new)
         new = _PREFIX.sub(lambda _: os.fsencode(places.prefix), new)
         if _FOREIGN.search(new):
-            raise RuntimeError(f"{path} names a directory of the machine that built it, in a form not known here")
+            raise RuntimeError(f'{path} names a directory of the machine that built it, in a form not known here')
         _replace(path, new)
         changed += 1
-    for path in places.prefix.glob("share/ament_index/resource_index/parent_prefix_path/*"):
+    for path in places.prefix.glob('share/ament_index/resource_index/parent_prefix_path/*'):
         # The build machine had underlays; this prefix has none.
         if path.read_bytes():
-            _replace(path, b"")
+            _replace(path, b'')
             changed += 1
     return changed
 
 
 def setup_scripts(prefix: Path) -> list[Path]:
     """colcon's scripts that ask a Python which variables to set."""
-    return sorted(prefix.glob("local_setup.*"))
+    return sorted(prefix.glob('local_setup.*'))
 
 
 def scripts_ask(prefix: Path, python: Path) -> bool:
     """Whether there is a setup.bash, and whether its Python is the given one."""
     wanted = b'_colcon_python_executable="%s"' % os.fsencode(python)
     try:
-        return (prefix / "setup.bash").is_file() and wanted in (prefix / "local_setup.bash").read_bytes()
+        return (prefix / 'setup.bash').is_file() and wanted in (prefix / 'local_setup.bash').read_bytes()
     except FileNotFoundError:
         return False
 
@@ -81,7 +81,7 @@ def let_scripts_ask(prefix: Path, python: Path) -> None:
     for path in setup_scripts(prefix):
         old = path.read_bytes()
         new = old.replace(
-            b'_colcon_python_executable="%s"' % os.fsencode(prefix / "bin" / "python"),
+            b'_colcon_python_executable="%s"' % os.fsencode(prefix / 'bin' / 'python'),
             b'_colcon_python_executable="%s"' % os.fsencode(python),
         )
         if new != old:
@@ -89,7 +89,7 @@ def let_scripts_ask(prefix: Path, python: Path) -> None:
 
 
 def _replace(path: Path, content: bytes) -> None:
-    partial = path.with_name(f".{path.name}.partial")
+    partial = path.with_name(f'.{path.name}.partial')
     partial.write_bytes(content)
     shutil.copymode(path, partial)
     partial.replace(path)

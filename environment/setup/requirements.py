@@ -3,21 +3,21 @@
 import re
 from collections.abc import Mapping
 
-LINE = re.compile(r"^([A-Za-z0-9][A-Za-z0-9._-]*)==", re.MULTILINE)
+LINE = re.compile(r'^([A-Za-z0-9][A-Za-z0-9._-]*)==', re.MULTILINE)
 
 
 def entry(lock: str, name: str) -> str:
     """The lines of one package in the lock: its pin with its hashes."""
-    found = re.search(rf"^{re.escape(name)}==.*?(?=^\S|\Z)", lock, re.MULTILINE | re.DOTALL)
+    found = re.search(rf'^{re.escape(name)}==.*?(?=^\S|\Z)', lock, re.MULTILINE | re.DOTALL)
     if not found:
-        raise KeyError(f"{name} is not in the lock")
+        raise KeyError(f'{name} is not in the lock')
     return found.group()
 
 
 def entries(lock: str, pattern: str) -> str:
     """The lines of all packages whose name matches `pattern` from its start."""
-    blocks = re.findall(r"^[A-Za-z0-9].*?(?=^\S|\Z)", lock, re.MULTILINE | re.DOTALL)
-    return "".join(block for block in blocks if re.match(pattern, block))
+    blocks = re.findall(r'^[A-Za-z0-9].*?(?=^\S|\Z)', lock, re.MULTILINE | re.DOTALL)
+    return ''.join(block for block in blocks if re.match(pattern, block))
 
 
 def names(lock: str) -> set[str]:
@@ -32,16 +32,16 @@ def for_uv(environ: Mapping[str, str], pip_config: str) -> dict[str, str]:
     """
     found: dict[str, str] = {}
     for line in pip_config.splitlines():
-        name, _, value = line.partition("=")
+        name, _, value = line.partition('=')
         # `:env:` lines come last and win, as they do in pip.
-        found[name.rpartition(".")[2].replace("_", "-")] = value.strip().strip("'\"").replace("\\n", " ")
+        found[name.rpartition('.')[2].replace('_', '-')] = value.strip().strip('\'"').replace('\\n', ' ')
     settings = {}
-    if not {"UV_DEFAULT_INDEX", "UV_INDEX_URL"} & set(environ) and found.get("index-url"):
-        settings["UV_DEFAULT_INDEX"] = found["index-url"]
-    if not {"UV_INDEX", "UV_EXTRA_INDEX_URL"} & set(environ) and found.get("extra-index-url"):
-        settings["UV_INDEX"] = " ".join(found["extra-index-url"].split())
-    if "UV_FIND_LINKS" not in environ and found.get("find-links"):
-        settings["UV_FIND_LINKS"] = ",".join(found["find-links"].split())
-    if "SSL_CERT_FILE" not in environ and found.get("cert"):
-        settings["SSL_CERT_FILE"] = found["cert"]
+    if not {'UV_DEFAULT_INDEX', 'UV_INDEX_URL'} & set(environ) and found.get('index-url'):
+        settings['UV_DEFAULT_INDEX'] = found['index-url']
+    if not {'UV_INDEX', 'UV_EXTRA_INDEX_URL'} & set(environ) and found.get('extra-index-url'):
+        settings['UV_INDEX'] = ' '.join(found['extra-index-url'].split())
+    if 'UV_FIND_LINKS' not in environ and found.get('find-links'):
+        settings['UV_FIND_LINKS'] = ','.join(found['find-links'].split())
+    if 'SSL_CERT_FILE' not in environ and found.get('cert'):
+        settings['SSL_CERT_FILE'] = found['cert']
     return settings

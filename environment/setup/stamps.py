@@ -16,12 +16,12 @@ def digest(*parts: str | bytes) -> str:
     total = hashlib.sha256()
     for part in parts:
         data = part.encode() if isinstance(part, str) else part
-        total.update(b"%d:" % len(data))
+        total.update(b'%d:' % len(data))
         total.update(data)
     return total.hexdigest()
 
 
-IGNORED = {"__pycache__", ".pytest_cache", ".ruff_cache", ".git", "build", "install", "log"}
+IGNORED = {'__pycache__', '.pytest_cache', '.ruff_cache', '.git', 'build', 'install', 'log'}
 
 
 def source_files(directory: Path) -> Iterable[Path]:
@@ -29,7 +29,7 @@ def source_files(directory: Path) -> Iterable[Path]:
     for parent, directories, files in os.walk(directory):
         directories[:] = sorted(set(directories) - IGNORED)
         for name in sorted(files):
-            if not name.endswith((".pyc", "~", ".swp")):
+            if not name.endswith(('.pyc', '~', '.swp')):
                 yield Path(parent, name)
 
 
@@ -52,18 +52,18 @@ class Stamps:
         try:
             return (self.directory / name).read_text()
         except (FileNotFoundError, NotADirectoryError):
-            return ""
+            return ''
 
     def write(self, name: str, text: str) -> None:
         self.directory.mkdir(parents=True, exist_ok=True)
-        partial = self.directory / f".{name}.partial"
+        partial = self.directory / f'.{name}.partial'
         partial.write_text(text)
         partial.replace(self.directory / name)
 
     def remove(self, name: str) -> None:
         (self.directory / name).unlink(missing_ok=True)
 
-    def names(self, prefix: str = "") -> list[str]:
+    def names(self, prefix: str = '') -> list[str]:
         if not self.directory.is_dir():
             return []
         return sorted(p.name for p in self.directory.iterdir() if p.is_file() and p.name.startswith(prefix))

@@ -9,14 +9,14 @@ import sys
 
 DEFAULTS = {
     # Hear and be heard on this machine only: a classroom shares one network.
-    "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
+    'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST',
     # A wrong field type is an error at the assignment, not an obscure one at the publishing.
-    "ROS_PYTHON_CHECK_FIELDS": "1",
+    'ROS_PYTHON_CHECK_FIELDS': '1',
     # Notebooks show log output as plain text; a line as short as it can be.
-    "RCUTILS_COLORIZED_OUTPUT": "0",
-    "RCUTILS_CONSOLE_OUTPUT_FORMAT": "[{severity}] [{name}]: {message}",
+    'RCUTILS_COLORIZED_OUTPUT': '0',
+    'RCUTILS_CONSOLE_OUTPUT_FORMAT': '[{severity}] [{name}]: {message}',
     # numpy's thread pool would start a thread per core in each node's process.
-    "OPENBLAS_NUM_THREADS": "1",
+    'OPENBLAS_NUM_THREADS': '1',
 }
 
 
@@ -24,11 +24,11 @@ def activate(environ=os.environ, prefix=sys.prefix):
     """Complete `environ` for the ROS installation `prefix`."""
     for name, value in DEFAULTS.items():
         environ.setdefault(name, value)
-    prefixes = [p for p in environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if p]
+    prefixes = [p for p in environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep) if p]
     if prefix not in prefixes:
         # Others are workspaces that stand on this prefix, unless it stands on a stock ROS itself.
-        underlay = os.path.isdir(os.path.join(prefix, "share", "rclpy"))
-        environ["AMENT_PREFIX_PATH"] = os.pathsep.join([*prefixes, prefix] if underlay else [prefix, *prefixes])
+        underlay = os.path.isdir(os.path.join(prefix, 'share', 'rclpy'))
+        environ['AMENT_PREFIX_PATH'] = os.pathsep.join([*prefixes, prefix] if underlay else [prefix, *prefixes])
     drop_foreign_guard(environ, prefix)
 
 
@@ -38,22 +38,22 @@ def drop_foreign_guard(environ, prefix):
     The bootstrapper sets LD_LIBRARY_PATH, starts Python anew and sets a guard, so that it does so once. A process
     started from another such environment inherits the guard together with that environment's libraries.
     """
-    libraries = [p for p in environ.get("LD_LIBRARY_PATH", "").split(os.pathsep) if p]
-    own = os.path.join(prefix, "lib")
+    libraries = [p for p in environ.get('LD_LIBRARY_PATH', '').split(os.pathsep) if p]
+    own = os.path.join(prefix, 'lib')
     if own in libraries:
         return
-    environ.pop("_ROS_WHEELS_BOOTSTRAP_COMPLETE", None)
+    environ.pop('_ROS_WHEELS_BOOTSTRAP_COMPLETE', None)
     kept = [p for p in libraries if not of_wheels(p)]
     if kept != libraries:
-        environ["LD_LIBRARY_PATH"] = os.pathsep.join(kept)
+        environ['LD_LIBRARY_PATH'] = os.pathsep.join(kept)
 
 
 def of_wheels(directory):
     """Whether `directory` is a library directory of a virtual environment that holds the ROS wheels."""
-    head, tail = os.path.split(directory.rstrip("/"))
-    if tail.startswith("ros_") and tail.endswith(".libs"):
-        return os.path.basename(head) == "site-packages"
-    return tail == "lib" and os.path.exists(os.path.join(head, "pyvenv.cfg"))
+    head, tail = os.path.split(directory.rstrip('/'))
+    if tail.startswith('ros_') and tail.endswith('.libs'):
+        return os.path.basename(head) == 'site-packages'
+    return tail == 'lib' and os.path.exists(os.path.join(head, 'pyvenv.cfg'))
 
 
 if sys.prefix != sys.base_prefix:

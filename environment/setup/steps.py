@@ -16,10 +16,10 @@ from environment.setup.layout import Layout
 from environment.setup.stamps import Stamps, digest
 from environment.setup.underlay import Underlay, without_ros_wheels
 
-VERSION = "1"  # raise it when a step changes so that what it made before is no longer right
+VERSION = '1'  # raise it when a step changes so that what it made before is no longer right
 
 # Requirements that shape what colcon generates; a change of any other one leaves the built packages as they are.
-OF_THE_BUILD = r"(ros-|empy=|lark=|numpy=|setuptools=)"
+OF_THE_BUILD = r'(ros-|empy=|lark=|numpy=|setuptools=)'
 
 
 @dataclass
@@ -33,7 +33,7 @@ class Setup:
     keep: tuple[int, ...] = ()  # file descriptors that the tools hold: the lock
 
     def __post_init__(self):
-        self.stamps = Stamps(self.layout.state / "stamps")
+        self.stamps = Stamps(self.layout.state / 'stamps')
 
     # What is needed, as digests.
 
@@ -46,7 +46,7 @@ class Setup:
         return digest(
             VERSION,
             str(self.underlay),
-            self.stamps.read("venv"),
+            self.stamps.read('venv'),
             requirements.entries(lock, OF_THE_BUILD),
             self.layout.cmake_include.read_bytes(),
         )
@@ -58,18 +58,18 @@ class Setup:
     def stale(self) -> list[str]:
         """What is not as it should be: names of steps and packages; empty when the environment is fresh."""
         if not self.venv_usable():
-            return ["venv"]
+            return ['venv']
         lock = self.lock()
         foundation = self.foundation(lock)
-        wanted = {"requirements": digest(lock), "relocation": foundation, "kernel": self.kernel_key()}
+        wanted = {'requirements': digest(lock), 'relocation': foundation, 'kernel': self.kernel_key()}
         stale = [name for name, key in wanted.items() if self.stamps.read(name) != key]
         packages = self.packages()
         for name, key in overlay.keys(packages, foundation).items():
             if self.stamps.read(packages[name].stamp) != key:
                 stale.append(packages[name].stamp)
-        stale += [s for s in self.stamps.names("package.") if s.removeprefix("package.") not in packages]
+        stale += [s for s in self.stamps.names('package.') if s.removeprefix('package.') not in packages]
         if not relocation.scripts_ask(self.layout.prefix, self.base_python()):
-            stale.append("setup.bash")
+            stale.append('setup.bash')
         return stale
 
     def kernel_key(self) -> str:
@@ -79,63 +79,63 @@ class Setup:
 
     def venv_facts(self) -> dict:
         """What the environment was made for; {} when there is none, or none that was finished."""
-        text = self.stamps.read("venv")
+        text = self.stamps.read('venv')
         return json.loads(text) if text else {}
 
     def venv_usable(self) -> bool:
         """Whether the environment was made here, for this underlay, and its interpreter is still the same one."""
         facts = self.venv_facts()
-        if not facts or facts.get("setup") != VERSION or facts["prefix"] != str(self.layout.prefix):
+        if not facts or facts.get('setup') != VERSION or facts['prefix'] != str(self.layout.prefix):
             return False
-        if facts["underlay"] != str(self.underlay):
+        if facts['underlay'] != str(self.underlay):
             return False
-        wanted = self.environ.get("COURSE_PYTHON")
-        if wanted and os.path.realpath(shutil.which(wanted) or wanted) != facts["python"] and facts["asked"] != wanted:
+        wanted = self.environ.get('COURSE_PYTHON')
+        if wanted and os.path.realpath(shutil.which(wanted) or wanted) != facts['python'] and facts['asked'] != wanted:
             return False
         # An interrupted installation may have left a package half there, which no installer can tell.
-        if self.stamps.read("requirements.started"):
+        if self.stamps.read('requirements.started'):
             return False
-        return os.path.realpath(self.layout.python) == facts["python"] and self.layout.python.exists()
+        return os.path.realpath(self.layout.python) == facts['python'] and self.layout.python.exists()
 
     def base_python(self) -> Path:
         """The interpreter that the environment was made from."""
-        return Path(self.venv_facts()["python"])
+        return Path(self.venv_facts()['python'])
 
     def make_venv(self, interpreter: Interpreter) -> None:
         prefix = self.layout.prefix
         if prefix.is_symlink() or prefix.is_file():
             prefix.unlink()
         elif prefix.exists():
-            self.console.begin("Clearing away the old environment")
+            self.console.begin('Clearing away the old environment')
             # First the stamps: if this is interrupted, nothing looks whole.
-            shutil.rmtree(self.layout.state / "stamps", ignore_errors=True)
+            shutil.rmtree(self.layout.state / 'stamps', ignore_errors=True)
             shutil.rmtree(prefix)
             self.console.end()
-        options = ["--system-site-packages"] if self.underlay.stock else []
+        options = ['--system-site-packages'] if self.underlay.stock else []
         self._run(
-            f"Making a virtual environment with Python {interpreter.short}",
-            [interpreter.command, "-m", "venv", *options, prefix],
-            "venv",
+            f'Making a virtual environment with Python {interpreter.short}',
+            [interpreter.command, '-m', 'venv', *options, prefix],
+            'venv',
         )
-        uv = self.layout.state / "uv.txt"
-        uv.write_text(requirements.entry(self.layout.requirements.read_text(), "uv"))
-        pip = [self.layout.python, "-m", "pip", "--disable-pip-version-check"]
-        patience = [] if "PIP_DEFAULT_TIMEOUT" in self.environ else ["--timeout", "15"]
+        uv = self.layout.state / 'uv.txt'
+        uv.write_text(requirements.entry(self.layout.requirements.read_text(), 'uv'))
+        pip = [self.layout.python, '-m', 'pip', '--disable-pip-version-check']
+        patience = [] if 'PIP_DEFAULT_TIMEOUT' in self.environ else ['--timeout', '15']
         self._run(
-            "Fetching uv, the installer",
-            [*pip, "install", "--retries", "1", *patience, "--no-deps", "--require-hashes", "-r", uv],
-            "uv",
+            'Fetching uv, the installer',
+            [*pip, 'install', '--retries', '1', *patience, '--no-deps', '--require-hashes', '-r', uv],
+            'uv',
         )
         self.stamps.write(
-            "venv",
+            'venv',
             json.dumps(
                 {
-                    "setup": VERSION,
-                    "prefix": str(prefix),
-                    "python": interpreter.path,
-                    "version": interpreter.short,
-                    "asked": self.environ.get("COURSE_PYTHON", ""),
-                    "underlay": str(self.underlay),
+                    'setup': VERSION,
+                    'prefix': str(prefix),
+                    'python': interpreter.path,
+                    'version': interpreter.short,
+                    'asked': self.environ.get('COURSE_PYTHON', ''),
+                    'underlay': str(self.underlay),
                 }
             ),
         )
@@ -144,54 +144,57 @@ class Setup:
 
     def install_requirements(self) -> None:
         lock = self.lock()
-        file = self.layout.state / "requirements.txt"
+        file = self.layout.state / 'requirements.txt'
         before = requirements.names(file.read_text()) if file.exists() else set()
-        self.stamps.remove("requirements")
-        self.stamps.write("requirements.started", "1")
+        self.stamps.remove('requirements')
+        self.stamps.write('requirements.started', '1')
         env = self._env()
         config = subprocess.run(
-            [self.layout.python, "-m", "pip", "config", "list"],
+            [self.layout.python, '-m', 'pip', 'config', 'list'],
             env=env,
             capture_output=True,
             text=True,
             check=False,
         )
         env.update(requirements.for_uv(env, config.stdout))
-        uv = [self.layout.prefix / "bin" / "uv", "pip"]
+        uv = [self.layout.prefix / 'bin' / 'uv', 'pip']
         gone = sorted(before - requirements.names(lock))
         if gone:
             self._run(
-                "Removing packages that are no longer needed",
-                [*uv, "uninstall", "--python", self.layout.python, *gone],
-                "uninstall",
+                'Removing packages that are no longer needed',
+                [*uv, 'uninstall', '--python', self.layout.python, *gone],
+                'uninstall',
                 env,
             )
-        wanted = self.layout.state / "requirements.new.txt"
+        wanted = self.layout.state / 'requirements.new.txt'
         wanted.write_text(lock)
         self._run(
             f"Installing {len(requirements.names(lock))} locked packages",
             # Several indexes may hold different versions of one package; the hashes say which file is right.
-            [*uv, "install", "--python", self.layout.python, "--index-strategy", "unsafe-best-match", "--no-deps", "--require-hashes",
-             "--build-constraints", wanted, "-r", wanted],
-            "requirements", env,
+            [
+                *uv, "install", "--python", self.layout.python, "--index-strategy", "unsafe-best-match",
+                "--no-deps", "--require-hashes", "--build-constraints", wanted, "-r", wanted,
+            ],
+            "requirements",
+            env,
         )  # fmt: skip
         wanted.replace(file)
-        self.stamps.write("requirements", digest(lock))
-        self.stamps.remove("requirements.started")
+        self.stamps.write('requirements', digest(lock))
+        self.stamps.remove('requirements.started')
 
     def relocate(self) -> None:
         foundation = self.foundation(self.lock())
-        self.stamps.remove("relocation")
+        self.stamps.remove('relocation')
         if not self.underlay.stock:
             asked = subprocess.run(
                 [self.base_python(), "-ES", "-c", "import sysconfig; print(sysconfig.get_path('include'))"],
                 capture_output=True, text=True, check=True,
             )  # fmt: skip
-            numpy = self.layout.site_packages() / "numpy" / "_core" / "include"
-            self.console.begin("Repairing paths in the ROS packages")
+            numpy = self.layout.site_packages() / 'numpy' / '_core' / 'include'
+            self.console.begin('Repairing paths in the ROS packages')
             relocation.repair(relocation.Places(self.layout.prefix, Path(asked.stdout.strip()), numpy))
             self.console.end()
-        self.stamps.write("relocation", foundation)
+        self.stamps.write('relocation', foundation)
 
     # The course's own packages.
 
@@ -199,39 +202,39 @@ class Setup:
         packages = self.packages()
         keys = overlay.keys(packages, self.foundation(self.lock()))
         prefix, build = self.layout.prefix, self.layout.build
-        for stamp in self.stamps.names("package."):
-            if stamp.removeprefix("package.") not in packages:
-                overlay.forget(stamp.removeprefix("package."), build, prefix)
+        for stamp in self.stamps.names('package.'):
+            if stamp.removeprefix('package.') not in packages:
+                overlay.forget(stamp.removeprefix('package.'), build, prefix)
                 self.stamps.remove(stamp)
         selected = [name for name, p in packages.items() if self.stamps.read(p.stamp) != keys[name]]
         # A killed run's build may have gone on to its end: what it finished from these very sources counts.
         for name in list(selected):
-            if self.stamps.read(f"started.{name}") == keys[name] and overlay.succeeded(name, build):
+            if self.stamps.read(f'started.{name}') == keys[name] and overlay.succeeded(name, build):
                 self._finish(packages[name], keys[name])
                 selected.remove(name)
         if not selected and relocation.scripts_ask(prefix, self.base_python()):
             return
         for name in selected:
             self.stamps.remove(packages[name].stamp)
-            interrupted = bool(self.stamps.read(f"started.{name}"))
+            interrupted = bool(self.stamps.read(f'started.{name}'))
             overlay.uninstall(name, build, prefix)
-            if interrupted or (packages[name].directory / "setup.py").exists():
+            if interrupted or (packages[name].directory / 'setup.py').exists():
                 # Half-written files would look up to date; setuptools' build tree keeps files that are gone.
                 shutil.rmtree(build / name, ignore_errors=True)
-            (build / name / "colcon_build.rc").unlink(missing_ok=True)
-            self.stamps.write(f"started.{name}", keys[name])
+            (build / name / 'colcon_build.rc').unlink(missing_ok=True)
+            self.stamps.write(f'started.{name}', keys[name])
         finished = 0
 
         def watch(line: str) -> None:
             nonlocal finished
-            finished += line.startswith("Finished <<<")
-            self.console.update(f"{finished} of {len(selected)} done")
+            finished += line.startswith('Finished <<<')
+            self.console.update(f'{finished} of {len(selected)} done')
 
         try:
             self._run(
-                f"Building {len(selected)} ROS packages ({', '.join(selected)})",
+                f'Building {len(selected)} ROS packages ({", ".join(selected)})',
                 overlay.colcon(self.layout, selected),
-                "colcon",
+                'colcon',
                 on_line=watch,
             )
         finally:
@@ -241,16 +244,16 @@ class Setup:
                     self._finish(packages[name], keys[name])
         missing = [name for name in selected if self.stamps.read(packages[name].stamp) != keys[name]]
         if missing:
-            raise BuildFailed(f"colcon did not build {', '.join(missing)}", "", str(self.layout.logs / "colcon.log"))
+            raise BuildFailed(f'colcon did not build {", ".join(missing)}', '', str(self.layout.logs / 'colcon.log'))
 
     def _finish(self, package: overlay.Package, key: str) -> None:
         self.stamps.write(package.stamp, key)
-        self.stamps.remove(f"started.{package.name}")
+        self.stamps.remove(f'started.{package.name}')
 
     def install_kernel(self) -> None:
-        self.stamps.remove("kernel")
+        self.stamps.remove('kernel')
         kernel.install(self.layout)
-        self.stamps.write("kernel", self.kernel_key())
+        self.stamps.write('kernel', self.kernel_key())
 
     # Helpers.
 
@@ -259,7 +262,7 @@ class Setup:
 
     def _run(self, label: str, argv: list, log: str, env: dict | None = None, on_line=None) -> None:
         env = self._env() if env is None else env
-        file = self.layout.logs / f"{log}.log"
+        file = self.layout.logs / f'{log}.log'
         self.console.begin(label)
         status, output = processes.run(argv, file, env, on_line or self.console.update, self.layout.root, self.keep)
         if status:

@@ -16,7 +16,7 @@ FOREIGN = (
     "CMAKE_GENERATOR", "COLCON_DEFAULTS_FILE", "COLCON_EXTENSION_BLOCKLIST", "AMENT_CURRENT_PREFIX",
     "COLCON_CURRENT_PREFIX", "_ROS_WHEELS_BOOTSTRAP_COMPLETE",
 )  # fmt: skip
-OF_ROS = ("PYTHONPATH", "AMENT_PREFIX_PATH", "CMAKE_PREFIX_PATH", "COLCON_PREFIX_PATH", "ROS_PACKAGE_PATH")
+OF_ROS = ('PYTHONPATH', 'AMENT_PREFIX_PATH', 'CMAKE_PREFIX_PATH', 'COLCON_PREFIX_PATH', 'ROS_PACKAGE_PATH')
 
 
 def environment(environ: Mapping[str, str], layout: Layout, underlay: Underlay) -> dict[str, str]:
@@ -27,23 +27,23 @@ def environment(environ: Mapping[str, str], layout: Layout, underlay: Underlay) 
         for name in OF_ROS:
             env.pop(name, None)
     prefixes = [str(layout.prefix), *map(str, underlay.prefixes)]
-    env["AMENT_PREFIX_PATH"] = env["CMAKE_PREFIX_PATH"] = os.pathsep.join(prefixes)
-    env["PATH"] = os.pathsep.join([str(layout.prefix / "bin"), env.get("PATH", os.defpath)])
-    env["VIRTUAL_ENV"] = str(layout.prefix)
-    env["COLCON_HOME"] = str(layout.state / "colcon")
+    env['AMENT_PREFIX_PATH'] = env['CMAKE_PREFIX_PATH'] = os.pathsep.join(prefixes)
+    env['PATH'] = os.pathsep.join([str(layout.prefix / 'bin'), env.get('PATH', os.defpath)])
+    env['VIRTUAL_ENV'] = str(layout.prefix)
+    env['COLCON_HOME'] = str(layout.state / 'colcon')
     return env
 
 
-_NO_SPACE = re.compile(r"No space left on device|os error 28|ENOSPC|Errno 28|Disk quota exceeded", re.IGNORECASE)
+_NO_SPACE = re.compile(r'No space left on device|os error 28|ENOSPC|Errno 28|Disk quota exceeded', re.IGNORECASE)
 _NO_MEMORY = re.compile(
-    r"Killed signal terminated program|virtual memory exhausted|Cannot allocate memory", re.IGNORECASE
+    r'Killed signal terminated program|virtual memory exhausted|Cannot allocate memory', re.IGNORECASE
 )
-_BAD_HASH = re.compile(r"hash(es)? (mismatch|do not match)|DO NOT MATCH THE HASHES", re.IGNORECASE)
+_BAD_HASH = re.compile(r'hash(es)? (mismatch|do not match)|DO NOT MATCH THE HASHES', re.IGNORECASE)
 _NO_INDEX = re.compile(
-    r"Failed to fetch|Request failed after|error sending request|dns error|tcp connect|Connection refused|"
-    r"NewConnectionError|Max retries exceeded|ConnectTimeout|ReadTimeout|Temporary failure in name resolution|"
-    r"Name or service not known|Network is unreachable|ProxyError|SSLError|Could not connect|"
-    r"No matching distribution found|operation timed out",
+    r'Failed to fetch|Request failed after|error sending request|dns error|tcp connect|Connection refused|'
+    r'NewConnectionError|Max retries exceeded|ConnectTimeout|ReadTimeout|Temporary failure in name resolution|'
+    r'Name or service not known|Network is unreachable|ProxyError|SSLError|Could not connect|'
+    r'No matching distribution found|operation timed out',
     re.IGNORECASE,
 )
 
@@ -51,20 +51,20 @@ _NO_INDEX = re.compile(
 def explain(what: str, output: str, log: str, environ: Mapping[str, str]) -> Exception:
     """The exception for a tool that failed with this output."""
     if _NO_SPACE.search(output):
-        return Lack(f"the disk filled up while {what}", "free some space (see: df -h .), then run ./course again")
+        return Lack(f'the disk filled up while {what}', 'free some space (see: df -h .), then run ./course again')
     if _NO_MEMORY.search(output):
-        return Lack(f"memory ran out while {what}", "close other programs, then run ./course again")
+        return Lack(f'memory ran out while {what}', 'close other programs, then run ./course again')
     if _BAD_HASH.search(output):
         return Lack(
-            "the package index serves a file that differs from the lock",
-            "check the mirror in use (pip config list), or use https://pypi.org/simple",
+            'the package index serves a file that differs from the lock',
+            'check the mirror in use (pip config list), or use https://pypi.org/simple',
         )
     if _NO_INDEX.search(output):
-        index = environ.get("UV_DEFAULT_INDEX") or environ.get("UV_INDEX_URL") or environ.get("PIP_INDEX_URL")
-        shown = re.sub(r"//[^/@]*@", "//", index) if index else "https://pypi.org/simple"
+        index = environ.get('UV_DEFAULT_INDEX') or environ.get('UV_INDEX_URL') or environ.get('PIP_INDEX_URL')
+        shown = re.sub(r'//[^/@]*@', '//', index) if index else 'https://pypi.org/simple'
         return Lack(
-            f"the package index {shown} cannot be reached, or lacks a package",
-            f"try: curl -I {shown}/uv/ (behind a proxy set HTTPS_PROXY, for a mirror PIP_INDEX_URL)",
+            f'the package index {shown} cannot be reached, or lacks a package',
+            f'try: curl -I {shown}/uv/ (behind a proxy set HTTPS_PROXY, for a mirror PIP_INDEX_URL)',
         )
-    tail = "\n".join(output.strip().splitlines()[-20:])
-    return BuildFailed(f"failed: {what}", tail, log)
+    tail = '\n'.join(output.strip().splitlines()[-20:])
+    return BuildFailed(f'failed: {what}', tail, log)

@@ -1,15 +1,16 @@
 """From source to notebook: `solutions/NN_name.md` to the executed solution, the learner's notebook and exercises.json.
 
-A source is a MyST Markdown notebook, read by jupytext. Prose is Markdown; ``+++`` on a line of its own splits it into two
-cells. A code cell is a fence; its metadata stand in its first lines, each after a colon, each value YAML::
+A source is a MyST Markdown notebook, read by jupytext. Prose is Markdown; ``+++`` on a line of its own splits it into
+two cells. A code cell is a fence; its metadata stand in its first lines, each after a colon, each value YAML::
 
     ```{code-cell} ipython3
     :tags: [nbval-check-output]
     print(total)
     ```
 
-An exercise is a code cell with the metadata ``exercise``: the quoted id, the points, the names that the cell must define.
-jupytext reads the one-line form with braces; its own writer would make a block between ``---`` lines, which it reads too::
+An exercise is a code cell with the metadata ``exercise``: the quoted id, the points, the names that the cell must
+define. jupytext reads the one-line form with braces; its own writer would make a block between ``---`` lines, which it
+reads too::
 
     ```{code-cell} ipython3
     :exercise: {"id": "3.1", "points": 10, "names": ["Talker"]}
@@ -23,12 +24,12 @@ jupytext reads the one-line form with braces; its own writer would make a block 
             # END SOLUTION
     ```
 
-In the learner's notebook each region between BEGIN and END SOLUTION becomes ``# Your code here.`` followed by what its STUB
-lines hold; in the solved notebook only the markers and STUB lines go. A cell ``check("3.1")`` comes after the exercise.
+In the learner's notebook each region between BEGIN and END SOLUTION becomes ``# Your code here.`` followed by what its
+STUB lines hold; in the solved notebook only the markers and STUB lines go. A cell ``check("3.1")`` comes after it.
 
 The tags are nbval's (``nbval-check-output``, ``nbval-ignore-output``, ``nbval-skip``) and ``raises-exception``. nbval
-compares the output of every cell of the solved notebook that is not tagged ``nbval-ignore-output``. The learner's notebook
-loses the nbval tags: it must run, its output is not compared.
+compares the output of every cell of the solved notebook that is not tagged ``nbval-ignore-output``. The learner's
+notebook loses the nbval tags: it must run, its output is not compared.
 
 Modules: `chapter` reads, `regions` splits an exercise, `rules` names an author's mistakes, `notebooks` makes both
 notebooks, `execution` runs one, `outputs` says what is kept of its outputs, `build` writes all, `in_step` proves it,

@@ -65,7 +65,7 @@ def build(tree: Tree, selected: set[int] | None = None, force: bool = False, tim
           say: Callable[[str], None] = print) -> None:
     """Build the chapters numbered in ``selected`` (default: all) that differ from their sources, or all with ``force``.
 
-    The learner's notebook and the list of exercises are written first, as ``check`` in the executed notebook needs them.
+    The learner's notebook and the list of exercises are written first: ``check`` in the executed notebook needs them.
 
     :param timeout: longest time of one cell, in seconds.
     :param say: takes the lines that tell the progress.
@@ -127,8 +127,9 @@ def _executed(tree: Tree, chapter: Chapter, timeout: float) -> str:
     execution.execute(notebook, chapter, tree.notebooks, timeout)
     outputs.settle(notebook, tree.root)
     text = notebooks.dumps(notebook)
-    if len(text.encode()) > outputs.MAX_BYTES:
-        raise AuthoringError(chapter.path, None, f'its notebook has {len(text.encode()) / 1e6:.1f} MB with outputs, 1 MB is allowed',
+    size = len(text.encode()) / 1e6
+    if size > outputs.MAX_BYTES / 1e6:
+        raise AuthoringError(chapter.path, None, f'its notebook has {size:.1f} MB with outputs, 1 MB is allowed',
                              'make its outputs smaller: fewer or smaller pictures, a link instead of a page')
     return text
 

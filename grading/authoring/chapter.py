@@ -109,7 +109,7 @@ def _cell(path, node, lines, start):
 
 
 def _first_line(body, lines, start):
-    """Return the index of the line where ``body`` begins, at or after ``start`` (the metadata of a cell precedes it)."""
+    """Return the index of the line where ``body`` begins, at or after ``start``: a cell's metadata may precede it."""
     for index in range(start, len(lines)):
         if lines[index:index + len(body)] == body and body:
             return index

@@ -15,10 +15,12 @@ def drift(tree: Tree) -> list[str]:
     for chapter in chapters:
         lines += [f'solutions/{chapter.name}.ipynb {what}' for what in build.solved_drift(tree, chapter)]
         lines += _text_drift(tree.learner(chapter), notebooks.dumps(notebooks.learner(chapter)), tree)
-    lines += _text_drift(tree.manifest, manifest.dumps(row for chapter in chapters for row in chapter.exercises()), tree)
+    rows = [row for chapter in chapters for row in chapter.exercises()]
+    lines += _text_drift(tree.manifest, manifest.dumps(rows), tree)
     names = {f'{chapter.name}.ipynb' for chapter in chapters}
     for folder in (tree.solutions, tree.notebooks):
-        lines += [f'{folder.name}/{path.name} has no source' for path in sorted(folder.glob('*.ipynb')) if path.name not in names]
+        found = sorted(path.name for path in folder.glob('*.ipynb'))
+        lines += [f'{folder.name}/{name} has no source' for name in found if name not in names]
     return lines
 
 

@@ -50,7 +50,7 @@ def _notebook(chapter, form):
 
 
 def _learner_metadata(metadata: dict) -> dict:
-    """Outputs are not compared in the learner's notebook, so the tags about them go; an exercise cell is kept in place."""
+    """Outputs are not compared in the learner's notebook, so their tags go; an exercise cell is kept in place."""
     kept = {key: value for key, value in metadata.items() if key != 'tags'}
     tags = [tag for tag in metadata.get('tags', []) if not tag.startswith('nbval-')]
     if tags:

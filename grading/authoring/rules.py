@@ -26,9 +26,8 @@ def check(chapters: Iterable[Chapter]) -> list[AuthoringError]:
             if not isinstance(cell.exercise, dict) or not isinstance(identifier := cell.exercise.get('id'), str):
                 continue
             if identifier in owners:
-                first = owners[identifier]
-                errors.append(AuthoringError(chapter.path, cell.line, f'exercise {identifier} is there twice (first {first})',
-                                             'give each exercise its own id'))
+                problem = f'exercise {identifier} is there twice (first {owners[identifier]})'
+                errors.append(AuthoringError(chapter.path, cell.line, problem, 'give each exercise its own id'))
             owners.setdefault(identifier, f'{chapter.path.name}:{cell.line}')
     return errors
 
@@ -49,7 +48,8 @@ def _check_chapter(chapter: Chapter) -> Iterator[AuthoringError]:
     for index, cell in enumerate(chapter.cells):
         if cell.kind == 'markdown' and regions.has_marker(cell.source):
             offset = next(i for i, line in enumerate(cell.source.splitlines()) if regions.has_marker(line))
-            yield AuthoringError(chapter.path, cell.line + offset, 'solution marker in prose', 'move it into an exercise cell')
+            problem = 'solution marker in prose'
+            yield AuthoringError(chapter.path, cell.line + offset, problem, 'move it into an exercise cell')
         if cell.kind == 'code':
             for problem, remedy in (*_code_cell(cell), *_metadata(cell)):
                 yield AuthoringError(chapter.path, cell.line, problem, remedy)
@@ -82,18 +82,19 @@ def _metadata(cell: Cell):
 def _exercise(chapter: Chapter, cell: Cell, following: tuple[Cell, ...]):
     fields = cell.exercise
     if not isinstance(fields, dict):
-        yield cell.line, 'exercise metadata without fields', 'write :exercise: {"id": "3.1", "points": 10, "names": ["Talker"]}'
+        example = ':exercise: {"id": "3.1", "points": 10, "names": ["Talker"]}'
+        yield cell.line, 'exercise metadata without fields', f'write {example}'
         return
     identifier, points, names = fields.get('id'), fields.get('points'), fields.get('names')
     if not isinstance(identifier, str) or not re.fullmatch(rf'{chapter.number}\.[1-9]\d*', identifier):
-        yield cell.line, f'exercise id {identifier!r}', f'write a quoted "{chapter.number}.N", as this is chapter {chapter.number}'
+        yield cell.line, f'exercise id {identifier!r}', f'write a quoted "{chapter.number}.N" in this chapter'
         return
     label = f'exercise {identifier}'
     for key in fields.keys() - {'id', 'points', 'names'}:
         yield cell.line, f'{label} has an unknown field {key!r}', 'use id, points and names'
     if isinstance(points, bool) or not isinstance(points, (int, float)) or points <= 0:
         yield cell.line, f'{label} without points', 'add "points": N, more than 0, to its metadata'
-    if not isinstance(names, list) or not names or not all(isinstance(name, str) and name.isidentifier() for name in names):
+    if not isinstance(names, list) or not names or not all(str(name).isidentifier() for name in names):
         yield cell.line, f'{label} without names', 'add "names": [what the cell must define] to its metadata'
         names = []
     match = FIRST_LINE.fullmatch(cell.source.splitlines()[0] if cell.source else '')

@@ -11,9 +11,9 @@ from helpers.cli import Refusal
 
 
 def build(
-    chapters: Annotated[list[str] | None, typer.Argument(metavar='[NN …]', help='Numbers of chapters; all if none.')] = None,
-    check: Annotated[bool, typer.Option('--check', help='Run nothing: prove that the generated files fit their sources.')] = False,
-    force: Annotated[bool, typer.Option('--force', help='Execute also the chapters whose source has not changed.')] = False,
+    chapters: Annotated[list[str] | None, typer.Argument(metavar='[NN …]', help='Chapters; all if none.')] = None,
+    check: Annotated[bool, typer.Option('--check', help='Run nothing: prove that all fits its source.')] = False,
+    force: Annotated[bool, typer.Option('--force', help='Execute unchanged chapters too.')] = False,
     timeout: Annotated[float, typer.Option(help='Longest time of one cell, in seconds.')] = 60.0,
 ):
     """Make the executed solution and the learner's notebook of each chapter from solutions/NN_name.md."""

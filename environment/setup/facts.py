@@ -1,0 +1,304 @@
+"""What this machine has and lacks, each lack with its remedy: what `./course doctor` prints.
+
+Standard library only. `facts(root)` runs all probes; each probe is a function of its own that returns one `Fact`.
+"""
+
+import os
+import shutil
+import socket
+import stat
+import subprocess
+from collections.abc import Callable, Iterator, Mapping
+from ctypes.util import find_library
+from dataclasses import dataclass
+from pathlib import Path
+
+from environment.setup import interpreter, preflight
+from environment.setup.lack import Lack
+from environment.setup.layout import Layout
+from environment.setup.steps import Setup
+from environment.setup.underlay import Underlay, parse
+
+SPACE_WANTED = 1_000_000_000  # bytes for notebooks, logs, submissions
+RANGES = ('SUBNET', 'LOCALHOST', 'OFF', 'SYSTEM_DEFAULT')
+HIGHEST_DOMAIN = 101  # above it DDS ports fall into the range that Linux gives to outgoing connections
+
+
+@dataclass(frozen=True)
+class Fact:
+    """One line of the report.
+
+    `ok` is whether it is as it should be; if not, `remedy` says what to do. A lack of something `required` stops the
+    course, any other one costs only what `text` says.
+    """
+
+    name: str
+    ok: bool
+    text: str
+    remedy: str = ''
+    required: bool = True
+
+
+def facts(root: Path, environ: Mapping[str, str] = os.environ) -> Iterator[Fact]:
+    """All facts, in the order of the report; a probe that fails itself becomes a lack, never an exception."""
+    layout = Layout(root)
+    probes: tuple[Callable[[], Fact], ...] = (
+        lambda: python(layout),
+        lambda: readable_by_others(layout),
+        lambda: underlay(layout, environ),
+        lambda: overlay(layout, environ),
+        lambda: compiler(environ),
+        lambda: disk(root),
+        lambda: shared_memory(),
+        lambda: domain(environ),
+        lambda: discovery(environ),
+        lambda: wire(layout, environ),
+        lambda: port('JupyterLab', 8888),
+        lambda: port('meshcat', 7000),
+        lambda: sandbox(),
+        lambda: browser(),
+        lambda: graphics(),
+    )
+    for probe in probes:
+        try:
+            yield probe()
+        except Exception as error:  # the report must go on
+            yield Fact('a probe', False, f'failed: {error!r}', 'please report this', required=False)
+
+
+def python(layout: Layout) -> Fact:
+    """Whether the environment's interpreter is whole."""
+    found = interpreter.probe(str(_base(layout)))
+    if found is None:
+        return Fact('Python', False, f'{_base(layout)} does not run', f'run: rm -rf {layout.prefix} && ./course doctor')
+    text = f'{".".join(map(str, found.version))} ({found.path})'
+    try:
+        interpreter.demand(found)
+    except Lack as lack:
+        return Fact('Python', False, lack.what, lack.remedy)
+    return Fact('Python', True, text)
+
+
+def _base(layout: Layout) -> Path:
+    return Path(os.path.realpath(layout.python))
+
+
+def closed_to_others(path: Path) -> Path | None:
+    """The first directory on the way to `path`, or `path` itself, that other users cannot enter or read."""
+    for step in [*reversed(path.parents), path]:
+        mode = step.stat().st_mode
+        needed = stat.S_IXOTH if step != path or not path.is_dir() else stat.S_IXOTH | stat.S_IROTH
+        if mode & needed != needed:
+            return step
+    return None
+
+
+def readable_by_others(layout: Layout) -> Fact:
+    """Whether another user, such as the grader's, can run the environment's Python."""
+    name = 'Python for other users'
+    closed = closed_to_others(_base(layout))
+    if closed:
+        text = f'{closed} is private, so that a sandbox under another user cannot run {_base(layout)}'
+        remedy = 'to grade in a sandbox: COURSE_PYTHON=/usr/bin/python3 ./course doctor (makes the environment anew)'
+        return Fact(name, False, text, remedy, required=False)
+    closed = closed_to_others(layout.prefix)
+    if closed:
+        text = f'{closed} is private, so that a sandbox under another user cannot read the environment'
+        return Fact(name, False, text, f'to grade in a sandbox: chmod o+rx {closed}', required=False)
+    return Fact(name, True, 'readable')
+
+
+def recorded_underlay(layout: Layout) -> Underlay:
+    """The underlay that the environment was made for."""
+    made_for = Setup(layout, Underlay(), {}).venv_facts()
+    return parse(made_for['underlay']) if made_for else Underlay()
+
+
+def underlay(layout: Layout, environ: Mapping[str, str]) -> Fact:
+    found = recorded_underlay(layout)
+    if not found.stock:
+        return Fact('ROS underlay', True, 'Jazzy, wheels from PyPI')
+    gone = [p for p in found.prefixes if not p.is_dir()]
+    if gone:
+        return Fact('ROS underlay', False, f'{gone[0]} is gone', 'run ./course doctor in a terminal without it')
+    return Fact('ROS underlay', True, f'stock Jazzy in {found}')
+
+
+def overlay(layout: Layout, environ: Mapping[str, str]) -> Fact:
+    """Whether the environment is what the lock and the sources ask for."""
+    plain = {name: value for name, value in environ.items() if name != 'COURSE_PYTHON'}
+    setup = Setup(layout, recorded_underlay(layout), plain)
+    stale = setup.stale()
+    if stale:
+        return Fact('course packages', False, f'not fresh: {", ".join(stale)}', 'run: ./course doctor')
+    return Fact('course packages', True, ', '.join(setup.packages()) or 'all in the underlay')
+
+
+def compiler(environ: Mapping[str, str]) -> Fact:
+    try:
+        preflight.check_compiler(environ)
+    except Lack as lack:
+        return Fact('C++ compiler', False, lack.what, lack.remedy)
+    return Fact('C++ compiler', True, 'compiles and links')
+
+
+def disk(root: Path) -> Fact:
+    free = shutil.disk_usage(root).free
+    text = f'{free / 1e9:.1f} GB free at {root}'
+    return Fact('disk', free >= SPACE_WANTED, text, f'free at least {SPACE_WANTED / 1e9:.0f} GB (see: df -h {root})')
+
+
+def shared_memory(directory: Path = Path('/dev/shm')) -> Fact:
+    """Fast DDS hands messages between processes of one machine through shared memory."""
+    remedy = 'mount it: sudo mount -t tmpfs -o mode=1777,size=256m tmpfs /dev/shm (Docker: --shm-size=256m)'
+    if not directory.is_dir() or not os.access(directory, os.W_OK):
+        return Fact('shared memory', False, f'{directory} is not writable: large messages are slow', remedy, False)
+    free = shutil.disk_usage(directory).free
+    return Fact('shared memory', free >= 32_000_000, f'{free / 1e6:.0f} MB free in {directory}', remedy, False)
+
+
+def domain(environ: Mapping[str, str]) -> Fact:
+    text = environ.get('ROS_DOMAIN_ID', '')
+    remedy = f'run: export ROS_DOMAIN_ID=N, with N from 0 to {HIGHEST_DOMAIN}, or unset ROS_DOMAIN_ID'
+    if not text:
+        return Fact('ROS domain', True, '0 (ROS_DOMAIN_ID is not set)')
+    if not text.isdecimal() or int(text) > 232:
+        return Fact('ROS domain', False, f'ROS_DOMAIN_ID={text} is no domain', remedy)
+    if int(text) > HIGHEST_DOMAIN:
+        text = f'ROS_DOMAIN_ID={text}: its ports may collide with outgoing connections'
+        return Fact('ROS domain', False, text, remedy, required=False)
+    return Fact('ROS domain', True, text)
+
+
+def discovery(environ: Mapping[str, str]) -> Fact:
+    """How far nodes look for each other."""
+    text = environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE', 'SUBNET')
+    if text not in RANGES:
+        known = ', '.join(RANGES)
+        return Fact('discovery range', False, f'{text} is unknown to ROS', f'set it to one of {known}, or unset it')
+    if text == 'OFF':
+        remedy = 'run: unset ROS_AUTOMATIC_DISCOVERY_RANGE'
+        return Fact('discovery range', False, 'OFF: nodes do not find each other', remedy)
+    reach = {'LOCALHOST': 'this machine only', 'SUBNET': 'the whole local network'}
+    return Fact('discovery range', True, f'{text} ({reach.get(text, "as the DDS profile says")})')
+
+
+# Two nodes, each in its own participant, so that the message takes the way it takes between two programs.
+_EXCHANGE = """
+import os, time, rclpy
+from std_msgs.msg import String
+contexts = [rclpy.Context(), rclpy.Context()]
+for context in contexts:
+    rclpy.init(context=context)
+talker, listener = (rclpy.create_node(n, context=c) for n, c in zip(("doctor_talker", "doctor_listener"), contexts))
+heard = []
+topic = f"doctor_{os.getpid()}"
+listener.create_subscription(String, topic, heard.append, 10)
+publisher = talker.create_publisher(String, topic, 10)
+executor = rclpy.executors.SingleThreadedExecutor(context=contexts[1])
+executor.add_node(listener)
+end = time.monotonic() + 10
+while not heard and time.monotonic() < end:
+    publisher.publish(String(data="hello"))
+    executor.spin_once(timeout_sec=0.1)
+executor.shutdown()
+for node, context in zip((talker, listener), contexts):
+    node.destroy_node()
+    context.shutdown()
+print("heard" if heard else "silence")
+"""
+
+
+def wire(layout: Layout, environ: Mapping[str, str]) -> Fact:
+    """Whether a message really travels from one ROS participant to another."""
+    try:
+        trial = subprocess.run(
+            [layout.python, '-c', _EXCHANGE], env=dict(environ), capture_output=True, text=True, timeout=30, check=False
+        )
+    except subprocess.TimeoutExpired:
+        return Fact('a message by ROS', False, 'nothing within 30 s', 'run: ./course doctor, with the network up')
+    if trial.stdout.strip() == 'heard':
+        return Fact('a message by ROS', True, 'sent and received')
+    reason = (trial.stderr.strip().splitlines() or ['no message within 10 s'])[-1]
+    remedy = 'unset ROS_DOMAIN_ID, FASTRTPS_DEFAULT_PROFILES_FILE, RMW_IMPLEMENTATION; let the firewall pass UDP on lo'
+    return Fact('a message by ROS', False, reason, remedy)
+
+
+def port(user: str, number: int) -> Fact:
+    """Whether `user` gets its usual port; it takes the next one otherwise."""
+    with socket.socket() as probe:
+        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            probe.bind(('127.0.0.1', number))
+        except OSError:
+            text = f'{number} is in use, {user} will take another'
+            return Fact('port', False, text, f"see who has it: ss -ltnp 'sport = :{number}'", required=False)
+    return Fact('port', True, f'{number} is free for {user}')
+
+
+def try_bubblewrap() -> str:
+    """Start bubblewrap as the grader does; returns '' when it works, else what it said."""
+    command = ['bwrap', '--ro-bind', '/', '/', '--dev', '/dev', '--proc', '/proc', '--tmpfs', '/tmp']
+    command += ['--unshare-user', '--unshare-pid', '--unshare-ipc', '--unshare-net', '--die-with-parent', 'true']
+    try:
+        trial = subprocess.run(command, capture_output=True, text=True, timeout=10, check=False)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        return str(error)
+    return '' if trial.returncode == 0 else trial.stderr.strip() or f'exit status {trial.returncode}'
+
+
+def sandbox(
+    which: Callable[[str], str | None] = shutil.which,
+    attempt: Callable[[], str] = try_bubblewrap,
+    kernel: Path = Path('/proc/sys'),
+) -> Fact:
+    """Whether submissions can be graded in a sandbox; learners do not need it."""
+    name = 'sandbox for grading'
+    if which('bwrap') is None:
+        return Fact(name, False, 'bubblewrap is missing', 'run: sudo apt install bubblewrap', required=False)
+    failure = attempt()
+    if not failure:
+        return Fact(name, True, 'bubblewrap works')
+    text = f'bubblewrap does not work: {failure}'
+    return Fact(name, False, text, namespace_remedy(kernel), required=False)
+
+
+def namespace_remedy(kernel: Path = Path('/proc/sys')) -> str:
+    """What lets an ordinary user make namespaces on this machine."""
+
+    def setting(name: str) -> str:
+        try:
+            return (kernel / name).read_text().strip()
+        except OSError:
+            return ''
+
+    if setting('kernel/apparmor_restrict_unprivileged_userns') == '1':
+        profile = '/usr/share/apparmor/extra-profiles/bwrap-userns-restrict'
+        return (
+            'AppArmor forbids user namespaces; run: sudo apt install apparmor-profiles && '
+            f'sudo ln -s {profile} /etc/apparmor.d/ && sudo apparmor_parser -r {profile}'
+        )
+    if setting('kernel/unprivileged_userns_clone') == '0':
+        return 'run: sudo sysctl -w kernel.unprivileged_userns_clone=1'
+    if setting('user/max_user_namespaces') == '0':
+        return 'run: sudo sysctl -w user.max_user_namespaces=10000'
+    return 'in a container: allow user namespaces (Docker: --security-opt seccomp=unconfined)'
+
+
+def browser(which: Callable[[str], str | None] = shutil.which) -> Fact:
+    """A browser draws meshcat's pictures in tests; without one those tests are left out."""
+    names = ('chromium', 'chromium-browser', 'google-chrome', 'chrome')
+    found = next(filter(None, map(which, names)), None)
+    if found:
+        return Fact('browser for pictures', True, found)
+    text = 'no chromium: tests of the 3-D view are left out'
+    return Fact('browser for pictures', False, text, 'run: sudo apt install chromium', required=False)
+
+
+def graphics() -> Fact:
+    """A library that draws without a screen; needed for simulated cameras only."""
+    found = [name for name in ('EGL', 'OSMesa') if find_library(name)]
+    if found:
+        return Fact('off-screen OpenGL', True, ' and '.join(found))
+    text = 'neither EGL nor OSMesa: no simulated cameras'
+    return Fact('off-screen OpenGL', False, text, 'run: sudo apt install libegl1 libosmesa6', required=False)

@@ -1,0 +1,119 @@
+"""Each lack of a machine: one line, its remedy, and status 2 before anything is made."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from environment.setup import preflight
+from environment.setup.lack import Lack
+from environment.setup.layout import Layout
+from environment.setup.main import ROOT
+
+
+@pytest.mark.parametrize(
+    ('system', 'machine', 'libc', 'named'),
+    [
+        ('Linux', 'aarch64', ('glibc', '2.39'), 'aarch64'),
+        ('Darwin', 'arm64', ('', ''), 'Darwin'),
+        ('Linux', 'x86_64', ('glibc', '2.27'), '2.27'),
+        ('Linux', 'x86_64', ('', ''), 'another C library'),
+    ],
+)
+def test_platforms_without_wheels(system, machine, libc, named):
+    with pytest.raises(Lack, match=named) as lack:
+        preflight.check_platform(system, machine, libc)
+    assert 'conda create' in lack.value.remedy
+
+
+def test_platform_with_wheels():
+    preflight.check_platform('Linux', 'x86_64', ('glibc', '2.28'))
+
+
+def test_no_compiler(tmp_path):
+    with pytest.raises(Lack, match='no C compiler') as lack:
+        preflight.check_compiler({'PATH': str(tmp_path)})
+    assert lack.value.remedy == 'run: sudo apt install g++'
+
+
+def test_no_cpp_compiler(tool):
+    path = tool('cc', 'exit 0')
+    with pytest.raises(Lack, match=r'no C\+\+ compiler'):
+        preflight.check_compiler({'PATH': str(path)})
+
+
+def test_a_compiler_that_does_not_work(tool):
+    path = tool('cc', 'exit 0')
+    tool('c++', 'echo "probe.cpp:1:10: fatal error: string: No such file" >&2; exit 1')
+    with pytest.raises(Lack, match='string: No such file'):
+        preflight.check_compiler({'PATH': f'{path}:{os.environ["PATH"]}'})
+
+
+def test_compiler_named_by_the_user(tool):
+    path = tool('mycc', 'exit 0')
+    preflight.check_compiler({'PATH': f'{path}:/bin:/usr/bin', 'CC': 'mycc -O2', 'CXX': 'mycc'})
+
+
+def test_no_room(tmp_path):
+    preflight.check_space(tmp_path, 0)
+    with pytest.raises(Lack, match='no room'):
+        preflight.check_space(tmp_path, 10**18)
+
+
+def test_the_script_names_a_missing_python(tmp_path):
+    """The shell part of `course`, where no Python is new enough."""
+    for name in ('dirname', 'readlink'):
+        (tmp_path / name).symlink_to(f'/usr/bin/{name}')
+    script = tmp_path / 'course'
+    script.write_text((ROOT / 'course').read_text().replace('/usr/bin/python3', '/no/python3'))
+    answer = subprocess.run(['/bin/sh', script], env={'PATH': str(tmp_path)}, capture_output=True, text=True)
+    assert answer.returncode == 2
+    assert 'apt install python3' in answer.stderr
+    assert len(answer.stderr.splitlines()) == 1
+
+
+def run_main(root, environ):
+    """`./course doctor` of another root, in its own process."""
+    code = (
+        'import sys; from pathlib import Path; sys.path.insert(0, sys.argv[1]); '
+        'from environment.setup.main import main; sys.exit(main(["doctor"], Path(sys.argv[2])))'
+    )
+    command = [getattr(sys, '_base_executable', sys.executable), '-ES', '-c', code, str(ROOT), str(root)]
+    return subprocess.run(command, env=environ, capture_output=True, text=True, timeout=60)
+
+
+def test_a_lack_is_one_line_and_leaves_nothing(checkout: Layout, clean_environ, tool):
+    # Everything is there except the compiler.
+    path = tool('dirname', 'exit 0')
+    answer = run_main(checkout.root, {**clean_environ, 'PATH': str(path)})
+    assert answer.returncode == 2, answer.stderr
+    assert answer.stderr.splitlines() == [
+        'course: no C compiler (cc, gcc, clang) on PATH; run: sudo apt install g++',
+    ]
+    assert not checkout.prefix.exists()
+
+
+def test_an_index_out_of_reach_leaves_nothing(checkout: Layout, clean_environ):
+    checkout.requirements.write_text(f'uv==0.0.1 --hash=sha256:{"0" * 64}\n')
+    environ = {
+        **{n: v for n, v in clean_environ.items() if not n.startswith(('PIP_', 'UV_'))},
+        'PIP_CONFIG_FILE': '/dev/null',
+        'PIP_INDEX_URL': 'http://127.0.0.1:9/simple',
+        'PIP_RETRIES': '0',
+    }
+    answer = run_main(checkout.root, environ)
+    assert answer.returncode == 2, answer.stderr
+    last = answer.stderr.splitlines()[-1]
+    assert 'the package index http://127.0.0.1:9/simple cannot be reached' in last
+    assert not checkout.prefix.exists()
+
+
+def test_another_distribution_is_refused_by_the_command(checkout: Layout, clean_environ, stock):
+    humble = stock('humble', 'rclpy')
+    environ = {**clean_environ, 'ROS_DISTRO': 'humble', 'AMENT_PREFIX_PATH': str(humble)}
+    answer = run_main(checkout.root, environ)
+    assert answer.returncode == 2
+    assert len(answer.stderr.splitlines()) == 1
+    assert 'humble' in answer.stderr
+    assert not checkout.prefix.exists()

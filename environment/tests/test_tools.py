@@ -1,0 +1,248 @@
+"""The tools that the set-up runs: their environment, their output, their failures, their end."""
+
+import io
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import pytest
+
+from environment.setup import mutex, processes, requirements, startup, tools
+from environment.setup.console import Console
+from environment.setup.lack import BuildFailed, Lack
+from environment.setup.layout import Layout
+from environment.setup.main import ROOT
+from environment.setup.underlay import Underlay
+
+LOCK = Layout(ROOT).requirements.read_text()
+
+
+@pytest.mark.parametrize(
+    ('output', 'named'),
+    [
+        ('error: failed to write: No space left on device (os error 28)', 'the disk filled up'),
+        ('cc1plus: fatal error: Killed signal terminated program cc1plus', 'memory ran out'),
+        ('error: Failed to fetch: `http://x/simple/uv/`\n Caused by: dns error', 'cannot be reached'),
+        ('ERROR: Could not find a version\nERROR: No matching distribution found for uv==1', 'cannot be reached'),
+        ('error: Hash mismatch for `rich==1`', 'differs from the lock'),
+    ],
+)
+def test_known_failures_become_one_line(output, named):
+    failure = tools.explain('working', output, 'a.log', {})
+    assert isinstance(failure, Lack)
+    assert named in str(failure)
+    assert '\n' not in str(failure)
+
+
+def test_a_password_in_the_index_is_not_shown():
+    failure = tools.explain('x', 'dns error', 'a.log', {'PIP_INDEX_URL': 'https://me:secret@mirror/simple'})
+    assert 'secret' not in str(failure)
+    assert 'https://mirror/simple' in str(failure)
+
+
+def test_any_other_failure_keeps_the_end_of_its_output():
+    failure = tools.explain('building', '\n'.join(map(str, range(50))), 'a.log', {})
+    assert isinstance(failure, BuildFailed)
+    assert failure.tail.splitlines() == [str(n) for n in range(30, 50)]
+
+
+def test_tools_see_neither_another_ros_nor_another_environment(tmp_path):
+    layout = Layout(tmp_path)
+    dirty = {
+        'PATH': '/bin',
+        'PYTHONPATH': '/opt/ros/humble/lib',
+        'AMENT_PREFIX_PATH': '/opt/ros/humble',
+        '_ROS_WHEELS_BOOTSTRAP_COMPLETE': '1',
+        'PIP_INDEX_URL': 'https://mirror',
+    }
+    env = tools.environment(dirty, layout, Underlay())
+    assert 'PYTHONPATH' not in env
+    assert '_ROS_WHEELS_BOOTSTRAP_COMPLETE' not in env
+    assert env['AMENT_PREFIX_PATH'] == str(layout.prefix)
+    assert env['PATH'] == f'{layout.prefix}/bin:/bin'
+    assert env['PIP_INDEX_URL'] == 'https://mirror'
+
+
+def test_tools_keep_a_stock_ros(tmp_path):
+    ros = Underlay((Path('/opt/ros/jazzy'),))
+    env = tools.environment({'PYTHONPATH': '/opt/ros/jazzy/lib'}, Layout(tmp_path), ros)
+    assert env['PYTHONPATH'] == '/opt/ros/jazzy/lib'
+    assert env['AMENT_PREFIX_PATH'] == f'{tmp_path}/.venv:/opt/ros/jazzy'
+
+
+def test_uv_gets_what_pip_is_told():
+    config = "global.index-url='https://mirror/simple'\nglobal.cert='/ca.pem'\n:env:.index-url='https://other/simple'\n"
+    assert requirements.for_uv({}, config) == {
+        'UV_DEFAULT_INDEX': 'https://other/simple',
+        'SSL_CERT_FILE': '/ca.pem',
+    }
+    assert 'UV_DEFAULT_INDEX' not in requirements.for_uv({'UV_INDEX_URL': 'https://mine'}, config)
+
+
+def test_the_lock_pins_the_installer_and_hashes_everything():
+    assert requirements.entry(LOCK, 'uv').count('--hash=sha256:') > 3
+    blocks = re.split(r'^(?=[A-Za-z0-9])', LOCK, flags=re.MULTILINE)[1:]
+    assert len(blocks) > 200
+    assert all('--hash=sha256:' in block for block in blocks)
+
+
+def test_the_lock_has_all_that_is_asked_for():
+    asked = (ROOT / 'environment' / 'requirements.in').read_text().splitlines()
+    names = {line.split('=')[0].split('<')[0].strip().lower() for line in asked if line and not line.startswith('#')}
+    assert names <= {name.lower() for name in requirements.names(LOCK)}
+
+
+def test_output_goes_to_the_log_and_to_the_listener(tmp_path):
+    seen = []
+    status, output = processes.run(
+        ['sh', '-c', 'echo one; echo two >&2; printf three; exit 5'],
+        tmp_path / 'log' / 'a.log',
+        os.environ,
+        seen.append,
+    )
+    assert status == 5
+    assert output == 'one\ntwo\nthree'
+    assert [line for line in seen if line] == ['one\n', 'two\n', 'three']
+    assert (tmp_path / 'log' / 'a.log').read_text() == output
+
+
+def gone(process: int, timeout: float = 5.0) -> bool:
+    """Whether the process ends within `timeout` seconds (a zombie has ended)."""
+    end = time.monotonic() + timeout
+    while time.monotonic() < end:
+        try:
+            if Path(f'/proc/{process}/stat').read_text().rpartition(')')[2].split()[0] == 'Z':
+                return True
+        except (FileNotFoundError, ProcessLookupError):
+            return True
+        time.sleep(0.01)
+    return False
+
+
+def test_an_interruption_ends_the_tool_and_its_children(tmp_path):
+    def interrupt(line):
+        if line.startswith('ready'):
+            raise KeyboardInterrupt
+
+    started = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        processes.run(
+            ['sh', '-c', f'sleep 60 & echo $! > {tmp_path}/child; echo ready; wait'],
+            tmp_path / 'a.log', os.environ, interrupt,
+        )  # fmt: skip
+    assert time.monotonic() - started < processes.GRACE + 5
+    child = int((tmp_path / 'child').read_text())
+    assert gone(child)
+
+
+def test_a_second_one_waits_for_the_lock(tmp_path):
+    path, order = tmp_path / 'lock', []
+    waiting, first_in = threading.Event(), threading.Event()
+
+    def first():
+        with mutex.exclusive(path, order.append):
+            first_in.set()
+            assert waiting.wait(10)
+            order.append('first')
+
+    thread = threading.Thread(target=first)
+    thread.start()
+    assert first_in.wait(10)
+
+    def on_wait(process):
+        order.append(process)
+        waiting.set()
+
+    with mutex.exclusive(path, on_wait):
+        order.append('second')
+    thread.join(10)
+    assert order == [str(os.getpid()), 'first', 'second']
+
+
+def test_the_lock_lasts_as_long_as_a_killed_set_ups_tool(tmp_path):
+    """The set-up is killed, its compiler goes on: nobody may start to build meanwhile."""
+    code = (
+        f'import sys, os; sys.path.insert(0, {str(ROOT)!r})\n'
+        'from environment.setup import mutex, processes\n'
+        'from pathlib import Path\n'
+        f'with mutex.exclusive(Path({str(tmp_path / "lock")!r}), print) as lock:\n'
+        f'    processes.run(["sh", "-c", "echo $$; exec sleep 60"], Path({str(tmp_path / "log")!r}), os.environ,\n'
+        '                  lambda line: print(line, end="", flush=True), keep=(lock,))\n'
+    )
+    command = [getattr(sys, '_base_executable', sys.executable), '-ESc', code]
+    holder = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    tool = int(holder.stdout.readline())
+    holder.kill()
+    holder.wait()
+    holder.stdout.close()
+    waited = []
+
+    def on_wait(process):
+        waited.append(int(process))
+        os.kill(tool, signal.SIGKILL)
+
+    with mutex.exclusive(tmp_path / 'lock', on_wait):
+        assert waited == [holder.pid]
+
+
+def test_progress_off_a_terminal_is_plain_lines():
+    stream = io.StringIO()
+    console = Console(stream)
+    console.begin('Working')
+    console.update('detail')
+    console.end()
+    first, second = stream.getvalue().splitlines()
+    assert first == 'Working ...'
+    assert second.startswith('Working: 0.')
+
+
+def test_start_up_gives_defaults_and_respects_what_is_set(tmp_path):
+    env = {'ROS_AUTOMATIC_DISCOVERY_RANGE': 'SUBNET'}
+    startup.activate(env, str(tmp_path))
+    assert env['ROS_AUTOMATIC_DISCOVERY_RANGE'] == 'SUBNET'
+    assert env['ROS_PYTHON_CHECK_FIELDS'] == '1'
+    assert env['AMENT_PREFIX_PATH'] == str(tmp_path)
+    before = dict(env)
+    startup.activate(env, str(tmp_path))
+    assert env == before
+
+
+def test_a_workspace_stays_on_top_of_the_wheels(tmp_path):
+    (tmp_path / 'share' / 'rclpy').mkdir(parents=True)
+    env = {'AMENT_PREFIX_PATH': '/ws/install'}
+    startup.activate(env, str(tmp_path))
+    assert env['AMENT_PREFIX_PATH'] == f'/ws/install:{tmp_path}'
+
+
+def test_another_environments_guard_is_dropped(tmp_path):
+    other = tmp_path / 'other'
+    (other / 'lib').mkdir(parents=True)
+    (other / 'pyvenv.cfg').touch()
+    libs = f'{other}/lib:{other}/lib/python3.12/site-packages/ros_rcl.libs:/usr/lib/mine'
+    env = {'_ROS_WHEELS_BOOTSTRAP_COMPLETE': '1', 'LD_LIBRARY_PATH': libs}
+    startup.drop_foreign_guard(env, str(tmp_path / 'own'))
+    assert env == {'LD_LIBRARY_PATH': '/usr/lib/mine'}
+
+
+def test_the_own_guard_stays(tmp_path):
+    env = {'_ROS_WHEELS_BOOTSTRAP_COMPLETE': '1', 'LD_LIBRARY_PATH': f'{tmp_path}/lib'}
+    before = dict(env)
+    startup.drop_foreign_guard(env, str(tmp_path))
+    assert env == before
+
+
+def test_the_environments_python_repairs_an_inherited_guard(clean_environ):
+    """In the real environment: a guard from elsewhere must not keep rclpy from its libraries."""
+    env = {**clean_environ, '_ROS_WHEELS_BOOTSTRAP_COMPLETE': '1', 'LD_LIBRARY_PATH': '/nowhere'}
+    code = 'import os, json, rclpy; print(json.dumps(dict(os.environ)))'
+    answer = subprocess.run([sys.executable, '-c', code], env=env, capture_output=True, text=True, timeout=60)
+    assert answer.returncode == 0, answer.stderr
+    seen = json.loads(answer.stdout)
+    assert f'{sys.prefix}/lib' in seen['LD_LIBRARY_PATH'].split(':')
+    assert sys.prefix in seen['AMENT_PREFIX_PATH'].split(':')

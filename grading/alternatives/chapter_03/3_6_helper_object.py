@@ -1,0 +1,40 @@
+# Exercise 3.6: a rate and gap monitor
+from rclpy.duration import Duration
+from rclpy.qos import qos_profile_sensor_data
+from rclpy.time import Time
+from sensor_msgs.msg import LaserScan
+from std_msgs.msg import Float64
+
+
+class GapFinder:
+    """Pure logic, without ROS communication: gives the gap before a stamp, or None."""
+
+    def __init__(self, max_gap):
+        self.max_gap = Duration(seconds=max_gap)
+        self.newest = None
+
+    def __call__(self, stamp):
+        before, self.newest = self.newest, stamp if self.newest is None else max(self.newest, stamp)
+        if before is not None and stamp - before > self.max_gap:
+            return (stamp - before).nanoseconds * 1e-9
+        return None
+
+
+class RateMonitor(Node):
+    def __init__(self, max_gap=0.5):
+        super().__init__('rate_monitor')
+        self.find_gap = GapFinder(max_gap)
+        self.scans = 0
+        self.publish = {name: self.create_publisher(Float64, f'scan_{name}', 10).publish for name in ('rate', 'gap')}
+        self.create_subscription(LaserScan, 'scan', self.on_scan, qos_profile_sensor_data)
+        self.create_timer(1.0, self.on_timer)
+
+    def on_scan(self, scan):
+        self.scans += 1
+        gap = self.find_gap(Time.from_msg(scan.header.stamp))
+        if gap:
+            self.publish['gap'](Float64(data=gap))
+
+    def on_timer(self):
+        self.publish['rate'](Float64(data=float(self.scans)))
+        self.scans = 0

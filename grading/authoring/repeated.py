@@ -1,0 +1,58 @@
+"""The notebooks that CI gives to nbval: all cells twice in one kernel, then a check that nothing is left over."""
+
+from pathlib import Path
+
+import nbformat
+from nbformat import NotebookNode
+
+IGNORE = {'tags': ['nbval-ignore-output']}
+
+
+def repeated(notebook: NotebookNode, folder: Path) -> NotebookNode:
+    """Return ``notebook`` with all of its cells twice, to be run in ``folder`` wherever the result is kept.
+
+    Outputs are kept, so both runs are compared with them; a cell that was never executed is not compared.
+    """
+    begin = ['import os', 'from grading.authoring import leftovers', f'os.chdir({str(folder)!r})', 'leftovers.note()']
+    cells = [_cell('note', '\n'.join(begin))]
+    for run in ('first', 'second'):
+        for cell in notebook.cells:
+            if cell.cell_type == 'code':
+                cells.append(nbformat.from_dict({**cell, 'id': f'{cell.id}-{run}'}))
+    cells.append(_cell('leftovers', 'from grading.authoring import leftovers\nleftovers.check()'))
+    return nbformat.from_dict({**notebook, 'cells': cells})
+
+
+def write(notebooks: list[Path], target: Path) -> list[Path]:
+    """Write the repeated form of each notebook below ``target``, in a folder named as its own; return the paths.
+
+    :raises ValueError: a notebook cannot be read; the message names it.
+    """
+    written = []
+    for path in notebooks:
+        try:
+            notebook = nbformat.read(path, as_version=4)
+        except (ValueError, nbformat.ValidationError) as error:
+            raise ValueError(f'{path.name} is no notebook: {error}') from None
+        copy = target / path.parent.name / path.name
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        nbformat.write(repeated(notebook, path.parent), copy)
+        written.append(copy)
+    return written
+
+
+def nbval_arguments(config: Path, kernel: str, cell_timeout: float = 60.0) -> list[str]:
+    """Return pytest's arguments for the repeated notebooks; ``config`` is the file with outputs.nbval_config.
+
+    ``--nbval`` serves both kinds: the cells of a learner's notebook were never executed, so nothing is compared there.
+
+    :param cell_timeout: longest time of one cell, in seconds.
+    """
+    return ['--nbval', f'--nbval-kernel-name={kernel}', f'--nbval-cell-timeout={cell_timeout:g}',
+            f'--nbval-sanitize-with={config}', f'--timeout={cell_timeout + 30:g}', '--dist=loadfile',
+            '-p', 'grading.authoring.nbval_names', '-p', 'no:cacheprovider']
+
+
+def _cell(identifier, source):
+    return nbformat.from_dict({'cell_type': 'code', 'id': identifier, 'metadata': IGNORE, 'source': source,
+                               'execution_count': None, 'outputs': []})

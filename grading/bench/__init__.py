@@ -1,0 +1,31 @@
+"""Benchmarks. ``bench_NAME.py``, here or in environment/bench or helpers/bench, is found by ``./course bench``.
+
+Such a module defines ``measure()``, which yields (what, value, unit) triples, and says in the first line of its
+docstring what is measured.
+"""
+
+import ast
+from pathlib import Path
+
+FOLDERS = ('environment/bench', 'helpers/bench', 'grading/bench')
+
+
+def find(root: Path) -> dict[str, Path]:
+    """Return the benchmarks below ``root`` by name, in alphabetical order, without importing them."""
+    paths = [path for folder in FOLDERS for path in (root / folder).glob('bench_*.py')]
+    return dict(sorted((path.stem.removeprefix('bench_'), path) for path in paths))
+
+
+def title(path: Path) -> str:
+    """Return what the benchmark at ``path`` measures."""
+    return (ast.get_docstring(ast.parse(path.read_text(encoding='utf-8'))) or path.stem).splitlines()[0]
+
+
+def run(path: Path) -> list[tuple[str, float, str]]:
+    """Import and run one benchmark."""
+    import importlib.util
+
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return [(str(what), float(value), str(unit)) for what, value, unit in module.measure()]

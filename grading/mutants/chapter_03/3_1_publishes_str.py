@@ -1,0 +1,12 @@
+# expect: Expected <class
+# Exercise 3.1: a beacon
+class Beacon(Node):
+    def __init__(self):
+        super().__init__('beacon')
+        self.count = 0
+        self.publisher = self.create_publisher(String, 'beacon', 10)
+        self.timer = self.create_timer(0.25, self.on_timer)
+
+    def on_timer(self):
+        self.count += 1
+        self.publisher.publish(f'alive {self.count}')

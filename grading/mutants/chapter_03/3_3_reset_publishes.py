@@ -1,0 +1,27 @@
+# expect: The reset itself published
+# Exercise 3.3: heartbeat
+from std_msgs.msg import Bool, Empty, Int32
+
+
+class Heartbeat(Node):
+    def __init__(self):
+        super().__init__('heartbeat')
+        self.lit = False
+        self.seconds = 0
+        self.led = self.create_publisher(Bool, 'led', 10)
+        self.uptime = self.create_publisher(Int32, 'uptime', 10)
+        self.create_subscription(Empty, 'reset', self.on_reset, 10)
+        self.create_timer(0.25, self.on_blink)
+        self.create_timer(1.0, self.on_second)
+
+    def on_blink(self):
+        self.lit = not self.lit
+        self.led.publish(Bool(data=self.lit))
+
+    def on_second(self):
+        self.seconds += 1
+        self.uptime.publish(Int32(data=self.seconds))
+
+    def on_reset(self, msg):
+        self.seconds = 0
+        self.uptime.publish(Int32(data=0))

@@ -1,0 +1,6 @@
+# What the bash of `./course shell` reads at its start.
+if [ -f ~/.bashrc ]; then . ~/.bashrc; fi
+. "$COURSE_SETUP"
+# Once more: the user's file may have put another Python before an entry that was there already.
+PATH=${COURSE_SETUP%/*}/bin:$PATH
+PS1="(course) $PS1"

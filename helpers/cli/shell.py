@@ -1,0 +1,38 @@
+"""``./course shell``: a second terminal, or one command in it."""
+
+import os
+import shlex
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from helpers.cli import Refusal
+
+ROOT = Path(__file__).resolve().parents[2]
+SETTINGS = {'context_settings': {'ignore_unknown_options': True, 'allow_interspersed_args': False}}
+
+# After the user's own start-up file, which may set PATH or source another ROS.
+BASHRC = Path(__file__).with_name('shell.bashrc')
+
+
+def shell(
+    command: Annotated[list[str] | None, typer.Argument(metavar='[-- COMMAND ...]', help='Instead of a shell.')] = None,
+) -> None:
+    """Open a shell in which .venv/setup.bash is sourced, or run one command so; ends with its exit status."""
+    setup = ROOT / '.venv' / 'setup.bash'
+    environ = {name: value for name, value in os.environ.items() if name != '_ROS_WHEELS_BOOTSTRAP_COMPLETE'}
+    environ['COURSE_SETUP'] = str(setup)
+    login = os.path.basename(environ.get('SHELL', 'bash'))
+    if command:
+        argv = ['bash', '-c', 'source "$0" && exec -- "$@"', str(setup), *command]
+    elif login in ('bash', 'sh', 'dash'):
+        argv = ['bash', '--rcfile', str(BASHRC), '-i']
+    else:
+        argv = ['bash', '-c', f'source "$0" && exec {shlex.quote(environ["SHELL"])} -i', str(setup)]
+    if not command:
+        typer.echo('ROS 2 is set up in this shell; leave it with exit.', err=True)
+    try:
+        os.execvpe('bash', argv, environ)
+    except FileNotFoundError:
+        raise Refusal('bash is missing; run: sudo apt install bash') from None

@@ -1,0 +1,139 @@
+"""``./course test``: everything that CI checks, one step after the other."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from dataclasses import dataclass
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from helpers import paths
+
+SETTINGS = {'context_settings': {'ignore_unknown_options': True, 'help_option_names': ['--help']}}
+NO_TESTS = 5  # pytest's status if nothing was collected
+Arguments = Annotated[list[str] | None, typer.Argument(metavar='[PYTEST ARGS]', help='Run pytest with these only.')]
+
+
+@dataclass
+class Step:
+    """One step's outcome. A step that is no pytest run counts as one test."""
+
+    name: str
+    passed: int = 0
+    failed: int = 0
+    skipped: int = 0
+    seconds: float = 0.0
+
+
+def test(arguments: Arguments = None):
+    """Run all tests: style, unit tests, notebooks in step with their sources, every notebook twice.
+
+    With arguments, only pytest runs, with these.
+    """
+    os.chdir(paths.ROOT)
+    if arguments:
+        raise typer.Exit(min(subprocess.call([sys.executable, '-m', 'pytest', *arguments]), 2))
+    (paths.ROOT / 'build').mkdir(exist_ok=True)
+    # Inside of the course, so that pytest finds conftest.py for the notebooks written here too.
+    with tempfile.TemporaryDirectory(prefix='test-', dir=paths.ROOT / 'build') as scratch:
+        steps = [run(Path(scratch)) for run in _plan()]
+    raise typer.Exit(_summary(steps))
+
+
+def _plan():
+    yield _style
+    yield _unit_tests
+    if find_spec('grading'):  # the learner's edition has neither sources nor reference outputs
+        yield _in_step
+        yield _notebooks
+
+
+def _style(scratch: Path) -> Step:
+    return _command('style', ['-m', 'ruff', 'check', '.'])
+
+
+def _unit_tests(scratch: Path) -> Step:
+    return _pytest('unit tests', scratch, ['-q', f'-n{_workers()}', '--dist=loadfile'])
+
+
+def _in_step(scratch: Path) -> Step:
+    return _command('build --check', ['-m', 'helpers.cli', 'build', '--check'])
+
+
+def _notebooks(scratch: Path) -> Step:
+    from grading.authoring import execution, outputs, repeated
+
+    name = 'notebooks, each twice'
+    found = [*sorted((paths.ROOT / 'solutions').glob('*.ipynb')), *sorted(paths.NOTEBOOKS.glob('*.ipynb'))]
+    try:
+        copies = repeated.write(found, scratch)
+    except ValueError as error:
+        _heading(name)
+        print(error)
+        return Step(name, failed=1)
+    if not copies:
+        _heading(name)
+        print('no notebook in solutions/ and notebooks/; run ./course build')
+        return Step(name, failed=1)
+    config = scratch / 'sanitize.cfg'
+    config.write_text(outputs.nbval_config(paths.ROOT), encoding='utf-8')
+    arguments = repeated.nbval_arguments(config, execution.kernel_name())
+    return _pytest(name, scratch, ['-q', f'-n{min(_workers(), len(copies))}', *arguments, *map(str, copies)])
+
+
+def _workers() -> int:
+    return max(2, min(4, len(os.sched_getaffinity(0))))
+
+
+def _command(name: str, arguments: list[str]) -> Step:
+    _heading(name)
+    begin = time.monotonic()
+    status = subprocess.call([sys.executable, *arguments])
+    return Step(name, passed=int(status == 0), failed=int(status != 0), seconds=time.monotonic() - begin)
+
+
+def _pytest(name: str, scratch: Path, arguments: list[str]) -> Step:
+    """Run pytest; the counts come from its JUnit file. A run that ends badly without a failed test is one failure."""
+    _heading(name)
+    report = scratch / f'{name.replace(" ", "_").replace(",", "")}.xml'
+    begin = time.monotonic()
+    status = subprocess.call([sys.executable, '-m', 'pytest', f'--junitxml={report}', *arguments])
+    step = Step(name, seconds=time.monotonic() - begin)
+    _count(step, report)
+    if status not in (0, NO_TESTS) and not step.failed:
+        step.failed = 1
+    if status == NO_TESTS or not step.passed + step.failed + step.skipped:
+        print('no test was found')
+        step.failed = 1
+    return step
+
+
+def _count(step: Step, report: Path) -> None:
+    from xml.etree import ElementTree
+
+    if not report.exists():
+        return
+    for suite in ElementTree.parse(report).getroot().iter('testsuite'):
+        total, failed, skipped = (int(suite.get(key, 0)) for key in ('tests', 'failures', 'skipped'))
+        failed += int(suite.get('errors', 0))
+        step.passed, step.failed, step.skipped = total - failed - skipped, failed, skipped
+
+
+def _heading(name: str) -> None:
+    print(f'\n=== {name} ===', flush=True)
+
+
+def _summary(steps: list[Step]) -> int:
+    _heading('summary')
+    for step in steps:
+        verdict = 'FAILED' if step.failed else 'passed'
+        counts = f'{step.passed:5} passed {step.failed:4} failed {step.skipped:4} skipped'
+        print(f'{verdict}  {step.name:24} {counts} {step.seconds:7.1f} s')
+    passed, failed, skipped = (sum(getattr(step, key) for step in steps) for key in ('passed', 'failed', 'skipped'))
+    print(f'{passed} passed, {failed} failed, {skipped} skipped in {sum(step.seconds for step in steps):.0f} s')
+    return int(failed > 0)

@@ -1,0 +1,195 @@
+"""From cells to the program that is run for one exercise.
+
+The exercise's cell is taken whole. From the cells before it come only imports, functions, classes and constant
+assignments: what demonstrates something never runs. The names that the exercise asks for must be defined by its own
+cell. Nothing is executed here.
+"""
+
+import ast
+import re
+from dataclasses import dataclass, field
+
+from helpers.exercises.manifest import Exercise, stub_digest
+from helpers.exercises.notebooks import Cell
+
+HEADING = re.compile(r'#\s*Exercise\s+(\d+\.\d+)\b', re.IGNORECASE)
+_MAGIC = re.compile(r'\s*(%|!|\?)|\s*[\w., ()\[\]]+=\s*(%\w|!)|.*\?\s*$')
+# Calls that make a constant when their arguments are constant.
+_VALUE_TYPES = {'QoSProfile', 'Duration', 'Time'}
+
+
+class InvalidExercise(Exception):
+    """One exercise's cell is missing, doubled or unreadable; the message is for the learner."""
+
+
+class NotAttempted(Exception):
+    """The exercise's cell is still what the learner was given."""
+
+
+@dataclass
+class Program:
+    """What the learner's process loads for one exercise."""
+
+    exercise: Exercise
+    cells: list[dict] = field(default_factory=list)  # label, source, required
+
+    @property
+    def title(self) -> str:
+        """How messages name it."""
+        return f'Exercise {self.exercise.id}'
+
+    def as_dict(self) -> dict:
+        """The program as a JSON value."""
+        return {'title': self.title, 'cells': self.cells}
+
+
+def exercise_id(cell: Cell) -> str | None:
+    """The id in the cell's first line, `# Exercise 3.2: …`, or None."""
+    first = next((line for line in cell.source.splitlines() if line.strip()), '')
+    match = HEADING.match(first.strip())
+    return match[1] if match else None
+
+
+def of_exercise(cells: list[Cell], exercise: Exercise) -> list[Cell]:
+    """The cells that claim to be this exercise's, by heading or by id."""
+    return [cell for cell in cells if exercise_id(cell) == exercise.id
+            or (cell.id == exercise.cell_id and exercise_id(cell) is None)]
+
+
+def build(cells: list[Cell], exercise: Exercise) -> Program:
+    """Return the program for ``exercise`` from a notebook's code cells, in their order.
+
+    :raises InvalidExercise: its cell is missing, doubled, not Python, uses magics, or lacks a required name.
+    :raises NotAttempted: its cell is the unchanged stub.
+    """
+    heading = f'# Exercise {exercise.id}: {exercise.title}'
+    found = of_exercise(cells, exercise)
+    if not found:
+        raise InvalidExercise(f'The cell of exercise {exercise.id} was not found: its first line must be '
+                              f'`{heading}`.')
+    if len(found) > 1:
+        numbers = ' and '.join(str(cell.number) for cell in found if cell.number)
+        raise InvalidExercise(f'Exercise {exercise.id} is there {len(found)} times'
+                              + (f' (cells {numbers})' if numbers else '')
+                              + f': keep one cell that begins with `{heading}`.')
+    cell = found[0]
+    tree = _parse_exercise(cell, exercise)
+    if stub_digest(cell.source) == exercise.stub:
+        raise NotAttempted(f'Exercise {exercise.id} is not solved yet.')
+    missing = [name for name in exercise.names if name not in _defined(tree.body)]
+    if missing:
+        there = sorted(name for name in _defined(tree.body) if not name.startswith('_'))
+        raise InvalidExercise(f'The cell of exercise {exercise.id} must define `{missing[0]}`'
+                              + (f'; it defines {", ".join(f"`{name}`" for name in there[:5])}.' if there else '.'))
+    program = Program(exercise)
+    for other in cells[:cells.index(cell)]:
+        program.cells += [{'label': other.label, 'source': text, 'required': False} for text in definitions(other)]
+    program.cells.append({'label': cell.label, 'source': cell.source, 'required': True})
+    return program
+
+
+def _parse_exercise(cell: Cell, exercise: Exercise) -> ast.Module:
+    try:
+        return ast.parse(cell.source)
+    except SyntaxError as error:
+        lines = cell.source.splitlines()
+        for number, line in enumerate(lines, 1):
+            if re.match(r'\s*(%|!|\?)', line):
+                raise InvalidExercise(f'Exercise {exercise.id}, line {number}: `{line.strip()[:60]}` is a notebook '
+                                      'command, not Python. Move it to a cell of its own.') from None
+        text = lines[error.lineno - 1].strip()[:80] if error.lineno and error.lineno <= len(lines) else ''
+        raise InvalidExercise(f'Exercise {exercise.id}, line {error.lineno}: Python cannot read `{text}` '
+                              f'({error.msg}).') from None
+    except (ValueError, RecursionError, MemoryError):  # null bytes, nesting beyond all measure
+        raise InvalidExercise(f'Exercise {exercise.id}: Python cannot read the cell.') from None
+
+
+def definitions(cell: Cell) -> list[str]:
+    """Imports, functions, classes and constant assignments of a cell, each as source text; [] if it is not Python.
+
+    Each text keeps its place in the cell, so that line numbers in messages are the learner's.
+    """
+    if cell.source.lstrip().startswith('%%'):
+        return []
+    # A notebook's command lines are not Python; they leave an empty line.
+    plain = '\n'.join('' if _MAGIC.match(line) and not _parses(line) else line for line in cell.source.splitlines())
+    for text in (cell.source, plain):
+        try:
+            tree = ast.parse(text)
+            break
+        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            continue
+    else:
+        return []
+    lines = text.splitlines()
+    found = []
+    for node in tree.body:
+        if _is_definition(node):
+            first = min([node.lineno, *(d.lineno for d in getattr(node, 'decorator_list', ()))])
+            # Blank lines before it, so that its line numbers stay; a neighbour on the same line is cut off.
+            part = lines[first - 1:node.end_lineno]
+            if len(part) == 1:
+                part = [ast.get_source_segment(text, node) or part[0]]
+            found.append('\n' * (first - 1) + '\n'.join(part) + '\n')
+    return found
+
+
+def _parses(line: str) -> bool:
+    try:
+        ast.parse(line.strip())
+    except (SyntaxError, ValueError):
+        return False
+    return True
+
+
+def _is_definition(node: ast.stmt) -> bool:
+    match node:
+        case ast.Import() | ast.ImportFrom() | ast.FunctionDef() | ast.AsyncFunctionDef() | ast.ClassDef():
+            return True
+        case ast.Assign(targets=targets, value=value):
+            return all(isinstance(target, (ast.Name, ast.Tuple)) for target in targets) and _is_constant(value)
+        case ast.AnnAssign(target=ast.Name(), value=value):
+            return value is None or _is_constant(value)
+    return False
+
+
+def _is_constant(node: ast.expr) -> bool:
+    """A literal, names and attributes, arithmetic of these, or a QoSProfile, Duration or Time made of these."""
+    match node:
+        case ast.Constant() | ast.Name():
+            return True
+        case ast.Attribute(value=value) | ast.UnaryOp(operand=value) | ast.Starred(value=value):
+            return _is_constant(value)
+        case ast.BinOp(left=left, right=right):
+            return _is_constant(left) and _is_constant(right)
+        case ast.Subscript(value=value, slice=key):
+            return _is_constant(value) and _is_constant(key)
+        case ast.Tuple(elts=items) | ast.List(elts=items) | ast.Set(elts=items):
+            return all(map(_is_constant, items))
+        case ast.Dict(keys=keys, values=values):
+            return all(_is_constant(item) for item in [*keys, *values] if item is not None)
+        case ast.Lambda():
+            return True
+        case ast.Call(func=ast.Name(id=name) | ast.Attribute(attr=name), args=args, keywords=keywords):
+            return name in _VALUE_TYPES and all(map(_is_constant, [*args, *(keyword.value for keyword in keywords)]))
+    return False
+
+
+def _defined(body: list[ast.stmt]) -> set[str]:
+    """The names that these statements bind at module level."""
+    names: set[str] = set()
+    for node in body:
+        match node:
+            case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
+                names.add(name)
+            case ast.Import(names=aliases) | ast.ImportFrom(names=aliases):
+                names |= {alias.asname or alias.name.partition('.')[0] for alias in aliases}
+            case ast.Assign() | ast.AnnAssign() | ast.AugAssign():
+                targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+                names |= {part.id for target in targets for part in ast.walk(target) if isinstance(part, ast.Name)}
+            case ast.If() | ast.For() | ast.While() | ast.With() | ast.Try():
+                for part in ('body', 'orelse', 'finalbody'):
+                    names |= _defined(getattr(node, part, []))
+                for handler in getattr(node, 'handlers', []):
+                    names |= _defined(handler.body)
+    return names

@@ -1,0 +1,107 @@
+"""How the learner's side is started: the one place that a sandbox replaces.
+
+Here the learner's side is a plain child process with limits: fit for one's own work in one's own notebook.
+`grading.sandbox` chooses what `grade` uses; everything else only sees `start`'s result.
+"""
+import os
+import resource
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass, field
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PROFILE = Path(__file__).with_name("fastdds.xml")
+
+# Kept from the caller's environment: what makes Python and the ROS installation work, nothing else.
+_KEPT = ("PATH", "LANG", "LC_ALL", "LD_LIBRARY_PATH", "AMENT_PREFIX_PATH", "PYTHONPATH", "ROS_DISTRO", "VIRTUAL_ENV",
+         "_ROS_WHEELS_BOOTSTRAP_COMPLETE")
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Bounds for every process of the learner's side."""
+
+    memory: int = 3 * 2**30  # bytes of address space; an rclpy node needs 0.65 GB of it
+    cpu: int = 120  # seconds per process
+    files: int = 256  # open file descriptors
+    file_size: int = 16 * 2**20  # bytes per file
+    output: int = 64 * 2**10  # bytes of printed text that are kept, per program
+
+
+def ros_environment(domain_id: int) -> dict[str, str]:
+    """Environment variables that tests and learner's side share, so that they find each other.
+
+    UDP only, and range SUBNET: with LOCALHOST Fast DDS brings shared memory back, which a sandbox does not share.
+    """
+    return {
+        "ROS_DOMAIN_ID": str(domain_id),
+        "ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET",
+        "FASTDDS_BUILTIN_TRANSPORTS": "UDPv4",
+        "FASTRTPS_DEFAULT_PROFILES_FILE": str(PROFILE),
+        "RMW_IMPLEMENTATION": "rmw_fastrtps_cpp",
+        "RMW_FASTRTPS_PUBLICATION_MODE": "SYNCHRONOUS",
+        "ROS_PYTHON_CHECK_FIELDS": "1",
+        "RCUTILS_COLORIZED_OUTPUT": "0",
+        "RCUTILS_CONSOLE_OUTPUT_FORMAT": "[{severity}] [{name}]: {message}",
+        "OPENBLAS_NUM_THREADS": "1",
+        "PYTHONHASHSEED": "0",
+        "PYTHONDONTWRITEBYTECODE": "1",
+        "PYTHONUNBUFFERED": "1",
+    }
+
+
+def environment(domain_id: int, home: str) -> dict[str, str]:
+    """The learner's side's whole environment: nothing of the caller's but what Python and ROS need."""
+    kept = {name: os.environ[name] for name in _KEPT if name in os.environ}
+    path = os.pathsep.join([str(ROOT), *filter(None, [kept.get("PYTHONPATH")])])
+    return {**kept, **ros_environment(domain_id), "PYTHONPATH": path, "HOME": home, "TMPDIR": home,
+            "ROS_LOG_DIR": home, "COURSE_RUNNER": "1"}
+
+
+@dataclass
+class Started:
+    """A running fork server: its control socket, and how to end it with all that it started."""
+
+    process: subprocess.Popen
+    control: socket.socket
+    sandbox: str
+    home: tempfile.TemporaryDirectory = field(repr=False)
+
+    def close(self) -> None:
+        """End the fork server and what it started, and remove its directory. Idempotent."""
+        self.control.close()  # the fork server kills its children when it sees this
+        try:
+            self.process.wait(timeout=2)
+        except subprocess.TimeoutExpired:
+            os.killpg(self.process.pid, signal.SIGKILL)
+            self.process.wait()
+        self.home.cleanup()
+
+
+def start(domain_id: int, limits: Limits = Limits()) -> Started:
+    """Start the learner's side (`helpers.runner.zygote`) as a plain child process with limits."""
+    home = tempfile.TemporaryDirectory(prefix="course-", ignore_cleanup_errors=True)
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)  # keeps message boundaries
+
+    def bound() -> None:
+        for what, value in (
+            (resource.RLIMIT_AS, limits.memory),
+            (resource.RLIMIT_CPU, limits.cpu),
+            (resource.RLIMIT_NOFILE, limits.files),
+            (resource.RLIMIT_FSIZE, limits.file_size),
+            (resource.RLIMIT_CORE, 0),
+        ):
+            hard = resource.getrlimit(what)[1]
+            value = value if hard == resource.RLIM_INFINITY else min(value, hard)
+            resource.setrlimit(what, (value, value))
+
+    with theirs:
+        process = subprocess.Popen(
+            [sys.executable, "-m", "helpers.runner.zygote", str(theirs.fileno())],
+            cwd=home.name, env=environment(domain_id, home.name), pass_fds=[theirs.fileno()], start_new_session=True,
+            stdin=subprocess.DEVNULL, preexec_fn=bound)
+    return Started(process, ours, "none", home)

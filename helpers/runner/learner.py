@@ -1,0 +1,396 @@
+"""The `learner` fixture: what a test can do with the learner's program, over DDS and in simulated time."""
+import itertools
+import secrets
+import time
+from dataclasses import dataclass, field
+
+from rclpy.context import Context
+from rclpy.duration import Duration
+from rclpy.executors import SingleThreadedExecutor, TimeoutException
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.time import Time
+from rosgraph_msgs.msg import Clock
+from std_msgs.msg import UInt64
+
+from helpers.runner import wiring
+from helpers.runner.client import ForkServer, Process, RunnerError
+from helpers.runner.verdicts import LearnerFault
+
+SECOND = 1_000_000_000
+
+
+@dataclass(frozen=True)
+class Timeouts:
+    """Bounds on waiting, in seconds of wall time. They only end what would never end."""
+
+    load: float = 10.0
+    start: float = 10.0
+    call: float = 10.0
+    step: float = 10.0  # for all callbacks at one moment of simulated time
+    discovery: float = 20.0
+
+
+@dataclass
+class Recording:
+    """What a subscription of the test's has received: `messages`, and `stamps` (simulated seconds of receipt)."""
+
+    topic: str
+    messages: list = field(default_factory=list)
+    stamps: list[float] = field(default_factory=list)
+    subscription: object = field(default=None, repr=False)
+    strict: bool = field(default=True, repr=False)
+
+    @property
+    def data(self) -> list:
+        """The `data` fields of the messages."""
+        return [message.data for message in self.messages]
+
+    def clear(self) -> None:
+        """Forget what has been received."""
+        self.messages.clear()
+        self.stamps.clear()
+
+    def __len__(self) -> int:
+        return len(self.messages)
+
+
+class Talker:
+    """A publisher of the test's."""
+
+    def __init__(self, learner: "Learner", publisher, strict: bool):
+        self.learner, self.publisher, self.strict = learner, publisher, strict
+        self.topic = publisher.topic_name
+
+    def send(self, *messages) -> None:
+        """Publish; `settle` or `run` lets the learner's node react.
+
+        The first send waits until the learner's nodes are connected.
+        """
+        self.learner.connect()
+        for message in messages:
+            self.publisher.publish(message)
+        self.learner.unsettled = True
+
+
+class Started:
+    """What `learner.start` gives: one process with the learner's node in it."""
+
+    def __init__(self, learner: "Learner", process: Process, index: int, nodes: list[str]):
+        self.learner, self.process, self.index = learner, process, index
+        self.nodes = nodes  # fully qualified names
+
+    @property
+    def name(self) -> str:
+        """The fully qualified name of the (first) node."""
+        return self.nodes[0] if self.nodes else ""
+
+    @property
+    def output(self) -> str:
+        """What this process has printed and logged so far."""
+        return self.process.output.text
+
+    def call(self, method: str, *args, **kwargs):
+        """Call a method of the learner's object; arguments and result as in `learner.call`."""
+        return self.process.call(method, args, kwargs, self.learner.timeouts.call, self.index)
+
+    def stop(self) -> None:
+        """End this process politely: its nodes leave the graph."""
+        self.learner.settle()
+        self.process.stop()
+        self.learner.forget(self.process)
+
+
+class Learner:
+    """One test's access to the learner's program. Close it after the test."""
+
+    def __init__(self, server: ForkServer, program: dict, domain_id: int, timeouts: Timeouts = Timeouts()):
+        self.server, self.program, self.timeouts = server, program, timeouts
+        self.token = secrets.token_hex(6)  # names that nobody else uses, and that tell nothing about the test
+        self.now = 0  # simulated time, ns
+        self.unsettled = False
+        self.processes: list[Process] = []
+        self._stepped: set[str] = set()  # keys of processes that have a conductor
+        self._calls: Process | None = None
+        self._numbers = itertools.count(1)
+        self._recordings: list[Recording] = []
+        self._talkers: list[Talker] = []
+        self._connected = True
+        self._past_output = ""
+        self._done: dict[int, int] = {}
+        self.context = Context()
+        self.context.init(domain_id=domain_id)
+        self.node = Node(f"_{self.token}_t", context=self.context, start_parameter_services=False, enable_rosout=False,
+                         use_global_arguments=False)
+        self.executor = SingleThreadedExecutor(context=self.context)
+        self.executor.add_node(self.node)
+        self._clock = self.node.create_publisher(
+            Clock, "/clock", QoSProfile(depth=10, reliability=ReliabilityPolicy.RELIABLE))
+        self._step = self.node.create_publisher(UInt64, f"/_{self.token}/step", 10)
+        self.node.create_subscription(UInt64, f"/_{self.token}/done", self._on_done, 100)
+
+    # What the learner's program is asked to do
+
+    def start(self, name: str, *args, parameters: dict | None = None, remap: dict | None = None,
+              beside: Started | None = None, **kwargs) -> Started:
+        """Make the learner's node in a process of its own, in simulated time.
+
+        `name` is their class, or a function that returns a node or a list of nodes. `parameters` and `remap` act as
+        `-p name:=value` and `-r from:=to` on the command line. `beside` puts the node into the process of an earlier
+        one, with that one's parameters and remappings: two objects of one class must not share state.
+        """
+        ros_args = []
+        for key, value in (parameters or {}).items():
+            ros_args += ["-p", f"{key}:={_yaml(value)}"]
+        for key, value in (remap or {}).items():
+            ros_args += ["-r", f"{key}:={value}"]
+        process = beside.process if beside else self._process(ros_args)
+        from helpers.runner import values
+        answer = process.ask("start", self.timeouts.start, name=name, args=[values.encode(a) for a in args],
+                             kwargs={k: values.encode(v) for k, v in kwargs.items()})
+        self._stepped.add(process.key)
+        self._connected = False
+        return Started(self, process, answer["index"], [str(node) for node in answer["nodes"]])
+
+    def call(self, name: str, *args, **kwargs):
+        """Call a function of the learner's and return its result.
+
+        Arguments and result are JSON values, ROS messages, QoSProfile, Duration or Time; a result of another type
+        is a `values.Opaque`. All calls of one test share one process.
+        """
+        if self._calls is None:
+            self._calls = self._process([])
+        return self._calls.call(name, args, kwargs, self.timeouts.call)
+
+    def _process(self, ros_args: list[str]) -> Process:
+        process = Process(self.server, self.program, ros_args=ros_args, token=self.token, now=self.now,
+                          timeout=self.timeouts.load)
+        self.processes.append(process)
+        return process
+
+    def forget(self, process: Process) -> None:
+        """Drop a process that has ended; its output stays."""
+        self.processes.remove(process)
+        self._stepped.discard(process.key)
+        self._past_output += process.output.text
+
+    @property
+    def output(self) -> str:
+        """What the learner's program has printed and logged so far."""
+        return self._past_output + "".join(process.output.text for process in self.processes)
+
+    # The test's own endpoints
+
+    def listen(self, topic: str, msg_type, qos: QoSProfile | int = 10, *, strict: bool = True) -> Recording:
+        """Record `topic`. `strict`: a learner's publisher of another type or incompatible QoS fails the test."""
+        recording = Recording(topic, strict=strict)
+        recording.subscription = self.node.create_subscription(
+            msg_type, topic, lambda message: self._record(recording, message), qos)
+        self._recordings.append(recording)
+        self._connected = False
+        return recording
+
+    def late_listener(self, topic: str, msg_type, qos: QoSProfile | int | None = None) -> Recording:
+        """A subscription that joins now and gets what is latched (default QoS: TRANSIENT_LOCAL, depth 10)."""
+        qos = qos or QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        recording = self.listen(topic, msg_type, qos)
+        self.settle()
+        return recording
+
+    def talk(self, topic: str, msg_type, qos: QoSProfile | int = 10, *, strict: bool = True) -> Talker:
+        """A publisher on `topic`. `strict` as in `listen`."""
+        talker = Talker(self, self.node.create_publisher(msg_type, topic, qos), strict)
+        self._talkers.append(talker)
+        self._connected = False
+        return talker
+
+    def endpoints(self, topic: str) -> wiring.Endpoints:
+        """The learner's publishers and subscriptions on `topic`: node, type, qos."""
+        self.connect()
+        topic = topic if topic.startswith("/") else "/" + topic
+        return wiring.endpoints(self.node, topic, self._is_foreign)
+
+    def _is_foreign(self, info) -> bool:
+        return info.node_name != self.node.get_name() and not info.node_name.startswith("_")
+
+    # Time and order
+
+    def run(self, seconds: float, step: float = 0.1) -> None:
+        """Let `seconds` of simulated time pass, in lock-step with the learner's nodes.
+
+        Time goes from one due timer to the next, by at most `step` seconds, so that timers fire at their exact times.
+        """
+        if self.unsettled or not self._connected:
+            self.settle()
+        end = self.now + round(seconds * SECOND)
+        largest = max(1, round(step * SECOND))
+        while self.now < end:
+            due = [time_due for time_due in self._due if time_due is not None]
+            self._step_to(max(self.now + 1, min([end, self.now + largest, *due])))
+        self._acknowledge()
+
+    def settle(self) -> None:
+        """Let the learner's nodes react to all that was sent, without letting time pass."""
+        self.connect()
+        self._settle()
+
+    def _settle(self) -> None:
+        self._step_to(self.now)
+        self._acknowledge()
+
+    def wait_until(self, condition, timeout: float = 10.0) -> bool:
+        """Settle again and again until `condition()` is true; False after `timeout` seconds of wall time."""
+        deadline = time.monotonic() + timeout
+        while not condition():
+            if time.monotonic() > deadline:
+                return False
+            self.settle()
+            self._spin_once(0.01)
+        return True
+
+    _due: tuple = ()
+
+    def _step_to(self, now: int) -> None:
+        """Bring every process to `now`, until a round in which nothing happened."""
+        self.now = now
+        for _ in range(100):
+            self._clock.publish(Clock(clock=Time(nanoseconds=now).to_msg()))
+            number = next(self._numbers)
+            self._step.publish(UInt64(data=number))
+            answers = [process.ask("step", self.timeouts.step + 5, number=number, now=now, timeout=self.timeouts.step)
+                       for process in self._conducted()]
+            self._drain(number, len(answers))
+            self._due = tuple(answer.get("next") for answer in answers)
+            self.unsettled = False
+            # One process is idle after one round. Several may have sent something to each other.
+            if len(answers) <= 1 or not any(answer.get("count") for answer in answers):
+                return
+
+    def _conducted(self) -> list[Process]:
+        return [process for process in self.processes if process.key in self._stepped]
+
+    def _on_done(self, message: UInt64) -> None:
+        self._done[message.data] = self._done.get(message.data, 0) + 1
+
+    def _record(self, recording: Recording, message) -> None:
+        recording.messages.append(message)
+        recording.stamps.append(self.now / SECOND)
+
+    def _drain(self, number: int, processes: int) -> None:
+        """Receive all that was published before the processes' `done`."""
+        deadline = time.monotonic() + self.timeouts.discovery
+        while self._done.get(number, 0) < processes:
+            if time.monotonic() > deadline:
+                raise RunnerError("the learner's side was not heard in time")
+            self._spin_once(0.05)
+        self._done.pop(number, None)
+        while self._spin_once(0):
+            pass
+
+    def _spin_once(self, timeout: float) -> bool:
+        try:
+            handler, _, _ = self.executor.wait_for_ready_callbacks(timeout_sec=timeout)
+        except TimeoutException:
+            return False
+        handler()
+        if handler.exception() is not None:
+            raise handler.exception()
+        return True
+
+    def _acknowledge(self) -> None:
+        """Wait until reliable messages have arrived, those that late joiners get included."""
+        for talker in self._talkers:
+            if talker.publisher.qos_profile.reliability != ReliabilityPolicy.BEST_EFFORT:
+                talker.publisher.wait_for_all_acked(Duration(seconds=5))
+        for process in self._conducted():
+            process.ask("ack", self.timeouts.step, timeout=5.0)
+        while self._spin_once(0):
+            pass
+
+    def connect(self) -> None:
+        """Wait until every endpoint made so far, here and in the learner's processes, is matched.
+
+        Raises WiringFault for a wrong type or incompatible QoS.
+        """
+        if self._connected:
+            return
+        mark = f"/_{self.token}/mark{next(self._numbers)}"
+        publisher = self.node.create_publisher(UInt64, f"{mark}/tests", 1)
+        subscription = self.node.create_subscription(UInt64, f"{mark}/tests", lambda message: None, 1)
+        processes = self._conducted()
+        for process in processes:
+            process.ask("sync", self.timeouts.discovery + 5, mark=mark, timeout=self.timeouts.discovery)
+        deadline = time.monotonic() + self.timeouts.discovery
+        while min(self.node.count_publishers(f"{mark}/worker"),
+                  self.node.count_subscribers(f"{mark}/worker")) < len(processes):
+            if time.monotonic() > deadline:
+                raise RunnerError("the learner's process was not found in time")
+            time.sleep(0.001)  # a bounded poll, as in the worker
+        for process in processes:
+            process.ask("unsync", self.timeouts.step)
+        self.node.destroy_publisher(publisher)
+        self.node.destroy_subscription(subscription)
+        self._connected = True
+        # Latched messages come only after the match.
+        self._acknowledge()
+        self._check_wiring()
+
+    def _check_wiring(self) -> None:
+        for recording in self._recordings:
+            if recording.strict:
+                wiring.check(_Ours(recording.subscription), "publisher",
+                             self.endpoints(recording.subscription.topic_name).publishers)
+        for talker in self._talkers:
+            if talker.strict:
+                wiring.check(_Ours(talker.publisher), "subscription", self.endpoints(talker.topic).subscriptions)
+
+    def hints(self) -> list[str]:
+        """What a failed test may add: endpoints of the test's that no learner's node is connected with."""
+        found = []
+        own = [(name.rpartition("/")[2], name.rpartition("/")[0] or "/")
+               for name in {full for full in map(_full, self.node.get_node_names_and_namespaces())}
+               if not name.rpartition("/")[2].startswith("_")]
+        for topic, kind, present in [
+            *((r.subscription.topic_name, "publisher", self.endpoints(r.subscription.topic_name).publishers)
+              for r in self._recordings),
+            *((t.topic, "subscription", self.endpoints(t.topic).subscriptions) for t in self._talkers),
+        ]:
+            if not present:
+                others = wiring.nearby(self.node, topic, kind, own)
+                found.append(f"Your program has no {kind} on {topic}" + (f"; it has one on {others}." if others else "."))
+        return found
+
+    def close(self) -> None:
+        """End the learner's processes and the test's node."""
+        try:
+            for process in self.processes:
+                process.stop()
+        finally:
+            self.executor.shutdown(timeout_sec=1)
+            self.node.destroy_node()
+            self.context.try_shutdown()
+
+
+def _full(pair: tuple[str, str]) -> str:
+    name, namespace = pair
+    return f"{namespace.rstrip('/')}/{name}"
+
+
+class _Ours:
+    """Our endpoint with what `wiring.check` asks of it."""
+
+    def __init__(self, endpoint):
+        self.msg_type, self.qos_profile = endpoint.msg_type, endpoint.qos_profile
+
+
+def _yaml(value) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return "'" + value.replace("'", "''") + "'"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(map(_yaml, value)) + "]"
+    return str(value)
+
+
+__all__ = ["Learner", "Recording", "Started", "Talker", "Timeouts", "LearnerFault"]

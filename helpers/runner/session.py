@@ -1,0 +1,215 @@
+"""Runs the tests of some exercises against the learner's programs and collects the results.
+
+`check` in a notebook, `./course check`, `submit` and `grade` all come through `run`; grading adds the hidden tests.
+"""
+import json
+import os
+import re
+import select
+import subprocess
+import sys
+import tempfile
+import time
+from collections import Counter
+from collections.abc import Callable, Iterable
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+
+from helpers import domains
+from helpers.exercises import notebooks, program
+from helpers.exercises.manifest import Exercise
+from helpers.runner import launch, results, verdicts
+from helpers.runner.results import ExerciseResult, TestResult
+
+VISIBLE = Path(__file__).resolve().parents[1] / "checks"
+TEST_TIMEOUT = 120.0  # seconds of wall time for one test; its own waits are shorter
+START_TIMEOUT = 60.0  # seconds until the tests are collected
+
+
+@dataclass(frozen=True)
+class Options:
+    """How a session runs. `hidden` is the folder of hidden tests, if these are to run."""
+
+    hidden: Path | None = None
+    visible: Path = VISIBLE
+    launcher: str = "helpers.runner.launch:start"
+    limits: launch.Limits = launch.Limits()
+    test_timeout: float = TEST_TIMEOUT
+    retries: int = 1  # how often a test with a grader's fault runs again
+
+
+@dataclass
+class Report:
+    """What a session found: a result per exercise, and the sandbox in which the learner's code ran."""
+
+    exercises: list[ExerciseResult]
+    sandbox: str = ""
+    log: list[str] = field(default_factory=list)  # for the instructor
+
+
+def run(cells: list[notebooks.Cell], exercises: Iterable[Exercise], options: Options = Options(),
+        say: Callable[[str], None] = lambda text: None) -> Report:
+    """Judge `exercises` with the learner's code cells (in their order). `say` is told of each test that has finished.
+
+    Never raises for anything in the learner's code; a fault of the runner's own is a grader_error in the results.
+    """
+    exercises = list(exercises)
+    judged: dict[str, ExerciseResult] = {}
+    programs: dict[str, dict] = {}
+    for exercise in exercises:
+        try:
+            programs[exercise.id] = program.build(cells, exercise).as_dict()
+        except program.NotAttempted as reason:
+            judged[exercise.id] = results.without_tests(exercise, results.NOT_ATTEMPTED, str(reason))
+        except program.InvalidExercise as reason:
+            judged[exercise.id] = results.without_tests(exercise, verdicts.INVALID_SUBMISSION, str(reason))
+    collection = _Collection(options)
+    if programs:
+        chapters = {exercise.chapter for exercise in exercises if exercise.id in programs}
+        folders = [folder / f"chapter_{chapter:02}" for folder in (options.visible, options.hidden) if folder
+                   for chapter in sorted(chapters)]
+        collection.run(programs, [folder for folder in folders if folder.is_dir()], say)
+    for exercise in exercises:
+        if exercise.id in programs:
+            judged[exercise.id] = results.judge(exercise, collection.of(exercise.id))
+    return Report([judged[exercise.id] for exercise in exercises], collection.sandbox, collection.log)
+
+
+class _Collection:
+    """The tests of one session and what became of them."""
+
+    def __init__(self, options: Options):
+        self.options = options
+        self.tests: dict[str, TestResult] = {}
+        self.sandbox = ""
+        self.log: list[str] = []
+        self._begun: Counter[str] = Counter()  # how often each test was begun
+        self._doubled: set[str] = set()
+
+    def of(self, exercise: str) -> list[TestResult]:
+        """The results of one exercise's tests."""
+        return [test for test in self.tests.values() if test.exercise == exercise]
+
+    def run(self, programs: dict[str, dict], folders: list[Path], say) -> None:
+        """Run all tests; those that a dying process left behind, or that met a grader's fault, run again."""
+        only, idle = None, 0
+        while idle <= self.options.retries:
+            before = self._begun.total()
+            self._round(programs, folders, only, say)
+            only = [name for name, test in self.tests.items() if test.verdict == verdicts.GRADER_ERROR
+                    and name not in self._doubled and self._begun[name] <= self.options.retries]
+            if self.tests and not only:
+                break
+            idle = 0 if self._begun.total() > before else idle + 1
+        if self.options.hidden is not None:
+            for exercise in programs:
+                if not any(test.hidden for test in self.of(exercise)):
+                    self._owe(exercise, "hidden tests", "there are no hidden tests")
+
+    def _round(self, programs: dict[str, dict], folders: list[Path], only: list[str] | None, say) -> None:
+        """One process of tests, to its end."""
+        seen: set[str] = set()
+        running = ""
+        with (domains.claim() as domain, tempfile.TemporaryDirectory(prefix="course-tests-") as cwd,
+              open(Path(cwd, "printed"), "w+b") as printed):
+            process, events = self._start(programs, folders, only, domain, cwd, printed)
+            try:
+                for event in _events(process, events, lambda: self.options.test_timeout if running else START_TIMEOUT):
+                    match event["event"]:
+                        case "collected":
+                            self._collected(event, seen)
+                        case "running":
+                            running = event["test"]
+                            self._begun[running] += 1
+                        case "result" if event["test"] == running and running in self.tests:
+                            self._result(event)
+                            say(running)
+                        case "broken":
+                            self._broken(event, programs)
+                        case "sandbox":
+                            self.sandbox = event["name"]
+                        case "timeout":
+                            self.log.append(f"no progress in {running or 'the start of the tests'}")
+            finally:
+                process.kill()
+                status = process.wait()
+                os.close(events)
+                printed.seek(0)
+                text = printed.read(100_000).decode(errors="replace")[-4000:]
+        for name in seen:
+            if self.tests[name].fault:
+                self.log.append(f"{name}: {self.tests[name].fault}")
+        if status != 0 or not seen:
+            self.log.append(f"the tests' process ended with status {status}: {text}")
+
+    def _start(self, programs, folders, only, domain: int, cwd: str, printed):
+        read, write = os.pipe()
+        job = {"programs": programs, "tests": list(map(str, folders)), "domain": domain, "only": only, "root": cwd,
+               "launcher": self.options.launcher, "limits": asdict(self.options.limits)}
+        environment = {**{k: v for k, v in os.environ.items() if not k.startswith(("PYTEST_", "COV_"))},
+                       **launch.ros_environment(domain), "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
+                       "ROS_LOG_DIR": cwd, "PYTHONPATH": os.pathsep.join(
+                           filter(None, [str(launch.ROOT), os.environ.get("PYTHONPATH")]))}
+        with open(Path(cwd, "job.json"), "w+") as file:
+            json.dump(job, file)
+            file.seek(0)
+            process = subprocess.Popen([sys.executable, "-m", "helpers.runner.tester", str(write)], cwd=cwd,
+                                       env=environment, stdin=file, stdout=printed, stderr=printed, pass_fds=[write])
+        os.close(write)
+        return process, read
+
+    def _collected(self, event: dict, seen: set[str]) -> None:
+        name = event["test"]
+        if name in seen:
+            self._doubled.add(name)
+            self._owe(event["exercise"], name, "two tests have this name")
+        seen.add(name)
+        if name not in self.tests:
+            hidden = self.options.hidden is not None and Path(event["path"]).is_relative_to(self.options.hidden)
+            # Until a result says otherwise, the grader owes one.
+            self.tests[name] = TestResult(name, event["exercise"], hidden, event["weight"], verdicts.GRADER_ERROR,
+                                          event["expected"])
+
+    def _result(self, event: dict) -> None:
+        test = self.tests[event["test"]]
+        if test.test not in self._doubled:
+            test.verdict = event["verdict"] if event["verdict"] in verdicts.VERDICTS else verdicts.GRADER_ERROR
+            test.message, test.details = event["message"], event["details"]
+            test.output, test.fault = event["output"], event["fault"]
+
+    def _broken(self, event: dict, programs: dict[str, dict]) -> None:
+        """A test file that cannot be read: by its name, test_3_1.py, it belongs to one exercise; else to all."""
+        found = re.search(r"test_(\d+)_(\d+)", event["where"])
+        for exercise in programs:
+            if not found or exercise == f"{found[1]}.{found[2]}":
+                self._owe(exercise, event["where"], event["text"])
+
+    def _owe(self, exercise: str, name: str, fault: str) -> None:
+        """Note a fault of the grader's: no score for this exercise."""
+        self.tests[name] = TestResult(name, exercise, True, 1.0, verdicts.GRADER_ERROR, fault=fault)
+        self._doubled.add(name)
+        self.log.append(f"exercise {exercise}: {name}: {fault}")
+
+
+def _events(process: subprocess.Popen, descriptor: int, limit: Callable[[], float]):
+    """The events of the tests' process; `timeout` and the end if none came within `limit()` seconds."""
+    buffer = b""
+    while True:
+        deadline = time.monotonic() + limit()
+        while b"\n" not in buffer:
+            if not select.select([descriptor], [], [], max(0.0, deadline - time.monotonic()))[0]:
+                yield {"event": "timeout"}
+                return
+            chunk = os.read(descriptor, 65536)
+            if not chunk:
+                return
+            buffer += chunk
+        line, _, buffer = buffer.partition(b"\n")
+        event = json.loads(line)
+        yield event
+        if event["event"] == "end":
+            try:
+                process.wait(timeout=10)
+            except subprocess.TimeoutExpired:
+                yield {"event": "timeout"}
+            return

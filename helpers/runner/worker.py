@@ -1,0 +1,407 @@
+"""The learner's process: loads one program and does what the tests' side asks, one request at a time.
+
+Nothing spins between requests, so the order of things is the same on an idle and on a loaded machine. Requests
+and replies are JSON objects on a private socket (`helpers.runner.channel`); standard output is the learner's own.
+
+Requests: load, start, call, join, sync, step, ack, stop; `where` is answered at once, by another thread, while the
+main thread is busy. Each reply has the request's `id` and either `ok: true` with results or `fault: {...}`.
+"""
+import linecache
+import os
+import queue
+import signal
+import socket
+import sys
+import threading
+import time
+import traceback
+import types
+
+import rclpy
+import rclpy.node
+from rclpy.clock import ClockType
+from rclpy.duration import Duration
+from rclpy.executors import SingleThreadedExecutor, TimeoutException
+from rclpy.node import Node
+from rclpy.qos import ReliabilityPolicy
+from rclpy.signals import SignalHandlerOptions
+from rclpy.time import Time
+from rclpy.time_source import TimeSource
+from std_msgs.msg import UInt64
+
+from helpers.runner import values
+from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
+
+MAX_CALLBACKS = 5000  # in one step: more means that it never becomes idle
+_SPARE_ROUNDS = 3  # rounds in which only unfinished coroutines made progress: they wait for something else
+
+
+class Fault(Exception):
+    """A request that the learner's code made fail; `kind` and fields go to the tests' side."""
+
+    def __init__(self, kind: str, **fields):
+        super().__init__(kind)
+        self.fields = {"kind": kind, **fields}
+
+
+class _SimulatedTimeSource(TimeSource):
+    """A time source that starts at the current simulated time, as if /clock had already been heard."""
+
+    now = 0  # nanoseconds
+
+    def __init__(self, *, node=None):
+        super().__init__(node=None)
+        self._last_time_set = Time(nanoseconds=type(self).now, clock_type=ClockType.ROS_TIME)
+        if node is not None:
+            self.attach_node(node)
+
+
+class Program:
+    """The learner's code, loaded into a module of its own."""
+
+    def __init__(self, cells: list[dict]):
+        """Run the cells; `cells` have `label`, `source` and `required`.
+
+        An exception in a cell that is not required is remembered in `notes`; in the required one it is a Fault.
+        """
+        self.module = types.ModuleType("notebook")
+        self.notes: list[str] = []
+        self.labels: dict[str, str] = {}
+        sys.modules["notebook"] = self.module
+        for number, cell in enumerate(cells):
+            filename = f"<cell {number}>"
+            self.labels[filename] = cell["label"]
+            # For tracebacks: the learner's own lines.
+            linecache.cache[filename] = (len(cell["source"]), None, cell["source"].splitlines(True), filename)
+            try:
+                # Names are resolved when a function runs, so annotations and defaults behave as in the notebook.
+                exec(compile(cell["source"], filename, "exec", dont_inherit=True), self.module.__dict__)
+            except BaseException as error:  # noqa: BLE001 - SystemExit in a cell, too
+                if cell["required"]:
+                    raise self.fault("load", error) from None
+                self.notes.append(f"{cell['label']}: {type(error).__name__}: {_text(error)}")
+
+    def find(self, name: str):
+        """The learner's object of that name; Fault `missing` if there is none."""
+        try:
+            return getattr(self.module, name)
+        except AttributeError:
+            raise Fault("missing", name=name) from None
+
+    def fault(self, where: str, error: BaseException, **fields) -> Fault:
+        """A Fault that tells of `error` with the learner's own lines only."""
+        if isinstance(error, Fault):
+            return error
+        lines = self.lines(traceback.extract_tb(error.__traceback__))
+        if isinstance(error, SyntaxError) and error.filename in self.labels:
+            lines.append({"cell": self.labels[error.filename], "line": error.lineno, "function": "",
+                          "code": (error.text or "").strip()})
+        return Fault("exception", where=where, type=type(error).__name__, text=_text(error), lines=lines,
+                     notes=self.notes[-5:], **fields)
+
+    def lines(self, frames) -> list[dict]:
+        """Those of the stack's frames (oldest first) that are the learner's."""
+        found = [{"cell": self.labels[frame.filename], "line": frame.lineno, "function": frame.name,
+                  "code": (linecache.getline(frame.filename, frame.lineno) or "").strip()[:200]}
+                 for frame in frames if frame.filename in self.labels]
+        return found[:3] + found[-7:] if len(found) > 10 else found
+
+
+def _text(error: BaseException) -> str:
+    try:
+        return str(error)[:2000]
+    except Exception:  # noqa: BLE001 - a learner's __str__ may raise
+        return ""
+
+
+class Conductor:
+    """The hidden node through which the tests' side conducts: it orders messages and tells when all is quiet."""
+
+    def __init__(self, token: str, program: Program, executor: SingleThreadedExecutor):
+        self.program = program
+        self.executor = executor
+        self.node = Node(f"_{token}", start_parameter_services=False, enable_rosout=False, use_global_arguments=False)
+        # Numbers seen: what was sent before them has arrived, too.
+        self.step_seen = self.echo_seen = 0
+        self.echo_sent = 0
+        self.node.create_subscription(UInt64, f"/_{token}/step", self._on_step, 10)
+        self.done = self.node.create_publisher(UInt64, f"/_{token}/done", 10)
+        self.echo = self.node.create_publisher(UInt64, f"/_{token}/echo_{os.getpid()}", 10)
+        self.node.create_subscription(UInt64, f"/_{token}/echo_{os.getpid()}", self._on_echo, 10)
+        executor.add_node(self.node)
+
+    def _on_step(self, message: UInt64) -> None:
+        self.step_seen = message.data
+
+    def _on_echo(self, message: UInt64) -> None:
+        self.echo_seen = message.data
+
+    def step(self, number: int, now: int, nodes: list[Node], timeout: float) -> int:
+        """Run callbacks until step `number` and time `now` (ns) have come and nothing more is ready.
+
+        Returns the number of the learner's callbacks that ran. Faults: `busy` (never idle), `deaf` (the step did
+        not arrive), `exception` in a callback.
+        """
+        deadline = time.monotonic() + timeout
+        count = 0
+        while self.step_seen < number or any(node.get_clock().now().nanoseconds < now for node in nodes
+                                             if node.get_clock().ros_time_is_active):
+            if time.monotonic() > deadline:
+                raise Fault("deaf")
+            count += self._once(0.05)
+        quiet = False
+        while not quiet:
+            ran = self._drain(count)
+            count += ran
+            # What its nodes have sent to each other may still be on its way: it arrives before this echo.
+            quiet = ran == 0 and self.echo_sent > 0 and self.echo_seen == self.echo_sent and not self._sent_since_echo
+            if not quiet:
+                self.echo_sent += 1
+                self.echo.publish(UInt64(data=self.echo_sent))
+                while self.echo_seen < self.echo_sent:
+                    if time.monotonic() > deadline:
+                        raise Fault("deaf")
+                    count += self._once(0.05)
+                self._sent_since_echo = False
+        self.done.publish(UInt64(data=number))
+        return count
+
+    _sent_since_echo = True
+
+    def _drain(self, before: int) -> int:
+        """Run what is ready until nothing is; returns how many of the learner's callbacks ran."""
+        total = spare = 0
+        while spare < _SPARE_ROUNDS:
+            ran, progressed = self._pass()
+            total += ran
+            if total + before > MAX_CALLBACKS:
+                raise Fault("busy", count=total + before)
+            if not ran and not progressed:
+                break
+            spare = 0 if ran else spare + 1
+        return total
+
+    def _pass(self) -> tuple[int, bool]:
+        """One pass over all that is ready now: (finished callbacks of the learner's, anything at all)."""
+        ran, progressed = 0, False
+        while True:
+            try:
+                handler, entity, node = self.executor.wait_for_ready_callbacks(timeout_sec=0)
+            except TimeoutException:
+                return ran, progressed
+            ran += self._run(handler, entity, node)
+            progressed = True
+            if ran > MAX_CALLBACKS:
+                return ran, progressed
+
+    def _once(self, timeout: float) -> int:
+        try:
+            return self._run(*self.executor.wait_for_ready_callbacks(timeout_sec=timeout))
+        except TimeoutException:
+            return 0
+
+    def _run(self, handler, entity, node) -> int:
+        """Run one ready callback; returns 1 if it is the learner's and has finished, else 0."""
+        try:
+            handler()
+            if not handler.done():
+                return 0
+            error = handler.exception()
+        except BaseException as raised:  # noqa: BLE001 - SystemExit passes through rclpy's own handling
+            error = raised
+        if error is not None:
+            raise self.program.fault("callback", error, node=node.get_name() if node else "",
+                                     callback=_describe(entity)) from None
+        if node is self.node or getattr(entity, "topic_name", None) == "/clock":
+            return 0
+        self._sent_since_echo = True
+        return 1
+
+
+def _describe(entity) -> str:
+    """What a callback belongs to, in a learner's words."""
+    for attribute, words in (("topic_name", "subscription of"), ("srv_name", "service")):
+        if name := getattr(entity, attribute, None):
+            return f"{words} {name}"
+    if hasattr(entity, "timer_period_ns"):
+        return f"timer of {entity.timer_period_ns / 1e9:g} s"
+    return type(entity).__name__ if entity is not None else "task"
+
+
+class Worker:
+    """Answers the requests of the tests' side."""
+
+    def __init__(self, channel: Channel):
+        self.channel = channel
+        self.requests: queue.SimpleQueue = queue.SimpleQueue()
+        self.program: Program | None = None
+        self.executor: SingleThreadedExecutor | None = None
+        self.conductor: Conductor | None = None
+        self.started: list = []  # what each `start` made
+        self.nodes: list[Node] = []
+        self.token = ""
+        self._main = threading.main_thread().ident
+        self._sending = threading.Lock()
+
+    def serve(self) -> None:
+        threading.Thread(target=self._read, daemon=True).start()
+        while (request := self.requests.get()) is not None:
+            try:
+                answer = {"ok": True, **(getattr(self, "do_" + request["op"])(**request.get("with", {})) or {})}
+            except Fault as fault:
+                answer = {"fault": fault.fields}
+            self._reply(request, answer)
+            if request["op"] == "stop":
+                return
+
+    def _read(self) -> None:
+        """Pass requests to the main thread; answer `where` here, because the main thread may be stuck."""
+        while True:
+            try:
+                request = self.channel.receive()
+            except (ChannelClosed, ChannelError, ChannelTimeout):
+                os._exit(0)  # nobody is there any more
+            if request["op"] == "where":
+                frame = sys._current_frames().get(self._main)
+                lines = self.program.lines(traceback.extract_stack(frame)) if self.program and frame else []
+                self._reply(request, {"ok": True, "lines": lines})
+            else:
+                self.requests.put(request)
+
+    def _reply(self, request: dict, answer: dict) -> None:
+        with self._sending:
+            try:
+                self.channel.send({"id": request["id"], **answer})
+            except ChannelError as error:
+                self.channel.send({"id": request["id"], "fault": {"kind": "too_long", "text": str(error)}})
+
+    # The requests
+
+    def do_load(self, cells: list, ros_args: list, token: str, now: int):
+        """Initialise ROS and run the learner's program."""
+        self.token = token
+        _SimulatedTimeSource.now = now
+        rclpy.node.TimeSource = _SimulatedTimeSource
+        rclpy.init(args=["--ros-args", "-p", "use_sim_time:=true", *ros_args],
+                   signal_handler_options=SignalHandlerOptions.NO)
+        # The notebook's own start and stop of ROS mean this context.
+        rclpy.init = lambda *args, **kwargs: None
+        rclpy.shutdown = rclpy.try_shutdown = lambda *args, **kwargs: None
+        self.program = Program(cells)
+        return {"notes": self.program.notes}
+
+    def do_start(self, name: str, args: list, kwargs: dict):
+        """Construct the learner's class (or call their function) and take the nodes that it gives."""
+        factory = self.program.find(name)
+        try:
+            made = factory(*map(values.decode, args), **{k: values.decode(v) for k, v in kwargs.items()})
+        except BaseException as error:  # noqa: BLE001 - SystemExit in a constructor, too
+            raise self.program.fault("constructor", error, name=name) from None
+        nodes = list(made) if isinstance(made, (list, tuple)) else [made]
+        for node in nodes:
+            if not isinstance(node, Node):
+                raise Fault("no_node", name=name, got=type(node).__name__)
+            try:
+                node.get_name()
+            except Exception:  # noqa: BLE001 - super().__init__() was not called, or the node is destroyed
+                raise Fault("no_super", name=name) from None
+        self.do_join()
+        for node in nodes:
+            self.executor.add_node(node)
+        self.nodes += nodes
+        self.started.append(made)
+        return {"index": len(self.started) - 1, "nodes": [node.get_fully_qualified_name() for node in nodes]}
+
+    def do_call(self, name: str, args: list, kwargs: dict, index: int | None = None):
+        """Call the learner's function, or a method of what a `start` made."""
+        if index is None:
+            function = self.program.find(name)
+        else:
+            function = getattr(self.started[index], name, None)
+            if function is None:
+                raise Fault("missing", name=f"{type(self.started[index]).__name__}.{name}")
+        if not callable(function):
+            raise Fault("not_callable", name=name, got=type(function).__name__)
+        try:
+            result = function(*map(values.decode, args), **{k: values.decode(v) for k, v in kwargs.items()})
+            encoded = values.encode(result)
+        except BaseException as error:  # noqa: BLE001 - SystemExit, too
+            raise self.program.fault("call", error, name=name) from None
+        return {"result": encoded}
+
+    def do_join(self):
+        """Make the conductor, if there is none yet."""
+        if self.conductor is None:
+            self.executor = SingleThreadedExecutor()
+            self.conductor = Conductor(self.token, self.program, self.executor)
+        return {}
+
+    def do_sync(self, mark: str, timeout: float):
+        """Announce a fresh publisher and subscription on `mark`/worker and wait for those on `mark`/tests.
+
+        Discovery keeps order: when both sides see the other's mark, each has matched all that was made before.
+        """
+        node = self.conductor.node
+        # Discovery of writers and of readers are two ordered streams: one mark in each.
+        publisher = node.create_publisher(UInt64, f"{mark}/worker", 1)
+        subscription = node.create_subscription(UInt64, f"{mark}/worker", lambda message: None, 1)
+        self._marks = (publisher, subscription)
+        deadline = time.monotonic() + timeout
+        while not (node.count_publishers(f"{mark}/tests") and node.count_subscribers(f"{mark}/tests")):
+            if time.monotonic() > deadline:
+                raise Fault("deaf")
+            time.sleep(0.001)  # a bounded poll: the graph has no event to wait for without spinning
+        return {}
+
+    def do_unsync(self):
+        """Withdraw the marks of `sync`."""
+        publisher, subscription = self._marks
+        self.conductor.node.destroy_publisher(publisher)
+        self.conductor.node.destroy_subscription(subscription)
+
+    def do_step(self, number: int, now: int, timeout: float):
+        """Go to simulated time `now` (ns) with all that was sent before, and become idle."""
+        _SimulatedTimeSource.now = now
+        count = self.conductor.step(number, now, self.nodes, timeout)
+        return {"count": count, "next": self._next_timer(now)}
+
+    def _next_timer(self, now: int) -> int | None:
+        """The simulated time (ns) at which the next timer is due."""
+        remaining = []
+        for node in self.nodes:
+            for timer in node.timers:
+                if timer.clock.clock_type == ClockType.ROS_TIME and not timer.is_canceled():
+                    left = timer.time_until_next_call()
+                    if left is not None:
+                        remaining.append(left)
+        return now + max(1, min(remaining)) if remaining else None
+
+    def do_ack(self, timeout: float):
+        """Wait until reliable messages have reached every reader, late joiners of latched topics included."""
+        deadline = time.monotonic() + timeout
+        for node in self.nodes:
+            for publisher in list(node.publishers):
+                if publisher.qos_profile.reliability == ReliabilityPolicy.BEST_EFFORT:
+                    continue
+                left = max(0.0, deadline - time.monotonic())
+                publisher.wait_for_all_acked(Duration(seconds=left))
+        return {}
+
+    def do_stop(self):
+        """Leave the graph politely, so that nobody remembers this participant."""
+        if self.executor is not None:
+            self.executor.shutdown(timeout_sec=1)
+        rclpy.get_default_context().try_shutdown()
+        for node in [*self.nodes, *([self.conductor.node] if self.conductor else [])]:
+            try:
+                node.destroy_node()
+            except Exception:  # noqa: BLE001 - a learner's destroy_node may raise; the process ends anyway
+                pass
+        return {}
+
+
+def run(sock: socket.socket) -> int:
+    """Serve one program over `sock` until it is stopped; returns the process's exit code."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    Worker(Channel(sock)).serve()
+    return 0

@@ -1,0 +1,84 @@
+"""Child processes: their output, their end, and the end of what they started."""
+
+import sys
+
+import psutil
+import pytest
+
+from helpers import background
+
+COUNT = 'import time\nfor n in range(3): print("line", n)\ntime.sleep(600)'
+
+
+def python(code, **options):
+    return background([sys.executable, '-c', code], **options)
+
+
+def test_output_is_read_while_it_runs():
+    with python(COUNT) as child:
+        assert child.wait_for_output('line 2', 30) == 'line 2'
+        assert child.wait_for_output(lambda line: line.endswith('1'), 30) == 'line 1', 'earlier lines count'
+        assert child.lines == ['line 0', 'line 1', 'line 2']
+        assert child.running and 'running, 3 lines' in repr(child)
+    assert not child.running
+
+
+def test_a_string_is_split_and_variables_are_added():
+    with background('sh -c "echo $WORD; sleep 600"', env={'WORD': 'hello'}) as child:
+        assert child.wait_for_output('hello', 30) == 'hello'
+
+
+def test_lines_can_be_echoed(capsys):
+    with python('print(1); print(2)', echo=True) as child, pytest.raises(RuntimeError, match='status 0'):
+        child.wait_for_output('3', 30)
+    assert capsys.readouterr().out == '1\n2\n'
+
+
+def test_what_does_not_come_is_named_with_the_last_lines():
+    with python(COUNT) as child:
+        child.wait_for_output('line 2', 30)
+        lines = 'its last lines:\n    line 0\n    line 1\n    line 2'
+        with pytest.raises(TimeoutError, match=f"did not print 'line 3' in 0.1 s; {lines}"):
+            child.wait_for_output('line 3', 0.1)
+
+
+def test_an_early_end_shows_status_and_last_lines():
+    with python('import sys; print("so far", flush=True); sys.exit("no such robot")') as child:
+        lines = 'its last lines:\n    so far\n    no such robot'
+        with pytest.raises(RuntimeError, match=f"ended with status 1 before it printed 'ready'; {lines}"):
+            child.wait_for_output('ready', 30)
+        assert child.returncode == 1
+
+
+def test_an_unknown_command():
+    with pytest.raises(FileNotFoundError, match="no command 'ros3'"):
+        background('ros3 run x y')
+
+
+def test_stop_asks_first_and_is_idempotent():
+    child = python(
+        'import time\n'
+        'try:\n'
+        '    print("up"); time.sleep(600)\n'
+        'except KeyboardInterrupt:\n'
+        '    print("asked"); exit(5)'
+    )
+    child.wait_for_output('up', 30)
+    assert child.stop(timeout=30) == 5
+    assert child.stop() == 5
+    assert child.lines == ['up', 'asked']
+
+
+def test_stop_ends_also_what_ignores_it_and_its_children():
+    child = python(
+        'import signal, subprocess, sys, time\n'
+        'signal.signal(signal.SIGINT, signal.SIG_IGN)\n'
+        'p = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(600)"])\n'
+        'print("up")\n'
+        'time.sleep(600)'
+    )
+    child.wait_for_output('up', 30)
+    family = [psutil.Process(child.pid), *psutil.Process(child.pid).children()]
+    assert len(family) == 2
+    assert child.stop(timeout=0.2) == -9
+    assert psutil.wait_procs(family, timeout=30)[1] == []
