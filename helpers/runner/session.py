@@ -12,6 +12,7 @@ import tempfile
 import time
 from collections import Counter
 from collections.abc import Callable, Iterable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
@@ -20,6 +21,7 @@ from helpers.exercises import notebooks, program
 from helpers.exercises.manifest import Exercise
 from helpers.runner import launch, results, verdicts
 from helpers.runner.results import ExerciseResult, TestResult
+from helpers.runner.text import MAX_OUTPUT, clean
 
 VISIBLE = Path(__file__).resolve().parents[1] / "checks"
 TEST_TIMEOUT = 120.0  # seconds of wall time for one test; its own waits are shorter
@@ -36,6 +38,7 @@ class Options:
     limits: launch.Limits = launch.Limits()
     test_timeout: float = TEST_TIMEOUT
     retries: int = 1  # how often a test with a grader's fault runs again
+    processes: int = 1  # among how many processes of tests the exercises are shared out
 
 
 @dataclass
@@ -63,16 +66,29 @@ def run(cells: list[notebooks.Cell], exercises: Iterable[Exercise], options: Opt
             judged[exercise.id] = results.without_tests(exercise, results.NOT_ATTEMPTED, str(reason))
         except program.InvalidExercise as reason:
             judged[exercise.id] = results.without_tests(exercise, verdicts.INVALID_SUBMISSION, str(reason))
-    collection = _Collection(options)
-    if programs:
-        chapters = {exercise.chapter for exercise in exercises if exercise.id in programs}
+    running = [exercise for exercise in exercises if exercise.id in programs]
+    shares = [share for share in (running[k::options.processes] for k in range(options.processes)) if share]
+
+    def collect(share: list[Exercise]) -> _Collection:
+        collection = _Collection(options)
+        chapters = sorted({exercise.chapter for exercise in share})
         folders = [folder / f"chapter_{chapter:02}" for folder in (options.visible, options.hidden) if folder
-                   for chapter in sorted(chapters)]
-        collection.run(programs, [folder for folder in folders if folder.is_dir()], say)
-    for exercise in exercises:
-        if exercise.id in programs:
+                   for chapter in chapters]
+        collection.run({exercise.id: programs[exercise.id] for exercise in share},
+                       [folder for folder in folders if folder.is_dir()], say)
+        return collection
+
+    if len(shares) <= 1:  # in the caller's thread, so that the stop button ends it at once
+        collections = [collect(share) for share in shares]
+    else:
+        with ThreadPoolExecutor(len(shares)) as pool:
+            collections = list(pool.map(collect, shares))
+    for share, collection in zip(shares, collections, strict=True):
+        for exercise in share:
             judged[exercise.id] = results.judge(exercise, collection.of(exercise.id))
-    return Report([judged[exercise.id] for exercise in exercises], collection.sandbox, collection.log)
+    return Report([judged[exercise.id] for exercise in exercises],
+                  next((collection.sandbox for collection in collections), ""),
+                  [line for collection in collections for line in collection.log])
 
 
 class _Collection:
@@ -174,8 +190,8 @@ class _Collection:
         test = self.tests[event["test"]]
         if test.test not in self._doubled:
             test.verdict = event["verdict"] if event["verdict"] in verdicts.VERDICTS else verdicts.GRADER_ERROR
-            test.message, test.details = event["message"], event["details"]
-            test.output, test.fault = event["output"], event["fault"]
+            test.message, test.details = clean(event["message"]), clean(event["details"], MAX_OUTPUT)
+            test.output, test.fault = clean(event["output"], MAX_OUTPUT), event["fault"]
 
     def _broken(self, event: dict, programs: dict[str, dict]) -> None:
         """A test file that cannot be read: by its name, test_3_1.py, it belongs to one exercise; else to all."""

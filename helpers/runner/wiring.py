@@ -1,6 +1,7 @@
 """Who is connected with whom, and why not: what the graph knows, in a learner's words."""
 from dataclasses import dataclass
 
+from rclpy.duration import Duration, Infinite as INFINITE
 from rclpy.qos import DurabilityPolicy, QoSCompatibility, QoSProfile, ReliabilityPolicy, qos_check_compatible
 
 from helpers.runner.values import type_name
@@ -57,9 +58,19 @@ def check(ours, kind: str, learners: list[Endpoint]) -> None:
                               "Endpoints of different types are never connected.")
         offered, requested = (endpoint.qos, ours.qos_profile) if kind == "publisher" else (ours.qos_profile,
                                                                                           endpoint.qos)
-        compatibility, _ = qos_check_compatible(offered, requested)
+        compatibility, _ = qos_check_compatible(_plain(offered), _plain(requested))
         if compatibility == QoSCompatibility.ERROR:
             raise WiringFault(_incompatible(endpoint, kind, offered, requested))
+
+
+def _plain(qos: QoSProfile) -> QoSProfile:
+    """The profile with "no limit" as an endpoint's maker writes it (0), not as the graph does (infinity)."""
+    def limit(duration: Duration) -> Duration:
+        return Duration() if duration.nanoseconds >= INFINITE.nanoseconds else duration
+    return QoSProfile(
+        history=qos.history, depth=qos.depth, reliability=qos.reliability, durability=qos.durability,
+        liveliness=qos.liveliness, deadline=limit(qos.deadline), lifespan=limit(qos.lifespan),
+        liveliness_lease_duration=limit(qos.liveliness_lease_duration))
 
 
 def _incompatible(endpoint: Endpoint, kind: str, offered: QoSProfile, requested: QoSProfile) -> str:

@@ -1,0 +1,70 @@
+"""The learner's edition: the course without solutions and without the instructor's half."""
+
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+from helpers import paths
+
+LEFT_OUT = ('solutions', 'grading', '.ci', '.github', 'build', 'log')
+_FILE_LEFT_OUT = re.compile(r'\.(pyc|part)$|^submission-.*\.zip$')
+_FOLDER_LEFT_OUT = {'.git', '.venv', '__pycache__', '.ipynb_checkpoints', '.pytest_cache', '.ruff_cache', 'build', 'log',
+                    'install'}
+
+
+class Leak(Exception):
+    """Something of the instructor's would be in the learner's edition; the message names it."""
+
+
+class ReleaseError(Exception):
+    """The edition cannot be made; the message names the remedy."""
+
+
+def release(output: Path, root: Path = paths.ROOT) -> list[str]:
+    """Copy the learner's edition to `output`, which must be empty or missing; returns the paths of its files.
+
+    :raises ReleaseError: `output` is not empty, or there are no notebooks.
+    :raises Leak: a solution or a hidden test would be in it; nothing is written.
+    """
+    if output.exists() and (not output.is_dir() or any(output.iterdir())):
+        raise ReleaseError(f'{output} is not empty: give a new folder')
+    files = _files(root)
+    if not any(name.startswith('notebooks/') for name in files):
+        raise ReleaseError('there are no notebooks: run ./course build')
+    for name in files:
+        _check(root / name, name, root)
+    for name in files:
+        target = output / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy2(root / name, target)
+    return files
+
+
+def _files(root: Path) -> list[str]:
+    """The files of the course, from git if it is there."""
+    listed = subprocess.run(['git', '-C', root, 'ls-files', '-z', '--cached', '--others', '--exclude-standard'],
+                            capture_output=True)
+    if listed.returncode == 0 and listed.stdout:
+        names = listed.stdout.decode().split('\0')
+    else:
+        names = [path.relative_to(root).as_posix() for path in root.rglob('*')
+                 if not _FOLDER_LEFT_OUT & set(path.relative_to(root).parts)]
+    return sorted({name for name in names if name and name.split('/')[0] not in LEFT_OUT
+                   and not _FILE_LEFT_OUT.search(name.rpartition('/')[2]) and (root / name).is_file()
+                   and not (root / name).is_symlink()})
+
+
+def _check(path: Path, name: str, root: Path) -> None:
+    """Refuse a file with a hidden test or a solution in it."""
+    try:
+        text = path.read_text(encoding='utf-8')
+    except UnicodeDecodeError:
+        return
+    if name.startswith('notebooks/') and 'BEGIN SOLUTION' in text:
+        raise Leak(f'{name} holds a solution: run ./course build')
+    for test in (root / 'grading' / 'hidden').rglob('*.py'):
+        # A test's first function is its own; imports and helpers may be anybody's.
+        if found := re.search(r'^def test_\w+\(.*\):\n(?: .*\n|\n)+', test.read_text(encoding='utf-8'), re.MULTILINE):
+            if found[0].strip() in text:
+                raise Leak(f'{name} holds the hidden test {test.name}')

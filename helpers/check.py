@@ -1,0 +1,82 @@
+"""`check("3.1")`: the visible tests of an exercise, run against the cells of this kernel."""
+
+import os
+
+from helpers import journal
+
+
+def check(exercise_id: str) -> None:
+    """Run the visible tests of an exercise against the latest run of its cell, and show what passed and what did not.
+
+    The tests run in processes of their own: they see the text of your cells, not the state of this kernel.
+    Nothing is raised; in a stopped check (the stop button) nothing is shown.
+    """
+    if 'COURSE_RUNNER' in os.environ:
+        return  # the cell is itself being tested
+    try:
+        report = judge(str(exercise_id))
+    except KeyboardInterrupt:
+        _say('The check was stopped.')
+    except Exception as error:  # noqa: BLE001 - a check never breaks the notebook
+        _say(f'The check could not run: {error}')
+    else:
+        _show(report.exercises)
+
+
+def judge(exercise_id: str):
+    """Run the visible tests of one exercise on this kernel's cells.
+
+    :raises LookupError: there is no such exercise.
+    :raises helpers.exercises.manifest.ManifestError: the list of exercises is damaged.
+    """
+    from helpers.exercises import manifest
+    from helpers.runner import results, session
+
+    exercises = manifest.load()
+    if exercise_id not in exercises:
+        raise LookupError(f'there is no exercise {exercise_id!r}; there are {", ".join(exercises)}.')
+    exercise = exercises[exercise_id]
+    cells = executed(exercise)
+    if cells is None:
+        nothing = results.without_tests(exercise, 'invalid_submission',
+                                        f'Run the cell that begins with `# Exercise {exercise.id}` first, then check '
+                                        'again.')
+        return session.Report([nothing])
+    return session.run(cells, [exercise])
+
+
+def executed(exercise) -> list | None:
+    """The cells of this kernel, each in its latest version, the exercise's last; None if that has not been run.
+
+    In a notebook one may run cells in any order, so every cell counts as one before the exercise.
+    """
+    from helpers.exercises import notebooks, program
+
+    latest: dict = {}
+    for noted in journal.cells:
+        cell = notebooks.Cell(noted.source, 0, noted.id)
+        heading = program.exercise_id(cell)
+        key = ('exercise', heading) if heading else ('id', noted.id) if noted.id else ('source', noted.source)
+        latest.pop(key, None)  # the newest version comes last
+        latest[key] = cell
+    own = latest.pop(('exercise', exercise.id), None)
+    if own is None:
+        return None
+    # A cell that carries the exercise's id under another heading would count as a second one.
+    others = [cell for cell in latest.values() if cell.id is None or cell.id not in (exercise.cell_id, own.id)]
+    return [*others, own]
+
+
+def _show(exercises: list) -> None:
+    from helpers import display
+
+    text = display.plain(exercises)
+    if journal.in_kernel():
+        from IPython.display import display as show
+        show({'text/html': display.html(exercises), 'text/plain': text}, raw=True)
+    else:
+        print(text)
+
+
+def _say(text: str) -> None:
+    print(text)
