@@ -13,10 +13,11 @@ from pathlib import Path
 import pytest
 import rclpy
 from ament_index_python.packages import get_package_prefix
-from helpers import domains
-from helpers.processes import Process, background
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
+
+from helpers import domains
+from helpers.processes import Process, background
 
 ROS2 = str(Path(sys.executable).with_name('ros2'))
 PATIENCE = 30.0  # seconds for what takes well below one on an idle machine
@@ -75,11 +76,11 @@ class Peer:
         self.until(future.done, what)
         return future.result()
 
-    def call(self, kind, name: str, **fields):
+    def call(self, kind, service: str, /, **fields):
         """Call a service and return the answer."""
-        client = self.node.create_client(kind, name)
-        self.until(client.service_is_ready, f'service {name}')
-        return self.result(client.call_async(kind.Request(**fields)), f'answer of {name}')
+        client = self.node.create_client(kind, service)
+        self.until(client.service_is_ready, f'service {service}')
+        return self.result(client.call_async(kind.Request(**fields)), f'answer of {service}')
 
     def listen(self, kind, topic: str) -> list:
         """Return a list that the messages of a topic go to."""
@@ -87,6 +88,16 @@ class Peer:
         self.node.create_subscription(kind, topic, messages.append, 200)
         self.until(lambda: self.node.count_publishers(topic), f'a publisher of {topic}')
         return messages
+
+    def listen_status(self, action: str) -> Callable[[], list[int]]:
+        """Return a function that gives the states of an action's goals, as last published."""
+        from action_msgs.msg import GoalStatusArray
+        from rclpy.qos import qos_profile_action_status_default
+
+        latest: list[GoalStatusArray] = []
+        topic = f'{action}/_action/status'
+        self.node.create_subscription(GoalStatusArray, topic, latest.append, qos_profile_action_status_default)
+        return lambda: [status.status for status in latest[-1].status_list] if latest else []
 
     def publisher(self, kind, topic: str):
         """Return a publisher that a reader is connected to."""

@@ -1,8 +1,8 @@
 """
 Starts, watches and ends the processes of a robot system.
 
-The names and their behaviour are those of upstream's package ``launch``; ``README`` of the workspace says what
-is left out.
+The names and their behaviour are those of upstream's package ``launch``; the package's README says what differs
+and what is left out.
 """
 
 from launch import actions, conditions, event_handlers, events, launch_description_sources, logging, substitutions

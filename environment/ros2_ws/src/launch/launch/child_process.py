@@ -12,6 +12,7 @@ from collections.abc import Callable
 
 STDOUT, STDERR = 0, 1
 _GRACE_FOR_OUTPUT = 1.0  # seconds; a grandchild may keep the pipe open for ever
+_CHUNK = 8192  # bytes to read at a time: a talkative process must not keep the others waiting
 _LOOK_AGAIN = 0.02  # seconds between two looks at a group: no one tells of the end of a grandchild
 
 
@@ -119,7 +120,7 @@ async def _read_lines(descriptor: int, source: int, on_output: Callable[[int, by
             await readable.wait()
             readable.clear()
             try:
-                data = os.read(descriptor, 65536)
+                data = os.read(descriptor, _CHUNK)
             except BlockingIOError:
                 continue
             except OSError:  # what a terminal gives instead of an end of file

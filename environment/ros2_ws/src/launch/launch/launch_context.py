@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import os
+from collections import deque
 from collections.abc import Iterable, MutableMapping
 from types import SimpleNamespace
 from typing import Any
@@ -29,7 +30,7 @@ class LaunchContext:
         self.asyncio_loop: asyncio.AbstractEventLoop | None = None
         self.running_processes: list = []
         self._handlers: list = []
-        self._queue: list[Event] = []
+        self._queue: deque[Event] = deque()
         self._wakeup = asyncio.Event()
         self._futures: list[asyncio.Future] = []
         self._locals: list[dict[str, Any]] = [{}]
@@ -126,10 +127,21 @@ class LaunchContext:
         """
         self._handlers.remove(handler)
 
-    def emit_event_sync(self, event: Event) -> None:
-        """Queue an event. Only for the thread that launches; others use ``LaunchService.emit_event``."""
-        self._queue.append(event)
+    def emit_event_sync(self, event: Event, *, urgent: bool = False) -> None:
+        """
+        Queue an event, an urgent one before all others.
+
+        Only for the thread that launches; others use ``LaunchService.emit_event``.
+        """
+        if urgent:
+            self._queue.appendleft(event)
+        else:
+            self._queue.append(event)
         self._wakeup.set()
+
+    def is_awaited(self, event: Event) -> bool:
+        """Return True if a handler wants the event."""
+        return any(handler.matches(event) for handler in self._handlers)
 
     async def emit_event(self, event: Event) -> None:
         """Queue an event."""

@@ -81,6 +81,7 @@ class LaunchService:
         self._context.asyncio_loop = loop
         environment = dict(os.environ)
         signals = self._catch_signals(loop)
+        launch.logging.launch_config.on_screen_lost = lambda: self._begin_shutdown('nobody reads the output any more')
         try:
             await self._run_loop(shutdown_when_idle)
         finally:
@@ -104,7 +105,8 @@ class LaunchService:
             context._wakeup.clear()
             self._collect_futures()
             if context._queue:
-                self._handle(context._queue.pop(0))
+                for _ in range(len(context._queue)):
+                    self._handle(context._queue.popleft())
             elif not context._futures and context.is_shutdown:
                 return
             elif not context._futures and shutdown_when_idle:
@@ -183,7 +185,7 @@ class LaunchService:
     def _begin_shutdown(self, reason: str, *, due_to_sigint: bool = False) -> None:
         if not self._context.is_shutdown:
             self._context.is_shutdown = True
-            self._context.emit_event_sync(Shutdown(reason=reason, due_to_sigint=due_to_sigint))
+            self._context.emit_event_sync(Shutdown(reason=reason, due_to_sigint=due_to_sigint), urgent=True)
 
     def _catch_signals(self, loop: asyncio.AbstractEventLoop) -> dict:
         """Take the signals over, if this is the main thread; return the handlers to put back."""

@@ -12,6 +12,7 @@ import logging
 import os
 import socket
 import sys
+from collections.abc import Callable
 
 DEBUG, INFO, WARNING, ERROR = logging.DEBUG, logging.INFO, logging.WARNING, logging.ERROR
 
@@ -32,9 +33,14 @@ class _ScreenHandler(logging.StreamHandler):
         super().emit(record)
 
     def handleError(self, record: logging.LogRecord) -> None:
-        # A reader that has gone away, as in "ros2 launch … | head", must not stop the launch from ending well.
         if not isinstance(sys.exc_info()[1], BrokenPipeError):
             super().handleError(record)
+            return
+        # The reader has gone away, as in "ros2 launch … | head": write to nowhere, and end.
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, self.stream.fileno())
+        os.close(nowhere)
+        launch_config.on_screen_lost()
 
 
 class LaunchConfig:
@@ -44,8 +50,11 @@ class LaunchConfig:
         self.level = logging.INFO
         self._log_dir: str | None = None
         self._file: logging.Handler | None = None
+        # A manager of our own keeps names such as "talker-1" out of the program's loggers.
+        self._manager = logging.Manager(logging.RootLogger(logging.WARNING))
         self._loggers: dict[str, logging.Logger] = {}
         self.failure: str | None = None
+        self.on_screen_lost: Callable[[], None] = lambda: None
 
     @property
     def log_dir(self) -> str | None:
@@ -73,7 +82,8 @@ class LaunchConfig:
         """Return the logger ``name``, with these handlers only."""
         logger = self._loggers.get(name)
         if logger is None:
-            logger = self._loggers[name] = logging.Logger(name)
+            logger = self._loggers[name] = self._manager.getLogger(name)
+            logger.propagate = False
             for handler in handlers:
                 logger.addHandler(handler)
         logger.setLevel(self.level)

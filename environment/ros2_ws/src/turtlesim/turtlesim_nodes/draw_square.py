@@ -95,14 +95,21 @@ class DrawSquare(Node):
         self._twist = self.create_publisher(Twist, 'turtle1/cmd_vel', TOPIC_QOS)
         self.create_subscription(Pose, 'turtle1/pose', self._on_pose, TOPIC_QOS)
         self.create_timer(STEP, self._on_timer)
-        self._reset = self.create_client(Empty, 'reset')
-        self._reset.call_async(Empty.Request())
+        self._reset_client = self.create_client(Empty, 'reset')
+        self._reset = None
+
+    def _is_reset(self) -> bool:
+        """Reset the simulator as soon as it is there; poses count only from then on."""
+        if self._reset is None and self._reset_client.service_is_ready():
+            self._reset = self._reset_client.call_async(Empty.Request())
+        return self._reset is not None and self._reset.done()
 
     def _on_pose(self, pose: Pose) -> None:
-        self._pose = pose
+        if self._is_reset():
+            self._pose = pose
 
     def _on_timer(self) -> None:
-        if self._pose is None:
+        if not self._is_reset() or self._pose is None:
             return
         command = self._driver.step(self._pose)
         if command is not None:

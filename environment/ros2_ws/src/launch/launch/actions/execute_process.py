@@ -218,8 +218,9 @@ class ExecuteProcess(Action):
         """Log a line (with its end of line, unless it is an unfinished last one) and tell the handlers."""
         line = data.decode(errors='replace').rstrip('\r\n')
         self._outputs[source].info(self._output_format.format(line=line, this=self))
-        kind = (ProcessStdout, ProcessStderr)[source]
-        context.emit_event_sync(kind(text=data, **self._details))
+        event = (ProcessStdout, ProcessStderr)[source](text=data, **self._details)
+        if context.is_awaited(event):  # or else a talkative process would fill the queue for nothing
+            context.emit_event_sync(event)
 
     def _report_end(self, context: LaunchContext) -> None:
         pid, code = self._child.pid, self.return_code

@@ -13,7 +13,7 @@ from launch.launch_context import LaunchContext
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.utilities import describe_substitutions, to_text
 
-from launch_ros.actions.set_parameter import GLOBAL_PARAMETERS
+from launch_ros.actions.set_parameter import GLOBAL_PARAMETERS, GlobalParameter
 from launch_ros.actions.set_remap import REMAPPINGS
 from launch_ros.namespaces import join_namespace
 from launch_ros.parameter_descriptions import ParameterFile
@@ -96,24 +96,24 @@ class Node(ExecuteProcess):
             words += ['-r', f'__node:={name}']
         if namespace:
             words += ['-r', f'__ns:={namespace}']
-        for path in self._parameter_files(context, self._final_name if name else '/**'):
-            words += ['--params-file', path]
+        parameters = [*context.launch_configurations.get(GLOBAL_PARAMETERS, []), *self._parameters]
+        for item in parameters:
+            words += self._parameter_words(context, item, self._final_name if name else '/**')
         remappings = [(to_text(context, old), to_text(context, new)) for old, new in self._remappings]
         for old, new in [*context.launch_configurations.get(REMAPPINGS, []), *remappings]:
             words += ['-r', f'{old}:={new}']
         return words
 
-    def _parameter_files(self, context: LaunchContext, node: str) -> Iterable[str]:
-        for item in [*context.launch_configurations.get(GLOBAL_PARAMETERS, []), *self._parameters]:
-            if isinstance(item, Mapping):
-                yield _write_parameters(context, node, evaluate_parameters(context, item))
-                continue
-            path = to_text(context, item.param_file if isinstance(item, ParameterFile) else item)
-            if not Path(path).is_file():
-                launch.logging.get_logger('launch_ros.actions.node').warning(
-                    f'Parameter file path is not a file: {path}'
-                )
-            yield path
+    @staticmethod
+    def _parameter_words(context: LaunchContext, item, node: str) -> list[str]:
+        if isinstance(item, GlobalParameter):
+            return ['-p', f'{item.name}:={item.as_yaml()}']
+        if isinstance(item, Mapping):
+            return ['--params-file', _write_parameters(context, node, evaluate_parameters(context, item))]
+        path = to_text(context, item.param_file if isinstance(item, ParameterFile) else item)
+        if not Path(path).is_file():
+            launch.logging.get_logger('launch_ros.actions.node').warning(f'Parameter file path is not a file: {path}')
+        return ['--params-file', path]
 
 
 def _validate(name: str, namespace: str) -> None:

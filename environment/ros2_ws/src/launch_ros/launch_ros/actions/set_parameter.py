@@ -1,7 +1,11 @@
 """Parameters for all nodes that follow."""
 
+import math
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
+import yaml
 from launch.action import Action
 from launch.launch_context import LaunchContext
 from launch.some_substitutions_type import SomeSubstitutionsType
@@ -10,6 +14,19 @@ from launch.utilities import to_bool, to_text
 from launch_ros.parameters import evaluate_parameters
 
 GLOBAL_PARAMETERS = 'global_params'
+
+
+@dataclass(frozen=True)
+class GlobalParameter:
+    """A parameter of every node. It goes on the command line: in a file it would beat the node's own files."""
+
+    name: str
+    value: Any
+
+    def as_yaml(self) -> str:
+        """Return the value as one line of YAML."""
+        text = yaml.safe_dump(self.value, default_flow_style=True, width=math.inf)
+        return text.removesuffix('...\n').strip()
 
 
 def _add(context: LaunchContext, item) -> None:
@@ -26,7 +43,8 @@ class SetParameter(Action):
         self.name, self.value = name, value
 
     def execute(self, context: LaunchContext) -> None:
-        _add(context, evaluate_parameters(context, {self.name: self.value}))
+        for name, value in evaluate_parameters(context, {self.name: self.value}).items():
+            _add(context, GlobalParameter(name, value))
 
 
 class SetUseSimTime(SetParameter):
@@ -36,7 +54,7 @@ class SetUseSimTime(SetParameter):
         super().__init__('use_sim_time', value, **kwargs)
 
     def execute(self, context: LaunchContext) -> None:
-        _add(context, {'use_sim_time': to_bool(context, self.value)})
+        _add(context, GlobalParameter('use_sim_time', to_bool(context, self.value)))
 
 
 class SetParametersFromFile(Action):
