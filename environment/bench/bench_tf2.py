@@ -12,9 +12,10 @@ import random
 import sys
 import time
 
-from environment.tests.tf2.messages import transform
 from rclpy.time import Time
 from tf2_py import BufferCore
+
+from environment.tests.tf2.messages import transform
 
 DEPTHS = (5, 20, 100)
 RATE, DURATION = 100, 10        # Hz, seconds
@@ -66,26 +67,36 @@ def _times(oldest, newest):
     return [Time(nanoseconds=end - round(chance.uniform(oldest, newest) * 1e9)) for _ in range(50)]
 
 
+def _figures(depth):
+    """Return how many of each operation there are per second, in a chain of this depth."""
+    core, insertions = _insertions_per_second(_messages(depth))
+    tip = f'link{depth}'
+    latest, recent, anytime = [Time()] * 50, _times(0.01, 0.2), _times(0.0, DURATION)
+
+    def look_up(at):
+        core.lookup_transform_core('link0', tip, at)
+
+    def can(at):
+        core.can_transform_core('link0', tip, at)
+
+    def full(at):
+        core.lookup_transform_full_core('link0', at, tip, recent[0], 'link0')
+
+    return {
+        'insert': insertions,
+        'look up, latest': _calls_per_second(look_up, latest),
+        'look up, recent': _calls_per_second(look_up, recent),
+        'look up, random': _calls_per_second(look_up, anytime),
+        'can, recent': _calls_per_second(can, recent),
+        'full, recent': _calls_per_second(full, recent),
+    }
+
+
 def run():
     """Return one row per figure: depth, operation, how many per second, and how many there have to be."""
-    rows = []
-    for depth in DEPTHS:
-        tip = f'link{depth}'
-        core, insertions = _insertions_per_second(_messages(depth))
-        recent = _times(0.01, 0.2)
-        figures = {
-            'insert': insertions,
-            'look up, latest': _calls_per_second(lambda at: core.lookup_transform_core('link0', tip, at), [Time()] * 50),
-            'look up, recent': _calls_per_second(lambda at: core.lookup_transform_core('link0', tip, at), recent),
-            'look up, random': _calls_per_second(lambda at: core.lookup_transform_core('link0', tip, at),
-                                                 _times(0.0, DURATION)),
-            'can, recent': _calls_per_second(lambda at: core.can_transform_core('link0', tip, at), recent),
-            'full, recent': _calls_per_second(
-                lambda at: core.lookup_transform_full_core('link0', at, tip, recent[0], 'link0'), recent),
-        }
-        rows += [{'depth': depth, 'operation': operation, 'per_second': round(figure),
-                  'at_least': GOALS.get((depth, operation), '')} for operation, figure in figures.items()]
-    return rows
+    return [{'depth': depth, 'operation': operation, 'per_second': round(figure),
+             'at_least': GOALS.get((depth, operation), '')}
+            for depth in DEPTHS for operation, figure in _figures(depth).items()]
 
 
 def main():

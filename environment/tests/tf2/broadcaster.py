@@ -4,9 +4,10 @@ import math
 import sys
 
 import rclpy
-from environment.tests.tf2.messages import transform
 from rclpy.executors import ExternalShutdownException
 from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
+
+from environment.tests.tf2.messages import transform
 
 DEPTH = 5
 

@@ -8,9 +8,10 @@ from pathlib import Path
 import pytest
 import rclpy
 from ament_index_python.packages import get_package_prefix
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+
 from helpers.domains import claim
 from helpers.processes import background
-from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 
 TIMEOUT = 30.0   # seconds; generous, because the machine may be busy
 

@@ -6,12 +6,13 @@ from copy import deepcopy
 import pytest
 import tf2_geometry_msgs  # noqa: F401  (registers PointStamped)
 import tf2_ros
-from environment.tests.tf2.messages import position, transform
 from geometry_msgs.msg import Point, PointStamped
 from rclpy.clock import ClockChange, TimeJump
 from rclpy.duration import Duration
 from rclpy.time import Time
 from std_msgs.msg import Header
+
+from environment.tests.tf2.messages import position, transform
 
 LATEST = Time()
 LONG = Duration(seconds=30)
@@ -31,7 +32,8 @@ def test_answers_are_ints_and_debug_tuples(buffer):
     assert buffer.can_transform('odom', 'base', LATEST, return_debug_tuple=True) == (
         0, 'Invalid frame ID "odom" passed to canTransform argument target_frame - frame does not exist')
     send(buffer)
-    assert (buffer.can_transform('odom', 'base', LATEST), type(buffer.can_transform('odom', 'base', LATEST))) == (1, int)
+    answer = buffer.can_transform('odom', 'base', LATEST)
+    assert (answer, type(answer)) == (1, int)
     assert buffer.can_transform_full('odom', LATEST, 'base', LATEST, 'odom', return_debug_tuple=True) == (1, '')
 
 

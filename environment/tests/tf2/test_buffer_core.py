@@ -5,7 +5,6 @@ import threading
 
 import pytest
 from builtin_interfaces.msg import Time as TimeMessage
-from environment.tests.tf2.messages import position, transform
 from rclpy.clock import ClockType
 from rclpy.duration import Duration
 from rclpy.time import Time
@@ -18,6 +17,8 @@ from tf2_py import (
     TimeoutException,
     TransformException,
 )
+
+from environment.tests.tf2.messages import position, transform
 
 LATEST = Time()
 HALF = math.sqrt(0.5)
@@ -141,7 +142,8 @@ def test_loop():
     (transform('/a', 'a'), [
         'TF_SELF_TRANSFORM: Ignoring transform from authority "me" with frame_id and  child_frame_id "a" '
         'because they are the same']),
-    (transform('a', ''), ['TF_NO_CHILD_FRAME_ID: Ignoring transform from authority "me" because child_frame_id not set ']),
+    (transform('a', ''), [
+        'TF_NO_CHILD_FRAME_ID: Ignoring transform from authority "me" because child_frame_id not set ']),
     (transform('', 'b'), [
         'TF_NO_FRAME_ID: Ignoring transform with child_frame_id "b"  from authority "me" because frame_id not set']),
     (transform('a', 'b', xyz=(math.nan, 0, 0)), [

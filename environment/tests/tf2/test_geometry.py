@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 import tf2_geometry_msgs
 import tf2_ros
-from environment.tests.tf2.messages import transform
 from geometry_msgs.msg import (
     Point,
     Point32,
@@ -24,6 +23,8 @@ from geometry_msgs.msg import (
 from rclpy.time import Time
 from std_msgs.msg import Header
 from tf2_geometry_msgs.tf2_geometry_msgs import _build_affine, _decompose_affine, _get_mat_from_quat, _get_quat_from_mat
+
+from environment.tests.tf2.messages import transform
 
 HALF = math.sqrt(0.5)
 QUARTER = (0, 0, HALF, HALF)   # a quarter turn to the left

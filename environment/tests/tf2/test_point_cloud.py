@@ -6,11 +6,12 @@ from copy import deepcopy
 import numpy as np
 import pytest
 import tf2_ros
-from environment.tests.tf2.messages import transform
 from sensor_msgs.msg import PointCloud2, PointField
 from sensor_msgs_py import point_cloud2
 from std_msgs.msg import Header
 from tf2_sensor_msgs import do_transform_cloud, transform_points
+
+from environment.tests.tf2.messages import transform
 
 POINTS = np.array([[1, 2, 0], [10, 20, 30], [4, math.nan, 6]], dtype=np.float32)
 HEADER = Header(frame_id='laser')
@@ -57,9 +58,10 @@ def test_fields_of_different_types():
     with pytest.raises(AssertionError, match='same datatype'):
         point_cloud2.read_points_numpy(cloud)
     assert point_cloud2.read_points_numpy(cloud, ['x', 'y']).shape == (2, 2)
-    assert cloud == point_cloud2.create_cloud(HEADER, MIXED, np.array(MIXED_POINTS, point_cloud2.dtype_from_fields(MIXED)))
+    structured = np.array(MIXED_POINTS, point_cloud2.dtype_from_fields(MIXED))
+    assert cloud == point_cloud2.create_cloud(HEADER, MIXED, structured)
     with pytest.raises(AssertionError, match='do not match'):
-        point_cloud2.create_cloud(HEADER, MIXED[:3], np.array(MIXED_POINTS, point_cloud2.dtype_from_fields(MIXED)))
+        point_cloud2.create_cloud(HEADER, MIXED[:3], structured)
 
 
 def test_fields_with_a_count_and_without_a_name():

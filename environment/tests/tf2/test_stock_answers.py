@@ -10,10 +10,11 @@ import json
 from pathlib import Path
 
 import pytest
-from environment.tests.tf2.messages import transform
 from rclpy.duration import Duration
 from rclpy.time import Time
 from tf2_py import BufferCore, TransformException
+
+from environment.tests.tf2.messages import transform
 
 ANSWERS = Path(__file__).with_name('tf2_answers.jsonl.gz')
 TOLERANCE = 1e-9

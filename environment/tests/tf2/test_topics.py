@@ -6,9 +6,6 @@ from pathlib import Path
 
 import pytest
 import tf2_ros
-from environment.tests.tf2.broadcaster import DEPTH, where
-from environment.tests.tf2.conftest import TIMEOUT
-from environment.tests.tf2.messages import position, transform
 from rclpy.duration import Duration
 from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from rclpy.parameter import Parameter
@@ -19,6 +16,10 @@ from std_srvs.srv import Trigger
 from tf2_msgs.msg import TFMessage
 from tf2_msgs.srv import FrameGraph
 from tf2_py import BufferCore
+
+from environment.tests.tf2.broadcaster import DEPTH, where
+from environment.tests.tf2.conftest import TIMEOUT
+from environment.tests.tf2.messages import position, transform
 
 LATEST = Time()
 LONG = Duration(seconds=TIMEOUT)
@@ -81,7 +82,7 @@ def test_static_transforms_reach_late_listeners_and_can_be_replaced(domain):
     sender = domain.node('sender')
     broadcaster = tf2_ros.StaticTransformBroadcaster(sender)
     broadcaster.sendTransform(transform('a', 'b', xyz=(1, 0, 0)))
-    broadcaster.sendTransform((transform('a', name, xyz=(2, 0, 0)) for name in ('b', 'c')))
+    broadcaster.sendTransform(transform('a', name, xyz=(2, 0, 0)) for name in ('b', 'c'))
     receiver = domain.node('receiver')
     buffer = tf2_ros.Buffer()
     tf2_ros.TransformListener(buffer, receiver)

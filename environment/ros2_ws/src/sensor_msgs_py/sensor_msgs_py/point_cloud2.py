@@ -8,7 +8,8 @@ structured array.
 import array
 import sys
 from collections import namedtuple
-from typing import Iterable, List, NamedTuple, Optional
+from collections.abc import Iterable
+from typing import NamedTuple
 
 import numpy as np
 from numpy.lib.recfunctions import structured_to_unstructured, unstructured_to_structured
@@ -30,7 +31,7 @@ DUMMY_FIELD_PREFIX = 'unnamed_field'
 _BIG_ENDIAN = sys.byteorder != 'little'
 
 
-def dtype_from_fields(fields: Iterable[PointField], point_step: Optional[int] = None) -> np.dtype:
+def dtype_from_fields(fields: Iterable[PointField], point_step: int | None = None) -> np.dtype:
     """
     Return the structured type of one point.
 
@@ -58,9 +59,9 @@ def dtype_from_fields(fields: Iterable[PointField], point_step: Optional[int] = 
 
 def read_points(
     cloud: PointCloud2,
-    field_names: Optional[List[str]] = None,
+    field_names: list[str] | None = None,
     skip_nans: bool = False,
-    uvs: Optional[Iterable] = None,
+    uvs: Iterable | None = None,
     reshape_organized_cloud: bool = False,
 ) -> np.ndarray:
     """
@@ -96,9 +97,9 @@ def read_points(
 
 def read_points_numpy(
     cloud: PointCloud2,
-    field_names: Optional[List[str]] = None,
+    field_names: list[str] | None = None,
     skip_nans: bool = False,
-    uvs: Optional[Iterable] = None,
+    uvs: Iterable | None = None,
     reshape_organized_cloud: bool = False,
 ) -> np.ndarray:
     """
@@ -114,10 +115,10 @@ def read_points_numpy(
 
 def read_points_list(
     cloud: PointCloud2,
-    field_names: Optional[List[str]] = None,
+    field_names: list[str] | None = None,
     skip_nans: bool = False,
-    uvs: Optional[Iterable] = None,
-) -> List[NamedTuple]:
+    uvs: Iterable | None = None,
+) -> list[NamedTuple]:
     """Return the points as a list of named tuples. Easy to read, but slow. Parameters as in :func:`read_points`."""
     assert isinstance(cloud, PointCloud2), 'cloud is not a sensor_msgs.msg.PointCloud2'
     if field_names is None:
@@ -130,7 +131,7 @@ def create_cloud(
     header: Header,
     fields: Iterable[PointField],
     points: Iterable,
-    point_step: Optional[int] = None,
+    point_step: int | None = None,
 ) -> PointCloud2:
     """
     Return a cloud.

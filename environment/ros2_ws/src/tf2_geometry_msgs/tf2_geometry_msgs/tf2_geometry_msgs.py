@@ -4,8 +4,8 @@ Functions that take a message from a transform's source frame into its target fr
 The arguments stay as they were, the result shares nothing with them, and its fields are plain floats.
 """
 
+from collections.abc import Iterable
 from copy import deepcopy
-from typing import Iterable, List, Optional, Tuple
 
 import numpy as np
 import tf2_ros
@@ -71,7 +71,7 @@ def _get_quat_from_mat(rot_mat: np.ndarray) -> np.ndarray:
     return -quaternion if quaternion[0] < 0.0 else quaternion
 
 
-def _build_affine(rotation: Optional[Iterable] = None, translation: Optional[Iterable] = None) -> np.ndarray:
+def _build_affine(rotation: Iterable | None = None, translation: Iterable | None = None) -> np.ndarray:
     """Return the 4x4 matrix of a rotation w, x, y, z and a translation x, y, z; what is missing is the identity."""
     affine = np.eye(4)
     if rotation is not None:
@@ -88,12 +88,12 @@ def _transform_to_affine(transform: TransformStamped) -> np.ndarray:
                          (translation.x, translation.y, translation.z))
 
 
-def _decompose_affine(affine: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+def _decompose_affine(affine: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the rotation w, x, y, z and the translation x, y, z of a 4x4 matrix."""
     return _get_quat_from_mat(affine[:3, :3]), affine[:3, 3]
 
 
-def _moved(affine: np.ndarray, point) -> List[float]:
+def _moved(affine: np.ndarray, point) -> list[float]:
     return (affine[:3, :3] @ (point.x, point.y, point.z) + affine[:3, 3]).tolist()
 
 

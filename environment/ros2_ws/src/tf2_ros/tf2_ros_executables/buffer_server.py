@@ -20,6 +20,7 @@ from tf2_py import (
 )
 from tf2_ros.buffer import Buffer
 from tf2_ros.transform_listener import TransformListener
+
 from tf2_ros_executables.program import ros, spin
 
 ERRORS = {

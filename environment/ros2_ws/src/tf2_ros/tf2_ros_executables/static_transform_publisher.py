@@ -12,7 +12,8 @@ from rcl_interfaces.msg import ParameterDescriptor
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 from tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
-from tf2_ros_executables.program import ros, root_logger, spin
+
+from tf2_ros_executables.program import root_logger, ros, spin
 
 USAGE = """\
 usage: static_transform_publisher [--x X] [--y Y] [--z Z] [--qx QX] [--qy QY] [--qz QZ] [--qw QW] [--roll ROLL] \
@@ -125,7 +126,7 @@ def parse(words):
         if saw_frame or saw_translation or saw_quaternion:
             raise ArgumentsError('Cannot specify both new-style (flags) and old-style (arguments)')
         names = OLD_FORMS[len(positional)]
-        values = {name: _number(name, word) for name, word in zip(names, positional)}
+        values = {name: _number(name, word) for name, word in zip(names, positional, strict=False)}
         saw_euler = 'yaw' in values
         arguments.frame_id, arguments.child_frame_id = positional[-2:]
     elif positional:
@@ -134,7 +135,7 @@ def parse(words):
     if saw_euler:
         arguments.rotation = quaternion_from_rpy(*(values.get(name, 0.0) for name in EULER))
     else:
-        arguments.rotation = [values.get(name, default) for name, default in zip(QUATERNION, arguments.rotation)]
+        arguments.rotation = [values.get(name, 1.0 if name == 'qw' else 0.0) for name in QUATERNION]
     if not arguments.frame_id:
         raise ArgumentsError('Frame id must not be empty')
     if not arguments.child_frame_id:
@@ -152,8 +153,8 @@ class StaticTransformBroadcasterNode(Node):
     def __init__(self, arguments):
         suffix = ''.join(SystemRandom().choices(digits + ascii_letters, k=16))
         overrides = {'frame_id': arguments.frame_id, 'child_frame_id': arguments.child_frame_id}
-        overrides.update(zip(('translation.x', 'translation.y', 'translation.z'), arguments.translation))
-        overrides.update(zip(('rotation.x', 'rotation.y', 'rotation.z', 'rotation.w'), arguments.rotation))
+        overrides.update(zip(('translation.x', 'translation.y', 'translation.z'), arguments.translation, strict=True))
+        overrides.update(zip(('rotation.x', 'rotation.y', 'rotation.z', 'rotation.w'), arguments.rotation, strict=True))
         super().__init__(f'static_transform_publisher_{suffix}',
                          parameter_overrides=[Parameter(name, value=value) for name, value in overrides.items()])
         read_only = ParameterDescriptor(read_only=True)

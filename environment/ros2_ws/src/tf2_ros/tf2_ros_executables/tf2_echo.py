@@ -9,6 +9,7 @@ from rclpy.time import Time
 from tf2_py import TransformException
 from tf2_ros.buffer import Buffer
 from tf2_ros.transform_listener import TransformListener
+
 from tf2_ros_executables.program import ros, spin
 from tf2_ros_executables.static_transform_publisher import NUMBER
 

@@ -11,6 +11,7 @@ from tf2_msgs.msg import TFMessage
 from tf2_py import TransformException
 from tf2_ros.buffer import Buffer
 from tf2_ros.transform_listener import TransformListener
+
 from tf2_ros_executables.program import ros, spin
 
 AUTHORITY = '<no authority available>'   # DDS does not tell the sender's node

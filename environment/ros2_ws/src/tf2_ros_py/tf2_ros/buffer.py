@@ -1,8 +1,8 @@
 """The transform buffer of a node."""
 
+from collections.abc import Callable
 from threading import Condition
 from time import monotonic
-from typing import Callable, List, Optional, Tuple, Union
 
 from geometry_msgs.msg import TransformStamped
 from rclpy.clock import Clock, JumpThreshold, TimeJump
@@ -13,7 +13,8 @@ from rclpy.task import Future
 from rclpy.time import Time
 from tf2_msgs.srv import FrameGraph
 from tf2_py import BufferCore
-from tf2_ros.buffer_interface import BufferInterface
+
+from tf2_ros.buffer_interface import NO_TIMEOUT, BufferInterface
 
 
 class Buffer(BufferCore, BufferInterface):
@@ -29,11 +30,11 @@ class Buffer(BufferCore, BufferInterface):
         that jumps back by a second or more, the history is cleared.
     """
 
-    def __init__(self, cache_time: Optional[Duration] = None, node: Optional[Node] = None) -> None:
+    def __init__(self, cache_time: Duration | None = None, node: Node | None = None) -> None:
         BufferCore.__init__(self, *([] if cache_time is None else [cache_time]))
         BufferInterface.__init__(self)
         self._news = Condition()   # notified after every insertion
-        self._waiters: List[Callable[[], bool]] = []   # each tries to complete its future, and says whether it is done
+        self._waiters: list[Callable[[], bool]] = []   # each tries to complete its future, and says whether it is done
         if node is not None:
             self.srv = node.create_service(FrameGraph, 'tf2_frames', self._tell_frames)
             self.clock = node.get_clock()
@@ -74,7 +75,7 @@ class Buffer(BufferCore, BufferInterface):
         target_frame: str,
         source_frame: str,
         time: Time,
-        timeout: Duration = Duration(),
+        timeout: Duration = NO_TIMEOUT,
     ) -> TransformStamped:
         """
         Return the transform that takes data from the source frame into the target frame.
@@ -93,7 +94,7 @@ class Buffer(BufferCore, BufferInterface):
         source_frame: str,
         source_time: Time,
         fixed_frame: str,
-        timeout: Duration = Duration(),
+        timeout: Duration = NO_TIMEOUT,
     ) -> TransformStamped:
         """
         Return the transform from the source frame at one time into the target frame at another.
@@ -124,9 +125,9 @@ class Buffer(BufferCore, BufferInterface):
         target_frame: str,
         source_frame: str,
         time: Time,
-        timeout: Duration = Duration(),
+        timeout: Duration = NO_TIMEOUT,
         return_debug_tuple: bool = False,
-    ) -> Union[int, Tuple[int, str]]:
+    ) -> int | tuple[int, str]:
         """
         Return 1 if the transform is known, or becomes known within the timeout, else 0.
 
@@ -142,16 +143,16 @@ class Buffer(BufferCore, BufferInterface):
         source_frame: str,
         source_time: Time,
         fixed_frame: str,
-        timeout: Duration = Duration(),
+        timeout: Duration = NO_TIMEOUT,
         return_debug_tuple: bool = False,
-    ) -> Union[int, Tuple[int, str]]:
+    ) -> int | tuple[int, str]:
         """Like :meth:`can_transform`, between two times."""
         answer = self._wait(
             lambda: self.can_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame),
             timeout)
         return answer if return_debug_tuple else answer[0]
 
-    def _wait(self, ask: Callable[[], Tuple[int, str]], timeout: Duration) -> Tuple[int, str]:
+    def _wait(self, ask: Callable[[], tuple[int, str]], timeout: Duration) -> tuple[int, str]:
         """Return the first positive answer, or the last one before the timeout."""
         answer = ask()
         if answer[0] or timeout.nanoseconds <= 0:
@@ -183,7 +184,7 @@ class Buffer(BufferCore, BufferInterface):
         return self._future(lambda: self.can_transform_full_core(*question),
                             lambda: self.lookup_transform_full_core(*question))
 
-    def _future(self, ask: Callable[[], Tuple[int, str]], look_up: Callable[[], TransformStamped]) -> Future:
+    def _future(self, ask: Callable[[], tuple[int, str]], look_up: Callable[[], TransformStamped]) -> Future:
         future = Future()
 
         def completed() -> bool:

@@ -2,7 +2,6 @@
 
 from threading import Event
 from time import monotonic
-from typing import Union
 from warnings import warn
 
 import builtin_interfaces.msg
@@ -22,7 +21,11 @@ from tf2_py import (
     TimeoutException,
     TransformException,
 )
-from tf2_ros.buffer_interface import BufferInterface
+
+from tf2_ros.buffer_interface import NO_TIMEOUT, BufferInterface
+
+# How much longer than a look-up's own timeout the server may take.
+PADDING = Duration(seconds=2.0)
 
 _EXCEPTIONS = {
     TF2Error.LOOKUP_ERROR: LookupException,
@@ -50,7 +53,7 @@ class BufferClient(BufferInterface):
         node: Node,
         ns: str,
         check_frequency: float = 10.0,
-        timeout_padding: Duration = Duration(seconds=2.0),
+        timeout_padding: Duration = PADDING,
     ) -> None:
         super().__init__()
         self.node = node
@@ -63,7 +66,7 @@ class BufferClient(BufferInterface):
         target_frame: str,
         source_frame: str,
         time: Time,
-        timeout: Duration = Duration(),
+        timeout: Duration = NO_TIMEOUT,
     ) -> TransformStamped:
         """
         Return the transform from the source frame to the target frame.
@@ -83,7 +86,7 @@ class BufferClient(BufferInterface):
         source_frame: str,
         source_time: Time,
         fixed_frame: str,
-        timeout: Duration = Duration(),
+        timeout: Duration = NO_TIMEOUT,
     ) -> TransformStamped:
         """Return the transform between two times. Raises as :meth:`lookup_transform`."""
         goal = LookupTransform.Goal(
@@ -98,7 +101,7 @@ class BufferClient(BufferInterface):
         target_frame: str,
         source_frame: str,
         time: Time,
-        timeout: Duration = Duration(),
+        timeout: Duration = NO_TIMEOUT,
     ) -> bool:
         """Return whether :meth:`lookup_transform` would succeed."""
         try:
@@ -114,7 +117,7 @@ class BufferClient(BufferInterface):
         source_frame: str,
         source_time: Time,
         fixed_frame: str,
-        timeout: Duration = Duration(),
+        timeout: Duration = NO_TIMEOUT,
     ) -> bool:
         """Return whether :meth:`lookup_transform_full` would succeed."""
         try:
@@ -155,5 +158,5 @@ def _message(time: Time) -> builtin_interfaces.msg.Time:
     raise TypeError('Must pass a rclpy.time.Time object.')
 
 
-def _seconds(duration: Union[Duration, float]) -> float:
+def _seconds(duration: Duration | float) -> float:
     return duration.nanoseconds / 1e9 if isinstance(duration, Duration) else float(duration)

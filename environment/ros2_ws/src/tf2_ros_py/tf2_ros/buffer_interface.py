@@ -1,7 +1,8 @@
 """What every transform buffer can do, and the registry of how to transform and convert types."""
 
+from collections.abc import Callable
 from copy import deepcopy
-from typing import Any, Callable, Optional, Tuple, TypeVar
+from typing import Any, TypeVar
 
 from geometry_msgs.msg import (  # noqa: F401  (part of tf2_ros's public names)
     PointStamped,
@@ -14,6 +15,9 @@ from rclpy.duration import Duration
 from rclpy.time import Time
 from sensor_msgs.msg import PointCloud2  # noqa: F401
 from std_msgs.msg import Header
+
+#: Do not wait.
+NO_TIMEOUT = Duration()
 
 TransformableObject = TypeVar('TransformableObject')
 TransformableObjectType = TypeVar('TransformableObjectType')
@@ -50,8 +54,8 @@ class BufferInterface:
         self,
         object_stamped: TransformableObject,
         target_frame: str,
-        timeout: Duration = Duration(),
-        new_type: Optional[TransformableObjectType] = None,
+        timeout: Duration = NO_TIMEOUT,
+        new_type: TransformableObjectType | None = None,
     ) -> TransformableObject:
         """
         Return the object in the target frame, at the time of its own stamp.
@@ -73,8 +77,8 @@ class BufferInterface:
         target_frame: str,
         target_time: Time,
         fixed_frame: str,
-        timeout: Duration = Duration(),
-        new_type: Optional[TransformableObjectType] = None,
+        timeout: Duration = NO_TIMEOUT,
+        new_type: TransformableObjectType | None = None,
     ) -> TransformableObject:
         """
         Return the object in the target frame at another time, by way of a frame that did not move in between.
@@ -93,7 +97,7 @@ class BufferInterface:
         target_frame: str,
         source_frame: str,
         time: Time,
-        timeout: Duration = Duration(),
+        timeout: Duration = NO_TIMEOUT,
     ) -> TransformStamped:
         """Return the transform from the source frame to the target frame."""
         raise NotImplementedException()
@@ -105,7 +109,7 @@ class BufferInterface:
         source_frame: str,
         source_time: Time,
         fixed_frame: str,
-        timeout: Duration = Duration(),
+        timeout: Duration = NO_TIMEOUT,
     ) -> TransformStamped:
         """Return the transform from the source frame at one time to the target frame at another."""
         raise NotImplementedException()
@@ -115,7 +119,7 @@ class BufferInterface:
         target_frame: str,
         source_frame: str,
         time: Time,
-        timeout: Duration = Duration(),
+        timeout: Duration = NO_TIMEOUT,
     ) -> bool:
         """Return whether the transform from the source frame to the target frame is known."""
         raise NotImplementedException()
@@ -127,7 +131,7 @@ class BufferInterface:
         source_frame: str,
         source_time: Time,
         fixed_frame: str,
-        timeout: Duration = Duration(),
+        timeout: Duration = NO_TIMEOUT,
     ) -> bool:
         """Return whether the transform between the frames at two times is known."""
         raise NotImplementedException()
@@ -143,7 +147,7 @@ def _registered(registry: dict, key: Any) -> Callable:
     try:
         return registry[key]
     except KeyError:
-        raise TypeException('Type %s is not loaded or supported' % str(key)) from None
+        raise TypeException(f'Type {key} is not loaded or supported') from None
 
 
 class TransformRegistration:
@@ -188,7 +192,7 @@ class ConvertRegistration:
 
     def add_convert(
         self,
-        key: Tuple[TransformableObjectType, TransformableObjectType],
+        key: tuple[TransformableObjectType, TransformableObjectType],
         callback: Callable[[Any], TransformableObject],
     ) -> None:
         """Register a direct conversion; the key is `(from type, to type)`."""
@@ -204,7 +208,7 @@ class ConvertRegistration:
 
     def get_convert(
         self,
-        key: Tuple[TransformableObjectType, TransformableObjectType],
+        key: tuple[TransformableObjectType, TransformableObjectType],
     ) -> Callable[[Any], TransformableObject]:
         """Return the function registered by :meth:`add_convert`; TypeException if there is none."""
         return _registered(ConvertRegistration.__convert_map, key)

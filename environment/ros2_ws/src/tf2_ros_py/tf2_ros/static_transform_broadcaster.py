@@ -1,11 +1,11 @@
 """Send transforms that never change."""
 
-from typing import List, Optional, Union
 
 from geometry_msgs.msg import TransformStamped
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from tf2_msgs.msg import TFMessage
+
 from tf2_ros.transform_broadcaster import as_list
 
 
@@ -19,13 +19,13 @@ class StaticTransformBroadcaster:
     :param qos: QoS or depth of the publisher; by default the last 1, transient local.
     """
 
-    def __init__(self, node: Node, qos: Optional[Union[QoSProfile, int]] = None) -> None:
+    def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
         if qos is None:
             qos = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST)
         self.pub_tf = node.create_publisher(TFMessage, '/tf_static', qos)
         self.net_message = TFMessage()
 
-    def sendTransform(self, transform: Union[TransformStamped, List[TransformStamped]]) -> None:
+    def sendTransform(self, transform: TransformStamped | list[TransformStamped]) -> None:
         """Send one transform or several; one for a child frame that was sent before replaces that."""
         latest = {sent.child_frame_id: sent for sent in self.net_message.transforms}
         latest.update((new.child_frame_id, new) for new in as_list(transform))

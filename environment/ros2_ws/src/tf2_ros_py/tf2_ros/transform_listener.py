@@ -1,13 +1,13 @@
 """Receive transforms."""
 
 from threading import Thread, current_thread
-from typing import Optional, Union
 
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from tf2_msgs.msg import TFMessage
+
 from tf2_ros.buffer import Buffer
 
 
@@ -31,8 +31,8 @@ class TransformListener:
         node: Node,
         *,
         spin_thread: bool = False,
-        qos: Optional[Union[QoSProfile, int]] = None,
-        static_qos: Optional[Union[QoSProfile, int]] = None,
+        qos: QoSProfile | int | None = None,
+        static_qos: QoSProfile | int | None = None,
     ) -> None:
         if qos is None:
             qos = QoSProfile(depth=100, durability=DurabilityPolicy.VOLATILE, history=HistoryPolicy.KEEP_LAST)

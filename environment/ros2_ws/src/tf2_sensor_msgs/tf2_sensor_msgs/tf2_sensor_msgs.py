@@ -1,6 +1,5 @@
 """Functions that take a point cloud from a transform's source frame into its target frame."""
 
-from typing import Union
 
 import numpy as np
 import tf2_ros
@@ -33,7 +32,7 @@ def transform_points(point_cloud: np.ndarray, transform: Transform) -> np.ndarra
     return np.asarray(point_cloud) @ matrix.T + (translation.x, translation.y, translation.z)
 
 
-def do_transform_cloud(cloud: PointCloud2, transform: Union[Transform, TransformStamped]) -> PointCloud2:
+def do_transform_cloud(cloud: PointCloud2, transform: Transform | TransformStamped) -> PointCloud2:
     """
     Return a new cloud whose fields x, y, z are in the target frame; the other fields stay as they are.
 

@@ -102,8 +102,8 @@ def generate_svg(data, recorded_time):
         shapes.append(f'<path d="M{x0:g},{y0 + BOX_HEIGHT / 2:g} C{x0:g},{y0 + ROW / 2:g} {x1:g},{y1 - ROW / 2:g} '
                       f'{x1:g},{y1 - BOX_HEIGHT / 2:g}" fill="none" stroke="black" marker-end="url(#arrow)"/>')
         above = y1 - BOX_HEIGHT / 2 - 12 - LINE_HEIGHT * len(FIELDS)
-        shapes += [f'<text x="{x1 + 8:g}" y="{above + LINE_HEIGHT * (index + 1):g}" font-size="11">{escape(line)}</text>'
-                   for index, line in enumerate(label(entry))]
+        shapes += [f'<text x="{x1 + 8:g}" y="{above + LINE_HEIGHT * number:g}" font-size="11">{escape(line)}</text>'
+                   for number, line in enumerate(label(entry), start=1)]
     for frame in places:
         x, y = centre(frame)
         half = max(40, CHARACTER * len(str(frame)) / 2 + 12)

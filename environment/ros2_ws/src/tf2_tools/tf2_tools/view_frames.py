@@ -13,6 +13,7 @@ from rclpy.executors import ExternalShutdownException
 from rclpy.utilities import remove_ros_args
 from tf2_msgs.srv import FrameGraph
 from tf2_ros import Buffer, TransformListener
+
 from tf2_tools.graph import generate_dot, generate_svg
 
 
@@ -44,8 +45,8 @@ def write(stem, frame_yaml, recorded_time):
 
     The picture is a PDF where Graphviz is installed, else an SVG.
     """
-    # A frame's name may look like a number to YAML.
-    data = {str(frame): entry for frame, entry in (yaml.safe_load(frame_yaml) or {}).items()} if frame_yaml != '[]' else {}
+    # `[]` is an empty buffer's answer; and a frame's name may look like a number to YAML.
+    data = {str(frame): entry for frame, entry in dict(yaml.safe_load(frame_yaml)).items()}
     Path(f'{stem}.yaml').write_text(frame_yaml)
     dot = Path(f'{stem}.gv')
     dot.write_text(generate_dot(data, recorded_time))

@@ -10,6 +10,7 @@ import math
 
 import numpy
 import transforms3d
+
 from tf_transformations.arcball import (
     Arcball,
     arcball_constrain_to_axis,

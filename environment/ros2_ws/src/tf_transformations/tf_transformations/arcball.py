@@ -1,6 +1,7 @@
 """A trackball: turn things by dragging a point over a sphere."""
 
 import numpy
+
 from tf_transformations.quaternion import (
     quaternion_from_matrix,
     quaternion_matrix,

@@ -1,6 +1,7 @@
 """Projections onto planes, and the view of a camera."""
 
 import numpy
+
 from tf_transformations.vector import EPS, unit_vector
 
 

@@ -4,6 +4,7 @@ import math
 
 import numpy
 import transforms3d
+
 from tf_transformations.vector import EPS, unit_vector
 
 
