@@ -49,7 +49,7 @@ def start(domain) -> Iterator[Callable[..., Process]]:
 
     yield start_one
     for process in reversed(processes):
-        process.stop()
+        process.stop(timeout=PATIENCE)
 
 
 class Peer:

@@ -243,7 +243,8 @@ CAUGHT = '[ERROR] [launch]: Caught exception in launch (see debug for traceback)
         ('', '1 / 0', 'Caught exception when trying to load file of format [py]: division by zero'),
         ('', 'import no_such_module', "Caught exception when trying to load file of format [py]: No module named "
          "'no_such_module'"),
-        ("Node(package='no_such_package', executable='x'),", '', '"package \'no_such_package\' not found, searching: ['),
+        ("Node(package='no_such_package', executable='x'),", '',
+         '"package \'no_such_package\' not found, searching: ['),
         ("Node(package='turtlesim', executable='nope'),", '', "executable 'nope' not found on the libexec directory '"),
         ("IncludeLaunchDescription('/no/such.launch.py'),", '', "[Errno 2] No such file or directory: '/no/such"),
         ("LogInfo(msg=LaunchConfiguration('nope')),", '', "launch configuration 'nope' does not exist"),
@@ -283,7 +284,8 @@ def test_a_file_without_the_function_or_of_another_format(domain, tmp_path):
 @pytest.mark.parametrize(
     'argv, message',
     [
-        (['no_such_package', 'a.launch.py'], "Package 'no_such_package' not found: \"package 'no_such_package' not found"),
+        (['no_such_package', 'a.launch.py'],
+         "Package 'no_such_package' not found: \"package 'no_such_package' not found"),
         (['turtlesim', 'no.launch.py'], "file 'no.launch.py' was not found in the share directory of package "
          "'turtlesim' which is at '"),
         (['no.launch.py'], "No launch file supplied: file 'no.launch.py' does not exist"),

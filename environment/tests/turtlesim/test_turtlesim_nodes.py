@@ -59,14 +59,21 @@ def test_interfaces_are_upstreams(name):
     assert hashes[f'turtlesim/{name}'] == json.loads(HASHES.read_text())[f'turtlesim/{name}']
 
 
-def test_it_starts_with_stocks_lines_and_ends_well(simulator):
+def wait_for_pose(peer, name='turtle1'):
+    """Wait until the simulator is at work: right after a line of its log a signal could still meet that line."""
+    poses = peer.listen(Pose, f'/{name}/pose')
+    peer.until(lambda: poses, 'a pose')
+
+
+def test_it_starts_with_stocks_lines_and_ends_well(simulator, peer):
+    wait_for_pose(peer)
     assert simulator.lines == [
         '[INFO] [turtlesim]: Running without a window: there is no display',
         '[INFO] [turtlesim]: Starting turtlesim with node name /turtlesim',
         f'[INFO] [turtlesim]: {STARTED}',
     ]
-    assert simulator.stop() == 0
-    assert len(simulator.lines) == 3
+    assert simulator.stop(timeout=30) == 0
+    assert len(simulator.lines) == 3, simulator.output
 
 
 def test_it_is_on_the_graph_as_stock_is(simulator, peer):
@@ -258,11 +265,12 @@ def test_draw_square_and_mimic_drive(simulator, peer, start):
     simulator.wait_for_output('Resetting turtlesim.')
     peer.until(lambda: any(twist.linear.x == 1.0 for twist in followed), 'the follower at 1 m/s')
     square.wait_for_output('[INFO] [draw_square]: Reached goal', timeout=60)
-    assert (square.stop(), mimic.stop()) == (0, 0)
+    assert (square.stop(timeout=30), mimic.stop(timeout=30)) == (0, 0)
     assert not [line for line in square.lines + mimic.lines if 'Traceback' in line]
 
 
-def test_sigterm_ends_it_quietly(simulator):
+def test_sigterm_ends_it_quietly(simulator, peer):
+    wait_for_pose(peer)
     simulator._signal(signal.SIGTERM)
     simulator._popen.wait(30)
     assert simulator.stop() == 0

@@ -21,6 +21,9 @@ from turtlesim_nodes.window import NoWindowError, Window
 from turtlesim_nodes.world import DEFAULT_BACKGROUND, STEP, Rotation, Turtle, World, float32
 
 
+STEPS_PER_PICTURE = 2  # 31 pictures a second are enough, and leave time for the turtles
+
+
 class TurtleInterface:
     """The topics, services and the action of one turtle."""
 
@@ -157,6 +160,7 @@ class Simulator(Node):
         self.add_post_set_parameters_callback(lambda _: self._read_background())
         self._read_background()
         self._interfaces: dict[str, TurtleInterface] = {}
+        self._steps = 0
         try:
             self.window = Window(self.world)
         except NoWindowError as reason:
@@ -193,7 +197,8 @@ class Simulator(Node):
             self.get_logger().warning(f'Oh no! I hit the wall! (Clamping from [x={bump.x:f}, y={bump.y:f}])')
         for interface in list(self._interfaces.values()):
             interface.after_step()
-        if self.window is not None:
+        self._steps += 1
+        if self.window is not None and self._steps % STEPS_PER_PICTURE == 0:
             self.window.show()
             if self.window.closed:
                 self.context.try_shutdown()

@@ -116,14 +116,16 @@ def _spin(executor: SingleThreadedExecutor) -> None:
         executor.spin()
 
 
-def _on_sigterm(*_) -> None:
+def _interrupt(*_) -> None:
     raise KeyboardInterrupt  # leave through the finally blocks: the terminal must be put back
 
 
 def main(args=None) -> None:
     """Read keys from standard input until Q, Ctrl+C or its end."""
     descriptor = sys.stdin.fileno()
-    signal.signal(signal.SIGTERM, _on_sigterm)
+    # Both on purpose: a shell's background job inherits that SIGINT is ignored.
+    signal.signal(signal.SIGINT, _interrupt)
+    signal.signal(signal.SIGTERM, _interrupt)
     try:
         # Without rclpy's handlers Ctrl+C interrupts the read below.
         rclpy.init(args=args, signal_handler_options=SignalHandlerOptions.NO)
