@@ -20,7 +20,6 @@ from turtlesim_nodes.running import run
 from turtlesim_nodes.window import NoWindowError, Window
 from turtlesim_nodes.world import DEFAULT_BACKGROUND, STEP, Rotation, Turtle, World, float32
 
-
 STEPS_PER_PICTURE = 2  # 31 pictures a second are enough, and leave time for the turtles
 
 
