@@ -20,6 +20,7 @@ from tf2_py import BufferCore
 from environment.tests.tf2.broadcaster import DEPTH, where
 from environment.tests.tf2.conftest import TIMEOUT
 from environment.tests.tf2.messages import position, transform
+from helpers.waiting import wait_for
 
 LATEST = Time()
 LONG = Duration(seconds=TIMEOUT)
@@ -27,12 +28,7 @@ LONG = Duration(seconds=TIMEOUT)
 
 def matched(publisher, count=1):
     """Wait until the publisher has subscriptions; only what a volatile publisher sends after that arrives."""
-    event = threading.Event()
-    for _ in range(int(TIMEOUT / 0.02)):
-        if publisher.get_subscription_count() >= count:
-            return
-        event.wait(0.02)
-    raise TimeoutError('nobody subscribed')
+    wait_for(lambda: publisher.get_subscription_count() >= count, TIMEOUT, message='subscriptions')
 
 
 def test_listener_and_broadcaster_in_two_processes_agree(domain):
@@ -200,12 +196,8 @@ def test_simulated_time_that_jumps_back_clears_the_buffer(domain):
     matched(publisher)
 
     def set_time(seconds):
-        for _ in range(int(TIMEOUT / 0.02)):
-            publisher.publish(Clock(clock=Time(seconds=seconds).to_msg()))
-            if node.get_clock().now().nanoseconds == seconds * 10**9:
-                return
-            threading.Event().wait(0.02)
-        raise TimeoutError
+        publisher.publish(Clock(clock=Time(seconds=seconds).to_msg()))
+        wait_for(lambda: node.get_clock().now().nanoseconds == seconds * 10**9, TIMEOUT)
 
     set_time(100)
     cleared.clear()

@@ -83,6 +83,6 @@ class BufferServer(Node):
 
 def main():
     """Run the program; return its exit status."""
-    with ros(sys.argv):
-        spin(BufferServer())
+    with ros(sys.argv) as (_, executor):
+        spin(BufferServer(), executor)
     return 0

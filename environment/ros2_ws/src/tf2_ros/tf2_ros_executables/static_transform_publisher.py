@@ -179,7 +179,7 @@ def _quoted(values):
 
 def main():
     """Run the program; return its exit status."""
-    with ros(sys.argv) as argv:
+    with ros(sys.argv) as (argv, executor):
         try:
             arguments = parse(argv[1:])
         except ArgumentsError as error:
@@ -198,5 +198,5 @@ def main():
             f'translation: ({_quoted(arguments.translation)})\n'
             f'rotation: ({_quoted(arguments.rotation)})\n'
             f"from '{arguments.frame_id}' to '{arguments.child_frame_id}'")
-        spin(node)
+        spin(node, executor)
     return 0

@@ -94,7 +94,7 @@ class Echo(Node):
 
 def main():
     """Run the program; return its exit status."""
-    with ros(sys.argv) as argv:
+    with ros(sys.argv) as (argv, executor):
         words = argv[1:]
         if len(words) not in (2, 3):
             print(USAGE)
@@ -109,5 +109,5 @@ def main():
             if not (isfinite(rate) and rate > 0.0):
                 print('rate must be greater than 0', file=sys.stderr)
                 return 1
-        spin(Echo(*words[:2], rate))
+        spin(Echo(*words[:2], rate), executor)
     return 0

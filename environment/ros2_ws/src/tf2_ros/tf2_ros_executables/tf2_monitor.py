@@ -143,10 +143,10 @@ class Monitor(Node):
 
 def main():
     """Run the program; return its exit status."""
-    with ros(sys.argv) as argv:
+    with ros(sys.argv) as (argv, executor):
         words = argv[1:]
         if len(words) not in (0, 2):
             print('TF_Monitor: usage: tf2_monitor framea frameb')
             return 255
-        spin(Monitor(words))
+        spin(Monitor(words), executor)
     return 0

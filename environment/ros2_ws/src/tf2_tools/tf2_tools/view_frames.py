@@ -9,7 +9,7 @@ from pathlib import Path
 
 import rclpy
 import yaml
-from rclpy.executors import ExternalShutdownException
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.utilities import remove_ros_args
 from tf2_msgs.srv import FrameGraph
 from tf2_ros import Buffer, TransformListener
@@ -27,14 +27,14 @@ def parse(words):
     return parser.parse_args(words)
 
 
-def listen(node, seconds):
+def listen(node, executor, seconds):
     """Return the :class:`tf2_ros.Buffer` that has heard everything for so many seconds."""
     buffer = Buffer(node=node)
     listener = TransformListener(buffer, node)
     node.get_logger().info(f'Listening to tf data for {seconds} seconds...')
     end = time.monotonic() + seconds
     while (rest := end - time.monotonic()) > 0.0:
-        rclpy.spin_once(node, timeout_sec=min(rest, 0.1))
+        executor.spin_once(timeout_sec=min(rest, 0.1))
     listener.unregister()
     return buffer
 
@@ -65,8 +65,10 @@ def main():
     options = parse(remove_ros_args(args=sys.argv)[1:])
     try:
         rclpy.init(args=sys.argv)
+        executor = SingleThreadedExecutor()
         node = rclpy.create_node('view_frames')
-        buffer = listen(node, options.wait_time)
+        executor.add_node(node)
+        buffer = listen(node, executor, options.wait_time)
         logger = node.get_logger()
         logger.info('Generating graph...')
         answer = FrameGraph.Response(frame_yaml=buffer.all_frames_as_yaml())
@@ -74,6 +76,7 @@ def main():
         stem = options.output or time.strftime('frames_%Y-%m-%d_%H.%M.%S')
         picture = write(stem, answer.frame_yaml, node.get_clock().now().seconds_nanoseconds())
         logger.info(f'Exporting graph in {picture} file...')
+        executor.remove_node(node)
         node.destroy_node()
     except (KeyboardInterrupt, ExternalShutdownException):
         return 0
