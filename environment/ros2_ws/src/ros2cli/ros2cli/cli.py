@@ -2,10 +2,10 @@
 
 import argparse
 import os
-from pathlib import Path
 import signal
 import sys
-from typing import Any, List, Optional
+from pathlib import Path
+from typing import Any
 
 from ros2cli.command import CommandExtension, LazyParser, add_subparsers_on_demand
 
@@ -14,8 +14,8 @@ _BROKEN_PIPE_STATUS = 128 + signal.SIGPIPE
 
 
 def main(
-    *, script_name: str = 'ros2', argv: Optional[List[str]] = None, description: Optional[str] = None,
-    extension: Optional[CommandExtension] = None,
+    *, script_name: str = 'ros2', argv: list[str] | None = None, description: str | None = None,
+    extension: CommandExtension | None = None,
 ) -> Any:
     """Run the command line; return what sys.exit takes: a status, or a text for stderr, which means 1."""
     try:
@@ -33,7 +33,7 @@ def main(
 
 
 def _main(
-    script_name: str, argv: Optional[List[str]], description: Optional[str], extension: Optional[CommandExtension],
+    script_name: str, argv: list[str] | None, description: str | None, extension: CommandExtension | None,
 ) -> Any:
     _find_own_prefix()
     parser = LazyParser(

@@ -1,19 +1,19 @@
 """Find and load plug-ins: entry points of installed Python packages."""
 
-from importlib import metadata
 import sys
-from typing import Any, Dict, Optional
+from importlib import metadata
+from typing import Any
 
 
-def get_entry_points(group_name: str) -> Dict[str, metadata.EntryPoint]:
+def get_entry_points(group_name: str) -> dict[str, metadata.EntryPoint]:
     """Return the entry points of a group by name; of two with one name the first on sys.path wins."""
-    found: Dict[str, metadata.EntryPoint] = {}
+    found: dict[str, metadata.EntryPoint] = {}
     for entry_point in metadata.entry_points(group=group_name):
         found.setdefault(entry_point.name, entry_point)
     return found
 
 
-def load_entry_point(entry_point: metadata.EntryPoint) -> Optional[Any]:
+def load_entry_point(entry_point: metadata.EntryPoint) -> Any | None:
     """Return an instance of the plug-in with its NAME set, or None after saying on stderr why it cannot be had."""
     try:
         extension = entry_point.load()()

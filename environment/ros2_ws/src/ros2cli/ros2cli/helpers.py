@@ -1,9 +1,10 @@
 """Small things that several commands need."""
 
-from argparse import ArgumentTypeError
 import sys
 import time
-from typing import Any, Callable, Dict
+from argparse import ArgumentTypeError
+from collections.abc import Callable
+from typing import Any
 
 
 def unsigned_int(text: str) -> int:
@@ -46,7 +47,7 @@ def wait_for(predicate: Callable[[], bool], timeout: float, period: float = 0.05
     return True
 
 
-def parse_yaml_dictionary(text: str, not_a_dictionary: str) -> Dict[str, Any]:
+def parse_yaml_dictionary(text: str, not_a_dictionary: str) -> dict[str, Any]:
     """
     Parse the values on a command line.
 

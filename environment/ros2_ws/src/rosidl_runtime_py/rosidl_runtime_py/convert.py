@@ -1,13 +1,13 @@
 """Turn a message into a dictionary, YAML or CSV, as `ros2 topic echo` prints it."""
 
 import array
-from collections import OrderedDict
 import sys
-from typing import Any, Optional
+from collections import OrderedDict
+from typing import Any
 
 import numpy
-from rosidl_parser import definition
 import yaml
+from rosidl_parser import definition
 
 _SEQUENCES = (list, tuple, array.array, numpy.ndarray)
 
@@ -23,11 +23,11 @@ _Dumper.add_representer(
 
 def get_message_slot_types(msg: Any) -> 'OrderedDict[str, Any]':
     """Return the fields of a message, each with rosidl's description of its type."""
-    return OrderedDict(zip(msg.get_fields_and_field_types(), msg.SLOT_TYPES))
+    return OrderedDict(zip(msg.get_fields_and_field_types(), msg.SLOT_TYPES, strict=True))
 
 
 def message_to_yaml(
-    msg: Any, *, truncate_length: Optional[int] = None, no_arr: bool = False, no_str: bool = False,
+    msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False,
     flow_style: bool = False,
 ) -> str:
     """
@@ -42,7 +42,7 @@ def message_to_yaml(
 
 
 def message_to_ordereddict(
-    msg: Any, *, truncate_length: Optional[int] = None, no_arr: bool = False, no_str: bool = False,
+    msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False,
 ) -> 'OrderedDict[str, Any]':
     """Return the message as a dictionary of plain Python values in the order of its fields; see message_to_yaml."""
     return OrderedDict(
@@ -51,7 +51,7 @@ def message_to_ordereddict(
 
 
 def message_to_csv(
-    msg: Any, *, truncate_length: Optional[int] = None, no_arr: bool = False, no_str: bool = False,
+    msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False,
 ) -> str:
     """Return all values of the message, nested ones too, separated by commas; see message_to_yaml."""
     return ','.join(
@@ -59,7 +59,7 @@ def message_to_csv(
         for name, field_type in get_message_slot_types(msg).items())
 
 
-def _plain(value: Any, field_type: Any, truncate_length: Optional[int], no_arr: bool, no_str: bool) -> Any:
+def _plain(value: Any, field_type: Any, truncate_length: int | None, no_arr: bool, no_str: bool) -> Any:
     if isinstance(value, bytes):
         return _shortened(value.decode('latin-1'), truncate_length)
     if isinstance(value, str):
@@ -80,7 +80,7 @@ def _plain(value: Any, field_type: Any, truncate_length: Optional[int], no_arr: 
     return message_to_ordereddict(value, truncate_length=truncate_length, no_arr=no_arr, no_str=no_str)
 
 
-def _csv(value: Any, field_type: Any, truncate_length: Optional[int], no_arr: bool, no_str: bool) -> str:
+def _csv(value: Any, field_type: Any, truncate_length: int | None, no_arr: bool, no_str: bool) -> str:
     if isinstance(value, _SEQUENCES):
         if no_arr and field_type is not None:
             return _abbreviated(value, field_type)
@@ -99,7 +99,7 @@ def _length_of(text: str) -> str:
     return f'<string length: <{len(text)}>>'
 
 
-def _shortened(value: Any, truncate_length: Optional[int]) -> Any:
+def _shortened(value: Any, truncate_length: int | None) -> Any:
     if truncate_length is None or len(value) <= truncate_length:
         return value
     return value[:truncate_length] + (b'...' if isinstance(value, bytes) else '...')

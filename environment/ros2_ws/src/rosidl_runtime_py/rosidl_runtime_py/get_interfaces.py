@@ -1,7 +1,7 @@
 """Which interfaces are installed, from the ament index, and where their definitions are."""
 
+from collections.abc import Iterable
 from pathlib import Path
-from typing import Dict, Iterable, List
 
 from ament_index_python import get_resource, get_resources, has_resource
 
@@ -9,12 +9,12 @@ from ament_index_python import get_resource, get_resources, has_resource
 _SUFFIXES = {'msg': ('.idl', '.msg'), 'srv': ('.idl', '.srv'), 'action': ('.idl', '.action')}
 
 
-def get_interface_packages() -> Dict[str, str]:
+def get_interface_packages() -> dict[str, str]:
     """Return the packages that define interfaces, each with the prefix it is installed in."""
     return get_resources('rosidl_interfaces')
 
 
-def get_interfaces(package_names: Iterable[str] = ()) -> Dict[str, List[str]]:
+def get_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
     """
     Return the names (`msg/String`, `srv/Empty` …) of the interfaces of some packages.
 
@@ -29,7 +29,7 @@ def get_interfaces(package_names: Iterable[str] = ()) -> Dict[str, List[str]]:
     return {name: _interfaces_of(name) for name in (names or known)}
 
 
-def _interfaces_of(package_name: str) -> List[str]:
+def _interfaces_of(package_name: str) -> list[str]:
     content, _ = get_resource('rosidl_interfaces', package_name)
     found = set()
     for line in content.splitlines():
@@ -41,7 +41,7 @@ def _interfaces_of(package_name: str) -> List[str]:
     return sorted(found)
 
 
-def _of_kind(kind: str, package_names: Iterable[str]) -> Dict[str, List[str]]:
+def _of_kind(kind: str, package_names: Iterable[str]) -> dict[str, list[str]]:
     chosen = {
         package: [name for name in names if name.startswith(f'{kind}/')]
         for package, names in get_interfaces(package_names).items()
@@ -49,17 +49,17 @@ def _of_kind(kind: str, package_names: Iterable[str]) -> Dict[str, List[str]]:
     return {package: names for package, names in chosen.items() if names}
 
 
-def get_message_interfaces(package_names: Iterable[str] = ()) -> Dict[str, List[str]]:
+def get_message_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
     """Return the messages of some packages (none: of all), without packages that have none."""
     return _of_kind('msg', package_names)
 
 
-def get_service_interfaces(package_names: Iterable[str] = ()) -> Dict[str, List[str]]:
+def get_service_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
     """Return the services of some packages (none: of all), without packages that have none."""
     return _of_kind('srv', package_names)
 
 
-def get_action_interfaces(package_names: Iterable[str] = ()) -> Dict[str, List[str]]:
+def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
     """Return the actions of some packages (none: of all), without packages that have none."""
     return _of_kind('action', package_names)
 

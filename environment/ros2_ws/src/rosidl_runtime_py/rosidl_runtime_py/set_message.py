@@ -1,11 +1,13 @@
 """Fill a message from a dictionary, as the values on a `ros2` command line are."""
 
 import array
+from collections.abc import Callable
 from functools import partial
-from typing import Any, Callable, Dict, List
+from typing import Any
 
 import numpy
 from rosidl_parser.definition import AbstractNestedType, NamespacedType
+
 from rosidl_runtime_py.convert import get_message_slot_types
 from rosidl_runtime_py.import_message import import_message_from_namespaced_type
 
@@ -14,8 +16,8 @@ _TIME = NamespacedType(['builtin_interfaces', 'msg'], 'Time')
 
 
 def set_message_fields(
-    msg: Any, values: Dict[str, Any], expand_header_auto: bool = False, expand_time_now: bool = False,
-) -> List[Callable[[Any], None]]:
+    msg: Any, values: dict[str, Any], expand_header_auto: bool = False, expand_time_now: bool = False,
+) -> list[Callable[[Any], None]]:
     """
     Set fields of a message in place; the ones not named keep their defaults.
 
@@ -29,7 +31,7 @@ def set_message_fields(
     if not isinstance(values, dict):
         raise TypeError(f"Value '{values}' is expected to be a dictionary but is a {type(values).__name__}")
     slot_types = get_message_slot_types(msg)
-    stamps: List[Callable[[Any], None]] = []
+    stamps: list[Callable[[Any], None]] = []
 
     def nested(target: Any, content: Any) -> Any:
         stamps.extend(set_message_fields(target, content, expand_header_auto, expand_time_now))

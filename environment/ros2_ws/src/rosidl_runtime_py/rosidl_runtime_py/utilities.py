@@ -3,6 +3,7 @@
 from typing import Any
 
 from rosidl_parser.definition import NamespacedType
+
 from rosidl_runtime_py.import_message import import_message_from_namespaced_type
 
 

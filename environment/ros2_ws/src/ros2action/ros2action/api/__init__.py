@@ -1,20 +1,20 @@
 """Names and types of actions."""
 
 from argparse import Namespace
-from typing import Any, List, Optional, Tuple
+from typing import Any
 
 
-def get_action_names_and_types(*, node: Any) -> List[Tuple[str, List[str]]]:
+def get_action_names_and_types(*, node: Any) -> list[tuple[str, list[str]]]:
     """Return the actions of the graph with their types; `node` is a ros2cli DirectNode."""
     return node.get_action_names_and_types()
 
 
-def get_action_names(*, node: Any) -> List[str]:
+def get_action_names(*, node: Any) -> list[str]:
     """Return the actions of the graph."""
     return [name for name, _ in get_action_names_and_types(node=node)]
 
 
-def get_action_clients_and_servers(*, node: Any, action_name: str) -> Tuple[list, list]:
+def get_action_clients_and_servers(*, node: Any, action_name: str) -> tuple[list, list]:
     """
     Return which nodes use and which offer an action, each as (full node name, types).
 
@@ -54,7 +54,7 @@ def load_action_class(name: str) -> Any:
         raise RuntimeError('The passed action type is invalid') from None
 
 
-def action_name_completer(prefix: str, parsed_args: Namespace, **_: Any) -> List[str]:
+def action_name_completer(prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
     """Return the names of the actions of the graph."""
     from ros2cli.node.strategy import NodeStrategy
 
@@ -62,7 +62,7 @@ def action_name_completer(prefix: str, parsed_args: Namespace, **_: Any) -> List
         return get_action_names(node=node)
 
 
-def action_type_completer(**_: Any) -> List[str]:
+def action_type_completer(**_: Any) -> list[str]:
     """Return all action types."""
     from rosidl_runtime_py import get_action_interfaces
 
@@ -72,11 +72,11 @@ def action_type_completer(**_: Any) -> List[str]:
 class ActionTypeCompleter:
     """Completes the type of an action: the one it has, or any."""
 
-    def __init__(self, *, action_name_key: Optional[str] = None) -> None:
+    def __init__(self, *, action_name_key: str | None = None) -> None:
         """Remember which argument names the action."""
         self.action_name_key = action_name_key
 
-    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> List[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return the types."""
         from ros2cli.node.strategy import NodeStrategy
 
@@ -95,7 +95,7 @@ class ActionGoalPrototypeCompleter:
         """Remember which argument names the type."""
         self.action_type_key = action_type_key
 
-    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> List[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return one text, the YAML of a goal with default values."""
         from rosidl_runtime_py import message_to_yaml
 

@@ -1,8 +1,9 @@
 """The verb `ros2 action info`."""
 
+from ros2cli.node.arguments import add_arguments
+
 from ros2action.api import action_name_completer, get_action_clients_and_servers
 from ros2action.verb import VerbExtension
-from ros2cli.node.arguments import add_arguments
 
 
 class InfoVerb(VerbExtension):

@@ -1,8 +1,9 @@
 """The verb `ros2 action list`."""
 
+from ros2cli.node.arguments import add_arguments
+
 from ros2action.api import get_action_names_and_types
 from ros2action.verb import VerbExtension
-from ros2cli.node.arguments import add_arguments
 
 
 class ListVerb(VerbExtension):

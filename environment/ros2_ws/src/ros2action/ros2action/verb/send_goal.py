@@ -1,5 +1,8 @@
 """The verb `ros2 action send_goal`."""
 
+from ros2cli.helpers import collect_stdin, parse_yaml_dictionary
+from ros2cli.node import NODE_NAME_PREFIX
+
 from ros2action.api import (
     ActionGoalPrototypeCompleter,
     ActionTypeCompleter,
@@ -7,8 +10,6 @@ from ros2action.api import (
     load_action_class,
 )
 from ros2action.verb import VerbExtension
-from ros2cli.helpers import collect_stdin, parse_yaml_dictionary
-from ros2cli.node import NODE_NAME_PREFIX
 
 # Seconds that a server has to answer a request to cancel.
 _CANCEL_TIMEOUT = 5.0

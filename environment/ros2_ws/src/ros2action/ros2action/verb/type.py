@@ -1,8 +1,9 @@
 """The verb `ros2 action type`."""
 
+from ros2cli.node.arguments import add_arguments
+
 from ros2action.api import action_name_completer, get_action_names_and_types
 from ros2action.verb import VerbExtension
-from ros2cli.node.arguments import add_arguments
 
 
 class TypeVerb(VerbExtension):

@@ -1,8 +1,9 @@
 """Commands and verbs as argparse sub-parsers, each loaded only when it is named or listed in a help text."""
 
 import argparse
+from collections.abc import Callable, Collection
 from importlib import metadata
-from typing import Any, Callable, Collection, Dict, Optional
+from typing import Any
 
 from ros2cli.entry_points import get_entry_points, get_first_line_doc, load_entry_point
 from ros2cli.plugin_system import PLUGIN_SYSTEM_VERSION, satisfies_version
@@ -15,7 +16,7 @@ class CommandExtension:
     The first line of its docstring is its line in `ros2 --help`.
     """
 
-    NAME: Optional[str] = None
+    NAME: str | None = None
     EXTENSION_POINT_VERSION = '0.1'
 
     def __init__(self) -> None:
@@ -52,7 +53,7 @@ class CommandWithVerbs(CommandExtension):
 class LazyParser(argparse.ArgumentParser):
     """A parser that runs `before_help` before it prints its help."""
 
-    before_help: Optional[Callable[[], None]] = None
+    before_help: Callable[[], None] | None = None
 
     def format_help(self) -> str:
         """Return the help text."""
@@ -61,7 +62,7 @@ class LazyParser(argparse.ArgumentParser):
         return super().format_help()
 
 
-class _LazyParsers(Dict[str, argparse.ArgumentParser]):
+class _LazyParsers(dict[str, argparse.ArgumentParser]):
     """The sub-parsers by name; getting one fills it first. Listing the names loads nothing."""
 
     def __init__(self, fill: Callable[[str, argparse.ArgumentParser], None]) -> None:
@@ -92,7 +93,7 @@ def add_subparsers_on_demand(
     # A name that no argument can have, yet readable in an error message.
     action.dest = ' ' + dest.lstrip('_')
     action.required = required
-    loaded: Dict[str, Any] = {}
+    loaded: dict[str, Any] = {}
 
     def fill(name: str, subparser: argparse.ArgumentParser) -> None:
         if name in loaded:
@@ -119,7 +120,7 @@ def add_subparsers_on_demand(
     return action
 
 
-def _describe(entry_points: Dict[str, metadata.EntryPoint]) -> str:
+def _describe(entry_points: dict[str, metadata.EntryPoint]) -> str:
     width = max(map(len, entry_points), default=0)
     lines = []
     for name in sorted(entry_points):

@@ -4,7 +4,8 @@ import argparse
 import os
 import signal
 import time
-from typing import Any, Callable, Optional
+from collections.abc import Callable
+from typing import Any
 
 import rclpy
 from rclpy.action import (
@@ -15,6 +16,7 @@ from rclpy.action import (
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.parameter import Parameter
 from rclpy.signals import SignalHandlerOptions
+
 from ros2cli.node import NODE_NAME_PREFIX
 from ros2cli.node.arguments import add_direct_arguments as add_arguments
 from ros2cli.node.discovery import wait_for_graph
@@ -33,7 +35,7 @@ class DirectNode:
     the process with status 143 after the node has left the graph.
     """
 
-    def __init__(self, args: Optional[argparse.Namespace], *, node_name: Optional[str] = None, discover: bool = True):
+    def __init__(self, args: argparse.Namespace | None, *, node_name: str | None = None, discover: bool = True):
         """
         Create the node.
 
@@ -83,7 +85,7 @@ class DirectNode:
             raise AttributeError(name)
         return getattr(self.node, name)
 
-    def spin(self, until: Callable[[], bool] = lambda: False, timeout: Optional[float] = None) -> bool:
+    def spin(self, until: Callable[[], bool] = lambda: False, timeout: float | None = None) -> bool:
         """Run callbacks until the condition holds; return False if `timeout` seconds pass first."""
         deadline = None if timeout is None else time.monotonic() + timeout
         while not until():
@@ -93,7 +95,7 @@ class DirectNode:
             self.executor.spin_once(timeout_sec=wait)
         return True
 
-    def wait_for(self, future: Any, timeout: Optional[float] = None) -> Any:
+    def wait_for(self, future: Any, timeout: float | None = None) -> Any:
         """
         Run callbacks until the future is done and return its result.
 

@@ -8,9 +8,9 @@ number), and the wait ends when all of them have told their nodes and nothing ha
 """
 
 import os
-from pathlib import Path
 import time
-from typing import Any, Set
+from pathlib import Path
+from typing import Any
 
 # Seconds that nodes on other machines get, as with stock.
 REMOTE_TIME = 0.5
@@ -18,8 +18,9 @@ REMOTE_TIME = 0.5
 LONGEST_TIME = 5.0
 # A look at the graph every so many seconds …
 _PERIOD = 0.01
-# … and it is complete when so many looks in a row saw the same. Looks, not seconds: on a busy machine they are rarer.
-_QUIET_LOOKS = 25
+# … and it is at rest when so many looks in a row, over so many seconds, saw the same. On a busy machine looks are rare.
+_QUIET_LOOKS = 6
+_QUIET_TIME = 0.25
 
 # DDSI-RTPS 9.6.2.3: where the discovery ports of a domain are.
 _PORT_BASE, _PORTS_PER_DOMAIN, _FIRST_UNICAST_PORT = 7400, 250, 10
@@ -27,15 +28,18 @@ _PORT_BASE, _PORTS_PER_DOMAIN, _FIRST_UNICAST_PORT = 7400, 250, 10
 
 def wait_for_graph(node: Any) -> None:
     """Return as soon as the node knows the graph, at the latest after LONGEST_TIME."""
-    start = time.monotonic()
+    start = now = time.monotonic()
     earliest = start if _only_this_machine() else start + REMOTE_TIME
     domain_id = node.context.get_domain_id()
-    last, quiet_looks = None, 0
-    while time.monotonic() < start + LONGEST_TIME:
+    last, looks, quiet_since = None, 0, start
+    while now < start + LONGEST_TIME:
         look = _look(node)
-        quiet_looks = quiet_looks + 1 if look == last else 0
-        last = look
-        if quiet_looks >= _QUIET_LOOKS and time.monotonic() >= earliest and _all_here(node, domain_id):
+        looks += 1
+        now = time.monotonic()
+        if look != last:
+            last, looks, quiet_since = look, 0, now
+        at_rest = looks >= _QUIET_LOOKS and now >= quiet_since + _QUIET_TIME
+        if at_rest and now >= earliest and _all_here(node, domain_id):
             return
         time.sleep(_PERIOD)
 
@@ -60,7 +64,7 @@ def _all_here(node: Any, domain_id: int) -> bool:
     return heard >= len(_local_ports(domain_id)) and len(node.get_node_names()) >= heard
 
 
-def _local_ports(domain_id: int) -> Set[int]:
+def _local_ports(domain_id: int) -> set[int]:
     """Return the discovery ports of the domain that some process of this machine has bound; empty if unknown."""
     first = _PORT_BASE + _PORTS_PER_DOMAIN * domain_id
     wanted = range(first + _FIRST_UNICAST_PORT, first + _PORTS_PER_DOMAIN, 2)

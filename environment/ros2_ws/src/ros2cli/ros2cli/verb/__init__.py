@@ -1,7 +1,7 @@
 """The base class of the verbs of all commands."""
 
 import argparse
-from typing import Any, Optional
+from typing import Any
 
 from ros2cli.plugin_system import PLUGIN_SYSTEM_VERSION, satisfies_version
 
@@ -13,7 +13,7 @@ class VerbExtension:
     The first line of its docstring is its line in the help.
     """
 
-    NAME: Optional[str] = None
+    NAME: str | None = None
     EXTENSION_POINT_VERSION = '0.1'
 
     def __init__(self) -> None:

@@ -1,8 +1,10 @@
 """Checks and reports: plug-ins of the groups `ros2doctor.checks` and `ros2doctor.report`."""
 
-from typing import Any, Iterator, List, Set, Tuple
+from collections.abc import Iterator
+from typing import Any
 
 from ros2cli.entry_points import get_entry_points
+
 from ros2doctor.api.format import doctor_warn
 
 
@@ -41,7 +43,7 @@ class Report:
     def __init__(self, name: str) -> None:
         """Begin with no lines."""
         self.name = name
-        self.items: List[Tuple[str, Any]] = []
+        self.items: list[tuple[str, Any]] = []
 
     def add_to_report(self, item_name: str, item_info: Any) -> None:
         """Add a line."""
@@ -60,7 +62,7 @@ class DoctorReport:
         raise NotImplementedError
 
 
-def _load(group: str, kind: str) -> Iterator[Tuple[str, Any]]:
+def _load(group: str, kind: str) -> Iterator[tuple[str, Any]]:
     for name, entry_point in sorted(get_entry_points(group).items()):
         try:
             yield name, entry_point.load()()
@@ -68,14 +70,14 @@ def _load(group: str, kind: str) -> Iterator[Tuple[str, Any]]:
             doctor_warn(f'Fail to load {kind} {name}: {e}')
 
 
-def run_checks(*, include_warnings: bool = False) -> Tuple[Set[str], int, int]:
+def run_checks(*, include_warnings: bool = False) -> tuple[set[str], int, int]:
     """
     Run all checks.
 
     :param include_warnings: a warning makes a check fail as well.
     :return: the categories that failed, how many checks failed, and how many there were.
     """
-    failed_categories: Set[str] = set()
+    failed_categories: set[str] = set()
     failed = total = 0
     for name, check in _load('ros2doctor.checks', 'check entry point'):
         try:
@@ -90,7 +92,7 @@ def run_checks(*, include_warnings: bool = False) -> Tuple[Set[str], int, int]:
     return failed_categories, failed, total
 
 
-def generate_reports(*, categories: Any = None) -> List[Report]:
+def generate_reports(*, categories: Any = None) -> list[Report]:
     """Return all reports, or those of some categories."""
     reports = []
     for name, report in _load('ros2doctor.report', 'report entry point'):
@@ -102,7 +104,7 @@ def generate_reports(*, categories: Any = None) -> List[Report]:
     return reports
 
 
-def visible_topics(node: Any) -> List[str]:
+def visible_topics(node: Any) -> list[str]:
     """Return the topics of the graph without hidden ones and those that every node has."""
     from ros2topic.api import get_topic_names
 

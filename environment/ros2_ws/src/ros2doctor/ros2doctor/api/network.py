@@ -3,6 +3,7 @@
 import socket
 
 import psutil
+
 from ros2doctor.api import DoctorCheck, DoctorReport, Report, Result
 from ros2doctor.api.format import doctor_error, doctor_warn
 

@@ -2,6 +2,7 @@
 
 from rclpy.qos import QoSCompatibility, qos_check_compatible
 from ros2cli.node.strategy import NodeStrategy
+
 from ros2doctor.api import DoctorCheck, DoctorReport, Report, Result, visible_topics
 from ros2doctor.api.format import doctor_error, doctor_warn
 

@@ -1,6 +1,7 @@
 """The middleware."""
 
 from rclpy.utilities import get_rmw_implementation_identifier
+
 from ros2doctor.api import DoctorReport, Report
 
 

@@ -1,6 +1,7 @@
 """Topics that lack a publisher or a subscriber."""
 
 from ros2cli.node.strategy import NodeStrategy
+
 from ros2doctor.api import DoctorCheck, DoctorReport, Report, Result, visible_topics
 from ros2doctor.api.format import doctor_warn
 

@@ -2,9 +2,9 @@
 
 import os
 import socket
-import time
 
 from ros2cli.helpers import positive_float
+
 from ros2doctor.verb import VerbExtension
 
 _GROUP, _PORT = '225.0.0.1', 49150
@@ -63,8 +63,7 @@ class HelloVerb(VerbExtension):
 
             node.create_timer(args.emit_period, emit)
             while True:
-                end = time.monotonic() + args.print_period
-                node.spin(until=lambda: listen() or time.monotonic() >= end)
+                node.spin(until=listen, timeout=args.print_period)
                 _print('MULTIMACHINE COMMUNICATION SUMMARY', args.topic, sent, heard_topic, heard_multicast)
                 if args.once:
                     return

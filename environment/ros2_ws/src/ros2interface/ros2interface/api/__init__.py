@@ -1,16 +1,16 @@
 """Names of interfaces, for completion and for `ros2 interface proto`."""
 
-from typing import Any, List
+from typing import Any
 
 
-def type_completer(**_: Any) -> List[str]:
+def type_completer(**_: Any) -> list[str]:
     """Return all interfaces by full name."""
     from rosidl_runtime_py import get_interfaces
 
     return [f'{package}/{name}' for package, names in sorted(get_interfaces().items()) for name in names]
 
 
-def package_name_completer(**_: Any) -> List[str]:
+def package_name_completer(**_: Any) -> list[str]:
     """Return the packages that define interfaces."""
     from rosidl_runtime_py import get_interface_packages
 

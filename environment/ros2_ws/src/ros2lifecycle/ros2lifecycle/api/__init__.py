@@ -1,6 +1,6 @@
 """Managed nodes and the calls to them."""
 
-from typing import Any, List, Optional
+from typing import Any
 
 from ros2node.api import NodeName
 from ros2node.api import get_node_names as get_all_node_names
@@ -10,7 +10,7 @@ from ros2service.api import get_service_names_and_types
 TIMEOUT = 5.0
 
 
-def get_node_names(*, node: Any, include_hidden_nodes: bool = False) -> List[NodeName]:
+def get_node_names(*, node: Any, include_hidden_nodes: bool = False) -> list[NodeName]:
     """Return the managed nodes: those that offer the service get_state."""
     services = dict(get_service_names_and_types(node=node, include_hidden_services=True))
     return [
@@ -19,7 +19,7 @@ def get_node_names(*, node: Any, include_hidden_nodes: bool = False) -> List[Nod
     ]
 
 
-def call(node: Any, service_class: Any, name: str, request: Optional[Any] = None) -> Any:
+def call(node: Any, service_class: Any, name: str, request: Any | None = None) -> Any:
     """
     Call a service and return its response.
 
@@ -41,7 +41,7 @@ def call_get_state(*, node: Any, node_name: str) -> Any:
     return call(node, GetState, f'{node_name}/get_state').current_state
 
 
-def call_get_available_transitions(*, node: Any, node_name: str, all_states: bool = False) -> List[Any]:
+def call_get_available_transitions(*, node: Any, node_name: str, all_states: bool = False) -> list[Any]:
     """Return the transitions from the current state, or all there are (TimeoutError)."""
     from lifecycle_msgs.srv import GetAvailableTransitions
 

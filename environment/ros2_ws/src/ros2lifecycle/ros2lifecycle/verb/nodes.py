@@ -1,6 +1,7 @@
 """The verb `ros2 lifecycle nodes`."""
 
 from ros2cli.node.arguments import add_arguments
+
 from ros2lifecycle.api import get_node_names
 from ros2lifecycle.verb import VerbExtension
 

@@ -3,9 +3,10 @@
 import sys
 
 from ros2cli.node.arguments import add_arguments
+from ros2node.api import NodeNameCompleter, get_absolute_node_name
+
 from ros2lifecycle.api import call_change_state, call_get_available_transitions, get_node_names
 from ros2lifecycle.verb import VerbExtension
-from ros2node.api import NodeNameCompleter, get_absolute_node_name
 
 
 class SetVerb(VerbExtension):

@@ -1,7 +1,8 @@
 """Names of nodes, and what they offer."""
 
 from argparse import Namespace
-from typing import Any, Callable, List, NamedTuple, Optional
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 HIDDEN_NODE_PREFIX = '_'
 
@@ -23,10 +24,10 @@ class TopicInfo(NamedTuple):
     """A topic, service or action and its types."""
 
     name: str
-    types: List[str]
+    types: list[str]
 
 
-def get_absolute_node_name(node_name: Optional[str]) -> Optional[str]:
+def get_absolute_node_name(node_name: str | None) -> str | None:
     """Return the name with a slash in front; None for no name."""
     if not node_name:
         return None
@@ -40,12 +41,12 @@ def parse_node_name(node_name: str) -> NodeName:
     return NodeName(name, namespace or '/', full_name)
 
 
-def has_duplicates(values: List[Any]) -> bool:
+def has_duplicates(values: list[Any]) -> bool:
     """Return whether some value is there twice."""
     return len(set(values)) < len(values)
 
 
-def get_node_names(*, node: Any, include_hidden_nodes: bool = False) -> List[NodeName]:
+def get_node_names(*, node: Any, include_hidden_nodes: bool = False) -> list[NodeName]:
     """Return the nodes of the graph, hidden ones only if asked for."""
     return [
         NodeName(name, namespace, f'{namespace.rstrip("/")}/{name}')
@@ -54,7 +55,7 @@ def get_node_names(*, node: Any, include_hidden_nodes: bool = False) -> List[Nod
     ]
 
 
-def _visible(remote_node_name: str, get: Callable[[str, str], Any], include_hidden: bool) -> List[TopicInfo]:
+def _visible(remote_node_name: str, get: Callable[[str, str], Any], include_hidden: bool) -> list[TopicInfo]:
     remote = parse_node_name(remote_node_name)
     return [
         TopicInfo(name, types) for name, types in get(remote.name, remote.namespace)
@@ -62,32 +63,32 @@ def _visible(remote_node_name: str, get: Callable[[str, str], Any], include_hidd
     ]
 
 
-def get_subscriber_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> List[TopicInfo]:
+def get_subscriber_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:
     """Return what a node subscribes to."""
     return _visible(remote_node_name, node.get_subscriber_names_and_types_by_node, include_hidden)
 
 
-def get_publisher_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> List[TopicInfo]:
+def get_publisher_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:
     """Return what a node publishes."""
     return _visible(remote_node_name, node.get_publisher_names_and_types_by_node, include_hidden)
 
 
-def get_service_server_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> List[TopicInfo]:
+def get_service_server_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:
     """Return the services a node offers."""
     return _visible(remote_node_name, node.get_service_names_and_types_by_node, include_hidden)
 
 
-def get_service_client_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> List[TopicInfo]:
+def get_service_client_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:
     """Return the services a node may call."""
     return _visible(remote_node_name, node.get_client_names_and_types_by_node, include_hidden)
 
 
-def get_action_server_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> List[TopicInfo]:
+def get_action_server_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:
     """Return the actions a node offers."""
     return _visible(remote_node_name, node.get_action_server_names_and_types_by_node, include_hidden)
 
 
-def get_action_client_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> List[TopicInfo]:
+def get_action_client_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:
     """Return the actions a node may send goals to."""
     return _visible(remote_node_name, node.get_action_client_names_and_types_by_node, include_hidden)
 
@@ -95,11 +96,11 @@ def get_action_client_info(*, node: Any, remote_node_name: str, include_hidden: 
 class NodeNameCompleter:
     """Completes the names of nodes."""
 
-    def __init__(self, *, include_hidden_nodes_key: Optional[str] = None) -> None:
+    def __init__(self, *, include_hidden_nodes_key: str | None = None) -> None:
         """Remember which argument says whether hidden nodes count."""
         self.include_hidden_nodes_key = include_hidden_nodes_key
 
-    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> List[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return the full names."""
         from ros2cli.node.strategy import NodeStrategy
 

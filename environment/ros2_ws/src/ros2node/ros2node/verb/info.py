@@ -3,6 +3,7 @@
 import sys
 
 from ros2cli.node.arguments import add_arguments
+
 from ros2node import api
 from ros2node.verb import VerbExtension
 

@@ -3,6 +3,7 @@
 import sys
 
 from ros2cli.node.arguments import add_arguments
+
 from ros2node.api import get_node_names, has_duplicates
 from ros2node.verb import VerbExtension
 

@@ -1,7 +1,7 @@
 """Parameters of other nodes: values, types, and the calls to read and write them."""
 
 from argparse import Namespace
-from typing import Any, List, Optional
+from typing import Any
 
 from ros2node.api import get_absolute_node_name, get_node_names
 
@@ -69,7 +69,7 @@ def _call(node: Any, service_class: Any, node_name: str, service: str, **fields:
         node.destroy_client(client)
 
 
-def call_list_parameters(*, node: Any, node_name: str, prefixes: Optional[List[str]] = None) -> List[str]:
+def call_list_parameters(*, node: Any, node_name: str, prefixes: list[str] | None = None) -> list[str]:
     """Return the names of the parameters of a node in alphabetical order (RuntimeError)."""
     from rcl_interfaces.srv import ListParameters
 
@@ -77,21 +77,21 @@ def call_list_parameters(*, node: Any, node_name: str, prefixes: Optional[List[s
         _call(node, ListParameters, node_name, 'list_parameters', prefixes=prefixes or []).result.names)
 
 
-def call_get_parameters(*, node: Any, node_name: str, parameter_names: List[str]) -> Any:
+def call_get_parameters(*, node: Any, node_name: str, parameter_names: list[str]) -> Any:
     """Return the response with the values (RuntimeError)."""
     from rcl_interfaces.srv import GetParameters
 
     return _call(node, GetParameters, node_name, 'get_parameters', names=parameter_names)
 
 
-def call_describe_parameters(*, node: Any, node_name: str, parameter_names: List[str]) -> Any:
+def call_describe_parameters(*, node: Any, node_name: str, parameter_names: list[str]) -> Any:
     """Return the response with the descriptors (RuntimeError)."""
     from rcl_interfaces.srv import DescribeParameters
 
     return _call(node, DescribeParameters, node_name, 'describe_parameters', names=parameter_names)
 
 
-def call_set_parameters(*, node: Any, node_name: str, parameters: List[Any]) -> Any:
+def call_set_parameters(*, node: Any, node_name: str, parameters: list[Any]) -> Any:
     """Return the response with a result for each parameter (RuntimeError)."""
     from rcl_interfaces.srv import SetParameters
 
@@ -114,7 +114,7 @@ def add_node_arguments(parser: Any, *, timeout: bool = True) -> None:
 class ParameterNameCompleter:
     """Completes the names of the parameters of the node that the command line names."""
 
-    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> List[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return the names."""
         from ros2cli.node.direct import DirectNode
 

@@ -4,6 +4,7 @@ import sys
 
 from ros2cli.node.arguments import add_arguments
 from ros2node.api import get_absolute_node_name
+
 from ros2param.api import ParameterNameCompleter, add_node_arguments, call_set_parameters, node_is_there
 from ros2param.verb import VerbExtension
 

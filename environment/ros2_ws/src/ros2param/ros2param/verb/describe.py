@@ -2,6 +2,7 @@
 
 from ros2cli.node.arguments import add_arguments
 from ros2node.api import get_absolute_node_name
+
 from ros2param.api import (
     ParameterNameCompleter,
     add_node_arguments,

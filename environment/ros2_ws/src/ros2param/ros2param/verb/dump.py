@@ -2,6 +2,7 @@
 
 from ros2cli.node.arguments import add_arguments
 from ros2node.api import get_absolute_node_name
+
 from ros2param.api import (
     add_node_arguments,
     call_get_parameters,
@@ -22,8 +23,8 @@ class DumpVerb(VerbExtension):
 
     def main(self, *, args):
         """Print a parameter file."""
-        from ros2cli.node.strategy import NodeStrategy
         import yaml
+        from ros2cli.node.strategy import NodeStrategy
 
         name = get_absolute_node_name(args.node_name)
         with NodeStrategy(args) as node:
@@ -32,7 +33,7 @@ class DumpVerb(VerbExtension):
             names = call_list_parameters(node=node, node_name=name)
             values = call_get_parameters(node=node, node_name=name, parameter_names=names).values
         parameters = {}
-        for parameter_name, value in zip(names, values):
+        for parameter_name, value in zip(names, values, strict=True):
             _insert(parameters, parameter_name, get_value(parameter_value=value))
         print(yaml.dump({name: {'ros__parameters': parameters}}, default_flow_style=False))
 

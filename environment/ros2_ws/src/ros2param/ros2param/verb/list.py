@@ -5,6 +5,7 @@ import sys
 
 from ros2cli.node.arguments import add_arguments
 from ros2node.api import NodeNameCompleter, get_absolute_node_name, get_node_names
+
 from ros2param.api import call_describe_parameters, call_list_parameters, get_parameter_type_string
 from ros2param.verb import VerbExtension
 
@@ -15,7 +16,8 @@ class ListVerb(VerbExtension):
     def add_arguments(self, parser, cli_name):
         """Add the arguments."""
         add_arguments(parser)
-        argument = parser.add_argument('node_name', nargs='?', help='Name of the node; without one, all nodes are asked')
+        argument = parser.add_argument(
+            'node_name', nargs='?', help='Name of the node; without one, all nodes are asked')
         argument.completer = NodeNameCompleter(include_hidden_nodes_key='include_hidden_nodes')
         parser.add_argument('--include-hidden-nodes', action='store_true', help='Consider hidden nodes as well')
         parser.add_argument(

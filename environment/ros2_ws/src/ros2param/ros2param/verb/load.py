@@ -4,6 +4,7 @@ import sys
 
 from ros2cli.node.arguments import add_arguments
 from ros2node.api import get_absolute_node_name
+
 from ros2param.api import add_node_arguments, call_set_parameters, node_is_there
 from ros2param.verb import VerbExtension
 
@@ -29,7 +30,7 @@ class LoadVerb(VerbExtension):
             if not node_is_there(node, name, args.include_hidden_nodes, args.timeout):
                 return 'Node not found'
             response = call_set_parameters(node=node, node_name=name, parameters=parameters)
-        for parameter, result in zip(parameters, response.results):
+        for parameter, result in zip(parameters, response.results, strict=True):
             reason = f': {result.reason}' if result.reason else ''
             if result.successful:
                 print(f'Set parameter {parameter.name} successful{reason}')
@@ -38,8 +39,8 @@ class LoadVerb(VerbExtension):
 
 
 def _read(path, node_name, use_wildcard):
-    from rclpy.parameter import parameter_dict_from_yaml_file
     import yaml
+    from rclpy.parameter import parameter_dict_from_yaml_file
 
     try:
         with open(path, encoding='utf-8') as file:

@@ -4,6 +4,7 @@ import sys
 
 from ros2cli.node.arguments import add_arguments
 from ros2node.api import get_absolute_node_name
+
 from ros2param.api import ParameterNameCompleter, add_node_arguments, call_set_parameters, node_is_there
 from ros2param.verb import VerbExtension
 
@@ -21,10 +22,10 @@ class SetVerb(VerbExtension):
 
     def main(self, *, args):
         """Set the value and print whether the node took it."""
+        import yaml
         from rcl_interfaces.msg import Parameter
         from rclpy.parameter import get_parameter_value
         from ros2cli.node.strategy import NodeStrategy
-        import yaml
 
         try:
             value = get_parameter_value(string_value=args.value)

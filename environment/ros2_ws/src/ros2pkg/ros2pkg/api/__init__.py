@@ -2,7 +2,7 @@
 
 import os
 from pathlib import Path
-from typing import Any, List, Optional
+from typing import Any
 
 
 class PackageNotFound(Exception):
@@ -14,14 +14,14 @@ class PackageNotFound(Exception):
         self.package_name = package_name
 
 
-def get_package_names() -> List[str]:
+def get_package_names() -> list[str]:
     """Return the names of all packages."""
     from ament_index_python import get_packages_with_prefixes
 
     return sorted(get_packages_with_prefixes())
 
 
-def get_prefix_path(package_name: str) -> Optional[str]:
+def get_prefix_path(package_name: str) -> str | None:
     """Return where a package is installed, or None."""
     from ament_index_python import PackageNotFoundError, get_package_prefix
 
@@ -31,7 +31,7 @@ def get_prefix_path(package_name: str) -> Optional[str]:
         return None
 
 
-def get_executable_paths(*, package_name: str) -> List[str]:
+def get_executable_paths(*, package_name: str) -> list[str]:
     """
     Return the executables of a package: what may be executed below `lib/<package>`.
 
@@ -47,6 +47,6 @@ def get_executable_paths(*, package_name: str) -> List[str]:
     return [path for path in found if os.access(path, os.X_OK)]
 
 
-def package_name_completer(**_: Any) -> List[str]:
+def package_name_completer(**_: Any) -> list[str]:
     """Return the names of all packages."""
     return get_package_names()

@@ -2,7 +2,6 @@
 
 import datetime
 from pathlib import Path
-from typing import Optional
 
 IDENTIFIERS = (
     'Apache-2.0', 'BSL-1.0', 'BSD-2.0', 'BSD-2-Clause', 'BSD-3-Clause', 'GPL-3.0-only', 'LGPL-3.0-only', 'MIT',
@@ -10,7 +9,7 @@ IDENTIFIERS = (
 )
 
 
-def get_license_text(identifier: str, holder: str) -> Optional[str]:
+def get_license_text(identifier: str, holder: str) -> str | None:
     """Return the text, with this year and the holder of the copyright filled in; None if it is not one of these."""
     if identifier not in IDENTIFIERS:
         return None

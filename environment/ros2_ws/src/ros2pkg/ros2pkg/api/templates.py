@@ -1,6 +1,6 @@
 """The text of the files that `ros2 pkg create` writes."""
 
-from typing import Iterable, List, Optional
+from collections.abc import Iterable
 from xml.sax.saxutils import escape, quoteattr
 
 
@@ -30,7 +30,7 @@ def package_xml(
 
 
 def setup_py(
-    *, name: str, maintainer: str, email: str, description: str, license_name: str, node_name: Optional[str],
+    *, name: str, maintainer: str, email: str, description: str, license_name: str, node_name: str | None,
 ) -> str:
     """Return setup.py of an ament_python package."""
     scripts = [f"            '{node_name} = {name}.{node_name}:main'"] if node_name else []
@@ -78,11 +78,9 @@ def python_main(name: str) -> str:
     return _text(['def main():', f"    print('Hi from {name}.')", '', '', "if __name__ == '__main__':", '    main()'])
 
 
-# Without ament's linters these are skipped; stock files import them and fail.
+# Without ament's linters these are skipped; stock files import them at the top and fail.
 TESTS = {
     'test_copyright.py': '''import pytest
-
-ament_copyright = pytest.importorskip('ament_copyright.main')
 
 
 # Remove the `skip` decorator once the source file(s) have a copyright header
@@ -90,35 +88,34 @@ ament_copyright = pytest.importorskip('ament_copyright.main')
 @pytest.mark.copyright
 @pytest.mark.linter
 def test_copyright():
+    ament_copyright = pytest.importorskip('ament_copyright.main')
     rc = ament_copyright.main(argv=['.', 'test'])
     assert rc == 0, 'Found errors'
 ''',
     'test_flake8.py': '''import pytest
 
-ament_flake8 = pytest.importorskip('ament_flake8.main')
-
 
 @pytest.mark.flake8
 @pytest.mark.linter
 def test_flake8():
+    ament_flake8 = pytest.importorskip('ament_flake8.main')
     rc, errors = ament_flake8.main_with_errors(argv=[])
     assert rc == 0, f'Found {len(errors)} code style errors / warnings:\\n' + '\\n'.join(errors)
 ''',
     'test_pep257.py': '''import pytest
 
-ament_pep257 = pytest.importorskip('ament_pep257.main')
-
 
 @pytest.mark.linter
 @pytest.mark.pep257
 def test_pep257():
+    ament_pep257 = pytest.importorskip('ament_pep257.main')
     rc = ament_pep257.main(argv=['.', 'test'])
     assert rc == 0, 'Found code style errors / warnings'
 ''',
 }
 
 
-def cmake_lists(*, name: str, depends: List[str], node_name: Optional[str], library_name: Optional[str]) -> str:
+def cmake_lists(*, name: str, depends: list[str], node_name: str | None, library_name: str | None) -> str:
     """Return CMakeLists.txt of an ament_cmake package."""
     lines = [
         'cmake_minimum_required(VERSION 3.8)',
@@ -172,13 +169,13 @@ def cmake_lists(*, name: str, depends: List[str], node_name: Optional[str], libr
     return _text([*lines, '', 'ament_package()'])
 
 
-def _target_depends(target: str, depends: List[str]) -> List[str]:
+def _target_depends(target: str, depends: list[str]) -> list[str]:
     if not depends:
         return []
     return ['ament_target_dependencies(', f'  {target}', *(f'  "{each}"' for each in depends), ')']
 
 
-def _include_directories(target: str) -> List[str]:
+def _include_directories(target: str) -> list[str]:
     return [
         f'target_include_directories({target} PUBLIC',
         '  $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>',
@@ -186,7 +183,7 @@ def _include_directories(target: str) -> List[str]:
     ]
 
 
-def _library(name: str, depends: List[str], library_name: str) -> List[str]:
+def _library(name: str, depends: list[str], library_name: str) -> list[str]:
     return [
         f'add_library({library_name} src/{library_name}.cpp)',
         f'add_library({name}::{library_name} ALIAS {library_name})',
@@ -212,7 +209,7 @@ def _library(name: str, depends: List[str], library_name: str) -> List[str]:
     ]
 
 
-def _executable(node_name: str, depends: List[str], library_name: Optional[str]) -> List[str]:
+def _executable(node_name: str, depends: list[str], library_name: str | None) -> list[str]:
     lines = [f'add_executable({node_name} src/{node_name}.cpp)', *_include_directories(node_name)]
     if library_name:
         lines.append(f'target_link_libraries({node_name} {library_name})')
@@ -285,5 +282,5 @@ def visibility_control(name: str) -> str:
         '#endif', '', f'#endif  // {guard}'])
 
 
-def _text(lines: List[str]) -> str:
+def _text(lines: list[str]) -> str:
     return '\n'.join(lines) + '\n'

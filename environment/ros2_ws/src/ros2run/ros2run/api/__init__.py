@@ -1,10 +1,10 @@
 """Find an executable of a package and run it."""
 
-from argparse import Namespace
 import os
 import signal
 import subprocess
-from typing import Any, List, Optional
+from argparse import Namespace
+from typing import Any
 
 from ros2pkg.api import PackageNotFound, get_executable_paths
 
@@ -14,13 +14,13 @@ ROS2RUN_MSG_PREFIX = '[ros2run]:'
 class MultipleExecutables(Exception):
     """A package has several executables of a name, in different folders."""
 
-    def __init__(self, paths: List[str]) -> None:
+    def __init__(self, paths: list[str]) -> None:
         """Keep the paths."""
         super().__init__(', '.join(paths))
         self.paths = paths
 
 
-def get_executable_path(*, package_name: str, executable_name: str) -> Optional[str]:
+def get_executable_path(*, package_name: str, executable_name: str) -> str | None:
     """
     Return the path of an executable, or None if the package has none of that name.
 
@@ -35,22 +35,28 @@ def get_executable_path(*, package_name: str, executable_name: str) -> Optional[
     return paths[0] if paths else None
 
 
-def run_executable(*, path: str, argv: List[str], prefix: Optional[List[str]] = None) -> int:
+def run_executable(*, path: str, argv: list[str], prefix: list[str] | None = None) -> int:
     """
     Run an executable to its end and return its exit status.
 
     Ctrl+C reaches it from the terminal, and it decides what to do; SIGTERM to this process is passed on to it.
     """
-    process = subprocess.Popen([*(prefix or []), path, *argv])
-    old_handler = signal.signal(signal.SIGTERM, lambda signum, _: process.send_signal(signum))
+    process = None
+
+    def pass_on(signum: int, _: Any) -> None:
+        if process is not None:
+            process.send_signal(signum)
+
+    # Before the program starts, so that no signal finds it running and this process not prepared. A handler that does
+    # nothing, unlike SIG_IGN, is not inherited.
+    old_interrupt = signal.signal(signal.SIGINT, lambda *_: None)
+    old_end = signal.signal(signal.SIGTERM, pass_on)
     try:
-        while process.returncode is None:
-            try:
-                process.wait()
-            except KeyboardInterrupt:
-                pass
+        process = subprocess.Popen([*(prefix or []), path, *argv])
+        process.wait()
     finally:
-        signal.signal(signal.SIGTERM, old_handler)
+        signal.signal(signal.SIGINT, old_interrupt)
+        signal.signal(signal.SIGTERM, old_end)
     if -process.returncode in signal.valid_signals():
         print(ROS2RUN_MSG_PREFIX, signal.strsignal(-process.returncode))
     elif process.returncode:
@@ -65,7 +71,7 @@ class ExecutableNameCompleter:
         """Remember which argument names the package."""
         self.package_name_key = package_name_key
 
-    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> List[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return the names."""
         try:
             paths = get_executable_paths(package_name=getattr(parsed_args, self.package_name_key))

@@ -1,10 +1,11 @@
 """The command `ros2 run`."""
 
-from argparse import REMAINDER
 import shlex
+from argparse import REMAINDER
 
 from ros2cli.command import CommandExtension
 from ros2pkg.api import PackageNotFound, package_name_completer
+
 from ros2run.api import ExecutableNameCompleter, MultipleExecutables, get_executable_path, run_executable
 
 

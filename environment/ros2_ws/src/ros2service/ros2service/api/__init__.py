@@ -1,10 +1,10 @@
 """Names and types of services."""
 
 from argparse import Namespace
-from typing import Any, List, Optional, Tuple
+from typing import Any
 
 
-def get_service_names_and_types(*, node: Any, include_hidden_services: bool = False) -> List[Tuple[str, List[str]]]:
+def get_service_names_and_types(*, node: Any, include_hidden_services: bool = False) -> list[tuple[str, list[str]]]:
     """Return the services of the graph with their types, hidden ones only if asked for."""
     from rclpy.topic_or_service_is_hidden import topic_or_service_is_hidden
 
@@ -14,7 +14,7 @@ def get_service_names_and_types(*, node: Any, include_hidden_services: bool = Fa
     ]
 
 
-def get_service_names(*, node: Any, include_hidden_services: bool = False) -> List[str]:
+def get_service_names(*, node: Any, include_hidden_services: bool = False) -> list[str]:
     """Return the services of the graph, hidden ones only if asked for."""
     services = get_service_names_and_types(node=node, include_hidden_services=include_hidden_services)
     return [name for name, _ in services]
@@ -26,8 +26,8 @@ def load_service_class(name: str) -> Any:
 
     :raises RuntimeError: if there is none of that name.
     """
-    from rosidl_runtime_py.utilities import get_namespaced_type, is_service
     from rosidl_runtime_py.import_message import import_message_from_namespaced_type
+    from rosidl_runtime_py.utilities import get_namespaced_type, is_service
 
     try:
         service_class = import_message_from_namespaced_type(get_namespaced_type(name, 'srv'))
@@ -41,11 +41,11 @@ def load_service_class(name: str) -> Any:
 class ServiceNameCompleter:
     """Completes the names of services."""
 
-    def __init__(self, *, include_hidden_services_key: Optional[str] = None) -> None:
+    def __init__(self, *, include_hidden_services_key: str | None = None) -> None:
         """Remember which argument says whether hidden services count."""
         self.include_hidden_services_key = include_hidden_services_key
 
-    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> List[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return the names."""
         from ros2cli.node.strategy import NodeStrategy
 
@@ -55,7 +55,7 @@ class ServiceNameCompleter:
                 node=node, include_hidden_services=bool(key and getattr(parsed_args, key, False)))
 
 
-def service_type_completer(**_: Any) -> List[str]:
+def service_type_completer(**_: Any) -> list[str]:
     """Return all service types."""
     from rosidl_runtime_py import get_service_interfaces
 
@@ -65,11 +65,11 @@ def service_type_completer(**_: Any) -> List[str]:
 class ServiceTypeCompleter:
     """Completes the type of a service: the one it has, or any."""
 
-    def __init__(self, *, service_name_key: Optional[str] = None) -> None:
+    def __init__(self, *, service_name_key: str | None = None) -> None:
         """Remember which argument names the service."""
         self.service_name_key = service_name_key
 
-    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> List[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return the types."""
         from ros2cli.node.strategy import NodeStrategy
 
@@ -89,7 +89,7 @@ class ServicePrototypeCompleter:
         """Remember which argument names the type."""
         self.service_type_key = service_type_key
 
-    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> List[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return one text, the YAML of a request with default values."""
         from rosidl_runtime_py import message_to_yaml
 

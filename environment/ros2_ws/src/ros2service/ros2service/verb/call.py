@@ -4,6 +4,7 @@ import time
 
 from ros2cli.helpers import collect_stdin, parse_yaml_dictionary
 from ros2cli.node import NODE_NAME_PREFIX
+
 from ros2service.api import (
     ServiceNameCompleter,
     ServicePrototypeCompleter,

@@ -1,6 +1,7 @@
 """The verb `ros2 service info`."""
 
 from ros2cli.node.arguments import add_arguments
+
 from ros2service.api import ServiceNameCompleter, get_service_names_and_types
 from ros2service.verb import VerbExtension
 

@@ -3,6 +3,7 @@
 import argparse
 
 from ros2cli.node.arguments import add_arguments
+
 from ros2service.api import get_service_names_and_types
 from ros2service.verb import VerbExtension
 

@@ -1,10 +1,10 @@
 """Names and types of topics."""
 
 from argparse import Namespace
-from typing import Any, List, Optional, Tuple
+from typing import Any
 
 
-def get_topic_names_and_types(*, node: Any, include_hidden_topics: bool = False) -> List[Tuple[str, List[str]]]:
+def get_topic_names_and_types(*, node: Any, include_hidden_topics: bool = False) -> list[tuple[str, list[str]]]:
     """Return the topics of the graph with their types, hidden ones only if asked for."""
     from rclpy.topic_or_service_is_hidden import topic_or_service_is_hidden
 
@@ -14,7 +14,7 @@ def get_topic_names_and_types(*, node: Any, include_hidden_topics: bool = False)
     ]
 
 
-def get_topic_names(*, node: Any, include_hidden_topics: bool = False) -> List[str]:
+def get_topic_names(*, node: Any, include_hidden_topics: bool = False) -> list[str]:
     """Return the topics of the graph, hidden ones only if asked for."""
     return [name for name, _ in get_topic_names_and_types(node=node, include_hidden_topics=include_hidden_topics)]
 
@@ -90,11 +90,11 @@ def load_message_class(name: str, error: str = 'The passed message type is inval
 class TopicNameCompleter:
     """Completes the names of topics."""
 
-    def __init__(self, *, include_hidden_topics_key: Optional[str] = None) -> None:
+    def __init__(self, *, include_hidden_topics_key: str | None = None) -> None:
         """Remember which argument says whether hidden topics count."""
         self.include_hidden_topics_key = include_hidden_topics_key
 
-    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> List[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return the names."""
         from ros2cli.node.strategy import NodeStrategy
 
@@ -103,7 +103,7 @@ class TopicNameCompleter:
             return get_topic_names(node=node, include_hidden_topics=hidden)
 
 
-def message_type_completer(**_: Any) -> List[str]:
+def message_type_completer(**_: Any) -> list[str]:
     """Return all message types."""
     from rosidl_runtime_py import get_message_interfaces
 
@@ -113,11 +113,11 @@ def message_type_completer(**_: Any) -> List[str]:
 class TopicTypeCompleter:
     """Completes the type of a message: the one the topic has, or any."""
 
-    def __init__(self, *, topic_name_key: Optional[str] = None) -> None:
+    def __init__(self, *, topic_name_key: str | None = None) -> None:
         """Remember which argument names the topic."""
         self.topic_name_key = topic_name_key
 
-    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> List[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return the types."""
         from ros2cli.node.strategy import NodeStrategy
 
@@ -137,7 +137,7 @@ class TopicMessagePrototypeCompleter:
         """Remember which argument names the type."""
         self.topic_type_key = topic_type_key
 
-    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> List[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return one text, the YAML of a message with default values."""
         from rosidl_runtime_py import message_to_yaml
 

@@ -1,7 +1,7 @@
 """Quality of service on the command line, and the profile that hears all publishers of a topic."""
 
 from argparse import ArgumentParser, Namespace
-from typing import Any, Optional
+from typing import Any
 
 from rclpy.duration import Duration
 from rclpy.qos import (
@@ -51,9 +51,9 @@ def add_qos_arguments(parser: ArgumentParser, verb: str, default_profile: str = 
 
 
 def qos_profile_from_short_keys(
-    preset_profile: str, reliability: Optional[str] = None, durability: Optional[str] = None,
-    depth: Optional[int] = None, history: Optional[str] = None, liveliness: Optional[str] = None,
-    liveliness_lease_duration_s: Optional[float] = None,
+    preset_profile: str, reliability: str | None = None, durability: str | None = None,
+    depth: int | None = None, history: str | None = None, liveliness: str | None = None,
+    liveliness_lease_duration_s: float | None = None,
 ) -> QoSProfile:
     """Return a preset with some of its policies replaced."""
     profile = QoSPresetProfiles.get_from_short_key(preset_profile)

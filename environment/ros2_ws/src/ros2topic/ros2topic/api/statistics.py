@@ -1,7 +1,7 @@
 """A window of samples and what `ros2 topic hz` and `delay` say about it."""
 
-from collections import deque
 import math
+from collections import deque
 from typing import NamedTuple
 
 

@@ -1,10 +1,11 @@
 """The verb `ros2 topic bw`."""
 
-from collections import deque
 import time
+from collections import deque
 
 from ros2cli.helpers import positive_int
 from ros2cli.node.arguments import add_direct_arguments
+
 from ros2topic.api import TopicNameCompleter, get_msg_class
 from ros2topic.verb import VerbExtension
 

@@ -2,6 +2,7 @@
 
 from ros2cli.helpers import positive_int
 from ros2cli.node.arguments import add_direct_arguments
+
 from ros2topic.api import TopicNameCompleter, get_msg_class
 from ros2topic.verb import VerbExtension
 

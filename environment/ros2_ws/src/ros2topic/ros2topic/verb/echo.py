@@ -2,6 +2,7 @@
 
 from ros2cli.helpers import positive_float, unsigned_int
 from ros2cli.node.arguments import add_arguments
+
 from ros2topic.api import TopicNameCompleter, expand_topic, get_msg_class, load_message_class
 from ros2topic.verb import VerbExtension
 
@@ -52,6 +53,7 @@ class EchoVerb(VerbExtension):
         """Print messages until Ctrl+C."""
         from rclpy.event_handler import SubscriptionEventCallbacks, UnsupportedEventTypeError
         from ros2cli.node.strategy import NodeStrategy
+
         from ros2topic.api.qos import choose_qos
 
         printer = _Printer(args)

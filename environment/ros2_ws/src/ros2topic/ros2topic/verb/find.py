@@ -3,6 +3,7 @@
 import argparse
 
 from ros2cli.node.arguments import add_arguments
+
 from ros2topic.api import get_topic_names_and_types, message_type_completer
 from ros2topic.verb import VerbExtension
 

@@ -2,6 +2,7 @@
 
 from ros2cli.helpers import positive_int
 from ros2cli.node.arguments import add_direct_arguments
+
 from ros2topic.api import TopicNameCompleter, get_msg_class
 from ros2topic.verb import VerbExtension
 
@@ -33,8 +34,7 @@ class HzVerb(VerbExtension):
 
     def main(self, *, args):
         """Print the rate about every second until Ctrl+C."""
-        from rclpy.clock import Clock
-        from rclpy.clock import ClockType
+        from rclpy.clock import Clock, ClockType
         from rclpy.qos import qos_profile_sensor_data
         from ros2cli.node.direct import DirectNode
 

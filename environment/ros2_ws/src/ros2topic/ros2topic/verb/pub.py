@@ -2,6 +2,7 @@
 
 from ros2cli.helpers import collect_stdin, parse_yaml_dictionary, positive_float, unsigned_int
 from ros2cli.node.arguments import add_direct_arguments
+
 from ros2topic.api import (
     TopicMessagePrototypeCompleter,
     TopicNameCompleter,
@@ -55,6 +56,7 @@ class PubVerb(VerbExtension):
     def main(self, *, args):
         """Publish until Ctrl+C or as often as asked."""
         from rclpy.exceptions import InvalidNodeNameException
+        from rclpy.validate_node_name import validate_node_name
         from ros2cli.node.direct import DirectNode
 
         if args.max_wait_time_secs is not None and args.wait_matching_subscriptions is None:
@@ -63,17 +65,19 @@ class PubVerb(VerbExtension):
         values = parse_yaml_dictionary(
             collect_stdin() if args.stdin else args.values,
             'The passed value needs to be a dictionary in YAML format')
-        try:
-            node = DirectNode(args, node_name=args.node_name)
-        except InvalidNodeNameException as e:
-            return str(e)
-        with node:
+        if args.node_name:
+            try:
+                validate_node_name(args.node_name)
+            except InvalidNodeNameException as e:
+                return str(e)
+        with DirectNode(args, node_name=args.node_name) as node:
             expand_topic(node, args.topic_name)
             return self._publish(node, message_class, values, args)
 
     def _publish(self, node, message_class, values, args):
-        from ros2topic.api.qos import qos_profile_from_arguments
         from rosidl_runtime_py import set_message_fields
+
+        from ros2topic.api.qos import qos_profile_from_arguments
 
         message = message_class()
         try:

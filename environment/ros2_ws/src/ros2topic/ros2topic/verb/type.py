@@ -1,6 +1,7 @@
 """The verb `ros2 topic type`."""
 
 from ros2cli.node.arguments import add_arguments
+
 from ros2topic.api import TopicNameCompleter, get_topic_names_and_types
 from ros2topic.verb import VerbExtension
 
