@@ -175,12 +175,14 @@ def test_turtles_come_and_go_under_load(simulator, peer):
 
 
 def test_a_rotation_succeeds_with_feedback_and_result(simulator, peer):
-    handle, feedback = rotate(peer, 0.5)
-    answer = peer.result(handle.get_result_async(), 'the result')
+    handle, feedback = rotate(peer, 3.0)
+    result = handle.get_result_async()
+    peer.until(lambda: len(feedback) > 1, 'feedback')
+    answer = peer.result(result, 'the result')
     assert answer.status == GoalStatus.STATUS_SUCCEEDED
-    assert answer.result.delta == pytest.approx(-0.5, abs=0.025)
-    peer.until(lambda: feedback and feedback[-1].feedback.remaining < 0.02, 'feedback')
-    assert feedback[0].feedback.remaining > feedback[-1].feedback.remaining
+    assert answer.result.delta == pytest.approx(-3.0, abs=0.025)
+    remaining = [message.feedback.remaining for message in feedback]
+    assert remaining == sorted(remaining, reverse=True) and 0.0 < remaining[-1] < remaining[0] <= 3.0
     simulator.wait_for_output('[INFO] [turtlesim]: Rotation goal completed successfully')
 
 
