@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 import rclpy
 from ament_index_python.packages import get_package_prefix
-from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.task import Future
 
 from helpers.domains import claim
 from helpers.processes import background
@@ -38,16 +39,13 @@ class Domain:
         for node in nodes:
             executor.add_node(node)
 
-        def run():
-            try:
-                executor.spin()
-            except ExternalShutdownException:
-                pass
-
-        thread = threading.Thread(target=run)
+        stop = Future()
+        thread = threading.Thread(target=executor.spin_until_future_complete, args=[stop])
         thread.start()
-        self._stack.callback(thread.join, TIMEOUT)
+        # Undone from the last to the first: a shutdown would pull the ground from under a running callback.
         self._stack.callback(executor.shutdown)
+        self._stack.callback(thread.join, TIMEOUT)
+        self._stack.callback(stop.set_result, None)
         return executor
 
     def start(self, argv):

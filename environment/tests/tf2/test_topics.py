@@ -167,9 +167,10 @@ def test_listener_with_a_thread_of_its_own(domain):
     matched(broadcaster.pub_tf)
     broadcaster.sendTransform([transform('odom', 'base', 5.0), transform('base', 'laser', 5.0)])
     assert buffer.can_transform('odom', 'laser', LATEST, LONG)
-    listener.executor.shutdown()
-    listener.dedicated_listener_thread.join(TIMEOUT)
-    assert not listener.dedicated_listener_thread.is_alive()
+    thread = listener.dedicated_listener_thread
+    listener.__del__()
+    assert not thread.is_alive()
+    assert not node.get_subscriptions_info_by_topic('/tf')
 
 
 def test_bad_transforms_do_not_stop_the_listener(domain):

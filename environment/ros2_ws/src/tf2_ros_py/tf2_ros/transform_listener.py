@@ -6,6 +6,7 @@ from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+from rclpy.task import Future
 from tf2_msgs.msg import TFMessage
 
 from tf2_ros.buffer import Buffer
@@ -48,14 +49,18 @@ class TransformListener:
             TFMessage, '/tf_static', self.static_callback, static_qos, callback_group=self.group)
         if spin_thread:
             self.executor = SingleThreadedExecutor(context=node.context)
-            self.dedicated_listener_thread = Thread(target=_spin, args=(self.executor, node))
+            self._stop = Future()
+            self.dedicated_listener_thread = Thread(target=_spin, args=(self.executor, node, self._stop))
             self.dedicated_listener_thread.start()
 
     def __del__(self) -> None:
         if hasattr(self, 'dedicated_listener_thread'):
-            self.executor.shutdown()
+            # First let it finish what it does: a shutdown pulls the ground from under a running callback.
+            if not self._stop.done():
+                self._stop.set_result(None)
             if self.dedicated_listener_thread is not current_thread():
                 self.dedicated_listener_thread.join()
+            self.executor.shutdown()
         self.unregister()
 
     def unregister(self) -> None:
@@ -75,10 +80,10 @@ class TransformListener:
             self.buffer.set_transform_static(transform, 'default_authority')
 
 
-def _spin(executor: SingleThreadedExecutor, node: Node) -> None:
+def _spin(executor: SingleThreadedExecutor, node: Node, stop: Future) -> None:
     executor.add_node(node)
     try:
-        executor.spin()
+        executor.spin_until_future_complete(stop)
     except ExternalShutdownException:
         pass
     executor.remove_node(node)
