@@ -90,7 +90,7 @@ def test_ctrl_c_cancels_the_goal(ros2):
     with ros2.start(*FIBONACCI, '{order: 40}', '-f') as goal:
         goal.wait_for_output('Feedback:', timeout=PATIENCE)
         goal.stop(timeout=PATIENCE)
-        assert goal.lines[-2:] == ['Canceling goal...', 'Goal canceled.']
+        assert goal.lines.index('Canceling goal...') < goal.lines.index('Goal canceled.')
         assert goal.returncode == 2
 
 

@@ -60,7 +60,7 @@ class SendGoalVerb(VerbExtension):
             client = ActionClient(node.node, action_class, name)
         except (InvalidServiceNameException, InvalidTopicNameException, ValueError) as e:
             return str(e)
-        accepted = None
+        sent = accepted = None
         try:
             print('Waiting for an action server to become available...')
             node.spin(until=client.server_is_ready)
@@ -70,6 +70,7 @@ class SendGoalVerb(VerbExtension):
             except (AssertionError, TypeError, ValueError, OverflowError) as e:
                 return f'Failed to send the goal: {e or type(e).__name__}'
             accepted = node.wait_for(sent)
+            sent = None
             if not accepted.accepted:
                 accepted = None
                 print('Goal was rejected.')
@@ -81,6 +82,8 @@ class SendGoalVerb(VerbExtension):
             print(f'Goal finished with status: {_status_name(result.status)}')
             return None
         finally:
+            if sent is not None:  # interrupted before the answer, yet the server may have begun
+                accepted = _answer(node, sent)
             if accepted is not None:
                 _cancel(node, accepted)
             client.destroy()
@@ -99,6 +102,15 @@ def _status_name(status):
         if status == getattr(GoalStatus, f'STATUS_{name}'):
             return name
     return 'UNKNOWN'
+
+
+def _answer(node, sent):
+    """Return the handle of a goal that the server accepts, or None."""
+    try:
+        goal_handle = node.wait_for(sent, timeout=_CANCEL_TIMEOUT)
+    except TimeoutError:
+        return None
+    return goal_handle if goal_handle.accepted else None
 
 
 def _cancel(node, goal_handle):

@@ -47,7 +47,9 @@ class DirectNode:
         spin_time = getattr(args, 'spin_time', None)
         # rclpy's own handlers would make the context invalid before this program can leave the graph in order.
         rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.NO)
-        self._old_handler = signal.signal(signal.SIGTERM, _end)
+        self._spinning = False
+        self._pending: BaseException | None = None
+        self._old_handlers = {number: signal.signal(number, self._stop) for number in (signal.SIGINT, signal.SIGTERM)}
         self.node = rclpy.create_node(
             node_name or f'{NODE_NAME_PREFIX}_{os.getpid()}',
             start_parameter_services=False,
@@ -69,15 +71,15 @@ class DirectNode:
 
     def __exit__(self, *_: Any) -> None:
         """Leave the graph; a second Ctrl+C does not interrupt that."""
-        old_interrupt = signal.signal(signal.SIGINT, signal.SIG_IGN)
-        signal.signal(signal.SIGTERM, signal.SIG_IGN)
+        for number in self._old_handlers:
+            signal.signal(number, signal.SIG_IGN)
         try:
             self.executor.shutdown(timeout_sec=1.0)
             self.node.destroy_node()
             rclpy.try_shutdown()
         finally:
-            signal.signal(signal.SIGINT, old_interrupt)
-            signal.signal(signal.SIGTERM, self._old_handler)
+            for number, handler in self._old_handlers.items():
+                signal.signal(number, handler)
 
     def __getattr__(self, name: str) -> Any:
         """Pass everything else on to the rclpy node."""
@@ -92,8 +94,22 @@ class DirectNode:
             wait = _LONGEST_WAIT if deadline is None else min(_LONGEST_WAIT, deadline - time.monotonic())
             if wait <= 0:
                 return False
-            self.executor.spin_once(timeout_sec=wait)
+            self._spinning = True
+            try:
+                self.executor.spin_once(timeout_sec=wait)
+            finally:
+                self._spinning = False
+            if self._pending is not None:
+                pending, self._pending = self._pending, None
+                raise pending
         return True
+
+    def _stop(self, signum: int, _: Any) -> None:
+        """Handle Ctrl+C and SIGTERM: a callback that runs is finished first, but not for a second signal."""
+        end = KeyboardInterrupt() if signum == signal.SIGINT else SystemExit(128 + signum)
+        if not self._spinning or self._pending is not None:
+            raise end
+        self._pending = end
 
     def wait_for(self, future: Any, timeout: float | None = None) -> Any:
         """
@@ -116,7 +132,3 @@ class DirectNode:
     def get_action_server_names_and_types_by_node(self, name: str, namespace: str) -> Any:
         """Return the actions that a node serves, with their types."""
         return get_action_server_names_and_types_by_node(self.node, name, namespace)
-
-
-def _end(signum: int, _: Any) -> None:
-    raise SystemExit(128 + signum)

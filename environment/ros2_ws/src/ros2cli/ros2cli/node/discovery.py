@@ -9,18 +9,26 @@ number), and the wait ends when all of them have told their nodes and nothing ha
 
 import os
 import time
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 # Seconds that nodes on other machines get, as with stock.
 REMOTE_TIME = 0.5
-# Seconds after which the graph is taken as it is. Longer than Fast DDS's announcement period of 3 s.
-LONGEST_TIME = 5.0
+# Seconds after which the graph is taken as it is: two of Fast DDS's announcement periods.
+LONGEST_TIME = 6.0
 # A look at the graph every so many seconds …
 _PERIOD = 0.01
 # … and it is at rest when so many looks in a row, over so many seconds, saw the same. On a busy machine looks are rare.
 _QUIET_LOOKS = 6
 _QUIET_TIME = 0.25
+
+# What the middleware calls the node of an endpoint that it has heard of before the node.
+_UNKNOWN_NODE = '_NODE_NAME_UNKNOWN_'
+# So many bytes of an endpoint's GID are those of its participant.
+_PARTICIPANT_BYTES = 12
+# Every node publishes on these.
+_TOPICS_OF_ALL = ('/rosout', '/parameter_events')
 
 # DDSI-RTPS 9.6.2.3: where the discovery ports of a domain are.
 _PORT_BASE, _PORTS_PER_DOMAIN, _FIRST_UNICAST_PORT = 7400, 250, 10
@@ -59,9 +67,18 @@ def _look(node: Any) -> Any:
 
 
 def _all_here(node: Any, domain_id: int) -> bool:
-    # Each participant, this one too, has one writer of ros_discovery_info, which names its nodes.
-    heard = len(node.get_publishers_info_by_topic('ros_discovery_info', no_mangle=True))
-    return heard >= len(_local_ports(domain_id)) and len(node.get_node_names()) >= heard
+    """Return whether each participant of this machine has been heard, and each one heard has named its nodes."""
+    # Each participant, this one too, has one writer of ros_discovery_info, on which it names its nodes.
+    heard = _participants(node.get_publishers_info_by_topic('ros_discovery_info', no_mangle=True))
+    named = set()
+    for topic in _TOPICS_OF_ALL:
+        endpoints = node.get_publishers_info_by_topic(topic)
+        named |= _participants(each for each in endpoints if each.node_name != _UNKNOWN_NODE)
+    return len(heard) >= len(_local_ports(domain_id)) and heard <= named
+
+
+def _participants(endpoints: Iterable[Any]) -> set[bytes]:
+    return {bytes(each.endpoint_gid[:_PARTICIPANT_BYTES]) for each in endpoints}
 
 
 def _local_ports(domain_id: int) -> set[int]:

@@ -109,8 +109,9 @@ class PubVerb(VerbExtension):
 
         publish()
         if times != 1:
-            node.create_timer(1.0 / args.rate, publish)
+            timer = node.create_timer(1.0 / args.rate, publish)
             node.spin(until=lambda: times and count >= times)
+            timer.cancel()
         self._deliver(node, publisher, args.keep_alive)
 
     def _wait(self, node, publisher, wanted, timeout):
