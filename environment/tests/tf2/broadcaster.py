@@ -12,10 +12,12 @@ from environment.tests.tf2.messages import transform
 DEPTH = 5
 
 
-def where(seconds):
+def where(nanoseconds):
     """Return the position and the rotation of every link at a time."""
+    # Today's date in seconds is too large for a float to tell nanoseconds: a day and a bit is not.
+    seconds = (nanoseconds % 10**14) / 1e9
     angle = 0.2 * math.sin(seconds)
-    return (0.1 * (seconds % 100.0), 0.0, 0.0), (0.0, 0.0, math.sin(angle / 2), math.cos(angle / 2))
+    return (0.1 * seconds, 0.0, 0.0), (0.0, 0.0, math.sin(angle / 2), math.cos(angle / 2))
 
 
 def main():
@@ -28,7 +30,7 @@ def main():
 
     def tick():
         stamp = node.get_clock().now()
-        xyz, xyzw = where(stamp.nanoseconds / 1e9)
+        xyz, xyzw = where(stamp.nanoseconds)
         messages = [transform(f'link{i}', f'link{i + 1}', xyz=xyz, xyzw=xyzw) for i in range(DEPTH)]
         for message in messages:
             message.header.stamp = stamp.to_msg()

@@ -41,7 +41,7 @@ def test_listener_and_broadcaster_in_two_processes_agree(domain):
     # A stamp that was sent is looked up exactly.
     sent = buffer.lookup_transform('link0', 'link1', LATEST, LONG).header.stamp
     expected = BufferCore()
-    xyz, xyzw = where(sent.sec + sent.nanosec / 1e9)
+    xyz, xyzw = where(sent.sec * 10**9 + sent.nanosec)
     for link in range(DEPTH):
         expected.set_transform_static(transform(f'link{link}', f'link{link + 1}', xyz=xyz, xyzw=xyzw), 'test')
     found = buffer.lookup_transform('link0', tip, Time.from_msg(sent), LONG)
@@ -54,7 +54,7 @@ def test_listener_and_broadcaster_in_two_processes_agree(domain):
     assert position(buffer.lookup_transform('link5', 'laser', later, LONG)) == (0, 0, 2)
     between = buffer.lookup_transform('link0', 'link1', later, LONG)
     assert between.header.stamp == later.to_msg()
-    assert between.transform.translation.x == pytest.approx(where(later.nanoseconds / 1e9)[0][0], abs=1e-3)
+    assert between.transform.translation.x == pytest.approx(where(later.nanoseconds)[0][0], abs=1e-3)
 
 
 def test_quality_of_service(domain):
