@@ -22,8 +22,9 @@ def dumps(records: Iterable[Record], exercises: Iterable[Exercise]) -> str:
 
 
 def cell(text: str) -> str:
-    """Text that a spreadsheet does not take for a formula."""
-    return f"'{text}" if text[:1] in ('=', '+', '-', '@', '\t', '\r') else text
+    """Text in one line that a spreadsheet does not take for a formula."""
+    text = text.replace('\r', ' ').replace('\n', ' ')
+    return f"'{text}" if text[:1] in ('=', '+', '-', '@', '\t') else text
 
 
 def _number(score: float | None) -> str:

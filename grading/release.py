@@ -9,8 +9,8 @@ from helpers import paths
 
 LEFT_OUT = ('solutions', 'grading', '.ci', '.github', 'build', 'log')
 _FILE_LEFT_OUT = re.compile(r'\.(pyc|part)$|^submission-.*\.zip$')
-_FOLDER_LEFT_OUT = {'.git', '.venv', '__pycache__', '.ipynb_checkpoints', '.pytest_cache', '.ruff_cache', 'build', 'log',
-                    'install'}
+_FOLDER_LEFT_OUT = {'.git', '.venv', '__pycache__', '.ipynb_checkpoints', '.pytest_cache', '.ruff_cache', 'build',
+                    'install', 'log'}
 
 
 class Leak(Exception):

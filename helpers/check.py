@@ -16,9 +16,9 @@ def check(exercise_id: str) -> None:
     try:
         report = judge(str(exercise_id))
     except KeyboardInterrupt:
-        _say('The check was stopped.')
+        print('The check was stopped.')
     except Exception as error:  # noqa: BLE001 - a check never breaks the notebook
-        _say(f'The check could not run: {error}')
+        print(f'The check could not run: {error}')
     else:
         _show(report.exercises)
 
@@ -76,7 +76,3 @@ def _show(exercises: list) -> None:
         show({'text/html': display.html(exercises), 'text/plain': text}, raw=True)
     else:
         print(text)
-
-
-def _say(text: str) -> None:
-    print(text)

@@ -11,6 +11,7 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 
 from helpers.errors import Failure, learners_part
+from helpers.nodes import is_doomed
 
 #: Notified after every callback of a watched executor, so that waits react at once.
 activity = threading.Condition()
@@ -133,7 +134,7 @@ class Work:
             error = left
         finally:
             _running.pop(self.thread, None)
-        if error is not None:
+        if error is not None and not self._died_with_its_node(error):
             self.watch.on_failure(Failure(self.node_name, self.describe(error), error))
         with activity:
             activity.notify_all()
@@ -148,6 +149,12 @@ class Work:
     def result(self):
         """Return None, as `exception` does."""
         return
+
+    def _died_with_its_node(self, error: BaseException) -> bool:
+        """Tell whether the node was being destroyed while the callback ran: no mistake of the callback."""
+        from rclpy.exceptions import InvalidHandle
+
+        return isinstance(error, InvalidHandle) and self.node is not None and is_doomed(self.node)
 
     @property
     def seconds(self) -> float:

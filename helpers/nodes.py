@@ -1,7 +1,9 @@
 """Every rclpy node of this process, so that a cell run again replaces its node instead of adding a second one.
 
 rclpy has no list of the nodes of a process. `track` therefore wraps ``Node.__init__``: each new node is put into a weak
-set. Only in a kernel a second thing happens: *before* a node is created, a living node of the same name (namespace and
+set. It also wraps ``Node.destroy_node``, so that a background executor lets go of a node before its parts disappear.
+
+Only in a kernel a second thing happens: *before* a node is created, a living node of the same name (namespace and
 context) that an **earlier cell run** made is destroyed. So ``talker = Talker()`` can be run again and again, also
 without spinning, and the graph shows one ``/talker``. Two nodes of one name made in one cell stay two, as ROS has it;
 a plain Python process never replaces anything.
@@ -9,15 +11,16 @@ a plain Python process never replaces anything.
 
 import functools
 from collections.abc import Callable
-from weakref import WeakKeyDictionary
+from weakref import WeakKeyDictionary, WeakSet
 
 from helpers import journal
 from helpers.errors import say
 
-# Called with a node that is about to be destroyed (a background executor lets go of it first).
+# Called with a node that is about to be destroyed: a background executor lets go of it first.
 before_destroy: list[Callable] = []
 
 _made_in: WeakKeyDictionary = WeakKeyDictionary()  # node -> number of the cell run that made it
+_doomed: WeakSet = WeakSet()  # nodes whose destruction has begun
 
 
 def track() -> None:
@@ -25,7 +28,7 @@ def track() -> None:
     from rclpy.node import Node
     from rclpy.utilities import get_default_context
 
-    plain = Node.__init__
+    plain, plain_destroy_node = Node.__init__, Node.destroy_node
     if hasattr(plain, 'tracks_nodes'):
         return
 
@@ -37,8 +40,15 @@ def track() -> None:
         _made_in[self] = journal.number()
         _replace(full_name(self), context, but=self)  # a remapping may have given it another name
 
+    @functools.wraps(plain_destroy_node)
+    def destroy_node(self):
+        _doomed.add(self)
+        for let_go in before_destroy:
+            let_go(self)
+        return plain_destroy_node(self)
+
     __init__.tracks_nodes = True
-    Node.__init__ = __init__
+    Node.__init__, Node.destroy_node = __init__, destroy_node
 
 
 def living(context=None) -> list:
@@ -58,6 +68,11 @@ def is_alive(node) -> bool:
         return False
 
 
+def is_doomed(node) -> bool:
+    """Tell whether the destruction of the node has begun, or is over."""
+    return node in _doomed or not is_alive(node)
+
+
 def full_name(node) -> str:
     """Return namespace and name, such as ``/robot/talker``. The node must be alive."""
     return _join(node.get_namespace(), node.get_name())
@@ -65,7 +80,7 @@ def full_name(node) -> str:
 
 def destroy(node) -> None:
     """Destroy a node, once; a background executor lets go of it before."""
-    for let_go in before_destroy:
+    for let_go in before_destroy:  # before a destroy_node() of the learner's own begins
         let_go(node)
     if not is_alive(node):
         return

@@ -9,6 +9,9 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import contextmanager
+
+from helpers import journal
 
 _SHOWN = 10  # lines of output in an error text
 _children: list['Process'] = []
@@ -27,6 +30,7 @@ def background(
             talker.wait_for_output('Publishing')
 
     It has a process group of its own. It ends with ``stop()``, with the block, or with the kernel, also a killed one.
+    In a kernel it replaces the same command in the same folder that an earlier cell run left running.
 
     :param argv: the command and its arguments, or one string that is split as a shell would.
     :param env: variables to add to the environment.
@@ -35,6 +39,9 @@ def background(
     :raises FileNotFoundError: there is no such command.
     """
     argv = shlex.split(argv) if isinstance(argv, str) else [str(part) for part in argv]
+    for child in _children.copy():
+        if child.made_in < journal.number() and (child.argv, child.cwd) == (argv, cwd):
+            child.stop()
     return Process(argv, env, cwd, echo)
 
 
@@ -43,22 +50,25 @@ class Process:
 
     def __init__(self, argv, env=None, cwd=None, echo=False):
         self.argv = argv
+        self.cwd = cwd
+        self.made_in = journal.number()  # the cell run
         self.lines: list[str] = []  #: output so far (stdout and stderr together), without line ends
         self._news = threading.Condition()
         self._echo = echo
         self._closed = False
         try:
-            self._popen = subprocess.Popen(
-                argv,
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.STDOUT,
-                start_new_session=True,
-                env={**os.environ, 'PYTHONUNBUFFERED': '1', **(env or {})},
-                cwd=cwd,
-                text=True,
-                errors='replace',
-            )
+            with _interruptible():
+                self._popen = subprocess.Popen(
+                    argv,
+                    stdin=subprocess.DEVNULL,
+                    stdout=subprocess.PIPE,
+                    stderr=subprocess.STDOUT,
+                    start_new_session=True,
+                    env={**os.environ, 'PYTHONUNBUFFERED': '1', **(env or {})},
+                    cwd=cwd,
+                    text=True,
+                    errors='replace',
+                )
         except FileNotFoundError:
             raise FileNotFoundError(f'no command {argv[0]!r}: check its spelling and the PATH') from None
         _children.append(self)
@@ -173,6 +183,20 @@ class Process:
             os.killpg(self._popen.pid, number)
         except (ProcessLookupError, PermissionError):
             pass
+
+
+@contextmanager
+def _interruptible():
+    """While a child is born do not ignore SIGINT, as a program in the background of a shell does: that is inherited."""
+    ignored = signal.getsignal(signal.SIGINT) is signal.SIG_IGN
+    if not ignored or threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def _tell_guardian(line: str) -> None:

@@ -33,7 +33,7 @@ def submit(learner: str | None = None) -> None:
     """Pack the saved notebooks and show what passes, as `./course submit` does. Save this notebook first."""
     if 'COURSE_RUNNER' in os.environ:
         return
-    from helpers import check, display
+    from helpers import display
 
     try:
         packed = pack(learner)
@@ -41,7 +41,7 @@ def submit(learner: str | None = None) -> None:
         print(f'\nPacked for {packed.learner}: {packed.path.name}. Hand in this file. '
               'It holds the notebooks as they were last saved.')
     except SubmissionError as error:
-        check._say(str(error))
+        print(error)
 
 
 def pack(learner: str | None = None, output: Path | None = None, *, notebooks_folder: Path = paths.NOTEBOOKS,

@@ -56,10 +56,16 @@ def ensure(layout: Layout, environ: Mapping[str, str], console: Console) -> unde
     setup = Setup(layout, underlay, environ, console)
     if not setup.stale():
         return underlay
+    if underlay != underlays.find(environ):
+        raise Lack(
+            f'the course has to be built anew upon the ROS in {underlay}, which this terminal has not sourced',
+            f'run: source {underlay.prefixes[-1]}/setup.bash && ./course (or, for the wheels from PyPI: rm -rf .venv)',
+        )
     preflight.check_writable(layout.root)
 
     def waiting(process: str) -> None:
-        console.line(f'course: another ./course (process {process}) is setting up; waiting for it to end')
+        which = f' (process {process})' if process else ''
+        console.line(f'course: another ./course{which} is setting up; waiting for it to end')
 
     with mutex.exclusive(layout.mutex, waiting) as descriptor:
         setup.keep = (descriptor,)

@@ -9,7 +9,8 @@ from pathlib import Path
 
 @contextmanager
 def exclusive(path: Path, on_wait: Callable[[str], None]) -> Iterator[int]:
-    """Hold the lock on `path`; when another process holds it, call `on_wait` with its process id, then wait.
+    """Hold the lock on `path`; when another process holds it, call `on_wait` with its process id, then wait (the id is
+    '' while the other one has just started).
 
     Yields the file descriptor. Children get it too (`pass_fds`): should this process be killed, the lock stays
     taken until the last child that it started has ended.
@@ -19,7 +20,7 @@ def exclusive(path: Path, on_wait: Callable[[str], None]) -> Iterator[int]:
         try:
             fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            on_wait(os.pread(descriptor, 32, 0).decode(errors='replace').strip() or '?')
+            on_wait(os.pread(descriptor, 32, 0).decode(errors='replace').strip())
             fcntl.flock(descriptor, fcntl.LOCK_EX)
         os.ftruncate(descriptor, 0)
         os.pwrite(descriptor, f'{os.getpid()}\n'.encode(), 0)

@@ -123,7 +123,7 @@ class Setup:
         patience = [] if 'PIP_DEFAULT_TIMEOUT' in self.environ else ['--timeout', '15']
         self._run(
             'Fetching uv, the installer',
-            [*pip, 'install', '--retries', '1', *patience, '--no-deps', '--require-hashes', '-r', uv],
+            [*pip, 'install', '--retries', '1', *patience, '--no-deps', '-I', '--require-hashes', '-r', uv],
             'uv',
         )
         self.stamps.write(
@@ -235,6 +235,7 @@ class Setup:
                 f'Building {len(selected)} ROS packages ({", ".join(selected)})',
                 overlay.colcon(self.layout, selected),
                 'colcon',
+                tools.environment(self.environ, self.layout, self.underlay),
                 on_line=watch,
             )
         finally:
@@ -258,7 +259,8 @@ class Setup:
     # Helpers.
 
     def _env(self) -> dict[str, str]:
-        return tools.environment(self.environ, self.layout, self.underlay)
+        """For the installers: a stock ROS on PYTHONPATH would make them find packages installed that are not."""
+        return tools.environment(self.environ, self.layout, Underlay())
 
     def _run(self, label: str, argv: list, log: str, env: dict | None = None, on_line=None) -> None:
         env = self._env() if env is None else env

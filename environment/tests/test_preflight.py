@@ -1,5 +1,6 @@
 """Each lack of a machine: one line, its remedy, and status 2 before anything is made."""
 
+import json
 import os
 import subprocess
 import sys
@@ -10,6 +11,8 @@ from environment.setup import preflight
 from environment.setup.lack import Lack
 from environment.setup.layout import Layout
 from environment.setup.main import ROOT
+from environment.setup.stamps import Stamps
+from environment.setup.steps import VERSION
 
 
 @pytest.mark.parametrize(
@@ -117,3 +120,13 @@ def test_another_distribution_is_refused_by_the_command(checkout: Layout, clean_
     assert len(answer.stderr.splitlines()) == 1
     assert 'humble' in answer.stderr
     assert not checkout.prefix.exists()
+
+
+def test_an_environment_upon_a_stock_ros_is_not_rebuilt_without_it(checkout: Layout, clean_environ, stock):
+    jazzy = stock('jazzy', 'rclpy')
+    made_for = {'setup': VERSION, 'prefix': '/moved', 'python': '/usr/bin/python3', 'underlay': str(jazzy), 'asked': ''}
+    Stamps(checkout.state / 'stamps').write('venv', json.dumps(made_for))
+    answer = run_main(checkout.root, clean_environ)
+    assert answer.returncode == 2
+    assert len(answer.stderr.splitlines()) == 1
+    assert f'source {jazzy}/setup.bash' in answer.stderr

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import yaml
 from jupytext.myst import MystMetadataParsingError, myst_to_notebook
+from nbformat import ValidationError
 
 from grading.authoring import regions
 from grading.authoring.errors import AuthoringError
@@ -90,6 +91,10 @@ def read(path: Path) -> Chapter:
         line = re.search(r'at line (\d+)', str(error))
         problem = ' '.join(str(error).split())
         raise AuthoringError(path, int(line[1]) if line else 1, problem, 'mend the YAML of the metadata') from None
+    except ValidationError as error:
+        lines = text.splitlines()
+        line = next((number for number, line in enumerate(lines, start=1) if str(error.instance) in line), 1)
+        raise AuthoringError(path, line, f'metadata: {error.message}', 'write tags as :tags: [name, …]') from None
     lines = text.splitlines()
     starts = notebook.metadata.source_map
     cells = [_cell(path, cell, lines, start) for cell, start in zip(notebook.cells, starts, strict=True)]

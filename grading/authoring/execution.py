@@ -35,7 +35,7 @@ def execute(notebook: NotebookNode, chapter: Chapter, folder: Path, timeout: flo
     """
     metadata = dict(notebook.metadata)
     client = NotebookClient(notebook, timeout=timeout, kernel_name=kernel_name(), record_timing=False,
-                            coalesce_streams=True, extra_arguments=['--log-level=ERROR'],
+                            extra_arguments=['--log-level=ERROR'],
                             resources={'metadata': {'path': str(folder)}})
     with domains.claim() as domain_id:
         try:

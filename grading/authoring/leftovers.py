@@ -10,6 +10,7 @@ import threading
 import time
 
 import psutil
+from IPython import get_ipython
 
 PATIENCE = 3.0  # seconds for what is just ending
 _threads: set[int | None] = set()
@@ -18,6 +19,7 @@ _children: set[int] = set()
 
 def note() -> None:
     """Remember the threads and children that the kernel itself has."""
+    get_ipython().run_cell_magic('script', 'cat', ' ')  # starts the thread that IPython keeps for %%bash
     _threads.update(thread.ident for thread in threading.enumerate())
     _children.update(child.pid for child in psutil.Process().children(recursive=True))
 

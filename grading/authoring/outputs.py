@@ -19,6 +19,7 @@ def sanitizers(root: Path) -> list[tuple[str, str, str]]:
     return [
         ('checkout', re.escape(str(root)), '/course'),
         ('ipykernel_file', r'/tmp/ipykernel_\d+/\d+\.py', '/tmp/ipykernel_0/0.py'),
+        ('temporary', r'/tmp/tmp[a-z0-9_]{8}\b', '/tmp/tmp00000000'),
         ('address', r'\b0x[0-9a-f]{6,16}\b', '0x0'),
         ('port', r'(127\.0\.0\.1|localhost):\d{4,5}', r'\1:0'),
         ('pid', r'\b(pid|process)([ =])\d+', r'\1\g<2>0'),
@@ -41,6 +42,8 @@ def settle(notebook: NotebookNode, root: Path) -> None:
 
     for cell in notebook.cells:
         cell.metadata.pop('execution', None)
+        if cell.cell_type == 'code':
+            cell.outputs = _merged(cell.outputs)
         for output in cell.get('outputs', []):
             for key in FIELDS.get(output.output_type, ()):
                 output[key] = clean(output[key])
@@ -49,3 +52,21 @@ def settle(notebook: NotebookNode, root: Path) -> None:
             for mime in TEXT_TYPES:
                 if mime in output.get('data', {}):
                     output.data[mime] = clean(output.data[mime])
+
+
+def _merged(found: list[NotebookNode]) -> list[NotebookNode]:
+    """Join what one stream printed between two other outputs, stdout first; how a kernel splits them is chance.
+
+    nbclient could do it, but takes minutes for a long line.
+    """
+    merged, streams = [], {}
+    for output in found:
+        if output.output_type != 'stream':
+            merged += [streams[name] for name in sorted(streams, reverse=True)]
+            streams = {}
+            merged.append(output)
+        elif output.name in streams:
+            streams[output.name].text += output.text
+        else:
+            streams[output.name] = output
+    return merged + [streams[name] for name in sorted(streams, reverse=True)]

@@ -13,8 +13,12 @@ def repeated(notebook: NotebookNode, folder: Path) -> NotebookNode:
 
     Outputs are kept, so both runs are compared with them; a cell that was never executed is not compared.
     """
-    begin = ['import os', 'from grading.authoring import leftovers', f'os.chdir({str(folder)!r})', 'leftovers.note()']
-    cells = [_cell('note', '\n'.join(begin))]
+    cells = [_cell('note', f'''\
+import os
+from grading.authoring import leftovers, semicolons
+os.chdir({str(folder)!r})
+semicolons.honour()
+leftovers.note()''')]
     for run in ('first', 'second'):
         for cell in notebook.cells:
             if cell.cell_type == 'code':

@@ -9,4 +9,4 @@ The tests and the learner's code live in two processes that meet only over DDS a
 """
 from helpers.runner.verdicts import expect
 
-__all__ = ["expect"]
+__all__ = ['expect']

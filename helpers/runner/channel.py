@@ -31,9 +31,9 @@ class Channel:
 
     def send(self, message: dict) -> None:
         """Send one object. Raises ChannelClosed, or ChannelError if it is longer than MAX_LINE."""
-        line = json.dumps(message, separators=(",", ":")).encode() + b"\n"
+        line = json.dumps(message, separators=(',', ':')).encode() + b'\n'
         if len(line) > MAX_LINE:
-            raise ChannelError(f"a message of {len(line)} bytes is too long")
+            raise ChannelError(f'a message of {len(line)} bytes is too long')
         try:
             self.socket.sendall(line)
         except OSError as error:
@@ -45,9 +45,9 @@ class Channel:
         Raises ChannelTimeout, ChannelClosed, ChannelError.
         """
         deadline = None if timeout is None else time.monotonic() + timeout
-        while (end := self._buffer.find(b"\n")) < 0:
+        while (end := self._buffer.find(b'\n')) < 0:
             if len(self._buffer) > MAX_LINE:
-                raise ChannelError("a line without end")
+                raise ChannelError('a line without end')
             remaining = None if deadline is None else deadline - time.monotonic()
             if remaining is not None and remaining < 0:
                 raise ChannelTimeout()
@@ -58,16 +58,16 @@ class Channel:
             except OSError as error:
                 raise ChannelClosed(str(error)) from None
             if not chunk:
-                raise ChannelClosed("end of stream")
+                raise ChannelClosed('end of stream')
             self._buffer += chunk
         line = bytes(self._buffer[:end])
         del self._buffer[: end + 1]
         try:
             message = json.loads(line)
         except (ValueError, RecursionError):
-            raise ChannelError("a line that is not JSON") from None
+            raise ChannelError('a line that is not JSON') from None
         if not isinstance(message, dict):
-            raise ChannelError("a line that is not a JSON object")
+            raise ChannelError('a line that is not a JSON object')
         return message
 
     def close(self) -> None:

@@ -22,7 +22,7 @@ class RunnerError(Exception):
 class ForkServer:
     """The learner's side, ready to start programs."""
 
-    def __init__(self, started: launch.Started, limits: launch.Limits = launch.Limits()):
+    def __init__(self, started: launch.Started, limits: launch.Limits = launch.LIMITS):
         """`started` comes from a launcher: `launch.start`, or a sandbox's. Waits until it is ready."""
         self.limits = limits
         self._started = started
@@ -30,7 +30,7 @@ class ForkServer:
         self._control = self._started.control
         self._keys = itertools.count(1)
         self._ended: dict[str, int] = {}
-        if self._event(START_TIMEOUT).get("event") != "ready":
+        if self._event(START_TIMEOUT).get('event') != 'ready':
             raise RunnerError("the learner's side did not start")
 
     def _event(self, timeout: float) -> dict:
@@ -47,23 +47,23 @@ class ForkServer:
         ours, theirs = socket.socketpair()
         output_read, output_write = os.pipe()
         with theirs:
-            socket.send_fds(self._control, [json.dumps({"op": "fork", "key": key}).encode()],
+            socket.send_fds(self._control, [json.dumps({'op': 'fork', 'key': key}).encode()],
                             [theirs.fileno(), output_write])
         os.close(output_write)
-        self._until(lambda event: event.get("event") == "forked" and event.get("key") == key, 10)
+        self._until(lambda event: event.get('event') == 'forked' and event.get('key') == key, 10)
         return key, ours, output_read
 
     def _until(self, wanted, timeout: float) -> None:
         deadline = time.monotonic() + timeout
         while True:
             event = self._event(max(0.0, deadline - time.monotonic()))
-            if event.get("event") == "ended":
-                self._ended[event["key"]] = event["status"]
+            if event.get('event') == 'ended':
+                self._ended[event['key']] = event['status']
             if wanted(event):
                 return
 
     def kill(self, key: str) -> None:
-        self._control.send(json.dumps({"op": "kill", "key": key}).encode())
+        self._control.send(json.dumps({'op': 'kill', 'key': key}).encode())
 
     def wait(self, key: str, timeout: float) -> int | None:
         """The wait status of a program's process once it has ended; None if it still runs after `timeout` s."""
@@ -98,8 +98,8 @@ class Output:
 
     @property
     def text(self) -> str:
-        text = bytes(self._kept).decode(errors="replace")
-        return text + ("\n[more was printed; the rest is left out]" if self.truncated else "")
+        text = bytes(self._kept).decode(errors='replace')
+        return text + ('\n[more was printed; the rest is left out]' if self.truncated else '')
 
     def finish(self, timeout: float = 1.0) -> None:
         """Wait until the program has closed its end."""
@@ -112,14 +112,15 @@ class Process:
     def __init__(self, server: ForkServer, program: dict, *, ros_args=(), token: str, now: int, timeout: float):
         """Load `program` (see `helpers.exercises.program`). Raises LearnerFault if it cannot be loaded."""
         self.server = server
-        self.title = program["title"]
+        self.title = program['title']
         self.key, sock, output = server.fork()
         self.channel = Channel(sock)
         self.output = Output(output, server.limits.output)
         self._ids = itertools.count(1)
         self.ended = False
+        self._early: list[dict] = []  # answers that came while another one was awaited
         try:
-            self.ask("load", timeout, cells=program["cells"], ros_args=list(ros_args), token=token, now=now)
+            self.ask('load', timeout, cells=program['cells'], ros_args=list(ros_args), token=token, now=now)
         except BaseException:
             self.kill()
             raise
@@ -128,113 +129,129 @@ class Process:
         """Ask and wait at most `limit` seconds for the answer. Raises LearnerFault for what the learner's code did."""
         number = next(self._ids)
         try:
-            self.channel.send({"id": number, "op": op, "with": arguments})
-            answer = self._answer(number, limit)
+            self.channel.send({'id': number, 'op': op, 'with': arguments})
+            try:
+                answer = self._answer(number, limit)
+            except ChannelTimeout:
+                if self._where() != []:
+                    raise
+                # It is in none of the learner's lines: the machine is slow, not the program.
+                answer = self._answer(number, 3 * limit)
         except ChannelTimeout:
             raise self._hanging(op, limit, arguments) from None
         except ChannelClosed:
             raise self._gone(op) from None
         except ChannelError as error:
-            raise LearnerCrashed(f"Your program disturbed its connection to the tests ({error}).") from None
-        if "fault" in answer:
-            raise self._fault(answer["fault"] if isinstance(answer["fault"], dict) else {}, arguments)
+            raise LearnerCrashed(f'Your program disturbed its connection to the tests ({error}).') from None
+        if 'fault' in answer:
+            raise self._fault(answer['fault'] if isinstance(answer['fault'], dict) else {}, arguments)
         return answer
 
     def _answer(self, number: int, timeout: float) -> dict:
         deadline = time.monotonic() + timeout
         while True:
-            answer = self.channel.receive(max(0.0, deadline - time.monotonic()))
-            if answer.get("id") == number:
+            answer = (self._early.pop(0) if self._early else
+                      self.channel.receive(max(0.0, deadline - time.monotonic())))
+            if answer.get('id') == number:
                 return answer
 
-    def _hanging(self, op: str, limit: float, arguments: dict) -> LearnerFault:
-        lines = []
+    def _where(self) -> list[dict] | None:
+        """The learner's lines that the program is at; None if not even that is answered."""
+        number = next(self._ids)
         try:
-            number = next(self._ids)
-            self.channel.send({"id": number, "op": "where"})
-            lines = _lines(self._answer(number, 2.0))
+            self.channel.send({'id': number, 'op': 'where'})
+            deadline = time.monotonic() + 5
+            while True:
+                answer = self.channel.receive(max(0.0, deadline - time.monotonic()))
+                if answer.get('id') == number:
+                    return _lines(answer)
+                self._early.append(answer)
         except (ChannelTimeout, ChannelClosed, ChannelError):
-            pass
+            return None
+
+    def _hanging(self, op: str, limit: float, arguments: dict) -> LearnerFault:
+        lines = self._where() or []
         self.kill()
-        doing = {"load": "The cell", "start": f"`{arguments.get('name')}(…)`",
-                 "call": f"`{arguments.get('name')}(…)`"}.get(op, "A callback")
-        where = ""
+        doing = {'load': 'The cell', 'start': f"`{arguments.get('name')}(…)`",
+                 'call': f"`{arguments.get('name')}(…)`"}.get(op, 'A callback')
+        where = ''
         if lines:
             last = lines[-1]
             where = f" It was still at {last['cell']}, line {last['line']}: `{last['code']}`."
-        hint = (" A callback must return at once; what has to wait belongs into a timer." if op == "step" else
+        hint = (' A callback must return at once; what has to wait belongs into a timer.' if op == 'step' else
                 " Spinning and waiting are not the node's business: leave them to the program that runs it."
-                if op in ("start", "load") else "")
-        return LearnerTimeout(f"{doing} did not return within {limit:g} s.{where}{hint}", _stack(lines))
+                if op in ('start', 'load') else '')
+        return LearnerTimeout(f'{doing} did not return within {limit:g} s.{where}{hint}', _stack(lines))
 
     def _gone(self, op: str) -> LearnerFault:
         status = self.server.wait(self.key, 5.0)
         self.ended = True
         self.output.finish()
-        how = "ended"
+        how = 'ended'
         if status is not None and os.WIFEXITED(status):
-            how = f"ended by itself (exit status {os.WEXITSTATUS(status)})"
+            how = f'ended by itself (exit status {os.WEXITSTATUS(status)})'
         elif status is not None and os.WIFSIGNALED(status):
             number = os.WTERMSIG(status)
             if number == signal.SIGXCPU:
-                return LearnerTimeout("Your program used up its computing time.")
-            how = f"was ended by {signal.Signals(number).name}"
-        return LearnerCrashed(f"The process of your program {how}. A node must not end its process: do not call exit().")
+                return LearnerTimeout('Your program used up its computing time.')
+            how = f'was ended by {signal.Signals(number).name}'
+        return LearnerCrashed(f'The process of your program {how}. A node must not end its process: do not call '
+                              'exit().')
 
     def _fault(self, fault: dict, arguments: dict) -> LearnerFault:
-        name = str(fault.get("name", arguments.get("name", "")))[:200]
-        match fault.get("kind"):
-            case "missing":
-                return InvalidProgram(f"{self.title} does not define `{name}`.")
-            case "no_node":
+        name = str(fault.get('name', arguments.get('name', '')))[:200]
+        match fault.get('kind'):
+            case 'missing':
+                return InvalidProgram(f'{self.title} does not define `{name}`.')
+            case 'no_node':
                 return LearnerFault(f"`{name}(…)` gives {_a(str(fault.get('got'))[:100])}, not a node. "
-                                    "A class must inherit from `Node`; a function must return the node.")
-            case "no_super":
+                                    'A class must inherit from `Node`; a function must return the node.')
+            case 'no_super':
                 return LearnerFault(f"`{name}` is not initialised as a node: call `super().__init__('…')` first in "
-                                    "`__init__`.")
-            case "not_callable":
+                                    '`__init__`.')
+            case 'not_callable':
                 return LearnerFault(f"`{name}` is {_a(str(fault.get('got'))[:100])}, not a function.")
-            case "busy":
+            case 'busy':
                 return LearnerFault(f"Your node never comes to rest: {fault.get('count')} callbacks ran at one moment "
-                                    "of simulated time. Has a timer the period 0, or does a node answer its own "
-                                    "messages?")
-            case "too_long":
-                return LearnerFault(f"What `{name}(…)` returns is too long to be read.")
-            case "exception":
+                                    'of simulated time. Has a timer the period 0, or does a node answer its own '
+                                    'messages?')
+            case 'too_long':
+                return LearnerFault(f'What `{name}(…)` returns is too long to be read.')
+            case 'exception':
                 return self._exception(fault, name)
-            case "deaf":
+            case 'deaf':
                 raise RunnerError("the learner's process did not hear the tests in time")
         raise RunnerError("the learner's process sent a fault of an unknown kind")
 
     def _exception(self, fault: dict, name: str) -> LearnerFault:
-        where = {"load": "While the cell was run", "constructor": f"While `{name}(…)` was made",
-                 "call": f"While `{name}(…)` ran",
-                 "callback": f"In a callback ({fault.get('callback')} of node `{fault.get('node')}`)"}
+        where = {'load': 'While the cell was run', 'constructor': f'While `{name}(…)` was made',
+                 'call': f'While `{name}(…)` ran',
+                 'callback': f"In a callback ({fault.get('callback')} of node `{fault.get('node')}`)"}
         lines = _lines(fault)
-        kind, text = str(fault.get("type"))[:100], str(fault.get("text"))[:1000]
-        at = f" at {lines[-1]['cell']}, line {lines[-1]['line']}" if lines else ""
-        if kind == "SystemExit":
+        kind, text = str(fault.get('type'))[:100], str(fault.get('text'))[:1000]
+        at = f" at {lines[-1]['cell']}, line {lines[-1]['line']}" if lines else ''
+        if kind == 'SystemExit':
             return LearnerCrashed(f"{where.get(fault.get('where'), 'Then')} your code called exit(){at}. "
-                                  "A node must not end its process.", _stack(lines))
-        error = f"{kind}: {text}" if text else kind
-        notes = [f"Not loaded: {note}" for note in list(fault.get("notes") or ())[:5]] if kind in ("NameError", "ImportError") else []
+                                  'A node must not end its process.', _stack(lines))
+        error = f'{kind}: {text}' if text else kind
+        notes = list(fault.get('notes') or ())[:5] if kind in ('NameError', 'ImportError') else []
         return LearnerCrashed(f"{where.get(fault.get('where'), 'Then')} your code raised {error}{at}.",
-                              "\n".join([_stack(lines), error, *notes]))
+                              '\n'.join([_stack(lines), error, *(f'Not loaded: {note}' for note in notes)]))
 
     def call(self, name: str, args, kwargs, timeout: float, index: int | None = None):
         """Call the learner's function (or a method of what start number `index` made) and decode what it returns."""
-        answer = self.ask("call", timeout, name=name, args=[values.encode(a) for a in args],
+        answer = self.ask('call', timeout, name=name, args=[values.encode(a) for a in args],
                           kwargs={k: values.encode(v) for k, v in kwargs.items()}, index=index)
         try:
-            return values.decode(answer.get("result"))
+            return values.decode(answer.get('result'))
         except ValueError as error:
-            raise LearnerCrashed(f"`{name}(…)` returned {error}.") from None
+            raise LearnerCrashed(f'`{name}(…)` returned {error}.') from None
 
     def stop(self, timeout: float = 2.0) -> None:
         """Let the program leave the graph politely; kill it if it does not. Idempotent."""
         if not self.ended:
             try:
-                self.ask("stop", timeout)
+                self.ask('stop', timeout)
                 if self.server.wait(self.key, timeout) is None:
                     self.kill()
             except LearnerFault:
@@ -253,17 +270,17 @@ class Process:
 
 
 def _a(kind: str) -> str:
-    return "nothing (None)" if kind == "NoneType" else f"an object of type `{kind}`"
+    return 'nothing (None)' if kind == 'NoneType' else f'an object of type `{kind}`'
 
 
 def _lines(message: dict) -> list[dict]:
     """The learner's lines in a message, whatever else it may hold."""
-    found = message.get("lines")
-    return [{key: str(line.get(key, ""))[:300] for key in ("cell", "line", "function", "code")}
+    found = message.get('lines')
+    return [{key: str(line.get(key, ''))[:300] for key in ('cell', 'line', 'function', 'code')}
             for line in found[:20] if isinstance(line, dict)] if isinstance(found, list) else []
 
 
 def _stack(lines: list[dict]) -> str:
     """The learner's lines as a traceback."""
-    return "\n".join(f"{line['cell']}, line {line['line']}{', in ' + line['function'] if line['function'] else ''}\n"
+    return '\n'.join(f"{line['cell']}, line {line['line']}{', in ' + line['function'] if line['function'] else ''}\n"
                      f"    {line['code']}" for line in lines)

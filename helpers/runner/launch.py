@@ -14,11 +14,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PROFILE = Path(__file__).with_name("fastdds.xml")
+PROFILE = Path(__file__).with_name('fastdds.xml')
 
 # Kept from the caller's environment: what makes Python and the ROS installation work, nothing else.
-_KEPT = ("PATH", "LANG", "LC_ALL", "LD_LIBRARY_PATH", "AMENT_PREFIX_PATH", "PYTHONPATH", "ROS_DISTRO", "VIRTUAL_ENV",
-         "_ROS_WHEELS_BOOTSTRAP_COMPLETE")
+_KEPT = ('PATH', 'LANG', 'LC_ALL', 'LD_LIBRARY_PATH', 'AMENT_PREFIX_PATH', 'PYTHONPATH', 'ROS_DISTRO', 'VIRTUAL_ENV',
+         '_ROS_WHEELS_BOOTSTRAP_COMPLETE')
 
 
 @dataclass(frozen=True)
@@ -32,34 +32,37 @@ class Limits:
     output: int = 64 * 2**10  # bytes of printed text that are kept, per program
 
 
+LIMITS = Limits()
+
+
 def ros_environment(domain_id: int) -> dict[str, str]:
     """Environment variables that tests and learner's side share, so that they find each other.
 
     UDP only, and range SUBNET: with LOCALHOST Fast DDS brings shared memory back, which a sandbox does not share.
     """
     return {
-        "ROS_DOMAIN_ID": str(domain_id),
-        "ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET",
-        "FASTDDS_BUILTIN_TRANSPORTS": "UDPv4",
-        "FASTRTPS_DEFAULT_PROFILES_FILE": str(PROFILE),
-        "RMW_IMPLEMENTATION": "rmw_fastrtps_cpp",
-        "RMW_FASTRTPS_PUBLICATION_MODE": "SYNCHRONOUS",
-        "ROS_PYTHON_CHECK_FIELDS": "1",
-        "RCUTILS_COLORIZED_OUTPUT": "0",
-        "RCUTILS_CONSOLE_OUTPUT_FORMAT": "[{severity}] [{name}]: {message}",
-        "OPENBLAS_NUM_THREADS": "1",
-        "PYTHONHASHSEED": "0",
-        "PYTHONDONTWRITEBYTECODE": "1",
-        "PYTHONUNBUFFERED": "1",
+        'ROS_DOMAIN_ID': str(domain_id),
+        'ROS_AUTOMATIC_DISCOVERY_RANGE': 'SUBNET',
+        'FASTDDS_BUILTIN_TRANSPORTS': 'UDPv4',
+        'FASTRTPS_DEFAULT_PROFILES_FILE': str(PROFILE),
+        'RMW_IMPLEMENTATION': 'rmw_fastrtps_cpp',
+        'RMW_FASTRTPS_PUBLICATION_MODE': 'SYNCHRONOUS',
+        'ROS_PYTHON_CHECK_FIELDS': '1',
+        'RCUTILS_COLORIZED_OUTPUT': '0',
+        'RCUTILS_CONSOLE_OUTPUT_FORMAT': '[{severity}] [{name}]: {message}',
+        'OPENBLAS_NUM_THREADS': '1',
+        'PYTHONHASHSEED': '0',
+        'PYTHONDONTWRITEBYTECODE': '1',
+        'PYTHONUNBUFFERED': '1',
     }
 
 
 def environment(domain_id: int, home: str) -> dict[str, str]:
     """The learner's side's whole environment: nothing of the caller's but what Python and ROS need."""
     kept = {name: os.environ[name] for name in _KEPT if name in os.environ}
-    path = os.pathsep.join([str(ROOT), *filter(None, [kept.get("PYTHONPATH")])])
-    return {**kept, **ros_environment(domain_id), "PYTHONPATH": path, "HOME": home, "TMPDIR": home,
-            "ROS_LOG_DIR": home, "COURSE_RUNNER": "1"}
+    path = os.pathsep.join([str(ROOT), *filter(None, [kept.get('PYTHONPATH')])])
+    return {**kept, **ros_environment(domain_id), 'PYTHONPATH': path, 'HOME': home, 'TMPDIR': home,
+            'ROS_LOG_DIR': home, 'COURSE_RUNNER': '1'}
 
 
 @dataclass
@@ -82,9 +85,9 @@ class Started:
         self.home.cleanup()
 
 
-def start(domain_id: int, limits: Limits = Limits()) -> Started:
+def start(domain_id: int, limits: Limits = LIMITS) -> Started:
     """Start the learner's side (`helpers.runner.zygote`) as a plain child process with limits."""
-    home = tempfile.TemporaryDirectory(prefix="course-", ignore_cleanup_errors=True)
+    home = tempfile.TemporaryDirectory(prefix='course-', ignore_cleanup_errors=True)
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)  # keeps message boundaries
 
     def bound() -> None:
@@ -101,7 +104,7 @@ def start(domain_id: int, limits: Limits = Limits()) -> Started:
 
     with theirs:
         process = subprocess.Popen(
-            [sys.executable, "-m", "helpers.runner.zygote", str(theirs.fileno())],
+            [sys.executable, '-m', 'helpers.runner.zygote', str(theirs.fileno())],
             cwd=home.name, env=environment(domain_id, home.name), pass_fds=[theirs.fileno()], start_new_session=True,
             stdin=subprocess.DEVNULL, preexec_fn=bound)
-    return Started(process, ours, "none", home)
+    return Started(process, ours, 'none', home)

@@ -13,7 +13,7 @@ from rclpy.time import Time
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import UInt64
 
-from helpers.runner import wiring
+from helpers.runner import values, wiring
 from helpers.runner.client import ForkServer, Process, RunnerError
 from helpers.runner.verdicts import LearnerFault
 
@@ -29,6 +29,9 @@ class Timeouts:
     call: float = 10.0
     step: float = 10.0  # for all callbacks at one moment of simulated time
     discovery: float = 20.0
+
+
+TIMEOUTS = Timeouts()
 
 
 @dataclass
@@ -58,7 +61,7 @@ class Recording:
 class Talker:
     """A publisher of the test's."""
 
-    def __init__(self, learner: "Learner", publisher, strict: bool):
+    def __init__(self, learner: 'Learner', publisher, strict: bool):
         self.learner, self.publisher, self.strict = learner, publisher, strict
         self.topic = publisher.topic_name
 
@@ -76,14 +79,14 @@ class Talker:
 class Started:
     """What `learner.start` gives: one process with the learner's node in it."""
 
-    def __init__(self, learner: "Learner", process: Process, index: int, nodes: list[str]):
+    def __init__(self, learner: 'Learner', process: Process, index: int, nodes: list[str]):
         self.learner, self.process, self.index = learner, process, index
         self.nodes = nodes  # fully qualified names
 
     @property
     def name(self) -> str:
         """The fully qualified name of the (first) node."""
-        return self.nodes[0] if self.nodes else ""
+        return self.nodes[0] if self.nodes else ''
 
     @property
     def output(self) -> str:
@@ -104,7 +107,7 @@ class Started:
 class Learner:
     """One test's access to the learner's program. Close it after the test."""
 
-    def __init__(self, server: ForkServer, program: dict, domain_id: int, timeouts: Timeouts = Timeouts()):
+    def __init__(self, server: ForkServer, program: dict, domain_id: int, timeouts: Timeouts = TIMEOUTS):
         self.server, self.program, self.timeouts = server, program, timeouts
         self.token = secrets.token_hex(6)  # names that nobody else uses, and that tell nothing about the test
         self.now = 0  # simulated time, ns
@@ -116,18 +119,18 @@ class Learner:
         self._recordings: list[Recording] = []
         self._talkers: list[Talker] = []
         self._connected = True
-        self._past_output = ""
+        self._past_output = ''
         self._done: dict[int, int] = {}
         self.context = Context()
         self.context.init(domain_id=domain_id)
-        self.node = Node(f"_{self.token}_t", context=self.context, start_parameter_services=False, enable_rosout=False,
+        self.node = Node(f'_{self.token}_t', context=self.context, start_parameter_services=False, enable_rosout=False,
                          use_global_arguments=False)
         self.executor = SingleThreadedExecutor(context=self.context)
         self.executor.add_node(self.node)
         self._clock = self.node.create_publisher(
-            Clock, "/clock", QoSProfile(depth=10, reliability=ReliabilityPolicy.RELIABLE))
-        self._step = self.node.create_publisher(UInt64, f"/_{self.token}/step", 10)
-        self.node.create_subscription(UInt64, f"/_{self.token}/done", self._on_done, 100)
+            Clock, '/clock', QoSProfile(depth=10, reliability=ReliabilityPolicy.RELIABLE))
+        self._step = self.node.create_publisher(UInt64, f'/_{self.token}/step', 10)
+        self.node.create_subscription(UInt64, f'/_{self.token}/done', self._on_done, 100)
 
     # What the learner's program is asked to do
 
@@ -141,16 +144,15 @@ class Learner:
         """
         ros_args = []
         for key, value in (parameters or {}).items():
-            ros_args += ["-p", f"{key}:={_yaml(value)}"]
+            ros_args += ['-p', f'{key}:={_yaml(value)}']
         for key, value in (remap or {}).items():
-            ros_args += ["-r", f"{key}:={value}"]
+            ros_args += ['-r', f'{key}:={value}']
         process = beside.process if beside else self._process(ros_args)
-        from helpers.runner import values
-        answer = process.ask("start", self.timeouts.start, name=name, args=[values.encode(a) for a in args],
+        answer = process.ask('start', self.timeouts.start, name=name, args=[values.encode(a) for a in args],
                              kwargs={k: values.encode(v) for k, v in kwargs.items()})
         self._stepped.add(process.key)
         self._connected = False
-        return Started(self, process, answer["index"], [str(node) for node in answer["nodes"]])
+        return Started(self, process, answer['index'], [str(node) for node in answer['nodes']])
 
     def call(self, name: str, *args, **kwargs):
         """Call a function of the learner's and return its result.
@@ -177,7 +179,7 @@ class Learner:
     @property
     def output(self) -> str:
         """What the learner's program has printed and logged so far."""
-        return self._past_output + "".join(process.output.text for process in self.processes)
+        return self._past_output + ''.join(process.output.text for process in self.processes)
 
     # The test's own endpoints
 
@@ -207,11 +209,11 @@ class Learner:
     def endpoints(self, topic: str) -> wiring.Endpoints:
         """The learner's publishers and subscriptions on `topic`: node, type, qos."""
         self.connect()
-        topic = topic if topic.startswith("/") else "/" + topic
+        topic = topic if topic.startswith('/') else '/' + topic
         return wiring.endpoints(self.node, topic, self._is_foreign)
 
     def _is_foreign(self, info) -> bool:
-        return info.node_name != self.node.get_name() and not info.node_name.startswith("_")
+        return info.node_name != self.node.get_name() and not info.node_name.startswith('_')
 
     # Time and order
 
@@ -257,14 +259,19 @@ class Learner:
             self._clock.publish(Clock(clock=Time(nanoseconds=now).to_msg()))
             number = next(self._numbers)
             self._step.publish(UInt64(data=number))
-            answers = [process.ask("step", self.timeouts.step + 5, number=number, now=now, timeout=self.timeouts.step)
+            answers = [process.ask('step', self.timeouts.step + 5, number=number, now=now, timeout=self.timeouts.step)
                        for process in self._conducted()]
             self._drain(number, len(answers))
-            self._due = tuple(answer.get("next") for answer in answers)
+            self._due = tuple(answer.get('next') for answer in answers)
             self.unsettled = False
-            # One process is idle after one round. Several may have sent something to each other.
-            if len(answers) <= 1 or not any(answer.get("count") for answer in answers):
+            # One process is idle after one round. Several may have sent something to each other, and /clock is best
+            # effort: what is lost is sent again.
+            active = len(answers) > 1 and any(answer.get('count') for answer in answers)
+            if not active and all(answer.get('reached') for answer in answers):
                 return
+        if active:
+            raise LearnerFault('Your nodes never come to rest: they answer each other\'s messages without end.')
+        raise RunnerError('/clock does not reach the learner\'s processes')
 
     def _conducted(self) -> list[Process]:
         return [process for process in self.processes if process.key in self._stepped]
@@ -284,8 +291,15 @@ class Learner:
                 raise RunnerError("the learner's side was not heard in time")
             self._spin_once(0.05)
         self._done.pop(number, None)
-        while self._spin_once(0):
-            pass
+        self._receive()
+
+    def _receive(self) -> None:
+        """Run callbacks until a whole pass over the test's endpoints finds nothing (each pass ends with a timeout)."""
+        found = True
+        while found:
+            found = False
+            while self._spin_once(0):
+                found = True
 
     def _spin_once(self, timeout: float) -> bool:
         try:
@@ -303,9 +317,8 @@ class Learner:
             if talker.publisher.qos_profile.reliability != ReliabilityPolicy.BEST_EFFORT:
                 talker.publisher.wait_for_all_acked(Duration(seconds=5))
         for process in self._conducted():
-            process.ask("ack", self.timeouts.step, timeout=5.0)
-        while self._spin_once(0):
-            pass
+            process.ask('ack', self.timeouts.step, timeout=5.0)
+        self._receive()
 
     def connect(self) -> None:
         """Wait until every endpoint made so far, here and in the learner's processes, is matched.
@@ -314,20 +327,20 @@ class Learner:
         """
         if self._connected:
             return
-        mark = f"/_{self.token}/mark{next(self._numbers)}"
-        publisher = self.node.create_publisher(UInt64, f"{mark}/tests", 1)
-        subscription = self.node.create_subscription(UInt64, f"{mark}/tests", lambda message: None, 1)
+        mark = f'/_{self.token}/mark{next(self._numbers)}'
+        publisher = self.node.create_publisher(UInt64, f'{mark}/tests', 1)
+        subscription = self.node.create_subscription(UInt64, f'{mark}/tests', lambda message: None, 1)
         processes = self._conducted()
         for process in processes:
-            process.ask("sync", self.timeouts.discovery + 5, mark=mark, timeout=self.timeouts.discovery)
+            process.ask('sync', self.timeouts.discovery + 5, mark=mark, timeout=self.timeouts.discovery)
         deadline = time.monotonic() + self.timeouts.discovery
-        while min(self.node.count_publishers(f"{mark}/worker"),
-                  self.node.count_subscribers(f"{mark}/worker")) < len(processes):
+        while min(self.node.count_publishers(f'{mark}/worker'),
+                  self.node.count_subscribers(f'{mark}/worker')) < len(processes):
             if time.monotonic() > deadline:
                 raise RunnerError("the learner's process was not found in time")
             time.sleep(0.001)  # a bounded poll, as in the worker
         for process in processes:
-            process.ask("unsync", self.timeouts.step)
+            process.ask('unsync', self.timeouts.step)
         self.node.destroy_publisher(publisher)
         self.node.destroy_subscription(subscription)
         self._connected = True
@@ -338,26 +351,25 @@ class Learner:
     def _check_wiring(self) -> None:
         for recording in self._recordings:
             if recording.strict:
-                wiring.check(_Ours(recording.subscription), "publisher",
+                wiring.check(_Ours(recording.subscription), 'publisher',
                              self.endpoints(recording.subscription.topic_name).publishers)
         for talker in self._talkers:
             if talker.strict:
-                wiring.check(_Ours(talker.publisher), "subscription", self.endpoints(talker.topic).subscriptions)
+                wiring.check(_Ours(talker.publisher), 'subscription', self.endpoints(talker.topic).subscriptions)
 
     def hints(self) -> list[str]:
-        """What a failed test may add: endpoints of the test's that no learner's node is connected with."""
+        """What a failed test may add: endpoints of the test's that no node of the learner's is connected with."""
+        own = [(name, namespace) for name, namespace in self.node.get_node_names_and_namespaces()
+               if not name.startswith('_')]
+        ends = [(recording.subscription.topic_name, 'publisher') for recording in self._recordings]
+        ends += [(talker.topic, 'subscription') for talker in self._talkers]
         found = []
-        own = [(name.rpartition("/")[2], name.rpartition("/")[0] or "/")
-               for name in {full for full in map(_full, self.node.get_node_names_and_namespaces())}
-               if not name.rpartition("/")[2].startswith("_")]
-        for topic, kind, present in [
-            *((r.subscription.topic_name, "publisher", self.endpoints(r.subscription.topic_name).publishers)
-              for r in self._recordings),
-            *((t.topic, "subscription", self.endpoints(t.topic).subscriptions) for t in self._talkers),
-        ]:
-            if not present:
+        for topic, kind in dict.fromkeys(ends):
+            there = self.endpoints(topic)
+            if not (there.publishers if kind == 'publisher' else there.subscriptions):
                 others = wiring.nearby(self.node, topic, kind, own)
-                found.append(f"Your program has no {kind} on {topic}" + (f"; it has one on {others}." if others else "."))
+                instead = f'; it has one on {others}' if others else ''
+                found.append(f'Your program has no {kind} on {topic}{instead}.')
         return found
 
     def close(self) -> None:
@@ -371,11 +383,6 @@ class Learner:
             self.context.try_shutdown()
 
 
-def _full(pair: tuple[str, str]) -> str:
-    name, namespace = pair
-    return f"{namespace.rstrip('/')}/{name}"
-
-
 class _Ours:
     """Our endpoint with what `wiring.check` asks of it."""
 
@@ -385,12 +392,10 @@ class _Ours:
 
 def _yaml(value) -> str:
     if isinstance(value, bool):
-        return "true" if value else "false"
+        return 'true' if value else 'false'
     if isinstance(value, str):
         return "'" + value.replace("'", "''") + "'"
     if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(map(_yaml, value)) + "]"
+        return '[' + ', '.join(map(_yaml, value)) + ']'
     return str(value)
 
-
-__all__ = ["Learner", "Recording", "Started", "Talker", "Timeouts", "LearnerFault"]

@@ -26,8 +26,8 @@ class Plugin:
         self.report, self.only = report, only
 
     def pytest_configure(self, config):
-        config.addinivalue_line("markers", "exercise(id): the exercise that a test judges")
-        config.addinivalue_line("markers", "weight(n): how much a test counts within its exercise; 1 by default")
+        config.addinivalue_line('markers', 'exercise(id): the exercise that a test judges')
+        config.addinivalue_line('markers', 'weight(n): how much a test counts within its exercise; 1 by default')
 
     def pytest_collection_modifyitems(self, items):
         """Tell which tests there are, and keep those that are to run now."""
@@ -37,15 +37,15 @@ class Plugin:
             if exercise not in self.programs:
                 continue
             test = test_id(item)
-            self.report({"event": "collected", "test": test, "exercise": exercise, "weight": _weight(item),
-                         "path": str(item.path), "expected": inspect.cleandoc(item.function.__doc__ or "")})
+            self.report({'event': 'collected', 'test': test, 'exercise': exercise, 'weight': _weight(item),
+                         'path': str(item.path), 'expected': inspect.cleandoc(item.function.__doc__ or '')})
             if self.only is None or test in self.only:
                 kept.append(item)
         items[:] = kept
 
     def pytest_collectreport(self, report):
         if report.failed:
-            self.report({"event": "broken", "where": report.nodeid, "text": str(report.longrepr)[-4000:]})
+            self.report({'event': 'broken', 'where': report.nodeid, 'text': str(report.longrepr)[-4000:]})
 
     @pytest.fixture
     def learner(self, request):
@@ -59,39 +59,39 @@ class Plugin:
     def pytest_runtest_makereport(self, item, call):
         outcome = yield
         result = outcome.get_result()
-        state = item.stash.setdefault(_STATE, {"verdict": None, "message": "", "details": "", "fault": ""})
-        if call.excinfo is not None and not (state["verdict"] and call.when == "teardown"):
+        state = item.stash.setdefault(_STATE, {'verdict': None, 'message': '', 'details': '', 'fault': ''})
+        if call.excinfo is not None and not (state['verdict'] and call.when == 'teardown'):
             state.update(self._judge(item, call.excinfo))
-        elif call.when == "call" and result.passed:
-            state["verdict"] = verdicts.PASSED
-        if call.when == "teardown" and call.excinfo is not None and state["verdict"] == verdicts.PASSED:
+        elif call.when == 'call' and result.passed:
+            state['verdict'] = verdicts.PASSED
+        if call.when == 'teardown' and call.excinfo is not None and state['verdict'] == verdicts.PASSED:
             # The tests' side could not clean up: what it saw is not to be trusted.
             state.update(self._judge(item, call.excinfo))
 
     @pytest.hookimpl(hookwrapper=True)
     def pytest_runtest_protocol(self, item):
-        self.report({"event": "running", "test": test_id(item)})
+        self.report({'event': 'running', 'test': test_id(item)})
         yield
-        state = item.stash.get(_STATE, {"verdict": None, "message": "", "details": "", "fault": "no report"})
-        learner = getattr(item, "learner", None)
-        self.report({"event": "result", "test": test_id(item), "message": state["message"],
-                     "verdict": state["verdict"] or verdicts.GRADER_ERROR, "details": state["details"], "fault": state["fault"],
-                     "output": learner.output if learner else ""})
+        state = item.stash.get(_STATE, {'verdict': None, 'message': '', 'details': '', 'fault': 'no report'})
+        learner = getattr(item, 'learner', None)
+        self.report({'event': 'result', 'test': test_id(item), 'message': state['message'],
+                     'verdict': state['verdict'] or verdicts.GRADER_ERROR, 'details': state['details'],
+                     'fault': state['fault'], 'output': learner.output if learner else ''})
 
     def _judge(self, item, excinfo) -> dict:
         """The verdict of an exception: the learner's, or ours."""
         error = excinfo.value
-        state = {"verdict": verdicts.GRADER_ERROR, "message": "", "details": "", "fault": ""}
+        state = {'verdict': verdicts.GRADER_ERROR, 'message': '', 'details': '', 'fault': ''}
         if isinstance(error, verdicts.LearnerFault):
             hints = []
             if isinstance(error, verdicts.ExpectationFailed):
                 hints = self._hints(item)
-            return {**state, "verdict": error.verdict, "message": "\n".join([error.message, *hints]),
-                    "details": error.details}
+            return {**state, 'verdict': error.verdict, 'message': '\n'.join([error.message, *hints]),
+                    'details': error.details}
         if isinstance(error, AssertionError):  # a bare assert: the docstring must do
-            return {**state, "verdict": verdicts.FAILED, "message": "\n".join(self._hints(item))}
-        text = "".join(traceback.format_exception(error))
-        return {**state, "fault": text[-8000:]}
+            return {**state, 'verdict': verdicts.FAILED, 'message': '\n'.join(self._hints(item))}
+        text = ''.join(traceback.format_exception(error))
+        return {**state, 'fault': text[-8000:]}
 
     def _hints(self, item) -> list[str]:
         try:
@@ -106,24 +106,24 @@ _STATE = pytest.StashKey[dict]()
 def test_id(item) -> str:
     """A test's name that is the same on every machine: folders, file, function, parameters."""
     folder = item.path.parent
-    return f"{folder.parent.name}/{folder.name}/{item.path.stem}::{item.name}"
+    return f'{folder.parent.name}/{folder.name}/{item.path.stem}::{item.name}'
 
 
 test_id.__test__ = False
 
 
 def _exercise(item) -> str | None:
-    marker = item.get_closest_marker("exercise")
+    marker = item.get_closest_marker('exercise')
     return str(marker.args[0]) if marker and marker.args else None
 
 
 def _weight(item) -> float:
-    marker = item.get_closest_marker("weight")
+    marker = item.get_closest_marker('weight')
     return float(marker.args[0]) if marker and marker.args else 1.0
 
 
 def reporter(descriptor: int) -> Callable[[dict], None]:
     """A function that writes events as JSON lines to a file descriptor."""
     def report(event: dict) -> None:
-        os.write(descriptor, json.dumps(event).encode() + b"\n")
+        os.write(descriptor, json.dumps(event).encode() + b'\n')
     return report

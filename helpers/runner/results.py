@@ -9,7 +9,7 @@ from dataclasses import asdict, dataclass, field
 from helpers.exercises.manifest import Exercise
 from helpers.runner import verdicts
 
-NOT_ATTEMPTED = "not_attempted"
+NOT_ATTEMPTED = 'not_attempted'
 
 
 @dataclass
@@ -23,11 +23,11 @@ class TestResult:
     hidden: bool
     weight: float
     verdict: str
-    expected: str = ""  # the test's docstring: what the learner reads
-    message: str = ""  # what happened, for the learner
-    details: str = ""  # a traceback through the learner's own lines
-    output: str = ""  # what their program printed
-    fault: str = ""  # the grader's own traceback: for the instructor only
+    expected: str = ''  # the test's docstring: what the learner reads
+    message: str = ''  # what happened, for the learner
+    details: str = ''  # a traceback through the learner's own lines
+    output: str = ''  # what their program printed
+    fault: str = ''  # the grader's own traceback: for the instructor only
 
     @property
     def passed(self) -> bool:
@@ -43,7 +43,7 @@ class ExerciseResult:
     points: float
     verdict: str
     score: float | None  # None: unknown, because of a grader's fault
-    message: str = ""  # about the exercise as a whole: not attempted, invalid
+    message: str = ''  # about the exercise as a whole: not attempted, invalid
     tests: list[TestResult] = field(default_factory=list)
 
     @property
@@ -59,8 +59,8 @@ class ExerciseResult:
         return asdict(self)
 
     @classmethod
-    def from_dict(cls, data: dict) -> "ExerciseResult":
-        return cls(**{**data, "tests": [TestResult(**test) for test in data["tests"]]})
+    def from_dict(cls, data: dict) -> 'ExerciseResult':
+        return cls(**{**data, 'tests': [TestResult(**test) for test in data['tests']]})
 
 
 # From the worst to the best: what an exercise with several verdicts is called.

@@ -23,7 +23,7 @@ from helpers.runner import launch, results, verdicts
 from helpers.runner.results import ExerciseResult, TestResult
 from helpers.runner.text import MAX_OUTPUT, clean
 
-VISIBLE = Path(__file__).resolve().parents[1] / "checks"
+VISIBLE = Path(__file__).resolve().parents[1] / 'checks'
 TEST_TIMEOUT = 120.0  # seconds of wall time for one test; its own waits are shorter
 START_TIMEOUT = 60.0  # seconds until the tests are collected
 
@@ -34,8 +34,8 @@ class Options:
 
     hidden: Path | None = None
     visible: Path = VISIBLE
-    launcher: str = "helpers.runner.launch:start"
-    limits: launch.Limits = launch.Limits()
+    launcher: str = 'helpers.runner.launch:start'
+    limits: launch.Limits = launch.LIMITS
     test_timeout: float = TEST_TIMEOUT
     retries: int = 1  # how often a test with a grader's fault runs again
     processes: int = 1  # among how many processes of tests the exercises are shared out
@@ -46,16 +46,17 @@ class Report:
     """What a session found: a result per exercise, and the sandbox in which the learner's code ran."""
 
     exercises: list[ExerciseResult]
-    sandbox: str = ""
+    sandbox: str = ''
     log: list[str] = field(default_factory=list)  # for the instructor
 
 
-def run(cells: list[notebooks.Cell], exercises: Iterable[Exercise], options: Options = Options(),
+def run(cells: list[notebooks.Cell], exercises: Iterable[Exercise], options: Options | None = None,
         say: Callable[[str], None] = lambda text: None) -> Report:
     """Judge `exercises` with the learner's code cells (in their order). `say` is told of each test that has finished.
 
     Never raises for anything in the learner's code; a fault of the runner's own is a grader_error in the results.
     """
+    options = options or Options()
     exercises = list(exercises)
     judged: dict[str, ExerciseResult] = {}
     programs: dict[str, dict] = {}
@@ -72,7 +73,7 @@ def run(cells: list[notebooks.Cell], exercises: Iterable[Exercise], options: Opt
     def collect(share: list[Exercise]) -> _Collection:
         collection = _Collection(options)
         chapters = sorted({exercise.chapter for exercise in share})
-        folders = [folder / f"chapter_{chapter:02}" for folder in (options.visible, options.hidden) if folder
+        folders = [folder / f'chapter_{chapter:02}' for folder in (options.visible, options.hidden) if folder
                    for chapter in chapters]
         collection.run({exercise.id: programs[exercise.id] for exercise in share},
                        [folder for folder in folders if folder.is_dir()], say)
@@ -87,7 +88,7 @@ def run(cells: list[notebooks.Cell], exercises: Iterable[Exercise], options: Opt
         for exercise in share:
             judged[exercise.id] = results.judge(exercise, collection.of(exercise.id))
     return Report([judged[exercise.id] for exercise in exercises],
-                  next((collection.sandbox for collection in collections), ""),
+                  next((collection.sandbox for collection in collections), ''),
                   [line for collection in collections for line in collection.log])
 
 
@@ -97,7 +98,7 @@ class _Collection:
     def __init__(self, options: Options):
         self.options = options
         self.tests: dict[str, TestResult] = {}
-        self.sandbox = ""
+        self.sandbox = ''
         self.log: list[str] = []
         self._begun: Counter[str] = Counter()  # how often each test was begun
         self._doubled: set[str] = set()
@@ -120,112 +121,117 @@ class _Collection:
         if self.options.hidden is not None:
             for exercise in programs:
                 if not any(test.hidden for test in self.of(exercise)):
-                    self._owe(exercise, "hidden tests", "there are no hidden tests")
+                    self._owe(exercise, 'hidden tests', 'there are no hidden tests')
 
     def _round(self, programs: dict[str, dict], folders: list[Path], only: list[str] | None, say) -> None:
         """One process of tests, to its end."""
         seen: set[str] = set()
-        running = ""
-        with (domains.claim() as domain, tempfile.TemporaryDirectory(prefix="course-tests-") as cwd,
-              open(Path(cwd, "printed"), "w+b") as printed):
+        running = ''
+        with (domains.claim() as domain, tempfile.TemporaryDirectory(prefix='course-tests-') as cwd,
+              open(Path(cwd, 'printed'), 'w+b') as printed):
             process, events = self._start(programs, folders, only, domain, cwd, printed)
             try:
-                for event in _events(process, events, lambda: self.options.test_timeout if running else START_TIMEOUT):
-                    match event["event"]:
-                        case "collected":
+                for event in _events(process, events, self.options.test_timeout):
+                    match event['event']:
+                        case 'collected':
                             self._collected(event, seen)
-                        case "running":
-                            running = event["test"]
+                        case 'running':
+                            running = event['test']
                             self._begun[running] += 1
-                        case "result" if event["test"] == running and running in self.tests:
+                        case 'result' if event['test'] == running and running in self.tests:
                             self._result(event)
                             say(running)
-                        case "broken":
+                        case 'broken':
                             self._broken(event, programs)
-                        case "sandbox":
-                            self.sandbox = event["name"]
-                        case "timeout":
+                        case 'sandbox':
+                            self.sandbox = event['name']
+                        case 'timeout':
                             self.log.append(f"no progress in {running or 'the start of the tests'}")
             finally:
                 process.kill()
                 status = process.wait()
                 os.close(events)
                 printed.seek(0)
-                text = printed.read(100_000).decode(errors="replace")[-4000:]
+                text = printed.read(100_000).decode(errors='replace')[-4000:]
         for name in seen:
             if self.tests[name].fault:
-                self.log.append(f"{name}: {self.tests[name].fault}")
+                self.log.append(f'{name}: {self.tests[name].fault}')
         if status != 0 or not seen:
             self.log.append(f"the tests' process ended with status {status}: {text}")
 
     def _start(self, programs, folders, only, domain: int, cwd: str, printed):
         read, write = os.pipe()
-        job = {"programs": programs, "tests": list(map(str, folders)), "domain": domain, "only": only, "root": cwd,
-               "launcher": self.options.launcher, "limits": asdict(self.options.limits)}
-        environment = {**{k: v for k, v in os.environ.items() if not k.startswith(("PYTEST_", "COV_"))},
-                       **launch.ros_environment(domain), "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
-                       "ROS_LOG_DIR": cwd, "PYTHONPATH": os.pathsep.join(
-                           filter(None, [str(launch.ROOT), os.environ.get("PYTHONPATH")]))}
-        with open(Path(cwd, "job.json"), "w+") as file:
+        job = {'programs': programs, 'tests': list(map(str, folders)), 'domain': domain, 'only': only, 'root': cwd,
+               'launcher': self.options.launcher, 'limits': asdict(self.options.limits)}
+        environment = {**{k: v for k, v in os.environ.items() if not k.startswith(('PYTEST_', 'COV_'))},
+                       **launch.ros_environment(domain), 'PYTEST_DISABLE_PLUGIN_AUTOLOAD': '1',
+                       'ROS_LOG_DIR': cwd, 'PYTHONPATH': os.pathsep.join(
+                           filter(None, [str(launch.ROOT), os.environ.get('PYTHONPATH')]))}
+        with open(Path(cwd, 'job.json'), 'w+') as file:
             json.dump(job, file)
             file.seek(0)
-            process = subprocess.Popen([sys.executable, "-m", "helpers.runner.tester", str(write)], cwd=cwd,
+            process = subprocess.Popen([sys.executable, '-m', 'helpers.runner.tester', str(write)], cwd=cwd,
                                        env=environment, stdin=file, stdout=printed, stderr=printed, pass_fds=[write])
         os.close(write)
         return process, read
 
     def _collected(self, event: dict, seen: set[str]) -> None:
-        name = event["test"]
+        name = event['test']
         if name in seen:
             self._doubled.add(name)
-            self._owe(event["exercise"], name, "two tests have this name")
+            self._owe(event['exercise'], name, 'two tests have this name')
         seen.add(name)
         if name not in self.tests:
-            hidden = self.options.hidden is not None and Path(event["path"]).is_relative_to(self.options.hidden)
+            hidden = self.options.hidden is not None and Path(event['path']).is_relative_to(self.options.hidden)
             # Until a result says otherwise, the grader owes one.
-            self.tests[name] = TestResult(name, event["exercise"], hidden, event["weight"], verdicts.GRADER_ERROR,
-                                          event["expected"])
+            self.tests[name] = TestResult(name, event['exercise'], hidden, event['weight'], verdicts.GRADER_ERROR,
+                                          event['expected'])
 
     def _result(self, event: dict) -> None:
-        test = self.tests[event["test"]]
+        test = self.tests[event['test']]
         if test.test not in self._doubled:
-            test.verdict = event["verdict"] if event["verdict"] in verdicts.VERDICTS else verdicts.GRADER_ERROR
-            test.message, test.details = clean(event["message"]), clean(event["details"], MAX_OUTPUT)
-            test.output, test.fault = clean(event["output"], MAX_OUTPUT), event["fault"]
+            test.verdict = event['verdict'] if event['verdict'] in verdicts.VERDICTS else verdicts.GRADER_ERROR
+            test.message, test.details = clean(event['message']), clean(event['details'], MAX_OUTPUT)
+            test.output, test.fault = clean(event['output'], MAX_OUTPUT), event['fault']
 
     def _broken(self, event: dict, programs: dict[str, dict]) -> None:
         """A test file that cannot be read: by its name, test_3_1.py, it belongs to one exercise; else to all."""
-        found = re.search(r"test_(\d+)_(\d+)", event["where"])
+        found = re.search(r'test_(\d+)_(\d+)', event['where'])
         for exercise in programs:
-            if not found or exercise == f"{found[1]}.{found[2]}":
-                self._owe(exercise, event["where"], event["text"])
+            if not found or exercise == f'{found[1]}.{found[2]}':
+                self._owe(exercise, event['where'], event['text'])
 
     def _owe(self, exercise: str, name: str, fault: str) -> None:
         """Note a fault of the grader's: no score for this exercise."""
         self.tests[name] = TestResult(name, exercise, True, 1.0, verdicts.GRADER_ERROR, fault=fault)
         self._doubled.add(name)
-        self.log.append(f"exercise {exercise}: {name}: {fault}")
+        self.log.append(f'exercise {exercise}: {name}: {fault}')
 
 
-def _events(process: subprocess.Popen, descriptor: int, limit: Callable[[], float]):
-    """The events of the tests' process; `timeout` and the end if none came within `limit()` seconds."""
-    buffer = b""
+def _events(process: subprocess.Popen, descriptor: int, test_timeout: float):
+    """The events of the tests' process; `timeout` and the end if none came in time.
+
+    That is START_TIMEOUT for the first test to begin, then `test_timeout`.
+    """
+    buffer, limit = b'', START_TIMEOUT
     while True:
-        deadline = time.monotonic() + limit()
-        while b"\n" not in buffer:
+        deadline = time.monotonic() + limit
+        while b'\n' not in buffer:
             if not select.select([descriptor], [], [], max(0.0, deadline - time.monotonic()))[0]:
-                yield {"event": "timeout"}
+                yield {'event': 'timeout'}
                 return
             chunk = os.read(descriptor, 65536)
             if not chunk:
                 return
             buffer += chunk
-        line, _, buffer = buffer.partition(b"\n")
+        line, _, buffer = buffer.partition(b'\n')
         event = json.loads(line)
+        if event['event'] == 'running':
+            limit = test_timeout
         yield event
-        if event["event"] == "end":
+        if event['event'] == 'end':
             try:
                 process.wait(timeout=10)
             except subprocess.TimeoutExpired:
-                yield {"event": "timeout"}
+                yield {'event': 'timeout'}
             return

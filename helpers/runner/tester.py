@@ -13,12 +13,12 @@ def main() -> int:
     descriptor = int(sys.argv[1])
     os.set_inheritable(descriptor, False)
     job = json.load(sys.stdin)
-    module, _, name = job["launcher"].partition(":")
+    module, _, name = job['launcher'].partition(':')
     start = getattr(importlib.import_module(module), name)
     from helpers.runner import launch
     # The learner's side imports ROS while this side does.
-    limits = launch.Limits(**job["limits"])
-    started = start(job["domain"], limits)
+    limits = launch.Limits(**job['limits'])
+    started = start(job['domain'], limits)
     import pytest
 
     from helpers.runner import plugin
@@ -26,18 +26,18 @@ def main() -> int:
     report = plugin.reporter(descriptor)
     server = ForkServer(started, limits)
     try:
-        report({"event": "sandbox", "name": server.sandbox})
-        only = None if job["only"] is None else set(job["only"])
+        report({'event': 'sandbox', 'name': server.sandbox})
+        only = None if job['only'] is None else set(job['only'])
         status = pytest.main(
-            ["-c", os.devnull, "--rootdir", job["root"], "--import-mode=importlib", "--strict-markers", "-q",
-             "--continue-on-collection-errors",
-             "-p", "no:cacheprovider", "--tb=no", "--no-header", *job["tests"]],
-            plugins=[plugin.Plugin(job["programs"], server, job["domain"], report, only)])
-        report({"event": "end", "status": int(status)})
+            ['-c', os.devnull, '--rootdir', job['root'], '--import-mode=importlib', '--strict-markers', '-q',
+             '--continue-on-collection-errors',
+             '-p', 'no:cacheprovider', '--tb=no', '--no-header', *job['tests']],
+            plugins=[plugin.Plugin(job['programs'], server, job['domain'], report, only)])
+        report({'event': 'end', 'status': int(status)})
     finally:
         server.close()
     return 0
 
 
-if __name__ == "__main__":
+if __name__ == '__main__':
     sys.exit(main())

@@ -7,6 +7,8 @@ another type becomes an `Opaque` with the type's name, so that a test can say wh
 import base64
 import importlib
 import re
+from collections import deque
+from collections.abc import KeysView, ValuesView
 from dataclasses import dataclass
 from enum import Enum
 
@@ -16,7 +18,7 @@ from rclpy.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProf
 from rclpy.serialization import deserialize_message, serialize_message
 from rclpy.time import Time
 
-_INTERFACE = re.compile(r"([a-z][a-z0-9_]*)/msg/([A-Z][A-Za-z0-9]*)")
+_INTERFACE = re.compile(r'([a-z][a-z0-9_]*)/msg/([A-Z][A-Za-z0-9]*)')
 _MAX_DEPTH = 30
 
 
@@ -27,19 +29,19 @@ class Opaque:
     type: str
 
     def __str__(self) -> str:
-        return f"an object of type {self.type}"
+        return f'an object of type {self.type}'
 
 
 def type_name(message_class) -> str:
     """'std_msgs/msg/String' for the class std_msgs.msg.String."""
-    package, kind, *_ = message_class.__module__.split(".")
-    return f"{package}/{kind}/{message_class.__name__}"
+    package, kind, *_ = message_class.__module__.split('.')
+    return f'{package}/{kind}/{message_class.__name__}'
 
 
 def encode(value, depth: int = 0):
     """Make `value` a JSON value. Raises ValueError if it is nested too deeply."""
     if depth > _MAX_DEPTH:
-        raise ValueError("the value is nested too deeply")
+        raise ValueError('the value is nested too deeply')
     if isinstance(value, Enum):
         return value.name
     if value is None or isinstance(value, (bool, int, float, str)):
@@ -49,56 +51,56 @@ def encode(value, depth: int = 0):
                 return plain(value)
         return None
     if isinstance(value, (bytes, bytearray)):
-        return {"$bytes": base64.b64encode(bytes(value)).decode()}
-    if isinstance(value, (list, tuple, set, frozenset)) or type(value).__name__ in ("deque", "dict_keys", "dict_values"):
+        return {'$bytes': base64.b64encode(bytes(value)).decode()}
+    if isinstance(value, (list, tuple, set, frozenset, deque, KeysView, ValuesView)):
         items = sorted(value, key=repr) if isinstance(value, (set, frozenset)) else value
         return [encode(item, depth + 1) for item in items]
     if isinstance(value, dict):
-        return {"$dict": [[encode(k, depth + 1), encode(v, depth + 1)] for k, v in value.items()]}
+        return {'$dict': [[encode(k, depth + 1), encode(v, depth + 1)] for k, v in value.items()]}
     if isinstance(value, QoSProfile):
-        return {"$qos": [value.history.value, value.depth, value.reliability.value, value.durability.value,
+        return {'$qos': [value.history.value, value.depth, value.reliability.value, value.durability.value,
                          value.liveliness.value, value.deadline.nanoseconds, value.lifespan.nanoseconds]}
     if isinstance(value, Duration):
-        return {"$duration": value.nanoseconds}
+        return {'$duration': value.nanoseconds}
     if isinstance(value, Time):
-        return {"$time": value.nanoseconds}
-    if hasattr(type(value), "get_fields_and_field_types"):
-        return {"$msg": type_name(type(value)), "cdr": base64.b64encode(serialize_message(value)).decode()}
-    if hasattr(value, "tolist"):  # numpy arrays and scalars, array.array
+        return {'$time': value.nanoseconds}
+    if hasattr(type(value), 'get_fields_and_field_types'):
+        return {'$msg': type_name(type(value)), 'cdr': base64.b64encode(serialize_message(value)).decode()}
+    if hasattr(value, 'tolist'):  # numpy arrays and scalars, array.array
         return encode(value.tolist(), depth + 1)
-    return {"$opaque": type(value).__name__}
+    return {'$opaque': type(value).__name__}
 
 
 def decode(value, depth: int = 0):
     """The inverse of `encode`. Raises ValueError on anything that `encode` does not produce."""
     if depth > 2 * _MAX_DEPTH:
-        raise ValueError("the value is nested too deeply")
+        raise ValueError('the value is nested too deeply')
     if isinstance(value, list):
         return [decode(item, depth + 1) for item in value]
     if not isinstance(value, dict):
         return value
     try:
         match value:
-            case {"$bytes": str(data)}:
+            case {'$bytes': str(data)}:
                 return base64.b64decode(data)
-            case {"$dict": list(items)}:
+            case {'$dict': list(items)}:
                 return {_hashable(decode(k, depth + 1)): decode(v, depth + 1) for k, v in items}
-            case {"$qos": [history, size, reliability, durability, liveliness, deadline, lifespan]}:
+            case {'$qos': [history, size, reliability, durability, liveliness, deadline, lifespan]}:
                 return QoSProfile(
                     history=HistoryPolicy(history), depth=size, reliability=ReliabilityPolicy(reliability),
                     durability=DurabilityPolicy(durability), liveliness=LivelinessPolicy(liveliness),
                     deadline=Duration(nanoseconds=deadline), lifespan=Duration(nanoseconds=lifespan))
-            case {"$duration": int(nanoseconds)}:
+            case {'$duration': int(nanoseconds)}:
                 return Duration(nanoseconds=nanoseconds)
-            case {"$time": int(nanoseconds)}:
+            case {'$time': int(nanoseconds)}:
                 return Time(nanoseconds=nanoseconds)
-            case {"$msg": str(name), "cdr": str(data)}:
+            case {'$msg': str(name), 'cdr': str(data)}:
                 return deserialize_message(base64.b64decode(data), _message_class(name))
-            case {"$opaque": str(name)}:
+            case {'$opaque': str(name)}:
                 return Opaque(name[:100])
     except Exception as error:
-        raise ValueError(f"a value that cannot be read: {error}") from None
-    raise ValueError("a value of an unknown kind")
+        raise ValueError(f'a value that cannot be read: {error}') from None
+    raise ValueError('a value of an unknown kind')
 
 
 def _hashable(key):
@@ -108,6 +110,6 @@ def _hashable(key):
 def _message_class(name: str):
     found = _INTERFACE.fullmatch(name)
     # Only ROS packages are imported: the name may come from the learner's side.
-    if not found or not has_resource("packages", found[1]):
-        raise ValueError(f"{name!r} is no message type")
-    return getattr(importlib.import_module(f"{found[1]}.msg"), found[2])
+    if not found or not has_resource('packages', found[1]):
+        raise ValueError(f'{name!r} is no message type')
+    return getattr(importlib.import_module(f'{found[1]}.msg'), found[2])

@@ -4,12 +4,12 @@ A test never raises these itself: `expect` and the `learner` fixture do. Their t
 learner; any other exception in a test is the grader's own fault and its text stays with the instructor.
 """
 
-PASSED = "passed"
-FAILED = "failed"
-TIMEOUT = "timeout"
-LEARNER_CRASHED = "learner_crashed"
-INVALID_SUBMISSION = "invalid_submission"
-GRADER_ERROR = "grader_error"
+PASSED = 'passed'
+FAILED = 'failed'
+TIMEOUT = 'timeout'
+LEARNER_CRASHED = 'learner_crashed'
+INVALID_SUBMISSION = 'invalid_submission'
+GRADER_ERROR = 'grader_error'
 
 VERDICTS = (PASSED, FAILED, TIMEOUT, LEARNER_CRASHED, INVALID_SUBMISSION, GRADER_ERROR)
 
@@ -19,7 +19,7 @@ class LearnerFault(Exception):
 
     verdict = FAILED
 
-    def __init__(self, message: str, details: str = ""):
+    def __init__(self, message: str, details: str = ''):
         """`details` is longer text to fold away: a traceback through the learner's own lines."""
         super().__init__(message)
         self.message = message

@@ -41,7 +41,7 @@ class Fault(Exception):
 
     def __init__(self, kind: str, **fields):
         super().__init__(kind)
-        self.fields = {"kind": kind, **fields}
+        self.fields = {'kind': kind, **fields}
 
 
 class _SimulatedTimeSource(TimeSource):
@@ -59,26 +59,28 @@ class _SimulatedTimeSource(TimeSource):
 class Program:
     """The learner's code, loaded into a module of its own."""
 
-    def __init__(self, cells: list[dict]):
-        """Run the cells; `cells` have `label`, `source` and `required`.
+    def __init__(self):
+        self.module = types.ModuleType('notebook')
+        self.notes: list[str] = []
+        self.labels: dict[str, str] = {}
+        sys.modules['notebook'] = self.module
+
+    def load(self, cells: list[dict]) -> None:
+        """Run the cells; they have `label`, `source` and `required`.
 
         An exception in a cell that is not required is remembered in `notes`; in the required one it is a Fault.
         """
-        self.module = types.ModuleType("notebook")
-        self.notes: list[str] = []
-        self.labels: dict[str, str] = {}
-        sys.modules["notebook"] = self.module
         for number, cell in enumerate(cells):
-            filename = f"<cell {number}>"
-            self.labels[filename] = cell["label"]
+            filename = f'<cell {number}>'
+            self.labels[filename] = cell['label']
             # For tracebacks: the learner's own lines.
-            linecache.cache[filename] = (len(cell["source"]), None, cell["source"].splitlines(True), filename)
+            linecache.cache[filename] = (len(cell['source']), None, cell['source'].splitlines(True), filename)
             try:
                 # Names are resolved when a function runs, so annotations and defaults behave as in the notebook.
-                exec(compile(cell["source"], filename, "exec", dont_inherit=True), self.module.__dict__)
+                exec(compile(cell['source'], filename, 'exec', dont_inherit=True), self.module.__dict__)
             except BaseException as error:  # noqa: BLE001 - SystemExit in a cell, too
-                if cell["required"]:
-                    raise self.fault("load", error) from None
+                if cell['required']:
+                    raise self.fault('load', error) from None
                 self.notes.append(f"{cell['label']}: {type(error).__name__}: {_text(error)}")
 
     def find(self, name: str):
@@ -86,7 +88,7 @@ class Program:
         try:
             return getattr(self.module, name)
         except AttributeError:
-            raise Fault("missing", name=name) from None
+            raise Fault('missing', name=name) from None
 
     def fault(self, where: str, error: BaseException, **fields) -> Fault:
         """A Fault that tells of `error` with the learner's own lines only."""
@@ -94,15 +96,15 @@ class Program:
             return error
         lines = self.lines(traceback.extract_tb(error.__traceback__))
         if isinstance(error, SyntaxError) and error.filename in self.labels:
-            lines.append({"cell": self.labels[error.filename], "line": error.lineno, "function": "",
-                          "code": (error.text or "").strip()})
-        return Fault("exception", where=where, type=type(error).__name__, text=_text(error), lines=lines,
+            lines.append({'cell': self.labels[error.filename], 'line': error.lineno, 'function': '',
+                          'code': (error.text or '').strip()})
+        return Fault('exception', where=where, type=type(error).__name__, text=_text(error), lines=lines,
                      notes=self.notes[-5:], **fields)
 
     def lines(self, frames) -> list[dict]:
         """Those of the stack's frames (oldest first) that are the learner's."""
-        found = [{"cell": self.labels[frame.filename], "line": frame.lineno, "function": frame.name,
-                  "code": (linecache.getline(frame.filename, frame.lineno) or "").strip()[:200]}
+        found = [{'cell': self.labels[frame.filename], 'line': frame.lineno, 'function': frame.name,
+                  'code': (linecache.getline(frame.filename, frame.lineno) or '').strip()[:200]}
                  for frame in frames if frame.filename in self.labels]
         return found[:3] + found[-7:] if len(found) > 10 else found
 
@@ -111,7 +113,7 @@ def _text(error: BaseException) -> str:
     try:
         return str(error)[:2000]
     except Exception:  # noqa: BLE001 - a learner's __str__ may raise
-        return ""
+        return ''
 
 
 class Conductor:
@@ -120,14 +122,14 @@ class Conductor:
     def __init__(self, token: str, program: Program, executor: SingleThreadedExecutor):
         self.program = program
         self.executor = executor
-        self.node = Node(f"_{token}", start_parameter_services=False, enable_rosout=False, use_global_arguments=False)
+        self.node = Node(f'_{token}', start_parameter_services=False, enable_rosout=False, use_global_arguments=False)
         # Numbers seen: what was sent before them has arrived, too.
         self.step_seen = self.echo_seen = 0
         self.echo_sent = 0
-        self.node.create_subscription(UInt64, f"/_{token}/step", self._on_step, 10)
-        self.done = self.node.create_publisher(UInt64, f"/_{token}/done", 10)
-        self.echo = self.node.create_publisher(UInt64, f"/_{token}/echo_{os.getpid()}", 10)
-        self.node.create_subscription(UInt64, f"/_{token}/echo_{os.getpid()}", self._on_echo, 10)
+        self.node.create_subscription(UInt64, f'/_{token}/step', self._on_step, 10)
+        self.done = self.node.create_publisher(UInt64, f'/_{token}/done', 10)
+        self.echo = self.node.create_publisher(UInt64, f'/_{token}/echo_{os.getpid()}', 10)
+        self.node.create_subscription(UInt64, f'/_{token}/echo_{os.getpid()}', self._on_echo, 10)
         executor.add_node(self.node)
 
     def _on_step(self, message: UInt64) -> None:
@@ -136,35 +138,43 @@ class Conductor:
     def _on_echo(self, message: UInt64) -> None:
         self.echo_seen = message.data
 
-    def step(self, number: int, now: int, nodes: list[Node], timeout: float) -> int:
-        """Run callbacks until step `number` and time `now` (ns) have come and nothing more is ready.
+    def step(self, number: int, now: int, nodes: list[Node], timeout: float) -> tuple[int, bool]:
+        """Run callbacks until step `number` has come and nothing more is ready.
 
-        Returns the number of the learner's callbacks that ran. Faults: `busy` (never idle), `deaf` (the step did
-        not arrive), `exception` in a callback.
+        Returns the number of the learner's callbacks that ran, and whether the time `now` (ns) has come, too.
+        Faults: `busy` (never idle), `deaf` (the step did not arrive), `exception` in a callback.
         """
         deadline = time.monotonic() + timeout
+        # No callback of the learner's runs before all has arrived that was sent before the step.
+        while self.step_seen < number:
+            self._hear(deadline)
         count = 0
-        while self.step_seen < number or any(node.get_clock().now().nanoseconds < now for node in nodes
-                                             if node.get_clock().ros_time_is_active):
-            if time.monotonic() > deadline:
-                raise Fault("deaf")
-            count += self._once(0.05)
         quiet = False
         while not quiet:
             ran = self._drain(count)
             count += ran
             # What its nodes have sent to each other may still be on its way: it arrives before this echo.
-            quiet = ran == 0 and self.echo_sent > 0 and self.echo_seen == self.echo_sent and not self._sent_since_echo
+            quiet = ran == 0 and self.echo_sent > 0 and not self._sent_since_echo
             if not quiet:
+                self._sent_since_echo = False
                 self.echo_sent += 1
                 self.echo.publish(UInt64(data=self.echo_sent))
                 while self.echo_seen < self.echo_sent:
-                    if time.monotonic() > deadline:
-                        raise Fault("deaf")
-                    count += self._once(0.05)
-                self._sent_since_echo = False
+                    self._hear(deadline)
+        reached = all(node.get_clock().now().nanoseconds >= now for node in nodes
+                      if node.get_clock().ros_time_is_active)
         self.done.publish(UInt64(data=number))
-        return count
+        return count, reached
+
+    def _hear(self, deadline: float) -> None:
+        """Wait for a message to the conductor itself."""
+        if time.monotonic() > deadline:
+            raise Fault('deaf')
+        try:
+            handler, _, _ = self.executor.wait_for_ready_callbacks(timeout_sec=0.05, nodes=[self.node])
+        except TimeoutException:
+            return
+        handler()
 
     _sent_since_echo = True
 
@@ -175,7 +185,7 @@ class Conductor:
             ran, progressed = self._pass()
             total += ran
             if total + before > MAX_CALLBACKS:
-                raise Fault("busy", count=total + before)
+                raise Fault('busy', count=total + before)
             if not ran and not progressed:
                 break
             spare = 0 if ran else spare + 1
@@ -194,12 +204,6 @@ class Conductor:
             if ran > MAX_CALLBACKS:
                 return ran, progressed
 
-    def _once(self, timeout: float) -> int:
-        try:
-            return self._run(*self.executor.wait_for_ready_callbacks(timeout_sec=timeout))
-        except TimeoutException:
-            return 0
-
     def _run(self, handler, entity, node) -> int:
         """Run one ready callback; returns 1 if it is the learner's and has finished, else 0."""
         try:
@@ -210,9 +214,9 @@ class Conductor:
         except BaseException as raised:  # noqa: BLE001 - SystemExit passes through rclpy's own handling
             error = raised
         if error is not None:
-            raise self.program.fault("callback", error, node=node.get_name() if node else "",
+            raise self.program.fault('callback', error, node=node.get_name() if node else '',
                                      callback=_describe(entity)) from None
-        if node is self.node or getattr(entity, "topic_name", None) == "/clock":
+        if node is self.node or getattr(entity, 'topic_name', None) == '/clock':
             return 0
         self._sent_since_echo = True
         return 1
@@ -220,12 +224,12 @@ class Conductor:
 
 def _describe(entity) -> str:
     """What a callback belongs to, in a learner's words."""
-    for attribute, words in (("topic_name", "subscription of"), ("srv_name", "service")):
+    for attribute, words in (('topic_name', 'subscription of'), ('srv_name', 'service')):
         if name := getattr(entity, attribute, None):
-            return f"{words} {name}"
-    if hasattr(entity, "timer_period_ns"):
-        return f"timer of {entity.timer_period_ns / 1e9:g} s"
-    return type(entity).__name__ if entity is not None else "task"
+            return f'{words} {name}'
+    if hasattr(entity, 'timer_period_ns'):
+        return f'timer of {entity.timer_period_ns / 1e9:g} s'
+    return type(entity).__name__ if entity is not None else 'task'
 
 
 class Worker:
@@ -239,7 +243,7 @@ class Worker:
         self.conductor: Conductor | None = None
         self.started: list = []  # what each `start` made
         self.nodes: list[Node] = []
-        self.token = ""
+        self.token = ''
         self._main = threading.main_thread().ident
         self._sending = threading.Lock()
 
@@ -247,11 +251,11 @@ class Worker:
         threading.Thread(target=self._read, daemon=True).start()
         while (request := self.requests.get()) is not None:
             try:
-                answer = {"ok": True, **(getattr(self, "do_" + request["op"])(**request.get("with", {})) or {})}
+                answer = {'ok': True, **(getattr(self, 'do_' + request['op'])(**request.get('with', {})) or {})}
             except Fault as fault:
-                answer = {"fault": fault.fields}
+                answer = {'fault': fault.fields}
             self._reply(request, answer)
-            if request["op"] == "stop":
+            if request['op'] == 'stop':
                 return
 
     def _read(self) -> None:
@@ -261,19 +265,19 @@ class Worker:
                 request = self.channel.receive()
             except (ChannelClosed, ChannelError, ChannelTimeout):
                 os._exit(0)  # nobody is there any more
-            if request["op"] == "where":
+            if request['op'] == 'where':
                 frame = sys._current_frames().get(self._main)
                 lines = self.program.lines(traceback.extract_stack(frame)) if self.program and frame else []
-                self._reply(request, {"ok": True, "lines": lines})
+                self._reply(request, {'ok': True, 'lines': lines})
             else:
                 self.requests.put(request)
 
     def _reply(self, request: dict, answer: dict) -> None:
         with self._sending:
             try:
-                self.channel.send({"id": request["id"], **answer})
+                self.channel.send({'id': request['id'], **answer})
             except ChannelError as error:
-                self.channel.send({"id": request["id"], "fault": {"kind": "too_long", "text": str(error)}})
+                self.channel.send({'id': request['id'], 'fault': {'kind': 'too_long', 'text': str(error)}})
 
     # The requests
 
@@ -282,13 +286,14 @@ class Worker:
         self.token = token
         _SimulatedTimeSource.now = now
         rclpy.node.TimeSource = _SimulatedTimeSource
-        rclpy.init(args=["--ros-args", "-p", "use_sim_time:=true", *ros_args],
+        rclpy.init(args=['--ros-args', '-p', 'use_sim_time:=true', *ros_args],
                    signal_handler_options=SignalHandlerOptions.NO)
         # The notebook's own start and stop of ROS mean this context.
         rclpy.init = lambda *args, **kwargs: None
         rclpy.shutdown = rclpy.try_shutdown = lambda *args, **kwargs: None
-        self.program = Program(cells)
-        return {"notes": self.program.notes}
+        self.program = Program()
+        self.program.load(cells)
+        return {'notes': self.program.notes}
 
     def do_start(self, name: str, args: list, kwargs: dict):
         """Construct the learner's class (or call their function) and take the nodes that it gives."""
@@ -296,21 +301,21 @@ class Worker:
         try:
             made = factory(*map(values.decode, args), **{k: values.decode(v) for k, v in kwargs.items()})
         except BaseException as error:  # noqa: BLE001 - SystemExit in a constructor, too
-            raise self.program.fault("constructor", error, name=name) from None
+            raise self.program.fault('constructor', error, name=name) from None
         nodes = list(made) if isinstance(made, (list, tuple)) else [made]
         for node in nodes:
             if not isinstance(node, Node):
-                raise Fault("no_node", name=name, got=type(node).__name__)
+                raise Fault('no_node', name=name, got=type(node).__name__)
             try:
                 node.get_name()
             except Exception:  # noqa: BLE001 - super().__init__() was not called, or the node is destroyed
-                raise Fault("no_super", name=name) from None
+                raise Fault('no_super', name=name) from None
         self.do_join()
         for node in nodes:
             self.executor.add_node(node)
         self.nodes += nodes
         self.started.append(made)
-        return {"index": len(self.started) - 1, "nodes": [node.get_fully_qualified_name() for node in nodes]}
+        return {'index': len(self.started) - 1, 'nodes': [node.get_fully_qualified_name() for node in nodes]}
 
     def do_call(self, name: str, args: list, kwargs: dict, index: int | None = None):
         """Call the learner's function, or a method of what a `start` made."""
@@ -319,15 +324,15 @@ class Worker:
         else:
             function = getattr(self.started[index], name, None)
             if function is None:
-                raise Fault("missing", name=f"{type(self.started[index]).__name__}.{name}")
+                raise Fault('missing', name=f'{type(self.started[index]).__name__}.{name}')
         if not callable(function):
-            raise Fault("not_callable", name=name, got=type(function).__name__)
+            raise Fault('not_callable', name=name, got=type(function).__name__)
         try:
             result = function(*map(values.decode, args), **{k: values.decode(v) for k, v in kwargs.items()})
             encoded = values.encode(result)
         except BaseException as error:  # noqa: BLE001 - SystemExit, too
-            raise self.program.fault("call", error, name=name) from None
-        return {"result": encoded}
+            raise self.program.fault('call', error, name=name) from None
+        return {'result': encoded}
 
     def do_join(self):
         """Make the conductor, if there is none yet."""
@@ -343,13 +348,13 @@ class Worker:
         """
         node = self.conductor.node
         # Discovery of writers and of readers are two ordered streams: one mark in each.
-        publisher = node.create_publisher(UInt64, f"{mark}/worker", 1)
-        subscription = node.create_subscription(UInt64, f"{mark}/worker", lambda message: None, 1)
+        publisher = node.create_publisher(UInt64, f'{mark}/worker', 1)
+        subscription = node.create_subscription(UInt64, f'{mark}/worker', lambda message: None, 1)
         self._marks = (publisher, subscription)
         deadline = time.monotonic() + timeout
-        while not (node.count_publishers(f"{mark}/tests") and node.count_subscribers(f"{mark}/tests")):
+        while not (node.count_publishers(f'{mark}/tests') and node.count_subscribers(f'{mark}/tests')):
             if time.monotonic() > deadline:
-                raise Fault("deaf")
+                raise Fault('deaf')
             time.sleep(0.001)  # a bounded poll: the graph has no event to wait for without spinning
         return {}
 
@@ -362,8 +367,8 @@ class Worker:
     def do_step(self, number: int, now: int, timeout: float):
         """Go to simulated time `now` (ns) with all that was sent before, and become idle."""
         _SimulatedTimeSource.now = now
-        count = self.conductor.step(number, now, self.nodes, timeout)
-        return {"count": count, "next": self._next_timer(now)}
+        count, reached = self.conductor.step(number, now, self.nodes, timeout)
+        return {'count': count, 'reached': reached, 'next': self._next_timer(now)}
 
     def _next_timer(self, now: int) -> int | None:
         """The simulated time (ns) at which the next timer is due."""

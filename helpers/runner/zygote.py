@@ -18,13 +18,13 @@ import socket
 import sys
 
 # What most programs import; the rest is imported by the program itself.
-_MESSAGE_PACKAGES = ("std_msgs", "geometry_msgs", "sensor_msgs", "nav_msgs", "builtin_interfaces", "rosgraph_msgs",
-                     "rcl_interfaces")
+_MESSAGE_PACKAGES = ('std_msgs', 'geometry_msgs', 'sensor_msgs', 'nav_msgs', 'builtin_interfaces', 'rosgraph_msgs',
+                     'rcl_interfaces')
 # Their C type support is loaded too.
-_MESSAGES = {"std_msgs": ("String", "UInt64", "Int32", "Bool", "Float64", "Header"), "rosgraph_msgs": ("Clock",),
-             "geometry_msgs": ("Twist", "Pose", "PoseStamped"), "sensor_msgs": ("LaserScan",),
-             "nav_msgs": ("OccupancyGrid", "Odometry"),
-             "rcl_interfaces": ("Log", "ParameterEvent")}
+_MESSAGES = {'std_msgs': ('String', 'UInt64', 'Int32', 'Bool', 'Float64', 'Header'), 'rosgraph_msgs': ('Clock',),
+             'geometry_msgs': ('Twist', 'Pose', 'PoseStamped'), 'sensor_msgs': ('LaserScan',),
+             'nav_msgs': ('OccupancyGrid', 'Odometry'),
+             'rcl_interfaces': ('Log', 'ParameterEvent')}
 
 
 def _warm_up() -> None:
@@ -37,17 +37,17 @@ def _warm_up() -> None:
     import numpy  # noqa: F401
     import rclpy
     import rclpy.action
-    import rclpy.executors
     import rclpy.event_handler  # noqa: F401
+    import rclpy.executors
 
     rclpy.get_rmw_implementation_identifier()  # loads the middleware's library
     for package in _MESSAGE_PACKAGES:
-        module = importlib.import_module(f"{package}.msg")
+        module = importlib.import_module(f'{package}.msg')
         for name in _MESSAGES.get(package, ()):
             getattr(module, name).__class__.__import_type_support__()
     from rcl_interfaces import srv
-    for name in ("DescribeParameters", "GetParameters", "GetParameterTypes", "ListParameters", "SetParameters",
-                 "SetParametersAtomically"):
+    for name in ('DescribeParameters', 'GetParameters', 'GetParameterTypes', 'ListParameters', 'SetParameters',
+                 'SetParametersAtomically'):
         getattr(srv, name).__class__.__import_type_support__()
 
     import helpers.runner.worker  # noqa: F401
@@ -79,16 +79,16 @@ def serve(control: socket.socket) -> None:
                 break
             if key := children.pop(pid, None):
                 _kill_group(pid)  # what the program itself has started
-                tell(event="ended", key=key, status=status)
+                tell(event='ended', key=key, status=status)
         if control not in ready:
             continue
         data, ancillary, _, _ = socket_receive(control)
         if not data:
             break
         request = json.loads(data)
-        if request["op"] == "kill":
+        if request['op'] == 'kill':
             for pid, key in children.items():
-                if key == request["key"]:
+                if key == request['key']:
                     _kill_group(pid)
             continue
         channel, output = ancillary
@@ -103,8 +103,8 @@ def serve(control: socket.socket) -> None:
             _become_program(channel, output)
         os.close(channel)
         os.close(output)
-        children[pid] = request["key"]
-        tell(event="forked", key=request["key"], pid=pid)
+        children[pid] = request['key']
+        tell(event='forked', key=request['key'], pid=pid)
     for pid in children:
         _kill_group(pid)
 
@@ -118,8 +118,8 @@ def _kill_group(pid: int) -> None:
 
 def socket_receive(control: socket.socket):
     """One request with the file descriptors it carries (the control socket keeps message boundaries)."""
-    data, ancillary, flags, address = control.recvmsg(65536, socket.CMSG_SPACE(2 * array.array("i").itemsize))
-    descriptors = array.array("i")
+    data, ancillary, flags, address = control.recvmsg(65536, socket.CMSG_SPACE(2 * array.array('i').itemsize))
+    descriptors = array.array('i')
     for level, kind, content in ancillary:
         if level == socket.SOL_SOCKET and kind == socket.SCM_RIGHTS:
             descriptors.frombytes(content[: len(content) - len(content) % descriptors.itemsize])
@@ -155,5 +155,5 @@ def main() -> None:
     serve(control)
 
 
-if __name__ == "__main__":
+if __name__ == '__main__':
     main()

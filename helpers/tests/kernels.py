@@ -33,6 +33,7 @@ class Kernel:
         env = {name: value for name, value in os.environ.items() if name != 'PYTEST_CURRENT_TEST'}
         env['PYTHONPATH'] = os.pathsep.join([str(ROOT), env.get('PYTHONPATH', '')])
         self.manager = KernelManager(kernel_name='python3')
+        self.manager.shutdown_wait_time = TIMEOUT
         history = '--HistoryManager.hist_file=:memory:'  # no file of the user's
         self.manager.start_kernel(env=env, stderr=self._file, cwd=str(folder), extra_arguments=[history])
         self.client = self.manager.client()

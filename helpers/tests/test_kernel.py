@@ -76,26 +76,24 @@ def test_the_traceback_names_the_cell(course):
     assert result.error == 'CallbackError'
 
 
-@pytest.mark.parametrize(
-    ('prepare', 'wait'),
-    [
+def test_the_stop_button_interrupts_every_wait(course):
+    course.ok('from std_msgs.msg import String')
+    for prepare, wait in (
         ('handle = spinning(talker)', 'wait_for(lambda: False, 600)'),
         ('handle = spinning(talker)', 'spin_for(600)'),
         ('handle = spinning(Node("idle"))', 'spin_for(600)'),
         ('', 'spin_for(600, talker)'),
         ('idle = Node("idle", enable_rosout=False)', 'spin_for(600, idle)'),
-        ('from std_msgs.msg import String', 'collect("/silence", String, timeout=600)'),
+        ('', 'collect("/silence", String, timeout=600)'),
         ('', 'wait_for(lambda: False, 600)'),
-    ],
-)
-def test_the_stop_button_interrupts_a_wait(course, prepare, wait):
-    course.ok('talker = Talker()')
-    course.ok(prepare)
-    for _ in range(2):
-        result = course.run(f'print("waiting", flush=True)\n{wait}', interrupt_at='waiting')
-        assert result.error == 'KeyboardInterrupt'
-    assert course.value('rclpy.ok()') is True
-    course.ok('handle = spinning(talker)\ncount = talker.count\nwait_for(lambda: talker.count > count + 2)')
+    ):
+        course.ok('talker = Talker()')
+        course.ok(prepare)
+        for _ in range(2):
+            result = course.run(f'print("waiting", flush=True)\n{wait}', interrupt_at='waiting')
+            assert result.error == 'KeyboardInterrupt', (prepare, wait)
+        assert course.value('rclpy.ok()') is True
+        course.ok('handle = spinning(talker)\ncount = talker.count\nwait_for(lambda: talker.count > count + 2)')
 
 
 def test_the_stop_button_interrupts_a_callback_that_runs_in_the_cell(course):
@@ -149,6 +147,17 @@ def test_children_end_with_the_kernel(course):
     children = [psutil.Process(pid) for pid in course.value('[child.pid for child in children]')]
     assert course.quit() == 0
     assert psutil.wait_procs(children, timeout=30)[1] == []
+
+
+def test_a_child_is_replaced_when_its_cell_runs_again(course):
+    course.ok('import sys\nargv = [sys.executable, "-c", "import time; time.sleep(600)"]')
+    family = []
+    for _ in range(2):
+        course.ok('children = [background(argv), background(argv)]')
+        family += [psutil.Process(pid) for pid in course.value('[child.pid for child in children]')]
+    gone, alive = psutil.wait_procs(family[:2], timeout=30)
+    assert alive == [], 'those of the earlier run'
+    assert all(child.is_running() for child in family[2:]), 'two in one cell are meant'
 
 
 def test_children_end_with_a_killed_kernel(course):

@@ -1,5 +1,6 @@
 """Child processes: their output, their end, and the end of what they started."""
 
+import signal
 import sys
 
 import psutil
@@ -67,6 +68,18 @@ def test_stop_asks_first_and_is_idempotent():
     assert child.stop(timeout=30) == 5
     assert child.stop() == 5
     assert child.lines == ['up', 'asked']
+
+
+def test_stop_asks_also_where_sigint_is_ignored():
+    """As in a program that a shell has started with `&`."""
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        child = python('import time; print("up"); time.sleep(600)')
+        child.wait_for_output('up', 30)
+        assert child.stop(timeout=30) == -signal.SIGINT
+        assert signal.getsignal(signal.SIGINT) is signal.SIG_IGN
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def test_stop_ends_also_what_ignores_it_and_its_children():

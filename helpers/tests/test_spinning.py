@@ -300,6 +300,17 @@ def test_a_node_destroyed_while_spinning_leaves_the_others_alone():
     wait_for(lambda: listener.heard)
 
 
+@BOTH
+def test_a_callback_may_destroy_its_own_node(executor):
+    node, listener = Talker('brief'), Listener()
+    node.create_timer(0.01, node.destroy_node, callback_group=ReentrantCallbackGroup())
+    handle = spinning(node, listener, executor=executor)
+    _until(lambda: not is_alive(node))
+    with spinning(Talker()):
+        wait_for(lambda: listener.heard)
+    assert handle.nodes == (listener,)
+
+
 def test_a_callback_may_stop_its_own_spinning():
     node = Node('ends')
     node.create_timer(0.01, lambda: handle.stop())

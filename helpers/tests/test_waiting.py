@@ -24,6 +24,14 @@ def _started(ros):
     return ros
 
 
+@pytest.fixture
+def interruptible():
+    """Python's own answer to SIGINT, also where the tests run in the background of a shell and it is ignored."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
 def test_wait_for_returns_what_the_condition_returns():
     with spinning(talker := Talker()):
         assert wait_for(lambda: talker.count > 2 and talker.count) > 2
@@ -141,11 +149,12 @@ def test_collect_names_a_silent_topic_and_a_ros_that_is_not_started(ros):
 )
 def test_waits_are_refused_in_callbacks(wait):
     node = Node('impatient')
-    node.create_timer(0.01, wait)
+    timer = node.create_timer(0.01, lambda: (timer.cancel(), wait()))
     with spinning(node), pytest.raises(CallbackError, match='inside the timer callback .* return, and let a timer'):
         wait_for(lambda: False)
 
 
+@pytest.mark.usefixtures('interruptible')
 @pytest.mark.parametrize('background', [True, False])
 def test_interrupts_at_any_moment_leave_all_callbacks_alive(background):
     """50 interrupts at varying moments of fast callbacks; a callback group left locked would stop the count."""

@@ -1,5 +1,7 @@
 # Exercise 3.5: why is there no data?
 from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
+from sensor_msgs.msg import LaserScan
+from std_msgs.msg import Bool
 
 
 def why_no_data(offered, requested):

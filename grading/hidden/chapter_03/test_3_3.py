@@ -1,14 +1,11 @@
 """Hidden tests of exercise 3.3, heartbeat."""
 
-import random
-
 import pytest
 from std_msgs.msg import Bool, Empty, Int32
 
 from helpers.runner import expect
 
 pytestmark = pytest.mark.exercise('3.3')
-draw = random.Random('3.3')
 
 
 def test_exact_times(learner):
@@ -19,14 +16,15 @@ def test_exact_times(learner):
     led, uptime = learner.listen('/led', Bool), learner.listen('/uptime', Int32)
     learner.start('Heartbeat')
     learner.run(6.1)
-    expect(len(set(led.stamps)) == len(led), 'Several LED messages come at the same moment. Does a callback loop or sleep?')
+    expect(len(set(led.stamps)) == len(led),
+           'Several LED messages come at the same moment. Does a callback loop or sleep?')
     expect(led.stamps == pytest.approx([n / 4 for n in range(1, 25)]),
            f'The first LED messages came at {led.stamps[:4]} s, expected 0.25, 0.5, 0.75, 1.0 s.')
     expect(uptime.stamps == pytest.approx(range(1, 7)), f'The uptimes came at {uptime.stamps} s, expected 1, 2, … 6 s.')
 
 
 @pytest.mark.weight(2)
-def test_reset_keeps_the_rhythm(learner):
+def test_reset_keeps_the_rhythm(learner, draw):
     """A reset sets only the counter: the timers go on as before.
 
     No timer is stopped, made anew or reset.
@@ -42,8 +40,9 @@ def test_reset_keeps_the_rhythm(learner):
     expect(len(uptime) == count, 'The reset itself published an uptime: only the timer publishes.')
     learner.run(3.0)
     fraction = {round(stamp % 1, 3) for stamp in uptime.stamps}
-    expect(fraction <= {0.0, 1.0}, f'After a reset at {before:g} s uptimes came at {uptime.stamps[count:]} s: the reset must '
-                                   'not restart the timer.')
+    expect(fraction <= {0.0, 1.0},
+           f'After a reset at {before:g} s uptimes came at {uptime.stamps[count:]} s: the reset must '
+           'not restart the timer.')
     expect(uptime.data[count:] != [0, 1, 2], 'The first uptime after a reset is 0, expected 1.')
     expect(uptime.data[count:] == [1, 2, 3], f'After a reset uptime says {uptime.data[count:]}, expected [1, 2, 3].')
 
@@ -59,7 +58,8 @@ def test_reset_leaves_led(learner):
     learner.run(1.3)  # after five messages the LED is on
     button.send(Empty())
     learner.run(2.0)
-    expect(led.data == [n % 2 == 0 for n in range(len(led))], 'The LED missed a change at the reset: do not reset its state.')
+    expect(led.data == [n % 2 == 0 for n in range(len(led))],
+           'The LED missed a change at the reset: do not reset its state.')
     expect(len(led) == 13, f'With a reset, {len(led)} LED messages came in 3.3 s, expected 13: its timer goes on.')
 
 
@@ -77,7 +77,8 @@ def test_every_reset(learner):
     learner.run(1.0)
     button.send(Empty())
     learner.run(2.0)
-    expect(uptime.data == [1, 2, 1, 1, 2], f'With resets at 0, 2.5 and 3.5 s uptime says {uptime.data}, expected [1, 2, 1, 1, 2].')
+    expect(uptime.data == [1, 2, 1, 1, 2],
+           f'With resets at 0, 2.5 and 3.5 s uptime says {uptime.data}, expected [1, 2, 1, 1, 2].')
 
 
 def test_two_heartbeats(learner):
@@ -89,8 +90,9 @@ def test_two_heartbeats(learner):
     first = learner.start('Heartbeat')
     learner.start('Heartbeat', beside=first)
     learner.run(2.1)
-    expect(sorted(uptime.data) == [1, 1, 2, 2], f'Two heartbeats say the uptimes {uptime.data} in 2.1 s, expected 1, 1, 2, 2: '
-                                                'they share state. It belongs to the object (self).')
+    expect(sorted(uptime.data) == [1, 1, 2, 2],
+           f'Two heartbeats say the uptimes {uptime.data} in 2.1 s, expected 1, 1, 2, 2: '
+           'they share state. It belongs to the object (self).')
     expect(led.data.count(True) == 8 and led.data[:2] == [True, True],
            'Two heartbeats share the state of the LED. It belongs to the object (self).')
 

@@ -1,7 +1,5 @@
 """Hidden tests of exercise 3.4, a latched map."""
 
-import random
-
 import pytest
 from nav_msgs.msg import OccupancyGrid
 from rclpy.qos import DurabilityPolicy, QoSProfile
@@ -10,14 +8,13 @@ from std_msgs.msg import Int32
 from helpers.runner import expect
 
 pytestmark = pytest.mark.exercise('3.4')
-draw = random.Random('3.4')
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 ALL_KEPT = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 VALUES = {'#': 100, '.': 0, '?': -1}
 
 
-def random_rows():
+def random_rows(draw):
     width, height = draw.sample(range(3, 9), 2)
     return [''.join(draw.choice('#..?') for _ in range(width)) for _ in range(height)]
 
@@ -29,12 +26,12 @@ def grid_of(rows):
 
 
 @pytest.mark.weight(2)
-def test_any_map(learner):
+def test_any_map(learner, draw):
     """A map of any size is published row by row, with its size, its resolution and the frame map.
 
     Width counts the columns. The data is one flat list: the first row first.
     """
-    rows = random_rows()
+    rows = random_rows(draw)
     learner.start('MapServer', rows)
     late = learner.late_listener('/map', OccupancyGrid, LATCHED)
     expect(late.messages, 'A subscriber that came after the start got no map.')
@@ -49,13 +46,13 @@ def test_any_map(learner):
     expect(grid.info.resolution == pytest.approx(0.1), f'info.resolution is {grid.info.resolution:g}, expected 0.1.')
 
 
-def test_one_map_only(learner):
+def test_one_map_only(learner, draw):
     """The map is published once. Latching makes repetition needless.
 
     No timer: TRANSIENT_LOCAL serves those who come late.
     """
     maps = learner.listen('/map', OccupancyGrid, ALL_KEPT)
-    learner.start('MapServer', random_rows())
+    learner.start('MapServer', random_rows(draw))
     learner.run(10.1, step=1.0)
     expect(len(maps) < 2, f'{len(maps)} maps came in 10 s, expected 1. Do not repeat in a timer: latch.')
     expect(len(maps) == 1, 'No map came.')
@@ -75,12 +72,12 @@ def test_publisher_qos(learner):
     expect(publishers[0].reliable, 'The publisher of /map is BEST_EFFORT: a map must not get lost.')
 
 
-def test_reader_late(learner):
+def test_reader_late(learner, draw):
     """A reader that starts after the map counts its walls, and tells it to those who ask even later.
 
     TRANSIENT_LOCAL on both of its topics.
     """
-    rows = random_rows()
+    rows = random_rows(draw)
     walls, other = ''.join(rows).count('#'), ''.join(rows).count('?')
     server = learner.talk('/map', OccupancyGrid, LATCHED)
     server.send(grid_of(rows))
@@ -110,19 +107,23 @@ def test_reader_every_map(learner):
     expect(len(late) == 1, f'A late listener on /walls gets {len(late)} answers; depth 1 keeps only the newest.')
 
 
-def test_together(learner):
+def test_together(learner, draw):
     """Server and reader work together, in either order of their starts, and in a namespace.
 
     Both sides use the same QoS and the same relative name.
     """
-    rows = random_rows()
+    rows = random_rows(draw)
     answers = learner.listen('/floor2/walls', Int32, LATCHED)
     names = ['MapServer', 'MapReader']
     draw.shuffle(names)
+    first = None
     for name in names:
-        node = learner.start(name, *([rows] if name == 'MapServer' else []), remap={'__ns': '/floor2'})
+        rows_or_nothing = [rows] if name == 'MapServer' else []
+        node = learner.start(name, *rows_or_nothing, beside=first, remap={'__ns': '/floor2'})
         wanted = '/floor2/map_server' if name == 'MapServer' else '/floor2/map_reader'
         expect(node.name == wanted, f'A node is called {node.name}, expected {wanted}.')
         learner.run(5.0, step=1.0)
+        first = first or node
+    learner.wait_until(lambda: answers.data, timeout=3)
     expect(answers.data == [''.join(rows).count('#')],
            f'Server and reader in the namespace /floor2 gave {answers.data} for {rows}. Are the topic names relative?')

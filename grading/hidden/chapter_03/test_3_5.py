@@ -1,6 +1,5 @@
 """Hidden tests of exercise 3.5, why is there no data?"""
 
-import random
 from itertools import product
 
 import pytest
@@ -11,7 +10,6 @@ from std_msgs.msg import Bool
 from helpers.runner import expect
 
 pytestmark = pytest.mark.exercise('3.5')
-draw = random.Random('3.5')
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 RELIABILITY, DURABILITY = ('BEST_EFFORT', 'RELIABLE'), ('VOLATILE', 'TRANSIENT_LOCAL')  # weak, strong
@@ -29,7 +27,8 @@ def ask(learner, offered, requested):
 
 
 def described(offered, requested):
-    return ', '.join(f'{key} {endpoint(**offered)[key]} → {endpoint(**requested)[key]}' for key in {**offered, **requested})
+    first, second = endpoint(**offered), endpoint(**requested)
+    return ', '.join(f'{key} {first[key]} → {second[key]}' for key in {**offered, **requested})
 
 
 @pytest.mark.weight(2)
@@ -43,13 +42,14 @@ def test_all_pairs(learner):
         requested = {'reliability': RELIABILITY[r2], 'durability': DURABILITY[d2]}
         wanted = [name for name, bad in (('reliability', r1 < r2), ('durability', d1 < d2)) if bad]
         got = ask(learner, offered, requested)
-        expect(wanted or not got, f'{described(offered, requested)}: you name {got}, but an offer that is stronger than the '
-                                  'request fits. Different is not incompatible.')
+        expect(wanted or not got,
+               f'{described(offered, requested)}: you name {got}, but an offer that is stronger than the '
+               'request fits. Different is not incompatible.')
         expect(got == wanted, f'{described(offered, requested)}: you name {got}, expected {wanted}. '
                               'An offer must be at least as strong as the request.')
 
 
-def test_deadline(learner):
+def test_deadline(learner, draw):
     """The offered deadline period must not be longer than the requested one; 0.0 is endless.
 
     Replace 0.0 by infinity on both sides before you compare.
@@ -57,10 +57,12 @@ def test_deadline(learner):
     a, b = sorted(draw.sample([n / 20 for n in range(1, 40)], 2))
     for offered, requested, wanted in ((a, b, []), (b, a, ['deadline']), (a, a, []), (0.0, 0.0, [])):
         got = ask(learner, {'deadline': offered}, {'deadline': requested})
-        expect(got == wanted, f'deadline {offered:g} s offered, {requested:g} s requested: you name {got}, expected {wanted}. '
-                              'The offered period must not be longer.')
+        expect(got == wanted,
+               f'deadline {offered:g} s offered, {requested:g} s requested: you name {got}, expected {wanted}. '
+               'The offered period must not be longer.')
     got = ask(learner, {'deadline': 0.0}, {'deadline': a})
-    expect(got == ['deadline'], f'No deadline offered (0.0), {a:g} s requested: you name {got}. 0.0 is an endless period.')
+    expect(got == ['deadline'],
+           f'No deadline offered (0.0), {a:g} s requested: you name {got}. 0.0 is an endless period.')
     got = ask(learner, {'deadline': a}, {'deadline': 0.0})
     expect(got == [], f'{a:g} s offered, no deadline requested (0.0): you name {got}. Who asks for nothing is content.')
 
@@ -82,7 +84,8 @@ def test_depth_is_no_reason(learner):
     """
     for depths in ((1, 100), (100, 1)):
         got = ask(learner, {'depth': depths[0]}, {'depth': depths[1]})
-        expect(got == [], f'depth {depths[0]} offered, {depths[1]} requested: you name {got}. Depth is a private matter.')
+        expect(got == [],
+               f'depth {depths[0]} offered, {depths[1]} requested: you name {got}. Depth is a private matter.')
 
 
 def test_all_reasons(learner):
@@ -99,7 +102,7 @@ def test_all_reasons(learner):
 
 
 @pytest.mark.weight(2)
-def test_safety_stop(learner):
+def test_safety_stop(learner, draw):
     """Every scan of a best-effort lidar is answered: True for an object nearer than 0.5 m.
 
     Ask on scan for no more than a lidar offers.

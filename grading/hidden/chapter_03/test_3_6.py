@@ -1,7 +1,5 @@
 """Hidden tests of exercise 3.6, a rate and gap monitor."""
 
-import random
-
 import pytest
 from rclpy.qos import qos_profile_sensor_data
 from rclpy.time import Time
@@ -11,7 +9,6 @@ from std_msgs.msg import Float64
 from helpers.runner import expect
 
 pytestmark = pytest.mark.exercise('3.6')
-draw = random.Random('3.6')
 
 
 def scan(seconds):
@@ -28,7 +25,7 @@ def monitor(learner, *args, qos=qos_profile_sensor_data, **kwargs):
 
 
 @pytest.mark.weight(2)
-def test_changing_rate(learner):
+def test_changing_rate(learner, draw):
     """Each report counts the scans of its own second, exactly, whatever their rhythm.
 
     Count in the callback; report and set back in a timer of 1 s on the node's own clock.
@@ -44,8 +41,9 @@ def test_changing_rate(learner):
             learner.run(0.01)
         learner.run(0.5 - 0.01 * count)
     learner.run(0.1)
-    expect(rates.stamps == pytest.approx(range(1, 7)), f'The reports came at {rates.stamps} s, expected at 1, 2, … 6 s of the '
-                                                       "node's time. Use create_timer, not the clock on the wall.")
+    expect(rates.stamps == pytest.approx(range(1, 7)),
+           f'The reports came at {rates.stamps} s, expected at 1, 2, … 6 s of the '
+           "node's time. Use create_timer, not the clock on the wall.")
     totals = [float(sum(counts[:n + 1])) for n in range(6)]
     expect(rates.data != totals, 'The reports only grow: count from zero again after each report.')
     expect(rates.data == pytest.approx(counts), f'{counts} scans in six seconds gave the reports {rates.data}.')
@@ -62,12 +60,14 @@ def test_silent_sensor(learner):
         lidar.send(scan(10 + number / 10))
         learner.run(0.1)
     learner.run(2.4)
-    expect(len(rates) == 5, f'{len(rates)} reports came in 5.1 s, expected one every second, also from a silent sensor.')
-    expect(rates.data == [0.0, 0.0, 5.0, 0.0, 0.0], f'Silence, 5 scans, silence gave {rates.data}, expected [0, 0, 5, 0, 0].')
+    expect(len(rates) == 5,
+           f'{len(rates)} reports came in 5.1 s, expected one every second, also from a silent sensor.')
+    expect(rates.data == [0.0, 0.0, 5.0, 0.0, 0.0],
+           f'Silence, 5 scans, silence gave {rates.data}, expected [0, 0, 5, 0, 0].')
     expect(not gaps.messages, 'Silence alone makes no message on scan_gap: it takes the next scan to know the gap.')
 
 
-def test_gaps_from_stamps(learner):
+def test_gaps_from_stamps(learner, draw):
     """A gap is the difference of two stamps, whenever the messages arrive.
 
     Use header.stamp with its nanoseconds, not the time of arrival.
@@ -80,7 +80,8 @@ def test_gaps_from_stamps(learner):
         learner.run(pause) if pause else None
     expect(gaps.data, 'Two gaps in the stamps gave nothing on /scan_gap.')
     expect(gaps.data == pytest.approx([1.15, 0.8], abs=1e-6),
-           f'The gaps are {gaps.data}, expected [1.15, 0.8]. Use the stamps, with nanoseconds, and not the time of arrival.')
+           f'The gaps are {gaps.data}, expected [1.15, 0.8]. Use the stamps, with nanoseconds, '
+           'and not the time of arrival.')
     expect(len(gaps) == 2, 'Each gap is told once.')
 
 
@@ -96,7 +97,7 @@ def test_gap_at_once(learner):
     expect(gaps.stamps == [0.3], 'The gap was not published at once, when the scan after it came.')
 
 
-def test_first_scan(learner):
+def test_first_scan(learner, draw):
     """The first scan makes no gap, whatever its stamp.
 
     Begin with None, not with zero or with the start of the node.
@@ -149,7 +150,8 @@ def test_any_publisher(learner):
     learner.run(1.0)
     expect(rates.data == [1.0], f'One scan of a reliable lidar gave the report {rates.data}, expected [1].')
     asked = learner.endpoints('/scan').subscriptions
-    expect(asked and not asked[0].reliable, 'Your subscription to scan asks for RELIABLE: a best-effort lidar is not heard.')
+    expect(asked and not asked[0].reliable,
+           'Your subscription to scan asks for RELIABLE: a best-effort lidar is not heard.')
     expect(not asked[0].latched, 'Your subscription to scan asks for TRANSIENT_LOCAL: most lidars do not offer it.')
 
 

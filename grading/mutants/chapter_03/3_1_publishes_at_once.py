@@ -1,4 +1,4 @@
-# expect: before the first period
+# expect: what the constructor publishes, nobody can hear yet
 # Exercise 3.1: a beacon
 class Beacon(Node):
     def __init__(self):

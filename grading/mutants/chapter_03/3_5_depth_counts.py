@@ -1,14 +1,13 @@
 # expect: Depth is a private matter
 # Exercise 3.5: why is there no data?
 from sensor_msgs.msg import LaserScan
+from std_msgs.msg import Bool
 
 
 def why_no_data(offered, requested):
     strength = {'BEST_EFFORT': 0, 'RELIABLE': 1, 'VOLATILE': 0, 'TRANSIENT_LOCAL': 1}
     reasons = [key for key in ('topic', 'type') if offered[key] != requested[key]]
-    for key in ('reliability', 'durability'):
-        if strength[offered[key]] < strength[requested[key]]:
-            reasons.append(key)
+    reasons += [key for key in ('reliability', 'durability') if strength[offered[key]] < strength[requested[key]]]
     if (offered['deadline'] or float('inf')) > (requested['deadline'] or float('inf')):
         reasons.append('deadline')
     if offered['depth'] < requested['depth']:

@@ -1,5 +1,6 @@
 # expect: is no gap
 # Exercise 3.6: a rate and gap monitor
+from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Float64
 
 

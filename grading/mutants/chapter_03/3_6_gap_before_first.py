@@ -1,5 +1,6 @@
 # expect: there is nothing before it
 # Exercise 3.6: a rate and gap monitor
+from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Float64
 
 

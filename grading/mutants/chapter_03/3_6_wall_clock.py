@@ -1,5 +1,6 @@
-# expect: The report belongs into a timer
+# expect: not the clock on the wall
 # Exercise 3.6: a rate and gap monitor
+from sensor_msgs.msg import LaserScan
 import time
 
 from std_msgs.msg import Float64

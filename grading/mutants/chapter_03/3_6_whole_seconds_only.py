@@ -1,5 +1,6 @@
 # expect: with nanoseconds
 # Exercise 3.6: a rate and gap monitor
+from sensor_msgs.msg import LaserScan
 from rclpy.clock import ClockType
 from std_msgs.msg import Float64
 

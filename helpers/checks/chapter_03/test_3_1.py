@@ -16,8 +16,11 @@ def test_texts(learner):
     heard = learner.listen('/beacon', String)
     learner.start('Beacon')
     learner.run(2.1)
-    expect(heard.data, 'Nothing was published on /beacon in 2 seconds. Is there a timer, and does its callback publish?')
+    expect(heard.data,
+           'Nothing was published on /beacon in 2 seconds. Is there a timer, and does its callback publish?')
     expect(heard.data[0] != 'alive 0', "The first text is 'alive 0': the count must begin at 1.")
+    expect(heard.data[0] != 'alive 2', "The first text that arrives is 'alive 2'. Publish in the timer only: what the "
+                                       'constructor publishes, nobody can hear yet.')
     expect(len(set(heard.data)) > 1, f'The text never changes ({heard.data[0]!r}): add 1 to the counter in each call.')
     wanted = [f'alive {number}' for number in range(1, len(heard.data) + 1)]
     expect(heard.data == wanted, f'The texts are {heard.data[:4]} …, expected {wanted[:4]} …')

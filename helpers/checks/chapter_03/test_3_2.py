@@ -22,8 +22,9 @@ def test_distance_in_metres(learner):
     learner.start('RangeToMetres')
     sensor.send(Range(range=150.0))
     learner.settle()
-    expect(len(heard) == 1, f'One message went in and {len(heard)} came out at once. Publish once in the callback of the '
-                            'subscription, without a timer.')
+    expect(len(heard) == 1,
+           f'One message went in and {len(heard)} came out at once. Publish once in the callback of the '
+           'subscription, without a timer.')
     got = heard.messages[0].range
     expect(not close(got, 15000.0), '150 cm became 15000 m: divide by 100.')
     expect(close(got, 1.5), f'150 cm became {got:g} m, expected 1.5 m.')

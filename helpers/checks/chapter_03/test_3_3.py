@@ -45,4 +45,5 @@ def test_reset(learner):
     button.send(Empty())
     learner.run(2.0)
     expect(uptime.data != [1, 2, 3, 4, 5], 'A message on /reset changes nothing: uptime counts on.')
-    expect(uptime.data == [1, 2, 3, 1, 2], f'/uptime says {uptime.data} with a reset after 3.1 s; expected [1, 2, 3, 1, 2].')
+    expect(uptime.data == [1, 2, 3, 1, 2],
+           f'/uptime says {uptime.data} with a reset after 3.1 s; expected [1, 2, 3, 1, 2].')

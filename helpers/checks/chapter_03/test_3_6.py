@@ -59,4 +59,5 @@ def test_gap(learner):
         learner.run(0.1)
     expect(gaps.data, 'The stamps 3.2 and 4.7 follow each other, and nothing came on /scan_gap. '
                       'Compare the stamps, not the times of arrival.')
-    expect(gaps.data == pytest.approx([1.5]), f'The stamps 3.0, 3.2, 4.7, 4.9 gave the gaps {gaps.data}, expected [1.5].')
+    expect(gaps.data == pytest.approx([1.5]),
+           f'The stamps 3.0, 3.2, 4.7, 4.9 gave the gaps {gaps.data}, expected [1.5].')

@@ -1,4 +1,4 @@
-# expect: never comes to rest
+# expect: has no subscription on /sonar_cm
 # Exercise 3.2: from centimetres to metres
 from sensor_msgs.msg import Range
 

@@ -1,0 +1,73 @@
+"""A fresh clone, for real: minutes of building, so it runs only with `-m slow`."""
+
+import signal
+import subprocess
+import time
+
+import pytest
+
+from environment.setup.main import ROOT
+
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(3600)]
+
+
+def start(clone, environ, *arguments):
+    return subprocess.Popen(
+        [clone / 'course', *arguments],
+        env=environ,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+
+
+def test_a_clone_is_interrupted_resumed_changed_and_moved(tmp_path, clean_environ):
+    clone = tmp_path / 'a clone'
+    subprocess.run(['git', 'clone', '-q', ROOT, clone], check=True)
+    interesting = 'import tf2_msgs.action, example_interfaces.srv; print("works")'
+    command = ('shell', '--', 'python3', '-c', interesting)
+
+    # Interrupted in the middle of the build: what is done stays done.
+    first = start(clone, clean_environ, *command)
+    for line in first.stderr:
+        if line.startswith('Building'):
+            break
+    first.send_signal(signal.SIGINT)
+    rest = first.communicate(timeout=60)[1]
+    assert first.returncode == 130
+    assert 'goes on from here' in rest
+
+    # Two at once go on from there; one works, the other waits.
+    pair = [start(clone, clean_environ, *command) for _ in range(2)]
+    answers = [p.communicate(timeout=3000) for p in pair]
+    assert [p.returncode for p in pair] == [0, 0], answers
+    assert [out for out, _ in answers] == ['works\n', 'works\n']
+    said = ''.join(err for _, err in answers)
+    assert 'Installing' not in said
+    assert said.count('The environment is ready.') == 1
+    assert said.count('waiting for it to end') == 1
+
+    # Nothing to do: quick, in processor time, as the machine may be loaded.
+    started = time.monotonic()
+    again = start(clone, clean_environ, *command)
+    out, err = again.communicate(timeout=60)
+    assert out == 'works\n'
+    assert err == ''
+    assert time.monotonic() - started < 10
+
+    # One package changed.
+    with (clone / 'environment/ros2_ws/src/tf2_msgs/msg/TFMessage.msg').open('a') as file:
+        file.write('# changed\n')
+    changed = start(clone, clean_environ, *command)
+    out, err = changed.communicate(timeout=3000)
+    assert out == 'works\n'
+    assert 'Building 1 ROS packages (tf2_msgs)' in err
+
+    # What it needs is told when a tool is missing, and only then.
+    moved = tmp_path / 'moved'
+    clone.rename(moved)
+    without = start(moved, {**clean_environ, 'CXX': '/no/compiler'}, *command)
+    out, err = without.communicate(timeout=60)
+    assert without.returncode == 2
+    assert err.splitlines() == ['course: no C++ compiler (/no/compiler) on PATH; run: sudo apt install g++']

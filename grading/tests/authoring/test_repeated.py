@@ -1,0 +1,116 @@
+"""What nbval finds in the repeated notebooks, run as ``./course test`` runs them: all the planted faults in one run."""
+
+import subprocess
+import sys
+from xml.etree import ElementTree
+
+import nbformat
+import pytest
+
+from grading.authoring import execution, outputs, repeated
+from helpers import paths
+
+pytestmark = pytest.mark.timeout(300)  # ten kernels, on a machine that may be busy
+
+GOOD = """import rclpy
+rclpy.init()
+node = rclpy.create_node('good')
+print(node.get_name())
+node.destroy_node()
+rclpy.shutdown()"""
+THREAD = """import threading
+threading.Thread(target=threading.Event().wait, name='waiter', daemon=True).start()"""
+NOTEBOOKS = {  # name: cells, as (source, output on record; None: never executed)
+    'good': [(GOOD, 'good\n')],
+    'unsolved': [('print(1)', None)],
+    'quiet': [('6 * 7;', ''), ('%%bash\necho hello', 'hello\n')],
+    'wrong_output': [('print(42)', '41\n')],
+    'failing': [('1 / 0', '')],
+    'second_run_fails': [("assert 'seen' not in globals()\nseen = 1", '')],
+    'second_run_differs': [("count = globals().get('count', 0) + 1\nprint(count)", '1\n')],
+    'leaves_a_node': [("import rclpy\nrclpy.try_shutdown(); rclpy.init()\nnode = rclpy.create_node('forgotten')", '')],
+    'leaves_a_context': [('import rclpy\ncontext = rclpy.Context()\ncontext.init()', '')],
+    'leaves_a_thread': [(THREAD, '')],
+    'leaves_a_process': [('import subprocess\nchild = subprocess.Popen(["sleep", "97"])', '')],
+}
+
+
+def notebook(cells):
+    """A notebook of code cells that looks as if it had been executed, where an output is given."""
+    nodes = [{
+        'cell_type': 'code', 'id': f'cell-{number}', 'metadata': {}, 'source': source,
+        'execution_count': None if text is None else number,
+        'outputs': [{'output_type': 'stream', 'name': 'stdout', 'text': text}] if text else [],
+    } for number, (source, text) in enumerate(cells)]
+    return nbformat.from_dict({'cells': nodes, 'metadata': {}, 'nbformat': 4, 'nbformat_minor': 5})
+
+
+@pytest.fixture(scope='module')
+def results(tmp_path_factory):
+    """For each notebook: the ids of its tests, and the messages of those that failed."""
+    folder = tmp_path_factory.mktemp('nbval')
+    files = []
+    for name, cells in NOTEBOOKS.items():
+        path = folder / 'notebooks' / f'{name}.ipynb'
+        path.parent.mkdir(exist_ok=True)
+        nbformat.write(notebook(cells), path)
+        files.append(path)
+    config = folder / 'sanitize.cfg'
+    config.write_text(outputs.nbval_config(paths.ROOT))
+    copies = repeated.write(files, folder / 'build')
+    report = folder / 'report.xml'
+    command = [sys.executable, '-m', 'pytest', '-q', '-n2', f'--junitxml={report}', '--color=no',
+               *repeated.nbval_arguments(config, execution.kernel_name(), 30), *map(str, copies)]
+    # Inside of the course's folder pytest would find conftest.py; here the plugin is named.
+    done = subprocess.run([*command, '-p', 'conftest'], cwd=paths.ROOT, capture_output=True, text=True, timeout=280)
+    assert report.exists(), done.stdout + done.stderr
+    found = {name: {} for name in NOTEBOOKS}
+    for case in ElementTree.parse(report).getroot().iter('testcase'):
+        name = case.get('classname').split('.')[-2]
+        failure = case.find('failure')
+        found[name][case.get('name')] = None if failure is None else (failure.text or failure.get('message'))
+    return found
+
+
+def failures(results, name):
+    """The failed tests of one notebook."""
+    return {test: message for test, message in results[name].items() if message is not None}
+
+
+def test_a_semicolon_hides_a_value_and_ipythons_own_thread_is_none_of_ours(results):
+    assert len(results['quiet']) == 6
+    assert failures(results, 'quiet') == {}
+
+
+@pytest.mark.parametrize('name', ['good', 'unsolved'])
+def test_a_good_notebook_passes_both_runs(results, name):
+    assert list(results[name]) == ['note', 'cell-0-first', 'cell-0-second', 'leftovers']
+    assert failures(results, name) == {}
+
+
+@pytest.mark.parametrize('name', ['wrong_output', 'failing'])
+def test_a_fault_is_found_in_both_runs(results, name):
+    assert list(failures(results, name)) == ['cell-0-first', 'cell-0-second']
+
+
+@pytest.mark.parametrize('name', ['second_run_fails', 'second_run_differs'])
+def test_a_fault_of_the_second_run_is_found(results, name):
+    assert list(failures(results, name)) == ['cell-0-second']
+
+
+@pytest.mark.parametrize(('name', 'message'), [
+    ('leaves_a_node', 'a valid rclpy context with node forgotten'),
+    ('leaves_a_context', 'a valid rclpy context with no node'),
+    ('leaves_a_thread', 'thread waiter'),
+    ('leaves_a_process', 'process sleep 97'),
+])
+def test_what_is_left_over_is_named(results, name, message):
+    (test, text), = failures(results, name).items()
+    assert test == 'leftovers'
+    assert message in text
+
+
+def test_a_file_that_is_no_notebook_is_named(tmp_path):
+    (tmp_path / 'odd.ipynb').write_text('{')
+    with pytest.raises(ValueError, match='odd.ipynb is no notebook'):
+        repeated.write([tmp_path / 'odd.ipynb'], tmp_path / 'out')

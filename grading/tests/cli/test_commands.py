@@ -1,0 +1,87 @@
+"""The author's commands, as the command line runs them."""
+
+import json
+
+import pytest
+
+from grading import bench as benchmarks
+from grading.tests.authoring.conftest import make_without_kernel, write
+from grading.tests.authoring.sources import TINY
+from helpers import paths
+from helpers.cli import app
+
+
+@pytest.fixture
+def course(tmp_path, monkeypatch):
+    """A course of one tiny chapter in place of the real one."""
+    from grading.authoring.build import Tree
+
+    tree = Tree(tmp_path)
+    tree.solutions.mkdir()
+    tree.notebooks.mkdir()
+    write(tree, TINY)
+    monkeypatch.setattr(paths, 'ROOT', tmp_path)
+    return tree
+
+
+def test_check_says_what_is_out_of_step(course, capsys):
+    assert app.main(['build', '--check']) == 1
+    assert 'run ./course build' in capsys.readouterr().out
+    make_without_kernel(course)
+    assert app.main(['build', '--check']) == 0
+    assert capsys.readouterr().out == '1 chapters are in step with their sources\n'
+
+
+def test_mistakes_of_the_author_end_with_one(course, capsys):
+    write(course, TINY.replace('"points": 10, ', ''))
+    assert app.main(['build']) == 1
+    assert capsys.readouterr().err.startswith('solutions/07_tiny.md:')
+
+
+@pytest.mark.parametrize(('argument', 'message'), [
+    ('08', 'no source of chapter 08 in solutions/; there are: 07'),
+    ('seven', "'seven' is no chapter: write its number, such as 03"),
+])
+def test_an_unknown_chapter_is_unusable_input(course, capsys, argument, message):
+    assert app.main(['build', argument]) == 2
+    assert capsys.readouterr().err == f'course: {message}\n'
+
+
+@pytest.mark.parametrize('argument', ['7', '07', '07_tiny', 'solutions/07_tiny.md'])
+def test_a_chapter_may_be_named_as_one_likes(course, argument, capsys):
+    make_without_kernel(course)
+    assert app.main(['build', argument]) == 0
+    assert capsys.readouterr().out == '07_tiny: unchanged\n'
+
+
+def make_benchmark(root, name, body):
+    folder = root / 'helpers' / 'bench'
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / f'bench_{name}.py').write_text(f'"""About {name}."""\n\n\ndef measure():\n    {body}\n')
+
+
+def test_benchmarks_are_found_run_and_written(course, tmp_path, capsys):
+    make_benchmark(tmp_path, 'quick', "yield 'a wait', 12.5, 'ms'")
+    make_benchmark(tmp_path, 'broken', "raise OSError('no clock')")
+    output = tmp_path / 'new' / 'bench.json'
+    assert app.main(['bench', '-o', str(output)]) == 1
+    shown = capsys.readouterr()
+    assert 'quick: About quick.' in shown.out and '12.5' in shown.out
+    assert 'broken: OSError: no clock' in shown.err
+    assert json.loads(output.read_text())['results'] == [
+        {'benchmark': 'broken', 'error': 'OSError: no clock'},
+        {'benchmark': 'quick', 'what': 'a wait', 'value': 12.5, 'unit': 'ms'},
+    ]
+    assert app.main(['bench', 'quick', '-o', str(output)]) == 0
+
+
+def test_an_unknown_benchmark_is_unusable_input(course, tmp_path, capsys):
+    make_benchmark(tmp_path, 'quick', 'yield')
+    assert app.main(['bench', 'nix']) == 2
+    assert capsys.readouterr().err == "course: no benchmark 'nix'; there are: quick\n"
+
+
+def test_the_courses_own_benchmarks_say_what_they_measure():
+    found = benchmarks.find(paths.ROOT)
+    assert {'command', 'wire'} <= set(found)
+    assert all(benchmarks.title(path) for path in found.values())

@@ -1,0 +1,224 @@
+"""Grading into a folder: marks, reports, resuming, and what a gradebook must withstand."""
+
+import csv
+import io
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+from grading import grade, gradebook, reports, submissions
+from grading.record import Record, write
+from grading.tests import small
+from helpers import paths
+from helpers.runner import results
+from helpers.runner.results import ExerciseResult, TestResult
+
+HURT = '<script>alert(1)</script>'
+WORKS = {
+    'ada': small.solved(),
+    'bob': small.solved(small.TALKER.replace('+= 1', '+= 2')),
+    'eve': small.solved(f'def Talker(): raise ValueError("{HURT}")\n'),
+    'fay': small.solved(small.STUB),
+    'gus': b'{',
+    'hal': small.notebook('x = 1'),
+}
+
+
+@pytest.fixture
+def course(tmp_path):
+    """A course with one exercise, one visible and one hidden test."""
+    small.write_tests(tmp_path, small.VISIBLE)
+    small.write_tests(tmp_path, small.HIDDEN, kind='hidden')
+    return grade.Course((small.exercise(),), tmp_path / 'checks', tmp_path / 'hidden')
+
+
+@pytest.fixture
+def works(tmp_path):
+    """Six submissions."""
+    folder = tmp_path / 'works'
+    folder.mkdir()
+    for learner, data in WORKS.items():
+        (folder / f'{learner}.ipynb').write_bytes(data)
+    return submissions.find(folder.iterdir())
+
+
+def test_grade(course, works, tmp_path):
+    output = tmp_path / 'out'
+    said = []
+    records = grade.grade(works, course, output, 2, lambda record, fresh: said.append((record.learner, fresh)))
+    rows = list(csv.DictReader(io.StringIO((output / 'gradebook.csv').read_text())))
+    assert rows == [
+        {'learner': 'ada', '90.1': '10', 'total': '10', 'status': 'graded'},
+        {'learner': 'bob', '90.1': '2.5', 'total': '2.5', 'status': 'graded'},
+        {'learner': 'eve', '90.1': '0', 'total': '0', 'status': 'graded'},
+        {'learner': 'fay', '90.1': '0', 'total': '0', 'status': 'graded'},
+        {'learner': 'gus', '90.1': '0', 'total': '0', 'status': 'invalid'},
+        {'learner': 'hal', '90.1': '0', 'total': '0', 'status': 'graded'},
+    ]
+    assert sorted(said) == [(learner, True) for learner in WORKS]
+    assert all(record.sandbox == 'none' for record in records)
+    names = sorted(path.relative_to(output).as_posix() for path in output.rglob('*') if path.is_file())
+    assert names == sorted(['gradebook.csv', 'run.log', *(f'{folder}/{learner}{suffix}' for learner in WORKS
+                            for folder, suffix in (('results', '.json'), ('feedback', '.html'),
+                                                   ('gradescope', '.json'), ('junit', '.xml')))])
+    _feedback(output)
+    _gradescope(output)
+    _junit(output)
+    _again(course, works, output)
+
+
+def _feedback(output):
+    pages = {learner: (output / 'feedback' / f'{learner}.html').read_text() for learner in WORKS}
+    assert '10 of 10 points' in pages['ada']
+    assert 'The texts are [&#39;0&#39;, &#39;2&#39;' in pages['bob'] and 'Look at the counter.' in pages['bob']
+    assert 'not valid JSON' in pages['gus']
+    assert '&lt;script&gt;' in pages['eve']
+    for page in pages.values():
+        assert '<script' not in page and 'javascript:' not in page and not re.search(r'<[^>]* on\w+=', page)
+        assert 'http:' not in page and 'https:' not in page
+        assert 'heard.data ==' not in page and '/grading/' not in page and 'Traceback' not in page
+
+
+def _gradescope(output):
+    for learner, score in (('ada', 10), ('bob', 2.5), ('fay', 0)):
+        data = json.loads((output / 'gradescope' / f'{learner}.json').read_text())
+        assert data['score'] == score and data['tests'][0]['max_score'] == 10 and data['tests'][0]['score'] == score
+        assert data['extra_data']['sandbox'] == 'none'
+
+
+def _junit(output):
+    suite = ElementTree.parse(output / 'junit' / 'bob.xml').getroot()
+    assert (suite.get('tests'), suite.get('failures'), suite.get('errors')) == ('2', '1', '0')
+    assert ElementTree.parse(output / 'junit' / 'fay.xml').getroot().get('skipped') == '1'
+
+
+def _again(course, works, output):
+    """Run again: nothing is graded anew, and nothing changes but the log."""
+    before = {path: path.read_bytes() for path in output.rglob('*') if path.is_file() and path.name != 'run.log'}
+    said = []
+    grade.grade(works, course, output, 2, lambda record, fresh: said.append(fresh))
+    assert said == [False] * len(WORKS)
+    assert before == {path: path.read_bytes() for path in output.rglob('*') if path.name != 'run.log'
+                      and path.is_file()}
+    # A changed submission, a damaged result, and then a changed test are noticed.
+    works[3].files = {small.NOTEBOOK: small.solved()}
+    (output / 'results' / 'gus.json').write_text('{"schema": 1')
+    said.clear()
+    records = grade.grade(works, course, output, 2, lambda record, fresh: fresh and said.append(record.learner))
+    assert sorted(said) == ['fay', 'gus'] and {r.learner: r.score for r in records}['fay'] == 10
+    before = course.digest()
+    small.write_tests(output.parent, small.HIDDEN + '\n', kind='hidden')
+    assert course.digest() != before
+
+
+SCRIPT = """
+import sys
+from pathlib import Path
+from grading import grade, submissions
+from grading.tests import small
+folder = Path(sys.argv[1])
+course = grade.Course((small.exercise(),), folder / 'checks', folder / 'hidden')
+grade.grade(submissions.find((folder / 'works').iterdir()), course, folder / 'out', 2)
+"""
+
+
+@pytest.mark.timeout(300)
+def test_killed_and_started_again(course, works, tmp_path):
+    """Killed after the first, the second … result, it goes on and ends with the same gradebook."""
+    expected = grade.grade(works, course, tmp_path / 'undisturbed', 2)
+    environment = {**os.environ, 'PYTHONPATH': str(paths.ROOT)}
+    found = tmp_path / 'out' / 'results'
+    for wanted in (1, 2, 3):
+        process = subprocess.Popen([sys.executable, '-c', SCRIPT, str(tmp_path)], env=environment)
+        while process.poll() is None and len(list(found.glob('*.json'))) < min(3 + wanted, 6):
+            time.sleep(0.01)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        kept = {path.name: path.stat().st_mtime_ns for path in found.glob('*.json')}
+        assert len(kept) >= min(3 + wanted, 6) and all(Record.load(path) for path in found.glob('*.json'))
+    process = subprocess.run([sys.executable, '-c', SCRIPT, str(tmp_path)], env=environment)
+    assert process.returncode == 0
+    assert kept.items() <= {path.name: path.stat().st_mtime_ns for path in found.glob('*.json')}.items()
+    books = [(tmp_path / folder / 'gradebook.csv').read_bytes() for folder in ('out', 'undisturbed')]
+    assert books[0] == books[1]
+    assert [Record.load(found / f'{record.learner}.json') for record in expected] == expected
+
+
+def test_a_fault_of_the_graders_is_no_zero(course, tmp_path):
+    (course.hidden / 'chapter_90' / 'test_90_1.py').write_text('nonsense(')
+    (tmp_path / 'ada.ipynb').write_bytes(WORKS['ada'])
+    work = submissions.find([tmp_path / 'ada.ipynb'])
+    record, = grade.grade(work, course, tmp_path / 'out')
+    assert (record.status, record.score) == ('grader_error', None)
+    assert (tmp_path / 'out' / 'gradebook.csv').read_text() == 'learner,90.1,total,status\nada,,,grader_error\n'
+    page = (tmp_path / 'out' / 'feedback' / 'ada.html').read_text()
+    assert 'fault on our side' in page and 'SyntaxError' not in page and 'nonsense' not in page
+    assert 'SyntaxError' in (tmp_path / 'out' / 'run.log').read_text()
+    assert 'score' not in json.loads((tmp_path / 'out' / 'gradescope' / 'ada.json').read_text())
+    # Mended, it is graded in the next run.
+    small.write_tests(tmp_path, small.HIDDEN, kind='hidden')
+    record, = grade.grade(work, course, tmp_path / 'out')
+    assert (record.status, record.score) == ('graded', 10)
+
+
+def record(**changes):
+    test = TestResult('hidden/chapter_90/test_90_1::test_it', '90.1', True, 1, 'failed', f'{HURT}\n\n{HURT}', HURT,
+                      HURT, HURT)
+    exercise = ExerciseResult('90.1', HURT, 10, 'failed', 0.0, HURT, [test])
+    return Record(**{'learner': 'ada', 'source': 'x.zip', 'key': 'k', 'sandbox': 'none', 'exercises': [exercise],
+                     **changes})
+
+
+@pytest.mark.parametrize('learner', ['=HYPERLINK("x")', '+1', '-1', '@x', '\t=1'])
+def test_no_formula_in_the_gradebook(learner):
+    rows = list(csv.reader(io.StringIO(gradebook.dumps([record(learner=learner)], [small.exercise()]), newline='')))
+    assert rows[1][0] == f"'{learner}"
+
+
+def test_one_row_per_learner():
+    assert len(gradebook.dumps([record(learner='a\rb\nc')], [small.exercise()]).splitlines()) == 2
+
+
+def test_a_comma_and_a_quote_in_the_gradebook():
+    rows = list(csv.reader(io.StringIO(gradebook.dumps([record(learner='a,"b"')], [small.exercise()]))))
+    assert rows[1] == ['a,"b"', '0', '0', 'graded']
+
+
+@pytest.mark.parametrize(('folder', 'suffix', 'make'), reports.KINDS, ids=[kind[0] for kind in reports.KINDS])
+def test_every_report_escapes(folder, suffix, make):
+    text = make(record(learner=HURT))
+    if folder != 'gradescope':  # JSON of plain text: Gradescope escapes it
+        assert '<script' not in text
+    assert 'alert(1)' in text
+
+
+def test_record_round_trip(tmp_path):
+    write(tmp_path / 'ada.json', record().dumps())
+    assert Record.load(tmp_path / 'ada.json') == record()
+    assert sorted(path.name for path in tmp_path.iterdir()) == ['ada.json']
+    assert Record.load(tmp_path / 'none.json') is None
+
+
+def test_totals():
+    two = [results.ExerciseResult('1.1', 'a', 10, 'passed', 10.0), results.ExerciseResult('1.2', 'b', 5, 'failed', 2.5)]
+    assert (record(exercises=two).score, record(exercises=two).points) == (12.5, 15)
+    two[1].score = None
+    assert record(exercises=two).score is None
+
+
+def test_learners_names_are_paths_only_inside(course, tmp_path):
+    for work in submissions.find([_work(tmp_path, '..ipynb'), _work(tmp_path, 'a b.ipynb')]):
+        assert (tmp_path / 'out' / 'results' / f'{work.learner}.json').parent == tmp_path / 'out' / 'results'
+
+
+def _work(folder: Path, name: str) -> Path:
+    (folder / name).write_bytes(WORKS['hal'])
+    return folder / name

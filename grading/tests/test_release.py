@@ -1,0 +1,75 @@
+"""The learner's edition: nothing of the instructor's in it, and it works by itself."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from grading import release
+from helpers import paths
+
+
+@pytest.fixture(scope='module')
+def edition(tmp_path_factory):
+    """The learner's edition of this checkout."""
+    folder = tmp_path_factory.mktemp('edition') / 'course'
+    release.release(folder)
+    return folder
+
+
+def test_what_is_in_it(edition):
+    there = {path.name for path in edition.iterdir()}
+    assert {'notebooks', 'helpers', 'environment', 'course', 'README.md', 'LICENSE', 'pyproject.toml'} <= there
+    assert not there & {'solutions', 'grading', '.ci', '.git', '.venv', 'build'}
+    assert list((edition / 'helpers' / 'checks').rglob('test_*.py'))
+    assert os.access(edition / 'course', os.X_OK)
+
+
+def test_no_solution_and_no_hidden_test(edition):
+    hidden = [path.read_text() for path in (paths.ROOT / 'grading' / 'hidden').rglob('test_*.py')]
+    for path in edition.rglob('*'):
+        if path.is_file() and path.suffix in ('.py', '.ipynb', '.md', '.json'):
+            text = path.read_text()
+            assert text not in hidden
+            assert path.suffix != '.ipynb' or 'BEGIN SOLUTION' not in text
+
+
+def test_it_works_by_itself(edition):
+    """Commands of the learner's are there, the instructor's are not, and a check runs."""
+    environment = {**os.environ, 'PYTHONPATH': str(edition), 'PYTHONDONTWRITEBYTECODE': '1'}
+
+    def course(*arguments):
+        # Isolated from this checkout, which the environment's own path file would add.
+        code = (f'import sys; sys.path[:] = [{str(edition)!r}] + [p for p in sys.path if p != {str(paths.ROOT)!r}]; '
+                'from helpers.cli.app import main; sys.exit(main(sys.argv[1:]))')
+        return subprocess.run([sys.executable, '-c', code, *arguments], cwd=edition, env=environment,
+                              capture_output=True, text=True, timeout=120)
+
+    text = course('--help').stdout
+    assert 'check' in text and 'submit' in text and 'grade' not in text and 'release' not in text
+    found = course('check', '3.1')
+    assert 'Not solved yet' in found.stdout and found.returncode == 1, found.stderr
+
+
+def test_refusals(tmp_path):
+    (tmp_path / 'x').write_text('')
+    with pytest.raises(release.ReleaseError, match='not empty'):
+        release.release(tmp_path)
+    with pytest.raises(release.ReleaseError, match='no notebooks'):
+        release.release(tmp_path / 'new', tmp_path)
+
+
+@pytest.mark.parametrize(('name', 'text'), [
+    ('notebooks/x.ipynb', '# BEGIN SOLUTION'),
+    ('helpers/x.py', 'import y\n\n\ndef test_secret(learner):\n    assert 1\n'),
+])
+def test_leaks(tmp_path, name, text):
+    root = tmp_path / 'course'
+    for path, content in (('notebooks/a.ipynb', '{}'), (name, text),
+                          ('grading/hidden/test_1.py', 'def test_secret(learner):\n    assert 1\n')):
+        (root / path).parent.mkdir(parents=True, exist_ok=True)
+        (root / path).write_text(content)
+    with pytest.raises(release.Leak, match=name):
+        release.release(tmp_path / 'new', root)
+    assert not (tmp_path / 'new').exists()

@@ -1,0 +1,166 @@
+"""What a session makes of tests that are themselves at fault: never a pass, never a learner's zero."""
+
+import os
+
+import pytest
+
+from grading.tests import small
+from helpers.runner import launch, session
+
+ONE = '''
+def test_one(learner):
+    """One."""
+    assert learner.call('Talker') == 1
+'''
+PROGRAM = 'def Talker():\n    return 1\n'
+
+
+def run(folder, exercises=(1,), hidden=False, program=PROGRAM, **options):
+    cells = [cell for number in exercises for cell in small.cells(program, number)]
+    return session.run(cells, [small.exercise(number) for number in exercises], session.Options(
+        visible=folder / 'checks', hidden=folder / 'hidden' if hidden else None, **options))
+
+
+def test_visible_and_hidden(tmp_path):
+    small.write_tests(tmp_path, small.VISIBLE)
+    small.write_tests(tmp_path, small.HIDDEN, kind='hidden')
+    report = session.run(small.cells(small.TALKER.replace('+= 1', '+= 2')), [small.exercise()],
+                         session.Options(visible=tmp_path / 'checks', hidden=tmp_path / 'hidden'))
+    result, = report.exercises
+    assert [(test.hidden, test.verdict, test.weight) for test in result.tests] == [
+        (False, 'passed', 1), (True, 'failed', 3)]
+    assert result.tests[1].message == "The texts are ['0', '2', '4', '6']."
+    assert (result.verdict, result.score, report.sandbox, report.log) == ('failed', 2.5, 'none', [])
+
+
+@pytest.mark.parametrize(('text', 'log'), [
+    ('\ndef test_two(learner):\n    """Two."""\n    os._exit(3)\n', 'status 3'),
+    ('\ndef test_two(learner):\n    """Two."""\n    time.sleep(100)\n', 'no progress'),
+    ('\ndef test_two(learner):\n    """Two."""\n    {}["key"]\n', 'KeyError'),
+    ('\ndef test_two(learner):\n    """Two."""\n    pytest.skip("x")\n', 'Skipped'),
+    ('\ndef test_two(nothing):\n    """Two."""\n', 'FixtureLookupError'),
+    ('\nimport nothing\n', 'nothing'),
+    ('\nthis is no Python\n', 'SyntaxError'),
+    ('\n@pytest.mark.weight(-1)\ndef test_two(learner):\n    """Two."""\n', ''),
+], ids=['exit', 'hang', 'exception', 'skip', 'fixture', 'import', 'syntax', 'weight'])
+def test_a_fault_of_the_tests_is_no_mark(tmp_path, text, log):
+    """The faulty exercise has no score; the other one has its own."""
+    small.write_tests(tmp_path, ONE)
+    small.write_tests(tmp_path, ONE.replace('90.1', '90.2'), 2)
+    small.write_tests(tmp_path, ONE + text, 2)
+    report = run(tmp_path, (1, 2), test_timeout=5.0)
+    good, bad = report.exercises
+    assert (good.verdict, good.score) == ('passed', 10), report.log
+    assert (bad.verdict, bad.score) == ('grader_error', None)
+    assert log in '\n'.join(report.log)
+    assert all(not test.message for test in bad.tests)
+
+
+def test_two_tests_of_one_name(tmp_path):
+    path = small.write_tests(tmp_path, ONE) / 'chapter_90' / 'test_90_1.py'
+    again = path.parent / 'checks' / 'chapter_90' / path.name
+    again.parent.mkdir(parents=True)
+    again.write_text(path.read_text())
+    report = run(tmp_path)
+    assert (report.exercises[0].verdict, report.exercises[0].score) == ('grader_error', None)
+    assert 'two tests have this name' in '\n'.join(report.log)
+
+
+def test_a_fault_that_passes_is_tried_again(tmp_path):
+    flag = tmp_path / 'flag'
+    small.write_tests(tmp_path, ONE + f'''
+def test_two(learner):
+    """Two."""
+    if not os.path.exists({str(flag)!r}):
+        open({str(flag)!r}, 'w').close()
+        os._exit(1)
+
+
+def test_three(learner):
+    """Three."""
+    assert learner.call('Talker') == 1
+''')
+    report = run(tmp_path)
+    assert (report.exercises[0].verdict, report.exercises[0].score) == ('passed', 10)
+    assert 'status 1' in report.log[0]
+
+
+def test_no_tests_at_all(tmp_path):
+    report = run(tmp_path)
+    assert (report.exercises[0].verdict, report.exercises[0].score) == ('grader_error', None)
+
+
+def test_hidden_tests_must_be_there(tmp_path):
+    small.write_tests(tmp_path, ONE)
+    report = run(tmp_path, hidden=True)
+    assert (report.exercises[0].verdict, report.exercises[0].score) == ('grader_error', None)
+    assert 'no hidden tests' in report.log[0]
+
+
+def test_a_learners_side_that_does_not_start(tmp_path):
+    small.write_tests(tmp_path, ONE)
+    report = run(tmp_path, launcher='grading.tests.test_session:broken')
+    assert (report.exercises[0].verdict, report.exercises[0].score) == ('grader_error', None)
+    assert 'no such sandbox' in '\n'.join(report.log)
+
+
+def broken(domain_id, limits):
+    """A launcher that cannot start."""
+    raise OSError('no such sandbox')
+
+
+def test_nothing_runs_for_what_is_not_attempted_or_invalid(tmp_path):
+    calls = []
+    for source, verdict in ((small.STUB, 'not_attempted'), ('x = 1', 'invalid_submission')):
+        report = session.run(small.cells(source), [small.exercise()], session.Options(visible=tmp_path), calls.append)
+        assert (report.exercises[0].verdict, report.exercises[0].score) == (verdict, 0)
+        assert '90.1' in report.exercises[0].message
+    assert not calls
+
+
+def test_the_learner_finds_no_test_and_no_secret(tmp_path, monkeypatch):
+    """Not in their environment, their arguments or their open files; and of the grader's there is only a channel."""
+    monkeypatch.setenv('GRADER_TOKEN', 'canary')
+    small.write_tests(tmp_path, '''
+def test_secret(learner):
+    """Secret."""
+    expect(not learner.call('Talker'), f"{learner.call('Talker')}")
+''')
+    report = run(tmp_path, program=f"""\
+def Talker():
+    import os, gc, sys
+    found = [key for key, value in os.environ.items() if 'canary' in value or {str(tmp_path)!r} in value]
+    links = [f'/proc/self/fd/{{fd}}' for fd in range(3, 50)]
+    found += [os.readlink(link) for link in links if os.path.lexists(link)]
+    found += [name for name in sys.modules if name.startswith(('pytest', '_pytest', 'helpers.runner.learner'))]
+    mine = ('socket:', 'anon_inode', '/dev/', os.environ['HOME'])
+    return [text for text in found if not text.startswith(mine)]
+""")
+    assert report.exercises[0].passed, report.exercises[0].tests
+
+
+def test_nothing_is_left_running(tmp_path):
+    """What the learner's program starts ends with it."""
+    small.write_tests(tmp_path, ONE)
+    pids = tmp_path / 'pids'
+    report = run(tmp_path, program=f"""\
+import subprocess
+def Talker():
+    with open({str(pids)!r}, 'a') as file:
+        print(subprocess.Popen(['sleep', '1000']).pid, file=file)
+    return 1
+""")
+    assert report.exercises[0].passed
+    for pid in pids.read_text().split():
+        assert not os.path.exists(f'/proc/{pid}') or '(sleep) Z' in open(f'/proc/{pid}/stat').read()
+
+
+def test_limits_are_set(tmp_path):
+    small.write_tests(tmp_path, ONE.replace('== 1', '== [256, 2**24, 5, 0]'))
+    report = run(tmp_path, limits=launch.Limits(cpu=5), program="""\
+import resource
+def Talker():
+    return [resource.getrlimit(what)[0] for what in (resource.RLIMIT_NOFILE, resource.RLIMIT_FSIZE,
+                                                     resource.RLIMIT_CPU, resource.RLIMIT_CORE)]
+""")
+    assert report.exercises[0].passed, report.exercises[0].tests

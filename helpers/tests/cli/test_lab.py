@@ -1,0 +1,86 @@
+"""JupyterLab: its port, and that it really serves the notebooks."""
+
+import json
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+import time
+import urllib.error
+import urllib.request
+
+import pytest
+
+from helpers import paths
+from helpers.cli import Refusal, lab
+
+
+@pytest.fixture
+def taken():
+    """A port on which somebody listens."""
+    with socket.socket() as server:
+        server.bind(('127.0.0.1', 0))
+        server.listen()
+        yield server.getsockname()[1]
+
+
+def test_a_port_that_is_in_use_is_refused(taken):
+    with pytest.raises(Refusal, match=f'port {taken}: address already in use'):
+        lab.choose_port(taken)
+
+
+def test_without_a_wish_the_next_free_port_is_taken(taken, monkeypatch):
+    monkeypatch.setattr(lab, 'DEFAULT_PORT', taken)
+    assert taken < lab.choose_port(None) < taken + lab.TRIES
+
+
+def test_a_free_port_is_taken_as_it_is():
+    with socket.socket() as probe:
+        probe.bind(('127.0.0.1', 0))
+        port = probe.getsockname()[1]
+    assert lab.choose_port(port) == port
+
+
+def test_root_must_be_allowed_and_the_browser_left_out():
+    assert '--allow-root' not in lab.arguments(1234, False, False)
+    assert {'--allow-root', '--no-browser'} < set(lab.arguments(1234, True, True))
+
+
+def test_missing_notebooks_are_named(monkeypatch, tmp_path):
+    monkeypatch.setattr(paths, 'NOTEBOOKS', tmp_path / 'notebooks')
+    with pytest.raises(Refusal, match='notebooks is missing'):
+        lab.lab()
+
+
+def fetch(address, patience=30.0):
+    """Return the JSON at ``address``. The server tells its address a moment before it listens."""
+    end = time.monotonic() + patience
+    while True:
+        try:
+            with urllib.request.urlopen(address, timeout=patience) as answer:
+                return json.load(answer)
+        except urllib.error.URLError as error:
+            if not isinstance(error.reason, ConnectionRefusedError) or time.monotonic() > end:
+                raise
+            time.sleep(0.1)
+
+
+@pytest.mark.skipif(not paths.NOTEBOOKS.is_dir(), reason='no notebooks are built')
+def test_the_notebooks_are_served(tmp_path):
+    with socket.socket() as probe:
+        probe.bind(('127.0.0.1', 0))
+        port = probe.getsockname()[1]
+    command = [sys.executable, '-m', 'helpers.cli', 'lab', '--no-browser', '--port', str(port)]
+    private = {f'JUPYTER_{name}_DIR': str(tmp_path / name) for name in ('RUNTIME', 'CONFIG', 'DATA')}
+    environment = {**os.environ, **private}
+    with subprocess.Popen(command, cwd=paths.ROOT, env=environment, stderr=subprocess.PIPE, text=True) as server:
+        try:
+            token = next(match[1] for line in server.stderr if (match := re.search(rf':{port}/lab\?token=(\w+)', line)))
+            contents = fetch(f'http://127.0.0.1:{port}/api/contents?token={token}')
+        finally:
+            server.send_signal(signal.SIGTERM)
+            server.stderr.read()
+    names = {entry['name'] for entry in contents['content']}
+    assert {path.name for path in paths.NOTEBOOKS.glob('*.ipynb')} <= names

@@ -1,0 +1,78 @@
+"""``./course test``: it goes on after a failure, counts honestly and ends with the right status."""
+
+import pytest
+import typer
+
+from helpers import paths
+from helpers.cli import test as command
+
+
+def plan(monkeypatch, *steps):
+    """Let the command run these steps."""
+    monkeypatch.setattr(command, '_plan', lambda: [lambda scratch, step=step: step for step in steps])
+
+
+def run(arguments=None):
+    with pytest.raises(typer.Exit) as end:
+        command.test(arguments)
+    return end.value.exit_code
+
+
+def test_all_steps_run_and_one_failure_decides(monkeypatch, capsys):
+    two = command.Step('two', passed=1, failed=1)
+    plan(monkeypatch, command.Step('one', passed=3), two, command.Step('three', passed=2))
+    assert run() == 1
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split()[0] for line in lines[-4:-1]] == ['passed', 'FAILED', 'passed']
+    assert lines[-1].startswith('6 passed, 1 failed, 0 skipped in ')
+
+
+def test_success_is_zero(monkeypatch):
+    plan(monkeypatch, command.Step('one', passed=3))
+    assert run() == 0
+
+
+def test_pytest_is_counted(tmp_path, capfd):
+    sample = tmp_path / 'test_sample.py'
+    sample.write_text('import pytest\n\ndef test_a(): pass\n\ndef test_b(): assert 0\n'
+                      '\ndef test_c(): pytest.skip("no")\n'
+                      '\n@pytest.fixture\ndef broken(): raise OSError\n\ndef test_d(broken): pass\n')
+    step = command._pytest('sample', tmp_path, ['-q', '-p', 'no:cacheprovider', str(sample)])
+    assert (step.passed, step.failed, step.skipped) == (1, 2, 1)
+
+
+@pytest.mark.parametrize('text', ['', 'import nothing_of_this_name\n', 'def broken(:\n'])
+def test_a_run_without_tests_is_a_failure(tmp_path, capfd, text):
+    sample = tmp_path / 'test_sample.py'
+    sample.write_text(text)
+    step = command._pytest('sample', tmp_path, ['-q', '-p', 'no:cacheprovider', str(sample)])
+    assert (step.passed, step.failed) == (0, 1)
+
+
+def test_a_failing_command_is_one_failure(capfd):
+    assert command._command('bad', ['-c', 'raise SystemExit(3)']).failed == 1
+    assert command._command('good', ['-c', '']).passed == 1
+
+
+def test_with_arguments_only_pytest_runs(monkeypatch, tmp_path, capfd):
+    monkeypatch.setattr(command, '_plan', lambda: pytest.fail('the plan ran'))
+    sample = tmp_path / 'test_sample.py'
+    sample.write_text('def test_a(): pass\n\ndef test_b(): assert 0\n')
+    chosen = [str(sample), '-p', 'no:cacheprovider', '-k']
+    assert run([*chosen, 'test_a']) == 0
+    assert run([*chosen, 'test_b']) == 1
+    assert run([*chosen, 'nothing']) == 2
+
+
+def test_the_learners_edition_leaves_out_what_it_lacks(monkeypatch):
+    names = [step.__name__ for step in command._plan()]
+    assert names == ['_style', '_unit_tests', '_in_step', '_notebooks']
+    monkeypatch.setattr(command, 'find_spec', lambda name: None)
+    assert [step.__name__ for step in command._plan()] == names[:2]
+
+
+def test_notebooks_that_are_not_there_are_a_failure(monkeypatch, tmp_path, capsys):
+    monkeypatch.setattr(paths, 'ROOT', tmp_path)
+    monkeypatch.setattr(paths, 'NOTEBOOKS', tmp_path / 'notebooks')
+    assert command._notebooks(tmp_path).failed == 1
+    assert 'run ./course build' in capsys.readouterr().out
