@@ -1,15 +1,13 @@
-"""
-How fast the transform buffer is.
+"""How fast the transform buffer is.
 
 A chain of frames, each sent at 100 Hz for 10 s, is filled in and asked from its root to its tip: for the latest time,
 for recent times (the last 10 to 200 ms), and for times anywhere in the history. Messages go in and come out as in a
 program. What counts is the time of the processor, so that other programs disturb little. Run it by
-`./course bench tf2` or `python -m environment.bench.bench_tf2`.
+`./course bench tf2`.
 """
 
 import math
 import random
-import sys
 import time
 
 from rclpy.time import Time
@@ -92,21 +90,10 @@ def _figures(depth):
     }
 
 
-def run():
-    """Return one row per figure: depth, operation, how many per second, and how many there have to be."""
-    return [{'depth': depth, 'operation': operation, 'per_second': round(figure),
-             'at_least': GOALS.get((depth, operation), '')}
-            for depth in DEPTHS for operation, figure in _figures(depth).items()]
-
-
-def main():
-    """Print the rows; return 1 if a goal is missed."""
-    rows = run()
-    print(f'{"depth":>5}  {"operation":<16}{"per second":>12}{"at least":>10}')
-    for row in rows:
-        print(f'{row["depth"]:>5}  {row["operation"]:<16}{row["per_second"]:>12,}{row["at_least"]:>10}')
-    return int(any(row['at_least'] and row['per_second'] < row['at_least'] for row in rows))
-
-
-if __name__ == '__main__':
-    sys.exit(main())
+def measure():
+    """Yield (what, how many per second, unit) for each figure, the promised least among the words."""
+    for depth in DEPTHS:
+        for operation, figure in _figures(depth).items():
+            goal = GOALS.get((depth, operation))
+            promise = f' (at least {goal:,})' if goal else ''
+            yield f'depth {depth}: {operation}{promise}', figure, '1/s'
