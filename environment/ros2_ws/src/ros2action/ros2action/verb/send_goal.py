@@ -61,12 +61,15 @@ class SendGoalVerb(VerbExtension):
         except (InvalidServiceNameException, InvalidTopicNameException, ValueError) as e:
             return str(e)
         sent = accepted = None
+        # The server may begin before its answer is here; its feedback is printed after the answer all the same.
+        early = []
+        print_feedback = early.append
         try:
             print('Waiting for an action server to become available...')
             node.spin(until=client.server_is_ready)
             print(f'Sending goal:\n     {message_to_yaml(goal)}')
             try:
-                sent = client.send_goal_async(goal, _print_feedback if feedback else None)
+                sent = client.send_goal_async(goal, (lambda each: print_feedback(each)) if feedback else None)
             except (AssertionError, TypeError, ValueError, OverflowError) as e:
                 return f'Failed to send the goal: {e or type(e).__name__}'
             accepted = node.wait_for(sent)
@@ -76,6 +79,9 @@ class SendGoalVerb(VerbExtension):
                 print('Goal was rejected.')
                 return None
             print(f'Goal accepted with ID: {bytes(accepted.goal_id.uuid).hex()}\n')
+            for each in early:
+                _print_feedback(each)
+            print_feedback = _print_feedback
             result = node.wait_for(accepted.get_result_async())
             accepted = None
             print(f'Result:\n    {message_to_yaml(result.result)}')
