@@ -1,0 +1,71 @@
+"""Includes another launch file."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+
+from launch.action import Action
+from launch.actions.opaque import OpaqueFunction
+from launch.launch_context import LaunchContext
+from launch.launch_description_entity import LaunchDescriptionEntity
+from launch.launch_description_source import LaunchDescriptionSource
+from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.substitutions.text_substitution import TextSubstitution
+from launch.utilities import normalize_to_list_of_substitutions, to_text
+
+
+class IncludeLaunchDescription(Action):
+    """
+    Visits the launch description of another file.
+
+    :param launch_description_source: the source, or the path of a launch file
+    :param launch_arguments: (name, value) pairs; they stay set after the include, unless a GroupAction is around it
+    """
+
+    def __init__(
+        self,
+        launch_description_source: LaunchDescriptionSource | SomeSubstitutionsType,
+        *,
+        launch_arguments: Iterable[tuple[SomeSubstitutionsType, SomeSubstitutionsType]] | None = None,
+        **kwargs,
+    ):
+        super().__init__(**kwargs)
+        if not isinstance(launch_description_source, LaunchDescriptionSource):
+            from launch.launch_description_sources import AnyLaunchDescriptionSource
+
+            launch_description_source = AnyLaunchDescriptionSource(launch_description_source)
+        self.launch_description_source = launch_description_source
+        self.launch_arguments = list(launch_arguments or [])
+
+    def provided_names(self) -> frozenset[str]:
+        """Return the names of the arguments given here, as far as they are plain texts."""
+        names = [normalize_to_list_of_substitutions(name) for name, _ in self.launch_arguments]
+        plain = [name for name in names if all(isinstance(part, TextSubstitution) for part in name)]
+        return frozenset(''.join(part.text for part in name) for name in plain)
+
+    def describe(self) -> str:
+        return f'IncludeLaunchDescription({self.launch_description_source.location})'
+
+    def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        description = self.launch_description_source.try_get_launch_description_without_context()
+        return [] if description is None else [description]
+
+    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
+        description = self.launch_description_source.get_launch_description(context)
+        given = {}
+        for name, value in self.launch_arguments:
+            given[to_text(context, name)] = to_text(context, value)
+        for argument in description.get_launch_arguments():
+            known = argument.name in given or argument.name in context.launch_configurations
+            if argument.default_value is None and not argument.conditional and not known:
+                raise RuntimeError(
+                    f"Included launch description missing required argument '{argument.name}' "
+                    f"(description: '{argument.description}'), given: [{', '.join(given)}]"
+                )
+        path = self.launch_description_source.location
+        context.launch_configurations.update(given)
+        context.push_locals(
+            {'current_launch_file_path': path, 'current_launch_file_directory': os.path.dirname(path)}
+        )
+        return [description, OpaqueFunction(function=lambda context: context.pop_locals())]

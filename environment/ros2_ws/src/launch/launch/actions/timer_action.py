@@ -1,0 +1,74 @@
+"""Waits, then does something."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Iterable
+
+from launch.action import Action
+from launch.events import Shutdown, TimerEvent
+from launch.launch_context import LaunchContext
+from launch.launch_description_entity import LaunchDescriptionEntity
+from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.utilities import to_number
+
+
+class TimerAction(Action):
+    """
+    Visits actions after a time. They see the configurations of that moment, as in upstream.
+
+    :param period: seconds, as a number or a text
+    :param cancel_on_shutdown: do nothing any more once the system shuts down
+    """
+
+    def __init__(
+        self,
+        *,
+        period: float | SomeSubstitutionsType,
+        actions: Iterable[LaunchDescriptionEntity],
+        cancel_on_shutdown: bool = True,
+        **kwargs,
+    ):
+        super().__init__(**kwargs)
+        self._period = period
+        self.actions = list(actions)
+        self._cancel_on_shutdown = cancel_on_shutdown
+        self._future: asyncio.Future | None = None
+
+    def describe(self) -> str:
+        return 'TimerAction'
+
+    def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        return []
+
+    def describe_conditional_sub_entities(self):
+        return [(f'After {self._period} second(s)', self.actions)]
+
+    def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        return self.actions
+
+    def cancel(self) -> None:
+        """Do nothing any more; harmless if the time has passed."""
+        if self._future is not None and not self._future.done():
+            self._future.cancel()
+
+    def execute(self, context: LaunchContext) -> None:
+        from launch.event_handler import EventHandler
+
+        self._future = future = context.asyncio_loop.create_future()
+        local_variables = context.get_locals_as_dict()
+
+        def fire() -> None:
+            if not future.done():
+                context.emit_event_sync(TimerEvent(self, local_variables))
+                future.set_result(None)
+
+        handle = context.asyncio_loop.call_later(to_number(context, self._period), fire)
+        future.add_done_callback(lambda _: handle.cancel())
+        if self._cancel_on_shutdown:
+            context.register_event_handler(
+                EventHandler(matcher=lambda event: isinstance(event, Shutdown), entities=lambda *_: self.cancel())
+            )
+
+    def get_asyncio_future(self) -> asyncio.Future | None:
+        return self._future

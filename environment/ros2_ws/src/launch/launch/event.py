@@ -1,0 +1,7 @@
+"""The base of all events."""
+
+
+class Event:
+    """Something that happened; event handlers react to it."""
+
+    name = 'launch.Event'

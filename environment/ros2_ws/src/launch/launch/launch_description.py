@@ -1,0 +1,70 @@
+"""What a launch file returns."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from launch.launch_context import LaunchContext
+from launch.launch_description_entity import LaunchDescriptionEntity
+
+
+class LaunchDescription(LaunchDescriptionEntity):
+    """A list of entities, visited in order."""
+
+    def __init__(self, initial_entities: Iterable[LaunchDescriptionEntity] | None = None):
+        self._entities = list(initial_entities or [])
+        for entity in self._entities:
+            _check(entity)
+
+    @property
+    def entities(self) -> list[LaunchDescriptionEntity]:
+        """The entities, in order."""
+        return self._entities
+
+    def add_action(self, action: LaunchDescriptionEntity) -> None:
+        """Add an action at the end."""
+        self.add_entity(action)
+
+    def add_entity(self, entity: LaunchDescriptionEntity) -> None:
+        """Add an entity at the end."""
+        _check(entity)
+        self._entities.append(entity)
+
+    def visit(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
+        return self._entities
+
+    def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        return self._entities
+
+    def get_launch_arguments(self) -> list:
+        """
+        Return the DeclareLaunchArgument actions that can be found without launching, each name once.
+
+        Those behind a condition get ``conditional = True``; those that an include provides are left out.
+        """
+        found: dict = {}
+        _collect(self._entities, conditional=False, provided=frozenset(), found=found)
+        return list(found.values())
+
+
+def _check(entity) -> None:
+    if not isinstance(entity, LaunchDescriptionEntity):
+        raise TypeError(f'a launch description holds actions, got {entity!r}')
+
+
+def _collect(entities, *, conditional: bool, provided: frozenset, found: dict) -> None:
+    from launch.actions.declare_launch_argument import DeclareLaunchArgument
+    from launch.actions.include_launch_description import IncludeLaunchDescription
+
+    for entity in entities:
+        if isinstance(entity, DeclareLaunchArgument):
+            if entity.name not in provided and entity.name not in found:
+                entity.conditional = conditional or entity.condition is not None
+                found[entity.name] = entity
+            continue
+        given = provided
+        if isinstance(entity, IncludeLaunchDescription):
+            given |= entity.provided_names()
+        _collect(entity.describe_sub_entities(), conditional=conditional, provided=given, found=found)
+        for _, some in entity.describe_conditional_sub_entities():
+            _collect(some, conditional=True, provided=given, found=found)

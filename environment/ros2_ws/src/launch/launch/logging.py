@@ -1,0 +1,188 @@
+"""
+The log of a launch: what goes to the screen, and to ``launch.log`` in a directory of its own.
+
+The directory is made below ``$ROS_LOG_DIR``, or ``$ROS_HOME/log``, or ``~/.ros/log``. Where it cannot be
+written, the launch goes on without log files and says so.
+"""
+
+from __future__ import annotations
+
+import datetime
+import logging
+import os
+import socket
+import sys
+from collections.abc import Callable
+
+DEBUG, INFO, WARNING, ERROR = logging.DEBUG, logging.INFO, logging.WARNING, logging.ERROR
+
+_SCREEN_FORMAT = '[{levelname}] [{name}]: {message}'
+_FILE_FORMAT = '{created:.7f} [{levelname}] [{name}]: {message}'
+_RAW_FORMAT = '{message}'
+
+
+class _ScreenHandler(logging.StreamHandler):
+    """Writes to what is standard output at that moment."""
+
+    def __init__(self, fmt: str):
+        super().__init__(sys.stdout)
+        self.setFormatter(logging.Formatter(fmt, style='{'))
+
+    def emit(self, record: logging.LogRecord) -> None:
+        self.stream = sys.stdout
+        super().emit(record)
+
+    def handleError(self, record: logging.LogRecord) -> None:
+        if not isinstance(sys.exc_info()[1], BrokenPipeError):
+            super().handleError(record)
+            return
+        # The reader has gone away, as in "ros2 launch … | head": write to nowhere, and end.
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, self.stream.fileno())
+        os.close(nowhere)
+        launch_config.on_screen_lost()
+
+
+class LaunchConfig:
+    """The settings of the log of this process."""
+
+    def __init__(self):
+        self.level = logging.INFO
+        self._log_dir: str | None = None
+        self._file: logging.Handler | None = None
+        # A manager of our own keeps names such as "talker-1" out of the program's loggers.
+        self._manager = logging.Manager(logging.RootLogger(logging.WARNING))
+        self._loggers: dict[str, logging.Logger] = {}
+        self.failure: str | None = None
+        self.on_screen_lost: Callable[[], None] = lambda: None
+
+    @property
+    def log_dir(self) -> str | None:
+        """The directory of the log files, made when first asked for; None if that is not possible."""
+        if self._log_dir is None and self.failure is None:
+            try:
+                self._log_dir = _make_log_dir()
+            except OSError as error:
+                self.failure = str(error)
+        return self._log_dir
+
+    @log_dir.setter
+    def log_dir(self, path: str) -> None:
+        self._log_dir = path
+
+    def file_handler(self) -> logging.Handler:
+        """Return the handler of ``launch.log``."""
+        if self._file is None:
+            path = self.log_dir and os.path.join(self.log_dir, 'launch.log')
+            self._file = logging.FileHandler(path, encoding='utf-8') if path else logging.NullHandler()
+            self._file.setFormatter(logging.Formatter(_FILE_FORMAT, style='{'))
+        return self._file
+
+    def logger(self, name: str, handlers: list[logging.Handler]) -> logging.Logger:
+        """Return the logger ``name``, with these handlers only."""
+        logger = self._loggers.get(name)
+        if logger is None:
+            logger = self._loggers[name] = self._manager.getLogger(name)
+            logger.propagate = False
+            for handler in handlers:
+                logger.addHandler(handler)
+        logger.setLevel(self.level)
+        return logger
+
+    def set_level(self, level: int) -> None:
+        """Set the least severity that is logged."""
+        self.level = level
+        for logger in self._loggers.values():
+            logger.setLevel(level)
+
+    def close(self) -> None:
+        """Close the log file."""
+        if self._file is not None:
+            self._file.close()
+
+
+launch_config = LaunchConfig()
+
+
+def reset() -> None:
+    """Forget directory, files and loggers; the next launch begins anew."""
+    launch_config.close()
+    launch_config.__init__()
+
+
+def get_logger(name: str = 'launch') -> logging.Logger:
+    """Return a logger that writes to the screen and to ``launch.log``."""
+    return launch_config.logger(name, [_ScreenHandler(_SCREEN_FORMAT), launch_config.file_handler()])
+
+
+def get_output_loggers(process_name: str, output_config: str | dict) -> tuple[logging.Logger, logging.Logger]:
+    """
+    Return the loggers for what a process writes to its standard output and its standard error.
+
+    :param output_config: screen, log (standard error to the screen, both to the log), both, own_log, full, or a
+        dict of lists of screen, log, own_log under the keys stdout, stderr, both
+    :raises ValueError: for any other configuration
+    """
+    targets = _output_targets(output_config)
+    loggers = []
+    for source in ('stdout', 'stderr'):
+        handlers: list[logging.Handler] = []
+        if 'screen' in targets[source]:
+            handlers.append(_ScreenHandler(_RAW_FORMAT))
+        if 'log' in targets[source]:
+            handlers.append(launch_config.file_handler())
+        if 'own_log' in targets[source] and launch_config.log_dir:
+            path = os.path.join(launch_config.log_dir, f'{process_name}-{source}.log')
+            own = logging.FileHandler(path, encoding='utf-8', delay=True)
+            own.setFormatter(logging.Formatter(_RAW_FORMAT, style='{'))
+            handlers.append(own)
+        loggers.append(launch_config.logger(f'{process_name}-{source}', handlers))
+        loggers[-1].setLevel(logging.INFO)
+    return loggers[0], loggers[1]
+
+
+def log_launch_config(*, logger: logging.Logger) -> None:
+    """Say where the log files are."""
+    if launch_config.log_dir:
+        logger.info(f'All log files can be found below {launch_config.log_dir}')
+    else:
+        logger.warning(f'There are no log files: {launch_config.failure}; set ROS_LOG_DIR to a writable directory')
+    logger.info(f'Default logging verbosity is set to {logging.getLevelName(launch_config.level)}')
+
+
+def _output_targets(config: str | dict) -> dict[str, set[str]]:
+    known = {
+        'screen': {'both': ['screen']},
+        'log': {'both': ['log'], 'stderr': ['screen']},
+        'both': {'both': ['log', 'screen']},
+        'own_log': {'both': ['own_log']},
+        'full': {'both': ['screen', 'log', 'own_log']},
+    }
+    if isinstance(config, str):
+        if config not in known:
+            raise ValueError(f'{config} is not a valid standard output config i.e. "screen", "log" or "both"')
+        config = known[config]
+    targets: dict[str, set[str]] = {'stdout': set(), 'stderr': set()}
+    for source, destinations in config.items():
+        names = {destinations} if isinstance(destinations, str) else set(destinations)
+        if source not in ('stdout', 'stderr', 'both'):
+            raise ValueError(f'{source} is not a valid output source i.e. "stdout", "stderr" or "both"')
+        if names - {'screen', 'log', 'own_log'}:
+            raise ValueError(f'{destinations} is not a valid output destination i.e. "screen", "log" or "own_log"')
+        for name in ('stdout', 'stderr') if source == 'both' else (source,):
+            targets[name] |= names
+    return targets
+
+
+def _make_log_dir() -> str:
+    base = os.environ.get('ROS_LOG_DIR') or os.path.join(os.environ.get('ROS_HOME') or '~/.ros', 'log')
+    base = os.path.abspath(os.path.expanduser(base))
+    stamp = datetime.datetime.now().strftime('%Y-%m-%d-%H-%M-%S-%f')
+    path = os.path.join(base, f'{stamp}-{socket.gethostname()}-{os.getpid()}')
+    os.makedirs(path)
+    latest = os.path.join(base, 'latest')
+    if os.path.islink(latest) or not os.path.exists(latest):
+        temporary = f'{latest}.{os.getpid()}'
+        os.symlink(path, temporary)
+        os.replace(temporary, latest)  # at once, as several launches may begin together
+    return path

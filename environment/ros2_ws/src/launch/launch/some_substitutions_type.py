@@ -1,0 +1,8 @@
+"""What may stand where a text is wanted."""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from launch.substitution import Substitution
+
+SomeSubstitutionsType = str | Path | Substitution | Iterable[str | Path | Substitution]

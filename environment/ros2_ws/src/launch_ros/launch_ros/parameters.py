@@ -1,0 +1,75 @@
+"""Parameters in launch files: from what may be written to plain values."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import yaml
+from launch.launch_context import LaunchContext
+from launch.substitution import Substitution
+from launch.utilities import to_text
+
+from launch_ros.parameter_descriptions import ParameterValue
+
+_PLAIN = (bool, int, float, str)
+
+
+def evaluate_parameters(context: LaunchContext, parameters: Mapping) -> dict[str, Any]:
+    """
+    Return the names and plain values of a parameter dictionary.
+
+    A value made of substitutions is read as YAML, so that ``'5'`` becomes a number; nested dictionaries become
+    names with dots.
+
+    :raises TypeError: for a value that no parameter can have
+    """
+    result: dict[str, Any] = {}
+    for name, value in parameters.items():
+        text = to_text(context, name)
+        if isinstance(value, Mapping):
+            result.update({f'{text}.{key}': item for key, item in evaluate_parameters(context, value).items()})
+        else:
+            result[text] = _evaluate(context, text, value)
+    return result
+
+
+def _evaluate(context: LaunchContext, name: str, value: Any) -> Any:
+    if isinstance(value, ParameterValue):
+        return value.evaluate(context)
+    if isinstance(value, _PLAIN):
+        return value
+    if isinstance(value, Substitution):
+        return _from_yaml(name, to_text(context, value))
+    if isinstance(value, Iterable):
+        items = list(value)
+        if items and any(isinstance(item, Substitution) for item in items):
+            return _from_yaml(name, to_text(context, items))
+        items = [_evaluate(context, name, item) if not isinstance(item, _PLAIN) else item for item in items]
+        return _checked_list(name, items)
+    raise TypeError(f"parameter '{name}' has a value that no parameter can have: {value!r}")
+
+
+def _from_yaml(name: str, text: str) -> Any:
+    try:
+        value = yaml.safe_load(text)
+    except yaml.YAMLError:
+        return text
+    if isinstance(value, _PLAIN):
+        return value
+    if isinstance(value, list):
+        return _checked_list(name, value)
+    if value is None and text.strip() == '':
+        return ''
+    raise TypeError(f"parameter '{name}' has a value that no parameter can have: {text}")
+
+
+def _checked_list(name: str, items: list) -> list:
+    kinds = {type(item) for item in items}
+    if kinds == {int, float}:
+        return [float(item) for item in items]
+    if len(kinds) > 1 or not kinds <= set(_PLAIN):
+        raise TypeError(
+            f"parameter '{name}': expected a sequence with items of one type (bool, int, float or str), got {items!r}"
+        )
+    return items

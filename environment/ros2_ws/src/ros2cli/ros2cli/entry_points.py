@@ -1,0 +1,30 @@
+"""Find and load plug-ins: entry points of installed Python packages."""
+
+import sys
+from importlib import metadata
+from typing import Any
+
+
+def get_entry_points(group_name: str) -> dict[str, metadata.EntryPoint]:
+    """Return the entry points of a group by name; of two with one name the first on sys.path wins."""
+    found: dict[str, metadata.EntryPoint] = {}
+    for entry_point in metadata.entry_points(group=group_name):
+        found.setdefault(entry_point.name, entry_point)
+    return found
+
+
+def load_entry_point(entry_point: metadata.EntryPoint) -> Any | None:
+    """Return an instance of the plug-in with its NAME set, or None after saying on stderr why it cannot be had."""
+    try:
+        extension = entry_point.load()()
+    except Exception as e:  # one broken plug-in must not take the others down
+        print(f"Failed to load entry point '{entry_point.name}': {e}", file=sys.stderr)
+        return None
+    extension.NAME = entry_point.name
+    return extension
+
+
+def get_first_line_doc(extension: Any) -> str:
+    """Return the first line of a plug-in's docstring without the full stop."""
+    doc = (extension.__doc__ or '').strip()
+    return doc.splitlines()[0].rstrip('.') if doc else ''

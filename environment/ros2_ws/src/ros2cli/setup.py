@@ -1,0 +1,31 @@
+from setuptools import find_packages, setup
+
+package_name = 'ros2cli'
+
+setup(
+    name=package_name,
+    version='0.32.0',
+    packages=find_packages(),
+    data_files=[
+        ('share/ament_index/resource_index/packages', ['resource/' + package_name]),
+        ('share/' + package_name, ['package.xml']),
+        ('share/ros2cli/environment', [
+            'completion/ros2-argcomplete.bash',
+            'completion/ros2-argcomplete.zsh',
+        ]),
+    ],
+    install_requires=['setuptools'],
+    zip_safe=False,
+    maintainer='ROS 2 course maintainers',
+    maintainer_email='maintainers@ros2-course.example.org',
+    description='The ros2 command: finds its commands as plug-ins, and gives them a node that has seen the graph.',
+    license='Apache-2.0',
+    entry_points={
+        'console_scripts': [
+            'ros2 = ros2cli.cli:main',
+        ],
+        'ros2cli.extension_point': [
+            'ros2cli.command = ros2cli.command:CommandExtension',
+        ],
+    },
+)

@@ -1,0 +1,25 @@
+"""How every node here begins and ends."""
+
+import contextlib
+from collections.abc import Callable
+
+import rclpy
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.node import Node
+
+
+def run(make_node: Callable[[], Node], args: list[str] | None) -> None:
+    """Make a node and spin it until Ctrl+C, SIGTERM or a shutdown of its context."""
+    with contextlib.suppress(KeyboardInterrupt):
+        try:
+            rclpy.init(args=args)
+            executor = SingleThreadedExecutor()  # before the node speaks: a signal in between would break it
+            rclpy.spin(make_node(), executor)
+        except ExternalShutdownException:
+            pass
+        except Exception:
+            # rclpy's signal handler takes the context away at once; a callback that is about to publish then fails.
+            if rclpy.ok():
+                raise
+        finally:
+            rclpy.try_shutdown()
