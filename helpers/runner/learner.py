@@ -18,6 +18,7 @@ from helpers.runner.client import ForkServer, Process, RunnerError
 from helpers.runner.verdicts import LearnerFault
 
 SECOND = 1_000_000_000
+UNKNOWN = '_NODE_NAME_UNKNOWN_'  # rmw's name for the node of an endpoint that is known by itself only
 
 
 @dataclass(frozen=True)
@@ -350,8 +351,7 @@ class Learner:
             process.ask('sync', self.timeouts.discovery + 5, mark=mark, workers=len(processes),
                         timeout=self.timeouts.discovery)
         deadline = time.monotonic() + self.timeouts.discovery
-        while min(self.node.count_publishers(f'{mark}/worker'),
-                  self.node.count_subscribers(f'{mark}/worker')) < len(processes):
+        while not self._known(f'{mark}/worker', len(processes)):
             if time.monotonic() > deadline:
                 raise RunnerError("the learner's process was not found in time")
             time.sleep(0.001)  # a bounded poll, as in the worker
@@ -363,6 +363,14 @@ class Learner:
         # Latched messages come only after the match.
         self._acknowledge()
         self._check_wiring()
+
+    def _known(self, topic: str, count: int) -> bool:
+        """Whether `count` publishers and subscriptions are there, with the names of their nodes.
+
+        The names come on a way of their own, in order, too: then all earlier endpoints have theirs.
+        """
+        return all(sum(info.node_name != UNKNOWN for info in infos) >= count for infos in (
+            self.node.get_publishers_info_by_topic(topic), self.node.get_subscriptions_info_by_topic(topic)))
 
     def _check_wiring(self) -> None:
         for recording in self._recordings:
