@@ -61,3 +61,4 @@ def __dir__():
 
 if 'IPython' in sys.modules:  # in a kernel: note the executed cells from here on
     importlib.import_module(f'{__name__}.journal').start()
+    importlib.import_module(f'{__name__}.kernel_exit').register()

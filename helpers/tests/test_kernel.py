@@ -140,6 +140,38 @@ def test_restart_while_spinning(course):
     assert course.complaints() == ''
 
 
+def test_a_slow_farewell_does_not_hang_the_exit(kernel):
+    """The deadlock of ipykernel that `helpers.kernel_exit` prevents, brought about each time."""
+    kernel.ok('import helpers')
+    kernel.ok("""
+def delay(kernel):  # a function: IPython clears the globals before the end
+    import threading
+    from ipykernel.kernelapp import IPKernelApp
+    app, late, publish = IPKernelApp.instance(), threading.Event(), kernel._publish_status
+    output = app.iopub_thread.thread
+    join, is_alive = output.join, output.is_alive
+
+    def join_and_wait(timeout=None):  # in the main thread, which then closes the pipes: too late for this one
+        join(timeout)
+        late.wait(3)
+        if app.control_thread.is_alive():
+            app.iopub_thread._event_pipes.clear()
+
+    def publish_late(status, channel, *arguments):
+        if channel == 'control' and status == 'idle':
+            join(1.0)  # without the remedy, the thread that would read what comes now ends here
+            late.set()
+        publish(status, channel, *arguments)
+
+    output.join = join_and_wait
+    output.is_alive = lambda: threading.current_thread() is app.control_thread or is_alive()
+    kernel._publish_status = publish_late
+
+delay(get_ipython().kernel)
+""")
+    assert kernel.quit() == 0
+
+
 def test_children_end_with_the_kernel(course):
     course.ok('import sys\nargv = [sys.executable, "-c", "import time; print(1); time.sleep(600)"]')
     course.ok('children = [background(argv), background(argv)]')
