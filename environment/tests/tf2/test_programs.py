@@ -137,6 +137,14 @@ def test_nonsense_that_can_be_sent_is_refused_by_the_receiver(domain):
     assert 'Traceback' not in echo.output
 
 
+def test_echo_ends_quietly_when_its_reader_has_had_enough(domain):
+    domain.program('tf2_ros', 'static_transform_publisher', '--frame-id', 'a', '--child-frame-id', 'b')
+    echo = domain.start(['sh', '-c', 'ros2 run tf2_ros tf2_echo a b 20 | grep -m 1 "At time"'])
+    assert end(echo)[0] == 0
+    assert 'At time 0.0' in echo.lines
+    assert not any(word in echo.output for word in ('Broken pipe', 'Errno', 'Traceback'))
+
+
 def test_echo_of_frames_that_loop(domain):
     for parent, child in ('ab', 'ba', 'xy'):
         domain.program('tf2_ros', 'static_transform_publisher', '--frame-id', parent, '--child-frame-id', child)

@@ -1,5 +1,6 @@
 """What the programs have in common: start ROS, spin until interrupted, stop; and say errors without a traceback."""
 
+import os
 import sys
 from contextlib import contextmanager
 from pathlib import Path
@@ -29,6 +30,8 @@ def ros(argv):
         yield remove_ros_args(args=argv), executor
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
+    except BrokenPipeError:  # the reader has had enough, as in `tf2_echo a b | head`; Python flushes once more at its end
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     except Exception as error:
         interrupted = executor is not None and not rclpy.ok()
         if not interrupted:

@@ -40,5 +40,7 @@ class RunCommand(CommandExtension):
             return f"The passed prefix '{args.prefix}' is invalid: {e}"
         try:
             return run_executable(path=path, argv=args.argv, prefix=prefix)
+        except BrokenPipeError:  # of this process's own output, which the command line ends quietly
+            raise
         except OSError as e:
             return f"Cannot run '{(prefix or [path])[0]}': {e.strerror}"
