@@ -30,7 +30,7 @@ def ros(argv):
         yield remove_ros_args(args=argv), executor
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
-    except BrokenPipeError:  # the reader has had enough, as in `tf2_echo a b | head`; Python flushes once more at its end
+    except BrokenPipeError:  # the reader has had enough, as in `tf2_echo a b | head`; Python flushes once more
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     except Exception as error:
         interrupted = executor is not None and not rclpy.ok()
