@@ -3,6 +3,7 @@
 import ast
 import os
 import re
+import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -32,7 +33,10 @@ class Kernel:
         self._file = self.log.open('w')
         env = {name: value for name, value in os.environ.items() if name != 'PYTEST_CURRENT_TEST'}
         env['PYTHONPATH'] = os.pathsep.join([str(ROOT), env.get('PYTHONPATH', '')])
-        self.manager = KernelManager(kernel_name='python3')
+        # Not TCP: kernels that start at the same time in several processes may choose the same port.
+        self._sockets = tempfile.TemporaryDirectory()  # the path of a socket must be short
+        ip = f'{self._sockets.name}/kernel'
+        self.manager = KernelManager(kernel_name='python3', transport='ipc', ip=ip)
         self.manager.shutdown_wait_time = TIMEOUT
         history = '--HistoryManager.hist_file=:memory:'  # no file of the user's
         self.manager.start_kernel(env=env, stderr=self._file, cwd=str(folder), extra_arguments=[history])
@@ -47,6 +51,7 @@ class Kernel:
         self.client.stop_channels()
         if self.manager.has_kernel:
             self.manager.shutdown_kernel(now=True)
+        self._sockets.cleanup()
         self._file.close()
 
     @property
