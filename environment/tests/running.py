@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 import rclpy
 from ament_index_python.packages import get_package_prefix
+from rclpy.action import ActionClient
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 
@@ -108,6 +109,9 @@ class Peer:
     def close(self) -> None:
         """Leave the graph."""
         self._executor.shutdown()
+        for waitable in list(self.node.waitables):
+            if isinstance(waitable, ActionClient):  # destroy_node leaves it, and with it the node in the graph
+                waitable.destroy()
         self.node.destroy_node()
         self._context.try_shutdown()
 
