@@ -5,7 +5,7 @@ import os
 import pytest
 
 from grading.tests import small
-from helpers.runner import launch, session
+from helpers.runner import launch, seeds, session
 
 ONE = '''
 def test_one(learner):
@@ -83,6 +83,29 @@ def test_three(learner):
     report = run(tmp_path)
     assert (report.exercises[0].verdict, report.exercises[0].score) == ('passed', 10)
     assert 'status 1' in report.log[0]
+
+
+def test_a_seed_gives_the_same_inputs_again(tmp_path):
+    small.write_tests(tmp_path, '''
+@pytest.mark.parametrize('number', (1, 2))
+def test_drawn(learner, number):
+    """Drawn."""
+    expect(False, f'{learner.random.random()}')
+''')
+    first = run(tmp_path)
+    again = run(tmp_path, seed=first.seed)
+    assert again == first
+    one, other = (test.message for test in first.exercises[0].tests)
+    assert one != other, 'two tests draw from one sequence'
+
+
+def test_seeds():
+    assert seeds.derive('a', 'ada') == seeds.derive('a', 'ada')
+    texts = [seeds.derive(*names) for names in (('a', 'ada'), ('b', 'ada'), ('a', 'bob'), ('a', 'ada', ''), ('a', ''))]
+    assert len(set(texts)) == len(texts)
+    assert seeds.generator('a', 'x').random() == seeds.generator('a', 'x').random()
+    assert len({seeds.generator(seed, test).random() for seed in 'ab' for test in 'xy'}) == 4
+    assert seeds.fresh() != seeds.fresh()
 
 
 def test_no_tests_at_all(tmp_path):

@@ -3,6 +3,7 @@ import itertools
 import secrets
 import time
 from dataclasses import dataclass, field
+from random import Random
 
 from rclpy.context import Context
 from rclpy.duration import Duration
@@ -107,10 +108,15 @@ class Started:
 
 
 class Learner:
-    """One test's access to the learner's program. Close it after the test."""
+    """One test's access to the learner's program. Close it after the test.
 
-    def __init__(self, server: ForkServer, program: dict, domain_id: int, timeouts: Timeouts = TIMEOUTS):
-        self.server, self.program, self.timeouts = server, program, timeouts
+    `random` is where a test draws its inputs: a `random.Random` of this test and this submission (see
+    `helpers.runner.seeds`). An input that is drawn cannot be written into an answer beforehand.
+    """
+
+    def __init__(self, server: ForkServer, program: dict, domain_id: int, timeouts: Timeouts = TIMEOUTS, *,
+                 random: Random):
+        self.server, self.program, self.timeouts, self.random = server, program, timeouts, random
         self.token = secrets.token_hex(6)  # names that nobody else uses, and that tell nothing about the test
         self.now = 0  # simulated time, ns
         self.unsettled = False

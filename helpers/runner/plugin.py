@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 import pytest
 
-from helpers.runner import verdicts
+from helpers.runner import seeds, verdicts
 from helpers.runner.client import ForkServer
 from helpers.runner.learner import AGAIN, TIMEOUTS, Learner
 
@@ -20,10 +20,13 @@ class Plugin:
     """One run: which programs there are, and where results go."""
 
     def __init__(self, programs: dict[str, dict], server: ForkServer, domain_id: int, report: Callable[[dict], None],
-                 only: set[str] | None = None):
-        """`programs` by exercise id; tests of other exercises are left out. `only`: the ids of the tests to run."""
+                 only: set[str] | None = None, *, seed: str):
+        """`programs` by exercise id; tests of other exercises are left out. `only`: the ids of the tests to run.
+
+        `seed`: what the tests draw is derived from it.
+        """
         self.programs, self.server, self.domain_id = programs, server, domain_id
-        self.report, self.only = report, only
+        self.report, self.only, self.seed = report, only, seed
         self._stuck: set[str] = set()  # exercises of which a test has met a timeout
 
     def pytest_configure(self, config):
@@ -53,7 +56,8 @@ class Plugin:
         """The learner's program, fresh for each test."""
         exercise = _exercise(request.node)
         learner = Learner(self.server, self.programs[exercise], self.domain_id,
-                          AGAIN if exercise in self._stuck else TIMEOUTS)
+                          AGAIN if exercise in self._stuck else TIMEOUTS,
+                          random=seeds.generator(self.seed, test_id(request.node)))
         request.node.learner = learner
         yield learner
         learner.close()

@@ -13,13 +13,13 @@ import time
 from collections import Counter
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
 from helpers import domains
 from helpers.exercises import notebooks, program
 from helpers.exercises.manifest import Exercise
-from helpers.runner import launch, results, verdicts
+from helpers.runner import launch, results, seeds, verdicts
 from helpers.runner.results import ExerciseResult, TestResult
 from helpers.runner.text import MAX_OUTPUT, clean
 
@@ -39,6 +39,7 @@ class Options:
     test_timeout: float = TEST_TIMEOUT
     retries: int = 1  # how often a test with a grader's fault runs again
     processes: int = 1  # among how many processes of tests the exercises are shared out
+    seed: str = ''  # what the tests draw is derived from it; a fresh one if empty
 
 
 @dataclass
@@ -48,6 +49,7 @@ class Report:
     exercises: list[ExerciseResult]
     sandbox: str = ''
     log: list[str] = field(default_factory=list)  # for the instructor
+    seed: str = ''  # the session's: with it the tests draw the same inputs again
 
 
 def run(cells: list[notebooks.Cell], exercises: Iterable[Exercise], options: Options | None = None,
@@ -57,6 +59,7 @@ def run(cells: list[notebooks.Cell], exercises: Iterable[Exercise], options: Opt
     Never raises for anything in the learner's code; a fault of the runner's own is a grader_error in the results.
     """
     options = options or Options()
+    options = replace(options, seed=options.seed or seeds.fresh())
     exercises = list(exercises)
     judged: dict[str, ExerciseResult] = {}
     programs: dict[str, dict] = {}
@@ -89,7 +92,7 @@ def run(cells: list[notebooks.Cell], exercises: Iterable[Exercise], options: Opt
             judged[exercise.id] = results.judge(exercise, collection.of(exercise.id))
     return Report([judged[exercise.id] for exercise in exercises],
                   next((collection.sandbox for collection in collections), ''),
-                  [line for collection in collections for line in collection.log])
+                  [line for collection in collections for line in collection.log], options.seed)
 
 
 class _Collection:
@@ -162,7 +165,7 @@ class _Collection:
     def _start(self, programs, folders, only, domain: int, cwd: str, printed):
         read, write = os.pipe()
         job = {'programs': programs, 'tests': list(map(str, folders)), 'domain': domain, 'only': only, 'root': cwd,
-               'launcher': self.options.launcher, 'limits': asdict(self.options.limits)}
+               'launcher': self.options.launcher, 'limits': asdict(self.options.limits), 'seed': self.options.seed}
         environment = {**{k: v for k, v in os.environ.items() if not k.startswith(('PYTEST_', 'COV_'))},
                        **launch.ros_environment(domain), 'PYTEST_DISABLE_PLUGIN_AUTOLOAD': '1',
                        'ROS_LOG_DIR': cwd, 'PYTHONPATH': os.pathsep.join(

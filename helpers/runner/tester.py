@@ -36,7 +36,7 @@ def main() -> int:
             ['-c', os.devnull, '--rootdir', job['root'], '--import-mode=importlib', '--strict-markers', '-q',
              '--continue-on-collection-errors',
              '-p', 'no:cacheprovider', '--tb=no', '--no-header', *job['tests']],
-            plugins=[plugin.Plugin(job['programs'], server, job['domain'], report, only)])
+            plugins=[plugin.Plugin(job['programs'], server, job['domain'], report, only, seed=job['seed'])])
         report({'event': 'end', 'status': int(status)})
     finally:
         server.close()

@@ -24,12 +24,12 @@ def test_first_message(learner):
 
 
 @pytest.mark.weight(2)
-def test_long_run(learner, draw):
+def test_long_run(learner):
     """The rate stays 4 Hz and the texts count on, also over a longer time.
 
     A timer keeps its rhythm by itself.
     """
-    quarters = draw.randint(60, 120)
+    quarters = learner.random.randint(60, 120)
     heard = learner.listen('/beacon', String)
     learner.start('Beacon')
     learner.run(quarters / 4 + 0.1)
@@ -59,12 +59,12 @@ def test_two_beacons(learner):
            f'Two beacons said {heard.data} in 1.1 s, expected each text from 1 to 4 twice.')
 
 
-def test_namespace(learner, draw):
+def test_namespace(learner):
     """In a namespace the beacon's topic moves with it.
 
     A relative topic name has no leading slash.
     """
-    robot = f'/robot{draw.randint(2, 99)}'
+    robot = f'/robot{learner.random.randint(2, 99)}'
     heard = learner.listen(f'{robot}/beacon', String)
     learner.start('Beacon', remap={'__ns': robot})
     learner.run(1.1)

@@ -10,11 +10,12 @@ from helpers.runner import expect
 pytestmark = pytest.mark.exercise('3.2')
 
 
-def reading(draw, **changes):
-    message = Range(radiation_type=Range.INFRARED, field_of_view=draw.uniform(0.1, 0.9), min_range=draw.uniform(1, 5),
-                    max_range=draw.uniform(200, 500), range=draw.uniform(10, 190), variance=draw.uniform(1, 9))
-    message.header.frame_id = f'sonar_{draw.randint(1, 99)}'
-    message.header.stamp.sec, message.header.stamp.nanosec = draw.randint(1, 999), draw.randrange(10**9)
+def reading(random, **changes):
+    message = Range(radiation_type=Range.INFRARED, field_of_view=random.uniform(0.1, 0.9),
+                    range=random.uniform(10, 190), variance=random.uniform(1, 9),
+                    min_range=random.uniform(1, 5), max_range=random.uniform(200, 500))
+    message.header.frame_id = f'sonar_{random.randint(1, 99)}'
+    message.header.stamp.sec, message.header.stamp.nanosec = random.randint(1, 999), random.randrange(10**9)
     for field, value in changes.items():
         setattr(message, field, value)
     return message
@@ -35,12 +36,12 @@ def close(value, wanted):
     return value == pytest.approx(wanted, rel=1e-4)
 
 
-def test_header_is_kept(learner, draw):
+def test_header_is_kept(learner):
     """The header goes through unchanged: stamp and frame_id are those of the measurement.
 
     Copy the header, or publish the message that you have received.
     """
-    message = reading(draw)
+    message = reading(learner.random)
     header = relay(learner, message).messages[0].header
     expect(header.frame_id == message.header.frame_id,
            f'frame_id is {header.frame_id!r}, expected {message.header.frame_id!r}: the header is lost.')
@@ -48,53 +49,53 @@ def test_header_is_kept(learner, draw):
            'The stamp has changed: it says when the measurement was made, not when it was converted.')
 
 
-def test_all_distances(learner, draw):
+def test_all_distances(learner):
     """range, min_range and max_range are converted with the factor 1/100.
 
     Three fields have the unit of a distance.
     """
-    message = reading(draw)
+    message = reading(learner.random)
     out = relay(learner, message).messages[0]
     for field in ('range', 'min_range', 'max_range'):
         wanted, got = getattr(message, field) / 100, getattr(out, field)
         expect(close(got, wanted), f'{field} is {got:g}, expected {wanted:g}: convert all three distances.')
 
 
-def test_variance(learner, draw):
+def test_variance(learner):
     """The variance is converted with the square of the factor.
 
     Square centimetres to square metres.
     """
-    message = reading(draw, variance=4.0)
+    message = reading(learner.random, variance=4.0)
     got = relay(learner, message).messages[0].variance
     expect(not close(got, 0.04), 'The variance was divided by 100. It is a square: divide by 100 squared.')
     expect(not close(got, 4.0), 'The variance was not converted; it is in square centimetres.')
     expect(close(got, 0.0004), f'The variance 4 cm² became {got:g}, expected 0.0004 m².')
 
 
-def test_other_fields(learner, draw):
+def test_other_fields(learner):
     """field_of_view and radiation_type stay as they are.
 
     An angle has nothing to do with metres.
     """
-    message = reading(draw)
+    message = reading(learner.random)
     out = relay(learner, message).messages[0]
     expect(close(out.field_of_view, message.field_of_view), 'field_of_view has changed: it is an angle, in radians.')
     expect(out.radiation_type == message.radiation_type, 'radiation_type is lost: copy the fields you do not convert.')
 
 
-def test_no_echo(learner, draw):
+def test_no_echo(learner):
     """The range inf (no echo) stays inf.
 
     Infinity divided by 100 is infinity: it needs no special case, and no filter.
     """
-    heard = relay(learner, reading(draw, range=math.inf), reading(draw, range=50.0))
+    heard = relay(learner, reading(learner.random, range=math.inf), reading(learner.random, range=50.0))
     expect(len(heard) == 2, f'Two messages, one of them inf, gave {len(heard)}: do not drop messages.')
     expect(heard.messages[0].range == math.inf, f'inf became {heard.messages[0].range:g}.')
 
 
 @pytest.mark.weight(2)
-def test_one_out_for_each_in(learner, draw):
+def test_one_out_for_each_in(learner):
     """Each message in gives one message out, in order, and time alone gives none.
 
     No timer, no buffer: publish once in the callback.
@@ -104,9 +105,9 @@ def test_one_out_for_each_in(learner, draw):
     learner.start('RangeToMetres')
     learner.run(1.1)
     expect(not heard.messages, 'Your node publishes before it has received anything: use no timer.')
-    values = [float(draw.randint(10, 300)) for _ in range(8)]
+    values = [float(learner.random.randint(10, 300)) for _ in range(8)]
     for value in values:
-        sensor.send(reading(draw, range=value))
+        sensor.send(reading(learner.random, range=value))
     learner.settle()
     learner.run(2.1)
     expect(len(heard) == len(values),
@@ -116,7 +117,7 @@ def test_one_out_for_each_in(learner, draw):
            'The messages came out in another order or with other values.')
 
 
-def test_namespace(learner, draw):
+def test_namespace(learner):
     """In a namespace both topics move with the node, and the node is called range_to_metres.
 
     Relative names have no leading slash.
@@ -125,6 +126,6 @@ def test_namespace(learner, draw):
     sensor = learner.talk('/arm/sonar_cm', Range)
     node = learner.start('RangeToMetres', remap={'__ns': '/arm'})
     expect(node.name == '/arm/range_to_metres', f'Your node is called {node.name}, expected /arm/range_to_metres.')
-    sensor.send(reading(draw))
+    sensor.send(reading(learner.random))
     learner.settle()
     expect(len(heard) == 1, 'In the namespace /arm nothing goes through: use topic names without a leading slash.')

@@ -24,7 +24,7 @@ def test_exact_times(learner):
 
 
 @pytest.mark.weight(2)
-def test_reset_keeps_the_rhythm(learner, draw):
+def test_reset_keeps_the_rhythm(learner):
     """A reset sets only the counter: the timers go on as before.
 
     No timer is stopped, made anew or reset.
@@ -32,7 +32,7 @@ def test_reset_keeps_the_rhythm(learner, draw):
     uptime = learner.listen('/uptime', Int32)
     button = learner.talk('/reset', Empty)
     learner.start('Heartbeat')
-    before = draw.randint(2, 5) + draw.choice([0.3, 0.4, 0.6, 0.7])
+    before = learner.random.randint(2, 5) + learner.random.choice([0.3, 0.4, 0.6, 0.7])
     learner.run(before)
     count = len(uptime)
     button.send(Empty())

@@ -49,12 +49,12 @@ def test_all_pairs(learner):
                               'An offer must be at least as strong as the request.')
 
 
-def test_deadline(learner, draw):
+def test_deadline(learner):
     """The offered deadline period must not be longer than the requested one; 0.0 is endless.
 
     Replace 0.0 by infinity on both sides before you compare.
     """
-    a, b = sorted(draw.sample([n / 20 for n in range(1, 40)], 2))
+    a, b = sorted(learner.random.sample([n / 20 for n in range(1, 40)], 2))
     for offered, requested, wanted in ((a, b, []), (b, a, ['deadline']), (a, a, []), (0.0, 0.0, [])):
         got = ask(learner, {'deadline': offered}, {'deadline': requested})
         expect(got == wanted,
@@ -102,7 +102,7 @@ def test_all_reasons(learner):
 
 
 @pytest.mark.weight(2)
-def test_safety_stop(learner, draw):
+def test_safety_stop(learner):
     """Every scan of a best-effort lidar is answered: True for an object nearer than 0.5 m.
 
     Ask on scan for no more than a lidar offers.
@@ -110,9 +110,12 @@ def test_safety_stop(learner, draw):
     stop = learner.listen('/stop', Bool, LATCHED)
     lidar = learner.talk('/scan', LaserScan, qos_profile_sensor_data)
     learner.start('SafetyStop')
-    wanted = [draw.random() < 0.5 for _ in range(6)]
+    wanted = [True, True, True, False, False, False]
+    learner.random.shuffle(wanted)
     for near in wanted:
-        ranges = [draw.uniform(0.6, 9.0) for _ in range(5)] + ([draw.uniform(0.05, 0.45)] if near else [])
+        ranges = [learner.random.uniform(0.6, 9.0) for _ in range(5)]
+        if near:
+            ranges.append(learner.random.uniform(0.05, 0.45))
         lidar.send(LaserScan(ranges=ranges))
         learner.run(0.1)
     expect(stop.messages, 'Scans were published and nothing came on /stop.')

@@ -25,13 +25,13 @@ def monitor(learner, *args, qos=qos_profile_sensor_data, **kwargs):
 
 
 @pytest.mark.weight(2)
-def test_changing_rate(learner, draw):
+def test_changing_rate(learner):
     """Each report counts the scans of its own second, exactly, whatever their rhythm.
 
     Count in the callback; report and set back in a timer of 1 s on the node's own clock.
     """
     rates, _, lidar = monitor(learner)
-    counts = [draw.randint(0, 9) for _ in range(5)] + [0]
+    counts = [learner.random.randint(1, 9) for _ in range(5)] + [0]
     stamp = 50.0
     for count in counts:
         learner.run(0.5)
@@ -67,13 +67,13 @@ def test_silent_sensor(learner):
     expect(not gaps.messages, 'Silence alone makes no message on scan_gap: it takes the next scan to know the gap.')
 
 
-def test_gaps_from_stamps(learner, draw):
+def test_gaps_from_stamps(learner):
     """A gap is the difference of two stamps, whenever the messages arrive.
 
     Use header.stamp with its nanoseconds, not the time of arrival.
     """
     _, gaps, lidar = monitor(learner)
-    first = draw.randint(1000, 2000)
+    first = learner.random.randint(1000, 2000)
     for stamp, pause in ((0.9, 0.1), (1.3, 3.0), (1.75, 0.1), (2.9, 0.0), (3.1, 2.0), (3.9, 0.1)):
         lidar.send(scan(first + stamp))
         learner.settle()
@@ -97,14 +97,14 @@ def test_gap_at_once(learner):
     expect(gaps.stamps == [0.3], 'The gap was not published at once, when the scan after it came.')
 
 
-def test_first_scan(learner, draw):
+def test_first_scan(learner):
     """The first scan makes no gap, whatever its stamp.
 
     Begin with None, not with zero or with the start of the node.
     """
     _, gaps, lidar = monitor(learner)
     learner.run(2.0)
-    lidar.send(scan(draw.uniform(100, 1e6)))
+    lidar.send(scan(learner.random.uniform(100, 1e6)))
     learner.run(0.2)
     expect(not gaps.messages, f'The first scan made a gap of {gaps.data[:1]} s: there is nothing before it.')
 
