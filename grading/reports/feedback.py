@@ -1,31 +1,132 @@
-"""`feedback/<learner>.html`: one page for the learner, without scripts, every value escaped.
+"""`feedback/<learner>.html`: one page for the learner: what was expected, what happened, where to look and to read on.
 
-It shows what was expected and what happened; never an assertion, a test's code or the grader's own faults.
+It shows never an assertion, a test's code or the grader's own faults. The page works without scripts, by keyboard and by
+screen reader, on paper, on a small screen, in light and in dark; it loads nothing.
 """
 
-from jinja2 import Environment, PackageLoader
-
 from grading.record import Record
+from grading.reports import page, reading
+from grading.reports.safe import line
 from helpers import display
 from helpers.runner import results, verdicts
+from helpers.runner.results import ExerciseResult, TestResult
 
-_WORDS = {
+STATES = {
     verdicts.PASSED: 'solved',
     verdicts.FAILED: 'not there yet',
     verdicts.TIMEOUT: 'does not come to an end',
     verdicts.LEARNER_CRASHED: 'stops with an error',
     verdicts.INVALID_SUBMISSION: 'cannot be run',
-    verdicts.GRADER_ERROR: 'to be graded again: our fault, not yours',
-    results.NOT_ATTEMPTED: 'not solved yet',
+    verdicts.GRADER_ERROR: 'to be graded again',
+    results.NOT_ATTEMPTED: 'not begun',
 }
-
-_ENVIRONMENT = Environment(loader=PackageLoader('grading.reports', ''), autoescape=True, trim_blocks=True,
-                           lstrip_blocks=True)
-_ENVIRONMENT.filters['points'] = lambda value: '–' if value is None else f'{value:g}'
+_TESTS = {
+    verdicts.PASSED: 'Passed',
+    verdicts.FAILED: 'Not passed',
+    verdicts.TIMEOUT: 'Not passed, it did not come to an end',
+    verdicts.LEARNER_CRASHED: 'Not passed, your program stopped with an error',
+    verdicts.INVALID_SUBMISSION: 'Not passed, it could not be run',
+    verdicts.GRADER_ERROR: 'Not known',
+}
 
 
 def dumps(record: Record) -> str:
     """The page."""
-    return _ENVIRONMENT.get_template('feedback.html.j2').render(
-        record=record, words=_WORDS, expected=display.expected, hint=display.hint, happened=display.happened,
-        repeated=display.repeated, colour=display.colour, heading=display.heading)
+    return page.render('feedback.html.j2', view=view(record))
+
+
+def view(record: Record) -> dict:
+    """All that the page shows, as plain values."""
+    return {
+        'learner': line(record.learner, 80),
+        'score': record.score, 'points': record.points,
+        'share': _share(record.score, record.points),
+        'tone': 'open' if record.score is None else 'good',
+        'sentence': _sentence(record),
+        'advice': _advice(record),
+        'notes': [],
+        'chapters': _chapters(record.exercises),
+        'facts': [('Handed in', line(record.source)), ('Graded as', record.key[:16]),
+                  ('Sandbox', line(record.sandbox))],
+    }
+
+
+def _share(score: float | None, points: float) -> float:
+    return 0.0 if score is None or points <= 0 else min(1.0, max(0.0, score / points))
+
+
+def _sentence(record: Record) -> str:
+    if record.score is None:
+        return ('A part of your work must be graded again because of a fault on our side. Nothing is lost, and you need '
+                'not do anything.')
+    solved = sum(exercise.passed for exercise in record.exercises)
+    if solved == len(record.exercises):
+        return 'All exercises are solved. Well done!'
+    begun = sum(exercise.verdict != results.NOT_ATTEMPTED for exercise in record.exercises)
+    if not begun:
+        return 'None of the exercises has been begun yet.'
+    return f'{solved} of {page.plural(len(record.exercises), "exercise")} {"is" if solved == 1 else "are"} solved.'
+
+
+def _advice(record: Record) -> str:
+    """What to do first: an exercise that was begun comes before one that was not."""
+    open_ones = [exercise for exercise in record.exercises
+                 if not exercise.passed and exercise.verdict != verdicts.GRADER_ERROR]
+    begun = [exercise for exercise in open_ones if exercise.verdict != results.NOT_ATTEMPTED]
+    first = next(iter(begun or open_ones), None)
+    return f'Go on with exercise {first.id}, {line(first.title)}.' if first else ''
+
+
+def _chapters(exercises: list[ExerciseResult]) -> list[dict]:
+    chapters: dict[str, dict] = {}
+    for exercise in exercises:
+        shown = _exercise(exercise)
+        chapter = chapters.setdefault(exercise.id.partition('.')[0], {'title': '', 'exercises': []})
+        chapter['exercises'].append(shown)
+        if shown['place']:
+            chapter['title'] = shown['place'].chapter
+    return list(chapters.values())
+
+
+def _exercise(exercise: ExerciseResult) -> dict:
+    again = display.repeated(exercise)
+    weight = sum(test.weight for test in exercise.tests)
+    return {
+        'id': line(exercise.id), 'title': line(exercise.title),
+        'anchor': 'exercise-' + ''.join(sign if sign.isalnum() and sign.isascii() else '-' for sign in exercise.id),
+        'score': exercise.score, 'points': exercise.points, 'share': _share(exercise.score, exercise.points),
+        'tone': tone(exercise.verdict), 'state': STATES[exercise.verdict], 'summary': _summary(exercise),
+        'message': '' if exercise.verdict == results.NOT_ATTEMPTED else exercise.message,
+        'tests': [_test(test, test.test in again, exercise.points * test.weight / weight if weight else 0.0)
+                  for test in exercise.tests if test.expected],
+        'place': reading.place(exercise.id),
+    }
+
+
+def _summary(exercise: ExerciseResult) -> str:
+    if exercise.verdict == results.NOT_ATTEMPTED:
+        return exercise.message or 'The cell is still as it was given.'
+    if exercise.verdict == verdicts.GRADER_ERROR:
+        return ('This exercise could not be graded because of a fault on our side. It will be graded again, and your '
+                'mark stays open until then.')
+    if not exercise.tests:
+        return ''
+    passed = sum(test.passed for test in exercise.tests)
+    if passed == len(exercise.tests):
+        return {1: 'The test passed.', 2: 'Both tests passed.'}.get(passed, f'All {passed} tests passed.')
+    return f'{passed} of {page.plural(len(exercise.tests), "test")} passed.'
+
+
+def _test(test: TestResult, same: bool, points: float) -> dict:
+    return {
+        'tone': tone(test.verdict), 'state': _TESTS[test.verdict], 'expected': display.expected(test),
+        'kind': f'{"hidden" if test.hidden else "check"} · {page.points(points)} {"point" if points == 1 else "points"}',
+        'same': same and not test.passed,
+        'happened': [] if test.passed else display.happened(test), 'hint': '' if test.passed else display.hint(test),
+        'details': '' if same or test.passed else test.details, 'output': '' if same or test.passed else test.output,
+    }
+
+
+def tone(verdict: str) -> str:
+    """good, bad, open (our fault) or none (not begun): the colours of a page."""
+    return {verdicts.PASSED: 'good', verdicts.GRADER_ERROR: 'open', results.NOT_ATTEMPTED: 'none'}.get(verdict, 'bad')
