@@ -1,7 +1,7 @@
-"""`feedback/<learner>.html`: one page for the learner: what was expected, what happened, where to look and to read on.
+"""`feedback/<learner>.html`: one page for the learner: what was expected, what happened, where to look and read on.
 
-It shows never an assertion, a test's code or the grader's own faults. The page works without scripts, by keyboard and by
-screen reader, on paper, on a small screen, in light and in dark; it loads nothing.
+It shows never an assertion, a test's code or the grader's own faults. The page works without scripts, by keyboard and
+by screen reader, on paper, on a small screen, in light and in dark; it loads nothing.
 """
 
 from grading.record import Record
@@ -57,8 +57,8 @@ def _share(score: float | None, points: float) -> float:
 
 def _sentence(record: Record) -> str:
     if record.score is None:
-        return ('A part of your work must be graded again because of a fault on our side. Nothing is lost, and you need '
-                'not do anything.')
+        return ('A part of your work must be graded again because of a fault on our side. Nothing is lost, and there '
+                'is nothing that you must do.')
     solved = sum(exercise.passed for exercise in record.exercises)
     if solved == len(record.exercises):
         return 'All exercises are solved. Well done!'
@@ -120,7 +120,7 @@ def _summary(exercise: ExerciseResult) -> str:
 def _test(test: TestResult, same: bool, points: float) -> dict:
     return {
         'tone': tone(test.verdict), 'state': _TESTS[test.verdict], 'expected': display.expected(test),
-        'kind': f'{"hidden" if test.hidden else "check"} · {page.points(points)} {"point" if points == 1 else "points"}',
+        'kind': f'{"hidden" if test.hidden else "check"} · {page.points(points)} point{"" if points == 1 else "s"}',
         'same': same and not test.passed,
         'happened': [] if test.passed else display.happened(test), 'hint': '' if test.passed else display.hint(test),
         'details': '' if same or test.passed else test.details, 'output': '' if same or test.passed else test.output,

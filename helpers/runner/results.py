@@ -28,6 +28,7 @@ class TestResult:
     details: str = ''  # a traceback through the learner's own lines
     output: str = ''  # what their program printed
     fault: str = ''  # the grader's own traceback: for the instructor only
+    seconds: float = field(default=0.0, compare=False)  # wall time of its last run, which says nothing about the mark
 
     @property
     def passed(self) -> bool:

@@ -129,7 +129,7 @@ class _Collection:
     def _round(self, programs: dict[str, dict], folders: list[Path], only: list[str] | None, say) -> None:
         """One process of tests, to its end."""
         seen: set[str] = set()
-        running = ''
+        running, begun = '', 0.0
         with (domains.claim() as domain, tempfile.TemporaryDirectory(prefix='course-tests-') as cwd,
               open(Path(cwd, 'printed'), 'w+b') as printed):
             process, events = self._start(programs, folders, only, domain, cwd, printed)
@@ -141,8 +141,9 @@ class _Collection:
                         case 'running':
                             running = event['test']
                             self._begun[running] += 1
+                            begun = time.monotonic()
                         case 'result' if event['test'] == running and running in self.tests:
-                            self._result(event)
+                            self._result(event, time.monotonic() - begun)
                             say(running)
                         case 'broken':
                             self._broken(event, programs)
@@ -191,8 +192,9 @@ class _Collection:
             self.tests[name] = TestResult(name, event['exercise'], hidden, event['weight'], verdicts.GRADER_ERROR,
                                           event['expected'])
 
-    def _result(self, event: dict) -> None:
+    def _result(self, event: dict, seconds: float) -> None:
         test = self.tests[event['test']]
+        test.seconds = round(seconds, 3)
         if test.test not in self._doubled:
             test.verdict = event['verdict'] if event['verdict'] in verdicts.VERDICTS else verdicts.GRADER_ERROR
             test.message, test.details = clean(event['message']), clean(event['details'], MAX_OUTPUT)
