@@ -1,26 +1,53 @@
-"""One learner's graded work as data: what `results/<learner>.json` holds, and all reports are made from."""
+"""One learner's result: what `results/<learner>.json` holds, and all reports are made from.
+
+The file's format has a number, SCHEMA. A file of another number is not read: its submission is graded again.
+"""
 
 import json
 import os
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
+from grading.adjustments import Adjustment
+from grading.late import Late
 from helpers.runner import verdicts
 from helpers.runner.results import ExerciseResult
 
-SCHEMA = 1
+SCHEMA = 2
+TEMPORARY = '.part'  # the end of the name of a file that is not whole yet
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """An earlier submission of the learner's. It does not count."""
+
+    source: str  # the submission's file name
+    sha256: str
+    handed_in: str
+    score: float | None = None  # None: it was never graded, or not to the end
 
 
 @dataclass
 class Record:
-    """The result of one submission."""
+    """The result of a learner's latest submission."""
 
     learner: str
     source: str  # the submission's file name
-    key: str  # of the submission, the tests and the grader: the same key, the same result
+    key: str  # of the submission, the seed, the tests and the grader: the same key, the same result
     sandbox: str
-    exercises: list[ExerciseResult]
+    exercises: list[ExerciseResult]  # as the tests judge them, in the order of the course
     log: list[str] = field(default_factory=list)  # for the instructor
+    seed: str = ''  # the run's: `--seed` with it gives the tests the same inputs
+    sha256: str = ''  # of what was handed in
+    handed_in: str = ''  # ISO 8601, UTC: see grading.submissions
+    course: str = ''  # digest of the tests and the grader
+    keys: dict[str, str] = field(default_factory=dict)  # as `key`, of each exercise
+    ungraded: list[str] = field(default_factory=list)  # exercises that were left out with `--only`
+    attempts: list[Attempt] = field(default_factory=list)  # earlier ones, the oldest first
+    late: Late | None = None  # None: there is no late policy
+    adjustments: list[Adjustment] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)  # about the submission as a whole, for the instructor
+    seconds: float = field(default=0.0, compare=False)  # wall time of the grading
 
     @property
     def points(self) -> float:
@@ -28,26 +55,50 @@ class Record:
         return sum(exercise.points for exercise in self.exercises)
 
     @property
+    def marks(self) -> dict[str, float | None]:
+        """What counts, by exercise: the tests' score, less the deduction for lateness, then as adjusted by hand."""
+        marks: dict[str, float | None] = {}
+        for exercise in self.exercises:
+            mark = exercise.score
+            if mark is not None and self.late is not None:
+                mark = self.late.applied(mark)
+            for adjustment in self.adjustments:
+                if adjustment.exercise == exercise.id:
+                    mark = adjustment.applied(mark, exercise.points)
+            marks[exercise.id] = mark
+        return marks | dict.fromkeys(self.ungraded)
+
+    @property
+    def earned(self) -> float | None:
+        """The points by the tests alone, before lateness and adjustments."""
+        return _total([*(exercise.score for exercise in self.exercises), *(None for _ in self.ungraded)])
+
+    @property
     def score(self) -> float | None:
-        """The points reached; None while a grader's fault leaves some unknown."""
-        scores = [exercise.score for exercise in self.exercises]
-        return None if None in scores else round(sum(scores), 2)
+        """The points that count; None while a grader's fault leaves some unknown, or not all is graded."""
+        return _total(list(self.marks.values()))
 
     @property
     def status(self) -> str:
-        """graded, invalid (nothing could be graded) or grader_error (to be graded again)."""
+        """graded, invalid (nothing could be graded), grader_error (to be graded again) or incomplete (`--only`)."""
+        marks = self.marks
         kinds = {exercise.verdict for exercise in self.exercises}
-        if verdicts.GRADER_ERROR in kinds:
+        if any(marks[exercise.id] is None for exercise in self.exercises):
             return 'grader_error'
+        if self.ungraded:
+            return 'incomplete'
         return 'invalid' if kinds == {verdicts.INVALID_SUBMISSION} else 'graded'
+
+    def as_dict(self) -> dict:
+        """The record as JSON values; what is derived stands beside what it is derived from."""
+        data = {'schema': SCHEMA, **asdict(self), 'status': self.status, 'score': self.score, 'earned': self.earned,
+                'points': self.points, 'marks': self.marks}
+        data['exercises'] = [exercise.as_dict() for exercise in self.exercises]
+        return data
 
     def dumps(self) -> str:
         """The record as JSON text."""
-        return json.dumps({
-            'schema': SCHEMA, 'learner': self.learner, 'source': self.source, 'key': self.key, 'sandbox': self.sandbox,
-            'status': self.status, 'score': self.score, 'points': self.points,
-            'exercises': [exercise.as_dict() for exercise in self.exercises], 'log': self.log,
-        }, indent=1, ensure_ascii=False) + '\n'
+        return json.dumps(self.as_dict(), indent=1, ensure_ascii=False) + '\n'
 
     @classmethod
     def load(cls, path: Path) -> 'Record | None':
@@ -56,18 +107,33 @@ class Record:
             data = json.loads(path.read_text(encoding='utf-8'))
             if data['schema'] != SCHEMA:
                 return None
-            return cls(data['learner'], data['source'], data['key'], data['sandbox'],
-                       [ExerciseResult.from_dict(row) for row in data['exercises']], data['log'])
+            for derived in ('schema', 'status', 'score', 'earned', 'points', 'marks'):
+                del data[derived]
+            return cls(**{**data,
+                          'exercises': [ExerciseResult.from_dict(row) for row in data['exercises']],
+                          'attempts': [Attempt(**row) for row in data['attempts']],
+                          'late': None if data['late'] is None else Late(**data['late']),
+                          'adjustments': [Adjustment(**row) for row in data['adjustments']]})
         except (OSError, ValueError, KeyError, TypeError, AttributeError):
             return None
 
 
+def _total(marks: list[float | None]) -> float | None:
+    return None if None in marks else round(sum(marks), 2)
+
+
 def write(path: Path, text: str) -> None:
-    """Write a file as a whole or not at all, also if the process is killed."""
+    """Write a file as a whole or not at all, also if the process is killed; not at all if it has this text already."""
+    try:
+        if path.read_bytes() == text.encode():
+            return
+    except OSError:
+        pass
     path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f'.{path.name}.{os.getpid()}')
+    temporary = path.with_name(f'.{path.name}.{os.getpid()}{TEMPORARY}')
     with open(temporary, 'w', encoding='utf-8', newline='') as file:
         file.write(text)
         file.flush()
         os.fsync(file.fileno())
     os.replace(temporary, path)
+
