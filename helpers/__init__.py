@@ -23,10 +23,13 @@ for _name, _value in _DEFAULTS.items():
 # Public name -> module that defines it; None where the name is the module itself.
 _HOME = {
     'CallbackError': 'errors',
+    'TurtleView': 'turtle',
     'background': 'processes',
     'check': 'check',
     'collect': 'waiting',
     'ros': None,
+    'routes': 'routes',
+    'show_turtle': 'turtle',
     'spin_for': 'waiting',
     'spinning': 'spinning',
     'submit': 'submit',
