@@ -13,11 +13,11 @@ from rclpy.time import Time
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import UInt64
 
-from helpers.runner import values, wiring
+from helpers.runner import actions, services, values, wiring
 from helpers.runner.client import ForkServer, Process, RunnerError
+from helpers.runner.peers import SECOND, Peer
 from helpers.runner.verdicts import LearnerFault
 
-SECOND = 1_000_000_000
 UNKNOWN = '_NODE_NAME_UNKNOWN_'  # rmw's name for the node of an endpoint that is known by itself only
 
 
@@ -120,6 +120,7 @@ class Learner:
         self._numbers = itertools.count(1)
         self._recordings: list[Recording] = []
         self._talkers: list[Talker] = []
+        self._peers: list[Peer] = []
         self._connected = True
         self._endpoints: dict = {}  # how many each of the learner's processes has, by its key
         self._past_output = ''
@@ -214,6 +215,49 @@ class Learner:
     def endpoints(self, topic: str) -> wiring.Endpoints:
         """The learner's publishers and subscriptions on `topic`: node, type, qos."""
         self.connect()
+    def client(self, name: str, srv_type, *, strict: bool = True) -> services.Client:
+        """A client for the learner's service `name`: `call` and `send`. `strict`: another type there fails the test."""
+        return self.add(services.Client(self, name, srv_type, strict))
+
+    def serve(self, name: str, srv_type, answer, delay=0.0, *, strict: bool = True) -> services.Server:
+        """A server for the learner's client of `name`: `requests`, `stamps`, `stop()`, `start()`.
+
+        `answer`: a response, a dictionary of its fields, None (silence), a function of the request that gives one of
+        these, or an iterator with one of these for each request. `delay`: seconds of simulated time until an answer
+        goes out; a number, or a function of the request. `strict` as in `client`.
+        """
+        return self.add(services.Server(self, name, srv_type, answer, delay, strict))
+
+    def action_client(self, name: str, action_type, *, strict: bool = True) -> actions.Client:
+        """A client for the learner's action `name`: `send` gives a goal with its feedback, status, result, `cancel`."""
+        return self.add(actions.Client(self, name, action_type, strict))
+
+    def action_server(self, name: str, action_type, plan=(), *, accept=True, cancel: str = 'accept',
+                      cancel_delay: float = 0.0, partial=None, strict: bool = True) -> actions.Server:
+        """An action server for the learner's client of `name`: `goals`, `stop()`, `start()`.
+
+        `plan`: pairs (seconds of simulated time after the one before, Feedback or Result or `actions.Aborted`), or a
+        function of the goal that gives them; without an end the goal goes on for ever. `accept`: whether goals are, or
+        a function of the goal. `cancel`: 'accept' (`cancel_delay` seconds later the goal ends with the result
+        `partial`), 'reject', or 'ignore' (accept, and go on as planned). All may be changed at any time.
+        """
+        return self.add(actions.Server(self, name, action_type, plan, accept, cancel, cancel_delay, partial, strict))
+
+    def add(self, peer: Peer):
+        """Take in a partner of the learner's program, and return it."""
+        self._peers.append(peer)
+        self.rewired()
+        return peer
+
+    def rewired(self) -> None:
+        """Endpoints of the test's have come or gone: `connect` before anything is sent."""
+        self._connected = False
+
+    def own_nodes(self) -> list[tuple[str, str]]:
+        """(name, namespace) of the learner's nodes."""
+        return [(name, namespace) for name, namespace in self.node.get_node_names_and_namespaces()
+                if not name.startswith('_')]
+
         topic = topic if topic.startswith('/') else '/' + topic
         return wiring.endpoints(self.node, topic, self._is_foreign)
 
@@ -222,8 +266,8 @@ class Learner:
 
     # Time and order
 
-    def run(self, seconds: float, step: float = 0.1) -> None:
-        """Let `seconds` of simulated time pass, in lock-step with the learner's nodes.
+    def run(self, seconds: float, step: float = 0.1, *, until=None) -> None:
+        """Let `seconds` of simulated time pass, in lock-step with the learner's nodes, or less if `until()` is true.
 
         Time goes from one due timer to the next, by at most `step` seconds, so that timers fire at their exact times.
         """
@@ -231,8 +275,8 @@ class Learner:
             self.settle()
         end = self.now + round(seconds * SECOND)
         largest = max(1, round(step * SECOND))
-        while self.now < end:
-            due = [time_due for time_due in self._due if time_due is not None]
+        while self.now < end and not (until and until()):
+            due = [time_due for time_due in (*self._due, *(peer.due() for peer in self._peers)) if time_due is not None]
             self._step_to(max(self.now + 1, min([end, self.now + largest, *due])))
             self.connect()
         self._acknowledge()
@@ -267,6 +311,8 @@ class Learner:
             number = next(self._numbers)
             self._step.publish(UInt64(data=number))
             answers = [process.ask('step', self.timeouts.step + 5, number=number, now=now, timeout=self.timeouts.step)
+            for peer in self._peers:
+                peer.act()
                        for process in self._conducted()]
             self._drain(number, len(answers))
             self._due = tuple(answer.get('next') for answer in answers)
@@ -284,6 +330,7 @@ class Learner:
             for process in self._conducted():  # what they have sent to each other arrives before the next round
                 process.ask('ack', self.timeouts.step, timeout=5.0)
         if active:
+            active |= any((due := peer.due()) is not None and due <= now for peer in self._peers)
             raise LearnerFault('Your nodes never come to rest: they answer each other\'s messages without end.')
         raise RunnerError('/clock does not reach the learner\'s processes')
 
@@ -383,8 +430,9 @@ class Learner:
 
     def hints(self) -> list[str]:
         """What a failed test may add: endpoints of the test's that no node of the learner's is connected with."""
-        own = [(name, namespace) for name, namespace in self.node.get_node_names_and_namespaces()
-               if not name.startswith('_')]
+        own = self.own_nodes()
+        for peer in self._peers:
+            peer.check()
         ends = [(recording.subscription.topic_name, 'publisher') for recording in self._recordings]
         ends += [(talker.topic, 'subscription') for talker in self._talkers]
         found = []
@@ -394,7 +442,10 @@ class Learner:
                 others = wiring.nearby(self.node, topic, kind, own)
                 instead = f'; it has one on {others}' if others else ''
                 found.append(f'Your program has no {kind} on {topic}{instead}.')
-        return found
+        found += [hint for peer in self._peers for hint in peer.hints()]
+        stuck = [line for line in self._waiting if 'sleep' not in line['code']]
+        return found + [f"A callback of your program was waiting at {line['cell']}, line {line['line']}: "
+                        f"`{line['code']}`." for line in stuck[:3]]
 
     def close(self) -> None:
         """End the learner's processes and the test's node."""

@@ -64,7 +64,7 @@ class _SimulatedTimeSource(TimeSource):
     def _subscribe_to_clock_topic(self) -> None:
         """Hear /clock in a callback group of its own.
 
-        In the node's default group, as rclpy has it, a callback that awaits an answer would stop the node's clock, which
+        In the node's default group, as rclpy has it, a callback that awaits an answer would stop the node's clock. That
         does not happen to the same program on the clock of the wall.
         """
         node = self._get_node()
