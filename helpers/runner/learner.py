@@ -13,7 +13,7 @@ from rclpy.time import Time
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import UInt64
 
-from helpers.runner import actions, services, values, wiring
+from helpers.runner import services, values, wiring
 from helpers.runner.client import ForkServer, Process, RunnerError
 from helpers.runner.peers import SECOND, Peer
 from helpers.runner.verdicts import LearnerFault
@@ -212,9 +212,6 @@ class Learner:
         self._connected = False
         return talker
 
-    def endpoints(self, topic: str) -> wiring.Endpoints:
-        """The learner's publishers and subscriptions on `topic`: node, type, qos."""
-        self.connect()
     def client(self, name: str, srv_type, *, strict: bool = True) -> services.Client:
         """A client for the learner's service `name`: `call` and `send`. `strict`: another type there fails the test."""
         return self.add(services.Client(self, name, srv_type, strict))
@@ -227,21 +224,6 @@ class Learner:
         goes out; a number, or a function of the request. `strict` as in `client`.
         """
         return self.add(services.Server(self, name, srv_type, answer, delay, strict))
-
-    def action_client(self, name: str, action_type, *, strict: bool = True) -> actions.Client:
-        """A client for the learner's action `name`: `send` gives a goal with its feedback, status, result, `cancel`."""
-        return self.add(actions.Client(self, name, action_type, strict))
-
-    def action_server(self, name: str, action_type, plan=(), *, accept=True, cancel: str = 'accept',
-                      cancel_delay: float = 0.0, partial=None, strict: bool = True) -> actions.Server:
-        """An action server for the learner's client of `name`: `goals`, `stop()`, `start()`.
-
-        `plan`: pairs (seconds of simulated time after the one before, Feedback or Result or `actions.Aborted`), or a
-        function of the goal that gives them; without an end the goal goes on for ever. `accept`: whether goals are, or
-        a function of the goal. `cancel`: 'accept' (`cancel_delay` seconds later the goal ends with the result
-        `partial`), 'reject', or 'ignore' (accept, and go on as planned). All may be changed at any time.
-        """
-        return self.add(actions.Server(self, name, action_type, plan, accept, cancel, cancel_delay, partial, strict))
 
     def add(self, peer: Peer):
         """Take in a partner of the learner's program, and return it."""
@@ -258,6 +240,9 @@ class Learner:
         return [(name, namespace) for name, namespace in self.node.get_node_names_and_namespaces()
                 if not name.startswith('_')]
 
+    def endpoints(self, topic: str) -> wiring.Endpoints:
+        """The learner's publishers and subscriptions on `topic`: node, type, qos."""
+        self.connect()
         topic = topic if topic.startswith('/') else '/' + topic
         return wiring.endpoints(self.node, topic, self._is_foreign)
 
@@ -307,12 +292,12 @@ class Learner:
         """Bring every process to `now`, until a round in which nothing happened."""
         self.now = now
         for _ in range(100):
+            for peer in self._peers:
+                peer.act()
             self._clock.publish(Clock(clock=Time(nanoseconds=now).to_msg()))
             number = next(self._numbers)
             self._step.publish(UInt64(data=number))
             answers = [process.ask('step', self.timeouts.step + 5, number=number, now=now, timeout=self.timeouts.step)
-            for peer in self._peers:
-                peer.act()
                        for process in self._conducted()]
             self._drain(number, len(answers))
             self._due = tuple(answer.get('next') for answer in answers)
@@ -325,12 +310,12 @@ class Learner:
             # One process is idle after one round. Several may have sent something to each other, and /clock is best
             # effort: what is lost is sent again.
             active = len(answers) > 1 and any(answer.get('count') for answer in answers)
+            active |= any((due := peer.due()) is not None and due <= now for peer in self._peers)
             if not active and all(answer.get('reached') for answer in answers):
                 return
             for process in self._conducted():  # what they have sent to each other arrives before the next round
                 process.ask('ack', self.timeouts.step, timeout=5.0)
         if active:
-            active |= any((due := peer.due()) is not None and due <= now for peer in self._peers)
             raise LearnerFault('Your nodes never come to rest: they answer each other\'s messages without end.')
         raise RunnerError('/clock does not reach the learner\'s processes')
 
@@ -427,12 +412,12 @@ class Learner:
         for talker in self._talkers:
             if talker.strict:
                 wiring.check(_Ours(talker.publisher), 'subscription', self.endpoints(talker.topic).subscriptions)
+        for peer in self._peers:
+            peer.check()
 
     def hints(self) -> list[str]:
         """What a failed test may add: endpoints of the test's that no node of the learner's is connected with."""
         own = self.own_nodes()
-        for peer in self._peers:
-            peer.check()
         ends = [(recording.subscription.topic_name, 'publisher') for recording in self._recordings]
         ends += [(talker.topic, 'subscription') for talker in self._talkers]
         found = []
@@ -442,10 +427,7 @@ class Learner:
                 others = wiring.nearby(self.node, topic, kind, own)
                 instead = f'; it has one on {others}' if others else ''
                 found.append(f'Your program has no {kind} on {topic}{instead}.')
-        found += [hint for peer in self._peers for hint in peer.hints()]
-        stuck = [line for line in self._waiting if 'sleep' not in line['code']]
-        return found + [f"A callback of your program was waiting at {line['cell']}, line {line['line']}: "
-                        f"`{line['code']}`." for line in stuck[:3]]
+        return found + [hint for peer in self._peers for hint in peer.hints()]
 
     def close(self) -> None:
         """End the learner's processes and the test's node."""
