@@ -33,6 +33,7 @@ _HOME = {
     'spin_for': 'waiting',
     'spinning': 'spinning',
     'submit': 'submit',
+    'timeline': 'timeline',
     'wait_for': 'waiting',
 }
 
