@@ -23,13 +23,17 @@ for _name, _value in _DEFAULTS.items():
 # Public name -> module that defines it; None where the name is the module itself.
 _HOME = {
     'CallbackError': 'errors',
+    'TurtleView': 'turtle',
     'background': 'processes',
     'check': 'check',
     'collect': 'waiting',
     'ros': None,
+    'routes': 'routes',
+    'show_turtle': 'turtle',
     'spin_for': 'waiting',
     'spinning': 'spinning',
     'submit': 'submit',
+    'timeline': 'timeline',
     'wait_for': 'waiting',
 }
 

@@ -16,6 +16,9 @@ from helpers.nodes import is_doomed
 #: Notified after every callback of a watched executor, so that waits react at once.
 activity = threading.Condition()
 
+#: Called with 'begin' or 'finish' and the `Work`, in its thread (see `helpers.timeline`).
+observers: list = []
+
 _running: dict[int, 'Work'] = {}  # thread -> the callback that a watched executor runs there
 _KINDS = {
     'ActionClient': 'action client',
@@ -119,6 +122,8 @@ class Work:
         self.thread = threading.get_ident()
         self.since = time.monotonic()
         _running[self.thread] = self
+        for observe in observers:
+            observe('begin', self)
         error = None
         try:
             self.task()
@@ -133,6 +138,8 @@ class Work:
             self.task.cancel()
             error = left
         finally:
+            for observe in observers:
+                observe('finish', self)
             _running.pop(self.thread, None)
         if error is not None and not self._died_with_its_node(error):
             self.watch.on_failure(Failure(self.node_name, self.describe(error), error))

@@ -2,6 +2,7 @@
 
 import atexit
 import os
+import pty
 import shlex
 import signal
 import subprocess
@@ -13,6 +14,9 @@ from contextlib import contextmanager
 
 from helpers import journal
 
+#: What a terminal sends for the keys that have no letter.
+KEYS = {'up': '\x1b[A', 'down': '\x1b[B', 'right': '\x1b[C', 'left': '\x1b[D', 'enter': '\n'}
+
 _SHOWN = 10  # lines of output in an error text
 _children: list['Process'] = []
 _guardian: subprocess.Popen | None = None
@@ -20,7 +24,12 @@ _process = os.getpid()
 
 
 def background(
-    argv: Sequence[str] | str, *, env: Mapping[str, str] | None = None, cwd=None, echo: bool = False
+    argv: Sequence[str] | str,
+    *,
+    env: Mapping[str, str] | None = None,
+    cwd=None,
+    echo: bool = False,
+    terminal: bool = False,
 ) -> 'Process':
     """Start a command as a child process and return its handle.
 
@@ -36,19 +45,21 @@ def background(
     :param env: variables to add to the environment.
     :param cwd: folder to run in.
     :param echo: print each line as it comes.
+    :param terminal: give it a terminal of its own (a pseudo-terminal), on which `Process.type` presses keys; otherwise
+        it has nothing to read.
     :raises FileNotFoundError: there is no such command.
     """
     argv = shlex.split(argv) if isinstance(argv, str) else [str(part) for part in argv]
     for child in _children.copy():
         if child.made_in < journal.number() and (child.argv, child.cwd) == (argv, cwd):
             child.stop()
-    return Process(argv, env, cwd, echo)
+    return Process(argv, env, cwd, echo, terminal)
 
 
 class Process:
     """A running child process; made by `background`."""
 
-    def __init__(self, argv, env=None, cwd=None, echo=False):
+    def __init__(self, argv, env=None, cwd=None, echo=False, terminal=False):
         self.argv = argv
         self.cwd = cwd
         self.made_in = journal.number()  # the cell run
@@ -56,21 +67,27 @@ class Process:
         self._news = threading.Condition()
         self._echo = echo
         self._closed = False
+        self._keyboard: int | None = None  # our end of its terminal
+        if terminal:
+            self._keyboard, end = pty.openpty()
         try:
             with _interruptible():
                 self._popen = subprocess.Popen(
                     argv,
-                    stdin=subprocess.DEVNULL,
-                    stdout=subprocess.PIPE,
+                    stdin=end if terminal else subprocess.DEVNULL,
+                    stdout=end if terminal else subprocess.PIPE,
                     stderr=subprocess.STDOUT,
                     start_new_session=True,
                     env={**os.environ, 'PYTHONUNBUFFERED': '1', **(env or {})},
                     cwd=cwd,
-                    text=True,
-                    errors='replace',
                 )
         except FileNotFoundError:
+            if terminal:
+                os.close(self._keyboard)
             raise FileNotFoundError(f'no command {argv[0]!r}: check its spelling and the PATH') from None
+        finally:
+            if terminal:
+                os.close(end)
         _children.append(self)
         _tell_guardian(f'+{self._popen.pid}')
         self._reader = threading.Thread(target=self._read, daemon=True, name=f'output of {argv[0]}')
@@ -121,6 +138,16 @@ class Process:
                     raise TimeoutError(f'{self._name} did not print {text!r} in {timeout:g} s{self._tail()}')
                 self._news.wait(left)
 
+    def type(self, keys: str) -> None:
+        """Press keys on its terminal: letters, or names from `KEYS` such as ``'up'``.
+
+        :raises RuntimeError: it was started without ``terminal=True``, or has ended.
+        """
+        with self._news:
+            if self._keyboard is None:
+                raise RuntimeError(f'{self._name} has no terminal (any more): start it with terminal=True')
+            os.write(self._keyboard, KEYS.get(keys, keys).encode())
+
     def stop(self, timeout: float = 3.0) -> int:
         """End the process and all that it started: SIGINT, and SIGKILL after ``timeout`` seconds; idempotent.
 
@@ -166,9 +193,9 @@ class Process:
         return '; its last lines:\n' + '\n'.join(f'    {line}' for line in self.lines[-_SHOWN:])
 
     def _read(self) -> None:
-        with self._popen.stdout as stream:
-            for line in stream:
-                line = line.rstrip('\n')
+        descriptor = self._popen.stdout.fileno() if self._keyboard is None else self._keyboard
+        with open(descriptor, encoding='utf-8', errors='replace', closefd=False) as stream:
+            for line in _lines(stream):
                 with self._news:
                     self.lines.append(line)
                     self._news.notify_all()
@@ -176,6 +203,11 @@ class Process:
                     print(line, flush=True)
         with self._news:
             self._closed = True
+            if self._keyboard is None:
+                self._popen.stdout.close()
+            else:
+                os.close(self._keyboard)
+                self._keyboard = None
             self._news.notify_all()
 
     def _signal(self, number: int) -> None:
@@ -183,6 +215,15 @@ class Process:
             os.killpg(self._popen.pid, number)
         except (ProcessLookupError, PermissionError):
             pass
+
+
+def _lines(stream):
+    """Yield the lines of a stream without their ends. The end of a terminal is an error, EIO, on Linux."""
+    try:
+        for line in stream:
+            yield line.rstrip('\n')
+    except OSError:
+        pass
 
 
 @contextmanager

@@ -1,7 +1,7 @@
 """A small course for tests: exercises, notebooks and test files made on the spot."""
 
 import json
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from helpers.exercises.manifest import Exercise, stub_digest
@@ -60,6 +60,18 @@ from std_msgs.msg import *
 from helpers.runner import expect
 pytestmark = pytest.mark.exercise('{id}')
 """
+
+
+@dataclass
+class Case:
+    """One program, its test, and what the result must be."""
+
+    program: str
+    test: str
+    verdict: str = 'passed'
+    messages: tuple = ()  # fragments of the message
+    details: str = ''  # fragment of the details
+    output: str = ''  # fragment of the output
 
 
 def exercise(number: int = 1, names=('Talker',), points: float = 10, **changes) -> Exercise:

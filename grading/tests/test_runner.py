@@ -1,26 +1,13 @@
 """The `learner` fixture with programs that are right, wrong, stuck, dying or loud: one session, an exercise each."""
 
-import dataclasses
-
 import pytest
 
-from grading.tests import small
+from grading.tests import service_cases, small
+from grading.tests.small import Case
 from helpers.exercises.notebooks import Cell
 from helpers.runner import launch, session
 
 NODE = 'class Talker(Node):\n    def __init__(self):\n        super().__init__("talker")\n'
-
-
-@dataclasses.dataclass
-class Case:
-    """One program, its test, and what the result must be."""
-
-    program: str
-    test: str
-    verdict: str = 'passed'
-    messages: tuple = ()  # fragments of the message
-    details: str = ''  # fragment of the details
-    output: str = ''  # fragment of the output
 
 
 START = "learner.start('Talker')\nlearner.run(1.0)"
@@ -368,6 +355,7 @@ print('{"id": 1, "ok": true}', flush=True)
 os.close(0)
 sys.stdout.close()
 """ + small.TALKER, EXACT),
+    **service_cases.CASES,
 }
 
 

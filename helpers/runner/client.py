@@ -15,6 +15,8 @@ from helpers.runner.verdicts import InvalidProgram, LearnerCrashed, LearnerFault
 
 # rcl's own remark on two nodes of one name: tests make them on purpose.
 _NOISE = re.compile(r'^\[WARN\] \[rcl\.logging_rosout\]: Publisher already registered .*\n?', re.MULTILINE)
+# What a callback of a deadlock is found at: waits for the answer of a service or an action.
+_WAITS_FOR_ANSWER = ('.call(', 'until_future_complete', '.done()', '.send_goal(', '.get_result(', 'spin_once(')
 START_TIMEOUT = 30.0  # seconds until the fork server has imported ROS, on a machine under load
 
 
@@ -181,7 +183,11 @@ class Process:
         if lines:
             last = lines[-1]
             where = f" It was still at {last['cell']}, line {last['line']}: `{last['code']}`."
-        hint = (' A callback must return at once; what has to wait belongs into a timer.' if op == 'step' else
+        asks = any(waiting in line['code'] for line in lines for waiting in _WAITS_FOR_ANSWER)
+        hint = (' It waits for an answer, which only another callback can receive, and none runs before this one has '
+                'returned: a deadlock. Use call_async, and go on in a done-callback or after `await`.'
+                if op == 'step' and asks else
+                ' A callback must return at once; what has to wait belongs into a timer.' if op == 'step' else
                 " Spinning and waiting are not the node's business: leave them to the program that runs it."
                 if op in ('start', 'load') else '')
         return LearnerTimeout(f'{doing} did not return within {limit:g} s.{where}{hint}', _stack(lines))

@@ -14,11 +14,11 @@ from rclpy.time import Time
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import UInt64
 
-from helpers.runner import values, wiring
+from helpers.runner import services, values, wiring
 from helpers.runner.client import ForkServer, Process, RunnerError
+from helpers.runner.peers import SECOND, Peer
 from helpers.runner.verdicts import LearnerFault
 
-SECOND = 1_000_000_000
 UNKNOWN = '_NODE_NAME_UNKNOWN_'  # rmw's name for the node of an endpoint that is known by itself only
 
 
@@ -126,6 +126,7 @@ class Learner:
         self._numbers = itertools.count(1)
         self._recordings: list[Recording] = []
         self._talkers: list[Talker] = []
+        self._peers: list[Peer] = []
         self._connected = True
         self._endpoints: dict = {}  # how many each of the learner's processes has, by its key
         self._past_output = ''
@@ -217,6 +218,34 @@ class Learner:
         self._connected = False
         return talker
 
+    def client(self, name: str, srv_type, *, strict: bool = True) -> services.Client:
+        """A client for the learner's service `name`: `call` and `send`. `strict`: another type there fails the test."""
+        return self.add(services.Client(self, name, srv_type, strict))
+
+    def serve(self, name: str, srv_type, answer, delay=0.0, *, strict: bool = True) -> services.Server:
+        """A server for the learner's client of `name`: `requests`, `stamps`, `stop()`, `start()`.
+
+        `answer`: a response, a dictionary of its fields, None (silence), a function of the request that gives one of
+        these, or an iterator with one of these for each request. `delay`: seconds of simulated time until an answer
+        goes out; a number, or a function of the request. `strict` as in `client`.
+        """
+        return self.add(services.Server(self, name, srv_type, answer, delay, strict))
+
+    def add(self, peer: Peer):
+        """Take in a partner of the learner's program, and return it."""
+        self._peers.append(peer)
+        self.rewired()
+        return peer
+
+    def rewired(self) -> None:
+        """Endpoints of the test's have come or gone: `connect` before anything is sent."""
+        self._connected = False
+
+    def own_nodes(self) -> list[tuple[str, str]]:
+        """(name, namespace) of the learner's nodes."""
+        return [(name, namespace) for name, namespace in self.node.get_node_names_and_namespaces()
+                if not name.startswith('_')]
+
     def endpoints(self, topic: str) -> wiring.Endpoints:
         """The learner's publishers and subscriptions on `topic`: node, type, qos."""
         self.connect()
@@ -228,8 +257,8 @@ class Learner:
 
     # Time and order
 
-    def run(self, seconds: float, step: float = 0.1) -> None:
-        """Let `seconds` of simulated time pass, in lock-step with the learner's nodes.
+    def run(self, seconds: float, step: float = 0.1, *, until=None) -> None:
+        """Let `seconds` of simulated time pass, in lock-step with the learner's nodes, or less if `until()` is true.
 
         Time goes from one due timer to the next, by at most `step` seconds, so that timers fire at their exact times.
         """
@@ -237,8 +266,8 @@ class Learner:
             self.settle()
         end = self.now + round(seconds * SECOND)
         largest = max(1, round(step * SECOND))
-        while self.now < end:
-            due = [time_due for time_due in self._due if time_due is not None]
+        while self.now < end and not (until and until()):
+            due = [time_due for time_due in (*self._due, *(peer.due() for peer in self._peers)) if time_due is not None]
             self._step_to(max(self.now + 1, min([end, self.now + largest, *due])))
             self.connect()
         self._acknowledge()
@@ -269,6 +298,8 @@ class Learner:
         """Bring every process to `now`, until a round in which nothing happened."""
         self.now = now
         for _ in range(100):
+            for peer in self._peers:
+                peer.act()
             self._clock.publish(Clock(clock=Time(nanoseconds=now).to_msg()))
             number = next(self._numbers)
             self._step.publish(UInt64(data=number))
@@ -285,6 +316,7 @@ class Learner:
             # One process is idle after one round. Several may have sent something to each other, and /clock is best
             # effort: what is lost is sent again.
             active = len(answers) > 1 and any(answer.get('count') for answer in answers)
+            active |= any((due := peer.due()) is not None and due <= now for peer in self._peers)
             if not active and all(answer.get('reached') for answer in answers):
                 return
             for process in self._conducted():  # what they have sent to each other arrives before the next round
@@ -386,11 +418,12 @@ class Learner:
         for talker in self._talkers:
             if talker.strict:
                 wiring.check(_Ours(talker.publisher), 'subscription', self.endpoints(talker.topic).subscriptions)
+        for peer in self._peers:
+            peer.check()
 
     def hints(self) -> list[str]:
         """What a failed test may add: endpoints of the test's that no node of the learner's is connected with."""
-        own = [(name, namespace) for name, namespace in self.node.get_node_names_and_namespaces()
-               if not name.startswith('_')]
+        own = self.own_nodes()
         ends = [(recording.subscription.topic_name, 'publisher') for recording in self._recordings]
         ends += [(talker.topic, 'subscription') for talker in self._talkers]
         found = []
@@ -400,7 +433,7 @@ class Learner:
                 others = wiring.nearby(self.node, topic, kind, own)
                 instead = f'; it has one on {others}' if others else ''
                 found.append(f'Your program has no {kind} on {topic}{instead}.')
-        return found
+        return found + [hint for peer in self._peers for hint in peer.hints()]
 
     def close(self) -> None:
         """End the learner's processes and the test's node."""

@@ -6,6 +6,7 @@ and replies are JSON objects on a private socket (`helpers.runner.channel`); sta
 Requests: load, start, call, join, mark, sync, unsync, step, ack, stop; `where` is answered at once, by another thread,
 while the main thread is busy. Each reply has the request's `id` and either `ok: true` with results or `fault: {...}`.
 """
+import functools
 import linecache
 import os
 import queue
@@ -19,20 +20,25 @@ import types
 
 import rclpy
 import rclpy.node
+from rclpy.action import ActionServer
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.clock import ClockType
 from rclpy.duration import Duration
-from rclpy.executors import SingleThreadedExecutor, TimeoutException
+from rclpy.executors import SingleThreadedExecutor, TimeoutException, await_or_execute
 from rclpy.node import Node
-from rclpy.qos import ReliabilityPolicy
+from rclpy.qos import QoSProfile, ReliabilityPolicy
 from rclpy.signals import SignalHandlerOptions
 from rclpy.time import Time
-from rclpy.time_source import TimeSource
+from rclpy.time_source import CLOCK_TOPIC, TimeSource
+from rosgraph_msgs.msg import Clock
 from std_msgs.msg import UInt64
 
 from helpers.runner import values
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
+from helpers.runner.threads import Crew, Sleeps
 
 MAX_CALLBACKS = 5000  # in one step: more means that it never becomes idle
+MAX_DEAF = 5  # rounds at one moment in which /clock, which is best effort, may be lost
 _SPARE_ROUNDS = 3  # rounds in which only unfinished coroutines made progress: they wait for something else
 
 
@@ -54,6 +60,46 @@ class _SimulatedTimeSource(TimeSource):
         self._last_time_set = Time(nanoseconds=type(self).now, clock_type=ClockType.ROS_TIME)
         if node is not None:
             self.attach_node(node)
+
+    def _subscribe_to_clock_topic(self) -> None:
+        """Hear /clock in a callback group of its own.
+
+        In the node's default group, as rclpy has it, a callback that awaits an answer would stop the node's clock. That
+        does not happen to the same program on the clock of the wall.
+        """
+        node = self._get_node()
+        if self._clock_sub is None and node is not None:
+            self._clock_sub = node.create_subscription(
+                Clock, CLOCK_TOPIC, self.clock_callback, QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT),
+                callback_group=MutuallyExclusiveCallbackGroup())
+
+
+def _note_errors_of_actions(note) -> None:
+    """Have `note` called with what an execute callback raises: rclpy only prints it, and aborts the goal."""
+    plain = ActionServer.notify_execute
+
+    def notify_execute(self, goal_handle, execute_callback):
+        callback = execute_callback or self._execute_callback
+
+        async def noting(goal_handle):
+            try:
+                return await await_or_execute(callback, goal_handle)
+            except Exception as error:
+                note(error)
+                raise
+
+        plain(self, goal_handle, noting)
+
+    ActionServer.notify_execute = notify_execute
+
+
+def _for_other_contexts(function):
+    """`rclpy.init` or its like without any effect on the default context, which is the worker's."""
+    @functools.wraps(function)
+    def wrapped(*args, context=None, **kwargs):
+        if context is not None and context is not rclpy.get_default_context():
+            function(*args, context=context, **kwargs)
+    return wrapped
 
 
 class Program:
@@ -122,6 +168,10 @@ class Conductor:
     def __init__(self, token: str, program: Program, executor: SingleThreadedExecutor):
         self.program = program
         self.executor = executor
+        self.crew: Crew | None = None  # where callbacks run in threads
+        self.raised: list[Exception] = []  # by execute callbacks of actions
+        _note_errors_of_actions(self.raised.append)
+        self._deaf = (-1, 0)  # at which simulated time, for how many rounds
         self.node = Node(f'_{token}', start_parameter_services=False, enable_rosout=False, use_global_arguments=False)
         # Numbers seen: what was sent before them has arrived, too.
         self.step_seen = self.echo_seen = 0
@@ -163,18 +213,38 @@ class Conductor:
                     self._hear(deadline)
         reached = all(node.get_clock().now().nanoseconds >= now for node in nodes
                       if node.get_clock().ros_time_is_active)
+        if self.raised:
+            raise self.program.fault('execute', self.raised.pop(0))
+        if not reached:
+            self._complain_if_blocked(now)
         self.done.publish(UInt64(data=number))
         return count, reached
+
+    def _complain_if_blocked(self, now: int) -> None:
+        """Fault `blocked` if a waiting callback is what keeps /clock from its node."""
+        moment, rounds = self._deaf
+        self._deaf = (now, rounds + 1 if moment == now else 1)
+        if self.crew and self.crew.waiting and self._deaf[1] > MAX_DEAF:
+            raise Fault('blocked', lines=self.waiting())
+
+    def waiting(self) -> list[dict]:
+        """The learner's line at which each callback waits."""
+        found = []
+        for hand in self.crew.waiting if self.crew else ():
+            lines = self.program.lines(traceback.extract_stack(self.crew.frame(hand)))
+            found += lines[-1:]
+        return found
 
     def _hear(self, deadline: float) -> None:
         """Wait for a message to the conductor itself."""
         if time.monotonic() > deadline:
             raise Fault('deaf')
         try:
-            handler, _, _ = self.executor.wait_for_ready_callbacks(timeout_sec=0.05, nodes=[self.node])
+            handler, _, node = self.executor.wait_for_ready_callbacks(timeout_sec=0.05, nodes=[self.node])
         except TimeoutException:
             return
-        handler()
+        if node is self.node:  # tasks of the learner's are offered, too: their turn comes later
+            handler()
 
     _sent_since_echo = True
 
@@ -198,14 +268,44 @@ class Conductor:
             try:
                 handler, entity, node = self.executor.wait_for_ready_callbacks(timeout_sec=0)
             except TimeoutException:
-                return ran, progressed
-            ran += self._run(handler, entity, node)
+                if not self._resume():
+                    return ran, progressed
+                ran += 1
+            else:
+                ran += self._run(handler, entity, node)
             progressed = True
             if ran > MAX_CALLBACKS:
                 return ran, progressed
 
+    def _resume(self) -> bool:
+        """Let callbacks go on that wait in threads, if what they wait for has come."""
+        if self.crew is None:
+            return False
+        try:
+            went_on = self.crew.resume()
+        except Sleeps as sleeps:
+            lines = self.program.lines(traceback.extract_stack(sleeps.frame))
+            raise Fault('sleeps', lines=lines) from None
+        self._sent_since_echo |= went_on
+        self._settle_accounts()
+        return went_on
+
+    def _settle_accounts(self) -> int:
+        """Look at the callbacks that have ended in threads; returns how many were the learner's and have finished."""
+        count = 0
+        while self.crew.ended:
+            handler, entity, node = self.crew.ended.pop(0)
+            error = self.crew.raised.pop(id(handler), None)
+            if error is not None or handler.done():
+                count += self._count(error or handler.exception(), entity, node)
+        return count
+
     def _run(self, handler, entity, node) -> int:
         """Run one ready callback; returns 1 if it is the learner's and has finished, else 0."""
+        if self.crew and node is not self.node and getattr(entity, 'topic_name', None) != '/clock':
+            self.crew.run(handler, entity, node)
+            self._sent_since_echo = True  # it may have sent something before it waits
+            return self._settle_accounts()
         try:
             handler()
             if not handler.done():
@@ -213,13 +313,29 @@ class Conductor:
             error = handler.exception()
         except BaseException as raised:  # noqa: BLE001 - SystemExit passes through rclpy's own handling
             error = raised
+        return self._count(error, entity, node)
+
+    def _count(self, error: BaseException | None, entity, node) -> int:
+        """1 for a callback of the learner's that has ended, 0 for another one; Fault if it has raised."""
         if error is not None:
-            raise self.program.fault('callback', error, node=node.get_name() if node else '',
+            raise self.program.fault('callback', _explained(error), node=node.get_name() if node else '',
                                      callback=_describe(entity)) from None
         if node is self.node or getattr(entity, 'topic_name', None) == '/clock':
             return 0
         self._sent_since_echo = True
         return 1
+
+
+def _explained(error: BaseException) -> BaseException:
+    """The error with words of its own: rclpy raises a bare TypeError for a response of the wrong type."""
+    last = error.__traceback__
+    while last is not None and last.tb_next is not None:
+        last = last.tb_next
+    if not isinstance(error, TypeError) or str(error) or last.tb_frame.f_code.co_name != 'send_response':
+        return error
+    response = last.tb_frame.f_locals.get('response')
+    what = 'nothing (None)' if response is None else f'an object of type {type(response).__name__}'
+    return TypeError(f'the callback of the service returned {what}; its last line must be `return response`')
 
 
 def _describe(entity) -> str:
@@ -266,7 +382,8 @@ class Worker:
             except (ChannelClosed, ChannelError, ChannelTimeout):
                 os._exit(0)  # nobody is there any more
             if request['op'] == 'where':
-                frame = sys._current_frames().get(self._main)
+                crew = self.conductor.crew if self.conductor else None
+                frame = (crew.frame() if crew else None) or sys._current_frames().get(self._main)
                 lines = self.program.lines(traceback.extract_stack(frame)) if self.program and frame else []
                 self._reply(request, {'ok': True, 'lines': lines})
             else:
@@ -288,14 +405,14 @@ class Worker:
         rclpy.node.TimeSource = _SimulatedTimeSource
         rclpy.init(args=['--ros-args', '-p', 'use_sim_time:=true', *ros_args],
                    signal_handler_options=SignalHandlerOptions.NO)
-        # The notebook's own start and stop of ROS mean this context.
-        rclpy.init = lambda *args, **kwargs: None
-        rclpy.shutdown = rclpy.try_shutdown = lambda *args, **kwargs: None
+        # The notebook's own start and stop of ROS mean this context. Other contexts are the learner's business.
+        for function in (rclpy.init, rclpy.shutdown, rclpy.try_shutdown):
+            setattr(rclpy, function.__name__, _for_other_contexts(function))
         self.program = Program()
         self.program.load(cells)
         return {'notes': self.program.notes}
 
-    def do_start(self, name: str, args: list, kwargs: dict):
+    def do_start(self, name: str, args: list, kwargs: dict, threads: bool = False):
         """Construct the learner's class (or call their function) and take the nodes that it gives."""
         factory = self.program.find(name)
         try:
@@ -311,6 +428,8 @@ class Worker:
             except Exception:  # noqa: BLE001 - super().__init__() was not called, or the node is destroyed
                 raise Fault('no_super', name=name) from None
         self.do_join()
+        if threads and self.conductor.crew is None:
+            self.conductor.crew = Crew(lambda: _SimulatedTimeSource.now)
         for node in nodes:
             self.executor.add_node(node)
         self.nodes += nodes
@@ -372,12 +491,13 @@ class Worker:
         """Go to simulated time `now` (ns) with all that was sent before, and become idle."""
         _SimulatedTimeSource.now = now
         count, reached = self.conductor.step(number, now, self.nodes, timeout)
-        return {'count': count, 'reached': reached, 'next': self._next_timer(now), 'endpoints': self._endpoints()}
+        return {'count': count, 'reached': reached, 'next': self._next_timer(now), 'endpoints': self._endpoints(),
+                'waiting': self.conductor.waiting()}
 
     def _endpoints(self) -> int:
         """How many endpoints the learner's nodes have: more or fewer than before means new discovery."""
         return sum(len(list(kind)) for node in self.nodes
-                   for kind in (node.publishers, node.subscriptions, node.services, node.clients))
+                   for kind in (node.publishers, node.subscriptions, node.services, node.clients, node.waitables))
 
     def _next_timer(self, now: int) -> int | None:
         """The simulated time (ns) at which the next timer is due."""
@@ -388,6 +508,8 @@ class Worker:
                     left = timer.time_until_next_call()
                     if left is not None:
                         remaining.append(left)
+        if self.conductor.crew and (due := self.conductor.crew.next_due()) is not None:
+            remaining.append(due - now)
         return now + max(1, min(remaining)) if remaining else None
 
     def do_ack(self, timeout: float):

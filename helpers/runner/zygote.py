@@ -21,6 +21,7 @@ from helpers.runner.lifetime import die_with_parent
 # What most programs import; the rest is imported by the program itself.
 _MESSAGE_PACKAGES = ('std_msgs', 'geometry_msgs', 'sensor_msgs', 'nav_msgs', 'builtin_interfaces', 'rosgraph_msgs',
                      'rcl_interfaces')
+_SERVICES = ('example_interfaces.srv', 'std_srvs.srv')
 # Their C type support is loaded too.
 _MESSAGES = {'std_msgs': ('String', 'UInt64', 'Int32', 'Bool', 'Float64', 'Header'), 'rosgraph_msgs': ('Clock',),
              'geometry_msgs': ('Twist', 'Pose', 'PoseStamped'), 'sensor_msgs': ('LaserScan',),
@@ -46,6 +47,8 @@ def _warm_up() -> None:
         module = importlib.import_module(f'{package}.msg')
         for name in _MESSAGES.get(package, ()):
             getattr(module, name).__class__.__import_type_support__()
+    for name in _SERVICES:
+        importlib.import_module(name)
     from rcl_interfaces import srv
     for name in ('DescribeParameters', 'GetParameters', 'GetParameterTypes', 'ListParameters', 'SetParameters',
                  'SetParametersAtomically'):

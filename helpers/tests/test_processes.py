@@ -95,3 +95,21 @@ def test_stop_ends_also_what_ignores_it_and_its_children():
     assert len(family) == 2
     assert child.stop(timeout=0.2) == -9
     assert psutil.wait_procs(family, timeout=30)[1] == []
+
+
+def test_a_terminal_has_keys():
+    code = 'import sys, os\nprint(os.isatty(0), os.isatty(1))\nfor line in sys.stdin: print("read", repr(line))'
+    with python(code, terminal=True) as child:
+        child.wait_for_output('True True', 30)
+        child.type('up')
+        child.type('q')
+        child.type('enter')
+        assert child.wait_for_output('read', 30) == "read '\\x1b[Aq\\n'"
+    assert child.stop() < 0 or not child.running
+    with pytest.raises(RuntimeError, match='terminal=True'):
+        child.type('q')
+
+
+def test_without_a_terminal_there_is_nothing_to_type_on():
+    with python(COUNT) as child, pytest.raises(RuntimeError, match='terminal=True'):
+        child.type('q')
