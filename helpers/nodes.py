@@ -84,6 +84,7 @@ def destroy(node) -> None:
         let_go(node)
     if not is_alive(node):
         return
+    destroy_actions(node)
     try:
         node.destroy_node()
     except Exception as error:  # a learner's own destroy_node() must not keep the node in the graph
@@ -92,6 +93,15 @@ def destroy(node) -> None:
 
         if is_alive(node):
             Node.destroy_node(node)
+
+
+def destroy_actions(node) -> None:
+    """Destroy a node's action clients and servers, which else keep it in the graph until they are collected."""
+    from rclpy.action import ActionClient, ActionServer
+
+    for waitable in list(node.waitables):
+        if isinstance(waitable, (ActionClient, ActionServer)):
+            waitable.destroy()
 
 
 def _replace(name: str, context, but=None) -> None:

@@ -35,6 +35,7 @@ class ForkServer:
         self._control = self._started.control
         self._keys = itertools.count(1)
         self._ended: dict[str, int] = {}
+        self.workspaces: dict = {}  # what `helpers.runner.workspaces` has written and built in this session
         if self._event(START_TIMEOUT).get('event') != 'ready':
             raise RunnerError("the learner's side did not start")
 
@@ -226,6 +227,10 @@ class Process:
                                     'messages?')
             case 'too_long':
                 return LearnerFault(f'What `{name}(…)` returns is too long to be read.')
+            case 'sleeps':
+                return LearnerFault(f'A callback sleeps with time.sleep{_at(fault)}: that is the clock on the wall. '
+                                    "While it sleeps, no time passes for the robot. Wait on the node's clock: "
+                                    'self.get_clock().sleep_for(…), a rate, or a timer.', _stack(_lines(fault)))
             case 'exception':
                 return self._exception(fault, name)
             case 'deaf':
@@ -234,7 +239,7 @@ class Process:
 
     def _exception(self, fault: dict, name: str) -> LearnerFault:
         where = {'load': 'While the cell was run', 'constructor': f'While `{name}(…)` was made',
-                 'call': f'While `{name}(…)` ran',
+                 'call': f'While `{name}(…)` ran', 'execute': 'In an execute callback',
                  'callback': f"In a callback ({fault.get('callback')} of node `{fault.get('node')}`)"}
         lines = _lines(fault)
         kind, text = str(fault.get('type'))[:100], str(fault.get('text'))[:1000]
@@ -287,6 +292,12 @@ def _lines(message: dict) -> list[dict]:
     found = message.get('lines')
     return [{key: str(line.get(key, ''))[:300] for key in ('cell', 'line', 'function', 'code')}
             for line in found[:20] if isinstance(line, dict)] if isinstance(found, list) else []
+
+
+def _at(fault: dict) -> str:
+    """Where the innermost of the learner's lines is, to be put into a sentence."""
+    lines = _lines(fault)
+    return f" at {lines[-1]['cell']}, line {lines[-1]['line']}: `{lines[-1]['code']}`" if lines else ''
 
 
 def _stack(lines: list[dict]) -> str:

@@ -14,10 +14,11 @@ from rclpy.time import Time
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import UInt64
 
-from helpers.runner import services, values, wiring
+from helpers.runner import actions, services, values, wiring
 from helpers.runner.client import ForkServer, Process, RunnerError
 from helpers.runner.peers import SECOND, Peer
 from helpers.runner.verdicts import LearnerFault
+from helpers.runner.workspaces import Workspaces
 
 UNKNOWN = '_NODE_NAME_UNKNOWN_'  # rmw's name for the node of an endpoint that is known by itself only
 
@@ -107,7 +108,7 @@ class Started:
         self.learner.forget(self.process)
 
 
-class Learner:
+class Learner(Workspaces):
     """One test's access to the learner's program. Close it after the test.
 
     `random` is where a test draws its inputs: a `random.Random` of this test and this submission (see
@@ -130,6 +131,7 @@ class Learner:
         self._connected = True
         self._endpoints: dict = {}  # how many each of the learner's processes has, by its key
         self._past_output = ''
+        self.transcripts: list[list[str]] = []  # of commands, per workspace
         self._done: dict[int, int] = {}
         self.context = Context()
         self.context.init(domain_id=domain_id)
@@ -145,12 +147,14 @@ class Learner:
     # What the learner's program is asked to do
 
     def start(self, name: str, *args, parameters: dict | None = None, remap: dict | None = None,
-              beside: Started | None = None, **kwargs) -> Started:
+              beside: Started | None = None, threads: bool = False, **kwargs) -> Started:
         """Make the learner's node in a process of its own, in simulated time.
 
         `name` is their class, or a function that returns a node or a list of nodes. `parameters` and `remap` act as
         `-p name:=value` and `-r from:=to` on the command line. `beside` puts the node into the process of an earlier
-        one, with that one's parameters and remappings: two objects of one class must not share state.
+        one, with that one's parameters and remappings: two objects of one class must not share state. `threads`: run
+        the callbacks of this process in threads, as a MultiThreadedExecutor does, so that one may wait while others run
+        (`helpers.runner.threads`).
         """
         ros_args = []
         for key, value in (parameters or {}).items():
@@ -158,7 +162,8 @@ class Learner:
         for key, value in (remap or {}).items():
             ros_args += ['-r', f'{key}:={value}']
         process = beside.process if beside else self._process(ros_args)
-        answer = process.ask('start', self.timeouts.start, name=name, args=[values.encode(a) for a in args],
+        answer = process.ask('start', self.timeouts.start, name=name, threads=threads,
+                             args=[values.encode(a) for a in args],
                              kwargs={k: values.encode(v) for k, v in kwargs.items()})
         self._stepped.add(process.key)
         self._endpoints[process.key] = answer['endpoints']
@@ -171,9 +176,13 @@ class Learner:
         Arguments and result are JSON values, ROS messages, QoSProfile, Duration or Time; a result of another type
         is a `values.Opaque`. All calls of one test share one process.
         """
+        return self.command_process().call(name, args, kwargs, self.timeouts.call)
+
+    def command_process(self) -> Process:
+        """The process in which functions are called and commands run: one for a test."""
         if self._calls is None:
             self._calls = self._process([])
-        return self._calls.call(name, args, kwargs, self.timeouts.call)
+        return self._calls
 
     def _process(self, ros_args: list[str]) -> Process:
         process = Process(self.server, self.program, ros_args=ros_args, token=self.token, now=self.now,
@@ -191,7 +200,8 @@ class Learner:
     @property
     def output(self) -> str:
         """What the learner's program has printed and logged so far."""
-        return self._past_output + ''.join(process.output.text for process in self.processes)
+        printed = self._past_output + ''.join(process.output.text for process in self.processes)
+        return printed + '\n'.join(text for transcript in self.transcripts for text in transcript)
 
     # The test's own endpoints
 
@@ -230,6 +240,21 @@ class Learner:
         goes out; a number, or a function of the request. `strict` as in `client`.
         """
         return self.add(services.Server(self, name, srv_type, answer, delay, strict))
+
+    def action_client(self, name: str, action_type, *, strict: bool = True) -> actions.Client:
+        """A client for the learner's action `name`: `send` gives a goal with its feedback, status, result, `cancel`."""
+        return self.add(actions.Client(self, name, action_type, strict))
+
+    def action_server(self, name: str, action_type, plan=(), *, accept=True, cancel: str = 'accept',
+                      cancel_delay: float = 0.0, partial=None, strict: bool = True) -> actions.Server:
+        """An action server for the learner's client of `name`: `goals`, `stop()`, `start()`.
+
+        `plan`: pairs (seconds of simulated time after the one before, Feedback or Result or `actions.Aborted`), or a
+        function of the goal that gives them; without an end the goal goes on for ever. `accept`: whether goals are, or
+        a function of the goal. `cancel`: 'accept' (`cancel_delay` seconds later the goal ends with the result
+        `partial`), 'reject', or 'ignore' (accept, and go on as planned). All may be changed at any time.
+        """
+        return self.add(actions.Server(self, name, action_type, plan, accept, cancel, cancel_delay, partial, strict))
 
     def add(self, peer: Peer):
         """Take in a partner of the learner's program, and return it."""
@@ -293,6 +318,7 @@ class Learner:
         return True
 
     _due: tuple = ()
+    _waiting: list = []  # the learner's lines at which callbacks waited after the last step
 
     def _step_to(self, now: int) -> None:
         """Bring every process to `now`, until a round in which nothing happened."""
@@ -307,6 +333,7 @@ class Learner:
                        for process in self._conducted()]
             self._drain(number, len(answers))
             self._due = tuple(answer.get('next') for answer in answers)
+            self._waiting = [line for answer in answers for line in answer.get('waiting', ())]
             # A callback may have made or destroyed endpoints: these are connected before the next step.
             endpoints = {process.key: answer.get('endpoints')
                          for process, answer in zip(self._conducted(), answers, strict=True)}
@@ -343,11 +370,14 @@ class Learner:
                 raise RunnerError("the learner's side was not heard in time")
             self._spin_once(0.05)
         self._done.pop(number, None)
-        self._receive()
+        self.receive()
 
-    def _receive(self) -> None:
-        """Run callbacks until a whole pass over the test's endpoints finds nothing (each pass ends with a timeout)."""
-        found = True
+    def receive(self, timeout: float = 0.0) -> None:
+        """Run callbacks until a whole pass over the test's endpoints finds nothing (each pass ends with a timeout).
+
+        `timeout`: wait so long (seconds of wall time) for the first one.
+        """
+        found = not timeout or self._spin_once(timeout)
         while found:
             found = False
             while self._spin_once(0):
@@ -370,7 +400,7 @@ class Learner:
                 talker.publisher.wait_for_all_acked(Duration(seconds=5))
         for process in self._conducted():
             process.ask('ack', self.timeouts.step, timeout=5.0)
-        self._receive()
+        self.receive()
 
     def connect(self) -> None:
         """Wait until every endpoint made so far, here and in the learner's processes, is matched.
@@ -433,7 +463,10 @@ class Learner:
                 others = wiring.nearby(self.node, topic, kind, own)
                 instead = f'; it has one on {others}' if others else ''
                 found.append(f'Your program has no {kind} on {topic}{instead}.')
-        return found + [hint for peer in self._peers for hint in peer.hints()]
+        found += [hint for peer in self._peers for hint in peer.hints()]
+        stuck = [line for line in self._waiting if 'sleep' not in line['code']]
+        return found + [f"A callback of your program was waiting at {line['cell']}, line {line['line']}: "
+                        f"`{line['code']}`." for line in stuck[:3]]
 
     def close(self) -> None:
         """End the learner's processes and the test's node."""
@@ -441,6 +474,8 @@ class Learner:
             for process in self.processes:
                 process.stop()
         finally:
+            for peer in self._peers:
+                peer.close()
             self.executor.shutdown(timeout_sec=1)
             self.node.destroy_node()
             self.context.try_shutdown()

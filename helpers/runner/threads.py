@@ -78,11 +78,12 @@ class Crew:
         self._slept = (-1, 0.0)  # at which simulated time, for how long
         _patch(self)
 
-    def run(self, handler, entity, node) -> None:
-        """Run a ready callback until it returns (then it is in `ended`) or waits."""
+    def run(self, handler, entity, node) -> bool:
+        """Run a ready callback until it returns (then it is in `ended`) or waits; returns whether it waits."""
         hand = self.idle.pop() if self.idle else self._new_hand()
         hand.work = (handler, entity, node)
         self._give_turn(hand)
+        return hand.work is not None
 
     def resume(self) -> bool:
         """Let every thread go on whose wait is over; returns whether there was one. Sleeps out a `time.sleep`."""

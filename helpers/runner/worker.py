@@ -33,12 +33,13 @@ from rclpy.time_source import CLOCK_TOPIC, TimeSource
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import UInt64
 
+from helpers.nodes import destroy_actions
 from helpers.runner import values
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
+from helpers.runner.commands import Commands
 from helpers.runner.threads import Crew, Sleeps
 
 MAX_CALLBACKS = 5000  # in one step: more means that it never becomes idle
-MAX_DEAF = 5  # rounds at one moment in which /clock, which is best effort, may be lost
 _SPARE_ROUNDS = 3  # rounds in which only unfinished coroutines made progress: they wait for something else
 
 
@@ -75,7 +76,7 @@ class _SimulatedTimeSource(TimeSource):
 
 
 def _note_errors_of_actions(note) -> None:
-    """Have `note` called with what an execute callback raises: rclpy only prints it, and aborts the goal."""
+    """Have `note` called with what an execute callback raises: rclpy only prints it and aborts the goal."""
     plain = ActionServer.notify_execute
 
     def notify_execute(self, goal_handle, execute_callback):
@@ -86,7 +87,9 @@ def _note_errors_of_actions(note) -> None:
                 return await await_or_execute(callback, goal_handle)
             except Exception as error:
                 note(error)
-                raise
+                if goal_handle.is_active:
+                    goal_handle.abort()
+                return self.action_type.Result()
 
         plain(self, goal_handle, noting)
 
@@ -171,7 +174,6 @@ class Conductor:
         self.crew: Crew | None = None  # where callbacks run in threads
         self.raised: list[Exception] = []  # by execute callbacks of actions
         _note_errors_of_actions(self.raised.append)
-        self._deaf = (-1, 0)  # at which simulated time, for how many rounds
         self.node = Node(f'_{token}', start_parameter_services=False, enable_rosout=False, use_global_arguments=False)
         # Numbers seen: what was sent before them has arrived, too.
         self.step_seen = self.echo_seen = 0
@@ -215,17 +217,8 @@ class Conductor:
                       if node.get_clock().ros_time_is_active)
         if self.raised:
             raise self.program.fault('execute', self.raised.pop(0))
-        if not reached:
-            self._complain_if_blocked(now)
         self.done.publish(UInt64(data=number))
         return count, reached
-
-    def _complain_if_blocked(self, now: int) -> None:
-        """Fault `blocked` if a waiting callback is what keeps /clock from its node."""
-        moment, rounds = self._deaf
-        self._deaf = (now, rounds + 1 if moment == now else 1)
-        if self.crew and self.crew.waiting and self._deaf[1] > MAX_DEAF:
-            raise Fault('blocked', lines=self.waiting())
 
     def waiting(self) -> list[dict]:
         """The learner's line at which each callback waits."""
@@ -303,8 +296,7 @@ class Conductor:
     def _run(self, handler, entity, node) -> int:
         """Run one ready callback; returns 1 if it is the learner's and has finished, else 0."""
         if self.crew and node is not self.node and getattr(entity, 'topic_name', None) != '/clock':
-            self.crew.run(handler, entity, node)
-            self._sent_since_echo = True  # it may have sent something before it waits
+            self._sent_since_echo |= self.crew.run(handler, entity, node)  # it may have sent something before it waits
             return self._settle_accounts()
         try:
             handler()
@@ -348,7 +340,7 @@ def _describe(entity) -> str:
     return type(entity).__name__ if entity is not None else 'task'
 
 
-class Worker:
+class Worker(Commands):
     """Answers the requests of the tests' side."""
 
     def __init__(self, channel: Channel):
@@ -530,6 +522,7 @@ class Worker:
         rclpy.get_default_context().try_shutdown()
         for node in [*self.nodes, *([self.conductor.node] if self.conductor else [])]:
             try:
+                destroy_actions(node)
                 node.destroy_node()
             except Exception:  # noqa: BLE001 - a learner's destroy_node may raise; the process ends anyway
                 pass

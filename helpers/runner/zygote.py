@@ -21,7 +21,7 @@ from helpers.runner.lifetime import die_with_parent
 # What most programs import; the rest is imported by the program itself.
 _MESSAGE_PACKAGES = ('std_msgs', 'geometry_msgs', 'sensor_msgs', 'nav_msgs', 'builtin_interfaces', 'rosgraph_msgs',
                      'rcl_interfaces')
-_SERVICES = ('example_interfaces.srv', 'std_srvs.srv')
+_SERVICES = ('example_interfaces.srv', 'std_srvs.srv', 'example_interfaces.action', 'rclpy.action')
 # Their C type support is loaded too.
 _MESSAGES = {'std_msgs': ('String', 'UInt64', 'Int32', 'Bool', 'Float64', 'Header'), 'rosgraph_msgs': ('Clock',),
              'geometry_msgs': ('Twist', 'Pose', 'PoseStamped'), 'sensor_msgs': ('LaserScan',),
