@@ -11,8 +11,9 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from pathlib import Path
 
-from grading import gradebook, reports, sandbox
+from grading import sandbox, similarity
 from grading.record import Record, write
+from grading.reports.output import write_all
 from grading.submissions import Submission
 from helpers.exercises import manifest
 from helpers.exercises.manifest import Exercise
@@ -86,19 +87,17 @@ def grade(submissions: list[Submission], course: Course, output: Path, jobs: int
     finally:
         pool.shutdown(wait=False, cancel_futures=True)  # an interrupted run does not wait for the rest
     ordered = [records[learner] for learner in sorted(records)]
-    finish(ordered, course, output)
+    finish(ordered, course, output, submissions)
     log.info('done: %d records', len(ordered))
     _close(log)
     return ordered
 
 
-def finish(records: Iterable[Record], course: Course, output: Path) -> None:
-    """Write every report and the gradebook from the records."""
-    records = list(records)
-    for record in records:
-        for folder, suffix, make in reports.KINDS:
-            write(output / folder / f'{record.learner}{suffix}', make(record))
-    write(output / 'gradebook.csv', gradebook.dumps(records, course.exercises))
+def finish(records: Iterable[Record], course: Course, output: Path, submissions: Iterable[Submission] = ()) -> None:
+    """Write all that is made from the records. `submissions` are compared with each other."""
+    answers = {submission.learner: similarity.cells_of(submission.files, course.exercises)
+               for submission in submissions}
+    write_all(records, course.exercises, output, answers)
 
 
 def judge(submission: Submission, course: Course, processes: int = 1) -> session.Report:
