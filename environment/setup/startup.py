@@ -18,12 +18,17 @@ DEFAULTS = {
     # numpy's thread pool would start a thread per core in each node's process.
     'OPENBLAS_NUM_THREADS': '1',
 }
+# Announcements that come often: how Fast DDS finds others quickly. `kernel.install` puts the file there.
+PROFILE = os.path.join('share', 'course', 'fastdds.xml')
 
 
 def activate(environ=os.environ, prefix=sys.prefix):
     """Complete `environ` for the ROS installation `prefix`."""
     for name, value in DEFAULTS.items():
         environ.setdefault(name, value)
+    profile = os.path.join(prefix, PROFILE)
+    if os.path.exists(profile):
+        environ.setdefault('FASTRTPS_DEFAULT_PROFILES_FILE', profile)
     prefixes = [p for p in environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep) if p]
     if prefix not in prefixes:
         # Others are workspaces that stand on this prefix, unless it stands on a stock ROS itself.

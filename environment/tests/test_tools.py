@@ -213,6 +213,20 @@ def test_start_up_gives_defaults_and_respects_what_is_set(tmp_path):
     assert env == before
 
 
+def test_start_up_names_the_profile_of_fast_dds_where_it_is_installed(tmp_path):
+    env = {}
+    startup.activate(env, str(tmp_path))
+    assert 'FASTRTPS_DEFAULT_PROFILES_FILE' not in env
+    profile = tmp_path / startup.PROFILE
+    profile.parent.mkdir(parents=True)
+    profile.touch()
+    startup.activate(env, str(tmp_path))
+    assert env['FASTRTPS_DEFAULT_PROFILES_FILE'] == str(profile)
+    own = {'FASTRTPS_DEFAULT_PROFILES_FILE': '/home/me/robot.xml'}
+    startup.activate(own, str(tmp_path))
+    assert own['FASTRTPS_DEFAULT_PROFILES_FILE'] == '/home/me/robot.xml'
+
+
 def test_a_workspace_stays_on_top_of_the_wheels(tmp_path):
     (tmp_path / 'share' / 'rclpy').mkdir(parents=True)
     env = {'AMENT_PREFIX_PATH': '/ws/install'}

@@ -79,3 +79,16 @@ def node(ros2):
     yield start
     for process in started:
         process.stop()
+
+
+@pytest.fixture(scope='module')
+def robot(node):
+    """The node `robot`, of a module's own."""
+    return node('robot')
+
+
+@pytest.fixture(scope='module')
+def several_nodes(node):
+    """Nodes with services, actions, parameters and a lifecycle, of a module's own."""
+    for name in ('robot', 'worker', 'managed', 'adder'):
+        node(name)
