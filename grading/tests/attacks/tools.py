@@ -1,3 +1,4 @@
+# ruff: noqa: F401 - imports for the attacks
 """What the attacks of the corpus share. Its text stands in a cell of every hostile notebook, before the attack."""
 
 import ctypes
