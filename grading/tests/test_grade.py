@@ -14,6 +14,7 @@ from grading.adjustments import Adjustment
 from grading.late import Late
 from grading.record import Attempt, Record, write
 from grading.tests import small
+from grading.tests.test_reports import validate
 from helpers.runner import results
 from helpers.runner.results import ExerciseResult, TestResult
 
@@ -89,6 +90,11 @@ def test_grade(course, works, tmp_path):
                             *(f'{folder}/{learner}{suffix}' for learner in WORKS
                             for folder, suffix in (('results', '.json'), ('feedback', '.html'),
                                                    ('gradescope', '.json'), ('junit', '.xml')))])
+    for learner in WORKS:
+        validate('result', (output / 'results' / f'{learner}.json').read_text())
+        validate('gradescope', (output / 'gradescope' / f'{learner}.json').read_text())
+    summary = validate('summary', (output / 'summary.json').read_text())
+    assert summary['learners'] == len(WORKS) and summary['total']['known'] == len(WORKS)
     _feedback(output)
     _gradescope(output)
     _junit(output)
