@@ -1,7 +1,7 @@
 """Where the learner's code runs while it is graded.
 
-`bubblewrap`: a sandbox that holds off attacks. `none`: plain processes with limits, which hold off mistakes only; use it
-for submissions that you trust with your machine. The name of the one that was used stands in every result.
+`bubblewrap`: a sandbox that holds off attacks. `none`: plain processes with limits, which hold off mistakes only; use
+it for submissions that you trust with your machine. The name of the one that was used stands in every result.
 
     layout          what the sandboxes see (the arguments of bubblewrap)
     holder          a running bubblewrap that others enter

@@ -1,7 +1,8 @@
 """A running bubblewrap that others enter.
 
 bubblewrap makes the namespaces and mounts, and starts a program that does nothing as process 1 of the sandbox.
-Processes that are already warm then enter with setns. What runs inside cannot kill process 1; when that one ends, so does all.
+Processes that are already warm then enter with setns. What runs inside cannot kill process 1; when that one ends, so
+does all.
 """
 
 import json

@@ -1,7 +1,8 @@
 """The programs of one submission, in the learner's sandbox.
 
 The fork server itself stays outside, where no program sees it. Each program's process enters the sandbox, gives up
-every privilege, gets its limits and the filter of system calls, and only then reads its first line of the learner's code.
+every privilege, gets its limits and the filter of system calls, and only then reads its first line of the learner's
+code.
 """
 
 import os

@@ -79,7 +79,7 @@ def environment() -> dict[str, str]:
     """What the servers and all that they fork have: nothing of the caller's but what Python and ROS need."""
     kept = launch.environment(0, str(layout.HOME))
     return {**kept, 'PATH': f'{Path(sys.prefix, "bin")}:/usr/bin:/bin', 'LANG': 'C.UTF-8', 'TMPDIR': '/tmp',
-            'ROS_LOG_DIR': '/tmp/log', 'PYTEST_DISABLE_PLUGIN_AUTOLOAD': '1'}
+            'ROS_LOG_DIR': '/tmp/log'}
 
 
 _lock = threading.Lock()

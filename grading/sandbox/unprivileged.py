@@ -36,21 +36,31 @@ def closed_above(path: Path) -> Path | None:
 
 def open_up(trees: list[Path]) -> None:
     """Make trees reachable for everyone: in place of each closed folder comes an empty one that holds only them."""
-    hidden: dict[Path, list[tuple[Path, int]]] = {}
-    for tree in dict.fromkeys(trees):
+    hidden: dict[Path, list[Path]] = {}
+    parts = [part for tree in dict.fromkeys(trees) for part in _open_parts(tree)]
+    for tree in parts:
         if closed := closed_above(tree):
-            hidden.setdefault(closed, []).append((tree, os.open(tree, os.O_PATH)))
+            hidden.setdefault(closed, []).append(tree)
     if not hidden:
         return
     namespaces.unshare(namespaces.NEWNS)
     namespaces.mount(None, '/', None, namespaces.MS_REC | namespaces.MS_PRIVATE)
-    for folder, held in hidden.items():
+    for folder, wanted in hidden.items():
+        held = [(tree, os.open(tree, os.O_PATH)) for tree in sorted(wanted)]  # the folder's mount will cover them
         namespaces.mount('tmpfs', str(folder), 'tmpfs', namespaces.MS_NOSUID | namespaces.MS_NODEV,
                          'mode=0755,size=1m')
-        for tree, descriptor in sorted(held):
+        for tree, descriptor in held:
             tree.mkdir(parents=True, exist_ok=True)
             namespaces.mount(f'/proc/self/fd/{descriptor}', str(tree), None, namespaces.MS_BIND | namespaces.MS_REC)
             os.close(descriptor)
+
+
+def _open_parts(tree: Path) -> list[Path]:
+    """The tree, or the folders in it if it is itself closed, as a folder made by mktemp is."""
+    readable = stat.S_IROTH | stat.S_IXOTH
+    if tree.stat().st_mode & readable == readable:
+        return [tree]
+    return [entry for entry in tree.iterdir() if entry.is_dir()]
 
 
 def account() -> pwd.struct_passwd:
