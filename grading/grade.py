@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from grading import adjustments as manual
-from grading import anonymous, executors, plan, similarity
+from grading import anonymous, executors, plan, sandbox, similarity
 from grading.adjustments import Adjustment
 from grading.choice import Choice
 from grading.course import HIDDEN, Course
@@ -117,6 +117,8 @@ class _Run:
         self.log.info('%d of %d submissions to grade, sandbox %s, seed %s%s', len(todo), len(self.plans),
                       self.course.sandbox, self.seed,
                       f', on {self.settings.cluster}' if self.settings.cluster else f', {jobs} at a time')
+        if self.course.sandbox == 'none':
+            self.log.warning(sandbox.WARNING)
         self.listener.begun(len(todo), len(self.plans))
         for learner, record in list(self.records.items()):
             if learner not in self.plans:  # not given this time

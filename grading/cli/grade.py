@@ -1,11 +1,13 @@
 """``./course grade``: grade submissions, visible and hidden tests, into a folder of results."""
 
 import os
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from grading import sandbox as sandboxes
 from helpers.cli import Refusal
 
 WHAT, HOW, MARKS = 'What is graded', 'How it is graded', 'What else a mark depends on'
@@ -18,6 +20,8 @@ def grade(
     jobs: Annotated[int, typer.Option('--jobs', min=1, rich_help_panel=HOW,
                                       help='Processes of tests at a time; the cores if not given.')]
     = len(os.sched_getaffinity(0)),
+    sandbox: Annotated[str, typer.Option(metavar='NAME', rich_help_panel=HOW, help='Where learners\' code runs: '
+                                         f'{" or ".join(sandboxes.LAUNCHERS)}.')] = sandboxes.DEFAULT,
     cluster: Annotated[str, typer.Option(metavar='ADDRESS', rich_help_panel=HOW,
                                          help='Grade on the Dask cluster of this scheduler.')] = '',
     seed: Annotated[str, typer.Option(rich_help_panel=HOW,
@@ -51,15 +55,18 @@ def grade(
     skipped: list[Path] = []
     try:
         found = find(submissions, skipped)
-        course = grader.Course.here()
+        if sandbox not in sandboxes.LAUNCHERS:
+            raise Refusal(f'there is no sandbox {sandbox!r}; there are: {", ".join(sandboxes.LAUNCHERS)}')
+        course = replace(grader.Course.here(), sandbox=sandbox)
+        if not cluster and (problem := sandboxes.problem(sandbox)):
+            raise Refusal(f'{problem}. To grade without protection: --sandbox none')
         settings = grader.Settings(
             seed, tuple(only or ()), regrade, lateness.load(late) if late else None,
             tuple(manual.load(adjustments, plan.points(course.exercises))) if adjustments else (), anonymous, cluster)
         for path in skipped:
             console.print(f'{path}: no submission, left out', style='yellow', markup=False)
         if course.sandbox == 'none':
-            console.print('Sandbox: none. Submissions run as plain processes with limits; grade only what you trust.',
-                          style='yellow', markup=False)
+            console.print(sandboxes.WARNING, style='bold yellow', markup=False)
         with progress.Shown(console) as shown:
             records = grader.grade(found, course, output, jobs, shown, settings)
     except refused as error:

@@ -4,6 +4,7 @@
 it for submissions that you trust with your machine. The name of the one that was used stands in every result.
 
     layout          what the sandboxes see (the arguments of bubblewrap)
+    probe           whether this machine can run it
     holder          a running bubblewrap that others enter
     station         the grader's side: two warm servers, started once
     unprivileged    how root gives up being root first
@@ -16,8 +17,12 @@ A sandbox is a launcher, `module:function`, with the signature of `helpers.runne
 `start_tests`, too.
 """
 
+from functools import cache
+
 LAUNCHERS = {'bubblewrap': 'grading.sandbox.bubblewrap:start', 'none': 'helpers.runner.launch:start'}
 DEFAULT = 'bubblewrap'
+WARNING = ('WARNING: --sandbox none. Submissions run as plain processes with limits, and can read and change whatever you '
+           'can. Grade only what you trust.')
 
 
 def launcher(name: str = DEFAULT) -> str:
@@ -26,3 +31,12 @@ def launcher(name: str = DEFAULT) -> str:
     :raises KeyError: there is no such sandbox.
     """
     return LAUNCHERS[name]
+
+
+@cache
+def problem(name: str = DEFAULT) -> str:
+    """What keeps a sandbox from working on this machine, in one line with the remedy; empty if nothing does."""
+    if name != 'bubblewrap':
+        return ''
+    from grading.sandbox import probe
+    return probe.problem()
