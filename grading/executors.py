@@ -6,7 +6,8 @@ nothing, and a Dask cluster on this machine would only add its start: 0.6 s of i
 
 import concurrent.futures
 import contextlib
-import time
+import functools
+from collections import deque
 from collections.abc import Callable, Iterator
 
 from grading import unit as units
@@ -31,8 +32,9 @@ class Local:
     def submit(self, unit: Unit, say: Callable[[str], None]) -> concurrent.futures.Future:
         return self._pool.submit(units.perform, unit, say)
 
-    def check(self) -> None:
-        """Nothing can get lost here."""
+    def capacity(self) -> int:
+        """How many units it takes at a time."""
+        return self.jobs
 
     def close(self) -> None:
         self._pool.shutdown(wait=False, cancel_futures=True)  # an interrupted run does not wait for the rest
@@ -51,8 +53,7 @@ class Cluster:
             raise ClusterError(f'no Dask scheduler answers at {address} ({error or type(error).__name__}): start one '
                                'with ./course shell -- dask scheduler') from None
         self.address, self.jobs = address, 1  # the cluster's cores are its own business
-        self._alive = time.monotonic()
-        if not self._workers():
+        if not self._threads():
             self._client.close()
             raise ClusterError(f'the Dask scheduler at {address} has no workers: start some with '
                                f'./course shell -- dask worker {address}')
@@ -61,23 +62,33 @@ class Cluster:
     def submit(self, unit: Unit, say: Callable[[str], None]) -> concurrent.futures.Future:
         return self._executor.submit(units.perform, unit)
 
-    def check(self) -> None:
-        """:raises ClusterError: the scheduler is gone, or all workers are, for longer than NO_WORKERS."""
+    def capacity(self) -> int:
+        """How many units it takes at a time: the threads of all workers.
+
+        No more are sent, so that none waits at a worker that another one may bring down.
+
+        :raises ClusterError: the scheduler is gone, or all workers are, for longer than NO_WORKERS.
+        """
+        try:
+            if not (threads := self._threads()):
+                self._client.wait_for_workers(1, timeout=NO_WORKERS)
+                threads = self._threads()
+        except TimeoutError:
+            raise ClusterError(f'the Dask cluster at {self.address} has no workers any more; start some. What is '
+                               'graded is kept: run again') from None
+        except (OSError, ValueError, RuntimeError, concurrent.futures.CancelledError):
+            threads = 0
         if self._client.status != 'running':
-            raise ClusterError(f'the Dask scheduler at {self.address} has gone: what is graded is kept; run again')
-        if self._workers():
-            self._alive = time.monotonic()
-        elif time.monotonic() - self._alive > NO_WORKERS:
-            raise ClusterError(f'the Dask cluster at {self.address} has no workers any more: what is graded is kept; '
-                               'start some and run again')
+            raise ClusterError(f'the Dask scheduler at {self.address} has gone; what is graded is kept: run again')
+        return max(1, threads)
 
     def close(self) -> None:
         with contextlib.suppress(Exception):  # the scheduler may have gone
             self._executor.shutdown(wait=False)
         self._client.close(timeout=CONNECT)
 
-    def _workers(self) -> int:
-        return len(self._client.scheduler_info(n_workers=-1)['workers'])
+    def _threads(self) -> int:
+        return sum(worker['nthreads'] for worker in self._client.scheduler_info(n_workers=-1)['workers'].values())
 
 
 def perform(work: dict[str, Unit], executor: Local | Cluster, say: Callable[[str, str], None]
@@ -89,18 +100,15 @@ def perform(work: dict[str, Unit], executor: Local | Cluster, say: Callable[[str
     :raises units.Mismatch: a machine of the cluster has another version of the course.
     :raises ClusterError: the cluster is lost.
     """
-    def start(learner: str) -> concurrent.futures.Future:
-        future = executor.submit(work[learner], lambda test: say(learner, test))
-        running[future] = learner
-        return future
-
     running: dict[concurrent.futures.Future, str] = {}
     again: set[str] = set()
-    for learner in work:
-        start(learner)
-    while running:
+    waiting = deque(work)
+    while waiting or running:
+        capacity = executor.capacity()
+        while waiting and len(running) < capacity:
+            learner = waiting.popleft()
+            running[executor.submit(work[learner], functools.partial(say, learner))] = learner
         done, _ = concurrent.futures.wait(running, _POLL, concurrent.futures.FIRST_COMPLETED)
-        executor.check()
         for future in done:
             learner = running.pop(future)
             try:
@@ -113,4 +121,4 @@ def perform(work: dict[str, Unit], executor: Local | Cluster, say: Callable[[str
                     yield learner, units.fault(work[learner], f'not graded: {text}')
                 else:
                     again.add(learner)
-                    start(learner)
+                    waiting.appendleft(learner)
