@@ -21,8 +21,8 @@ from functools import cache
 
 LAUNCHERS = {'bubblewrap': 'grading.sandbox.bubblewrap:start', 'none': 'helpers.runner.launch:start'}
 DEFAULT = 'bubblewrap'
-WARNING = ('WARNING: --sandbox none. Submissions run as plain processes with limits, and can read and change whatever you '
-           'can. Grade only what you trust.')
+WARNING = ('WARNING: --sandbox none. Submissions run as plain processes with limits, and can read and change whatever '
+           'you can. Grade only what you trust.')
 
 
 def launcher(name: str = DEFAULT) -> str:
