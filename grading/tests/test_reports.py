@@ -294,6 +294,7 @@ def test_summary():
     exercise = data['exercises'][0]
     assert sum(exercise['verdicts'].values()) == sum(exercise['histogram']) + exercise['unknown'] == 13
     assert data['sandboxes']['none'] == 13
+    assert {'learner': 'ada', 'text': SECRET} in data['notes']
     page = safe_page(summary.html(data))
     assert 'Graded without a sandbox' in page.text and 'It hangs.' in page.text and '90 %' in page.text
 
