@@ -10,7 +10,7 @@ import threading
 import time
 from dataclasses import asdict
 
-from helpers.runner import answers, launch, values
+from helpers.runner import answers, launch, spent, values
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
 from helpers.runner.verdicts import InvalidProgram, LearnerCrashed, LearnerFault, LearnerTimeout
 
@@ -125,6 +125,7 @@ class Output:
 class Process:
     """One process of the learner's with their program loaded."""
 
+    @spent.part('load')
     def __init__(self, server: ForkServer, program: dict, *, ros_args=(), token: str, now: int, timeout: float):
         """Load `program` (see `helpers.exercises.program`). Raises LearnerFault if it cannot be loaded."""
         self.server = server

@@ -15,7 +15,7 @@ from rclpy.time import Time
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import UInt64
 
-from helpers.runner import actions, services, values, wiring
+from helpers.runner import actions, services, spent, values, wiring
 from helpers.runner.client import ForkServer, Process, RunnerError
 from helpers.runner.peers import SECOND, Peer
 from helpers.runner.verdicts import LearnerFault
@@ -442,6 +442,7 @@ class Learner(Workspaces):
             process.ask('ack', self.timeouts.step, timeout=5.0)
         self.receive()
 
+    @spent.part('discovery')
     def connect(self) -> None:
         """Wait until every endpoint made so far, here and in the learner's processes, is matched.
 

@@ -50,6 +50,7 @@ class Report:
     sandbox: str = ''
     log: list[str] = field(default_factory=list)  # for the instructor
     seed: str = ''  # the session's: with it the tests draw the same inputs again
+    spent: Counter[str] = field(default_factory=Counter)  # seconds by part, see `helpers.runner.spent`
 
 
 def run(cells: list[notebooks.Cell], exercises: Iterable[Exercise], options: Options | None = None,
@@ -92,7 +93,8 @@ def run(cells: list[notebooks.Cell], exercises: Iterable[Exercise], options: Opt
             judged[exercise.id] = results.judge(exercise, collection.of(exercise.id))
     return Report([judged[exercise.id] for exercise in exercises],
                   next((collection.sandbox for collection in collections), ''),
-                  [line for collection in collections for line in collection.log], options.seed)
+                  [line for collection in collections for line in collection.log], options.seed,
+                  sum((collection.spent for collection in collections), Counter()))
 
 
 class _Collection:
@@ -103,6 +105,7 @@ class _Collection:
         self.tests: dict[str, TestResult] = {}
         self.sandbox = ''
         self.log: list[str] = []
+        self.spent: Counter[str] = Counter()
         self._begun: Counter[str] = Counter()  # how often each test was begun
         self._doubled: set[str] = set()
 
@@ -156,6 +159,8 @@ class _Collection:
                             self._broken(event, programs)
                         case 'sandbox':
                             self.sandbox = event['name']
+                        case 'spent':
+                            self.spent.update(event['seconds'])
                         case 'timeout':
                             self.log.append(f"no progress in {running or 'the start of the tests'}")
                         case 'garbled':
@@ -227,6 +232,7 @@ class _Collection:
 # What each kind of event must have.
 _FIELDS = {'collected': {'test': str, 'exercise': str, 'weight': (int, float), 'path': str, 'expected': str},
            'running': {'test': str}, 'broken': {'where': str, 'text': str}, 'sandbox': {'name': str},
+           'spent': {'seconds': dict},
            'result': {'test': str, 'verdict': str, 'message': str, 'details': str, 'output': str, 'fault': str}}
 
 
