@@ -50,9 +50,9 @@ class Submission:
 
     def digest(self) -> str:
         """SHA-256 of what was handed in."""
-        digest = hashlib.sha256(f'{self.learner}\0{self.problem}\0'.encode())
+        digest = hashlib.sha256(f'{self.learner}\0{self.problem}\0'.encode(errors='backslashreplace'))
         for name, data in sorted(self.files.items()):
-            digest.update(f'{name}\0{len(data)}\0'.encode() + data)
+            digest.update(f'{name}\0{len(data)}\0'.encode(errors='backslashreplace') + data)  # not all names are text
         return digest.hexdigest()
 
     def cells(self, notebook: str, exercises: list[Exercise]) -> list[Cell] | None:

@@ -21,7 +21,7 @@ from helpers.runner.peers import SECOND, Peer
 from helpers.runner.verdicts import LearnerFault
 from helpers.runner.workspaces import Workspaces
 
-MAX_MESSAGES = 20_000  # at one moment of simulated time, on all topics that a test records
+MAX_MESSAGES = 5000  # at one moment of simulated time, on all topics that a test records
 UNKNOWN = '_NODE_NAME_UNKNOWN_'  # rmw's name for the node of an endpoint that is known by itself only
 
 

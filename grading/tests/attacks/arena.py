@@ -12,6 +12,7 @@ import secrets
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -212,13 +213,17 @@ def choose() -> str:
 
 
 def grade_batch(folder: Path, works: dict[str, bytes], cookie: str | None = None, *, jobs: int = 2,
-                used: str | None = None) -> Batch:
-    """Grade notebooks by learner, and the honest one's, with secrets all around them that nobody may read."""
+                used: str | None = None, more: Callable[[Path], None] = lambda incoming: None) -> Batch:
+    """Grade files by name, and the honest learner's notebook, with secrets all around them that nobody may read.
+
+    `more` may put other things among the submissions.
+    """
     batch = Batch(folder, cookie or new_cookie(), f'CANARY-{secrets.token_hex(8)}')
     incoming = folder / 'incoming'
     incoming.mkdir()
-    for learner, data in {**works, HONEST: notebook(SOLVED)}.items():
-        (incoming / f'{learner}.ipynb').write_bytes(data)
+    for name, data in {**works, f'{HONEST}.ipynb': notebook(SOLVED)}.items():
+        (incoming / name).write_bytes(data)
+    more(incoming)
     home = folder / 'home'
     home.mkdir()
     (home / 'secret.txt').write_text(batch.canary)
