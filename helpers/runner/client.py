@@ -264,6 +264,9 @@ class Process:
         if kind == 'SystemExit':
             return LearnerCrashed(f"{where.get(fault.get('where'), 'Then')} your code called exit(){at}. "
                                   'A node must not end its process.', _stack(lines))
+        if kind == 'EOFError' and 'reading a line' in text:
+            return LearnerCrashed(f'Your code called input(){at}. Nobody is at a keyboard while it is tested: take '
+                                  'what you need as an argument or a parameter.', _stack(lines))
         error = f'{kind}: {text}' if text else kind
         notes = fault.get('notes')
         notes = notes[:5] if isinstance(notes, list) and kind in ('NameError', 'ImportError') else []
