@@ -48,6 +48,12 @@ class Talker(Node):
 """
 SOLVED = {'90.1': 'def total(numbers):\n    return sum(numbers)\n', '90.2': 'def flip(text):\n    return text[::-1]\n',
           '90.3': TALKER}
+# The tests wait less for what never comes, so that many attacks can be judged.
+PATIENCE = '''
+from helpers.runner import plugin
+from helpers.runner.learner import Timeouts
+plugin.TIMEOUTS, plugin.AGAIN = Timeouts(3.0, 3.0, 3.0, 3.0), Timeouts(1.5, 1.5, 1.5, 1.5)
+'''
 VISIBLE = {
     '90.1': '''
 def test_known(learner):
@@ -260,8 +266,8 @@ def new_cookie() -> str:
 
 def _course(folder: Path, canary: str, used: str) -> grade.Course:
     for number, id in enumerate(TITLES, 1):
-        small.write_tests(folder, VISIBLE[id], number)
-        small.write_tests(folder, f'CANARY = {canary!r}\n{HIDDEN[id]}', number, kind='hidden')
+        small.write_tests(folder, PATIENCE + VISIBLE[id], number)
+        small.write_tests(folder, f'{PATIENCE}CANARY = {canary!r}\n{HIDDEN[id]}', number, kind='hidden')
     return grade.Course(exercises(), folder / 'checks', folder / 'hidden', used)
 
 
