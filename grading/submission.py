@@ -45,6 +45,7 @@ class Submission:
     problem: str = ''  # for the learner; no exercise can be graded
     handed_in: str = ''  # ISO 8601, UTC
     label: str = ''  # the learner's id that a zip's submission.json says
+    platform: bool = False  # whether `learner` comes from a learning platform
     notes: list[str] = field(default_factory=list)  # for the instructor
     earlier: list[Attempt] = field(default_factory=list)  # the learner's other submissions that were found
 
