@@ -24,6 +24,7 @@ for _name, _value in _DEFAULTS.items():
 _HOME = {
     'CallbackError': 'errors',
     'TurtleView': 'turtle',
+    'Workspace': 'workspace',
     'background': 'processes',
     'check': 'check',
     'collect': 'waiting',

@@ -22,6 +22,8 @@ def sanitizers(root: Path) -> list[tuple[str, str, str]]:
         ('temporary', r'/tmp/tmp[a-z0-9_]{8}\b', '/tmp/tmp00000000'),
         ('address', r'\b0x[0-9a-f]{6,16}\b', '0x0'),
         ('port', r'(127\.0\.0\.1|localhost):\d{4,5}', r'\1:0'),
+        ('duration', r'\[(?:\d+min )?\d+(?:\.\d+)?s\b', '[… s'),  # colcon: Finished <<< package [1.28s]
+        ('email', r'[\w.+-]+@[\w-]+\.[\w.-]+', 'you@example.com'),
         ('pid', r'\b(pid|process)([ =])\d+', r'\1\g<2>0'),
     ]
 
