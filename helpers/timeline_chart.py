@@ -9,6 +9,10 @@ _MOST_LINES = 60  # of text
 _KINDS = {'publish': 'publishes on', 'receive': 'receives from', 'request': 'sends a request to',
           'take': 'takes a request of', 'respond': 'sends a response of', 'answer': 'gets a response of'}
 
+_AWAITS = ('<rect x="0" y="6" width="16" height="12" rx="3" fill="currentColor" fill-opacity="0.1" '
+           'stroke="currentColor" stroke-dasharray="4 3"/>')
+_LINE = '<line x1="-2" y1="12" x2="16" y2="12" stroke="currentColor" stroke-width="1.2" stroke-opacity="0.75" {}/>'
+
 _TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).from_string('''\
 <svg xmlns="http://www.w3.org/2000/svg" role="img" viewBox="0 0 {{ width }} {{ height }}" \
 style="width: 100%; max-width: {{ width }}px; height: auto; color: var(--jp-ui-font-color1, currentColor)" \
@@ -32,10 +36,6 @@ font-family="system-ui, -apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif" fo
 fill-opacity="{{ '0.055' if loop.index is odd else '0.02' }}"/>
 <text x="{{ left - 8 }}" y="{{ lane.y + lane.height / 2 + 4 }}" text-anchor="end">{{ lane.text }}</text>
 {% endfor %}
-{% for path in paths %}
-<path d="{{ path.d }}" fill="none" stroke="{{ path.colour }}" stroke-width="1.2" stroke-opacity="0.75" \
-{% if path.back %}stroke-dasharray="3 3"{% endif %}/>
-{% endfor %}
 {% for bar in bars %}
 <g><title>{{ bar.title }}</title>
 {% if bar.rest %}
@@ -51,6 +51,10 @@ rx="{{ [4, part.width / 2] | min }}" fill="{{ bar.colour }}"/>
 fill="{{ '#ffffff' if bar.inside else 'currentColor' }}" font-size="10.5">{{ bar.text }}</text>
 {% endif %}
 </g>
+{% endfor %}
+{% for path in paths %}
+<path d="{{ path.d }}" fill="none" stroke="currentColor" stroke-width="1.2" stroke-opacity="0.75" \
+{% if path.back %}stroke-dasharray="3 3"{% endif %}/>
 {% endfor %}
 {% for mark in marks %}
 <g><title>{{ mark.title }}</title>{{ mark.sign }}</g>
@@ -77,20 +81,23 @@ def svg(chart) -> str:
     from markupsafe import Markup
 
     view = _View(chart)
+    paths = view.paths()
     signs, x = [], view.legend_end
-    for sign, words in ((_mark(x + 4, 12, True), 'sent'), (_mark(x + 60, 12, False), 'received')):
-        signs.append({'sign': Markup(sign), 'x': x if words == 'sent' else x + 56, 'text': words})
-    if any(callback.awaited for callback in chart.callbacks):
-        dashed = (f'<rect x="{x + 134}" y="6" width="16" height="12" rx="3" fill="currentColor" fill-opacity="0.1" '
-                  'stroke="currentColor" stroke-dasharray="4 3"/>')
-        signs.append({'sign': Markup(dashed), 'x': x + 142, 'text': 'awaits'})
+    for words, sign, there in (
+            ('sent', _mark(6, 12, True), True), ('received', _mark(6, 12, False), True),
+            ('awaits', _AWAITS, any(callback.awaited for callback in chart.callbacks)),
+            ('request', _LINE.format(''), any(not path['back'] for path in paths)),
+            ('response', _LINE.format('stroke-dasharray="3 3"'), any(path['back'] for path in paths))):
+        if there:
+            signs.append({'sign': Markup(f'<g transform="translate({x} 0)">{sign}</g>'), 'x': x + 9, 'text': words})
+            x += 36 + round(_CHARACTER * len(words))
     marks = [{'title': _mark_text(message), 'sign': Markup(_mark(view.x(message.time), view.mark_y(message),
                                                                  message.sent))}
              for message in view.messages]
     return _TEMPLATE.render(
         width=_WIDTH, height=view.bottom + 36, left=_LEFT, top=view.top, bottom=view.bottom, unit=view.unit,
         summary=_summary(chart), description=text(chart), legend=view.legend, signs=signs, ticks=view.ticks,
-        lanes=view.lanes, bars=view.bars(), marks=marks, paths=view.paths())
+        lanes=view.lanes, bars=view.bars(), marks=marks, paths=paths)
 
 
 class _View:
@@ -176,7 +183,6 @@ class _View:
                     x1, y1, x2, y2 = self.x(a.time), self.mark_y(a), self.x(b.time), self.mark_y(b)
                     middle = round((x1 + x2) / 2, 2)
                     found.append({'d': f'M{x1} {y1} C{middle} {y1} {middle} {y2} {x2} {y2}',
-                                  'colour': self.colour.get(parts['request'].node, 'currentColor'),
                                   'back': begin == 'respond'})
         return found
 
