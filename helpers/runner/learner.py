@@ -36,8 +36,8 @@ class Timeouts:
 
 
 TIMEOUTS = Timeouts()
-# For an exercise that has already been stuck in another test. Only a program that stands in one of the learner's lines is
-# given up so soon; who is late because of the machine gets four times as long.
+# For an exercise that has already been stuck in another test. Only a program that stands in one of the learner's lines
+# is given up so soon; who is late because of the machine gets four times as long.
 AGAIN = Timeouts(3.0, 3.0, 3.0, 3.0, stuck=1.5)
 
 
