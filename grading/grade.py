@@ -2,150 +2,165 @@
 
 The truth is `results/<learner>.json`, written whole or not at all as soon as a submission is graded. Everything else in
 the folder is made from these files, at the end of each run.
+
+    submissions  finds who handed in what        plan       what is to be graded, and what is kept
+    course       what it is graded against       unit       the work, wherever it is done
+    folder       lock, seed, records, log        executors  threads, or a Dask cluster
+    late, adjustments, anonymous                 what else a mark depends on
 """
 
-import hashlib
-import logging
-from collections.abc import Callable, Iterable
-from concurrent.futures import ThreadPoolExecutor, as_completed
-from dataclasses import dataclass
+import contextlib
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 
-from grading import gradebook, reports, sandbox
-from grading.record import Record, write
-from grading.submissions import Submission
-from helpers.exercises import manifest
-from helpers.exercises.manifest import Exercise
-from helpers.exercises.notebooks import InvalidSubmission
-from helpers.runner import results, session, verdicts
-from helpers.runner.results import ExerciseResult
+from grading import adjustments as manual
+from grading import anonymous, executors, plan, sandbox, similarity
+from grading.adjustments import Adjustment
+from grading.choice import Choice
+from grading.course import HIDDEN, Course
+from grading.folder import Folder
+from grading.late import Policy, PolicyError
+from grading.record import Record
+from grading.reports.output import write_all
+from grading.submission import Submission
+from grading.unit import Outcome, judge
 
-HIDDEN = Path(__file__).resolve().parent / 'hidden'
-_RUNNER = Path(session.__file__).resolve().parent
-_EXERCISES = Path(manifest.__file__).resolve().parent
+__all__ = ['HIDDEN', 'Course', 'Listener', 'Settings', 'finish', 'grade', 'judge']
 
 
 @dataclass(frozen=True)
-class Course:
-    """What submissions are graded against."""
+class Settings:
+    """How a run goes, besides what it grades."""
 
-    exercises: tuple[Exercise, ...]
-    visible: Path = session.VISIBLE
-    hidden: Path = HIDDEN
-    sandbox: str = sandbox.DEFAULT
-    test_timeout: float = session.TEST_TIMEOUT
-
-    @classmethod
-    def here(cls) -> 'Course':
-        """The course of this checkout."""
-        return cls(tuple(manifest.load().values()))
-
-    def digest(self) -> str:
-        """SHA-256 of all that a mark depends on besides the submission."""
-        digest = hashlib.sha256(repr((self.exercises, self.sandbox)).encode())
-        for folder in (self.visible, self.hidden, _RUNNER, _EXERCISES):
-            for path in sorted(folder.rglob('*')):
-                if path.suffix in ('.py', '.xml') and path.is_file():
-                    digest.update(f'{path.relative_to(folder)}\0'.encode() + path.read_bytes() + b'\0')
-        return digest.hexdigest()
+    seed: str = ''  # for the inputs that tests draw; the folder's own if empty
+    only: tuple[str, ...] = ()  # `learner`, `learner/exercise`: see grading.choice
+    regrade: bool = False  # grade also what has a result already
+    late: Policy | None = None
+    adjustments: tuple[Adjustment, ...] = ()
+    anonymous: bool = False
+    cluster: str = ''  # the address of a Dask scheduler; threads of this process if empty
 
 
-def grade(submissions: list[Submission], course: Course, output: Path, jobs: int = 1,
-          say: Callable[[Record, bool], None] = lambda record, fresh: None) -> list[Record]:
+class Listener:
+    """Is told how a run goes. `tested` may come from any thread."""
+
+    def begun(self, todo: int, all_of_them: int) -> None:
+        """So many submissions of all are to be graded."""
+
+    def tested(self, learner: str, test: str) -> None:
+        """A test has finished."""
+
+    def finished(self, record: Record, fresh: bool, changes: list[str]) -> None:
+        """A record is there, `fresh` if it was graded just now. `changes`: marks that differ from the last run's."""
+
+
+def grade(submissions: list[Submission], course: Course, output: Path, jobs: int = 1, listener: Listener | None = None,
+          settings: Settings = Settings()) -> list[Record]:
     """Grade what has no result in `output` yet, then write the reports and the gradebook.
 
-    :param jobs: how many processes of tests run at a time.
-    :param say: is told each record as it is there, and whether it was graded just now.
+    :param jobs: how many processes of tests run at a time on this machine.
+    :return: the records of all learners that the folder knows, sorted.
+    :raises FolderError, ChoiceError, AdjustmentError, PolicyError, AnonymousError, ClusterError, Mismatch: the run
+        cannot be done as asked; what is graded already is kept.
     """
-    output.mkdir(parents=True, exist_ok=True)
-    log = _log(output)
-    state = course.digest()
-    records: dict[str, Record] = {}
-    waiting = []
-    for submission in submissions:
-        key = hashlib.sha256(f'{state}{submission.digest()}'.encode()).hexdigest()
-        record = Record.load(_path(output, submission.learner))
-        if record is not None and record.key == key and record.status != 'grader_error':
-            records[submission.learner] = record
-            log.info('%s: unchanged', submission.learner)
-            say(record, False)
-        else:
-            waiting.append((submission, key))
-    log.info('%d of %d submissions to grade, sandbox %s', len(waiting), len(submissions), course.sandbox)
-    processes = max(1, jobs // max(1, len(waiting)))
-    pool = ThreadPoolExecutor(max(1, jobs))
-    try:
-        graded = [pool.submit(_grade_one, submission, key, course, output, processes) for submission, key in waiting]
-        for future in as_completed(graded):
-            record = future.result()
-            records[record.learner] = record
-            log.info('%s: %s, %s of %g points', record.learner, record.status, record.score, record.points)
-            for line in record.log:
-                log.warning('%s: %s', record.learner, line)
-            say(record, True)
-    finally:
-        pool.shutdown(wait=False, cancel_futures=True)  # an interrupted run does not wait for the rest
-    ordered = [records[learner] for learner in sorted(records)]
-    finish(ordered, course, output)
-    log.info('done: %d records', len(ordered))
-    _close(log)
-    return ordered
+    with contextlib.closing(executors.Cluster(settings.cluster)) if settings.cluster else contextlib.nullcontext(
+            ) as cluster, Folder(output).open() as log:
+        course = replace(course)  # whose digests are those of now
+        run = _Run(submissions, course, Folder(output), log, listener or Listener(), settings)
+        run.grade(cluster or executors.Local(max(1, jobs)), jobs)
+        finish(run.everybody(), course, output,
+               {run.ids[submission.learner]: submission.files for submission in submissions})
+        log.info('done: %d records', len(run.records))
+        return run.everybody()
 
 
-def finish(records: Iterable[Record], course: Course, output: Path) -> None:
-    """Write every report and the gradebook from the records."""
-    records = list(records)
-    for record in records:
-        for folder, suffix, make in reports.KINDS:
-            write(output / folder / f'{record.learner}{suffix}', make(record))
-    write(output / 'gradebook.csv', gradebook.dumps(records, course.exercises))
+def finish(records: Iterable[Record], course: Course, output: Path,
+           files: Mapping[str, Mapping[str, bytes]] | None = None) -> None:
+    """Write all that is made from the records. `files`: by learner, the notebooks, which are compared."""
+    write_all(records, course.exercises, output,
+              {learner: similarity.cells_of(own, course.exercises) for learner, own in (files or {}).items()})
 
 
-def judge(submission: Submission, course: Course, processes: int = 1) -> session.Report:
-    """Run all tests, visible and hidden, of one submission."""
-    options = session.Options(hidden=course.hidden, visible=course.visible, processes=processes,
-                              launcher=sandbox.launcher(course.sandbox), test_timeout=course.test_timeout)
-    judged: dict[str, ExerciseResult] = {}
-    log = []
-    used = course.sandbox
-    for notebook in dict.fromkeys(exercise.notebook for exercise in course.exercises):
-        mine = [exercise for exercise in course.exercises if exercise.notebook == notebook]
+class _Run:
+    """One run, while its folder is held."""
+
+    def __init__(self, submissions, course: Course, folder: Folder, log, listener: Listener, settings: Settings):
+        self.course, self.folder, self.log, self.listener, self.settings = course, folder, log, listener, settings
+        self.seed = folder.settle(settings.seed, settings.anonymous)
+        self.records = folder.records()
+        self.ids = {submission.learner: submission.learner for submission in submissions}
+        if settings.anonymous:
+            self.ids = anonymous.pseudonyms(self.ids, folder.path)
+        known = {**{record: record for record in self.records if not settings.anonymous}, **self.ids}
+        exercises = [exercise.id for exercise in course.exercises]
+        self.choice = Choice.parse(settings.only, known, exercises)
+        manual.check(settings.adjustments, known)
+        unknown = settings.late.learners - set(known) if settings.late else ()
+        if unknown:
+            raise PolicyError(f'the late policy names the unknown learner {min(unknown)!r}')
+        self.names = {identity: learner for learner, identity in known.items()}
+        self.plans = {}
+        for submission in submissions:
+            identity = self.ids[submission.learner]
+            self.plans[identity] = plan.make(
+                identity, submission, course, self.seed, self.records.get(identity),
+                lambda exercise, learner=submission.learner: (learner, exercise) in self.choice, settings.regrade)
+
+    def everybody(self) -> list[Record]:
+        """All records, sorted."""
+        return [self.records[learner] for learner in sorted(self.records)]
+
+    def grade(self, executor: executors.Local | executors.Cluster, jobs: int) -> None:
+        """Grade what is to be graded, and bring the other records up to date."""
+        todo = {learner: made for learner, made in self.plans.items() if made.todo}
+        self.log.info('%d of %d submissions to grade, sandbox %s, seed %s%s', len(todo), len(self.plans),
+                      self.course.sandbox, self.seed,
+                      f', on {self.settings.cluster}' if self.settings.cluster else f', {jobs} at a time')
+        if self.course.sandbox == 'none':
+            self.log.warning(sandbox.WARNING)
+        self.listener.begun(len(todo), len(self.plans))
+        for learner, record in list(self.records.items()):
+            if learner not in self.plans:  # not given this time
+                self._keep(self._judged(record), fresh=False)
+        for made in self.plans.values():
+            if not made.todo and made.kept:
+                self._keep(self._made(made, Outcome([])), fresh=False)
+            elif not made.todo and made.previous is not None:  # `--only` leaves another submission for later
+                self._keep(self._judged(made.previous), fresh=False)
+        processes = max(1, executor.jobs // max(1, len(todo)))
+        work = {learner: made.unit(self.course, processes) for learner, made in todo.items()}
         try:
-            cells = submission.cells(notebook, mine)
-        except InvalidSubmission as problem:
-            judged |= {exercise.id: results.without_tests(exercise, verdicts.INVALID_SUBMISSION, str(problem))
-                       for exercise in mine}
-            continue
-        if cells is None:
-            judged |= {exercise.id: results.without_tests(exercise, results.NOT_ATTEMPTED,
-                                                          f'{notebook} was not handed in.') for exercise in mine}
-            continue
-        report = session.run(cells, mine, options)
-        used = report.sandbox or used
-        log += report.log
-        judged |= {result.id: result for result in report.exercises}
-    return session.Report([judged[exercise.id] for exercise in course.exercises], used, log)
+            for learner, outcome in executors.perform(work, executor, self.listener.tested):
+                self._keep(self._made(todo[learner], outcome), fresh=True)
+        finally:
+            if isinstance(executor, executors.Local):
+                executor.close()
 
+    def _made(self, made: plan.Plan, outcome: Outcome) -> Record:
+        return self._judged(plan.record(made, self.course, outcome, self._source))
 
-def _grade_one(submission: Submission, key: str, course: Course, output: Path, processes: int) -> Record:
-    report = judge(submission, course, processes)
-    record = Record(submission.learner, submission.source.name, key, report.sandbox, report.exercises, report.log)
-    write(_path(output, submission.learner), record.dumps())
-    return record
+    def _judged(self, record: Record) -> Record:
+        """The record with what the late policy and the adjustments say."""
+        learner, late = self.names.get(record.learner, record.learner), self.settings.late
+        mine = [replace(one, learner=record.learner) for one in self.settings.adjustments if one.learner == learner]
+        return replace(record, adjustments=mine, late=late.judge(learner, record.handed_in) if late else None)
 
+    def _source(self, name: str) -> str:
+        """A file's name as it may be shown: it may hold the learner's."""
+        return Path(name).suffix or 'folder' if self.settings.anonymous else name
 
-def _path(output: Path, learner: str) -> Path:
-    return output / 'results' / f'{learner}.json'
-
-
-def _log(output: Path) -> logging.Logger:
-    log = logging.Logger('grade', logging.INFO)
-    handler = logging.FileHandler(output / 'run.log', encoding='utf-8')
-    handler.setFormatter(logging.Formatter('%(asctime)s %(levelname)s %(message)s'))
-    log.addHandler(handler)
-    return log
-
-
-def _close(log: logging.Logger) -> None:
-    for handler in log.handlers:
-        handler.close()
+    def _keep(self, record: Record, fresh: bool) -> None:
+        before = self.records.get(record.learner)
+        self.records[record.learner] = record
+        self.folder.write(record)
+        changes = plan.changes(before, record)
+        if fresh:
+            self.log.info('%s: %s, %s of %g points', record.learner, record.status, record.score, record.points)
+            for line in [*record.notes, *record.log]:
+                self.log.warning('%s: %s', record.learner, line)
+        if changes:
+            reasons = self.plans[record.learner].why if fresh else ['late policy or adjustments']
+            self.log.info('%s: marks changed (%s): %s', record.learner, ', '.join(reasons), '; '.join(changes))
+        if record.learner in self.plans:
+            self.listener.finished(record, fresh, changes)

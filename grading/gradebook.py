@@ -1,11 +1,18 @@
-"""`gradebook.csv`: one row per learner, one column per exercise, total and status."""
+"""`gradebook.csv`: one row per learner, one column per exercise, total and status.
+
+The columns are always these, in the order of the course, so that an LMS can be told once what is what.
+"""
 
 import csv
 import io
 from collections.abc import Iterable
 
 from grading.record import Record
+from grading.reports.safe import visible
 from helpers.exercises.manifest import Exercise
+
+# Also in the width that East Asian spreadsheets read like the plain sign.
+_FORMULA = tuple('=+-@|%＝＋－＠')
 
 
 def dumps(records: Iterable[Record], exercises: Iterable[Exercise]) -> str:
@@ -15,16 +22,16 @@ def dumps(records: Iterable[Record], exercises: Iterable[Exercise]) -> str:
     writer = csv.writer(text, lineterminator='\n')
     writer.writerow(['learner', *(exercise.id for exercise in exercises), 'total', 'status'])
     for record in sorted(records, key=lambda record: record.learner):
-        scores = {exercise.id: exercise.score for exercise in record.exercises}
-        writer.writerow([cell(record.learner), *(_number(scores.get(exercise.id)) for exercise in exercises),
+        marks = record.marks
+        writer.writerow([cell(record.learner), *(_number(marks.get(exercise.id)) for exercise in exercises),
                          _number(record.score), record.status])
     return text.getvalue()
 
 
 def cell(text: str) -> str:
-    """Text in one line that a spreadsheet does not take for a formula."""
-    text = text.replace('\r', ' ').replace('\n', ' ')
-    return f"'{text}" if text[:1] in ('=', '+', '-', '@', '\t') else text
+    """Text in one line that a spreadsheet does not take for a formula, whatever stands before the formula's sign."""
+    text = visible(text.replace('\r', ' ').replace('\n', ' '))
+    return f"'{text}" if text.lstrip(' \t\'"').startswith(_FORMULA) else text
 
 
 def _number(score: float | None) -> str:

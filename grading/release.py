@@ -3,9 +3,12 @@
 import re
 import shutil
 import subprocess
+from collections.abc import Sequence
 from pathlib import Path
 
+from grading import classroom as workflows
 from helpers import paths
+from helpers.exercises import manifest
 
 LEFT_OUT = ('solutions', 'grading', '.ci', '.github', 'build', 'log')
 _FILE_LEFT_OUT = re.compile(r'\.(pyc|part)$|^submission-.*\.zip$')
@@ -21,28 +24,34 @@ class ReleaseError(Exception):
     """The edition cannot be made; the message names the remedy."""
 
 
-def release(output: Path, root: Path = paths.ROOT) -> list[str]:
+def release(output: Path, root: Path = paths.ROOT, *, classroom: bool = False) -> list[str]:
     """Copy the learner's edition to `output`, which must be empty or missing; returns the paths of its files.
 
+    :param classroom: add GitHub Classroom's workflow.
     :raises ReleaseError: `output` is not empty, or there are no notebooks.
     :raises Leak: a solution or a hidden test would be in it; nothing is written.
     """
     if output.exists() and (not output.is_dir() or any(output.iterdir())):
         raise ReleaseError(f'{output} is not empty: give a new folder')
-    files = _files(root)
-    if not any(name.startswith('notebooks/') for name in files):
+    names = files(root)
+    if not any(name.startswith('notebooks/') for name in names):
         raise ReleaseError('there are no notebooks: run ./course build')
-    for name in files:
+    for name in names:
         _check(root / name, name, root)
-    for name in files:
+    for name in names:
         target = output / name
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(root / name, target)
-    return files
+    if classroom:
+        target = output / workflows.PATH
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(workflows.workflow(manifest.load().values()), encoding='utf-8')
+        names.append(workflows.PATH)
+    return names
 
 
-def _files(root: Path) -> list[str]:
-    """The files of the course, from git if it is there."""
+def files(root: Path, left_out: Sequence[str] = LEFT_OUT) -> list[str]:
+    """The files of the course, from git if it is there, without those in the folders `left_out`."""
     listed = subprocess.run(['git', '-C', root, 'ls-files', '-z', '--cached', '--others', '--exclude-standard'],
                             capture_output=True)
     if listed.returncode == 0 and listed.stdout:
@@ -50,7 +59,8 @@ def _files(root: Path) -> list[str]:
     else:
         names = [path.relative_to(root).as_posix() for path in root.rglob('*')
                  if not _FOLDER_LEFT_OUT & set(path.relative_to(root).parts)]
-    return sorted({name for name in names if name and name.split('/')[0] not in LEFT_OUT
+    folders = tuple(f'{folder}/' for folder in left_out)
+    return sorted({name for name in names if name and not name.startswith(folders)
                    and not _FILE_LEFT_OUT.search(name.rpartition('/')[2]) and (root / name).is_file()
                    and not (root / name).is_symlink()})
 

@@ -1,206 +1,176 @@
-"""Reads what learners hand in: a zip made by `submit`, a folder of notebooks, or one notebook.
+"""Finds the submissions among files and folders, as learners, Moodle, Canvas and GitHub Classroom name them.
 
-Nothing of a submission is written to disk, and no name from it is used as a path: a zip is read member by member, into
-memory, within bounds.
+Whose a submission is, is told by the name that a learning platform or the instructor gave to its file or folder. The id
+inside a zip is the learner's own word: it counts only where no other submission comes under that name.
+
+| form                                                    | learner                            |
+|---------------------------------------------------------|------------------------------------|
+| `NAME.zip`, `submission-NAME.zip`, `NAME.ipynb`, `NAME/` | NAME; a zip's own id where it has one |
+| Moodle: `Jane Doe_123_assignsubmission_file/…`          | `Jane_Doe_123`                     |
+| Canvas: `doejane_LATE_123_456_anything.zip`             | `doejane_123`                      |
+| GitHub Classroom: `task-submissions/task-jane/notebooks/` | `jane`                             |
 """
 
-import hashlib
-import json
 import re
-import stat
-import zipfile
-import zlib
-from collections.abc import Iterable
-from dataclasses import dataclass, field
+from collections import defaultdict
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from helpers.exercises import notebooks, program
-from helpers.exercises.manifest import Exercise
-from helpers.exercises.notebooks import Cell, InvalidSubmission
-from helpers.submit import LEARNER
+from grading.record import Attempt
+from grading.submission import Submission, Unusable, identity, is_notebook, read
 
-MAX_ARCHIVE = 50 * 2**20  # bytes of a zip
-MAX_MEMBERS = 200
-MAX_TOTAL = 60 * 2**20  # bytes of all members that are read
 _CHAPTER = re.compile(r'\d\d_.*\.ipynb')  # a file name; downloads add words such as " (1)" behind the number
+_MOODLE = re.compile(r'(?P<who>.+_\d+)_assignsubmission_(file|onlinetext)(_(?P<file>.*))?')
+_CANVAS = re.compile(r'(?P<name>[^_]+)_(LATE_)?(?P<number>\d+)_\d+_(?P<file>.+)')
+_DEEPEST = 4  # folders below the one that was given
 
 
-class Unusable(Exception):
-    """A path that holds no submission; the message says what was expected."""
+def find(paths: Iterable[Path], skipped: list[Path] | None = None) -> list[Submission]:
+    """Read the submissions at `paths`: the latest of each learner, sorted by learner, with the earlier ones on record.
 
-
-@dataclass
-class Submission:
-    """One learner's work: the notebooks' bytes by file name, or what makes it unreadable."""
-
-    learner: str
-    source: Path
-    files: dict[str, bytes] = field(default_factory=dict)
-    problem: str = ''  # for the learner; no exercise can be graded
-
-    def digest(self) -> str:
-        """SHA-256 of what was handed in."""
-        digest = hashlib.sha256(f'{self.learner}\0{self.problem}\0'.encode())
-        for name, data in sorted(self.files.items()):
-            digest.update(f'{name}\0{len(data)}\0'.encode() + data)
-        return digest.hexdigest()
-
-    def cells(self, notebook: str, exercises: list[Exercise]) -> list[Cell] | None:
-        """The code cells of a chapter's notebook; None if it was not handed in.
-
-        Without a file of that name, the one that has the chapter's exercises is taken ("… (1).ipynb").
-
-        :raises InvalidSubmission: it cannot be read, or several could be it.
-        """
-        if self.problem:
-            raise InvalidSubmission(self.problem)
-        if notebook in self.files:
-            return notebooks.parse(self.files[notebook], notebook)
-        wanted = {exercise.id for exercise in exercises}
-        found, unread = [], []
-        for name, data in sorted(self.files.items()):
-            try:
-                cells = notebooks.parse(data, name)
-            except InvalidSubmission as error:
-                unread.append(error)
-                continue
-            if any(program.exercise_id(cell) in wanted for cell in cells):
-                found.append((name, cells))
-        if len(found) > 1:
-            names = ' and '.join(name for name, _ in found)
-            raise InvalidSubmission(f'{names} both hold exercises of {notebook}: hand in one of them.')
-        if found:
-            return found[0][1]
-        if unread and len(unread) == len(self.files):
-            raise unread[0]
-        return None
-
-
-def find(paths: Iterable[Path]) -> list[Submission]:
-    """Read the submissions at `paths`, sorted by learner.
-
-    A folder that holds chapters (`03_….ipynb`) is one learner's; any other is a folder of submissions.
-
-    :raises Unusable: a path does not exist or holds no submission, or two are the same learner's.
+    :param skipped: is given the files and folders that hold no submission.
+    :raises Unusable: a path does not exist or holds no submission, or two learners cannot be told apart.
     """
-    found = []
+    found: dict[Path, Submission] = {}
     for path in paths:
         if not path.exists():
             raise Unusable(f'{path} does not exist')
-        found += _inside(path)
-    by_learner: dict[str, Submission] = {}
-    for submission in found:
-        other = by_learner.setdefault(submission.learner, submission)
-        if other is not submission:
-            raise Unusable(f'{other.source} and {submission.source} are both of the learner {submission.learner}: '
-                           'give one of them')
-    return sorted(found, key=lambda submission: submission.learner)
+        for submission in _at(path, skipped if skipped is not None else []):
+            found.setdefault(submission.source.resolve(), submission)
+    _name(list(found.values()))
+    learners: dict[str, list[Submission]] = defaultdict(list)
+    for submission in found.values():
+        learners[submission.learner].append(submission)
+    return [_latest(learners[learner]) for learner in sorted(learners)]
 
 
-def _inside(path: Path) -> list[Submission]:
+def _at(path: Path, skipped: list[Path]) -> list[Submission]:
     if path.is_file():
-        return [read(path)]
-    children = sorted(child for child in path.iterdir() if not child.name.startswith('.'))
-    chapters = [child for child in children if child.is_file() and _CHAPTER.match(child.name)]
-    archives = [child for child in children if child.is_file() and child.suffix == '.zip']
-    if chapters and archives:
+        return [_read(path)]
+    chapters = [child for child in _children(path) if child.is_file() and _CHAPTER.match(child.name)]
+    archives = [child for child in _children(path) if child.is_file() and child.suffix == '.zip']
+    if chapters and archives and not _owner(path):
         raise Unusable(f'{path} holds both {chapters[0].name}, as one learner\'s folder does, and {archives[0].name}: '
                        'put each learner\'s notebooks into a folder of their own')
-    if chapters:
-        return [read(path)]
-    found = [read(child) for child in children
-             if child.is_dir() and any(_is_notebook(inner.name) for inner in child.iterdir())
-             or child.is_file() and child.suffix in ('.zip', '.ipynb')]
+    found = [_read(path)] if chapters and not archives else list(_below(path, _owner(path), skipped, 0))
     if not found:
         raise Unusable(f'{path} holds no submission: expected notebooks, or zip files and folders of learners')
     return found
 
 
-def read(path: Path) -> Submission:
-    """Read one submission. What is wrong inside becomes its `problem`.
-
-    :raises Unusable: the path is neither a zip, a folder nor a notebook.
-    """
-    submission = Submission(_id(path.name if path.is_dir() else path.stem), path)
-    try:
-        if path.is_dir():
-            for child in sorted(path.iterdir()):
-                if _is_notebook(child.name) and child.is_file() and not child.is_symlink():
-                    _add(submission, child.name, child.stat().st_size, child.read_bytes)
-        elif path.suffix == '.zip':
-            _read_zip(path, submission)
-        elif path.suffix == '.ipynb':
-            _add(submission, path.name, path.stat().st_size, path.read_bytes)
+def _below(folder: Path, owner: str, skipped: list[Path], depth: int) -> Iterator[Submission]:
+    """The submissions in a folder: all are `owner`'s, if there is one."""
+    loose: dict[str, list[Path]] = defaultdict(list)  # notebooks of one learner that lie beside those of others
+    empty = True
+    for child in _children(folder):
+        mine = owner or _owner(child)
+        if child.is_symlink() and (owner or depth):
+            continue  # what a learner made is not followed
+        if child.is_dir():
+            work = next((place for place in (child, child / 'notebooks') if _has_notebooks(place)), None)
+            if work is not None and not (mine and _archives(child)):
+                yield _read(work, mine or identity(child.name))
+            elif depth < _DEEPEST:
+                inner = list(_below(child, mine, skipped, depth + 1))
+                if mine and not owner and not inner:
+                    inner = [_read(child, mine)]  # a learner's folder, in which nothing can be used
+                yield from inner
+        elif child.suffix == '.zip':
+            yield _read(child, mine)
+        elif is_notebook(child.name) and mine:
+            loose[mine].append(child)
+        elif is_notebook(child.name):
+            yield _read(child)
         else:
-            raise Unusable(f'{path} is no submission: expected a .zip, a folder of notebooks or an .ipynb')
-        if not submission.files:
-            raise InvalidSubmission('There is no notebook in the submission.')
-    except InvalidSubmission as problem:
-        submission.problem, submission.files = str(problem), {}
-    except OSError as error:
-        raise Unusable(f'{path} cannot be read: {error.strerror}') from None
+            skipped.append(child)
+            continue
+        empty = False
+    for learner, notebooks in loose.items():
+        yield _together(learner, notebooks)
+    if empty and not owner:
+        skipped.append(folder)
+
+
+def _children(folder: Path) -> list[Path]:
+    return sorted(child for child in folder.iterdir() if not child.name.startswith(('.', '__MACOSX')))
+
+
+def _has_notebooks(folder: Path) -> bool:
+    return folder.is_dir() and not folder.is_symlink() and any(
+        is_notebook(inner.name) and inner.is_file() for inner in folder.iterdir())
+
+
+def _archives(folder: Path) -> bool:
+    return any(inner.suffix == '.zip' for inner in _children(folder))
+
+
+def _owner(path: Path) -> str:
+    """The learner whom a learning platform names in the name of a file or folder; empty if none does."""
+    if match := _MOODLE.fullmatch(path.name):
+        return identity(match['who'])
+    if (match := _CANVAS.fullmatch(path.name)) and not path.is_dir():
+        return identity(f'{match["name"]}_{match["number"]}')
+    task = path.parent.name.removesuffix('-submissions')
+    if path.is_dir() and task != path.parent.name and path.name.startswith(f'{task}-'):
+        return identity(path.name[len(task) + 1:])
+    return ''
+
+
+def _read(path: Path, owner: str = '') -> Submission:
+    submission = read(path)
+    owner = owner or _owner(path)
+    if owner:
+        submission.learner = owner
+        if submission.label and submission.label != owner:
+            submission.notes.append(f'submission.json says that it is {submission.label}\'s')
+        submission.label = ''
     return submission
 
 
-def _read_zip(path: Path, submission: Submission) -> None:
-    if path.stat().st_size > MAX_ARCHIVE:
-        raise InvalidSubmission(f'The zip is larger than {MAX_ARCHIVE // 2**20} MB.')
-    try:
-        with zipfile.ZipFile(path) as archive:
-            members = archive.infolist()
-            if len(members) > MAX_MEMBERS:
-                raise InvalidSubmission(f'The zip has {len(members)} members, more than {MAX_MEMBERS}.')
-            for member in members:
-                name = member.filename.rpartition('/')[2]
-                if member.is_dir() or name.startswith('.') or '__MACOSX' in member.filename:
-                    continue
-                if stat.S_ISLNK(member.external_attr >> 16):
-                    raise InvalidSubmission('The zip has a symbolic link in it: hand in a file made by submit.')
-                if member.flag_bits & 1:
-                    raise InvalidSubmission('The zip is encrypted: hand in a file made by submit.')
-                if member.filename == 'submission.json':
-                    _read_label(_bounded(archive, member, 10_000), submission)
-                elif _is_notebook(name):
-                    _add(submission, name, member.file_size,
-                         lambda member=member: _bounded(archive, member, notebooks.MAX_BYTES))
-    except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, ValueError, RuntimeError):
-        raise InvalidSubmission('The zip is damaged: make it again with submit.') from None
+def _together(learner: str, notebooks: list[Path]) -> Submission:
+    """One submission of notebooks that the platform delivered one by one."""
+    if len(notebooks) == 1:
+        return _read(notebooks[0], learner)
+    parts = [read(path) for path in notebooks]
+    made = Submission(learner, notebooks[0], handed_in=max(part.handed_in for part in parts))
+    for path, part in zip(notebooks, parts, strict=True):
+        match = _CANVAS.fullmatch(path.name) or _MOODLE.fullmatch(path.name)
+        name = match and match['file'] or path.name
+        if name in made.files or part.problem:
+            made.problem = made.problem or part.problem or f'There are two notebooks called {name}: hand in one.'
+        made.files[name] = next(iter(part.files.values()), b'')
+    if made.problem:
+        made.files = {}
+    return made
 
 
-def _bounded(archive: zipfile.ZipFile, member: zipfile.ZipInfo, limit: int) -> bytes:
-    """A member's bytes; its own word about its size is not trusted."""
-    with archive.open(member) as file:
-        data = file.read(limit + 1)
-    if len(data) > limit:
-        raise InvalidSubmission(f'A file in the zip is larger than {limit / 2**20:.2g} MB.')
-    return data
+def _name(found: list[Submission]) -> None:
+    """Let the ids inside zips count, where nobody else has a claim to them.
+
+    :raises Unusable: two zips of different names claim one id.
+    """
+    named = {submission.learner for submission in found if submission.label in ('', submission.learner)}
+    claims: dict[str, tuple[str, Submission]] = {}
+    for submission in found:
+        name, label = submission.learner, submission.label
+        if label in ('', name):
+            continue
+        if label in named:
+            submission.notes.append(f'submission.json says that it is {label}\'s, whose own submission is there, too: '
+                                    f'taken as {name}\'s, by the name of the file')
+            continue
+        if label in claims and claims[label][0] != name:
+            raise Unusable(f'{claims[label][1].source} and {submission.source} are both of the learner {label}: name '
+                           f'both {label}.zip, in two folders, if they are, or give one of them')
+        claims[label] = name, submission
+        submission.learner = label
 
 
-def _read_label(data: bytes, submission: Submission) -> None:
-    try:
-        learner = json.loads(data)['learner']
-    except (ValueError, KeyError, TypeError, RecursionError):
-        raise InvalidSubmission('submission.json in the zip is damaged: make the zip again with submit.') from None
-    if not isinstance(learner, str) or not LEARNER.fullmatch(learner):
-        raise InvalidSubmission('The learner\'s id in submission.json is unusable: make the zip again with submit.')
-    submission.learner = learner
-
-
-def _add(submission: Submission, name: str, size: int, content) -> None:
-    if name in submission.files:
-        raise InvalidSubmission(f'There are two notebooks called {name}: hand in one.')
-    if size > notebooks.MAX_BYTES:
-        raise InvalidSubmission(f'{name} is larger than {notebooks.MAX_BYTES // 2**20} MB: clear its outputs.')
-    submission.files[name] = content()
-    if sum(map(len, submission.files.values())) > MAX_TOTAL:
-        raise InvalidSubmission(f'The notebooks are larger than {MAX_TOTAL // 2**20} MB together.')
-
-
-def _is_notebook(name: str) -> bool:
-    return name.endswith('.ipynb') and not name.startswith('.')
-
-
-def _id(name: str) -> str:
-    """A learner's id from a file's name: also a name for the files of their results."""
-    plain = re.sub(r'[^A-Za-z0-9._@-]+', '_', name.removeprefix('submission-')).lstrip('._@-')[:64]
-    return plain or 'unnamed'
+def _latest(attempts: list[Submission]) -> Submission:
+    """The submission that counts: the latest, by the time of handing in, then by its path."""
+    *earlier, latest = sorted(attempts, key=lambda one: (one.handed_in, str(one.source)))
+    if earlier and earlier[-1].handed_in == latest.handed_in and earlier[-1].digest() != latest.digest():
+        latest.notes.append(f'{earlier[-1].source.name} has the same time: {latest.source.name} counts')
+    own = latest.digest()
+    latest.earlier = [Attempt(one.source.name, one.digest(), one.handed_in) for one in earlier if one.digest() != own]
+    return latest

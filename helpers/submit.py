@@ -5,6 +5,7 @@ import io
 import json
 import os
 import re
+import time
 import zipfile
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -65,17 +66,20 @@ def pack(learner: str | None = None, output: Path | None = None, *, notebooks_fo
     if not found:
         raise SubmissionError(f'no notebook of the course is in {notebooks_folder}: save your work there.')
     packed = Packed(output, learner)
-    members = {}
+    members, saved = {}, 0.0
     for name, path in found.items():
         try:
             cells = notebooks.read(path)
         except notebooks.InvalidSubmission as error:
             raise SubmissionError(str(error)) from None
         members[name] = _without_outputs(path)
+        saved = max(saved, path.stat().st_mtime)
         mine = [exercise for exercise in exercises.values() if exercise.notebook == name]
         if test:
             packed.exercises += session.run(cells, mine, session.Options(processes=2)).exercises
-    members['submission.json'] = json.dumps({'format': FORMAT, 'learner': learner}, indent=2).encode()
+    label = {'format': FORMAT, 'learner': learner,
+             'saved': time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime(saved))}  # of several zips the latest counts
+    members['submission.json'] = json.dumps(label, indent=2).encode()
     _write(output, members)
     return packed
 

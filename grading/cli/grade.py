@@ -1,59 +1,95 @@
 """``./course grade``: grade submissions, visible and hidden tests, into a folder of results."""
 
 import os
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from grading import sandbox as sandboxes
 from helpers.cli import Refusal
+
+WHAT, HOW, MARKS = 'What is graded', 'How it is graded', 'What else a mark depends on'
 
 
 def grade(
     submissions: Annotated[list[Path], typer.Argument(
         metavar='SUBMISSION …', help='A .zip made by submit, a folder of notebooks, an .ipynb, or a folder of these.')],
     output: Annotated[Path, typer.Option('-o', '--output', metavar='DIR', help='Where results go; resumes there.')],
-    jobs: Annotated[int, typer.Option('--jobs', min=1, help='Processes of tests at a time; the cores if not given.')]
+    jobs: Annotated[int, typer.Option('--jobs', min=1, rich_help_panel=HOW,
+                                      help='Processes of tests at a time; the cores if not given.')]
     = len(os.sched_getaffinity(0)),
+    sandbox: Annotated[str, typer.Option(metavar='NAME', rich_help_panel=HOW, help='Where learners\' code runs: '
+                                         f'{" or ".join(sandboxes.LAUNCHERS)}.')] = sandboxes.DEFAULT,
+    cluster: Annotated[str, typer.Option(metavar='ADDRESS', rich_help_panel=HOW,
+                                         help='Grade on the Dask cluster of this scheduler.')] = '',
+    seed: Annotated[str, typer.Option(rich_help_panel=HOW,
+                                      help='Of the inputs that tests draw; DIR\'s own if not given.')] = '',
+    only: Annotated[list[str] | None, typer.Option(
+        metavar='LEARNER[/EXERCISE]', rich_help_panel=WHAT,
+        help='Grade only this, and leave the rest as it is; * for all. May be given several times.')] = None,
+    regrade: Annotated[bool, typer.Option('--regrade', rich_help_panel=WHAT,
+                                          help='Grade also what has a result already.')] = False,
+    late: Annotated[Path | None, typer.Option(metavar='FILE', rich_help_panel=MARKS,
+                                              help='Late policy, YAML.')] = None,
+    adjustments: Annotated[Path | None, typer.Option(metavar='FILE', rich_help_panel=MARKS,
+                                                     help='Marks set or changed by hand, CSV or YAML.')] = None,
+    anonymous: Annotated[bool, typer.Option('--anonymous', rich_help_panel=MARKS,
+                                            help='Pseudonyms instead of ids; the map is in DIR-private.')] = False,
 ):
     """Grade submissions; run again on the same DIR to go on where it stopped."""
     from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
+    from grading import adjustments as manual
+    from grading import anonymous as pseudonyms
+    from grading import choice, executors, folder, plan, progress, unit
     from grading import grade as grader
+    from grading import late as lateness
     from grading.submissions import Unusable, find
     from helpers.exercises import manifest
 
+    refused = (Unusable, manifest.ManifestError, choice.ChoiceError, folder.FolderError, executors.ClusterError,
+               lateness.PolicyError, manual.AdjustmentError, pseudonyms.AnonymousError, unit.Mismatch)
+    console = Console(highlight=False, soft_wrap=True)
+    skipped: list[Path] = []
     try:
-        found = find(submissions)
-        course = grader.Course.here()
-        output.mkdir(parents=True, exist_ok=True)
-    except (Unusable, manifest.ManifestError) as error:
+        found = find(submissions, skipped)
+        if sandbox not in sandboxes.LAUNCHERS:
+            raise Refusal(f'there is no sandbox {sandbox!r}; there are: {", ".join(sandboxes.LAUNCHERS)}')
+        course = replace(grader.Course.here(), sandbox=sandbox)
+        if not cluster and (problem := sandboxes.problem(sandbox)):
+            raise Refusal(f'{problem}. To grade without protection: --sandbox none')
+        settings = grader.Settings(
+            seed, tuple(only or ()), regrade, lateness.load(late) if late else None,
+            tuple(manual.load(adjustments, plan.points(course.exercises))) if adjustments else (), anonymous, cluster)
+        for path in skipped:
+            console.print(f'{path}: no submission, left out', style='yellow', markup=False)
+        if course.sandbox == 'none':
+            console.print(sandboxes.WARNING, style='bold yellow', markup=False)
+        with progress.Shown(console) as shown:
+            records = grader.grade(found, course, output, jobs, shown, settings)
+    except refused as error:
         raise Refusal(str(error)) from None
     except OSError as error:
-        raise Refusal(f'{output} cannot be written: {error.strerror}') from None
-    console = Console(highlight=False, soft_wrap=True)
-    if course.sandbox == 'none':
-        console.print('Sandbox: none. Submissions run as plain processes with limits; grade only what you trust.',
-                      style='yellow', markup=False)
-    columns = (TextColumn('{task.description}'), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    try:
-        with Progress(*columns, console=console) as progress:
-            task = progress.add_task('grading', total=len(found))
-
-            def say(record, fresh):
-                score = 'unknown' if record.score is None else f'{record.score:g}'
-                note = '' if fresh else ' (unchanged)'
-                console.print(f'{record.learner}: {score} of {record.points:g}, {record.status}{note}', markup=False)
-                progress.advance(task)
-
-            records = grader.grade(found, course, output, jobs, say)
+        raise Refusal(f'{error.filename or output} cannot be read or written: {error.strerror or error}') from None
     except KeyboardInterrupt:
         console.print('Stopped. What is graded is kept: run the same command to go on.')
         os._exit(130)  # at once: the tests that still run end with this process
     console.print(f'{output / "gradebook.csv"}: {len(records)} learners', markup=False)
-    faults = [record.learner for record in records if record.status == 'grader_error']
+    raise typer.Exit(_summary(records, console))
+
+
+def _summary(records, console) -> int:
+    """Say what is open. The exit status: 1 if a mark is, because of a fault of the grader's."""
+    ungraded = [record.learner for record in records if record.status == 'incomplete']
+    if ungraded:
+        console.print(f'Not all is graded yet for {", ".join(ungraded)}: run grade again without --only.',
+                      style='yellow', markup=False)
+    faults = {record.learner: [one.id for one in record.exercises if record.marks[one.id] is None]
+              for record in records if record.status == 'grader_error'}
     if faults:
-        console.print(f'A fault of the grader\'s own left marks open for {", ".join(faults)}: see run.log and run '
-                      'grade again.', style='red', markup=False)
-    raise typer.Exit(1 if faults else 0)
+        named = ', '.join(f'{learner} ({", ".join(exercises)})' for learner, exercises in faults.items())
+        console.print(f'A fault of the grader\'s own left marks open for {named}: see run.log and run grade again.',
+                      style='red', markup=False)
+    return 1 if faults else 0

@@ -44,10 +44,9 @@ def view(record: Record) -> dict:
         'tone': 'open' if record.score is None else 'good',
         'sentence': _sentence(record),
         'advice': _advice(record),
-        'notes': [],
-        'chapters': _chapters(record.exercises),
-        'facts': [('Handed in', line(record.source)), ('Graded as', record.key[:16]),
-                  ('Sandbox', line(record.sandbox))],
+        'notes': _notes(record),
+        'chapters': _chapters(record),
+        'facts': _facts(record),
     }
 
 
@@ -56,6 +55,8 @@ def _share(score: float | None, points: float) -> float:
 
 
 def _sentence(record: Record) -> str:
+    if record.status == 'incomplete':
+        return 'Only a part of your work has been graded so far.'
     if record.score is None:
         return ('A part of your work must be graded again because of a fault on our side. Nothing is lost, and there '
                 'is nothing that you must do.')
@@ -77,10 +78,37 @@ def _advice(record: Record) -> str:
     return f'Go on with exercise {first.id}, {line(first.title)}.' if first else ''
 
 
-def _chapters(exercises: list[ExerciseResult]) -> list[dict]:
+def _notes(record: Record) -> list[str]:
+    """What the mark depends on besides the tests."""
+    notes = []
+    if record.late is not None and record.late.days:
+        days = page.plural(record.late.days, 'day')
+        notes.append(f'Handed in {_when(record.late.handed_in)}, {days} after the due time, {_when(record.late.due)}: '
+                     f'{page.points(record.late.percent)} % of the points are deducted.')
+    if record.ungraded:
+        notes.append(f'Not graded yet: {", ".join(map(line, record.ungraded))}.')
+    return notes
+
+
+def _facts(record: Record) -> list[tuple[str, str]]:
+    facts = [('Handed in', line(record.source) + (f', {_when(record.handed_in)}' if record.handed_in else '')),
+             ('SHA-256', record.sha256[:16]), ('Graded as', record.key[:16]), ('Seed', line(record.seed)),
+             ('Sandbox', line(record.sandbox)),
+             ('Earlier', f'{page.plural(len(record.attempts), "submission")}; the latest one counts'
+              if record.attempts else '')]
+    return [(name, value) for name, value in facts if value]
+
+
+def _when(stamp: str) -> str:
+    """An ISO 8601 time in UTC, for a reader."""
+    return line(stamp).replace('T', ' ').replace('Z', ' UTC')
+
+
+def _chapters(record: Record) -> list[dict]:
+    marks = record.marks
     chapters: dict[str, dict] = {}
-    for exercise in exercises:
-        shown = _exercise(exercise)
+    for exercise in record.exercises:
+        shown = _exercise(exercise, marks[exercise.id]) | {'how': _how(record, exercise)}
         chapter = chapters.setdefault(exercise.id.partition('.')[0], {'title': '', 'exercises': []})
         chapter['exercises'].append(shown)
         if shown['place']:
@@ -88,13 +116,28 @@ def _chapters(exercises: list[ExerciseResult]) -> list[dict]:
     return list(chapters.values())
 
 
-def _exercise(exercise: ExerciseResult) -> dict:
+def _how(record: Record, exercise: ExerciseResult) -> list[str]:
+    """How the mark comes about, where it is not the tests' alone."""
+    late = record.late is not None and record.late.percent and exercise.score
+    steps = [f'By the tests: {page.points(exercise.score)} points.'] if late else []
+    if late:
+        steps.append(f'Late, less {page.points(record.late.percent)} %: '
+                     f'{page.points(record.late.applied(exercise.score))} points.')
+    for adjustment in record.adjustments:
+        if adjustment.exercise == exercise.id:
+            change = (f'set to {page.points(adjustment.points)} points' if adjustment.points is not None
+                      else f'{adjustment.delta:+g} points')
+            steps.append(f'By your instructor: {change}. {line(adjustment.reason, 1000)}')
+    return steps
+
+
+def _exercise(exercise: ExerciseResult, mark: float | None) -> dict:
     again = display.repeated(exercise)
     weight = sum(test.weight for test in exercise.tests)
     return {
         'id': line(exercise.id), 'title': line(exercise.title),
         'anchor': 'exercise-' + ''.join(sign if sign.isalnum() and sign.isascii() else '-' for sign in exercise.id),
-        'score': exercise.score, 'points': exercise.points, 'share': _share(exercise.score, exercise.points),
+        'score': mark, 'points': exercise.points, 'share': _share(mark, exercise.points),
         'tone': tone(exercise.verdict), 'state': STATES[exercise.verdict], 'summary': _summary(exercise),
         'message': '' if exercise.verdict == results.NOT_ATTEMPTED else exercise.message,
         'tests': [_test(test, test.test in again, exercise.points * test.weight / weight if weight else 0.0)

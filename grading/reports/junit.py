@@ -3,6 +3,7 @@
 from xml.etree import ElementTree
 
 from grading.record import Record
+from grading.reports.safe import line, visible
 from helpers.runner import results, verdicts
 
 
@@ -10,19 +11,28 @@ def dumps(record: Record) -> str:
     """The report as XML text."""
     cases = []
     for exercise in record.exercises:
+        name = f'exercise {exercise.id}'
         if not exercise.tests:
-            cases.append((exercise.id, exercise.title, exercise.verdict, exercise.message))
-        cases += [(exercise.id, test.test, test.verdict, test.message or test.expected) for test in exercise.tests]
-    kinds = [_kind(verdict) for _, _, verdict, _ in cases]
-    suite = ElementTree.Element('testsuite', name=record.learner, tests=str(len(cases)),
-                                failures=str(kinds.count('failure')), errors=str(kinds.count('error')),
-                                skipped=str(kinds.count('skipped')))
-    for (exercise, name, verdict, message), kind in zip(cases, kinds, strict=True):
-        case = ElementTree.SubElement(suite, 'testcase', classname=f'exercise {exercise}', name=name)
+            cases.append((name, exercise.title, exercise.verdict, exercise.message, 0.0))
+        cases += [(name, test.test, test.verdict, test.message or test.expected, test.seconds)
+                  for test in exercise.tests]
+    kinds = [_kind(verdict) for _, _, verdict, _, _ in cases]
+    counts = {'tests': str(len(cases)), 'failures': str(kinds.count('failure')), 'errors': str(kinds.count('error')),
+              'skipped': str(kinds.count('skipped')), 'time': f'{sum(case[4] for case in cases):.3f}'}
+    root = ElementTree.Element('testsuites', {name: counts[name] for name in counts if name != 'skipped'})
+    suite = ElementTree.SubElement(root, 'testsuite', {'name': line(record.learner), **counts})
+    properties = ElementTree.SubElement(suite, 'properties')
+    for name, value in (('source', record.source), ('sandbox', record.sandbox), ('key', record.key),
+                        ('seed', record.seed), ('status', record.status)):
+        ElementTree.SubElement(properties, 'property', name=name, value=line(value))
+    for (exercise, name, verdict, message, seconds), kind in zip(cases, kinds, strict=True):
+        case = ElementTree.SubElement(suite, 'testcase', classname=line(exercise), name=line(name),
+                                      time=f'{seconds:.3f}')
         if kind:
-            ElementTree.SubElement(case, kind, message=verdict).text = message
-    ElementTree.indent(suite)
-    return ElementTree.tostring(suite, encoding='unicode', xml_declaration=True) + '\n'
+            ElementTree.SubElement(case, kind, message=verdict).text = visible(message)
+    ElementTree.indent(root)
+    # Written by hand: ElementTree would declare the encoding of this machine's locale.
+    return f'<?xml version="1.0" encoding="utf-8"?>\n{ElementTree.tostring(root, encoding="unicode")}\n'
 
 
 def _kind(verdict: str) -> str:

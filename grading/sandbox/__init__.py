@@ -1,14 +1,28 @@
 """Where the learner's code runs while it is graded.
 
-A sandbox is a launcher, `module:function`, with the signature of `helpers.runner.launch.start`: it starts the learner's
-fork server and returns a `Started`. The name of the one that was used stands in every result.
+`bubblewrap`: a sandbox that holds off attacks. `none`: plain processes with limits, which hold off mistakes only; use
+it for submissions that you trust with your machine. The name of the one that was used stands in every result.
 
-There is one so far: `none`, a plain child process with limits on memory, computing time, files and output. It keeps a
-learner's mistakes away from the grader, but not a learner's malice: grade only submissions that you trust with it.
+    layout          what the sandboxes see (the arguments of bubblewrap)
+    probe           whether this machine can run it
+    holder          a running bubblewrap that others enter
+    station         the grader's side: two warm servers, started once
+    unprivileged    how root gives up being root first
+    warm            the servers: fork for each submission
+    tests_side      the tests of one submission, in a sandbox with a network of their own
+    learners_side   the learner's programs, in a sandbox within that network
+    namespaces, seccomp    system calls, and which of them a learner's program may use
+
+A sandbox is a launcher, `module:function`, with the signature of `helpers.runner.launch.start`; its module may have a
+`start_tests`, too.
 """
 
-LAUNCHERS = {'none': 'helpers.runner.launch:start'}
-DEFAULT = 'none'
+from functools import cache
+
+LAUNCHERS = {'bubblewrap': 'grading.sandbox.bubblewrap:start', 'none': 'helpers.runner.launch:start'}
+DEFAULT = 'bubblewrap'
+WARNING = ('WARNING: --sandbox none. Submissions run as plain processes with limits, and can read and change whatever '
+           'you can. Grade only what you trust.')
 
 
 def launcher(name: str = DEFAULT) -> str:
@@ -17,3 +31,12 @@ def launcher(name: str = DEFAULT) -> str:
     :raises KeyError: there is no such sandbox.
     """
     return LAUNCHERS[name]
+
+
+@cache
+def problem(name: str = DEFAULT) -> str:
+    """What keeps a sandbox from working on this machine, in one line with the remedy; empty if nothing does."""
+    if name != 'bubblewrap':
+        return ''
+    from grading.sandbox import probe
+    return probe.problem()

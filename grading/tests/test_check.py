@@ -4,6 +4,7 @@ import dataclasses
 import importlib
 import json
 import re
+import time
 import zipfile
 
 import nbformat
@@ -130,10 +131,13 @@ def test_submit(tmp_path):
     again = submitting.pack('ada', tmp_path / 'again.zip', test=False)
     assert again.path.read_bytes() == (tmp_path / 'ada.zip').read_bytes()
     with zipfile.ZipFile(again.path) as archive:
-        assert json.loads(archive.read('submission.json')) == {'format': 1, 'learner': 'ada'}
+        label = json.loads(archive.read('submission.json'))
+        saved = max(path.stat().st_mtime for path in paths.NOTEBOOKS.glob('*.ipynb'))
+        assert label.pop('saved') == time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime(saved))
+        assert label == {'format': 1, 'learner': 'ada'}
     read = submissions.read(again.path)
     exercises = list(manifest.load().values())
-    assert read.learner == 'ada' and read.cells(exercises[0].notebook, exercises)
+    assert read.label == 'ada' and read.cells(exercises[0].notebook, exercises)
     assert sorted(read.files) == sorted(path.name for path in paths.NOTEBOOKS.glob('*.ipynb'))
 
 

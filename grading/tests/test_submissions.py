@@ -2,13 +2,14 @@
 
 import io
 import json
+import os
 import stat
 import zipfile
 
 import pytest
 
-from grading import submissions
-from grading.submissions import Unusable
+from grading import submission, submissions
+from grading.submission import Unusable
 from grading.tests import small
 from helpers.exercises.notebooks import InvalidSubmission
 
@@ -25,7 +26,7 @@ def zipped(path, *members):
 def test_the_three_forms(tmp_path):
     data = small.solved()
     path = zipped(tmp_path / 'x.zip', (small.NOTEBOOK, data), ('submission.json', LABEL))
-    assert submissions.read(path).learner == 'ada'
+    assert submissions.read(path).label == 'ada'
     folder = tmp_path / 'bob'
     folder.mkdir()
     (folder / small.NOTEBOOK).write_bytes(data)
@@ -168,10 +169,10 @@ def test_paths_that_are_no_submission(tmp_path):
             submissions.find([path])
 
 
-@pytest.mark.parametrize('name', ['=cmd()', '../../x', '\u202egpj', 'a b', '.', '<script>'])
+@pytest.mark.parametrize('name', ['=cmd()', '../../x', '\u202egpj', 'a b', '.', '<script>', '王芳', 'x' * 300, 'Zoë'])
 def test_ids_are_names_of_files(tmp_path, name):
-    made = submissions._id(name)
-    assert submissions.LEARNER.fullmatch(made) and '..' != made
+    made = submission.identity(name)
+    assert submission.LEARNER.fullmatch(made) and '..' != made
 
 
 def test_digest_sees_every_change(tmp_path):
@@ -193,3 +194,97 @@ def test_reading_keeps_nothing_open(tmp_path):
     path.write_bytes(data.getvalue())
     submissions.read(path)
     path.unlink()
+
+
+def test_ids_stay_apart():
+    assert submission.identity('Zoë') == 'Zoe'
+    assert submission.identity('submission-ada (1)') == submission.identity('ada') == 'ada'
+    names = ('王芳', '李娜', 'x' * 70, 'x' * 71)
+    assert len({submission.identity(name) for name in names}) == len(names)
+
+
+# Many submissions
+
+def learners(path, *more):
+    return [found.learner for found in submissions.find([path, *more])]
+
+
+def work(path, source=small.TALKER):
+    """A notebook, or a zip without a label."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    if path.suffix == '.zip':
+        return zipped(path, (small.NOTEBOOK, small.solved(source)))
+    path.write_bytes(small.solved(source))
+    return path
+
+
+def labelled(path, learner, **label):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    return zipped(path, (small.NOTEBOOK, small.solved(f'# {path}\n{small.TALKER}')),
+                  ('submission.json', json.dumps({'learner': learner, **label})))
+
+
+def test_moodle(tmp_path):
+    work(tmp_path / 'Jane Doe_123_assignsubmission_file_' / small.NOTEBOOK)
+    work(tmp_path / 'Zoë Ng_124_assignsubmission_file' / 'anything.zip')
+    labelled(tmp_path / 'Max Um_125_assignsubmission_file_submission-max.zip', 'max')
+    (tmp_path / 'Li Lo_126_assignsubmission_file_').mkdir()
+    (tmp_path / 'Li Lo_126_assignsubmission_file_' / 'work.pdf').write_bytes(b'x')
+    found = {one.learner: one for one in submissions.find([tmp_path])}
+    assert sorted(found) == ['Jane_Doe_123', 'Li_Lo_126', 'Max_Um_125', 'Zoe_Ng_124']
+    assert 'no notebook' in found['Li_Lo_126'].problem and not found['Zoe_Ng_124'].problem
+
+
+def test_canvas(tmp_path):
+    for name in ('doejane_LATE_1234_5678_03_a.ipynb', 'doejane_1234_5679_04_b.ipynb', 'um_1300_5680_x.zip'):
+        work(tmp_path / name)
+    jane, um = submissions.find([tmp_path])
+    assert (jane.learner, sorted(jane.files)) == ('doejane_1234', ['03_a.ipynb', '04_b.ipynb'])
+    assert um.learner == 'um_1300'
+
+
+def test_github_classroom(tmp_path):
+    """Clones of the learners' repositories; a link in one of them is not followed."""
+    folder = tmp_path / 'talker-submissions'
+    work(folder / 'talker-jane' / 'notebooks' / small.NOTEBOOK)
+    work(folder / 'talker-max-um' / small.NOTEBOOK)
+    (folder / 'talker-eve').mkdir()
+    (folder / 'talker-eve' / 'notebooks').symlink_to(folder / 'talker-jane' / 'notebooks')
+    found = {one.learner: one for one in submissions.find([folder])}
+    assert sorted(found) == ['eve', 'jane', 'max-um']
+    assert 'no notebook' in found['eve'].problem
+    assert learners(tmp_path) == ['eve', 'jane', 'max-um']
+
+
+def test_folders_in_folders_and_what_is_left_out(tmp_path):
+    labelled(tmp_path / 'monday' / 'ada.zip', 'ada')
+    work(tmp_path / 'tuesday' / 'group' / 'bob' / small.NOTEBOOK)
+    (tmp_path / 'list.csv').write_text('x')
+    (tmp_path / 'empty').mkdir()
+    skipped = []
+    assert [one.learner for one in submissions.find([tmp_path], skipped)] == ['ada', 'bob']
+    assert sorted(path.name for path in skipped) == ['empty', 'list.csv']
+    assert learners(tmp_path, tmp_path / 'monday' / 'ada.zip') == ['ada', 'bob'], 'one file is one submission'
+
+
+def test_the_latest_counts(tmp_path):
+    """By the stamp inside the zip, then by the file's time; the others are on record."""
+    first = labelled(tmp_path / '1' / 'ada.zip', 'ada', saved='2026-11-02T10:00:00Z')
+    second = labelled(tmp_path / '2' / 'ada.zip', 'ada', saved='2026-11-01T10:00:00Z')
+    third = work(tmp_path / '3' / 'ada (1).ipynb')
+    os.utime(first, (0, 0))
+    os.utime(third, (10**9, 10**9))
+    one, = submissions.find([first, second, third])
+    assert (one.source, one.handed_in) == (first, '2026-11-02T10:00:00Z')
+    assert [(attempt.source, attempt.handed_in) for attempt in one.earlier] == [
+        ('ada (1).ipynb', '2001-09-09T01:46:40Z'), ('ada.zip', '2026-11-01T10:00:00Z')]
+    assert submissions.find([third, second, first]) == [one]
+
+
+def test_nobody_hands_in_for_another(tmp_path):
+    """A zip that claims to be ada's does not take the place of ada's own."""
+    ada = labelled(tmp_path / 'ada.zip', 'ada', saved='2026-11-01T10:00:00Z')
+    labelled(tmp_path / 'eve.zip', 'ada', saved='2026-12-01T10:00:00Z')
+    found = {one.learner: one for one in submissions.find([tmp_path])}
+    assert found['ada'].source == ada and not found['ada'].earlier
+    assert "submission.json says that it is ada's" in found['eve'].notes[0]

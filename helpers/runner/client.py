@@ -8,6 +8,7 @@ import signal
 import socket
 import threading
 import time
+from dataclasses import asdict
 
 from helpers.runner import launch, values
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
@@ -35,6 +36,7 @@ class ForkServer:
         self._control = self._started.control
         self._keys = itertools.count(1)
         self._ended: dict[str, int] = {}
+        self.why: dict[str, str] = {}  # programs were ended from outside
         self.workspaces: dict = {}  # what `helpers.runner.workspaces` has written and built in this session
         if self._event(START_TIMEOUT).get('event') != 'ready':
             raise RunnerError("the learner's side did not start")
@@ -48,13 +50,13 @@ class ForkServer:
         return json.loads(data)
 
     def fork(self) -> tuple[str, socket.socket, int]:
-        """Start a process for one program: (its key, its channel, the read end of its output)."""
+        """Start a process for one program, within `limits`: (its key, its channel, the read end of its output)."""
         key = str(next(self._keys))
         ours, theirs = socket.socketpair()
         output_read, output_write = os.pipe()
         with theirs:
-            socket.send_fds(self._control, [json.dumps({'op': 'fork', 'key': key}).encode()],
-                            [theirs.fileno(), output_write])
+            request = {'op': 'fork', 'key': key, 'limits': asdict(self.limits)}
+            socket.send_fds(self._control, [json.dumps(request).encode()], [theirs.fileno(), output_write])
         os.close(output_write)
         self._until(lambda event: event.get('event') == 'forked' and event.get('key') == key, 10)
         return key, ours, output_read
@@ -65,6 +67,8 @@ class ForkServer:
             event = self._event(max(0.0, deadline - time.monotonic()))
             if event.get('event') == 'ended':
                 self._ended[event['key']] = event['status']
+                if event.get('why'):
+                    self.why[event['key']] = event['why']
             if wanted(event):
                 return
 
@@ -79,6 +83,11 @@ class ForkServer:
         except RunnerError:
             return None
         return self._ended[key]
+
+    def clear(self) -> None:
+        """End all that programs have left behind."""
+        self._control.send(b'{"op": "clear"}')
+        self._until(lambda event: event.get('event') == 'cleared', 10)
 
     def close(self) -> None:
         self._started.close()
@@ -198,6 +207,8 @@ class Process:
         self.ended = True
         self.output.finish()
         how = 'ended'
+        if self.why.get(self.key) == 'memory':
+            return LearnerCrashed('Your program used more memory than it may.')
         if status is not None and os.WIFEXITED(status):
             how = f'ended by itself (exit status {os.WEXITSTATUS(status)})'
         elif status is not None and os.WIFSIGNALED(status):

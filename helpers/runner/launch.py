@@ -23,13 +23,34 @@ _KEPT = ('PATH', 'LANG', 'LC_ALL', 'LD_LIBRARY_PATH', 'AMENT_PREFIX_PATH', 'PYTH
 
 @dataclass(frozen=True)
 class Limits:
-    """Bounds for every process of the learner's side."""
+    """Bounds for the learner's side; a test asks for others with `@pytest.mark.limits(name=value)`.
+
+    The first ones hold for each process. The last ones hold for all processes together, and only in a sandbox.
+    """
 
     memory: int = 3 * 2**30  # bytes of address space; an rclpy node needs 0.65 GB of it
-    cpu: int = 120  # seconds per process
+    cpu: int = 120  # seconds
     files: int = 256  # open file descriptors
     file_size: int = 16 * 2**20  # bytes per file
     output: int = 64 * 2**10  # bytes of printed text that are kept, per program
+    processes: int = 256  # processes and threads; an rclpy node has 16 threads
+    total_memory: int = 2 * 2**30  # bytes of RAM
+    tmp: int = 64 * 2**20  # bytes in /tmp
+    home: int = 64 * 2**20  # bytes in the home directory
+    shared: int = 16 * 2**20  # bytes in /dev/shm
+
+    def apply(self, *, sandboxed: bool = False) -> None:
+        """Bound the calling process. The kernel counts processes per user, so that is for a sandbox only."""
+        bounds = {resource.RLIMIT_AS: self.memory, resource.RLIMIT_CPU: self.cpu, resource.RLIMIT_NOFILE: self.files,
+                  resource.RLIMIT_FSIZE: self.file_size, resource.RLIMIT_CORE: 0}
+        if sandboxed:
+            bounds[resource.RLIMIT_NPROC] = self.processes
+            bounds[resource.RLIMIT_MSGQUEUE] = 0
+            bounds[resource.RLIMIT_MEMLOCK] = 2**20
+        for what, value in bounds.items():
+            hard = resource.getrlimit(what)[1]
+            value = value if hard == resource.RLIM_INFINITY else min(value, hard)
+            resource.setrlimit(what, (value, value))
 
 
 LIMITS = Limits()
@@ -90,21 +111,19 @@ def start(domain_id: int, limits: Limits = LIMITS) -> Started:
     home = tempfile.TemporaryDirectory(prefix='course-', ignore_cleanup_errors=True)
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)  # keeps message boundaries
 
-    def bound() -> None:
-        for what, value in (
-            (resource.RLIMIT_AS, limits.memory),
-            (resource.RLIMIT_CPU, limits.cpu),
-            (resource.RLIMIT_NOFILE, limits.files),
-            (resource.RLIMIT_FSIZE, limits.file_size),
-            (resource.RLIMIT_CORE, 0),
-        ):
-            hard = resource.getrlimit(what)[1]
-            value = value if hard == resource.RLIM_INFINITY else min(value, hard)
-            resource.setrlimit(what, (value, value))
-
     with theirs:
         process = subprocess.Popen(
             [sys.executable, '-m', 'helpers.runner.zygote', str(theirs.fileno())],
             cwd=home.name, env=environment(domain_id, home.name), pass_fds=[theirs.fileno()], start_new_session=True,
-            stdin=subprocess.DEVNULL, preexec_fn=bound)
+            stdin=subprocess.DEVNULL)
     return Started(process, ours, 'none', home)
+
+
+def start_tests(job, events: int, printed, *, cwd: str, environment: dict[str, str], folders) -> subprocess.Popen:
+    """Start the tests' process (`helpers.runner.tester`): `job` is its input, `events` and `printed` its outputs.
+
+    `folders` hold the tests; a sandbox shows them to this process only.
+    """
+    return subprocess.Popen([sys.executable, '-m', 'helpers.runner.tester', str(events)], cwd=cwd, env=environment,
+                            stdin=job, stdout=printed, stderr=printed, pass_fds=[events],
+                            start_new_session=True)  # Ctrl-C is for the grader, which ends it

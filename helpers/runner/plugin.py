@@ -8,6 +8,7 @@ import json
 import os
 import traceback
 from collections.abc import Callable
+from dataclasses import replace
 
 import pytest
 
@@ -27,10 +28,12 @@ class Plugin:
         """
         self.programs, self.server, self.domain_id = programs, server, domain_id
         self.report, self.only, self.seed = report, only, seed
+        self._limits = server.limits
         self._stuck: set[str] = set()  # exercises of which a test has met a timeout
 
     def pytest_configure(self, config):
         config.addinivalue_line('markers', 'exercise(id): the exercise that a test judges')
+        config.addinivalue_line('markers', 'limits(name=value): other bounds for the program, see launch.Limits')
         config.addinivalue_line('markers', 'weight(n): how much a test counts within its exercise; 1 by default')
 
     def pytest_collection_modifyitems(self, items):
@@ -55,12 +58,17 @@ class Plugin:
     def learner(self, request):
         """The learner's program, fresh for each test."""
         exercise = _exercise(request.node)
+        marker = request.node.get_closest_marker('limits')
+        self.server.limits = replace(self._limits, **(marker.kwargs if marker else {}))
         learner = Learner(self.server, self.programs[exercise], self.domain_id,
                           AGAIN if exercise in self._stuck else TIMEOUTS,
                           random=seeds.generator(self.seed, test_id(request.node)))
         request.node.learner = learner
         yield learner
-        learner.close()
+        try:
+            learner.close()
+        finally:
+            self.server.clear()
 
     @pytest.hookimpl(hookwrapper=True)
     def pytest_runtest_makereport(self, item, call):

@@ -2,12 +2,12 @@
 
 `check` in a notebook, `./course check`, `submit` and `grade` all come through `run`; grading adds the hidden tests.
 """
+import importlib
 import json
 import os
 import re
 import select
 import subprocess
-import sys
 import tempfile
 import time
 from collections import Counter
@@ -165,7 +165,7 @@ class _Collection:
 
     def _start(self, programs, folders, only, domain: int, cwd: str, printed):
         read, write = os.pipe()
-        job = {'programs': programs, 'tests': list(map(str, folders)), 'domain': domain, 'only': only, 'root': cwd,
+        job = {'programs': programs, 'tests': list(map(str, folders)), 'domain': domain, 'only': only,
                'launcher': self.options.launcher, 'limits': asdict(self.options.limits), 'seed': self.options.seed}
         environment = {**{k: v for k, v in os.environ.items() if not k.startswith(('PYTEST_', 'COV_'))},
                        **launch.ros_environment(domain), 'PYTEST_DISABLE_PLUGIN_AUTOLOAD': '1',
@@ -174,9 +174,10 @@ class _Collection:
         with open(Path(cwd, 'job.json'), 'w+') as file:
             json.dump(job, file)
             file.seek(0)
-            process = subprocess.Popen([sys.executable, '-m', 'helpers.runner.tester', str(write)], cwd=cwd,
-                                       env=environment, stdin=file, stdout=printed, stderr=printed, pass_fds=[write],
-                                       start_new_session=True)  # Ctrl-C is for the grader, which ends it
+            starter = importlib.import_module(self.options.launcher.partition(':')[0])
+            process = getattr(starter, 'start_tests', launch.start_tests)(
+                file, write, printed, cwd=cwd, environment=environment,
+                folders=[folder for folder in (self.options.visible, self.options.hidden) if folder])
         os.close(write)
         return process, read
 

@@ -16,7 +16,12 @@ def main() -> int:
     die_with_parent()
     descriptor = int(sys.argv[1])
     os.set_inheritable(descriptor, False)
-    job = json.load(sys.stdin)
+    run(json.load(sys.stdin), descriptor)
+    return 0
+
+
+def run(job: dict, descriptor: int) -> None:
+    """Run the tests that `job` names and report to `descriptor`."""
     module, _, name = job['launcher'].partition(':')
     start = getattr(importlib.import_module(module), name)
     from helpers.runner import launch
@@ -33,14 +38,13 @@ def main() -> int:
         report({'event': 'sandbox', 'name': server.sandbox})
         only = None if job['only'] is None else set(job['only'])
         status = pytest.main(
-            ['-c', os.devnull, '--rootdir', job['root'], '--import-mode=importlib', '--strict-markers', '-q',
+            ['-c', os.devnull, '--rootdir', os.getcwd(), '--import-mode=importlib', '--strict-markers', '-q',
              '--continue-on-collection-errors',
              '-p', 'no:cacheprovider', '--tb=no', '--no-header', *job['tests']],
             plugins=[plugin.Plugin(job['programs'], server, job['domain'], report, only, seed=job['seed'])])
         report({'event': 'end', 'status': int(status)})
     finally:
         server.close()
-    return 0
 
 
 if __name__ == '__main__':

@@ -4,9 +4,10 @@ It reads requests from its control socket; each `fork` request carries two file 
 channel and its output pipe. It never runs learner's code itself and never opens a DDS participant, so a fork is
 safe and as good as a fresh start. When the control socket closes, it kills what it forked and ends.
 
-    {"op": "fork", "key": k} + 2 fds   ->  {"event": "forked", "key": k, "pid": p}
-    {"op": "kill", "key": k}           ->  (none)
-    (a child ended)                    ->  {"event": "ended", "key": k, "status": wait status}
+    {"op": "fork", "key": k, "limits": {}} + 2 fds   ->  {"event": "forked", "key": k, "pid": p}
+    {"op": "kill", "key": k}                         ->  (none)
+    {"op": "clear"}                                  ->  {"event": "cleared"}, when nothing of the programs runs
+    (a child ended)                                  ->  {"event": "ended", "key": k, "status": wait status, "why": ""}
 """
 import array
 import json
@@ -16,6 +17,7 @@ import signal
 import socket
 import sys
 
+from helpers.runner.launch import Limits
 from helpers.runner.lifetime import die_with_parent
 
 # What most programs import; the rest is imported by the program itself.
@@ -29,7 +31,7 @@ _MESSAGES = {'std_msgs': ('String', 'UInt64', 'Int32', 'Bool', 'Float64', 'Heade
              'rcl_interfaces': ('Log', 'ParameterEvent')}
 
 
-def _warm_up() -> None:
+def warm_up() -> None:
     """Load code and shared libraries, without opening a participant.
 
     rcl brings two idle threads of LTTng's; a forked child lives without them.
@@ -57,9 +59,44 @@ def _warm_up() -> None:
     import helpers.runner.worker  # noqa: F401
 
 
-def serve(control: socket.socket) -> None:
+class Programs:
+    """How a program's process is made and ended; a sandbox has its own way."""
+
+    patience: float | None = None  # seconds between two looks at what the programs use; None: no look
+
+    def fork(self, limits: Limits, channel: int, output: int) -> int:
+        """Start a program's process; returns its pid."""
+        pid = os.fork()
+        if pid == 0:
+            leave_server()
+            die_with_parent()
+            limits.apply()
+            become_program(channel, output)
+        return pid
+
+    def kill(self, pid: int) -> None:
+        """End a program's process and what it has started."""
+        kill_group(pid)
+
+    def ended(self, pid: int) -> None:
+        """A program's process has ended: end what it has started."""
+        kill_group(pid)
+
+    def clear(self) -> None:
+        """End whatever is left of the programs, all of which have ended."""
+
+    def look(self) -> str:
+        """End programs that use too much; returns why, or nothing."""
+        return ''
+
+    def close(self) -> None:
+        """The last call."""
+
+
+def serve(control: socket.socket, programs: Programs) -> None:
     """Serve requests until the control socket closes."""
     children: dict[int, str] = {}  # pid -> key
+    why = ''  # the programs were ended
     # A signal wakes the select below; its handler has nothing else to do.
     woken, wake = os.pipe2(os.O_NONBLOCK | os.O_CLOEXEC)
     signal.signal(signal.SIGCHLD, lambda *_: None)
@@ -69,16 +106,17 @@ def serve(control: socket.socket) -> None:
         control.sendall(json.dumps(event).encode())
 
     while True:
-        ready, _, _ = select.select([control, woken], [], [])
+        ready, _, _ = select.select([control, woken], [], [], programs.patience if children else None)
         if woken in ready:
             os.read(woken, 4096)
-        while children:
-            pid, status = os.waitpid(-1, os.WNOHANG)
-            if pid == 0:
-                break
-            if key := children.pop(pid, None):
-                _kill_group(pid)  # what the program itself has started
-                tell(event='ended', key=key, status=status)
+        if children:
+            why = programs.look() or why
+        for pid, key in list(children.items()):
+            ended, status = os.waitpid(pid, os.WNOHANG)
+            if ended:
+                del children[pid]
+                programs.ended(pid)
+                tell(event='ended', key=key, status=status, why=why)
         if control not in ready:
             continue
         data, ancillary, _, _ = socket_receive(control)
@@ -88,27 +126,33 @@ def serve(control: socket.socket) -> None:
         if request['op'] == 'kill':
             for pid, key in children.items():
                 if key == request['key']:
-                    _kill_group(pid)
-            continue
-        channel, output = ancillary
-        pid = os.fork()
-        if pid == 0:
-            control.close()
-            os.close(woken)
-            signal.set_wakeup_fd(-1)
-            os.close(wake)
-            signal.signal(signal.SIGCHLD, signal.SIG_DFL)
-            die_with_parent()
-            _become_program(channel, output)
-        os.close(channel)
-        os.close(output)
-        children[pid] = request['key']
-        tell(event='forked', key=request['key'], pid=pid)
+                    programs.kill(pid)
+        elif request['op'] == 'clear':
+            for pid in children:
+                programs.kill(pid)
+            programs.clear()
+            why = ''
+            tell(event='cleared')
+        else:
+            channel, output = ancillary
+            pid = programs.fork(Limits(**request['limits']), channel, output)
+            os.close(channel)
+            os.close(output)
+            children[pid] = request['key']
+            tell(event='forked', key=request['key'], pid=pid)
     for pid in children:
-        _kill_group(pid)
+        programs.kill(pid)
+    programs.close()
 
 
-def _kill_group(pid: int) -> None:
+def leave_server() -> None:
+    """In a forked child: undo what the server has set for itself."""
+    signal.set_wakeup_fd(-1)
+    signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+
+
+def kill_group(pid: int) -> None:
+    """Kill a process group, if it is still there."""
     try:
         os.killpg(pid, signal.SIGKILL)
     except ProcessLookupError:
@@ -125,10 +169,13 @@ def socket_receive(control: socket.socket):
     return data, list(descriptors), flags, address
 
 
-def _become_program(channel: int, output: int) -> None:
+def become_program(channel: int, output: int) -> None:
     """In the forked child: make `output` the standard streams and run the worker. Never returns."""
     code = 1
     try:
+        os.closerange(3, min(channel, output))  # the server's own
+        os.closerange(min(channel, output) + 1, max(channel, output))
+        os.closerange(max(channel, output) + 1, os.sysconf('SC_OPEN_MAX'))
         os.setsid()  # its own session: a learner's kill(0) reaches only itself
         os.dup2(output, 1)
         os.dup2(output, 2)
@@ -149,9 +196,9 @@ def _become_program(channel: int, output: int) -> None:
 def main() -> None:
     control = socket.socket(fileno=int(sys.argv[1]))
     die_with_parent()
-    _warm_up()
+    warm_up()
     control.send(b'{"event": "ready"}')
-    serve(control)
+    serve(control, Programs())
 
 
 if __name__ == '__main__':

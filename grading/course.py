@@ -1,0 +1,82 @@
+"""What submissions are graded against, and digests of it: a mark is up to date while they are the same."""
+
+import hashlib
+import re
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+
+from grading import sandbox
+from helpers import paths
+from helpers.exercises import manifest
+from helpers.exercises.manifest import Exercise
+from helpers.runner import session
+
+HIDDEN = Path(__file__).resolve().parent / 'hidden'
+_GRADER = (Path(session.__file__).resolve().parent, Path(manifest.__file__).resolve().parent,
+           Path(sandbox.__file__).resolve().parent)
+_TESTS = re.compile(r'chapter_\d+/test_(\d+)_(\d+)\b.*\.py')  # of one exercise; all other files are everybody's
+
+
+@dataclass(frozen=True)
+class Course:
+    """What submissions are graded against."""
+
+    exercises: tuple[Exercise, ...]
+    visible: Path = session.VISIBLE
+    hidden: Path = HIDDEN
+    sandbox: str = sandbox.DEFAULT
+    test_timeout: float = session.TEST_TIMEOUT
+
+    @classmethod
+    def here(cls) -> 'Course':
+        """The course of this checkout."""
+        return cls(tuple(manifest.load().values()))
+
+    @cached_property
+    def digests(self) -> dict[str, str]:
+        """By exercise, a SHA-256 of all that its mark depends on besides the submission.
+
+        A change of `test_3_1.py` touches exercise 3.1; one of a file that tests share, or of the grader, touches all.
+        """
+        grader = hashlib.sha256(repr((self.sandbox, self.test_timeout, sys.version_info[:2])).encode())
+        for folder in _GRADER:
+            for path in _files(folder):
+                grader.update(_content(path, folder))
+        tests = [(_TESTS.fullmatch(path.relative_to(folder).as_posix()), _content(path, folder))
+                 for folder in (self.visible, self.hidden) for path in _files(folder)]
+        digests = {}
+        for exercise in self.exercises:
+            digest = grader.copy()
+            digest.update(repr(exercise).encode())
+            for match, content in tests:
+                if match is None or f'{match[1]}.{match[2]}' == exercise.id:
+                    digest.update(content)
+            digests[exercise.id] = digest.hexdigest()
+        return digests
+
+    @property
+    def digest(self) -> str:
+        """SHA-256 of tests and grader, for all exercises together."""
+        return hashlib.sha256(''.join(self.digests.values()).encode()).hexdigest()
+
+    def packed(self) -> 'Course':
+        """The same, with the paths of this checkout relative to it: for another machine, and that one's `unpacked`."""
+        return replace(self, **{name: path.relative_to(paths.ROOT) for name in ('visible', 'hidden')
+                                if (path := getattr(self, name)).is_relative_to(paths.ROOT)})
+
+    def unpacked(self) -> 'Course':
+        """The same, with the paths of this checkout."""
+        return replace(self, visible=paths.ROOT / self.visible, hidden=paths.ROOT / self.hidden)
+
+
+def _files(folder: Path) -> Iterator[Path]:
+    for path in sorted(folder.rglob('*')):
+        if path.suffix in ('.py', '.xml') and '__pycache__' not in path.parts and path.is_file():
+            yield path
+
+
+def _content(path: Path, folder: Path) -> bytes:
+    return f'{path.relative_to(folder).as_posix()}\0'.encode() + path.read_bytes() + b'\0'

@@ -1,0 +1,102 @@
+"""Grades the submission in Gradescope's folders: `python -m grading.gradescope.harness /autograder`.
+
+It packs the learner's notebooks, runs the same `grade` command as anywhere else, and writes results/results.json.
+Everything printed is for the instructor. A fault of the grader's gives no score and status 1, never a zero.
+"""
+
+import json
+import subprocess
+import sys
+import tempfile
+import zipfile
+from dataclasses import dataclass
+from pathlib import Path
+
+from grading.record import Record, write
+from grading.reports import gradescope
+from helpers import paths
+
+CONFIG = 'autograder.json'
+MAX_NOTEBOOKS = 100
+_NO_SANDBOX = ('This submission was graded without a sandbox (--sandbox none). The marks can be trusted as far as the '
+               'learner can.')
+
+
+@dataclass(frozen=True)
+class Config:
+    """What `release --gradescope` put into the zip."""
+
+    sandbox: str
+    hidden: str  # when learners see the hidden tests: one of gradescope.VISIBILITIES
+
+    @classmethod
+    def load(cls, path: Path) -> 'Config':
+        data = json.loads(path.read_text(encoding='utf-8'))
+        return cls(str(data['sandbox']), str(data['hidden']))
+
+
+def main(root: Path) -> int:
+    """Grade; returns the exit status."""
+    config = Config.load(root / 'source' / CONFIG)
+    with tempfile.TemporaryDirectory(prefix='gradescope-') as folder:
+        archive = Path(folder, f'{_learner(root / "submission_metadata.json")}.zip')
+        pack(root / 'submission', archive)
+        output = Path(folder, 'out')
+        for attempt in (1, 2):
+            status = subprocess.run([sys.executable, '-m', 'helpers.cli', 'grade', str(archive), '-o', str(output),
+                                     '--sandbox', config.sandbox], cwd=paths.ROOT).returncode
+            record = next((record for path in sorted(output.glob('results/*.json')) if (record := Record.load(path))),
+                          None)
+            if record is None or record.status != 'grader_error':
+                break
+            print(f'attempt {attempt}: a fault of the grader\'s')
+        log = output / 'run.log'
+        if log.is_file():
+            print(log.read_text(encoding='utf-8', errors='replace'))
+    if record is None:
+        print(f'grade ended with status {status} and without a result')
+        return 1
+    warnings = []
+    if record.sandbox == 'none':
+        print(f'WARNING: {_NO_SANDBOX}')
+        warnings.append('Sandbox: none.')
+    write(root / 'results' / 'results.json', gradescope.dumps(record, config.hidden, warnings))
+    print(f'sandbox {record.sandbox}, seed {record.seed or "unknown"}, status {record.status}, '
+          f'{"unknown" if record.score is None else format(record.score, "g")} of {record.points:g} points')
+    return 1 if record.status == 'grader_error' else 0
+
+
+def pack(folder: Path, archive: Path) -> None:
+    """Put the notebooks of an upload, or of a repository, into one zip; links are left out.
+
+    Notebooks at the top count; without one there, those in `notebooks/`; without one there, any. A zip that Gradescope
+    left packed is taken as it is.
+    """
+    found = _notebooks(folder, '*') or _notebooks(folder / 'notebooks', '*') or _notebooks(folder, '**/*')
+    packed = [path for path in sorted(folder.glob('*.zip')) if path.is_file() and not path.is_symlink()]
+    if not found and len(packed) == 1:
+        archive.write_bytes(packed[0].read_bytes())
+        return
+    with zipfile.ZipFile(archive, 'w', zipfile.ZIP_DEFLATED) as target:
+        for path in found[:MAX_NOTEBOOKS]:
+            target.write(path, path.relative_to(folder).as_posix())
+
+
+def _notebooks(folder: Path, pattern: str) -> list[Path]:
+    return [path for path in sorted(folder.glob(f'{pattern}.ipynb'))
+            if path.is_file() and not any(part.is_symlink() or part.name.startswith('.')
+                                          for part in [path, *path.parents] if part.is_relative_to(folder)
+                                          and part != folder)]
+
+
+def _learner(metadata: Path) -> str:
+    """An id for the submission: Gradescope's own numbers, no names."""
+    try:
+        users = json.loads(metadata.read_text(encoding='utf-8'))['users']
+        return '-'.join(['gradescope', *(str(int(user['id'])) for user in users)])[:64]
+    except (OSError, ValueError, KeyError, TypeError):
+        return 'gradescope'
+
+
+if __name__ == '__main__':
+    sys.exit(main(Path(sys.argv[1])))

@@ -1,0 +1,58 @@
+"""Shows how a run of `grade` goes: a line for all, one for each submission that is being graded, and the marks."""
+
+import threading
+
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+
+from grading.grade import Listener
+from grading.record import Record
+
+
+class Shown(Listener):
+    """A context manager: shows progress while it is entered."""
+
+    def __init__(self, console: Console):
+        self.console = console
+        self._lines: dict[str, tuple[int, int]] = {}  # by learner: task, tests that have finished
+        self._lock = threading.Lock()
+        self._all = Progress(SpinnerColumn(), TextColumn('{task.description}', markup=False), BarColumn(),
+                             MofNCompleteColumn(), TimeElapsedColumn(), console=console)
+        self._total = None
+
+    def __enter__(self) -> 'Shown':
+        self._all.start()
+        return self
+
+    def __exit__(self, *_) -> None:
+        self._all.stop()
+
+    def begun(self, todo: int, all_of_them: int) -> None:
+        self.console.print(f'{todo} of {all_of_them} submissions to grade', markup=False)
+        self._total = self._all.add_task('submissions', total=todo)
+
+    def tested(self, learner: str, test: str) -> None:
+        with self._lock:
+            task, count = self._lines.get(learner, (None, 0))
+            if task is None:
+                task = self._all.add_task(learner, total=None)
+            self._lines[learner] = task, count + 1
+            self._all.update(task, completed=count + 1, description=f'{learner}: {_exercise(test)}')
+
+    def finished(self, record: Record, fresh: bool, changes: list[str]) -> None:
+        with self._lock:
+            task, _ = self._lines.pop(record.learner, (None, 0))
+            if task is not None:
+                self._all.remove_task(task)
+            if fresh:
+                self._all.advance(self._total)
+        if fresh or changes:
+            score = 'open' if record.score is None else f'{record.score:g}'
+            self.console.print(f'{record.learner}: {score} of {record.points:g}, {record.status}', markup=False)
+        for change in changes:
+            self.console.print(f'    {change}', markup=False)
+
+
+def _exercise(test: str) -> str:
+    """`test_3_2` of `hidden/chapter_03/test_3_2::test_name`."""
+    return test.rpartition('/')[2].partition('::')[0]

@@ -1,0 +1,28 @@
+"""Everything in the folder of results that is made from the records: one report of each kind per learner, the
+gradebook, and the class summary.
+"""
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from grading import gradebook, reports, similarity
+from grading.record import Record, write
+from grading.reports import summary
+from helpers.exercises.manifest import Exercise
+
+
+def write_all(records: Iterable[Record], exercises: Iterable[Exercise], output: Path,
+              answers: Mapping[str, Mapping[str, str]] | None = None) -> None:
+    """Write the files into `output`.
+
+    :param answers: by learner, the text of each exercise's cell (`similarity.cells_of`), to find those that are alike.
+    """
+    records, exercises = list(records), list(exercises)
+    for record in records:
+        for folder, suffix, make in reports.KINDS:
+            write(output / folder / f'{record.learner}{suffix}', make(record))
+    write(output / 'gradebook.csv', gradebook.dumps(records, exercises))
+    alike = similarity.find(answers or {}, similarity.stubs_of(exercises))
+    seen = summary.data(records, exercises, alike)
+    write(output / 'summary.json', summary.dumps(seen))
+    write(output / 'summary.html', summary.html(seen))

@@ -1,0 +1,82 @@
+"""A running bubblewrap that others enter.
+
+bubblewrap makes the namespaces and mounts, and starts a program that does nothing as process 1 of the sandbox.
+Processes that are already warm then enter with setns. What runs inside cannot kill process 1; when that one ends, so
+does all.
+"""
+
+import json
+import os
+import select
+import signal
+import subprocess
+import time
+
+from grading.sandbox import namespaces
+
+PATIENCE = 20.0  # seconds, on a machine under load
+
+
+class SandboxError(Exception):
+    """bubblewrap did not start."""
+
+
+class Holder:
+    """The sandbox that `arguments` describe. Raises SandboxError."""
+
+    def __init__(self, arguments: list[str], inside: int | None = None):
+        """`inside`: a pidfd; the sandbox is made within the user and network namespaces of that process."""
+        def enter() -> None:
+            if inside is not None:
+                namespaces.join(inside, namespaces.NEWUSER | namespaces.NEWNET)
+
+        read, write = os.pipe()
+        try:
+            self.process = subprocess.Popen(
+                [arguments[0], '--info-fd', str(write), *arguments[1:]], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE, pass_fds=[write], preexec_fn=enter, start_new_session=True)
+        except (OSError, subprocess.SubprocessError) as error:
+            os.close(read)
+            raise SandboxError(f'{arguments[0]}: {error}') from None
+        finally:
+            os.close(write)
+        try:
+            self.pid = self._ready(read)
+            self.pidfd = os.pidfd_open(self.pid)
+        except (ValueError, KeyError, OSError) as error:
+            self.process.kill()
+            text = self.process.communicate()[1].decode(errors='replace').strip()
+            raise SandboxError(text or f'{arguments[0]}: {error}') from None
+        finally:
+            os.close(read)
+
+    def _ready(self, info: int) -> int:
+        """Wait until process 1 runs; returns its pid."""
+        deadline = time.monotonic() + PATIENCE
+        text = b''
+        while not text.rstrip().endswith(b'}'):
+            if not select.select([info], [], [], max(0.0, deadline - time.monotonic()))[0]:
+                raise OSError('no answer')
+            chunk = os.read(info, 4096)
+            if not chunk:
+                raise OSError('it ended')
+            text += chunk
+        # All is mounted before the program starts, which sends back what it gets.
+        try:
+            os.write(self.process.stdin.fileno(), b'\n')
+        except BrokenPipeError:
+            raise OSError('it ended') from None
+        out = self.process.stdout.fileno()
+        if not select.select([out], [], [], max(0.0, deadline - time.monotonic()))[0] or not os.read(out, 1):
+            raise OSError('it ended')
+        return json.loads(text)['child-pid']
+
+    def close(self) -> None:
+        """Kill all that runs in the sandbox, and wait until it has gone. Idempotent."""
+        if self.process.returncode is None:
+            try:
+                signal.pidfd_send_signal(self.pidfd, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+            self.process.communicate()
+            os.close(self.pidfd)

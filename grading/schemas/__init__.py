@@ -1,0 +1,11 @@
+"""JSON Schemas (draft 2020-12) of what the grader writes; the tests validate every file against them."""
+
+import json
+from pathlib import Path
+
+FOLDER = Path(__file__).resolve().parent
+
+
+def load(name: str) -> dict:
+    """The schema called `name`: result, gradescope or summary."""
+    return json.loads((FOLDER / f'{name}.schema.json').read_text(encoding='utf-8'))

@@ -1,0 +1,174 @@
+"""Near-duplicates between submissions: a hint for a talk, never a verdict.
+
+Answers are compared exercise by exercise, as programs and not as text. A cell is parsed; comments, layout, docstrings,
+annotations and the contents of texts and numbers are dropped, and every name that the learner chose becomes the same
+sign. Names of others (rclpy's methods, modules, keyword arguments) stay: they are what tells programs apart. The rest
+is a sequence of tokens, of which every `GRAM` neighbours are hashed, and of these hashes a part is kept, by the
+winnowing of Schleimer, Wilkerson and Aiken ("Winnowing: local algorithms for document fingerprinting", 2003), so that
+equal stretches keep equal hashes wherever they stand.
+
+Two answers are alike if they share most of the hashes that are their own. What the given stub has is nobody's own, and
+neither is what many learners wrote: an exercise has its usual answer. An answer with less than `ENOUGH` hashes of its
+own says nothing, so short answers are never reported, however equal they are.
+
+The thresholds come from chapter 3: independent right answers to one exercise (the solution and the alternatives) share
+at most a third of their own hashes, disguised copies nearly all, and the usual answer to the two shortest exercises has
+22 hashes of its own.
+
+Of the libraries, copydetect does the nearest thing. It compares tokens of text, not of programs, compares every pair in
+full, and needs a compiler; what is needed here is shorter than the code around it would be.
+"""
+
+import ast
+import json
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict, dataclass
+from hashlib import blake2b
+from itertools import combinations
+
+from helpers import paths
+from helpers.exercises import program
+from helpers.exercises.manifest import Exercise
+from helpers.exercises.notebooks import Cell
+
+GRAM = 12  # tokens of one hash: about one statement
+WINDOW = 6  # of so many neighbouring hashes one is kept: a shared stretch of GRAM + WINDOW - 1 tokens is always seen
+ENOUGH = 25  # hashes of its own, below which an answer says nothing
+ALIKE = 0.8  # the share of the smaller answer's own hashes that both have, from which on a pair is reported
+USUAL = 0.2  # the share of all learners from which on a hash belongs to the exercise's usual answer,
+USUAL_LEAST = 5  # but at least so many learners
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Two answers to one exercise that are alike."""
+
+    exercise: str
+    first: str
+    second: str
+    share: float  # of the smaller answer's own hashes, those that both have
+    hashes: int  # how many these are
+
+
+def find(answers: Mapping[str, Mapping[str, str]], stubs: Mapping[str, str]) -> list[Pair]:
+    """The pairs of learners with answers that are alike, the most alike first.
+
+    :param answers: by learner, then by the exercise's id: the text of the cell.
+    :param stubs: by the exercise's id: the cell as it was given.
+    """
+    found = []
+    for exercise in sorted({exercise for cells in answers.values() for exercise in cells}):
+        given = fingerprints(stubs.get(exercise, ''))
+        prints = {learner: fingerprints(cells[exercise]) - given for learner, cells in sorted(answers.items())
+                  if exercise in cells}
+        found += _pairs(exercise, prints)
+    return sorted(found, key=lambda pair: (-pair.share, -pair.hashes, pair.exercise, pair.first, pair.second))
+
+
+def _pairs(exercise: str, prints: dict[str, set[int]]) -> list[Pair]:
+    """Only hashes that few have are looked at, so the work grows with the learners, not with their pairs."""
+    spread = Counter(mark for own in prints.values() for mark in own)
+    usual = max(USUAL_LEAST, USUAL * len(prints))
+    own = {learner: {mark for mark in marks if spread[mark] <= usual} for learner, marks in prints.items()}
+    own = {learner: marks for learner, marks in own.items() if len(marks) >= ENOUGH}
+    holders: dict[int, list[str]] = defaultdict(list)
+    for learner, marks in own.items():
+        for mark in marks:
+            holders[mark].append(learner)
+    common = Counter(pair for learners in holders.values() for pair in combinations(learners, 2))
+    return [Pair(exercise, *pair, round(count / smaller, 2), count) for pair, count in common.items()
+            if count >= ALIKE * (smaller := min(len(own[pair[0]]), len(own[pair[1]])))]
+
+
+def fingerprints(source: str) -> set[int]:
+    """The hashes of a cell; none if it is not Python."""
+    try:
+        tokens = _Tokens(ast.parse(source)).tokens
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return set()
+    hashes = [int.from_bytes(blake2b('\0'.join(tokens[start:start + GRAM]).encode('utf-8', 'replace'),
+                                     digest_size=8).digest(), 'big') for start in range(len(tokens) - GRAM + 1)]
+    return {min(hashes[start:start + WINDOW]) for start in range(max(1, len(hashes) - WINDOW + 1))} if hashes else set()
+
+
+class _Tokens:
+    """A program as tokens in the order of its text, blind to what a copy is disguised by."""
+
+    def __init__(self, tree: ast.Module):
+        self.tokens: list[str] = []
+        self._own = set(_names(tree))
+        self._node(tree)
+
+    def _node(self, node: ast.AST) -> None:
+        match node:
+            case ast.Load() | ast.Store() | ast.Del() | ast.Pass():
+                return
+            case ast.Expr(value=ast.Constant()):  # a docstring, or a text in place of a comment
+                return
+            case ast.Constant(value=value):
+                self.tokens.append('text' if isinstance(value, (str, bytes)) else
+                                   'number' if type(value) in (int, float, complex) else repr(value))
+                return
+            case ast.AnnAssign(target=target, value=value) if value is not None:
+                node = ast.Assign(targets=[target], value=value)
+        self.tokens.append(type(node).__name__)
+        for name, value in ast.iter_fields(node):
+            if name in ('annotation', 'returns', 'type_comment', 'kind'):
+                continue
+            for part in value if isinstance(value, list) else [value]:
+                if isinstance(part, ast.AST):
+                    self._node(part)
+                elif isinstance(part, str):
+                    self.tokens.append('own' if part in self._own else part)
+        if hasattr(node, 'body'):
+            self.tokens.append('end')
+
+
+def _names(tree: ast.AST) -> Iterable[str]:
+    """The names that a program binds itself: variables, parameters, functions, classes, attributes that it sets."""
+    for node in ast.walk(tree):
+        match node:
+            case ast.Name(id=name, ctx=ast.Store()) | ast.Attribute(attr=name, ctx=ast.Store()) | ast.arg(arg=name):
+                yield name
+            case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
+                yield name
+            case ast.ExceptHandler(name=str(name)) | ast.alias(asname=str(name)):
+                yield name
+
+
+def cells_of(files: Mapping[str, bytes], exercises: Iterable[Exercise]) -> dict[str, str]:
+    """The text of each exercise's cell in a submission's notebooks, without those that are doubled.
+
+    Only the text is looked for, without a full check of the notebook, which grading has made already.
+    """
+    wanted = {exercise.id: exercise for exercise in exercises}
+    found: dict[str, list[str]] = defaultdict(list)
+    for data in files.values():
+        for cell in _code(data):
+            if (exercise := program.exercise_id(cell)) in wanted:
+                found[exercise].append(cell.source)
+    return {exercise: texts[0] for exercise, texts in found.items() if len(texts) == 1}
+
+
+def stubs_of(exercises: Iterable[Exercise]) -> dict[str, str]:
+    """The cells as they were given, from the course's notebooks."""
+    exercises = list(exercises)
+    files = {name: path.read_bytes() for name in {exercise.notebook for exercise in exercises}
+             if (path := paths.NOTEBOOKS / name).is_file()}
+    return cells_of(files, exercises)
+
+
+def _code(data: bytes) -> Iterable[Cell]:
+    try:
+        for number, cell in enumerate(json.loads(data)['cells'], 1):
+            if cell['cell_type'] == 'code':
+                source = cell['source']
+                yield Cell(source if isinstance(source, str) else ''.join(source), number)
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        return
+
+
+def as_rows(pairs: Iterable[Pair]) -> list[dict]:
+    """The pairs as JSON values."""
+    return [asdict(pair) for pair in pairs]

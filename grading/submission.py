@@ -1,0 +1,208 @@
+"""Reads what one learner hands in: a zip made by `submit`, a folder of notebooks, or one notebook.
+
+`grading.submissions` finds them.
+
+Nothing of a submission is written to disk, and no name from it is used as a path: a zip is read member by member, into
+memory, within bounds.
+"""
+
+import hashlib
+import json
+import re
+import stat
+import zipfile
+import zlib
+from dataclasses import dataclass, field
+from datetime import datetime, timezone
+from pathlib import Path
+from unicodedata import normalize
+
+from grading.late import stamp
+from grading.record import Attempt
+from helpers.exercises import notebooks, program
+from helpers.exercises.manifest import Exercise
+from helpers.exercises.notebooks import Cell, InvalidSubmission
+from helpers.submit import LEARNER
+
+MAX_ARCHIVE = 50 * 2**20  # bytes of a zip
+MAX_MEMBERS = 200
+MAX_TOTAL = 60 * 2**20  # bytes of all members that are read
+_STAMP = re.compile(r'\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ')
+_COPY = re.compile(r'( ?\(\d+\)| - Copy)$')  # what browsers and desktops add to the name of a second file
+
+
+class Unusable(Exception):
+    """A path that holds no submission; the message says what was expected."""
+
+
+@dataclass
+class Submission:
+    """One learner's work: the notebooks' bytes by file name, or what makes it unreadable."""
+
+    learner: str
+    source: Path
+    files: dict[str, bytes] = field(default_factory=dict)
+    problem: str = ''  # for the learner; no exercise can be graded
+    handed_in: str = ''  # ISO 8601, UTC
+    label: str = ''  # the learner's id that a zip's submission.json says
+    notes: list[str] = field(default_factory=list)  # for the instructor
+    earlier: list[Attempt] = field(default_factory=list)  # the learner's other submissions that were found
+
+    def digest(self) -> str:
+        """SHA-256 of what was handed in."""
+        digest = hashlib.sha256(f'{self.learner}\0{self.problem}\0'.encode())
+        for name, data in sorted(self.files.items()):
+            digest.update(f'{name}\0{len(data)}\0'.encode() + data)
+        return digest.hexdigest()
+
+    def cells(self, notebook: str, exercises: list[Exercise]) -> list[Cell] | None:
+        """The code cells of a chapter's notebook; None if it was not handed in.
+
+        Without a file of that name, the one that has the chapter's exercises is taken ("… (1).ipynb").
+
+        :raises InvalidSubmission: it cannot be read, or several could be it.
+        """
+        if self.problem:
+            raise InvalidSubmission(self.problem)
+        if notebook in self.files:
+            return notebooks.parse(self.files[notebook], notebook)
+        wanted = {exercise.id for exercise in exercises}
+        found, unread = [], []
+        for name, data in sorted(self.files.items()):
+            try:
+                cells = notebooks.parse(data, name)
+            except InvalidSubmission as error:
+                unread.append(error)
+                continue
+            if any(program.exercise_id(cell) in wanted for cell in cells):
+                found.append((name, cells))
+        if len(found) > 1:
+            names = ' and '.join(name for name, _ in found)
+            raise InvalidSubmission(f'{names} both hold exercises of {notebook}: hand in one of them.')
+        if found:
+            return found[0][1]
+        if unread and len(unread) == len(self.files):
+            raise unread[0]
+        return None
+
+
+def read(path: Path) -> Submission:
+    """Read one submission, as its file or folder is called. What is wrong inside becomes its `problem`.
+
+    The time of handing in is what the zip says in submission.json, else that of its newest member, else that of the
+    file or of the folder's newest notebook. Whoever made the file can set all of these.
+
+    :raises Unusable: the path is neither a zip, a folder nor a notebook.
+    """
+    submission = Submission(identity(path.name if path.is_dir() else path.stem), path)
+    try:
+        submission.handed_in = _time(path.stat().st_mtime)
+        if path.is_dir():
+            own = [child for child in sorted(path.iterdir())
+                   if is_notebook(child.name) and child.is_file() and not child.is_symlink()]
+            if own:
+                submission.handed_in = _time(max(child.stat().st_mtime for child in own))
+            for child in own:
+                _add(submission, child.name, child.stat().st_size, child.read_bytes)
+        elif path.suffix == '.zip':
+            _read_zip(path, submission)
+        elif path.suffix == '.ipynb':
+            _add(submission, path.name, path.stat().st_size, path.read_bytes)
+        else:
+            raise Unusable(f'{path} is no submission: expected a .zip, a folder of notebooks or an .ipynb')
+        if not submission.files:
+            raise InvalidSubmission('There is no notebook in the submission.')
+    except InvalidSubmission as problem:
+        submission.problem, submission.files = str(problem), {}
+    except OSError as error:
+        raise Unusable(f'{path} cannot be read: {error.strerror}') from None
+    return submission
+
+
+def _read_zip(path: Path, submission: Submission) -> None:
+    if path.stat().st_size > MAX_ARCHIVE:
+        raise InvalidSubmission(f'The zip is larger than {MAX_ARCHIVE // 2**20} MB.')
+    try:
+        with zipfile.ZipFile(path) as archive:
+            members = archive.infolist()
+            submission.handed_in = _newest(members) or submission.handed_in
+            if len(members) > MAX_MEMBERS:
+                raise InvalidSubmission(f'The zip has {len(members)} members, more than {MAX_MEMBERS}.')
+            for member in members:
+                name = member.filename.rpartition('/')[2]
+                if member.is_dir() or name.startswith('.') or '__MACOSX' in member.filename:
+                    continue
+                if stat.S_ISLNK(member.external_attr >> 16):
+                    raise InvalidSubmission('The zip has a symbolic link in it: hand in a file made by submit.')
+                if member.flag_bits & 1:
+                    raise InvalidSubmission('The zip is encrypted: hand in a file made by submit.')
+                if member.filename == 'submission.json':
+                    _read_label(_bounded(archive, member, 10_000), submission)
+                elif is_notebook(name):
+                    _add(submission, name, member.file_size,
+                         lambda member=member: _bounded(archive, member, notebooks.MAX_BYTES))
+    except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, ValueError, RuntimeError):
+        raise InvalidSubmission('The zip is damaged: make it again with submit.') from None
+
+
+def _bounded(archive: zipfile.ZipFile, member: zipfile.ZipInfo, limit: int) -> bytes:
+    """A member's bytes; its own word about its size is not trusted."""
+    with archive.open(member) as file:
+        data = file.read(limit + 1)
+    if len(data) > limit:
+        raise InvalidSubmission(f'A file in the zip is larger than {limit / 2**20:.2g} MB.')
+    return data
+
+
+def _read_label(data: bytes, submission: Submission) -> None:
+    try:
+        label = json.loads(data)
+        learner, saved = label['learner'], label.get('saved')
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        raise InvalidSubmission('submission.json in the zip is damaged: make the zip again with submit.') from None
+    if not isinstance(learner, str) or not LEARNER.fullmatch(learner):
+        raise InvalidSubmission('The learner\'s id in submission.json is unusable: make the zip again with submit.')
+    submission.label = learner
+    if isinstance(saved, str) and _STAMP.fullmatch(saved):
+        submission.handed_in = saved
+
+
+def _add(submission: Submission, name: str, size: int, content) -> None:
+    if name in submission.files:
+        raise InvalidSubmission(f'There are two notebooks called {name}: hand in one.')
+    if size > notebooks.MAX_BYTES:
+        raise InvalidSubmission(f'{name} is larger than {notebooks.MAX_BYTES // 2**20} MB: clear its outputs.')
+    submission.files[name] = content()
+    if sum(map(len, submission.files.values())) > MAX_TOTAL:
+        raise InvalidSubmission(f'The notebooks are larger than {MAX_TOTAL // 2**20} MB together.')
+
+
+def is_notebook(name: str) -> bool:
+    """Whether a file of this name is read as a notebook."""
+    return name.endswith('.ipynb') and not name.startswith('.')
+
+
+def identity(name: str) -> str:
+    """A learner's id from a file's name: also a name for the files of their results."""
+    name = _COPY.sub('', name.removeprefix('submission-'))
+    plain = normalize('NFKD', name).encode('ascii', 'ignore').decode()
+    plain = re.sub(r'[^A-Za-z0-9._@-]+', '_', plain).lstrip('._@-')
+    if len(plain) > 64 or any(ord(sign) > 127 and not normalize('NFKD', sign)[0].isascii() for sign in name):
+        # What is left out told two learners apart.
+        plain = f'{plain[:57].rstrip("_") or "x"}-{hashlib.sha256(name.encode(errors="replace")).hexdigest()[:6]}'
+    return plain or 'unnamed'
+
+
+def _time(seconds: float) -> str:
+    return stamp(datetime.fromtimestamp(int(seconds), timezone.utc))
+
+
+def _newest(members: list[zipfile.ZipInfo]) -> str:
+    """The time of a zip's newest member, which has no zone and is taken for UTC. `submit` writes the year 2000."""
+    times = []
+    for member in members:
+        try:
+            times.append(datetime(*member.date_time, tzinfo=timezone.utc))
+        except ValueError:
+            pass
+    return stamp(max(times)) if times and max(times).year > 2000 else ''
