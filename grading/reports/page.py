@@ -26,6 +26,11 @@ def points(value: float | None) -> str:
     return '–' if value is None else f'{round(value, 2):g}'
 
 
+def rough(value: float | None) -> str:
+    """A number of points for a glance, at most one decimal; – if it is unknown."""
+    return '–' if value is None else f'{round(value, 1):g}'
+
+
 def plural(count: int, noun: str) -> str:
     """'1 test', '2 tests'."""
     return f'{count} {noun}' if count == 1 else f'{count} {noun}s'
@@ -48,7 +53,7 @@ def shorten(text: str, limit: int = LONGEST) -> str:
 
 _ENVIRONMENT = Environment(loader=PackageLoader('grading.reports', 'templates'), autoescape=True, trim_blocks=True,
                            lstrip_blocks=True, undefined=StrictUndefined, finalize=_finalize)
-_ENVIRONMENT.filters |= {'points': points, 'prose': prose, 'shorten': shorten}
+_ENVIRONMENT.filters |= {'points': points, 'rough': rough, 'prose': prose, 'shorten': shorten}
 _ENVIRONMENT.globals |= {'plural': plural}
 
 

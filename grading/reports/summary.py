@@ -24,7 +24,7 @@ BINS = 10  # of the histograms: tenths of the points
 MOST = 25  # misconceptions, slow learners and alike pairs on the page; the JSON has all
 VERDICTS = (verdicts.PASSED, verdicts.FAILED, verdicts.TIMEOUT, verdicts.LEARNER_CRASHED, verdicts.INVALID_SUBMISSION,
             verdicts.GRADER_ERROR, results.NOT_ATTEMPTED)
-_NUMBER = re.compile(r'(?<![A-Za-z_])[-+]?\d+(\.\d+)?(e[-+]?\d+)?')
+_NUMBER = re.compile(r'[-+]?\d+(\.\d+)?(e[-+]?\d+)?')  # also in names: tests draw some, such as /robot32
 _QUOTED = re.compile(r"'[^']*'|\"[^\"]*\"")
 _LIST = re.compile(r'\[[^\[\]]*\]')
 

@@ -282,12 +282,12 @@ def test_gradebook_shows_the_marks_that_count():
 
 def test_summary():
     alike = [Pair('90.1', 'ada', HURT, 0.9, 40)]
-    others = [record(f'l{number}', [test('failed', message=f"It said {number} words, not 'x{number}'.\nA hint.")])
+    others = [record(f'l{number}', [test('failed', message=f"/robot{number} said {number} words, not 'x{number}'.\nA hint.")])
               for number in range(4)]
     slow = record('zoe', [test('timeout', message='It hangs.', seconds=5.0)])
     data = validate('summary', summary.dumps(summary.data([*RECORDS.values(), *others, slow], EXERCISES, alike)))
     first = data['misconceptions'][0]
-    assert first['learners'] == ['l0', 'l1', 'l2', 'l3'] and first['message'] == "It said 0 words, not 'x0'."
+    assert first['learners'] == ['l0', 'l1', 'l2', 'l3'] and first['message'] == "/robot0 said 0 words, not 'x0'."
     assert data['slowest'][0] == {'learner': 'zoe', 'exercise': '90.1', 'seconds': 5.0}
     assert data['faults'] == [{'learner': 'ada', 'exercise': '90.1', 'text': SECRET}]
     assert data['late'] == [{'learner': 'ada', 'days': 1, 'percent': 10.0}] and data['adjusted'] == 2

@@ -13,7 +13,7 @@ import psutil
 from helpers import terminals
 from helpers.runner import values
 
-HOME = Path.cwd()  # of the whole learner's side: workspaces outlive one of its processes
+HOME = Path(os.environ.get('HOME', '/'))  # of the whole learner's side: workspaces outlive one of its processes
 MAX_FILES = 2000  # names in a listing
 
 
