@@ -46,15 +46,15 @@ fill="{{ bar.colour }}" fill-opacity="0.16" stroke="{{ bar.colour }}" stroke-wid
 <rect x="{{ part.x }}" y="{{ bar.y }}" width="{{ part.width }}" height="{{ bar.height }}" \
 rx="{{ [4, part.width / 2] | min }}" fill="{{ bar.colour }}"/>
 {% endfor %}
-{% if bar.text %}
-<text x="{{ bar.text_x }}" y="{{ bar.y + bar.height / 2 + 4 }}" \
-fill="{{ '#ffffff' if bar.inside else 'currentColor' }}" font-size="10.5">{{ bar.text }}</text>
-{% endif %}
 </g>
 {% endfor %}
 {% for path in paths %}
 <path d="{{ path.d }}" fill="none" stroke="currentColor" stroke-width="1.2" stroke-opacity="0.75" \
 {% if path.back %}stroke-dasharray="3 3"{% endif %}/>
+{% endfor %}
+{% for bar in bars if bar.text %}
+<text x="{{ bar.text_x }}" y="{{ bar.y + bar.height / 2 + 4 }}" \
+fill="{{ '#ffffff' if bar.inside else 'currentColor' }}" font-size="10.5">{{ bar.text }}</text>
 {% endfor %}
 {% for mark in marks %}
 <g><title>{{ mark.title }}</title>{{ mark.sign }}</g>
