@@ -40,7 +40,8 @@ def test_newest_wins(learner):
     expect(new.status == 'succeeded' and list(new.result.sequence) == up_to(4),
            f'The new goal ended as {new.status}, expected succeeded with [1, 2, 3, 4]. Each goal counts for itself.')
     took = new.finished - new.sent
-    expect(took == pytest.approx(2.0), f'The new goal of order 4 took {took:g} s, expected 2 s: it begins at once.')
+    expect(took == pytest.approx(2.0), f'The new goal of order 4 took {took:g} s, expected 2 s: it begins at once. '
+                                       'Each goal counts for itself.')
 
 
 @pytest.mark.weight(2)
