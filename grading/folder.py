@@ -16,12 +16,20 @@ from filelock import FileLock, Timeout
 from grading import record as records
 from grading.record import Record
 from helpers.runner import seeds
+from helpers.runner.text import MAX_OUTPUT, clean
 
 RESULTS = 'results'
 
 
 class FolderError(Exception):
     """The folder cannot be used; the message says why."""
+
+
+class _Lines(logging.Formatter):
+    """Each record begins a line and no other text does: what learners' programs say cannot look like a record."""
+
+    def format(self, record: logging.LogRecord) -> str:
+        return clean(super().format(record), MAX_OUTPUT).replace('\n', '\n    ')
 
 
 class Folder:
@@ -51,7 +59,7 @@ class Folder:
                 left.unlink()
             log = logging.Logger('grade', logging.INFO)
             handler = logging.FileHandler(self.path / 'run.log', encoding='utf-8')
-            handler.setFormatter(logging.Formatter('%(asctime)s %(levelname)s %(message)s'))
+            handler.setFormatter(_Lines('%(asctime)s %(levelname)s %(message)s'))
             log.addHandler(handler)
             try:
                 yield log
@@ -83,7 +91,8 @@ class Folder:
         except (OSError, ValueError, KeyError, TypeError) as error:
             raise FolderError(f'{path} is damaged ({error}): give another folder, or remove that file') from None
         seed = seed or old or seeds.fresh()
-        records.write(path, json.dumps({'schema': records.SCHEMA, 'seed': seed, 'anonymous': anonymous}) + '\n')
+        records.write(path, json.dumps({'schema': records.SCHEMA, 'seed': seed, 'anonymous': anonymous}) + '\n',
+                      sync=True)
         return seed
 
     def records(self) -> dict[str, Record]:
@@ -93,4 +102,4 @@ class Folder:
 
     def write(self, record: Record) -> None:
         """Write a record, as a whole or not at all."""
-        records.write(self.path / RESULTS / f'{record.learner}.json', record.dumps())
+        records.write(self.path / RESULTS / f'{record.learner}.json', record.dumps(), sync=True)

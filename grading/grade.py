@@ -138,7 +138,10 @@ class _Run:
                 executor.close()
 
     def _made(self, made: plan.Plan, outcome: Outcome) -> Record:
-        return self._judged(plan.record(made, self.course, outcome, self._source))
+        record = plan.record(made, self.course, outcome, self._source)
+        if self.settings.anonymous and record.notes:  # they name files and learners
+            record = replace(record, notes=['there is a note, which is shown without --anonymous only'])
+        return self._judged(record)
 
     def _judged(self, record: Record) -> Record:
         """The record with what the late policy and the adjustments say."""

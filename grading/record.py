@@ -122,8 +122,12 @@ def _total(marks: list[float | None]) -> float | None:
     return None if None in marks else round(sum(marks), 2)
 
 
-def write(path: Path, text: str) -> None:
-    """Write a file as a whole or not at all, also if the process is killed; not at all if it has this text already."""
+def write(path: Path, text: str, sync: bool = False) -> None:
+    """Write a file as a whole or not at all, also if the process is killed; not at all if it has this text already.
+
+    `sync`: wait until it is on the disk, so that it outlives the machine's end, too.
+    """
+    text = text.encode('utf-8', 'replace').decode()  # half a surrogate pair, which no file can hold
     try:
         if path.read_bytes() == text.encode():
             return
@@ -134,6 +138,7 @@ def write(path: Path, text: str) -> None:
     with open(temporary, 'w', encoding='utf-8', newline='') as file:
         file.write(text)
         file.flush()
-        os.fsync(file.fileno())
+        if sync:
+            os.fsync(file.fileno())
     os.replace(temporary, path)
 

@@ -16,6 +16,7 @@ from helpers import paths
 from helpers.exercises.notebooks import InvalidSubmission
 from helpers.runner import results, session, verdicts
 from helpers.runner.results import ExerciseResult
+from helpers.runner.text import clean
 
 
 class Mismatch(Exception):
@@ -81,7 +82,7 @@ def judge(submission: Submission, course: Course, processes: int = 1, *, only: I
         try:
             cells = submission.cells(notebook, [e for e in course.exercises if e.notebook == notebook])
         except InvalidSubmission as problem:
-            judged |= {exercise.id: results.without_tests(exercise, verdicts.INVALID_SUBMISSION, str(problem))
+            judged |= {exercise.id: results.without_tests(exercise, verdicts.INVALID_SUBMISSION, clean(problem))
                        for exercise in mine}
             continue
         if cells is None:

@@ -45,6 +45,7 @@ def data(records: Iterable[Record], exercises: Iterable[Exercise], alike: Iterab
         'late': [{'learner': record.learner, 'days': record.late.days, 'percent': record.late.percent}
                  for record in records if record.late is not None and record.late.days],
         'adjusted': sum(bool(record.adjustments) for record in records),
+        'notes': [{'learner': record.learner, 'text': note} for record in records for note in record.notes],
         'faults': _faults(records),
         'alike': similarity.as_rows(alike),
     }

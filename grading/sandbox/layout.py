@@ -1,8 +1,8 @@
 """What the sandboxes see of the machine: the arguments of bubblewrap.
 
 A submission has two of them. The outer one is the tests': it has a network of its own, in which nothing is but
-loopback. The inner one is the learner's: it shares that network and nothing else. Both see the system, the environment
-and `helpers/`, all read-only. Only the tests' one sees tests.
+loopback. The inner one is the learner's: it shares that network and nothing else. Both see the system, `.venv`,
+`environment/` and `helpers/`, all read-only. Only the tests' one sees tests.
 """
 
 import os
@@ -22,7 +22,6 @@ HOLDER = '/usr/bin/cat'  # keeps a sandbox alive until its standard input closes
 _ETC = ('ld.so.cache', 'ld.so.conf', 'ld.so.conf.d', 'alternatives', 'fonts', 'glvnd', 'localtime', 'nsswitch.conf',
         'locale.alias')
 _HELD_BACK = ROOT / 'helpers' / 'checks'  # the visible tests
-_FOR_BUILDS = ROOT / 'environment' / 'ros2_ws' / 'cmake'
 
 
 def bwrap() -> str | None:
@@ -33,7 +32,7 @@ def bwrap() -> str | None:
 def readable() -> list[Path]:
     """The trees outside of the system's own that both sandboxes need."""
     found = [Path(sys.prefix), Path(sys.base_prefix), *map(Path, os.environ.get('AMENT_PREFIX_PATH', '').split(':'))]
-    found += [ROOT / 'helpers', _FOR_BUILDS]
+    found += [ROOT / 'helpers', ROOT / 'environment']
     trees = [path for path in dict.fromkeys(map(_plain, found)) if path.is_dir() and path != Path('/')]
     return [path for path in trees if path.parts[1:2] != ('usr',)]
 

@@ -41,8 +41,8 @@ def test_notebook_commands_are_dropped_line_by_line():
 
 
 def test_line_numbers_are_kept():
-    assert program.definitions(Cell('print(1)\n\ndef f():\n    pass\nprint(2)', 1)) == ['\n\ndef f():\n    pass\n']
-    assert program.definitions(Cell('import a; print(1); import b', 1)) == ['import a\n', 'import b\n']
+    assert program.definitions(Cell('print(1)\n\ndef f():\n    pass\nprint(2)', 1)) == ('\n\ndef f():\n    pass\n',)
+    assert program.definitions(Cell('import a; print(1); import b', 1)) == ('import a\n', 'import b\n')
 
 
 def build(*cells, **changes):

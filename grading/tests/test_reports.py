@@ -282,8 +282,8 @@ def test_gradebook_shows_the_marks_that_count():
 
 def test_summary():
     alike = [Pair('90.1', 'ada', HURT, 0.9, 40)]
-    others = [record(f'l{number}', [test('failed', message=f"/robot{number} said {number} words, not 'x{number}'.\nA hint.")])
-              for number in range(4)]
+    others = [record(f'l{n}', [test('failed', message=f"/robot{n} said {n} words, not 'x{n}'.\nA hint.")])
+              for n in range(4)]
     slow = record('zoe', [test('timeout', message='It hangs.', seconds=5.0)])
     data = validate('summary', summary.dumps(summary.data([*RECORDS.values(), *others, slow], EXERCISES, alike)))
     first = data['misconceptions'][0]
@@ -294,6 +294,7 @@ def test_summary():
     exercise = data['exercises'][0]
     assert sum(exercise['verdicts'].values()) == sum(exercise['histogram']) + exercise['unknown'] == 13
     assert data['sandboxes']['none'] == 13
+    assert {'learner': 'ada', 'text': SECRET} in data['notes']
     page = safe_page(summary.html(data))
     assert 'Graded without a sandbox' in page.text and 'It hangs.' in page.text and '90 %' in page.text
 

@@ -266,7 +266,8 @@ def test_anonymous(course, tmp_path):
     output = tmp_path / 'out'
     by_hand = (Adjustment('bob', '90.1', 9.0, None, 'paper'),)
     works = [Submission(name, tmp_path / f'submission-{name}.zip', {small.NOTEBOOK: number.encode()},
-                        handed_in='2026-11-01T10:00:00Z') for number, name in enumerate_names()]
+                        handed_in='2026-11-01T10:00:00Z', notes=[f'adalovelace and "bob": {name}'])
+             for number, name in enumerate_names()]
     _, records = run(course, output, works=works, anonymous=True, adjustments=by_hand)
     for path in [*output.rglob('*'), *(output / 'feedback').iterdir()]:
         assert 'adalovelace' not in path.name

@@ -9,6 +9,7 @@ import nbformat
 MAX_BYTES = 10 * 2**20
 MAX_CELLS = 2000
 MAX_SOURCE = 200_000  # characters of one cell
+MAX_CODE = 1_000_000  # characters of all cells of code
 MAX_DEPTH = 50  # of nested JSON
 
 
@@ -70,6 +71,8 @@ def parse(data: bytes, name: str) -> list[Cell]:
         if cell['cell_type'] == 'code':
             source = cell['source'] if isinstance(cell['source'], str) else ''.join(cell['source'])
             cells.append(Cell(_text(source, name, number), number, cell.get('id')))
+    if sum(len(cell.source) for cell in cells) > MAX_CODE:
+        raise InvalidSubmission(f'{name} has more than {MAX_CODE} characters of code.')
     return cells
 
 

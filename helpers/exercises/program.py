@@ -8,12 +8,15 @@ cell. Nothing is executed here.
 import ast
 import re
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 from helpers.exercises.manifest import Exercise, stub_digest
 from helpers.exercises.notebooks import Cell
 
 HEADING = re.compile(r'#\s*Exercise\s+(\d+\.\d+)\b', re.IGNORECASE)
-_MAGIC = re.compile(r'\s*(%|!|\?)|\s*[\w., ()\[\]]+=\s*(%\w|!)|.*\?\s*$')
+# Of a line without blanks at its ends, so that the time it takes grows with the line's length and no faster.
+_MAGIC = re.compile(r'[%!?]|[\w., ()\[\]]+=\s*(%\w|!)|.*\?$')
+MAX_NESTING = 120  # of a program's syntax tree: what walks it recursively must not run out of stack
 # Calls that make a constant when their arguments are constant.
 _VALUE_TYPES = {'QoSProfile', 'Duration', 'Time'}
 
@@ -90,11 +93,14 @@ def build(cells: list[Cell], exercise: Exercise) -> Program:
 
 def _parse_exercise(cell: Cell, exercise: Exercise) -> ast.Module:
     try:
-        return ast.parse(cell.source)
+        tree = ast.parse(cell.source)
+        if _nesting(tree) > MAX_NESTING:
+            raise InvalidExercise(f'Exercise {exercise.id}: the cell is nested too deeply to be read.')
+        return tree
     except SyntaxError as error:
         lines = cell.source.splitlines()
         for number, line in enumerate(lines, 1):
-            if re.match(r'\s*(%|!|\?)', line):
+            if line.lstrip()[:1] in ('%', '!', '?'):
                 raise InvalidExercise(f'Exercise {exercise.id}, line {number}: `{line.strip()[:60]}` is a notebook '
                                       'command, not Python. Move it to a cell of its own.') from None
         text = lines[error.lineno - 1].strip()[:80] if error.lineno and error.lineno <= len(lines) else ''
@@ -104,23 +110,22 @@ def _parse_exercise(cell: Cell, exercise: Exercise) -> ast.Module:
         raise InvalidExercise(f'Exercise {exercise.id}: Python cannot read the cell.') from None
 
 
-def definitions(cell: Cell) -> list[str]:
-    """Imports, functions, classes and constant assignments of a cell, each as source text; [] if it is not Python.
+@lru_cache(maxsize=512)
+def definitions(cell: Cell) -> tuple[str, ...]:
+    """Imports, functions, classes and constant assignments of a cell, each as source text; none if it is not Python.
 
     Each text keeps its place in the cell, so that line numbers in messages are the learner's.
     """
     if cell.source.lstrip().startswith('%%'):
-        return []
-    # A notebook's command lines are not Python; they leave an empty line.
-    plain = '\n'.join('' if _MAGIC.match(line) and not _parses(line) else line for line in cell.source.splitlines())
-    for text in (cell.source, plain):
-        try:
-            tree = ast.parse(text)
-            break
-        except (SyntaxError, ValueError, RecursionError, MemoryError):
-            continue
-    else:
-        return []
+        return ()
+    text, tree = cell.source, _tree(cell.source)
+    if tree is None:
+        # A notebook's command lines are not Python; they leave an empty line.
+        text = '\n'.join('' if _MAGIC.match(line.strip()) and _tree(line.strip()) is None else line
+                         for line in cell.source.splitlines())
+        tree = _tree(text)
+    if tree is None:
+        return ()
     lines = text.splitlines()
     found = []
     for node in tree.body:
@@ -131,15 +136,25 @@ def definitions(cell: Cell) -> list[str]:
             if len(part) == 1:
                 part = [ast.get_source_segment(text, node) or part[0]]
             found.append('\n' * (first - 1) + '\n'.join(part) + '\n')
-    return found
+    return tuple(found)
 
 
-def _parses(line: str) -> bool:
+def _tree(text: str) -> ast.Module | None:
+    """The syntax tree of a text; None if it is not Python, or nested beyond all measure."""
     try:
-        ast.parse(line.strip())
-    except (SyntaxError, ValueError):
-        return False
-    return True
+        tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return None
+    return tree if _nesting(tree) <= MAX_NESTING else None
+
+
+def _nesting(tree: ast.AST) -> int:
+    """How deep a syntax tree is."""
+    depth, level = 0, [tree]
+    while level:
+        depth += 1
+        level = [child for node in level for child in ast.iter_child_nodes(node)]
+    return depth
 
 
 def _is_definition(node: ast.stmt) -> bool:

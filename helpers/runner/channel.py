@@ -8,6 +8,7 @@ import socket
 import time
 
 MAX_LINE = 4 * 1024 * 1024  # bytes
+SEND_TIMEOUT = 60.0  # seconds until the other end must have read what is sent
 
 
 class ChannelClosed(Exception):
@@ -27,6 +28,7 @@ class Channel:
 
     def __init__(self, sock: socket.socket):
         self.socket = sock
+        sock.settimeout(SEND_TIMEOUT)
         self._buffer = bytearray()
 
     def send(self, message: dict) -> None:

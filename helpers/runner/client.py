@@ -10,7 +10,7 @@ import threading
 import time
 from dataclasses import asdict
 
-from helpers.runner import launch, values
+from helpers.runner import answers, launch, values
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
 from helpers.runner.verdicts import InvalidProgram, LearnerCrashed, LearnerFault, LearnerTimeout
 
@@ -18,6 +18,7 @@ from helpers.runner.verdicts import InvalidProgram, LearnerCrashed, LearnerFault
 _NOISE = re.compile(r'^\[WARN\] \[rcl\.logging_rosout\]: Publisher already registered .*\n?', re.MULTILINE)
 # What a callback of a deadlock is found at: waits for the answer of a service or an action.
 _WAITS_FOR_ANSWER = ('.call(', 'until_future_complete', '.done()', '.send_goal(', '.get_result(', 'spin_once(')
+MAX_EARLY = 100  # answers that are kept for later
 START_TIMEOUT = 30.0  # seconds until the fork server has imported ROS, on a machine under load
 
 
@@ -152,14 +153,16 @@ class Process:
                     raise
                 # It is in none of the learner's lines: the machine is slow, not the program.
                 answer = self._answer(number, 3 * limit)
+            answers.check(op, answer)
         except ChannelTimeout:
             raise self._hanging(op, limit, arguments) from None
         except ChannelClosed:
             raise self._gone(op) from None
         except ChannelError as error:
+            self.kill()
             raise LearnerCrashed(f'Your program disturbed its connection to the tests ({error}).') from None
         if 'fault' in answer:
-            raise self._fault(answer['fault'] if isinstance(answer['fault'], dict) else {}, arguments)
+            raise self._fault(answer['fault'], arguments)
         return answer
 
     def _answer(self, number: int, timeout: float) -> dict:
@@ -180,6 +183,8 @@ class Process:
                 answer = self.channel.receive(max(0.0, deadline - time.monotonic()))
                 if answer.get('id') == number:
                     return _lines(answer)
+                if len(self._early) >= MAX_EARLY:
+                    raise ChannelError('answers that nobody has asked for')
                 self._early.append(answer)
         except (ChannelTimeout, ChannelClosed, ChannelError):
             return None
@@ -207,7 +212,7 @@ class Process:
         self.ended = True
         self.output.finish()
         how = 'ended'
-        if self.why.get(self.key) == 'memory':
+        if self.server.why.get(self.key) == 'memory':
             return LearnerCrashed('Your program used more memory than it may.')
         if status is not None and os.WIFEXITED(status):
             how = f'ended by itself (exit status {os.WEXITSTATUS(status)})'
@@ -246,7 +251,7 @@ class Process:
                 return self._exception(fault, name)
             case 'deaf':
                 raise RunnerError("the learner's process did not hear the tests in time")
-        raise RunnerError("the learner's process sent a fault of an unknown kind")
+        return LearnerCrashed('Your program disturbed its connection to the tests (a fault of an unknown kind).')
 
     def _exception(self, fault: dict, name: str) -> LearnerFault:
         where = {'load': 'While the cell was run', 'constructor': f'While `{name}(…)` was made',
@@ -259,7 +264,8 @@ class Process:
             return LearnerCrashed(f"{where.get(fault.get('where'), 'Then')} your code called exit(){at}. "
                                   'A node must not end its process.', _stack(lines))
         error = f'{kind}: {text}' if text else kind
-        notes = list(fault.get('notes') or ())[:5] if kind in ('NameError', 'ImportError') else []
+        notes = fault.get('notes')
+        notes = notes[:5] if isinstance(notes, list) and kind in ('NameError', 'ImportError') else []
         return LearnerCrashed(f"{where.get(fault.get('where'), 'Then')} your code raised {error}{at}.",
                               '\n'.join([_stack(lines), error, *(f'Not loaded: {note}' for note in notes)]))
 

@@ -7,6 +7,7 @@ from random import Random
 
 from rclpy.context import Context
 from rclpy.duration import Duration
+from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.executors import SingleThreadedExecutor, TimeoutException
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
@@ -20,6 +21,7 @@ from helpers.runner.peers import SECOND, Peer
 from helpers.runner.verdicts import LearnerFault
 from helpers.runner.workspaces import Workspaces
 
+MAX_MESSAGES = 20_000  # at one moment of simulated time, on all topics that a test records
 UNKNOWN = '_NODE_NAME_UNKNOWN_'  # rmw's name for the node of an endpoint that is known by itself only
 
 
@@ -50,6 +52,8 @@ class Recording:
     stamps: list[float] = field(default_factory=list)
     subscription: object = field(default=None, repr=False)
     strict: bool = field(default=True, repr=False)
+    matched: int = field(default=0, repr=False)  # publishers that were ever connected
+    known: set = field(default_factory=set, repr=False)  # those of the test's and the learner's programs
 
     @property
     def data(self) -> list:
@@ -129,6 +133,8 @@ class Learner(Workspaces):
         self._calls: Process | None = None
         self._numbers = itertools.count(1)
         self._recordings: list[Recording] = []
+        self._participant = b''  # of the test's node
+        self._participants: set[bytes] = set()  # of all programs that belong to the test
         self._talkers: list[Talker] = []
         self._peers: list[Peer] = []
         self._connected = True
@@ -212,7 +218,8 @@ class Learner(Workspaces):
         """Record `topic`. `strict`: a learner's publisher of another type or incompatible QoS fails the test."""
         recording = Recording(topic, strict=strict)
         recording.subscription = self.node.create_subscription(
-            msg_type, topic, lambda message: self._record(recording, message), qos)
+            msg_type, topic, lambda message: self._record(recording, message), qos,
+            event_callbacks=SubscriptionEventCallbacks(matched=lambda event: self._matched(recording, event)))
         self._recordings.append(recording)
         self._connected = False
         return recording
@@ -281,7 +288,8 @@ class Learner(Workspaces):
         return wiring.endpoints(self.node, topic, self._is_foreign)
 
     def _is_foreign(self, info) -> bool:
-        return info.node_name != self.node.get_name() and not info.node_name.startswith('_')
+        # By participant: a name may be anybody's. The conductor is the learner's participant's, too.
+        return (_participant(info) != self._participant and info.node_name != f'_{self.token}')
 
     # Time and order
 
@@ -320,6 +328,7 @@ class Learner(Workspaces):
             self._spin_once(0.01)
         return True
 
+    _heard: tuple[int, int] = (0, 0)  # the moment of the last message, and how many came at it
     _due: tuple = ()
     _waiting: list = []  # the learner's lines at which callbacks waited after the last step
 
@@ -362,8 +371,34 @@ class Learner(Workspaces):
         self._done[message.data] = self._done.get(message.data, 0) + 1
 
     def _record(self, recording: Recording, message) -> None:
+        moment, count = self._heard
+        count = count + 1 if moment == self.now else 1
+        self._heard = (self.now, count)
+        if count > MAX_MESSAGES:
+            raise LearnerFault(f'More than {MAX_MESSAGES} messages came on {recording.topic} at one moment of '
+                               'simulated time: your program publishes without a pause. Publish in a timer\'s '
+                               'callback.')
         recording.messages.append(message)
         recording.stamps.append(self.now / SECOND)
+
+    def _matched(self, recording: Recording, event) -> None:
+        recording.matched = max(recording.matched, event.total_count)
+
+    def _check_origin(self) -> None:
+        """Raise LearnerFault if somebody else than the test's and the learner's programs publishes to a recording.
+
+        A program of the learner's has one participant. Another process, or another context, is another participant.
+        """
+        for recording in self._recordings:
+            if not recording.strict or not recording.messages:
+                continue
+            infos = self.node.get_publishers_info_by_topic(recording.subscription.topic_name)
+            recording.known |= {bytes(info.endpoint_gid) for info in infos
+                                if _participant(info) in self._participants}
+            strangers = any(_participant(info) not in self._participants for info in infos)
+            if strangers or recording.matched > len(recording.known):
+                raise LearnerFault(f'What came on {recording.topic} is from another program, not from the node that '
+                                   'your cell defines: publish with that node, in its own process and context.')
 
     def _drain(self, number: int, processes: int) -> None:
         """Receive all that was published before the processes' `done`."""
@@ -381,10 +416,15 @@ class Learner(Workspaces):
         `timeout`: wait so long (seconds of wall time) for the first one.
         """
         found = not timeout or self._spin_once(timeout)
+        deadline = time.monotonic() + self.timeouts.discovery
         while found:
             found = False
             while self._spin_once(0):
                 found = True
+                if time.monotonic() > deadline:
+                    raise LearnerFault('Your program publishes without a pause: its messages come faster than they can '
+                                       'be read. Publish in a timer\'s callback.')
+        self._check_origin()
 
     def _spin_once(self, timeout: float) -> bool:
         try:
@@ -426,6 +466,7 @@ class Learner(Workspaces):
             if time.monotonic() > deadline:
                 raise RunnerError("the learner's process was not found in time")
             time.sleep(0.001)  # a bounded poll, as in the worker
+        self._meet(f'{mark}', len(processes))
         for process in processes:
             process.ask('unsync', self.timeouts.step)
         self.node.destroy_publisher(publisher)
@@ -442,6 +483,15 @@ class Learner(Workspaces):
         """
         return all(sum(info.node_name != UNKNOWN for info in infos) >= count for infos in (
             self.node.get_publishers_info_by_topic(topic), self.node.get_subscriptions_info_by_topic(topic)))
+
+    def _meet(self, mark: str, processes: int) -> None:
+        """Note the participants of the test's node and of the learner's processes."""
+        own, = self.node.get_publishers_info_by_topic(f'{mark}/tests')[:1]
+        theirs = {_participant(info) for info in self.node.get_publishers_info_by_topic(f'{mark}/worker')}
+        if len(theirs) > processes:
+            raise LearnerFault('Another program speaks in the name of yours to the tests.')
+        self._participant = _participant(own)
+        self._participants |= {self._participant, *theirs}
 
     def _check_wiring(self) -> None:
         for recording in self._recordings:
@@ -482,6 +532,11 @@ class Learner(Workspaces):
             self.executor.shutdown(timeout_sec=1)
             self.node.destroy_node()
             self.context.try_shutdown()
+
+
+def _participant(info) -> bytes:
+    """The DDS participant of an endpoint: the first 12 bytes of its GUID."""
+    return bytes(info.endpoint_gid[:12])
 
 
 class _Ours:

@@ -67,9 +67,9 @@ def run(cells: list[notebooks.Cell], exercises: Iterable[Exercise], options: Opt
         try:
             programs[exercise.id] = program.build(cells, exercise).as_dict()
         except program.NotAttempted as reason:
-            judged[exercise.id] = results.without_tests(exercise, results.NOT_ATTEMPTED, str(reason))
+            judged[exercise.id] = results.without_tests(exercise, results.NOT_ATTEMPTED, clean(reason))
         except program.InvalidExercise as reason:
-            judged[exercise.id] = results.without_tests(exercise, verdicts.INVALID_SUBMISSION, str(reason))
+            judged[exercise.id] = results.without_tests(exercise, verdicts.INVALID_SUBMISSION, clean(reason))
     running = [exercise for exercise in exercises if exercise.id in programs]
     shares = [share for share in (running[k::options.processes] for k in range(options.processes)) if share]
 
