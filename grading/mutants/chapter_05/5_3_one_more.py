@@ -1,4 +1,4 @@
-# expect: The old goal sent feedback after the new one had come
+# expect: when the new one came, and its result is
 # Exercise 5.3: the newest goal wins
 class NewestWins(Node):
     def __init__(self):
