@@ -4,6 +4,7 @@ from jinja2 import Environment
 
 _COLOURS = ('#3b6fb6', '#b3541e', '#2e7d4f', '#8e4a9e', '#1f7a8c', '#a8324a', '#6b6f2a', '#5c5f66')
 _LEFT, _WIDTH, _LANE, _BAR = 84, 760, 44, 20  # px: begin of the time axis, whole width, height of a lane, of a bar
+_RIGHT = 66  # px; room for the label of the last bar
 _CHARACTER = 6.2  # px; width of a character of the bars' font
 _MOST_LINES = 60  # of text
 _KINDS = {'publish': 'publishes on', 'receive': 'receives from', 'request': 'sends a request to',
@@ -91,8 +92,9 @@ def svg(chart) -> str:
         if there:
             signs.append({'sign': Markup(f'<g transform="translate({x} 0)">{sign}</g>'), 'x': x + 9, 'text': words})
             x += 36 + round(_CHARACTER * len(words))
-    marks = [{'title': _mark_text(message), 'sign': Markup(_mark(view.x(message.time), view.mark_y(message),
-                                                                 message.sent))}
+    marks = [{'title': _mark_text(message),
+              'sign': Markup(_mark(view.x(message.time), view.mark_y(message), message.sent,
+                                   view.colour.get(message.node, 'currentColor')))}
              for message in view.messages]
     return _TEMPLATE.render(
         width=_WIDTH, height=view.bottom + 36, left=_LEFT, top=view.top, bottom=view.bottom, unit=view.unit,
@@ -120,7 +122,7 @@ class _View:
 
     def x(self, moment: float) -> float:
         """The place of a moment on the time axis."""
-        return round(_LEFT + 6 + (moment - self.begin) / self.length * (_WIDTH - _LEFT - 24), 2)
+        return round(_LEFT + 6 + (moment - self.begin) / self.length * (_WIDTH - _LEFT - _RIGHT), 2)
 
     def mark_y(self, message) -> float:
         """Marks stand above the bars if something is sent, below if it is received."""
@@ -154,15 +156,19 @@ class _View:
             parts = [{'x': self.x(a), 'width': round(max(3.0, self.x(end if b is None else b) - self.x(a)), 2)}
                      for a, b in callback.parts]
             words = callback.name if callback.end is not None else f'{callback.name} …'
-            room = parts[0]['width'] if callback.awaited else width
-            inside = len(words) * _CHARACTER + 8 <= room
-            if callback.awaited and not inside and len(words) * _CHARACTER + 14 <= width - room:
-                text_x, shown = x + room + 5, words
+            needed = len(words) * _CHARACTER + 8
+            inside = needed <= parts[0]['width']
+            others = [other for other in self.chart.callbacks
+                      if other.thread == callback.thread and other is not callback]
+            if inside:
+                text_x, shown = x + 5, words
+            elif callback.awaited and needed <= width and not any(other.start < end and (
+                    other.end is None or other.end > callback.start) for other in others):
+                text_x, shown = x + parts[0]['width'] + 5, words
             else:
-                after = min((self.x(other.start) for other in self.chart.callbacks
-                             if other.thread == callback.thread and other.start > callback.start), default=_WIDTH - 10)
-                free = after - (x + width) >= len(words) * _CHARACTER + 8
-                text_x, shown = (x + 5, words) if inside else (x + width + 4, words if free else '')
+                after = min((self.x(other.start) for other in others if other.start > callback.start and not (
+                    callback.awaited and other.start < end)), default=_WIDTH - 8)
+                text_x, shown = x + width + 5, words if after - (x + width) >= needed else ''
             made.append({'x': x, 'y': self.y[callback.thread] + (_LANE - _BAR) / 2, 'width': round(width, 2),
                          'height': _BAR, 'colour': self.colour[callback.node], 'rest': callback.awaited,
                          'parts': parts, 'text': shown, 'text_x': round(text_x, 2), 'inside': inside,
@@ -187,11 +193,11 @@ class _View:
         return found
 
 
-def _mark(x: float, y: float, sent: bool) -> str:
+def _mark(x: float, y: float, sent: bool, colour: str = 'currentColor') -> str:
     """A triangle: up for what is sent, down for what is received."""
     d = 4.5
     points = f'{x},{y - d} {x - d},{y + d} {x + d},{y + d}' if sent else f'{x},{y + d} {x - d},{y - d} {x + d},{y - d}'
-    fill = 'fill="currentColor"' if sent else 'fill="none" stroke="currentColor" stroke-width="1.3"'
+    fill = f'fill="{colour}"' if sent else f'fill="none" stroke="{colour}" stroke-width="1.5"'
     return f'<polygon points="{points}" {fill}/>'
 
 
