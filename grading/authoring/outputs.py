@@ -17,6 +17,8 @@ TEXT_TYPES = ('text/plain', 'text/html', 'text/markdown', 'text/latex')
 def sanitizers(root: Path) -> list[tuple[str, str, str]]:
     """Return (name, regular expression, replacement) for what differs between machines and runs."""
     return [
+        # A notebook runs in notebooks/ when it is built, in solutions/ when nbval compares it.
+        ('folder', re.escape(str(root)) + r'/(?:solutions|notebooks)\b', '/course/notebooks'),
         ('checkout', re.escape(str(root)), '/course'),
         ('ipykernel_file', r'/tmp/ipykernel_\d+/\d+\.py', '/tmp/ipykernel_0/0.py'),
         ('temporary', r'/tmp/tmp[a-z0-9_]{8}\b', '/tmp/tmp00000000'),

@@ -9,3 +9,5 @@ macro(ament_register_extension point package file)
     _ament_register_extension("${point}" "${package}" "${file}")
   endif()
 endmacro()
+
+include(${CMAKE_CURRENT_LIST_DIR}/faster_interfaces.cmake)
