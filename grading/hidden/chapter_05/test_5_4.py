@@ -90,12 +90,12 @@ def test_cancel(learner):
     expect(cancel.answer == 'accepted', 'The cancel request was refused.')
     expect(goal.status == 'canceled', f'0.3 s after the cancel request the goal is {goal.status or "still running"}, '
                                       'expected canceled.')
+    expect(stands(sim), 'After the goal was cancelled, the last command still drives. Publish a Twist of zeros.')
     left = sim.distance(10.0, 1.0)
     expect(goal.result.distance == pytest.approx(left, abs=0.6),
            f'The distance in the result is {goal.result.distance:.2f} m, and {left:.2f} m were left.')
     count = len(sim.commands)
     sim.run(0.3)
-    expect(stands(sim), 'After the goal was cancelled, the last command still drives. Publish a Twist of zeros.')
     expect(len(sim.commands) == count, 'Commands came after the goal had ended.')
     again = client.send(x=sim.turtle.x, y=1.5)
     sim.run(4.0, until=lambda: again.done)
