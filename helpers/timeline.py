@@ -305,19 +305,22 @@ def _is_hidden(work) -> bool:
         return True
     if work.entity is not None:
         return False
-    function = _function(work)
-    return getattr(function, '__module__', '').split('.')[0] == 'rclpy'
+    return (getattr(_function(work), '__module__', None) or '').startswith('rclpy')
 
 
 def _function(work):
-    """The learner's function of a callback; of a task (a done-callback), what it runs."""
+    """The learner's function of a callback; of a task (a done-callback, the execution of a goal), what it runs."""
     function = getattr(work.entity, 'callback', None) if work.entity else getattr(work.task, '_handler', None)
+    frame = getattr(function, 'cr_frame', None)
+    if frame is not None:  # rclpy wraps a goal's execute callback into a coroutine of its own
+        function = frame.f_locals.get('execute_callback', function)
     return getattr(function, 'func', function)
 
 
 def _label(work) -> str:
     name = getattr(_function(work), '__name__', '')
-    kinds = {'Timer': 'timer', 'Subscription': 'message', 'Service': 'request', 'NoneType': 'done-callback'}
+    kinds = {'Timer': 'timer', 'Subscription': 'message', 'Service': 'request', 'NoneType': 'done-callback',
+             'ActionServer': 'action server', 'ActionClient': 'action client'}
     return name if name and name != '<lambda>' else kinds.get(type(work.entity).__name__, 'callback')
 
 
