@@ -23,7 +23,9 @@ for _name, _value in _DEFAULTS.items():
 # Public name -> module that defines it; None where the name is the module itself.
 _HOME = {
     'CallbackError': 'errors',
+    'ProgressBar': 'progress',
     'TurtleView': 'turtle',
+    'Workspace': 'workspace',
     'background': 'processes',
     'check': 'check',
     'collect': 'waiting',

@@ -82,7 +82,7 @@ class Timeline:
         self._open: dict[int, tuple] = {}  # id of a task that is not done -> (task, Callback)
         self._working: set[int] = set()  # ids of the works that run a callback now
         self._calls: list[_ServiceCall] = []
-        self._answers: list[tuple] = []  # (header, take or None, respond): to be matched with calls at the end
+        self._responses: list[tuple] = []  # (header, take or None, respond, response): matched with calls at the end
         self._numbers = itertools.count(1)
         self._lock = threading.Lock()
 
@@ -182,42 +182,44 @@ class Timeline:
         self._calls.append(_ServiceCall(client, request))
         return self._calls[-1]
 
-    def responded(self, service, header) -> None:
+    def responded(self, service, response, header) -> None:
         """A service sends a response: now it is known which request its callback has taken."""
         work = executors.running_here()
-        response = Message('respond', service.service_name, self._node_here(), self._lane(), self._now())
-        self.messages.append(response)
+        message = Message('respond', service.service_name, self._node_here(), self._lane(), self._now())
+        self.messages.append(message)
         known = self._open.get(id(work.task)) if work else None
-        self._answers.append((header, getattr(known[1], 'take', None) if known else None, response))
+        self._responses.append((header, getattr(known[1], 'take', None) if known else None, message, response))
 
     def _match(self) -> None:
         """Find out which responses belong to which requests. In doubt, a response stays alone."""
         writers: dict[bytes, object] = {}  # DDS writer of requests -> client
-        for header, take, response in self._answers:
+        for header, take, respond, response in self._responses:
             request_id = getattr(header, 'request_id', header)
             writer = bytes(request_id.writer_guid) if hasattr(request_id, 'writer_guid') else None
             fitting = [call for call in self._calls if call.number == request_id.sequence_number and not call.taken
-                       and call.request.name == response.name and call.request.time <= (take or response).time]
+                       and call.request.name == respond.name and call.request.time <= (take or respond).time]
             known = writers.get(writer)
             fitting = [call for call in fitting if call.client is known] if known else [
                 call for call in fitting if call.client not in writers.values()]
+            if len(fitting) > 1:  # several clients count alike: who got this answer?
+                fitting = [call for call in fitting if call.future.done() and call.future.result() == response]
             if len(fitting) != 1:
                 continue
             call, = fitting
             call.taken = True
             if writer:
                 writers[writer] = call.client
-            for message in (take, response):
+            for message in (take, respond):
                 if message:
                     message.call = call.request.call
-        self._answers.clear()
+        self._responses.clear()
         self._calls.clear()
 
     def _answered(self, work, now: float) -> None:
         for call in self._calls:
             if call.client is work.entity and call.future and call.future.done() and not call.answered:
                 call.answered = True
-                self.messages.append(Message('answer', call.request.name, call.request.node, self._lane(), now,
+                self.messages.append(Message('answer', call.request.name, _node_name(work), self._lane(), now,
                                              call.request.call))
 
     def _node_here(self) -> str:
@@ -264,7 +266,7 @@ def _install() -> None:
 
     def send_response(plain, self, response, header):
         for recorder in _recording:
-            recorder.responded(self, header)
+            recorder.responded(self, response, header)
         return plain(self, response, header)
 
     for (owner, name), wrapper in zip(_plain, (publish, call_async, send_response), strict=True):
@@ -303,19 +305,22 @@ def _is_hidden(work) -> bool:
         return True
     if work.entity is not None:
         return False
-    function = _function(work)
-    return getattr(function, '__module__', '').split('.')[0] == 'rclpy'
+    return (getattr(_function(work), '__module__', None) or '').startswith('rclpy')
 
 
 def _function(work):
-    """The learner's function of a callback; of a task (a done-callback), what it runs."""
+    """The learner's function of a callback; of a task (a done-callback, the execution of a goal), what it runs."""
     function = getattr(work.entity, 'callback', None) if work.entity else getattr(work.task, '_handler', None)
+    frame = getattr(function, 'cr_frame', None)
+    if frame is not None:  # rclpy wraps a goal's execute callback into a coroutine of its own
+        function = frame.f_locals.get('execute_callback', function)
     return getattr(function, 'func', function)
 
 
 def _label(work) -> str:
     name = getattr(_function(work), '__name__', '')
-    kinds = {'Timer': 'timer', 'Subscription': 'message', 'Service': 'request', 'NoneType': 'done-callback'}
+    kinds = {'Timer': 'timer', 'Subscription': 'message', 'Service': 'request', 'NoneType': 'done-callback',
+             'ActionServer': 'action server', 'ActionClient': 'action client'}
     return name if name and name != '<lambda>' else kinds.get(type(work.entity).__name__, 'callback')
 
 

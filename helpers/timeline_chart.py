@@ -4,10 +4,15 @@ from jinja2 import Environment
 
 _COLOURS = ('#3b6fb6', '#b3541e', '#2e7d4f', '#8e4a9e', '#1f7a8c', '#a8324a', '#6b6f2a', '#5c5f66')
 _LEFT, _WIDTH, _LANE, _BAR = 84, 760, 44, 20  # px: begin of the time axis, whole width, height of a lane, of a bar
+_RIGHT = 66  # px; room for the label of the last bar
 _CHARACTER = 6.2  # px; width of a character of the bars' font
 _MOST_LINES = 60  # of text
 _KINDS = {'publish': 'publishes on', 'receive': 'receives from', 'request': 'sends a request to',
           'take': 'takes a request of', 'respond': 'sends a response of', 'answer': 'gets a response of'}
+
+_AWAITS = ('<rect x="0" y="6" width="16" height="12" rx="3" fill="currentColor" fill-opacity="0.1" '
+           'stroke="currentColor" stroke-dasharray="4 3"/>')
+_LINE = '<line x1="-2" y1="12" x2="16" y2="12" stroke="currentColor" stroke-width="1.2" stroke-opacity="0.75" {}/>'
 
 _TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).from_string('''\
 <svg xmlns="http://www.w3.org/2000/svg" role="img" viewBox="0 0 {{ width }} {{ height }}" \
@@ -32,10 +37,6 @@ font-family="system-ui, -apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif" fo
 fill-opacity="{{ '0.055' if loop.index is odd else '0.02' }}"/>
 <text x="{{ left - 8 }}" y="{{ lane.y + lane.height / 2 + 4 }}" text-anchor="end">{{ lane.text }}</text>
 {% endfor %}
-{% for path in paths %}
-<path d="{{ path.d }}" fill="none" stroke="{{ path.colour }}" stroke-width="1.2" stroke-opacity="0.75" \
-{% if path.back %}stroke-dasharray="3 3"{% endif %}/>
-{% endfor %}
 {% for bar in bars %}
 <g><title>{{ bar.title }}</title>
 {% if bar.rest %}
@@ -46,11 +47,15 @@ fill="{{ bar.colour }}" fill-opacity="0.16" stroke="{{ bar.colour }}" stroke-wid
 <rect x="{{ part.x }}" y="{{ bar.y }}" width="{{ part.width }}" height="{{ bar.height }}" \
 rx="{{ [4, part.width / 2] | min }}" fill="{{ bar.colour }}"/>
 {% endfor %}
-{% if bar.text %}
+</g>
+{% endfor %}
+{% for path in paths %}
+<path d="{{ path.d }}" fill="none" stroke="currentColor" stroke-width="1.2" stroke-opacity="0.75" \
+{% if path.back %}stroke-dasharray="3 3"{% endif %}/>
+{% endfor %}
+{% for bar in bars if bar.text %}
 <text x="{{ bar.text_x }}" y="{{ bar.y + bar.height / 2 + 4 }}" \
 fill="{{ '#ffffff' if bar.inside else 'currentColor' }}" font-size="10.5">{{ bar.text }}</text>
-{% endif %}
-</g>
 {% endfor %}
 {% for mark in marks %}
 <g><title>{{ mark.title }}</title>{{ mark.sign }}</g>
@@ -77,20 +82,24 @@ def svg(chart) -> str:
     from markupsafe import Markup
 
     view = _View(chart)
+    paths = view.paths()
     signs, x = [], view.legend_end
-    for sign, words in ((_mark(x + 4, 12, True), 'sent'), (_mark(x + 60, 12, False), 'received')):
-        signs.append({'sign': Markup(sign), 'x': x if words == 'sent' else x + 56, 'text': words})
-    if any(callback.awaited for callback in chart.callbacks):
-        dashed = (f'<rect x="{x + 134}" y="6" width="16" height="12" rx="3" fill="currentColor" fill-opacity="0.1" '
-                  'stroke="currentColor" stroke-dasharray="4 3"/>')
-        signs.append({'sign': Markup(dashed), 'x': x + 142, 'text': 'awaits'})
-    marks = [{'title': _mark_text(message), 'sign': Markup(_mark(view.x(message.time), view.mark_y(message),
-                                                                 message.sent))}
+    for words, sign, there in (
+            ('sent', _mark(6, 12, True), True), ('received', _mark(6, 12, False), True),
+            ('awaits', _AWAITS, any(callback.awaited for callback in chart.callbacks)),
+            ('request', _LINE.format(''), any(not path['back'] for path in paths)),
+            ('response', _LINE.format('stroke-dasharray="3 3"'), any(path['back'] for path in paths))):
+        if there:
+            signs.append({'sign': Markup(f'<g transform="translate({x} 0)">{sign}</g>'), 'x': x + 9, 'text': words})
+            x += 36 + round(_CHARACTER * len(words))
+    marks = [{'title': _mark_text(message),
+              'sign': Markup(_mark(view.x(message.time), view.mark_y(message), message.sent,
+                                   view.colour.get(message.node, 'currentColor')))}
              for message in view.messages]
     return _TEMPLATE.render(
         width=_WIDTH, height=view.bottom + 36, left=_LEFT, top=view.top, bottom=view.bottom, unit=view.unit,
         summary=_summary(chart), description=text(chart), legend=view.legend, signs=signs, ticks=view.ticks,
-        lanes=view.lanes, bars=view.bars(), marks=marks, paths=view.paths())
+        lanes=view.lanes, bars=view.bars(), marks=marks, paths=paths)
 
 
 class _View:
@@ -113,7 +122,7 @@ class _View:
 
     def x(self, moment: float) -> float:
         """The place of a moment on the time axis."""
-        return round(_LEFT + 6 + (moment - self.begin) / self.length * (_WIDTH - _LEFT - 24), 2)
+        return round(_LEFT + 6 + (moment - self.begin) / self.length * (_WIDTH - _LEFT - _RIGHT), 2)
 
     def mark_y(self, message) -> float:
         """Marks stand above the bars if something is sent, below if it is received."""
@@ -147,15 +156,19 @@ class _View:
             parts = [{'x': self.x(a), 'width': round(max(3.0, self.x(end if b is None else b) - self.x(a)), 2)}
                      for a, b in callback.parts]
             words = callback.name if callback.end is not None else f'{callback.name} …'
-            room = parts[0]['width'] if callback.awaited else width
-            inside = len(words) * _CHARACTER + 8 <= room
-            if callback.awaited and not inside and len(words) * _CHARACTER + 14 <= width - room:
-                text_x, shown = x + room + 5, words
+            needed = len(words) * _CHARACTER + 8
+            inside = needed <= parts[0]['width']
+            others = [other for other in self.chart.callbacks
+                      if other.thread == callback.thread and other is not callback]
+            if inside:
+                text_x, shown = x + 5, words
+            elif callback.awaited and needed <= width and not any(other.start < end and (
+                    other.end is None or other.end > callback.start) for other in others):
+                text_x, shown = x + parts[0]['width'] + 5, words
             else:
-                after = min((self.x(other.start) for other in self.chart.callbacks
-                             if other.thread == callback.thread and other.start > callback.start), default=_WIDTH - 10)
-                free = after - (x + width) >= len(words) * _CHARACTER + 8
-                text_x, shown = (x + 5, words) if inside else (x + width + 4, words if free else '')
+                after = min((self.x(other.start) for other in others if other.start > callback.start and not (
+                    callback.awaited and other.start < end)), default=_WIDTH - 8)
+                text_x, shown = x + width + 5, words if after - (x + width) >= needed else ''
             made.append({'x': x, 'y': self.y[callback.thread] + (_LANE - _BAR) / 2, 'width': round(width, 2),
                          'height': _BAR, 'colour': self.colour[callback.node], 'rest': callback.awaited,
                          'parts': parts, 'text': shown, 'text_x': round(text_x, 2), 'inside': inside,
@@ -176,16 +189,15 @@ class _View:
                     x1, y1, x2, y2 = self.x(a.time), self.mark_y(a), self.x(b.time), self.mark_y(b)
                     middle = round((x1 + x2) / 2, 2)
                     found.append({'d': f'M{x1} {y1} C{middle} {y1} {middle} {y2} {x2} {y2}',
-                                  'colour': self.colour.get(parts['request'].node, 'currentColor'),
                                   'back': begin == 'respond'})
         return found
 
 
-def _mark(x: float, y: float, sent: bool) -> str:
+def _mark(x: float, y: float, sent: bool, colour: str = 'currentColor') -> str:
     """A triangle: up for what is sent, down for what is received."""
     d = 4.5
     points = f'{x},{y - d} {x - d},{y + d} {x + d},{y + d}' if sent else f'{x},{y + d} {x - d},{y - d} {x + d},{y - d}'
-    fill = 'fill="currentColor"' if sent else 'fill="none" stroke="currentColor" stroke-width="1.3"'
+    fill = f'fill="{colour}"' if sent else f'fill="none" stroke="{colour}" stroke-width="1.5"'
     return f'<polygon points="{points}" {fill}/>'
 
 

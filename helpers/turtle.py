@@ -16,8 +16,9 @@ try:
 except ModuleNotFoundError:  # stock turtlesim is a C++ program: the simulation and its drawing come from our source
     sys.path.append(str(ROOT / 'environment' / 'ros2_ws' / 'src' / 'turtlesim'))
 from turtlesim_nodes.svg import draw_svg
-from turtlesim_nodes.world import World
+from turtlesim_nodes.world import STEP, World
 
+__all__ = ['STEP', 'Picture', 'TurtleView', 'World', 'show_turtle']
 RATE = 10.0  # pictures a second, at most
 _POSE = 'turtlesim/msg/Pose'
 _LOOK = 0.25  # s between two looks at the graph
@@ -64,7 +65,7 @@ class TurtleView:
         view.stop()
 
     It is a node of this process (``/_turtle_view``) that spins in the background, and follows every topic
-    ``…/pose`` of type turtlesim/msg/Pose in its domain. It sees poses only: all pens draw in turtlesim's first colour. A
+    ``…/pose`` of type turtlesim/msg/Pose in its domain. It sees poses only: all pens draw in one colour. A
     second view, in another cell, replaces the first one.
 
     :param size: side of the picture in pixels.

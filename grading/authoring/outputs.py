@@ -17,11 +17,15 @@ TEXT_TYPES = ('text/plain', 'text/html', 'text/markdown', 'text/latex')
 def sanitizers(root: Path) -> list[tuple[str, str, str]]:
     """Return (name, regular expression, replacement) for what differs between machines and runs."""
     return [
+        # A notebook runs in notebooks/ when it is built, in solutions/ when nbval compares it.
+        ('folder', re.escape(str(root)) + r'/(?:solutions|notebooks)\b', '/course/notebooks'),
         ('checkout', re.escape(str(root)), '/course'),
         ('ipykernel_file', r'/tmp/ipykernel_\d+/\d+\.py', '/tmp/ipykernel_0/0.py'),
         ('temporary', r'/tmp/tmp[a-z0-9_]{8}\b', '/tmp/tmp00000000'),
         ('address', r'\b0x[0-9a-f]{6,16}\b', '0x0'),
         ('port', r'(127\.0\.0\.1|localhost):\d{4,5}', r'\1:0'),
+        ('duration', r'\[(?:\d+min )?\d+(?:\.\d+)?s\b', '[… s'),  # colcon: Finished <<< package [1.28s]
+        ('email', r'[\w.+-]+@[\w-]+\.[\w.-]+', 'you@example.com'),
         ('pid', r'\b(pid|process)([ =])\d+', r'\1\g<2>0'),
     ]
 

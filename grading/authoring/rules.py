@@ -11,6 +11,7 @@ from grading.authoring.chapter import Cell, Chapter
 from grading.authoring.errors import AuthoringError
 
 MAX_LINES = 25
+MAX_EXERCISE_LINES = 36  # an exercise's cell cannot be split, and may hold the texts of files
 MEDIAN_LINES = 6
 METADATA = {'exercise', 'tags', 'editable', 'deletable', 'slideshow', 'jupyter'}
 NBVAL_TAGS = {'nbval-check-output', 'nbval-ignore-output', 'nbval-raises-exception', 'nbval-skip'}
@@ -60,8 +61,9 @@ def _check_chapter(chapter: Chapter) -> Iterator[AuthoringError]:
 
 def _code_cell(cell: Cell):
     length = max(len(cell.split.solved.splitlines()), len(cell.split.stub.splitlines()))
-    if length > MAX_LINES:
-        yield f'a code cell of {length} lines, at most {MAX_LINES} are allowed', 'split it'
+    limit = MAX_LINES if cell.exercise is None else MAX_EXERCISE_LINES
+    if length > limit:
+        yield f'a code cell of {length} lines, at most {limit} are allowed', 'split it'
     if not cell.source.strip():
         yield 'an empty code cell', 'remove it'
     if cell.split.regions and cell.exercise is None:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from grading.tests import action_cases, service_cases, small
+from grading.tests import action_cases, command_cases, service_cases, small
 from grading.tests.small import Case
 from helpers.exercises.notebooks import Cell
 from helpers.runner import launch, session
@@ -357,6 +357,7 @@ sys.stdout.close()
 """ + small.TALKER, EXACT),
     **service_cases.CASES,
     **action_cases.CASES,
+    **command_cases.CASES,
 }
 
 

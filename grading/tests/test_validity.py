@@ -44,15 +44,12 @@ class Variant:
                    tuple(re.findall(r'^# expect: (.+)$', text, re.MULTILINE)))
 
 
-def layers(kind):
-    """(chapter, variants of different exercises): one notebook each."""
-    found = []
-    for number in CHAPTERS:
-        columns = [[variant for path in VARIANTS[kind] if (variant := Variant.read(path)).exercise == identity]
-                   for identity in EXERCISES if identity.startswith(f'{number}.')]
-        found += [pytest.param(number, [variant for variant in row if variant], id=f'{number:02}-{index}')
-                  for index, row in enumerate(zip_longest(*columns))]
-    return found
+def layers(kind, number):
+    """Variants of different exercises of a chapter, side by side: one notebook each."""
+    columns = [[variant for path in VARIANTS[kind] if (variant := Variant.read(path)).exercise == identity]
+               for identity in EXERCISES if identity.startswith(f'{number}.')]
+    return [pytest.param([variant for variant in row if variant], id=str(index))
+            for index, row in enumerate(zip_longest(*columns))]
 
 
 def solved(number):
@@ -81,40 +78,70 @@ def told(result):
                                         if not test.passed)])
 
 
-@pytest.mark.parametrize('number', CHAPTERS)
-def test_solution_gets_full_marks(number):
-    for result in judge(number, solved(number)).values():
-        assert (result.verdict, result.score) == ('passed', result.points), told(result)
+class Validity:
+    """What holds of every chapter."""
+
+    number: int
+
+    def test_solution_gets_full_marks(self):
+        for result in judge(self.number, solved(self.number)).values():
+            assert (result.verdict, result.score) == ('passed', result.points), told(result)
+
+    def test_unsolved_notebook_gets_nothing_kindly(self):
+        path = paths.NOTEBOOKS / f'{CHAPTERS[self.number].stem}.ipynb'
+        work = Submission('ada', path, {path.name: path.read_bytes()})
+        mine = tuple(exercise for exercise in EXERCISES.values() if exercise.chapter == self.number)
+        for result in grade.judge(work, grade.Course(mine)).exercises:
+            assert (result.verdict, result.score) == ('not_attempted', 0)
+            assert result.message == f'Exercise {result.id} is not solved yet.'
+
+    def test_wrong_solutions_are_rejected_with_the_right_words(self, mutants):
+        results = judge(self.number, varied(self.number, mutants), {variant.exercise for variant in mutants})
+        for variant in mutants:
+            result = results[variant.exercise]
+            assert variant.expected, f'{variant.name} has no line "# expect: …"'
+            assert result.score is not None and result.score < result.points, f'{variant.name} gets full marks'
+            rejected = any(test.hidden and not test.passed for test in result.tests)
+            assert rejected, f'no hidden test rejects {variant.name}'
+            for fragment in variant.expected:
+                assert fragment in told(result), (variant.name, told(result))
+
+    def test_alternatives_get_full_marks(self, alternatives):
+        results = judge(self.number, varied(self.number, alternatives), {variant.exercise for variant in alternatives})
+        for variant in alternatives:
+            result = results[variant.exercise]
+            assert (result.verdict, result.score) == ('passed', result.points), (variant.name, told(result))
 
 
-@pytest.mark.parametrize('number', CHAPTERS)
-def test_unsolved_notebook_gets_nothing_kindly(number):
-    path = paths.NOTEBOOKS / f'{CHAPTERS[number].stem}.ipynb'
-    work = Submission('ada', path, {path.name: path.read_bytes()})
-    mine = tuple(exercise for exercise in EXERCISES.values() if exercise.chapter == number)
-    for result in grade.judge(work, grade.Course(mine)).exercises:
-        assert (result.verdict, result.score) == ('not_attempted', 0)
-        assert result.message == f'Exercise {result.id} is not solved yet.'
+# A class for each chapter: pytest-xdist's loadscope gives each to a process of its own.
+class TestChapter01(Validity):
+    number = 1
 
 
-@pytest.mark.parametrize(('number', 'variants'), layers('mutants'))
-def test_wrong_solutions_are_rejected_with_the_right_words(number, variants):
-    results = judge(number, varied(number, variants), {variant.exercise for variant in variants})
-    for variant in variants:
-        result = results[variant.exercise]
-        assert variant.expected, f'{variant.name} has no line "# expect: …"'
-        assert result.score is not None and result.score < result.points, f'{variant.name} gets full marks'
-        assert any(test.hidden and not test.passed for test in result.tests), f'no hidden test rejects {variant.name}'
-        for fragment in variant.expected:
-            assert fragment in told(result), (variant.name, told(result))
+class TestChapter02(Validity):
+    number = 2
 
 
-@pytest.mark.parametrize(('number', 'variants'), layers('alternatives'))
-def test_alternatives_get_full_marks(number, variants):
-    results = judge(number, varied(number, variants), {variant.exercise for variant in variants})
-    for variant in variants:
-        result = results[variant.exercise]
-        assert (result.verdict, result.score) == ('passed', result.points), (variant.name, told(result))
+class TestChapter03(Validity):
+    number = 3
+
+
+class TestChapter04(Validity):
+    number = 4
+
+
+class TestChapter05(Validity):
+    number = 5
+
+
+def pytest_generate_tests(metafunc):
+    for kind in VARIANTS:
+        if kind in metafunc.fixturenames:
+            metafunc.parametrize(kind, layers(kind, metafunc.cls.number))
+
+
+def test_every_chapter_has_its_class():
+    assert {one.number for one in Validity.__subclasses__()} == set(CHAPTERS)
 
 
 def test_there_are_enough_of_them():

@@ -58,7 +58,7 @@ def _style(scratch: Path) -> Step:
 
 
 def _unit_tests(scratch: Path) -> Step:
-    return _pytest('unit tests', scratch, ['-q', f'-n{_workers()}', '--dist=loadfile'])
+    return _pytest('unit tests', scratch, ['-q', f'-n{_workers()}', '--dist=loadscope'])
 
 
 def _in_step(scratch: Path) -> Step:

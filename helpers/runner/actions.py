@@ -231,6 +231,7 @@ class Server(Named):
         self.action_type, self.plan, self.accept = action_type, plan, accept
         self.cancel, self.cancel_delay, self.partial = cancel, cancel_delay, partial
         self.goals: list[Served] = []
+        self.cancel_stamps: list[float] = []  # of all cancel requests, also those for goals that have ended
         self._server: _PlannedServer | None = None
         self.said = False  # something was sent while the learner's side was idle
         self.start()
@@ -329,4 +330,7 @@ class _PlannedServer(ActionServer):
 
     def take_data(self):
         self.server.said = True  # each request is answered at once
-        return super().take_data()
+        data = super().take_data()
+        if 'cancel' in data:
+            self.server.cancel_stamps.append(self.server.learner.now / SECOND)
+        return data

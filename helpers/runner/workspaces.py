@@ -87,7 +87,7 @@ class Workspace:
 
     def _run(self, argv: list[str], timeout: float) -> Done:
         shown = shlex.join(argv)
-        answer = self._process.ask('run', timeout + 20, argv=argv, folder=self._name, timeout=timeout, limit=OUTPUT)
+        answer = self._process.ask('run', timeout + 20, argv=argv, folder=self._name, timeout=timeout, keep=OUTPUT)
         output = str(answer.get('output', ''))
         self.transcript.append(f'$ {shown}\n{output}')
         status = answer.get('status')

@@ -4,7 +4,9 @@ import threading
 from xml.etree import ElementTree
 
 import pytest
+from example_interfaces.action import Fibonacci
 from example_interfaces.srv import AddTwoInts
+from rclpy.action import ActionClient, ActionServer
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.client import Client
 from rclpy.executors import MultiThreadedExecutor
@@ -113,6 +115,28 @@ def test_a_callback_that_does_not_end():
         wait_for(lambda: chart.callbacks and chart.callbacks[0].parts[0][1])
     stuck, = chart.callbacks
     assert stuck.end is None and stuck.awaited and 'not ended' in repr(chart)
+
+
+def test_the_execution_of_a_goal():
+    class Counter(Node):
+        def __init__(self):
+            super().__init__('counter')
+            self.server = ActionServer(self, Fibonacci, 'count', self.execute)
+
+        def execute(self, goal):
+            goal.succeed()
+            return Fibonacci.Result()
+
+    user = Node('user')
+    client = ActionClient(user, Fibonacci, 'count')
+    with timeline() as chart, spinning(Counter(), user):
+        wait_for(client.server_is_ready)
+        goal = client.send_goal_async(Fibonacci.Goal())
+        wait_for(goal.done)
+        wait_for(goal.result().get_result_async().done)
+        client.destroy()
+    assert {('counter', 'execute'), ('counter', 'action server')} <= {(run.node, run.name) for run in chart.callbacks}
+    assert all(run.name != '_execute_goal' for run in chart.callbacks)
 
 
 def test_two_clients_are_told_apart():

@@ -1,0 +1,20 @@
+# Exercise 2.1: entry points
+SETUP_PY = '''
+from setuptools import find_packages, setup
+
+setup(
+    name='greeter',
+    version='0.1.0',
+    packages=find_packages(exclude=['test']),
+    data_files=[
+        ('share/ament_index/resource_index/packages', ['resource/greeter']),
+        ('share/greeter', ['package.xml']),
+    ],
+    entry_points={
+        'console_scripts': [
+            name + ' = greeter.' + function for name, function in
+            {'hello': 'hello:main', 'goodbye': 'farewell:main', 'battery': 'power.battery:report'}.items()
+        ],
+    },
+)
+'''

@@ -1,0 +1,31 @@
+# Exercise 4.3: one question, two sources
+import rclpy.task
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+from std_srvs.srv import Trigger
+
+
+class StatusPanel(Node):
+    """Awaits one future of its own, which the last answer completes."""
+
+    def __init__(self):
+        super().__init__('status_panel')
+        self.names = ('battery', 'lidar')
+        self.parts = [self.create_client(Trigger, f'{name}/check', callback_group=MutuallyExclusiveCallbackGroup())
+                      for name in self.names]
+        self.create_service(Trigger, 'status', self.on_status,
+                            callback_group=MutuallyExclusiveCallbackGroup())
+
+    async def on_status(self, request, response):
+        answers, complete = {}, rclpy.task.Future()
+
+        def keep(name, future):
+            answers[name] = future.result()
+            if len(answers) == 2:
+                complete.set_result(True)
+
+        for name, client in zip(self.names, self.parts):
+            client.call_async(Trigger.Request()).add_done_callback(lambda future, name=name: keep(name, future))
+        await complete
+        response.success = answers['battery'].success and answers['lidar'].success
+        response.message = f"battery: {answers['battery'].message}; lidar: {answers['lidar'].message}"
+        return response

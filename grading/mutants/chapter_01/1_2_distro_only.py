@@ -1,0 +1,24 @@
+# expect: tells only which one was sourced last
+# Exercise 1.2: read an environment
+RANGES = ('SUBNET', 'LOCALHOST', 'OFF', 'SYSTEM_DEFAULT')
+
+
+def diagnose(environ, python='3.12'):
+    faults = {}
+    prefixes = environ.get('AMENT_PREFIX_PATH', '')
+    parts = [folder.split('/') for folder in prefixes.split(':')]
+    distros = {part[3] for part in parts if part[:3] == ['', 'opt', 'ros'] and len(part) > 3}
+    if not prefixes:
+        faults['AMENT_PREFIX_PATH'] = 'not sourced'
+    elif distros and environ.get('ROS_DISTRO') and environ['ROS_DISTRO'] not in distros:
+        faults['AMENT_PREFIX_PATH'] = 'mixed'
+    folders = environ.get('PYTHONPATH', '').replace(':', '/').split('/')
+    if any(part.startswith('python3.') and part != f'python{python}' for part in folders):
+        faults['PYTHONPATH'] = 'other Python'
+    domain = environ.get('ROS_DOMAIN_ID', '')
+    if domain and not (domain.isdecimal() and int(domain) <= 101):
+        faults['ROS_DOMAIN_ID'] = 'not a domain'
+    reach = environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE') or 'SUBNET'
+    if reach == 'OFF' or reach not in RANGES:
+        faults['ROS_AUTOMATIC_DISCOVERY_RANGE'] = 'off' if reach == 'OFF' else 'unknown'
+    return faults

@@ -1,0 +1,25 @@
+# expect: their names say nothing
+# Exercise 1.2: read an environment
+RANGES = ('SUBNET', 'LOCALHOST', 'OFF', 'SYSTEM_DEFAULT')
+
+
+def diagnose(environ, python='3.12'):
+    faults = {}
+    prefixes = environ.get('AMENT_PREFIX_PATH', '')
+    parts = [folder.split('/') for folder in prefixes.split(':')]
+    names = ('foxy', 'humble', 'iron', 'jazzy', 'kilted', 'lyrical')
+    distros = {name for name in names if name in prefixes}
+    if not prefixes:
+        faults['AMENT_PREFIX_PATH'] = 'not sourced'
+    elif distros and len(distros | {environ.get('ROS_DISTRO') or min(distros)}) > 1:
+        faults['AMENT_PREFIX_PATH'] = 'mixed'
+    folders = environ.get('PYTHONPATH', '').replace(':', '/').split('/')
+    if any(part.startswith('python3.') and part != f'python{python}' for part in folders):
+        faults['PYTHONPATH'] = 'other Python'
+    domain = environ.get('ROS_DOMAIN_ID', '')
+    if domain and not (domain.isdecimal() and int(domain) <= 101):
+        faults['ROS_DOMAIN_ID'] = 'not a domain'
+    reach = environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE') or 'SUBNET'
+    if reach == 'OFF' or reach not in RANGES:
+        faults['ROS_AUTOMATIC_DISCOVERY_RANGE'] = 'off' if reach == 'OFF' else 'unknown'
+    return faults

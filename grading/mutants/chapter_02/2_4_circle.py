@@ -1,0 +1,19 @@
+# expect: in a circle
+# Exercise 2.4: a library and its user
+REPORT_PY = '''
+import sys
+
+from wheel_math.geometry import distance
+
+
+def main():
+    print(f'{distance(int(sys.argv[1])):.3f} m')
+'''
+WHEEL_MATH_XML = package_xml(
+    'wheel_math', 'ament_python',
+    '<exec_depend>odometry</exec_depend>',
+)
+ODOMETRY_XML = package_xml(
+    'odometry', 'ament_python',
+    '<exec_depend>wheel_math</exec_depend>',
+)

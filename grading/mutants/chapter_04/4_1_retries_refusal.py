@@ -1,0 +1,40 @@
+# expect: a refusal is an answer, do not try again
+# Exercise 4.1: a patient client
+from std_msgs.msg import Bool, String
+from std_srvs.srv import SetBool
+
+
+class GripperClient(Node):
+    def __init__(self, timeout=1.0, tries=3):
+        super().__init__('gripper_client')
+        self.tries, self.left, self.future = tries, 0, None
+        self.client = self.create_client(SetBool, 'set_gripper')
+        self.state = self.create_publisher(String, 'gripper_state', 10)
+        self.create_subscription(Bool, 'close', self.on_close, 10)
+        self.timer = self.create_timer(timeout, self.on_timeout, autostart=False)
+
+    def on_close(self, msg):
+        self.request, self.left = SetBool.Request(data=msg.data), self.tries
+        self.on_timeout()
+
+    def on_timeout(self):
+        self.left -= 1
+        if self.left < 0:
+            return self.report('failed')
+        self.timer.reset()
+        self.future = self.client.call_async(self.request)
+        self.future.add_done_callback(self.on_answer)
+
+    def on_answer(self, future):
+        if future is self.future:
+            if future.result().success:
+                self.report('ok')
+            elif self.left:
+                self.on_timeout()
+            else:
+                self.report('refused')
+
+    def report(self, text):
+        self.timer.cancel()
+        self.future = None
+        self.state.publish(String(data=text))

@@ -1,0 +1,20 @@
+# expect: give the clients a group of their own
+# Exercise 4.3: one question, two sources
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+from std_srvs.srv import Trigger
+
+
+class StatusPanel(Node):
+    def __init__(self):
+        super().__init__('status_panel')
+        group = MutuallyExclusiveCallbackGroup()
+        self.battery = self.create_client(Trigger, 'battery/check')
+        self.lidar = self.create_client(Trigger, 'lidar/check')
+        self.create_service(Trigger, 'status', self.on_status)
+
+    async def on_status(self, request, response):
+        futures = [client.call_async(Trigger.Request()) for client in (self.battery, self.lidar)]
+        battery, lidar = [await future for future in futures]
+        response.success = battery.success and lidar.success
+        response.message = f'battery: {battery.message}; lidar: {lidar.message}'
+        return response

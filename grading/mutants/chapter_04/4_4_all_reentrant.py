@@ -1,0 +1,29 @@
+# expect: enter must stay in a mutually exclusive group
+# Exercise 4.4: find the bugs
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from std_srvs.srv import SetBool, Trigger
+
+
+class DoorGuard(Node):
+    def __init__(self, capacity=2):
+        super().__init__('door_guard')
+        self.capacity, self.inside = capacity, 0
+        group = ReentrantCallbackGroup()
+        self.lock = self.create_client(SetBool, 'lock', callback_group=group)
+        self.create_service(Trigger, 'enter', self.on_enter, callback_group=group)
+        self.create_service(Trigger, 'leave', self.on_leave, callback_group=group)
+
+    async def on_enter(self, request, response):
+        if self.inside >= self.capacity:
+            response.message = 'full'
+            return response
+        answer = await self.lock.call_async(SetBool.Request(data=False))
+        self.inside += answer.success
+        response.success = answer.success
+        response.message = 'welcome' if answer.success else 'locked'
+        return response
+
+    def on_leave(self, request, response):
+        self.inside = max(0, self.inside - 1)
+        response.success = True
+        return response

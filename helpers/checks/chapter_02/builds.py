@@ -1,0 +1,141 @@
+"""What the tests of chapter 2 build: the learner's texts with the files that are given. Built once per session.
+
+Each function returns a `helpers.runner.workspaces.Workspace` in which the build has succeeded.
+"""
+
+import json
+import re
+from pathlib import Path
+from xml.etree import ElementTree
+
+from helpers.runner import expect
+from helpers.runner.workspaces import Workspace, package
+
+GIVEN = Path(__file__).with_name('given')
+
+
+def greeter(learner) -> Workspace:
+    """Exercise 2.1's package."""
+    text = learner.text('SETUP_PY')
+    for _, value in re.findall(r"""(['"])\s*[\w.-]+\s*=\s*([^'"]*)\1""", text):
+        expect('/' not in value and '.py' not in value,
+               f'The entry point `{value.strip()}` names a file. An entry point names a module as import does: with '
+               'dots, and without .py.')
+    expect(not re.search(r"""=\s*[\w.]+:\w+(['"])\s*\n\s*['"]""", text),
+           'A comma is missing between two entry points. Python joins two texts that follow each other to one.')
+    workspace = learner.workspace({**package(GIVEN / 'greeter'), 'src/greeter/setup.py': text})
+    workspace.build()
+    return workspace
+
+
+def line_follower(learner) -> Workspace:
+    """Exercise 2.2's package."""
+    workspace = learner.workspace({
+        **package(GIVEN / 'line_follower'), 'src/line_follower/setup.py': learner.text('SETUP_PY'),
+        'src/line_follower/setup.cfg': learner.text('SETUP_CFG'),
+        'src/line_follower/package.xml': learner.text('PACKAGE_XML')})
+    workspace.build()
+    return workspace
+
+
+def dock_interfaces(learner) -> Workspace:
+    """Exercise 2.3's package."""
+    folder = 'src/dock_interfaces'
+    workspace = learner.workspace({
+        f'{folder}/msg/Charge.msg': learner.text('MSG'), f'{folder}/srv/Dock.srv': learner.text('SRV'),
+        f'{folder}/CMakeLists.txt': learner.text('CMAKE'), f'{folder}/package.xml': learner.text('PACKAGE_XML'),
+        'try_it.py': _TRY_IT})
+    workspace.build()
+    return workspace
+
+
+def interface(learner) -> dict:
+    """The fields of exercise 2.3's types, its constant and its default value, as Python sees them."""
+    done = dock_interfaces(learner).run('python3', 'try_it.py')
+    absent = re.search(r"No module named 'dock_interfaces\.(msg|srv)'|cannot import name '(\w+)'", done.last_line)
+    expect(not absent, f'Python does not find {absent and ("your ." + absent[1] if absent[1] else absent[2])}: is each '
+                       'file named in rosidl_generate_interfaces?')
+    expect(done.status == 0, f'A program that uses your types ended with: {done.last_line}')
+    return json.loads(done.lines[0])
+
+
+def odometry(learner) -> Workspace:
+    """Exercise 2.4's two packages, of which those are built that odometry declares to need."""
+    workspace = learner.workspace({
+        **package(GIVEN / 'wheel_math'), **package(GIVEN / 'odometry'),
+        'src/wheel_math/package.xml': learner.text('WHEEL_MATH_XML'),
+        'src/odometry/package.xml': learner.text('ODOMETRY_XML'),
+        'src/odometry/odometry/report.py': learner.text('REPORT_PY')})
+    done = workspace.build('--packages-up-to', 'odometry', check=False)
+    expect('Unable to order packages' not in done.output,
+           'The two packages need each other in a circle, so neither can be built first. wheel_math needs nothing of '
+           'odometry.')
+    workspace.build('--packages-up-to', 'odometry')
+    return workspace
+
+
+def dependencies(learner, name: str) -> dict[str, set[str]]:
+    """What the package.xml in the learner's text `name` declares: tag -> packages."""
+    text = learner.text(name)
+    expect('<!DOCTYPE' not in text and '<!ENTITY' not in text, f'{name} needs no DOCTYPE.')
+    try:
+        root = ElementTree.fromstring(text)
+    except ElementTree.ParseError as error:
+        expect(False, f'{name} is not XML: {error}.')
+    found: dict[str, set[str]] = {}
+    for element in root:
+        found.setdefault(element.tag, set()).add((element.text or '').strip())
+    return found
+
+
+def to_run(declared: dict[str, set[str]]) -> set[str]:
+    """The packages that must be there when it runs."""
+    return declared.get('depend', set()) | declared.get('exec_depend', set())
+
+
+def to_build(declared: dict[str, set[str]]) -> set[str]:
+    """The packages that must be there when it is built, tools included."""
+    return declared.get('depend', set()) | declared.get('build_depend', set()) | declared.get('buildtool_depend', set())
+
+
+# Runs on the learner's side: prints the fields, then offers, publishes and calls what the learner has defined.
+_TRY_IT = '''\
+import json
+import sys
+
+import rclpy
+from dock_interfaces.msg import Charge
+from dock_interfaces.srv import Dock
+
+print(json.dumps({
+    'msg': list(Charge.get_fields_and_field_types().items()),
+    'request': list(Dock.Request.get_fields_and_field_types().items()),
+    'response': list(Dock.Response.get_fields_and_field_types().items()),
+    'FULL': getattr(Charge, 'FULL', None),
+    'speed': getattr(Dock.Request(), 'speed', None),
+}))
+if len(sys.argv) > 1:
+    station, percent = sys.argv[1], int(sys.argv[2])
+    rclpy.init()
+    node = rclpy.create_node('dock')
+    heard = []
+    node.create_subscription(Charge, 'charge', heard.append, 10)
+    publisher = node.create_publisher(Charge, 'charge', 10)
+
+    def dock(request, response):
+        message = Charge(percent=percent, charging=True)
+        message.header.frame_id = request.station
+        publisher.publish(message)
+        response.docked, response.message = True, request.station
+        return response
+
+    node.create_service(Dock, 'dock', dock)
+    client = node.create_client(Dock, 'dock')
+    client.wait_for_service(timeout_sec=10)
+    answer = client.call_async(Dock.Request(station=station))
+    rclpy.spin_until_future_complete(node, answer, timeout_sec=10)
+    while not heard:
+        rclpy.spin_once(node, timeout_sec=10)
+    print(json.dumps([answer.result().docked, answer.result().message, heard[0].header.frame_id, heard[0].percent]))
+    rclpy.try_shutdown()
+'''

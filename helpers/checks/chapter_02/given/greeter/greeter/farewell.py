@@ -1,0 +1,7 @@
+"""Says goodbye."""
+
+import sys
+
+
+def main():
+    print('Goodbye,', ' '.join(sys.argv[1:]) or 'robot')
