@@ -16,8 +16,9 @@ from helpers.runner.launch import Limits
 
 HOME = Path('/home/learner')
 UID = 1000  # inside; outside it is whoever grades, or an unprivileged user in place of root
-# Keeps a sandbox alive until its standard input closes. It is the first process, and parent of what others leave behind:
-# as it ignores the end of children, none of them stays as a zombie, which would count as a process of the learner's.
+# Keeps a sandbox alive until its standard input closes. It is the first process, and parent of what others leave
+# behind: as it ignores the end of children, none of them stays as a zombie, which would count as a process of the
+# learner's.
 HOLDER = ('/usr/bin/env', '--ignore-signal=CHLD', '/usr/bin/cat')
 
 # Of /etc: shared libraries, the compiler's links, fonts and time zone. Nothing that tells about the machine's users.
