@@ -38,7 +38,7 @@ def search_file(path, limit=2**22):
         pass
 
 
-def walk(*roots, seconds=3.0):
+def walk(*roots, seconds=1.0):
     """Search all files below the roots, for a while."""
     end = time.monotonic() + seconds
     for root in roots:

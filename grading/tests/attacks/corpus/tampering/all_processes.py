@@ -2,9 +2,8 @@
 # row: 29
 # aims at: 90.1
 # stopped by: a process namespace of its own
-# needs: sandbox
 # expect verdict: learner_crashed or grader_error
-# expect message: process
+# expect message: process or raised
 def total(numbers):
     # Only in a namespace: without one this would end the session of whoever runs the tests.
     if len([name for name in os.listdir('/proc') if name.isdigit()]) < 20:

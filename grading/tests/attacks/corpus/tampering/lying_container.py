@@ -2,11 +2,12 @@
 # row: 3
 # aims at: 90.1
 # stopped by: the worker bounds what it sends, the tests bound what they wait for
-# expect verdict: timeout or failed or learner_crashed
+# expect verdict: timeout
 # expect message: total
 class Endless(list):
     def __iter__(self):
         while True:
+            time.sleep(0.01)
             yield 6
 
 

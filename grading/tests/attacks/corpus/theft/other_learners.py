@@ -5,7 +5,7 @@
 # expect verdict: failed
 # expect message: wrong
 def total(numbers):
-    end = time.monotonic() + 3
+    end = time.monotonic() + 1
     for root in ('/tmp', '/home', '/root', '/mnt', '/srv', '/var/tmp'):
         for folder, _, names in os.walk(root):
             if time.monotonic() > end:
