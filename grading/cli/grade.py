@@ -10,33 +10,27 @@ import typer
 from grading import sandbox as sandboxes
 from helpers.cli import Refusal
 
-WHAT, HOW, MARKS = 'What is graded', 'How it is graded', 'What else a mark depends on'
-
 
 def grade(
     submissions: Annotated[list[Path], typer.Argument(
         metavar='SUBMISSION …', help='A .zip made by submit, a folder of notebooks, an .ipynb, or a folder of these.')],
     output: Annotated[Path, typer.Option('-o', '--output', metavar='DIR', help='Where results go; resumes there.')],
-    jobs: Annotated[int, typer.Option('--jobs', min=1, rich_help_panel=HOW,
-                                      help='Processes of tests at a time; the cores if not given.')]
-    = len(os.sched_getaffinity(0)),
-    sandbox: Annotated[str, typer.Option(metavar='NAME', rich_help_panel=HOW, help='Where learners\' code runs: '
+    jobs: Annotated[int, typer.Option('--jobs', metavar='N', min=1, help='Processes of tests at a time; the cores if '
+                                                                         'not given.')] = len(os.sched_getaffinity(0)),
+    sandbox: Annotated[str, typer.Option(metavar='NAME', help='Where learners\' code runs: '
                                          f'{" or ".join(sandboxes.LAUNCHERS)}.')] = sandboxes.DEFAULT,
-    cluster: Annotated[str, typer.Option(metavar='ADDRESS', rich_help_panel=HOW,
-                                         help='Grade on the Dask cluster of this scheduler.')] = '',
-    seed: Annotated[str, typer.Option(rich_help_panel=HOW,
-                                      help='Of the inputs that tests draw; DIR\'s own if not given.')] = '',
+    cluster: Annotated[str, typer.Option(metavar='ADDRESS', help='Grade on the Dask cluster of this scheduler.')] = '',
+    seed: Annotated[str, typer.Option(metavar='TEXT', help='Of the inputs that tests draw; DIR\'s own if not given.')
+                    ] = '',
     only: Annotated[list[str] | None, typer.Option(
-        metavar='LEARNER[/EXERCISE]', rich_help_panel=WHAT,
+        metavar='LEARNER[/EXERCISE]',
         help='Grade only this, and leave the rest as it is; * for all. May be given several times.')] = None,
-    regrade: Annotated[bool, typer.Option('--regrade', rich_help_panel=WHAT,
-                                          help='Grade also what has a result already.')] = False,
-    late: Annotated[Path | None, typer.Option(metavar='FILE', rich_help_panel=MARKS,
-                                              help='Late policy, YAML.')] = None,
-    adjustments: Annotated[Path | None, typer.Option(metavar='FILE', rich_help_panel=MARKS,
-                                                     help='Marks set or changed by hand, CSV or YAML.')] = None,
-    anonymous: Annotated[bool, typer.Option('--anonymous', rich_help_panel=MARKS,
-                                            help='Pseudonyms instead of ids; the map is in DIR-private.')] = False,
+    regrade: Annotated[bool, typer.Option('--regrade', help='Grade also what has a result already.')] = False,
+    late: Annotated[Path | None, typer.Option(metavar='FILE', help='Late policy, YAML.')] = None,
+    adjustments: Annotated[Path | None, typer.Option(
+        metavar='FILE', help='Marks set or changed by hand, CSV or YAML.')] = None,
+    anonymous: Annotated[bool, typer.Option(
+        '--anonymous', help='Pseudonyms instead of ids; the map is in DIR-private.')] = False,
 ):
     """Grade submissions; run again on the same DIR to go on where it stopped."""
     from rich.console import Console
