@@ -2,10 +2,10 @@
 # row: 17
 # aims at: 90.1
 # stopped by: the memory of a process is bounded
-# expect verdict: learner_crashed
-# expect message: MemoryError
+# expect verdict: learner_crashed or timeout
+# expect message: MemoryError or more memory or did not return
 def total(numbers):
     held = []
-    for _ in range(120):  # at most 6 GB, of which the pages are not touched
-        held.append(bytearray(50 * 2**20))
+    for _ in range(12):  # at most 6 GB, of which the pages are not touched
+        held.append(bytearray(500 * 2**20))
     return 0

@@ -3,7 +3,7 @@
 # aims at: 90.1
 # stopped by: the number of processes is bounded; all of them end with the program
 # expect verdict: failed or learner_crashed or timeout
-# expect message: total or process or raised
+# expect message: total or process or raised or more memory
 def total(numbers):
     for _ in range(20):
         try:
