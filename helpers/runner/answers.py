@@ -22,6 +22,10 @@ def _texts(value) -> bool:
     return isinstance(value, list) and len(value) <= _MAX_ITEMS and all(isinstance(item, str) for item in value)
 
 
+def _names(value) -> bool:
+    return isinstance(value, list) and all(isinstance(item, str) for item in value)
+
+
 def _rows(value) -> bool:
     return isinstance(value, list) and len(value) <= _MAX_ITEMS and all(
         isinstance(row, dict) and {'cell', 'line', 'code'} <= row.keys() for row in value)
@@ -35,6 +39,8 @@ def _anything(value) -> bool:
 _ANSWERS = {
     'start': {'index': _count, 'endpoints': _count, 'nodes': _texts},
     'call': {'result': _anything},
+    'value': {'result': _anything},
+    'listing': {'files': _names},
     'step': {'count': _count, 'reached': _truth, 'next': _moment, 'endpoints': _count, 'waiting': _rows},
 }
 

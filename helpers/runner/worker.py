@@ -385,7 +385,7 @@ class Worker(Commands):
         with self._sending:
             try:
                 self.channel.send({'id': request['id'], **answer})
-            except ChannelError as error:
+            except (ChannelError, ValueError) as error:  # also a number with thousands of digits
                 self.channel.send({'id': request['id'], 'fault': {'kind': 'too_long', 'text': str(error)}})
 
     # The requests

@@ -5,4 +5,4 @@
 # expect verdict: failed or learner_crashed or timeout
 # expect message: too long
 def total(numbers):
-    return list(range(2_000_000))
+    return list(range(700_000))

@@ -2,7 +2,7 @@
 # row: 30
 # aims at: 90.1
 # stopped by: a fault in writing the answer is the learner's
-# expect verdict: failed or learner_crashed
-# expect message: total
+# expect verdict: failed
+# expect message: too long
 def total(numbers):
     return 10 ** 5000
