@@ -165,5 +165,7 @@ class _Run:
         if changes:
             reasons = self.plans[record.learner].why if fresh else ['late policy or adjustments']
             self.log.info('%s: marks changed (%s): %s', record.learner, ', '.join(reasons), '; '.join(changes))
+        elif fresh and self.plans[record.learner].why:
+            self.log.info('%s: no mark changed (%s)', record.learner, ', '.join(self.plans[record.learner].why))
         if record.learner in self.plans:
             self.listener.finished(record, fresh, changes)

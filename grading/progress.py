@@ -29,7 +29,8 @@ class Shown(Listener):
 
     def begun(self, todo: int, all_of_them: int) -> None:
         self.console.print(f'{todo} of {all_of_them} submissions to grade', markup=False)
-        self._total = self._all.add_task('submissions', total=todo)
+        if todo:
+            self._total = self._all.add_task('submissions', total=todo)
 
     def tested(self, learner: str, test: str) -> None:
         with self._lock:

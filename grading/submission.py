@@ -45,14 +45,15 @@ class Submission:
     problem: str = ''  # for the learner; no exercise can be graded
     handed_in: str = ''  # ISO 8601, UTC
     label: str = ''  # the learner's id that a zip's submission.json says
+    platform: bool = False  # whether `learner` comes from a learning platform
     notes: list[str] = field(default_factory=list)  # for the instructor
     earlier: list[Attempt] = field(default_factory=list)  # the learner's other submissions that were found
 
     def digest(self) -> str:
         """SHA-256 of what was handed in."""
-        digest = hashlib.sha256(f'{self.learner}\0{self.problem}\0'.encode())
+        digest = hashlib.sha256(f'{self.learner}\0{self.problem}\0'.encode(errors='backslashreplace'))
         for name, data in sorted(self.files.items()):
-            digest.update(f'{name}\0{len(data)}\0'.encode() + data)
+            digest.update(f'{name}\0{len(data)}\0'.encode(errors='backslashreplace') + data)  # not all names are text
         return digest.hexdigest()
 
     def cells(self, notebook: str, exercises: list[Exercise]) -> list[Cell] | None:

@@ -38,6 +38,7 @@ def find(paths: Iterable[Path], skipped: list[Path] | None = None) -> list[Submi
         for submission in _at(path, skipped if skipped is not None else []):
             found.setdefault(submission.source.resolve(), submission)
     _name(list(found.values()))
+    _note_copies(list(found.values()))
     learners: dict[str, list[Submission]] = defaultdict(list)
     for submission in found.values():
         learners[submission.learner].append(submission)
@@ -120,10 +121,7 @@ def _read(path: Path, owner: str = '') -> Submission:
     submission = read(path)
     owner = owner or _owner(path)
     if owner:
-        submission.learner = owner
-        if submission.label and submission.label != owner:
-            submission.notes.append(f'submission.json says that it is {submission.label}\'s')
-        submission.label = ''
+        submission.learner, submission.platform = owner, True
     return submission
 
 
@@ -149,11 +147,12 @@ def _name(found: list[Submission]) -> None:
 
     :raises Unusable: two zips of different names claim one id.
     """
-    named = {submission.learner for submission in found if submission.label in ('', submission.learner)}
+    named = {submission.learner for submission in found
+             if submission.platform or submission.label in ('', submission.learner)}
     claims: dict[str, tuple[str, Submission]] = {}
     for submission in found:
         name, label = submission.learner, submission.label
-        if label in ('', name):
+        if label in ('', name) or submission.platform:
             continue
         if label in named:
             submission.notes.append(f'submission.json says that it is {label}\'s, whose own submission is there, too: '
@@ -164,6 +163,18 @@ def _name(found: list[Submission]) -> None:
                            f'both {label}.zip, in two folders, if they are, or give one of them')
         claims[label] = name, submission
         submission.learner = label
+
+
+def _note_copies(found: list[Submission]) -> None:
+    """Zips that several learners handed in, but one of them packed: a platform names each after who handed it in."""
+    users: dict[str, set[str]] = defaultdict(set)
+    for submission in found:
+        users[submission.label].add(submission.learner)
+    for submission in found:
+        others = users[submission.label] - {submission.learner}
+        if submission.label and submission.platform and others:
+            submission.notes.append(f'{", ".join(sorted(others))} handed in a zip with the same id inside, '
+                                    f'{submission.label}')
 
 
 def _latest(attempts: list[Submission]) -> Submission:

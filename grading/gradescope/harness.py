@@ -18,8 +18,6 @@ from helpers import paths
 
 CONFIG = 'autograder.json'
 MAX_NOTEBOOKS = 100
-_NO_SANDBOX = ('This submission was graded without a sandbox (--sandbox none). The marks can be trusted as far as the '
-               'learner can.')
 
 
 @dataclass(frozen=True)
@@ -56,10 +54,8 @@ def main(root: Path) -> int:
     if record is None:
         print(f'grade ended with status {status} and without a result')
         return 1
-    warnings = []
-    if record.sandbox == 'none':
-        print(f'WARNING: {_NO_SANDBOX}')
-        warnings.append('Sandbox: none.')
+    # `grade` has warned the instructor already, at the top of the output.
+    warnings = ['Sandbox: none.'] if record.sandbox == 'none' else []
     write(root / 'results' / 'results.json', gradescope.dumps(record, config.hidden, warnings))
     print(f'sandbox {record.sandbox}, seed {record.seed or "unknown"}, status {record.status}, '
           f'{"unknown" if record.score is None else format(record.score, "g")} of {record.points:g} points')

@@ -16,7 +16,10 @@ from helpers.runner.launch import Limits
 
 HOME = Path('/home/learner')
 UID = 1000  # inside; outside it is whoever grades, or an unprivileged user in place of root
-HOLDER = '/usr/bin/cat'  # keeps a sandbox alive until its standard input closes
+# Keeps a sandbox alive until its standard input closes. It is the first process, and parent of what others leave
+# behind: as it ignores the end of children, none of them stays as a zombie, which would count as a process of the
+# learner's.
+HOLDER = ('/usr/bin/env', '--ignore-signal=CHLD', '/usr/bin/cat')
 
 # Of /etc: shared libraries, the compiler's links, fonts and time zone. Nothing that tells about the machine's users.
 _ETC = ('ld.so.cache', 'ld.so.conf', 'ld.so.conf.d', 'alternatives', 'fonts', 'glvnd', 'localtime', 'nsswitch.conf',
@@ -73,11 +76,11 @@ def _bind(trees: Iterable[Path]) -> list[str]:
 def tests(folders: Iterable[Path]) -> list[str]:
     """The tests' sandbox; `folders` hold the tests."""
     return [*_apart(), '--unshare-net', *_system(), *_own(tmp=64 * 2**20, shared=8 * 2**20), *_bind(readable()),
-            *_bind(folders), '--remount-ro', '/dev', '--remount-ro', '/', '--chdir', '/tmp', '--', HOLDER]
+            *_bind(folders), '--remount-ro', '/dev', '--remount-ro', '/', '--chdir', '/tmp', '--', *HOLDER]
 
 
 def programs(limits: Limits) -> list[str]:
     """The learner's sandbox, to be started inside of the tests' network."""
     return [*_apart(), *_system(), *_own(tmp=limits.tmp, shared=limits.shared), *_bind(readable()),
             '--tmpfs', str(_HELD_BACK), '--remount-ro', str(_HELD_BACK), '--size', str(limits.home), '--tmpfs',
-            str(HOME), '--remount-ro', '/dev', '--remount-ro', '/', '--chdir', str(HOME), '--', HOLDER]
+            str(HOME), '--remount-ro', '/dev', '--remount-ro', '/', '--chdir', str(HOME), '--', *HOLDER]

@@ -8,6 +8,7 @@ code.
 import os
 import signal
 import socket
+from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
@@ -108,7 +109,9 @@ class Sandboxed(zygote.Programs):
             self._inside(_kill_all, namespaces.ALL)
 
     def look(self) -> str:
-        if self._holder is None or _memory(self._holder.pid) < self._limits.total_memory:
+        most = self._limits.total_memory
+        # What forked processes still share counts once, but that takes longer to find out.
+        if self._holder is None or _memory(self._holder.pid, _own) < most or _memory(self._holder.pid, _share) < most:
             return ''
         self._inside(_kill_all, namespaces.ALL)
         return 'memory'
@@ -159,13 +162,26 @@ def _kill_all() -> None:
     os.waitpid(pid, 0)
 
 
-def _memory(pid: int) -> int:
-    """Bytes of RAM that the processes have for themselves in the sandbox whose first process is `pid`."""
+def _memory(pid: int, measure: Callable[[str], int]) -> int:
+    """Bytes of RAM of the processes in the sandbox whose first process is `pid`."""
     total = 0
     with suppress(OSError):
         for entry in os.scandir(f'/proc/{pid}/root/proc'):
             if entry.name.isdecimal() and entry.name != '1':
                 with suppress(OSError, ValueError, IndexError):
-                    _, resident, shared, *_ = Path(entry.path, 'statm').read_text().split()
-                    total += (int(resident) - int(shared)) * _PAGE
+                    total += measure(entry.path)
     return total
+
+
+def _own(process: str) -> int:
+    """What is not a file's, and may still be shared with a process that was forked."""
+    _, resident, shared, *_ = Path(process, 'statm').read_text().split()
+    return (int(resident) - int(shared)) * _PAGE
+
+
+def _share(process: str) -> int:
+    """Its part of what it shares, and all that it does not share."""
+    for line in Path(process, 'smaps_rollup').read_text().splitlines():
+        if line.startswith('Pss_Anon:'):
+            return int(line.split()[1]) * 1024
+    raise ValueError('no Pss_Anon')

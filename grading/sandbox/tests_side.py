@@ -4,11 +4,13 @@ The tests are the grader's own, but they listen to a network on which a learner'
 at worst end this process, which has no privileges, no way out and a bound on its memory; then no mark is given.
 """
 
+import contextlib
 import importlib
 import json
 import os
 import resource
 import select
+import signal
 import socket
 import sys
 from pathlib import Path
@@ -49,10 +51,12 @@ def run(request: dict, job: int, events: int, printed: int, control: int, life: 
         os.close(descriptor)
     ended = os.pidfd_open(pid)
     ready, _, _ = select.select([ended, watched], [], [])
-    if ended in ready:
-        _, status = os.waitpid(pid, 0)
-        watched.send(str(os.waitstatus_to_exitcode(status)).encode())
+    if ended not in ready:
+        os.kill(pid, signal.SIGKILL)
+    _, status = os.waitpid(pid, 0)  # first: a sandbox does not end before all in it are buried
     holder.close()
+    with contextlib.suppress(OSError):  # nobody may be there any more
+        watched.send(str(os.waitstatus_to_exitcode(status)).encode())
 
 
 def _become_tests(request: dict, job: int, events: int, control: int) -> None:

@@ -3,10 +3,14 @@
 import csv
 import io
 import json
+import os
 import re
+import subprocess
+import sys
 from pathlib import Path
 from xml.etree import ElementTree
 
+import psutil
 import pytest
 
 from grading import grade, gradebook, reports, submissions
@@ -15,6 +19,7 @@ from grading.late import Late
 from grading.record import Attempt, Record, write
 from grading.tests import small
 from grading.tests.test_reports import validate
+from helpers import paths
 from helpers.runner import results
 from helpers.runner.results import ExerciseResult, TestResult
 
@@ -133,6 +138,53 @@ def _again(course, works, output):
     heard = Heard()
     grade.grade(works, course, output, 2, heard)
     assert not heard.fresh and contents(output) == before
+
+
+SCRIPT = """
+import sys
+from pathlib import Path
+from grading import grade, submissions
+from grading.tests import small
+
+class Told(grade.Listener):
+    def tested(self, learner, test):
+        print('tested', flush=True)
+
+    def finished(self, record, fresh, changes):
+        print('fresh' if fresh else 'kept', flush=True)
+
+folder = Path(sys.argv[1])
+course = grade.Course((small.exercise(),), folder / 'checks', folder / 'hidden', 'none')
+works = [work for work in submissions.find([folder / 'works']) if work.learner in ('ada', 'bob', 'fay')]
+grade.grade(works, course, folder / 'out', 2, Told(), grade.Settings(seed='s'))
+"""
+
+
+@pytest.mark.timeout(300)
+def test_killed_while_tests_run(course, works, tmp_path):
+    """Killed in the midst of tests, and after the first result: tests end with their grader, and nothing is lost."""
+    def start():
+        return subprocess.Popen([sys.executable, '-c', SCRIPT, str(tmp_path)], stdout=subprocess.PIPE, text=True,
+                                env={**os.environ, 'PYTHONPATH': str(paths.ROOT)})
+
+    found = tmp_path / 'out' / 'results'
+    for moment in ('tested', 'fresh'):
+        with start() as process:
+            assert any(line.strip() == moment for line in process.stdout)
+            children = psutil.Process(process.pid).children(recursive=True)
+            process.kill()
+        assert not psutil.wait_procs(children, timeout=20)[1], 'the tests outlive their grader'
+    kept = {path.name: path.stat().st_mtime_ns for path in found.glob('*.json')}
+    assert kept
+    with start() as process:
+        said = process.stdout.read().split()
+    assert process.returncode == 0 and said.count('kept') == len(kept) and said.count('fresh') == 3 - len(kept)
+    assert kept.items() <= {path.name: path.stat().st_mtime_ns for path in found.glob('*.json')}.items()
+    mine = [work for work in works if work.learner in ('ada', 'bob', 'fay')]
+    expected = grade.grade(mine, course, tmp_path / 'undisturbed', 2, settings=grade.Settings(seed='s'))
+    assert [Record.load(found / f'{record.learner}.json') for record in expected] == expected
+    books = [(tmp_path / folder / 'gradebook.csv').read_bytes() for folder in ('out', 'undisturbed')]
+    assert books[0] == books[1]
 
 
 def test_a_fault_of_the_graders_is_no_zero(course, tmp_path):

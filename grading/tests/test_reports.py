@@ -270,6 +270,9 @@ def test_junit(made):
     assert SECRET not in junit.dumps(made)
     if made is FAULT:
         assert suite.get('errors') == '1'
+    elif made is RECORDS['plain']:
+        failure, = suite.findall('testcase/failure')[:1]
+        assert (failure.get('type'), failure.get('message')) == ('failed', 'It said 3 words.')
 
 
 def test_gradebook_shows_the_marks_that_count():

@@ -235,6 +235,14 @@ def test_moodle(tmp_path):
     assert 'no notebook' in found['Li_Lo_126'].problem and not found['Zoe_Ng_124'].problem
 
 
+def test_one_zip_handed_in_by_two(tmp_path):
+    for name, label in (('Jane Doe_123', 'jane'), ('Max Um_125', 'jane'), ('Li Lo_126', 'li')):
+        labelled(tmp_path / f'{name}_assignsubmission_file_x.zip', label)
+    found = {one.learner: one.notes for one in submissions.find([tmp_path])}
+    assert found == {'Jane_Doe_123': ['Max_Um_125 handed in a zip with the same id inside, jane'],
+                     'Max_Um_125': ['Jane_Doe_123 handed in a zip with the same id inside, jane'], 'Li_Lo_126': []}
+
+
 def test_canvas(tmp_path):
     for name in ('doejane_LATE_1234_5678_03_a.ipynb', 'doejane_1234_5679_04_b.ipynb', 'um_1300_5680_x.zip'):
         work(tmp_path / name)

@@ -10,7 +10,7 @@ import threading
 import time
 from dataclasses import asdict
 
-from helpers.runner import answers, launch, values
+from helpers.runner import answers, launch, spent, values
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
 from helpers.runner.verdicts import InvalidProgram, LearnerCrashed, LearnerFault, LearnerTimeout
 
@@ -19,6 +19,7 @@ _NOISE = re.compile(r'^\[WARN\] \[rcl\.logging_rosout\]: Publisher already regis
 # What a callback of a deadlock is found at: waits for the answer of a service or an action.
 _WAITS_FOR_ANSWER = ('.call(', 'until_future_complete', '.done()', '.send_goal(', '.get_result(', 'spin_once(')
 MAX_EARLY = 100  # answers that are kept for later
+WHERE_TIMEOUT = 3.0  # seconds; a program that cannot tell where it is holds the interpreter's lock
 START_TIMEOUT = 30.0  # seconds until the fork server has imported ROS, on a machine under load
 
 
@@ -125,6 +126,7 @@ class Output:
 class Process:
     """One process of the learner's with their program loaded."""
 
+    @spent.part('load')
     def __init__(self, server: ForkServer, program: dict, *, ros_args=(), token: str, now: int, timeout: float):
         """Load `program` (see `helpers.exercises.program`). Raises LearnerFault if it cannot be loaded."""
         self.server = server
@@ -144,18 +146,20 @@ class Process:
     def ask(self, op: str, limit: float, **arguments) -> dict:
         """Ask and wait at most `limit` seconds for the answer. Raises LearnerFault for what the learner's code did."""
         number = next(self._ids)
+        lines: list[dict] | None = []
         try:
             self.channel.send({'id': number, 'op': op, 'with': arguments})
             try:
                 answer = self._answer(number, limit)
             except ChannelTimeout:
-                if self._where() != []:
+                lines = self._where()
+                if lines != []:
                     raise
                 # It is in none of the learner's lines: the machine is slow, not the program.
                 answer = self._answer(number, 3 * limit)
             answers.check(op, answer)
         except ChannelTimeout:
-            raise self._hanging(op, limit, arguments) from None
+            raise self._hanging(op, limit, arguments, lines or []) from None
         except ChannelClosed:
             raise self._gone(op) from None
         except ChannelError as error:
@@ -178,7 +182,7 @@ class Process:
         number = next(self._ids)
         try:
             self.channel.send({'id': number, 'op': 'where'})
-            deadline = time.monotonic() + 5
+            deadline = time.monotonic() + WHERE_TIMEOUT
             while True:
                 answer = self.channel.receive(max(0.0, deadline - time.monotonic()))
                 if answer.get('id') == number:
@@ -189,8 +193,7 @@ class Process:
         except (ChannelTimeout, ChannelClosed, ChannelError):
             return None
 
-    def _hanging(self, op: str, limit: float, arguments: dict) -> LearnerFault:
-        lines = self._where() or []
+    def _hanging(self, op: str, limit: float, arguments: dict, lines: list[dict]) -> LearnerFault:
         self.kill()
         doing = {'load': 'The cell', 'start': f"`{arguments.get('name')}(…)`",
                  'call': f"`{arguments.get('name')}(…)`"}.get(op, 'A callback')
@@ -263,6 +266,9 @@ class Process:
         if kind == 'SystemExit':
             return LearnerCrashed(f"{where.get(fault.get('where'), 'Then')} your code called exit(){at}. "
                                   'A node must not end its process.', _stack(lines))
+        if kind == 'EOFError' and 'reading a line' in text:
+            return LearnerCrashed(f'Your code called input(){at}. Nobody is at a keyboard while it is tested: take '
+                                  'what you need as an argument or a parameter.', _stack(lines))
         error = f'{kind}: {text}' if text else kind
         notes = fault.get('notes')
         notes = notes[:5] if isinstance(notes, list) and kind in ('NameError', 'ImportError') else []

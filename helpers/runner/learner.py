@@ -15,13 +15,13 @@ from rclpy.time import Time
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import UInt64
 
-from helpers.runner import actions, services, values, wiring
+from helpers.runner import actions, services, spent, values, wiring
 from helpers.runner.client import ForkServer, Process, RunnerError
 from helpers.runner.peers import SECOND, Peer
 from helpers.runner.verdicts import LearnerFault
 from helpers.runner.workspaces import Workspaces
 
-MAX_MESSAGES = 20_000  # at one moment of simulated time, on all topics that a test records
+MAX_MESSAGES = 5000  # at one moment of simulated time, on all topics that a test records
 UNKNOWN = '_NODE_NAME_UNKNOWN_'  # rmw's name for the node of an endpoint that is known by itself only
 
 
@@ -445,6 +445,7 @@ class Learner(Workspaces):
             process.ask('ack', self.timeouts.step, timeout=5.0)
         self.receive()
 
+    @spent.part('discovery')
     def connect(self) -> None:
         """Wait until every endpoint made so far, here and in the learner's processes, is matched.
 

@@ -50,6 +50,7 @@ class Report:
     sandbox: str = ''
     log: list[str] = field(default_factory=list)  # for the instructor
     seed: str = ''  # the session's: with it the tests draw the same inputs again
+    spent: Counter[str] = field(default_factory=Counter)  # seconds by part, see `helpers.runner.spent`
 
 
 def run(cells: list[notebooks.Cell], exercises: Iterable[Exercise], options: Options | None = None,
@@ -92,7 +93,8 @@ def run(cells: list[notebooks.Cell], exercises: Iterable[Exercise], options: Opt
             judged[exercise.id] = results.judge(exercise, collection.of(exercise.id))
     return Report([judged[exercise.id] for exercise in exercises],
                   next((collection.sandbox for collection in collections), ''),
-                  [line for collection in collections for line in collection.log], options.seed)
+                  [line for collection in collections for line in collection.log], options.seed,
+                  sum((collection.spent for collection in collections), Counter()))
 
 
 class _Collection:
@@ -103,6 +105,7 @@ class _Collection:
         self.tests: dict[str, TestResult] = {}
         self.sandbox = ''
         self.log: list[str] = []
+        self.spent: Counter[str] = Counter()
         self._begun: Counter[str] = Counter()  # how often each test was begun
         self._doubled: set[str] = set()
 
@@ -114,13 +117,16 @@ class _Collection:
         """Run all tests; those that a dying process left behind, or that met a grader's fault, run again."""
         only, idle = None, 0
         while idle <= self.options.retries:
-            before = self._begun.total()
+            wanted, before = only, self._begun.copy()
             self._round(programs, folders, only, say)
             only = [name for name, test in self.tests.items() if test.verdict == verdicts.GRADER_ERROR
                     and name not in self._doubled and self._begun[name] <= self.options.retries]
             if self.tests and not only:
                 break
-            idle = 0 if self._begun.total() > before else idle + 1
+            # Only what was asked for counts: so each test is progress a bounded number of times.
+            progress = any(count > before[name] for name, count in self._begun.items()
+                           if wanted is None or name in wanted)
+            idle = 0 if progress else idle + 1
         if self.options.hidden is not None:
             for exercise in programs:
                 if not any(test.hidden for test in self.of(exercise)):
@@ -129,6 +135,7 @@ class _Collection:
     def _round(self, programs: dict[str, dict], folders: list[Path], only: list[str] | None, say) -> None:
         """One process of tests, to its end."""
         seen: set[str] = set()
+        judged: set[str] = set()
         running, begun = '', 0.0
         with (domains.claim() as domain, tempfile.TemporaryDirectory(prefix='course-tests-') as cwd,
               open(Path(cwd, 'printed'), 'w+b') as printed):
@@ -142,15 +149,22 @@ class _Collection:
                             running = event['test']
                             self._begun[running] += 1
                             begun = time.monotonic()
+                        case 'result' if event['test'] in judged:
+                            self._owe(self.tests[event['test']].exercise, event['test'], 'it has two results')
                         case 'result' if event['test'] == running and running in self.tests:
+                            judged.add(running)
                             self._result(event, time.monotonic() - begun)
                             say(running)
                         case 'broken':
                             self._broken(event, programs)
                         case 'sandbox':
                             self.sandbox = event['name']
+                        case 'spent':
+                            self.spent.update(event['seconds'])
                         case 'timeout':
                             self.log.append(f"no progress in {running or 'the start of the tests'}")
+                        case 'garbled':
+                            self.log.append(f"the tests' process sent what is no event after {running or 'its start'}")
             finally:
                 process.kill()
                 status = process.wait()
@@ -215,6 +229,23 @@ class _Collection:
         self.log.append(f'exercise {exercise}: {name}: {fault}')
 
 
+# What each kind of event must have.
+_FIELDS = {'collected': {'test': str, 'exercise': str, 'weight': (int, float), 'path': str, 'expected': str},
+           'running': {'test': str}, 'broken': {'where': str, 'text': str}, 'sandbox': {'name': str},
+           'spent': {'seconds': dict},
+           'result': {'test': str, 'verdict': str, 'message': str, 'details': str, 'output': str, 'fault': str}}
+
+
+def _event(line: bytes) -> dict | None:
+    """An event of the tests' process; None if it is none."""
+    try:
+        event = json.loads(line)
+        fields = _FIELDS.get(event['event'], {})
+    except (ValueError, KeyError, TypeError, RecursionError):
+        return None
+    return event if all(isinstance(event.get(key), kind) for key, kind in fields.items()) else None
+
+
 def _events(process: subprocess.Popen, descriptor: int, test_timeout: float):
     """The events of the tests' process; `timeout` and the end if none came in time.
 
@@ -232,7 +263,10 @@ def _events(process: subprocess.Popen, descriptor: int, test_timeout: float):
                 return
             buffer += chunk
         line, _, buffer = buffer.partition(b'\n')
-        event = json.loads(line)
+        event = _event(line)
+        if event is None:
+            yield {'event': 'garbled'}
+            return
         if event['event'] == 'running':
             limit = test_timeout
         yield event

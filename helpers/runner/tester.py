@@ -8,6 +8,7 @@ import json
 import os
 import sys
 
+from helpers.runner import spent
 from helpers.runner.lifetime import die_with_parent
 
 
@@ -22,29 +23,42 @@ def main() -> int:
 
 def run(job: dict, descriptor: int) -> None:
     """Run the tests that `job` names and report to `descriptor`."""
+    with spent.part('start'):
+        server, report = _prepare(job, descriptor)
+    try:
+        report({'event': 'sandbox', 'name': server.sandbox})
+        only = None if job['only'] is None else set(job['only'])
+        with spent.part('pytest'):
+            status = _judge(job, server, report, only)
+        report({'event': 'spent', 'seconds': dict(spent.seconds)})
+        report({'event': 'end', 'status': int(status)})
+    finally:
+        server.close()
+
+
+def _prepare(job: dict, descriptor: int):
+    """Start the learner's side; returns its server, and the function that reports to the session."""
     module, _, name = job['launcher'].partition(':')
     start = getattr(importlib.import_module(module), name)
     from helpers.runner import launch
     # The learner's side imports ROS while this side does.
     limits = launch.Limits(**job['limits'])
     started = start(job['domain'], limits)
+    from helpers.runner import plugin
+    from helpers.runner.client import ForkServer
+    return ForkServer(started, limits), plugin.reporter(descriptor)
+
+
+def _judge(job: dict, server, report, only: set[str] | None) -> int:
+    """Run pytest; returns its status."""
     import pytest
 
     from helpers.runner import plugin
-    from helpers.runner.client import ForkServer
-    report = plugin.reporter(descriptor)
-    server = ForkServer(started, limits)
-    try:
-        report({'event': 'sandbox', 'name': server.sandbox})
-        only = None if job['only'] is None else set(job['only'])
-        status = pytest.main(
-            ['-c', os.devnull, '--rootdir', os.getcwd(), '--import-mode=importlib', '--strict-markers', '-q',
-             '--continue-on-collection-errors',
-             '-p', 'no:cacheprovider', '--tb=no', '--no-header', *job['tests']],
-            plugins=[plugin.Plugin(job['programs'], server, job['domain'], report, only, seed=job['seed'])])
-        report({'event': 'end', 'status': int(status)})
-    finally:
-        server.close()
+    return pytest.main(
+        ['-c', os.devnull, '--rootdir', os.getcwd(), '--import-mode=importlib', '--strict-markers', '-q',
+         '--continue-on-collection-errors',
+         '-p', 'no:cacheprovider', '--tb=no', '--no-header', *job['tests']],
+        plugins=[plugin.Plugin(job['programs'], server, job['domain'], report, only, seed=job['seed'])])
 
 
 if __name__ == '__main__':

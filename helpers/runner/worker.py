@@ -161,7 +161,7 @@ class Program:
 def _text(error: BaseException) -> str:
     try:
         return str(error)[:2000]
-    except Exception:  # noqa: BLE001 - a learner's __str__ may raise
+    except BaseException:  # noqa: BLE001 - a learner's __str__ may raise, SystemExit too
         return ''
 
 

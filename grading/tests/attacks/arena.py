@@ -12,6 +12,7 @@ import secrets
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -47,6 +48,12 @@ class Talker(Node):
 """
 SOLVED = {'90.1': 'def total(numbers):\n    return sum(numbers)\n', '90.2': 'def flip(text):\n    return text[::-1]\n',
           '90.3': TALKER}
+# The tests wait less for what never comes, so that many attacks can be judged.
+PATIENCE = '''
+from helpers.runner import plugin
+from helpers.runner.learner import Timeouts
+plugin.TIMEOUTS, plugin.AGAIN = Timeouts(3.0, 3.0, 3.0, 3.0), Timeouts(1.5, 1.5, 1.5, 1.5)
+'''
 VISIBLE = {
     '90.1': '''
 def test_known(learner):
@@ -212,13 +219,17 @@ def choose() -> str:
 
 
 def grade_batch(folder: Path, works: dict[str, bytes], cookie: str | None = None, *, jobs: int = 2,
-                used: str | None = None) -> Batch:
-    """Grade notebooks by learner, and the honest one's, with secrets all around them that nobody may read."""
+                used: str | None = None, more: Callable[[Path], None] = lambda incoming: None) -> Batch:
+    """Grade files by name, and the honest learner's notebook, with secrets all around them that nobody may read.
+
+    `more` may put other things among the submissions.
+    """
     batch = Batch(folder, cookie or new_cookie(), f'CANARY-{secrets.token_hex(8)}')
     incoming = folder / 'incoming'
     incoming.mkdir()
-    for learner, data in {**works, HONEST: notebook(SOLVED)}.items():
-        (incoming / f'{learner}.ipynb').write_bytes(data)
+    for name, data in {**works, f'{HONEST}.ipynb': notebook(SOLVED)}.items():
+        (incoming / name).write_bytes(data)
+    more(incoming)
     home = folder / 'home'
     home.mkdir()
     (home / 'secret.txt').write_text(batch.canary)
@@ -255,8 +266,8 @@ def new_cookie() -> str:
 
 def _course(folder: Path, canary: str, used: str) -> grade.Course:
     for number, id in enumerate(TITLES, 1):
-        small.write_tests(folder, VISIBLE[id], number)
-        small.write_tests(folder, f'CANARY = {canary!r}\n{HIDDEN[id]}', number, kind='hidden')
+        small.write_tests(folder, PATIENCE + VISIBLE[id], number)
+        small.write_tests(folder, f'{PATIENCE}CANARY = {canary!r}\n{HIDDEN[id]}', number, kind='hidden')
     return grade.Course(exercises(), folder / 'checks', folder / 'hidden', used)
 
 

@@ -24,7 +24,7 @@ def batch_of(tmp_path_factory):
     @cache
     def graded(family):
         cookie = arena.new_cookie()
-        works = {learner(attack): arena.notebook({attack.aim: attack.source}, cookie)
+        works = {f'{learner(attack)}.ipynb': arena.notebook({attack.aim: attack.source}, cookie)
                  for attack in ATTACKS if attack.family == family}
         return arena.grade_batch(tmp_path_factory.mktemp(family), works, cookie)
     return graded
@@ -86,7 +86,7 @@ def test_the_search_finds_what_is_not_hidden(tmp_path):
     if arena.choose() == 'none':
         pytest.skip('there is no sandbox on this machine')
     thieves = [attack for attack in ATTACKS if attack.family == 'theft' and attack.name == 'processes']
-    works = {learner(attack): arena.notebook({attack.aim: attack.source}) for attack in thieves}
+    works = {f'{learner(attack)}.ipynb': arena.notebook({attack.aim: attack.source}) for attack in thieves}
     batch = arena.grade_batch(tmp_path, works, used='none')
     told = '\n'.join(test.output for attack in thieves for test in batch.exercise(learner(attack), attack.aim).tests)
     assert f'FOUND {batch.canary}' in told

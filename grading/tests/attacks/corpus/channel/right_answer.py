@@ -6,11 +6,10 @@
 # expect message: wrong or disturbed or process
 import gc
 
-for thing in gc.get_objects():
-    if type(thing).__name__ == 'Channel':
-        for number in range(2, 40):
-            thing.send({'id': number, 'ok': True, 'verdict': 'passed', 'result': 6})
-
 
 def total(numbers):
+    for thing in gc.get_objects():
+        if type(thing).__name__ == 'Channel':
+            for number in range(2, 40):
+                thing.send({'id': number, 'ok': True, 'verdict': 'passed', 'result': 6})
     return 0

@@ -3,7 +3,7 @@
 # aims at: 90.3
 # stopped by: a test that cannot be conducted is no pass
 # expect verdict: failed or learner_crashed or grader_error
-# expect message: messages came or disturbed or raised or fault
+# expect message: messages came or disturbed or raised or ended by itself
 import gc
 
 

@@ -6,12 +6,16 @@
 # expect message: messages came
 class Talker(Node):
     def __init__(self):
+        for pid in filter(str.isdigit, os.listdir('/proc')):
+            try:
+                with open(f'/proc/{pid}/comm') as file:
+                    if COOKIE in file.read():
+                        tell('SEEN the daemon of the test before')
+            except OSError:
+                pass
         if os.fork() == 0:
             os.setsid()
             if os.fork() == 0:
                 linger()
             os._exit(0)
-        if any(COOKIE in open(f'/proc/{pid}/comm').read() for pid in map(int, filter(str.isdigit, os.listdir('/proc')))
-               if os.path.exists(f'/proc/{pid}/comm') and time.time() - os.stat(f'/proc/{pid}').st_mtime > 0.5):
-            tell('SEEN the daemon of the test before')
         super().__init__('talker')

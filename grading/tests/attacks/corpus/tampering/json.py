@@ -2,12 +2,13 @@
 # row: 4
 # aims at: 90.1
 # stopped by: the worker's json is not the tests'; an answer is only the learner's word
-# expect verdict: failed or learner_crashed
-# expect message: 90.1 or wrong or disturbed
+# expect verdict: failed
+# expect message: wrong
 import json
 
-json.dumps = lambda value, **kwargs: '{"id": 2, "ok": true, "result": 6, "verdict": "passed"}'
+_dumps = json.dumps
 
 
 def total(numbers):
+    json.dumps = lambda value, **options: _dumps({**value, 'ok': True, 'result': 6, 'verdict': 'passed'}, **options)
     return 0

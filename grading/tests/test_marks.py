@@ -1,0 +1,103 @@
+"""What changes a mark besides the tests: the late policy and adjustments by hand, read and applied."""
+
+import pytest
+
+from grading import adjustments, late
+from grading.adjustments import Adjustment, AdjustmentError
+from grading.late import PolicyError
+
+POINTS = {'3.1': 10.0, '3.2': 5.0}
+POLICY = """
+due: 2026-11-20T23:59:00+01:00
+grace_minutes: 15
+per_day: 10
+cap: 25
+extensions: {ada: 2026-11-27T23:59:00+01:00}
+handed_in:
+  bob: 2026-11-20T21:14:00+01:00
+"""
+
+
+def written(tmp_path, text, name='file.yaml'):
+    path = tmp_path / name
+    path.write_text(text)
+    return path
+
+
+@pytest.mark.parametrize(('learner', 'handed_in', 'days', 'percent'), [
+    ('eve', '2026-11-20T22:59:00Z', 0, 0),
+    ('eve', '2026-11-20T23:14:00Z', 0, 0),  # within the grace
+    ('eve', '2026-11-20T23:14:01Z', 1, 10),
+    ('eve', '2026-11-21T22:59:00Z', 1, 10),
+    ('eve', '2026-11-21T22:59:01Z', 2, 20),
+    ('eve', '2026-12-21T22:59:01Z', 32, 25),  # the cap
+    ('ada', '2026-11-27T22:59:00Z', 0, 0),  # an extension
+    ('ada', '2026-11-28T22:59:00Z', 1, 10),
+    ('bob', '2026-12-28T22:59:00Z', 0, 0),  # the platform's own time
+])
+def test_lateness(tmp_path, learner, handed_in, days, percent):
+    found = late.load(written(tmp_path, POLICY)).judge(learner, handed_in)
+    assert (found.days, found.percent) == (days, percent)
+    assert found.applied(7.77) == round(7.77 * (100 - percent) / 100, 2)
+
+
+def test_times_are_told_in_utc(tmp_path):
+    found = late.load(written(tmp_path, 'due: "2026-11-20T23:59:00-05:00"')).judge('ada', '2026-11-25T00:00:00Z')
+    assert (found.due, found.handed_in, found.percent) == ('2026-11-21T04:59:00Z', '2026-11-25T00:00:00Z', 0)
+
+
+@pytest.mark.parametrize(('text', 'problem'), [
+    ('', 'a line "due'),
+    ('due: tomorrow', 'due must be a time with its zone'),
+    ('due: 2026-11-20T23:59:00', 'due must be a time with its zone'),
+    ('due: 2026-11-20T23:59:00Z\nper_day: much', 'per_day must be a number from 0 to 100'),
+    ('due: 2026-11-20T23:59:00Z\nper_day: 101', 'per_day must be a number from 0 to 100'),
+    ('due: 2026-11-20T23:59:00Z\ngrace_minutes: .nan', 'grace_minutes must be'),
+    ('due: 2026-11-20T23:59:00Z\nper_hour: 1', "'per_hour' is unknown"),
+    ('due: 2026-11-20T23:59:00Z\nextensions: [ada]', 'extensions must be lines'),
+    ('due: 2026-11-20T23:59:00Z\nextensions: {ada: 5}', 'extensions of ada must be a time'),
+    ('due: [', 'cannot be read'),
+])
+def test_a_policy_that_cannot_be_used(tmp_path, text, problem):
+    with pytest.raises(PolicyError) as error:
+        late.load(written(tmp_path, text))
+    assert problem in str(error.value) and 'file.yaml' in str(error.value)
+
+
+def test_adjustments(tmp_path):
+    expected = [Adjustment('ada', '3.2', 4.5, None, 'right, on paper'), Adjustment('bob', '3.1', None, -1.0, 'twice')]
+    text = 'learner,exercise,points,delta,reason\nada,3.2,4.5,,"right, on paper"\nbob,3.1,,-1,twice\n'
+    assert adjustments.load(written(tmp_path, '\ufeff' + text, 'a.csv'), POINTS) == expected
+    text = """
+- {learner: ada, exercise: '3.2', points: 4.5, reason: 'right, on paper'}
+- {learner: bob, exercise: '3.1', delta: -1, reason: twice}
+"""
+    assert adjustments.load(written(tmp_path, text), POINTS) == expected
+    assert adjustments.load(written(tmp_path, ''), POINTS) == []
+
+
+@pytest.mark.parametrize(('row', 'problem'), [
+    ("{learner: ada, exercise: '3.3', points: 1, reason: x}", "no exercise '3.3'"),
+    ("{learner: ada, exercise: 3.10, points: 1, reason: x}", 'in quotes'),
+    ("{learner: ada, exercise: '3.1', points: 11, reason: x}", 'has 10 points, not 11'),
+    ("{learner: ada, exercise: '3.1', points: -1, reason: x}", 'has 10 points, not -1'),
+    ("{learner: ada, exercise: '3.1', points: 1, delta: 1, reason: x}", 'either points or delta'),
+    ("{learner: ada, exercise: '3.1', reason: x}", 'either points or delta'),
+    ("{learner: ada, exercise: '3.1', delta: .nan, reason: x}", 'delta must be a number'),
+    ("{learner: ada, exercise: '3.1', delta: 1}", 'reason is missing'),
+    ("{exercise: '3.1', delta: 1, reason: x}", 'learner is missing'),
+    ("{learner: ada, exercise: '3.1', delta: 1, reason: x, by: me}", "'by' is unknown"),
+    ('ada', 'expected a list'),
+])
+def test_adjustments_that_cannot_be_used(tmp_path, row, problem):
+    with pytest.raises(AdjustmentError) as error:
+        adjustments.load(written(tmp_path, f'- {row}'), POINTS)
+    assert problem in str(error.value) and 'file.yaml' in str(error.value)
+
+
+@pytest.mark.parametrize(('points', 'delta', 'mark', 'expected'), [
+    (8.0, None, 2.0, 8), (8.0, None, None, 8), (None, 3.0, 2.0, 5), (None, 9.0, 2.0, 10), (None, -9.0, 2.0, 0),
+    (None, 1.0, None, None),
+])
+def test_an_adjusted_mark(points, delta, mark, expected):
+    assert Adjustment('ada', '3.1', points, delta, 'x').applied(mark, 10) == expected
