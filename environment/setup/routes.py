@@ -9,7 +9,7 @@ import platform
 import shutil
 import subprocess
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from environment.setup import facts
@@ -52,8 +52,9 @@ def routes(root: Path, environ: Mapping[str, str] = os.environ) -> Iterator[Rout
     yield apt()
     yield container(environ)
     yield conda(environ)
-    yield Route("this course's own prefix", (facts.python(layout), facts.compiler(environ), facts.disk(root),
-                                             facts.overlay(layout, environ)))
+    packages = facts.overlay(layout, environ)
+    packages = replace(packages, text='built') if packages.ok else packages  # their names would fill the page
+    yield Route("this course's own prefix", (facts.python(layout), facts.compiler(environ), facts.disk(root), packages))
 
 
 def apt(system: Path = Path('/'), machine: str = platform.machine()) -> Route:

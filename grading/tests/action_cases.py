@@ -188,6 +188,10 @@ learner.run(1.0)
 count.send(order=9)
 learner.run(1.0)
 """, 'failed', ('sleeps with time.sleep', 'clock on the wall')),
+    'a callback in a thread that never returns': Case(SERVER + LOOP % ('while True: handle', ''), START + '''
+count.send(order=9)
+learner.run(1.0)
+''', 'timeout', ('did not return within', 'line 22: `while True: handle`')),
     'a callback that waits for ever': Case(HEAD + """\
         self.create_timer(1.0, lambda: threading.Event().wait())
 """, "learner.start('Talker', threads=True)\nlearner.run(1.0)\nexpect(False, 'No.')", 'failed', (

@@ -1,6 +1,6 @@
 """The tests' side of workspaces: a test has files written, built and run on the learner's side, and reads what came.
 
-    ws = learner.workspace({'src/greeter/setup.py': learner.value('SETUP_PY'), ...})
+    ws = learner.workspace({'src/greeter/setup.py': learner.text('GREETER_SETUP'), ...})
     ws.build()                                        # once per session for the same files, however many tests ask
     done = ws.run('ros2', 'run', 'greeter', 'hello')
     expect(done.status == 0, done.output)

@@ -80,3 +80,19 @@ def test_a_function_is_shown_where_its_module_has_the_same_name():
 def test_a_plain_program_may_have_two_nodes_of_one_name(ros):
     one, two = Talker(), Talker()
     assert is_alive(one) and is_alive(two)
+
+
+def test_a_node_with_actions_leaves_the_graph_when_it_is_destroyed(ros):
+    """An ActionClient or ActionServer that somebody still holds keeps its destroyed node in the graph."""
+    from example_interfaces.action import Fibonacci
+    from rclpy.action import ActionClient, ActionServer
+
+    from helpers import wait_for
+    from helpers.nodes import destroy
+
+    watcher, node = Node('watcher'), Node('asker')
+    held = ActionClient(node, Fibonacci, 'count'), ActionServer(node, Fibonacci, 'count', lambda goal: None)
+    wait_for(lambda: 'asker' in watcher.get_node_names(), timeout=20)
+    destroy(node)
+    wait_for(lambda: 'asker' not in watcher.get_node_names(), timeout=20)
+    assert len(held) == 2

@@ -1,5 +1,5 @@
 # Exercise 2.1: entry points
-SETUP_PY = """
+GREETER_SETUP = """
 from setuptools import find_packages, setup
 
 setup(

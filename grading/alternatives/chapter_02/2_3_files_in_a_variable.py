@@ -21,7 +21,7 @@ set(files msg/Charge.msg srv/Dock.srv)
 rosidl_generate_interfaces(${PROJECT_NAME} ${files} DEPENDENCIES std_msgs)
 ament_package()
 '''
-PACKAGE_XML = package_xml(
+DOCK_XML = package_xml(
     'dock_interfaces', 'ament_cmake',
     '<buildtool_depend>ament_cmake</buildtool_depend>',
     '<buildtool_depend>rosidl_default_generators</buildtool_depend>',

@@ -75,7 +75,7 @@ def test_where_programs_go(learner):
     there = builds.line_follower(learner).installed()
     expect('line_follower/lib/line_follower/follow' in there,
            'The program is not in lib/line_follower: look at install_scripts in setup.cfg.')
-    expect('script_dir=$base/lib/line_follower' in learner.text('SETUP_CFG').replace(' ', ''),
+    expect('script_dir=$base/lib/line_follower' in learner.text('FOLLOWER_CFG').replace(' ', ''),
            'script_dir in setup.cfg must stay $base/lib/line_follower: it is used with --symlink-install.')
 
 
@@ -84,13 +84,13 @@ def test_dependencies(learner):
 
     Compare the import lines of follow.py with package.xml: exec_depend or depend.
     """
-    declared = builds.dependencies(learner, 'PACKAGE_XML')
+    declared = builds.dependencies(learner, 'FOLLOWER_XML')
     for name in ('geometry_msgs', 'ament_index_python', 'python3-yaml'):
         expect(name not in declared.get('build_depend', set()) - builds.to_run(declared),
                f'{name} is a build_depend only: it would be there when the package is built, but not when it runs.')
         expect(name in builds.to_run(declared),
                f'follow.py needs {name}, and package.xml does not declare it. On a fresh machine it is not installed.')
-    expect('ament_python' in ''.join(learner.text('PACKAGE_XML').split()), 'The build type must stay ament_python.')
+    expect('ament_python' in ''.join(learner.text('FOLLOWER_XML').split()), 'The build type must stay ament_python.')
 
 
 def test_finished(learner):

@@ -26,7 +26,7 @@ def test_declared(learner):
 
     std_msgs is needed for both; the generators to build, the runtime to run.
     """
-    declared = builds.dependencies(learner, 'PACKAGE_XML')
+    declared = builds.dependencies(learner, 'DOCK_XML')
     for name in ('ament_cmake', 'rosidl_default_generators', 'std_msgs'):
         expect(name in builds.to_build(declared), f'{name} is needed for the build; package.xml does not say so.')
     expect('std_msgs' in builds.to_run(declared),

@@ -1,6 +1,6 @@
 # expect: A comma is missing
 # Exercise 2.1: entry points
-SETUP_PY = '''
+GREETER_SETUP = '''
 from setuptools import find_packages, setup
 
 setup(

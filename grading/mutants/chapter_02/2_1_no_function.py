@@ -1,6 +1,6 @@
 # expect: add a colon and the function
 # Exercise 2.1: entry points
-SETUP_PY = '''
+GREETER_SETUP = '''
 from setuptools import find_packages, setup
 
 setup(

@@ -1,6 +1,6 @@
 # expect: names a module as import does
 # Exercise 2.1: entry points
-SETUP_PY = '''
+GREETER_SETUP = '''
 from setuptools import find_packages, setup
 
 setup(

@@ -1,6 +1,6 @@
 # expect: does not install the marker
 # Exercise 2.2: repair a package
-SETUP_PY = '''
+FOLLOWER_SETUP = '''
 from setuptools import setup
 
 setup(
@@ -13,13 +13,13 @@ setup(
     entry_points={'console_scripts': ['follow = line_follower.follow:main']},
 )
 '''
-SETUP_CFG = '''
+FOLLOWER_CFG = '''
 [develop]
 script_dir=$base/lib/line_follower
 [install]
 install_scripts=$base/lib/line_follower
 '''
-PACKAGE_XML = '''<package format="3">
+FOLLOWER_XML = '''<package format="3">
   <name>line_follower</name> <version>0.1.0</version>
   <description>Steers along a line.</description>
   <maintainer email="you@example.com">You</maintainer> <license>Apache-2.0</license>

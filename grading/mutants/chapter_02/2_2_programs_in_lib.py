@@ -1,6 +1,6 @@
 # expect: is not in lib/line_follower
 # Exercise 2.2: repair a package
-SETUP_PY = '''
+FOLLOWER_SETUP = '''
 from setuptools import setup
 
 setup(
@@ -14,13 +14,13 @@ setup(
     entry_points={'console_scripts': ['follow = line_follower.follow:main']},
 )
 '''
-SETUP_CFG = '''
+FOLLOWER_CFG = '''
 [develop]
 script_dir=$base/lib/line_follower
 [install]
 install_scripts=$base/lib
 '''
-PACKAGE_XML = '''<package format="3">
+FOLLOWER_XML = '''<package format="3">
   <name>line_follower</name> <version>0.1.0</version>
   <description>Steers along a line.</description>
   <maintainer email="you@example.com">You</maintainer> <license>Apache-2.0</license>

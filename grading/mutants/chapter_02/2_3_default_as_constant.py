@@ -21,7 +21,7 @@ find_package(std_msgs REQUIRED)
 rosidl_generate_interfaces(${PROJECT_NAME} "msg/Charge.msg" "srv/Dock.srv" DEPENDENCIES std_msgs)
 ament_package()
 '''
-PACKAGE_XML = package_xml(
+DOCK_XML = package_xml(
     'dock_interfaces', 'ament_cmake',
     '<buildtool_depend>ament_cmake</buildtool_depend>',
     '<buildtool_depend>rosidl_default_generators</buildtool_depend>',

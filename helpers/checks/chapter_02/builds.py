@@ -16,7 +16,7 @@ GIVEN = Path(__file__).with_name('given')
 
 def greeter(learner) -> Workspace:
     """Exercise 2.1's package."""
-    text = learner.text('SETUP_PY')
+    text = learner.text('GREETER_SETUP')
     for _, value in re.findall(r"""(['"])\s*[\w.-]+\s*=\s*([^'"]*)\1""", text):
         expect('/' not in value and '.py' not in value,
                f'The entry point `{value.strip()}` names a file. An entry point names a module as import does: with '
@@ -31,9 +31,9 @@ def greeter(learner) -> Workspace:
 def line_follower(learner) -> Workspace:
     """Exercise 2.2's package."""
     workspace = learner.workspace({
-        **package(GIVEN / 'line_follower'), 'src/line_follower/setup.py': learner.text('SETUP_PY'),
-        'src/line_follower/setup.cfg': learner.text('SETUP_CFG'),
-        'src/line_follower/package.xml': learner.text('PACKAGE_XML')})
+        **package(GIVEN / 'line_follower'), 'src/line_follower/setup.py': learner.text('FOLLOWER_SETUP'),
+        'src/line_follower/setup.cfg': learner.text('FOLLOWER_CFG'),
+        'src/line_follower/package.xml': learner.text('FOLLOWER_XML')})
     workspace.build()
     return workspace
 
@@ -43,7 +43,7 @@ def dock_interfaces(learner) -> Workspace:
     folder = 'src/dock_interfaces'
     workspace = learner.workspace({
         f'{folder}/msg/Charge.msg': learner.text('MSG'), f'{folder}/srv/Dock.srv': learner.text('SRV'),
-        f'{folder}/CMakeLists.txt': learner.text('CMAKE'), f'{folder}/package.xml': learner.text('PACKAGE_XML'),
+        f'{folder}/CMakeLists.txt': learner.text('CMAKE'), f'{folder}/package.xml': learner.text('DOCK_XML'),
         'try_it.py': _TRY_IT})
     workspace.build()
     return workspace
