@@ -60,7 +60,7 @@ class ForkServer:
             request = {'op': 'fork', 'key': key, 'limits': asdict(self.limits)}
             socket.send_fds(self._control, [json.dumps(request).encode()], [theirs.fileno(), output_write])
         os.close(output_write)
-        self._until(lambda event: event.get('event') == 'forked' and event.get('key') == key, 10)
+        self._until(lambda event: event.get('event') == 'forked' and event.get('key') == key, START_TIMEOUT)
         return key, ours, output_read
 
     def _until(self, wanted, timeout: float) -> None:
