@@ -12,6 +12,7 @@ from dataclasses import asdict
 
 from helpers.runner import answers, launch, spent, values
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
+from helpers.runner.text import LEFT_OUT
 from helpers.runner.verdicts import InvalidProgram, LearnerCrashed, LearnerFault, LearnerTimeout
 
 # rcl's own remark on two nodes of one name: tests make them on purpose.
@@ -116,7 +117,7 @@ class Output:
     @property
     def text(self) -> str:
         text = _NOISE.sub('', bytes(self._kept).decode(errors='replace'))
-        return text + ('\n[more was printed; the rest is left out]' if self.truncated else '')
+        return text + (f'\n{LEFT_OUT}' if self.truncated else '')
 
     def finish(self, timeout: float = 1.0) -> None:
         """Wait until the program has closed its end."""
