@@ -12,6 +12,7 @@ from dataclasses import asdict
 
 from helpers.runner import answers, launch, spent, values
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
+from helpers.runner.text import LEFT_OUT
 from helpers.runner.verdicts import InvalidProgram, LearnerCrashed, LearnerFault, LearnerTimeout
 
 # rcl's own remark on two nodes of one name: tests make them on purpose.
@@ -60,7 +61,7 @@ class ForkServer:
             request = {'op': 'fork', 'key': key, 'limits': asdict(self.limits)}
             socket.send_fds(self._control, [json.dumps(request).encode()], [theirs.fileno(), output_write])
         os.close(output_write)
-        self._until(lambda event: event.get('event') == 'forked' and event.get('key') == key, 10)
+        self._until(lambda event: event.get('event') == 'forked' and event.get('key') == key, START_TIMEOUT)
         return key, ours, output_read
 
     def _until(self, wanted, timeout: float) -> None:
@@ -116,7 +117,7 @@ class Output:
     @property
     def text(self) -> str:
         text = _NOISE.sub('', bytes(self._kept).decode(errors='replace'))
-        return text + ('\n[more was printed; the rest is left out]' if self.truncated else '')
+        return text + (f'\n{LEFT_OUT}' if self.truncated else '')
 
     def finish(self, timeout: float = 1.0) -> None:
         """Wait until the program has closed its end."""

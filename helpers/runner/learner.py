@@ -21,6 +21,7 @@ from helpers.runner.peers import SECOND, Peer
 from helpers.runner.verdicts import LearnerFault
 from helpers.runner.workspaces import Workspaces
 
+MAX_MOMENTS = 250  # of simulated time, in a tenth of a second of it, at which the learner's timers are due
 MAX_MESSAGES = 5000  # at one moment of simulated time, on all topics that a test records
 UNKNOWN = '_NODE_NAME_UNKNOWN_'  # rmw's name for the node of an endpoint that is known by itself only
 
@@ -302,7 +303,14 @@ class Learner(Workspaces):
             self.settle()
         end = self.now + round(seconds * SECOND)
         largest = max(1, round(step * SECOND))
+        begin, moments, since = self.now, 0, time.monotonic()
         while self.now < end and not (until and until()):
+            moments += 1
+            if self.now - begin >= SECOND // 10:
+                begin, moments, since = self.now, 0, time.monotonic()
+            if moments > MAX_MOMENTS or moments > 20 and time.monotonic() - since > self.timeouts.discovery:
+                raise LearnerFault('Your program has something to do at far too many moments of simulated time. Has a '
+                                   'timer a very small period? It is in seconds.')
             due = [time_due for time_due in (*self._due, *(peer.due() for peer in self._peers)) if time_due is not None]
             self._step_to(max(self.now + 1, min([end, self.now + largest, *due])))
             self.connect()

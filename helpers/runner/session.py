@@ -21,7 +21,7 @@ from helpers.exercises import notebooks, program
 from helpers.exercises.manifest import Exercise
 from helpers.runner import launch, results, seeds, verdicts
 from helpers.runner.results import ExerciseResult, TestResult
-from helpers.runner.text import MAX_OUTPUT, clean
+from helpers.runner.text import LEFT_OUT, MAX_OUTPUT, clean
 
 VISIBLE = Path(__file__).resolve().parents[1] / 'checks'
 TEST_TIMEOUT = 120.0  # seconds of wall time for one test; its own waits are shorter
@@ -214,6 +214,8 @@ class _Collection:
             test.verdict = event['verdict'] if event['verdict'] in verdicts.VERDICTS else verdicts.GRADER_ERROR
             test.message, test.details = clean(event['message']), clean(event['details'], MAX_OUTPUT)
             test.output, test.fault = clean(event['output'], MAX_OUTPUT), event['fault']
+            if test.output.endswith(' …'):
+                test.output = f'{test.output[:-2]}\n{LEFT_OUT}'
 
     def _broken(self, event: dict, programs: dict[str, dict]) -> None:
         """A test file that cannot be read: by its name, test_3_1.py, it belongs to one exercise; else to all."""

@@ -3,6 +3,7 @@ import re
 
 MAX_MESSAGE = 2000
 MAX_OUTPUT = 20_000  # characters
+LEFT_OUT = '[more was printed; the rest is left out]'
 
 # C0 and C1 controls but newline and tab, and the marks that turn the direction of text around.
 _CONTROL = re.compile(r'[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]')

@@ -2,7 +2,7 @@
 # row: 19
 # aims at: 90.3
 # stopped by: memory is bounded on both sides
-# expect verdict: failed or learner_crashed or timeout
+# expect verdict: failed or learner_crashed or timeout or grader_error
 # expect message: messages came or raised or did not return or process
 class Talker(Node):
     def __init__(self):
