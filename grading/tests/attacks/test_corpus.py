@@ -83,8 +83,6 @@ def test_the_others(batch_of, family):
 
 def test_the_search_finds_what_is_not_hidden(tmp_path):
     """Without the sandbox an attack does find the secrets: the tests above could fail."""
-    if arena.choose() == 'none':
-        pytest.skip('there is no sandbox on this machine')
     thieves = [attack for attack in ATTACKS if attack.family == 'theft' and attack.name == 'processes']
     works = {f'{learner(attack)}.ipynb': arena.notebook({attack.aim: attack.source}) for attack in thieves}
     batch = arena.grade_batch(tmp_path, works, used='none')

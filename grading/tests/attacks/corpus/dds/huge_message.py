@@ -1,4 +1,4 @@
-# attack: publishes one message of 300 MB
+# attack: publishes messages of 100 MB
 # row: 19
 # aims at: 90.3
 # stopped by: memory is bounded on both sides
@@ -8,4 +8,4 @@ class Talker(Node):
     def __init__(self):
         super().__init__('talker')
         self.publisher = self.create_publisher(String, 'chatter', 10)
-        self.create_timer(0.5, lambda: self.publisher.publish(String(data='x' * 300_000_000)))
+        self.create_timer(0.5, lambda: self.publisher.publish(String(data='x' * 100_000_000)))

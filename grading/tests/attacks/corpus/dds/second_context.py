@@ -3,7 +3,7 @@
 # aims at: 90.3
 # stopped by: only the participants of the programs that the tests started may publish to them
 # expect verdict: failed
-# expect message: another program
+# expect message: another program or messages came
 from rclpy.context import Context
 
 
