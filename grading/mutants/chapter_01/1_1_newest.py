@@ -1,4 +1,5 @@
 # expect: its support ends sooner
+# rejected by: test_ends_last
 # Exercise 1.1: choose a distribution
 def choose_distribution(ubuntu, today, releases=RELEASES):
     month = today[:7]

@@ -1,4 +1,5 @@
 # expect: expected the reason not released yet
+# rejected by: test_not_released_yet
 # Exercise 1.1: choose a distribution
 def choose_distribution(ubuntu, today, releases=RELEASES):
     month = today[:7]

@@ -1,4 +1,5 @@
 # expect: max() 
+# rejected by: test_unknown_ubuntu
 # Exercise 1.1: choose a distribution
 def choose_distribution(ubuntu, today, releases=RELEASES):
     month = today[:7]

@@ -1,4 +1,5 @@
 # expect: ROS_AUTOMATIC_DISCOVERY_RANGE=localhost gives
+# rejected by: test_range
 # Exercise 1.2: read an environment
 RANGES = ('SUBNET', 'LOCALHOST', 'OFF', 'SYSTEM_DEFAULT')
 

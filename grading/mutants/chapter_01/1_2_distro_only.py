@@ -1,4 +1,5 @@
 # expect: tells only which one was sourced last
+# rejected by: test_mixed
 # Exercise 1.2: read an environment
 RANGES = ('SUBNET', 'LOCALHOST', 'OFF', 'SYSTEM_DEFAULT')
 

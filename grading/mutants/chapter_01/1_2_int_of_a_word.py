@@ -1,4 +1,5 @@
 # expect: invalid literal for int
+# rejected by: test_domain
 # Exercise 1.2: read an environment
 RANGES = ('SUBNET', 'LOCALHOST', 'OFF', 'SYSTEM_DEFAULT')
 

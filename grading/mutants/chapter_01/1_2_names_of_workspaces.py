@@ -1,4 +1,5 @@
 # expect: their names say nothing
+# rejected by: test_healthy
 # Exercise 1.2: read an environment
 RANGES = ('SUBNET', 'LOCALHOST', 'OFF', 'SYSTEM_DEFAULT')
 

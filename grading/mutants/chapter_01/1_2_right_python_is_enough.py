@@ -1,4 +1,5 @@
 # expect: A right folder does not excuse a wrong one
+# rejected by: test_python
 # Exercise 1.2: read an environment
 RANGES = ('SUBNET', 'LOCALHOST', 'OFF', 'SYSTEM_DEFAULT')
 

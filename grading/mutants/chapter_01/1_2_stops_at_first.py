@@ -1,4 +1,5 @@
 # expect: Do not stop at the first fault
+# rejected by: test_several_faults
 # Exercise 1.2: read an environment
 RANGES = ('SUBNET', 'LOCALHOST', 'OFF', 'SYSTEM_DEFAULT')
 

@@ -1,4 +1,5 @@
 # expect: ROS_DOMAIN_ID=102
+# rejected by: test_domain
 # Exercise 1.2: read an environment
 RANGES = ('SUBNET', 'LOCALHOST', 'OFF', 'SYSTEM_DEFAULT')
 

@@ -1,4 +1,5 @@
 # expect: does it compare numbers
+# rejected by: test_it_measures
 # Exercise 1.3: prove it, and break it
 def who_hears(speaker, listeners, seconds=3.0):
     source = join(speaker, 'speaker')

@@ -1,4 +1,5 @@
 # expect: these nodes are left
+# rejected by: test_nothing_stays_behind
 # Exercise 1.3: prove it, and break it
 def who_hears(speaker, listeners, seconds=3.0):
     heard = set()

@@ -1,4 +1,5 @@
 # expect: in circles
+# rejected by: test_the_short_way_round
 # Exercise 1.4: drive the turtle to a goal
 class GoToGoal(Node):
     def __init__(self, x, y):

@@ -1,4 +1,5 @@
 # expect: A comma is missing
+# rejected by: test_only_these_programs
 # Exercise 2.1: entry points
 GREETER_SETUP = '''
 from setuptools import find_packages, setup

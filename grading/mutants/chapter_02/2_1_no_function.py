@@ -1,4 +1,5 @@
 # expect: add a colon and the function
+# rejected by: test_hello
 # Exercise 2.1: entry points
 GREETER_SETUP = '''
 from setuptools import find_packages, setup

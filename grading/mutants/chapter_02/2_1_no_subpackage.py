@@ -1,4 +1,5 @@
 # expect: The folder greeter/power is not installed
+# rejected by: test_battery
 # Exercise 2.1: entry points
 GREETER_SETUP = '''
 from setuptools import find_packages, setup

@@ -1,4 +1,5 @@
 # expect: names a module as import does
+# rejected by: test_only_these_programs
 # Exercise 2.1: entry points
 GREETER_SETUP = '''
 from setuptools import find_packages, setup

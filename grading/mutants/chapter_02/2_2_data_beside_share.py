@@ -1,4 +1,5 @@
 # expect: the program reads share/line_follower/config/gains.yaml
+# rejected by: test_data_file
 # Exercise 2.2: repair a package
 FOLLOWER_SETUP = '''
 from setuptools import setup

@@ -1,4 +1,5 @@
 # expect: it would be there when the package is built, but not when it runs
+# rejected by: test_dependencies
 # Exercise 2.2: repair a package
 FOLLOWER_SETUP = '''
 from setuptools import setup

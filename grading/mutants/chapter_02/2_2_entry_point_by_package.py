@@ -1,4 +1,5 @@
 # expect: The function main is in the file
+# rejected by: test_entry_point
 # Exercise 2.2: repair a package
 FOLLOWER_SETUP = '''
 from setuptools import setup

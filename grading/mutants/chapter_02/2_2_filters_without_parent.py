@@ -1,4 +1,5 @@
 # expect: as line_follower.filters
+# rejected by: test_python_packages
 # Exercise 2.2: repair a package
 FOLLOWER_SETUP = '''
 from setuptools import setup

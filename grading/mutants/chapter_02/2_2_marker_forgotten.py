@@ -1,4 +1,5 @@
 # expect: does not install the marker
+# rejected by: test_marker
 # Exercise 2.2: repair a package
 FOLLOWER_SETUP = '''
 from setuptools import setup

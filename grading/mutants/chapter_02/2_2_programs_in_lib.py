@@ -1,4 +1,5 @@
 # expect: is not in lib/line_follower
+# rejected by: test_where_programs_go
 # Exercise 2.2: repair a package
 FOLLOWER_SETUP = '''
 from setuptools import setup

@@ -1,4 +1,5 @@
 # expect: Who uses your message needs it, too
+# rejected by: test_declared
 # Exercise 2.3: an interface
 MSG = '''# dock_interfaces/msg/Charge
 uint8 FULL=100

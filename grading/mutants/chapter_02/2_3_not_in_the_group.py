@@ -1,4 +1,5 @@
 # expect: member_of_group
+# rejected by: test_constant_and_default
 # Exercise 2.3: an interface
 MSG = '''# dock_interfaces/msg/Charge
 uint8 FULL=100

@@ -1,4 +1,5 @@
 # expect: Dock
+# rejected by: test_constant_and_default
 # Exercise 2.3: an interface
 MSG = '''# dock_interfaces/msg/Charge
 uint8 FULL=100

@@ -1,4 +1,5 @@
 # expect: in a circle
+# rejected by: test_order
 # Exercise 2.4: a library and its user
 REPORT_PY = '''
 import sys

@@ -1,4 +1,5 @@
 # expect: names a Python module
+# rejected by: test_needed_at_run_time
 # Exercise 2.4: a library and its user
 REPORT_PY = '''
 import sys

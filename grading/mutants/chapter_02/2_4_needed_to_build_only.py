@@ -1,4 +1,5 @@
 # expect: It is imported when the program runs
+# rejected by: test_needed_at_run_time
 # Exercise 2.4: a library and its user
 REPORT_PY = '''
 import sys

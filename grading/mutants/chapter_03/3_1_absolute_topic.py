@@ -1,4 +1,5 @@
 # expect: leave out the leading slash
+# rejected by: test_namespace
 # Exercise 3.1: a beacon
 class Beacon(Node):
     def __init__(self):

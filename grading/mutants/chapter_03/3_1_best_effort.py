@@ -1,4 +1,5 @@
 # expect: BEST_EFFORT
+# rejected by: test_first_message
 # Exercise 3.1: a beacon
 from rclpy.qos import qos_profile_sensor_data
 

@@ -1,4 +1,5 @@
 # expect: share one counter
+# rejected by: test_two_beacons
 # Exercise 3.1: a beacon
 class Beacon(Node):
     count = 0

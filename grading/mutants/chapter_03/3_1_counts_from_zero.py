@@ -1,4 +1,5 @@
 # expect: the count must begin at 1
+# rejected by: test_long_run
 # Exercise 3.1: a beacon
 class Beacon(Node):
     def __init__(self):

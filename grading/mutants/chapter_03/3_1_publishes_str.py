@@ -1,4 +1,5 @@
 # expect: Expected <class
+# rejected by: test_first_message
 # Exercise 3.1: a beacon
 class Beacon(Node):
     def __init__(self):

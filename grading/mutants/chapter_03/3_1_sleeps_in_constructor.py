@@ -1,4 +1,5 @@
 # expect: did not return
+# rejected by: test_first_message
 # Exercise 3.1: a beacon
 import time
 

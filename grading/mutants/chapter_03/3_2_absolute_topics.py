@@ -1,4 +1,5 @@
 # expect: without a leading slash
+# rejected by: test_namespace
 # Exercise 3.2: from centimetres to metres
 from sensor_msgs.msg import Range
 

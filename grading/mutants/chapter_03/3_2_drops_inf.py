@@ -1,4 +1,5 @@
 # expect: do not drop messages
+# rejected by: test_no_echo
 # Exercise 3.2: from centimetres to metres
 from sensor_msgs.msg import Range
 

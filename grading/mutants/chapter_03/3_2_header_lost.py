@@ -1,4 +1,5 @@
 # expect: the header is lost
+# rejected by: test_header_is_kept
 # Exercise 3.2: from centimetres to metres
 from sensor_msgs.msg import Range
 

@@ -1,4 +1,5 @@
 # expect: came out at once
+# rejected by: test_one_out_for_each_in
 # Exercise 3.2: from centimetres to metres
 from sensor_msgs.msg import Range
 

@@ -1,4 +1,5 @@
 # expect: changes nothing
+# rejected by: test_every_reset
 # Exercise 3.3: heartbeat
 from std_msgs.msg import Bool, Empty, Int32
 

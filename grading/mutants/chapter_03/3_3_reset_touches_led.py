@@ -1,4 +1,5 @@
 # expect: do not reset its state
+# rejected by: test_reset_leaves_led
 # Exercise 3.3: heartbeat
 from std_msgs.msg import Bool, Empty, Int32
 

@@ -1,4 +1,5 @@
 # expect: share state
+# rejected by: test_two_heartbeats
 # Exercise 3.3: heartbeat
 from std_msgs.msg import Bool, Empty, Int32
 

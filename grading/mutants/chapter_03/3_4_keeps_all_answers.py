@@ -1,4 +1,5 @@
 # expect: depth 1 keeps only the newest
+# rejected by: test_reader_every_map
 # Exercise 3.4: a latched map
 from nav_msgs.msg import MapMetaData, OccupancyGrid
 from std_msgs.msg import Header

@@ -1,4 +1,5 @@
 # expect: Do not repeat in a timer
+# rejected by: test_one_map_only
 # Exercise 3.4: a latched map
 from nav_msgs.msg import MapMetaData, OccupancyGrid
 from std_msgs.msg import Header

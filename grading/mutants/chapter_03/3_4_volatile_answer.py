@@ -1,4 +1,5 @@
 # expect: offers durability VOLATILE
+# rejected by: test_reader_late
 # Exercise 3.4: a latched map
 from nav_msgs.msg import MapMetaData, OccupancyGrid
 from std_msgs.msg import Header

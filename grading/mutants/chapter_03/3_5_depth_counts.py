@@ -1,4 +1,5 @@
 # expect: Depth is a private matter
+# rejected by: test_depth_is_no_reason
 # Exercise 3.5: why is there no data?
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Bool

@@ -1,4 +1,5 @@
 # expect: in the order of the specification
+# rejected by: test_all_reasons
 # Exercise 3.5: why is there no data?
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Bool

@@ -1,4 +1,5 @@
 # expect: max_gap is not used
+# rejected by: test_threshold
 # Exercise 3.6: a rate and gap monitor
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Float64

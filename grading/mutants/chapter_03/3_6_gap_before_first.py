@@ -1,4 +1,5 @@
 # expect: there is nothing before it
+# rejected by: test_first_scan
 # Exercise 3.6: a rate and gap monitor
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Float64

@@ -1,4 +1,5 @@
 # expect: not published at once
+# rejected by: test_gap_at_once
 # Exercise 3.6: a rate and gap monitor
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Float64

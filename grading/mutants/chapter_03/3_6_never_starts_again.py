@@ -1,4 +1,5 @@
 # expect: count from zero again
+# rejected by: test_changing_rate
 # Exercise 3.6: a rate and gap monitor
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Float64

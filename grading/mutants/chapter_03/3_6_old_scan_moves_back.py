@@ -1,4 +1,5 @@
 # expect: must not move the newest stamp back
+# rejected by: test_old_scan
 # Exercise 3.6: a rate and gap monitor
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Float64

@@ -1,4 +1,5 @@
 # expect: dead sensor must not look like a quiet one
+# rejected by: test_silent_sensor
 # Exercise 3.6: a rate and gap monitor
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Float64

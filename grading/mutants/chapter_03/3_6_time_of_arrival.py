@@ -1,4 +1,5 @@
 # expect: not the time
+# rejected by: test_gaps_from_stamps
 # Exercise 3.6: a rate and gap monitor
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Float64

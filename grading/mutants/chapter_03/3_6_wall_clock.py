@@ -1,4 +1,5 @@
 # expect: not the clock on the wall
+# rejected by: test_changing_rate
 # Exercise 3.6: a rate and gap monitor
 from sensor_msgs.msg import LaserScan
 import time

@@ -1,4 +1,5 @@
 # expect: One command is reported twice
+# rejected by: test_late_answers
 # Exercise 4.1: a patient client
 from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool

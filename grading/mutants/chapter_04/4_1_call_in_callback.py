@@ -1,4 +1,5 @@
 # expect: It waits for an answer, which only another callback can receive
+# rejected by: test_late_answers
 # Exercise 4.1: a patient client
 from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool

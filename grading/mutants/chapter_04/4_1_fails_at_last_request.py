@@ -1,4 +1,5 @@
 # expect: the third request has its second, too
+# rejected by: test_timeout_and_tries
 # Exercise 4.1: a patient client
 from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool

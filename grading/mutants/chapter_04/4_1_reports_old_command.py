@@ -1,4 +1,5 @@
 # expect: the answer to the old one was reported
+# rejected by: test_the_newest_command_wins
 # Exercise 4.1: a patient client
 from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool

@@ -1,4 +1,5 @@
 # expect: a refusal is an answer, do not try again
+# rejected by: test_a_refusal_is_an_answer
 # Exercise 4.1: a patient client
 from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool

@@ -1,4 +1,5 @@
 # expect: did not return within
+# rejected by: test_server_comes_later
 # Exercise 4.1: a patient client
 from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool

@@ -1,4 +1,5 @@
 # expect: A focal length must be finite
+# rejected by: test_numbers_that_are_none
 # Exercise 4.2: a careful camera
 from math import inf
 from rclpy.qos import DurabilityPolicy, QoSProfile

@@ -1,4 +1,5 @@
 # expect: Several rules are broken: name the first one
+# rejected by: test_the_first_broken_rule_decides
 # Exercise 4.2: a careful camera
 from math import inf
 from rclpy.qos import DurabilityPolicy, QoSProfile

@@ -1,4 +1,5 @@
 # expect: the callback of the service returned nothing (None)
+# rejected by: test_every_rule
 # Exercise 4.2: a careful camera
 from math import inf
 from rclpy.qos import DurabilityPolicy, QoSProfile

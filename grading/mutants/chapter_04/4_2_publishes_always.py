@@ -1,4 +1,5 @@
 # expect: a calibration that is refused is not published
+# rejected by: test_a_refusal_changes_nothing
 # Exercise 4.2: a careful camera
 from math import inf
 from rclpy.qos import DurabilityPolicy, QoSProfile

@@ -1,4 +1,5 @@
 # expect: 0 and width are allowed
+# rejected by: test_limits_belong_to_it
 # Exercise 4.2: a careful camera
 from math import inf
 from rclpy.qos import DurabilityPolicy, QoSProfile

@@ -1,4 +1,5 @@
 # expect: TRANSIENT_LOCAL
+# rejected by: test_every_rule
 # Exercise 4.2: a careful camera
 from math import inf
 from rclpy.qos import DurabilityPolicy, QoSProfile

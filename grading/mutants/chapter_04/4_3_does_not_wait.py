@@ -1,4 +1,5 @@
 # expect: has no attribute 'success'
+# rejected by: test_both_at_the_same_time
 # Exercise 4.3: one question, two sources
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from std_srvs.srv import Trigger

@@ -1,4 +1,5 @@
 # expect: every caller gets fresh answers
+# rejected by: test_fresh_answers
 # Exercise 4.3: one question, two sources
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from std_srvs.srv import Trigger

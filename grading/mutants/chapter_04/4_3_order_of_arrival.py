@@ -1,4 +1,5 @@
 # expect: The answers came after
+# rejected by: test_order_of_the_message
 # Exercise 4.3: one question, two sources
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from std_srvs.srv import Trigger

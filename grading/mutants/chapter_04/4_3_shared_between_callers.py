@@ -1,4 +1,5 @@
 # expect: two calls share what belongs to one of them
+# rejected by: test_two_callers
 # Exercise 4.3: one question, two sources
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from std_srvs.srv import Trigger

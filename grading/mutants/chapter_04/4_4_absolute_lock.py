@@ -1,4 +1,5 @@
 # expect: A relative name has no leading slash
+# rejected by: test_two_rooms
 # Exercise 4.4: find the bugs
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from std_srvs.srv import SetBool, Trigger

@@ -1,4 +1,5 @@
 # expect: enter must stay in a mutually exclusive group
+# rejected by: test_all_at_once
 # Exercise 4.4: find the bugs
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from std_srvs.srv import SetBool, Trigger

@@ -1,4 +1,5 @@
 # expect: It waits for an answer, which only another callback can receive
+# rejected by: test_slow_lock
 # Exercise 4.4: find the bugs
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from std_srvs.srv import SetBool, Trigger

@@ -1,4 +1,5 @@
 # expect: data=False means open
+# rejected by: test_slow_lock
 # Exercise 4.4: find the bugs
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from std_srvs.srv import SetBool, Trigger

@@ -1,4 +1,5 @@
 # expect: Call succeed() before you return the result
+# rejected by: test_orders
 # Exercise 5.1: a server that can be stopped
 class FibonacciServer(Node):
     def __init__(self):

@@ -1,4 +1,5 @@
 # expect: Keep the numbers of a goal in a variable of execute
+# rejected by: test_orders
 # Exercise 5.1: a server that can be stopped
 class FibonacciServer(Node):
     def __init__(self):

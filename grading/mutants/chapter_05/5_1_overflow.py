@@ -1,4 +1,5 @@
 # expect: The order 48 was accepted
+# rejected by: test_limits
 # Exercise 5.1: a server that can be stopped
 class FibonacciServer(Node):
     def __init__(self):

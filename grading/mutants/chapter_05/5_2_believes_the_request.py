@@ -1,4 +1,5 @@
 # expect: Report what the result says
+# rejected by: test_cancel_in_vain
 # Exercise 5.2: a client with a deadline
 class PatientClient(Node):
     def __init__(self, order, patience):

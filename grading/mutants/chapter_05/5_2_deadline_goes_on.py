@@ -1,4 +1,5 @@
 # expect: A cancel request came for a goal that ended in time
+# rejected by: test_in_time
 # Exercise 5.2: a client with a deadline
 class PatientClient(Node):
     def __init__(self, order, patience):

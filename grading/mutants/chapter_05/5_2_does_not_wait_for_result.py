@@ -1,4 +1,5 @@
 # expect: wait for the result, which also a cancelled goal has
+# rejected by: test_deadline
 # Exercise 5.2: a client with a deadline
 class PatientClient(Node):
     def __init__(self, order, patience):

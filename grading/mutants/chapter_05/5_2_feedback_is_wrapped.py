@@ -1,4 +1,5 @@
 # expect: has no attribute 'sequence'
+# rejected by: test_in_time
 # Exercise 5.2: a client with a deadline
 class PatientClient(Node):
     def __init__(self, order, patience):

@@ -1,4 +1,5 @@
 # expect: To stop waiting is not enough
+# rejected by: test_deadline
 # Exercise 5.2: a client with a deadline
 class PatientClient(Node):
     def __init__(self, order, patience):

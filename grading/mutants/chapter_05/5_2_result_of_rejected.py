@@ -1,4 +1,5 @@
 # expect: Look at accepted first
+# rejected by: test_rejected
 # Exercise 5.2: a client with a deadline
 class PatientClient(Node):
     def __init__(self, order, patience):

@@ -1,4 +1,5 @@
 # expect: the client waits for ever
+# rejected by: test_server_is_gone
 # Exercise 5.2: a client with a deadline
 class PatientClient(Node):
     def __init__(self, order, patience):

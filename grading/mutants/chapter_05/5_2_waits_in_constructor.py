@@ -1,4 +1,5 @@
 # expect: did not return within
+# rejected by: test_server_comes_late
 # Exercise 5.2: a client with a deadline
 class PatientClient(Node):
     def __init__(self, order, patience):

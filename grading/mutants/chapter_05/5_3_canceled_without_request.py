@@ -1,4 +1,5 @@
 # expect: attempted invalid transition
+# rejected by: test_newest_wins
 # Exercise 5.3: the newest goal wins
 class NewestWins(Node):
     def __init__(self):

@@ -1,4 +1,5 @@
 # expect: only an accepted goal takes over
+# rejected by: test_rejected_goals_disturb_nobody
 # Exercise 5.3: the newest goal wins
 class NewestWins(Node):
     def __init__(self):

@@ -1,4 +1,5 @@
 # expect: when the new one came, and its result is
+# rejected by: test_newest_wins
 # Exercise 5.3: the newest goal wins
 class NewestWins(Node):
     def __init__(self):

@@ -1,4 +1,5 @@
 # expect: The first goal goes on beside the second one
+# rejected by: test_newest_wins
 # Exercise 5.3: the newest goal wins
 class NewestWins(Node):
     def __init__(self):

@@ -1,4 +1,5 @@
 # expect: No turtle can get there
+# rejected by: test_outside
 # Exercise 5.4: drive to a place
 class Driver(Node):
     def __init__(self):

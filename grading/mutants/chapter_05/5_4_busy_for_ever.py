@@ -1,4 +1,5 @@
 # expect: the next one ended as rejected
+# rejected by: test_cancel
 # Exercise 5.4: drive to a place
 class Driver(Node):
     def __init__(self):

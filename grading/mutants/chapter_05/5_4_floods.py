@@ -1,4 +1,5 @@
 # expect: expected at most 5: do not flood
+# rejected by: test_feedback
 # Exercise 5.4: drive to a place
 class Driver(Node):
     def __init__(self):

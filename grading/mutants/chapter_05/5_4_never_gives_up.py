@@ -1,4 +1,5 @@
 # expect: and the goal still runs
+# rejected by: test_stuck
 # Exercise 5.4: drive to a place
 class Driver(Node):
     def __init__(self):

@@ -1,4 +1,5 @@
 # expect: expected canceled, within 0.5 s
+# rejected by: test_cancel
 # Exercise 5.4: drive to a place
 class Driver(Node):
     def __init__(self):

@@ -1,4 +1,5 @@
 # expect: After the goal was cancelled, the last command still drives
+# rejected by: test_cancel
 # Exercise 5.4: drive to a place
 class Driver(Node):
     def __init__(self):
