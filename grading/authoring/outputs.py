@@ -25,7 +25,8 @@ def sanitizers(root: Path) -> list[tuple[str, str, str]]:
         ('address', r'\b0x[0-9a-f]{6,16}\b', '0x0'),
         ('port', r'(127\.0\.0\.1|localhost):\d{4,5}', r'\1:0'),
         ('duration', r'\[(?:\d+min )?\d+(?:\.\d+)?s\b', '[… s'),  # colcon: Finished <<< package [1.28s]
-        ('email', r'[\w.+-]+@[\w-]+\.[\w.-]+', 'you@example.com'),
+        # Bounded, and only from a word's beginning: else a long line without @ takes minutes.
+        ('email', r'(?<![\w.+-])[\w.+-]{1,64}@[\w-]{1,63}\.[\w.-]+', 'you@example.com'),
         ('pid', r'\b(pid|process)([ =])\d+', r'\1\g<2>0'),
     ]
 
