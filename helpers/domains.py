@@ -16,6 +16,7 @@ from pathlib import Path
 from filelock import FileLock, Timeout
 
 FIRST, LAST = 1, 101
+_held: list[FileLock] = []  # by `hold`
 
 
 @contextmanager
@@ -40,6 +41,17 @@ def claim() -> Iterator[int]:
             lock.release()
         return
     raise RuntimeError(f'all ROS domain ids {FIRST} to {LAST} are in use: end programs that lock files in {folder}')
+
+
+def hold(domain_id: int) -> None:
+    """Keep an id from `claim` until this process ends: for a sandbox, which does not see the locks outside of it.
+
+    Nothing happens if somebody holds it already.
+    """
+    lock = FileLock(_folder() / f'{domain_id}.lock', mode=0o666, timeout=0, thread_local=False)
+    with suppress(Timeout, PermissionError):
+        lock.acquire()
+        _held.append(lock)
 
 
 def _folder() -> Path:

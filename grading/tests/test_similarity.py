@@ -59,10 +59,17 @@ def test_moved_and_extended_parts_are_found():
     assert pairs(source, 'import math\n\n\ndef unused(x):\n    return [x + 1 for _ in range(3)]\n\n\n' + source)
 
 
-def test_independent_answers_are_not_reported():
-    assert len(ANSWERS) >= 6
+def test_right_answers_are_not_reported():
+    """Not even by one author, who changes only what matters in an alternative."""
     for exercise, texts in ANSWERS.items():
         assert not pairs(*texts.values(), exercise=exercise), exercise
+
+
+def test_independent_answers_share_little():
+    """Those of chapter 3 were written one without the other."""
+    independent = {exercise: texts for exercise, texts in ANSWERS.items() if exercise.startswith('3.')}
+    assert len(independent) >= 6
+    for exercise, texts in independent.items():
         for first, second in combinations(texts, 2):
             own = [similarity.fingerprints(texts[name]) - similarity.fingerprints(STUBS[exercise])
                    for name in (first, second)]

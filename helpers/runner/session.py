@@ -50,7 +50,7 @@ class Report:
     sandbox: str = ''
     log: list[str] = field(default_factory=list)  # for the instructor
     seed: str = ''  # the session's: with it the tests draw the same inputs again
-    spent: Counter[str] = field(default_factory=Counter)  # seconds by part, see `helpers.runner.spent`
+    spent: Counter[str] = field(default_factory=Counter, compare=False)  # seconds by part, see `helpers.runner.spent`
 
 
 def run(cells: list[notebooks.Cell], exercises: Iterable[Exercise], options: Options | None = None,

@@ -66,6 +66,16 @@ def test_all_in_use(folder):
             pass
 
 
+def test_an_id_that_is_held_is_not_claimed(tmp_path):
+    code = ('from helpers.domains import claim, hold\n'
+            'hold(1)\n'
+            'with claim() as one, claim() as two:\n'
+            '    print(one, two)\n')
+    environ = {**os.environ, 'COURSE_DOMAINS_DIR': str(tmp_path)}
+    done = subprocess.run([sys.executable, '-c', code], env=environ, capture_output=True, text=True)
+    assert done.stdout == '2 3\n', done.stderr
+
+
 def claim_in(public, monkeypatch):
     """Claim an id in a folder that other users can reach, unlike pytest's."""
     os.chmod(public, 0o755)

@@ -1,5 +1,5 @@
 # expect: No speaker
-# rejected by: test_bridge
+# rejected by: test_it_speaks_in_the_domain
 # Exercise 1.3: prove it, and break it
 def who_hears(speaker, listeners, seconds=3.0):
     heard = set()

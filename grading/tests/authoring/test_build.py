@@ -164,7 +164,8 @@ def test_sanitizers_leave_alone_what_they_made(tmp_path):
     for name, regex, replace in outputs.sanitizers(tmp_path):
         example = {'folder': f'{tmp_path}/solutions/ros2_ws', 'checkout': f'{tmp_path}/a',
                    'duration': 'Finished <<< a [1min 1.28s]', 'email': 'by <root@todo.todo>',
-                   'ipykernel_file': '/tmp/ipykernel_71/8.py', 'address': '0x7f0011aabb', 'temporary': '/tmp/tmpc3i2_xnc/a',
+                   'ipykernel_file': '/tmp/ipykernel_71/8.py', 'address': '0x7f0011aabb',
+                   'temporary': '/tmp/tmpc3i2_xnc/a',
                    'port': 'localhost:4242', 'pid': 'pid=12'}[name]
         once = re.sub(regex, replace, example)
         assert once != example
