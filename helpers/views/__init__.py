@@ -1,0 +1,33 @@
+"""Seeing a robot in 3-D in a notebook: frames, robot, scans; live while it runs, a picture afterwards.
+
+A *display* (named after RViz's) turns topics into shapes: `helpers.views.display.Display` is their base class. It writes
+them into a *scene* (`helpers.views.scene.Scene`), which knows neither ROS nor a browser. Two renderers show a scene:
+`helpers.views.live` in meshcat's viewer, `helpers.views.picture` as an SVG for the saved notebook. `TfView` puts it all
+into the output of a cell::
+
+    with TfView(RobotModel(), LaserScan('/scan'), fixed_frame='odom') as view:
+        …
+
+Units are metres and radians; colours are (red, green, blue) from 0 to 1; axes are x red, y green, z blue.
+"""
+
+import importlib
+
+# Public name -> module that defines it.
+_HOME = {
+    'Display': 'display',
+    'TfView': 'tf_view',
+    'show_frames': 'frames_diagram',
+}
+
+__all__ = sorted(_HOME)
+
+
+def __getattr__(name):
+    if name not in _HOME:
+        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+    return getattr(importlib.import_module(f'{__name__}.{_HOME[name]}'), name)
+
+
+def __dir__():
+    return sorted({*globals(), *_HOME})

@@ -1,0 +1,258 @@
+"""The one web server of a kernel, which all views share: meshcat's viewer, and a web socket for each view.
+
+It is a thread of the kernel, so nothing can outlive the kernel, not even a killed one. The port (a free one, on the
+loopback only) is opened for the first view and closed with the last.
+
+meshcat brings a server of its own, a child process. It is not used: it takes and answers one command at a time (about
+12 thousand a second here, at the cost of a whole core), where one message with all poses is enough, and it serves
+anyone on this machine. Ours answers only to those who know a secret, which is part of the address.
+"""
+
+import asyncio
+import atexit
+import itertools
+import json
+import os
+import secrets
+import threading
+from collections.abc import Callable
+from pathlib import Path
+
+WEB = Path(__file__).parent / 'web'
+_PING = 20.0  # s between two signs of life of a browser
+_WAIT = 5.0  # s for the thread to begin or end
+_lock = threading.RLock()
+_running: '_Server | None' = None
+_numbers = itertools.count(1)
+
+
+class Channel:
+    """The browsers that watch one view; made by `open_channel`.
+
+    :param everything: returns the message that brings an empty page up to date; called in the server's thread.
+    :param on_message: called in the server's thread with what a page sent, a dict.
+    """
+
+    def __init__(self, everything: Callable[[], bytes], on_message: Callable[[dict], None]):
+        self.everything, self.on_message = everything, on_message
+        self.name = str(next(_numbers))
+        self.sockets: set = set()
+        self._server = None
+
+    @property
+    def path(self) -> str:
+        """Where the page is, below the root of the port."""
+        return f'/{self._server.secret}/{self.name}/'
+
+    @property
+    def port(self) -> int:
+        """The TCP port."""
+        return self._server.port
+
+    @property
+    def watched(self) -> bool:
+        """Whether any browser watches."""
+        return bool(self.sockets)
+
+    def send(self, message: bytes) -> None:
+        """Send to all browsers. One that is too slow misses it, and gets everything once it is ready again."""
+        if self.sockets and self._server is not None:
+            self._server.call(self._send, message)
+
+    def close(self) -> None:
+        """Send the browsers away; the last channel closes the port. Idempotent."""
+        with _lock:
+            server, self._server = self._server, None
+            if server is not None:
+                server.remove(self)
+
+    def _send(self, message: bytes) -> None:
+        for socket in self.sockets.copy():
+            socket.offer(message)
+
+
+def open_channel(everything: Callable[[], bytes], on_message: Callable[[dict], None]) -> Channel:
+    """Open a channel, and the server's port with the first one.
+
+    :raises OSError: no port can be had.
+    """
+    global _running
+    channel = Channel(everything, on_message)
+    with _lock:
+        if _running is None:
+            _running = _Server()
+        channel._server = _running
+        _running.channels[channel.name] = channel
+    return channel
+
+
+def close_all() -> None:
+    """Close every channel and the port; idempotent."""
+    with _lock:
+        if _running is not None:
+            for channel in list(_running.channels.values()):
+                channel.close()
+
+
+class _Server:
+    """The thread with its event loop."""
+
+    def __init__(self):
+        from tornado.netutil import bind_sockets
+
+        self.secret = secrets.token_urlsafe(12)
+        self.channels: dict[str, Channel] = {}
+        self.process = os.getpid()
+        self._sockets = bind_sockets(0, '127.0.0.1')
+        self.port = self._sockets[0].getsockname()[1]
+        self._loop = asyncio.new_event_loop()
+        self._thread = threading.Thread(target=self._run, daemon=True, name='views')
+        self._thread.start()
+
+    def call(self, function, *arguments) -> None:
+        """Call in the thread of the server, if it still runs."""
+        try:
+            self._loop.call_soon_threadsafe(function, *arguments)
+        except RuntimeError:  # closed meanwhile
+            pass
+
+    def remove(self, channel: Channel) -> None:
+        """Forget a channel; without any, end."""
+        global _running
+        self.channels.pop(channel.name, None)
+        if os.getpid() != self.process:  # a forked child: the thread is not here
+            return
+        if self.channels:
+            self.call(_hang_up, channel)
+            return
+        if _running is self:
+            _running = None
+        self.call(self._end, channel)
+        if threading.current_thread() is not self._thread:
+            self._thread.join(_WAIT)
+
+    def _end(self, channel: Channel) -> None:
+        self._http.stop()
+        _hang_up(channel)
+        self._loop.call_later(0.05, self._loop.stop)  # let the good-byes out
+
+    def _run(self) -> None:
+        from tornado.httpserver import HTTPServer
+
+        asyncio.set_event_loop(self._loop)
+        self._http = HTTPServer(_application(self))
+        self._http.add_sockets(self._sockets)
+        try:
+            self._loop.run_forever()
+        finally:
+            self._loop.run_until_complete(self._http.close_all_connections())
+            pending = asyncio.all_tasks(self._loop)
+            for task in pending:
+                task.cancel()
+            self._loop.run_until_complete(asyncio.gather(*pending, return_exceptions=True))
+            self._loop.close()
+
+
+def _hang_up(channel: Channel) -> None:
+    for socket in channel.sockets.copy():
+        socket.close()
+
+
+def _application(server: _Server):
+    import meshcat
+    from tornado.web import Application, RequestHandler
+    from tornado.websocket import WebSocketClosedError, WebSocketHandler
+
+    library = Path(meshcat.__file__).parent / 'viewer' / 'dist' / 'main.min.js'
+
+    class File(RequestHandler):
+        """A file as it is."""
+
+        def get(self, *_, path: Path, kind: str) -> None:
+            self.set_header('Content-Type', f'{kind}; charset=utf-8')
+            self.set_header('Cache-Control', 'no-cache')
+            self.write(path.read_bytes())
+
+    class Route(File):
+        """A file of a known path."""
+
+        def initialize(self, path: Path, kind: str) -> None:
+            self.path, self.kind = path, kind
+
+        def get(self, *_) -> None:
+            super().get(path=self.path, kind=self.kind)
+
+    class Page(File):
+        """The page of one view."""
+
+        def get(self, name: str) -> None:
+            if name not in server.channels:
+                self.send_error(404)
+                return
+            super().get(path=WEB / 'viewer.html', kind='text/html')
+
+    class Ping(RequestHandler):
+        """Tells the cell's script, which another server has sent, that this port can be reached."""
+
+        def get(self) -> None:
+            self.set_header('Access-Control-Allow-Origin', '*')
+            self.write('ok')
+
+    class Socket(WebSocketHandler):
+        """One browser."""
+
+        def check_origin(self, origin: str) -> bool:
+            return True  # the secret in the address is what counts; a proxy changes the origin
+
+        def open(self, name: str) -> None:
+            self.channel = server.channels.get(name)
+            self.busy = self.behind = False
+            if self.channel is None:
+                self.close()
+                return
+            self.set_nodelay(True)
+            self.channel.sockets.add(self)
+            self.offer(self.channel.everything())
+
+        def offer(self, message: bytes) -> None:
+            """Send, unless the last message is still on its way; then everything is sent after it."""
+            if self.busy:
+                self.behind = True
+                return
+            self.busy = True
+            asyncio.ensure_future(self._deliver(message))
+
+        async def _deliver(self, message: bytes) -> None:
+            try:
+                await self.write_message(message, binary=True)
+                while self.behind:
+                    self.behind = False
+                    await self.write_message(self.channel.everything(), binary=True)
+            except WebSocketClosedError:
+                pass
+            finally:
+                self.busy = False
+
+        def on_message(self, message) -> None:
+            content = json.loads(message)
+            if isinstance(content, dict) and self.channel is not None:
+                self.channel.on_message(content)
+
+        def on_close(self) -> None:
+            if self.channel is not None:
+                self.channel.sockets.discard(self)
+
+    root = f'/{server.secret}'
+    return Application([
+        (f'{root}/ping', Ping),
+        (f'{root}/meshcat.js', Route, {'path': library, 'kind': 'text/javascript'}),
+        (f'{root}/viewer.js', Route, {'path': WEB / 'viewer.js', 'kind': 'text/javascript'}),
+        (f'{root}/([0-9]+)/', Page),
+        (f'{root}/([0-9]+)/socket', Socket),
+    ], websocket_ping_interval=_PING, log_function=lambda handler: None)
+
+
+@atexit.register
+def _at_exit() -> None:
+    if _running is not None and os.getpid() == _running.process:
+        close_all()
