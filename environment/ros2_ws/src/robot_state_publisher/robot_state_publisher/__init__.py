@@ -1,0 +1,1 @@
+"""The node `robot_state_publisher` (see `robot_state_publisher.node`)."""
