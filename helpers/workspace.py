@@ -27,9 +27,12 @@ class Workspace:
         ws.run('ros2 pkg list')
     """
 
-    def __init__(self, path='ros2_ws'):
-        """:param path: the folder; a relative one is beside the notebook."""
+    def __init__(self, path='ros2_ws', env=None):
+        """:param path: the folder; a relative one is beside the notebook.
+        :param env: variables to add to the environment of its terminals.
+        """
         self.path = Path(path).absolute()
+        self.env = dict(env or {})
 
     def reset(self) -> None:
         """Make it new: an empty ``src``, no ``build``, ``install`` and ``log``.
@@ -100,11 +103,14 @@ class Workspace:
         lines = [line.strip() for line in script.strip().splitlines()]
         if shown:  # each line before it is run, as on a screen
             lines = [part for line in lines for part in (f'echo {shlex.quote("$ " + line)}', line)]
-        environment = {'COLCON_DEFAULTS_FILE': str(self.path / terminals.DEFAULTS)}
+        environment = {'COLCON_DEFAULTS_FILE': str(self.path / terminals.DEFAULTS), **self.env}
+        return background(self._terminal('\n'.join(lines)), env=environment, cwd=self.path)
+
+    def _terminal(self, script: str) -> list[str]:
+        """The command that runs a script in a new terminal."""
         # Variables that belong to the kernel's own Python, not to a terminal.
-        argv = ['env', '-u', 'PYTHONDONTWRITEBYTECODE', '-u', '_ROS_WHEELS_BOOTSTRAP_COMPLETE',
-                *terminals.shell('\n'.join(lines))]
-        return background(argv, env=environment, cwd=self.path)
+        return ['env', '-u', 'PYTHONDONTWRITEBYTECODE', '-u', '_ROS_WHEELS_BOOTSTRAP_COMPLETE',
+                *terminals.shell(script)]
 
     @staticmethod
     def _finish(process: Process, meanwhile) -> int:

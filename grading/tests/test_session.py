@@ -33,6 +33,14 @@ def test_visible_and_hidden(tmp_path):
     assert (result.verdict, result.score, report.sandbox, report.log) == ('failed', 2.5, 'none', [])
 
 
+def test_only_the_named_tests_run(tmp_path):
+    small.write_tests(tmp_path, ONE + ONE.replace('test_one', 'test_two'))
+    small.write_tests(tmp_path, ONE.replace('90.1', '90.2'), 2)
+    first, second = run(tmp_path, (1, 2), tests={'90.1': ['test_two']}).exercises
+    assert [test.test.rpartition('::')[2] for test in first.tests + second.tests] == ['test_two', 'test_one']
+    assert (first.score, second.score) == (10, 10)
+
+
 @pytest.mark.parametrize(('text', 'log'), [
     ('\ndef test_two(learner):\n    """Two."""\n    os._exit(3)\n', 'status 3'),
     ('\ndef test_two(learner):\n    """Two."""\n    time.sleep(100)\n', 'no progress'),

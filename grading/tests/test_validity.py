@@ -1,6 +1,8 @@
 """Do the graders judge rightly? Every chapter's solution, unsolved notebook, wrong solutions and alternatives.
 
 Variants of different exercises share a notebook, so that there are as many runs as the richest exercise has variants.
+Of a wrong solution's exercise only the test that must reject it runs, and the one that says the expected words where
+that is another; with COURSE_ALL_TESTS=1 in the environment, all run.
 """
 
 import os
@@ -21,6 +23,7 @@ from helpers.runner import session
 
 pytestmark = pytest.mark.timeout(600)
 SEED = os.environ.get('COURSE_SEED', 'validity')  # another one tries the tests with other inputs
+ALL_TESTS = bool(os.environ.get('COURSE_ALL_TESTS'))
 EXERCISES = manifest.load()
 CHAPTERS = {chapters.read(path).number: path for path in chapters.sources(paths.ROOT / 'solutions')}
 VARIANTS = {kind: sorted((paths.ROOT / 'grading' / kind).glob('chapter_*/*.py'))
@@ -29,21 +32,27 @@ VARIANTS = {kind: sorted((paths.ROOT / 'grading' / kind).glob('chapter_*/*.py'))
 
 @dataclass(frozen=True)
 class Variant:
-    """A text for an exercise's cell; a mutant says what the learner must read, and which hidden test rejects it."""
+    """A text for an exercise's cell.
+
+    A mutant says what the learner must read (`# expect:`), which hidden test rejects it (`# rejected by:`), and which
+    test says those words if that is another (`# told by:`).
+    """
 
     name: str
     exercise: str
     source: str
     expected: tuple[str, ...]
     rejected_by: str
+    told_by: tuple[str, ...]
 
     @classmethod
     def read(cls, path: Path) -> 'Variant':
         text = path.read_text()
         chapter, number, _ = path.stem.split('_', 2)
-        source = re.sub(r'^# (expect|rejected by):.*\n', '', text, flags=re.MULTILINE)
+        source = re.sub(r'^# (expect|rejected by|told by):.*\n', '', text, flags=re.MULTILINE)
         return cls(path.stem, f'{chapter}.{number}', source, tuple(re.findall(r'^# expect: (.+)$', text, re.MULTILINE)),
-                   ''.join(re.findall(r'^# rejected by: (.+)$', text, re.MULTILINE)))
+                   ''.join(re.findall(r'^# rejected by: (.+)$', text, re.MULTILINE)),
+                   tuple(re.findall(r'^# told by: (.+)$', text, re.MULTILINE)))
 
 
 def layers(kind, number):
@@ -59,11 +68,12 @@ def solved(number):
     return notebooks.parse(text.encode(), CHAPTERS[number].name)
 
 
-def judge(number, cells, only=None):
+def judge(number, cells, only=None, tests=None):
     chosen = [exercise for exercise in EXERCISES.values() if exercise.chapter == number
               and (only is None or exercise.id in only)]
     launcher = sandbox.launcher('none' if sandbox.problem() else sandbox.DEFAULT)  # as grade does, where it can
-    report = session.run(cells, chosen, session.Options(hidden=grade.HIDDEN, processes=2, seed=SEED, launcher=launcher))
+    report = session.run(cells, chosen, session.Options(hidden=grade.HIDDEN, processes=2, seed=SEED, launcher=launcher,
+                                                        tests=tests or {}))
     assert not report.log
     return {result.id: result for result in report.exercises}
 
@@ -99,7 +109,8 @@ class Validity:
             assert result.message == f'Exercise {result.id} is not solved yet.'
 
     def test_wrong_solutions_are_rejected_with_the_right_words(self, mutants):
-        results = judge(self.number, varied(self.number, mutants), {variant.exercise for variant in mutants})
+        named = {variant.exercise: (variant.rejected_by, *variant.told_by) for variant in mutants}
+        results = judge(self.number, varied(self.number, mutants), named.keys(), {} if ALL_TESTS else named)
         for variant in mutants:
             result = results[variant.exercise]
             assert variant.expected, f'{variant.name} has no line "# expect: …"'

@@ -87,8 +87,8 @@ def _notebooks(scratch: Path) -> Step:
 
 
 def _workers() -> int:
-    # Two for each core: most of a ROS test is waiting for another process.
-    return max(2, min(8, 2 * len(os.sched_getaffinity(0))))
+    # Three for each core: most of a ROS test is waiting for another process.
+    return max(2, min(12, 3 * len(os.sched_getaffinity(0))))
 
 
 def _command(name: str, arguments: list[str]) -> Step:

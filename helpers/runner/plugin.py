@@ -21,13 +21,14 @@ class Plugin:
     """One run: which programs there are, and where results go."""
 
     def __init__(self, programs: dict[str, dict], server: ForkServer, domain_id: int, report: Callable[[dict], None],
-                 only: set[str] | None = None, *, seed: str):
+                 only: set[str] | None = None, named: dict[str, list[str]] | None = None, *, seed: str):
         """`programs` by exercise id; tests of other exercises are left out. `only`: the ids of the tests to run.
 
+        `named`: for an exercise, the names of the tests that count; its others are as if they were not there.
         `seed`: what the tests draw is derived from it.
         """
         self.programs, self.server, self.domain_id = programs, server, domain_id
-        self.report, self.only, self.seed = report, only, seed
+        self.report, self.only, self.named, self.seed = report, only, named or {}, seed
         self._limits = server.limits
         self._stuck: set[str] = set()  # exercises of which a test has met a timeout
 
@@ -41,7 +42,7 @@ class Plugin:
         kept = []
         for item in items:
             exercise = _exercise(item)
-            if exercise not in self.programs:
+            if exercise not in self.programs or item.name not in self.named.get(exercise, [item.name]):
                 continue
             test = test_id(item)
             self.report({'event': 'collected', 'test': test, 'exercise': exercise, 'weight': _weight(item),

@@ -11,7 +11,7 @@ import subprocess
 import tempfile
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
@@ -40,6 +40,7 @@ class Options:
     retries: int = 1  # how often a test with a grader's fault runs again
     processes: int = 1  # among how many processes of tests the exercises are shared out
     seed: str = ''  # what the tests draw is derived from it; a fresh one if empty
+    tests: Mapping[str, Iterable[str]] = field(default_factory=dict)  # exercise -> names of the tests to run; else all
 
 
 @dataclass
@@ -180,6 +181,7 @@ class _Collection:
     def _start(self, programs, folders, only, domain: int, cwd: str, printed):
         read, write = os.pipe()
         job = {'programs': programs, 'tests': list(map(str, folders)), 'domain': domain, 'only': only,
+               'named': {exercise: list(names) for exercise, names in self.options.tests.items()},
                'launcher': self.options.launcher, 'limits': asdict(self.options.limits), 'seed': self.options.seed}
         environment = {**{k: v for k, v in os.environ.items() if not k.startswith(('PYTEST_', 'COV_'))},
                        **launch.ros_environment(domain), 'PYTEST_DISABLE_PLUGIN_AUTOLOAD': '1',

@@ -58,7 +58,8 @@ def _judge(job: dict, server, report, only: set[str] | None) -> int:
         ['-c', os.devnull, '--rootdir', os.getcwd(), '--import-mode=importlib', '--strict-markers', '-q',
          '--continue-on-collection-errors',
          '-p', 'no:cacheprovider', '--tb=no', '--no-header', *job['tests']],
-        plugins=[plugin.Plugin(job['programs'], server, job['domain'], report, only, seed=job['seed'])])
+        plugins=[plugin.Plugin(job['programs'], server, job['domain'], report, only, job['named'],
+                               seed=job['seed'])])
 
 
 if __name__ == '__main__':

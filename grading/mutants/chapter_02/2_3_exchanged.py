@@ -1,5 +1,6 @@
 # expect: above `---` is the request
 # rejected by: test_constant_and_default
+# told by: test_fields
 # Exercise 2.3: an interface
 MSG = '''# dock_interfaces/msg/Charge
 uint8 FULL=100

@@ -1,5 +1,6 @@
 # expect: does not say that it needs wheel_math
 # rejected by: test_order
+# told by: test_both_are_built
 # Exercise 2.4: a library and its user
 REPORT_PY = '''
 import sys

@@ -1,5 +1,6 @@
 # expect: The text never changes
 # rejected by: test_long_run
+# told by: test_texts
 # Exercise 3.1: a beacon
 class Beacon(Node):
     def __init__(self):

@@ -1,5 +1,6 @@
 # expect: the period is 4 s
 # rejected by: test_long_run
+# told by: test_rate
 # Exercise 3.1: a beacon
 class Beacon(Node):
     def __init__(self):

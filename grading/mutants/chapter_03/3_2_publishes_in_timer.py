@@ -1,5 +1,6 @@
 # expect: came out at once
 # rejected by: test_one_out_for_each_in
+# told by: test_distance_in_metres
 # Exercise 3.2: from centimetres to metres
 from sensor_msgs.msg import Range
 

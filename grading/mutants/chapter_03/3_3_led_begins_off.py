@@ -1,5 +1,6 @@
 # expect: begins with True
 # rejected by: test_two_heartbeats
+# told by: test_led
 # Exercise 3.3: heartbeat
 from std_msgs.msg import Bool, Empty, Int32
 

@@ -1,5 +1,6 @@
 # expect: Width and height are exchanged
 # rejected by: test_any_map
+# told by: test_map
 # Exercise 3.4: a latched map
 from nav_msgs.msg import MapMetaData, OccupancyGrid
 from std_msgs.msg import Header

@@ -1,5 +1,6 @@
 # expect: unknown (-1) is no wall
 # rejected by: test_reader_every_map
+# told by: test_reader
 # Exercise 3.4: a latched map
 from nav_msgs.msg import MapMetaData, OccupancyGrid
 from std_msgs.msg import Header

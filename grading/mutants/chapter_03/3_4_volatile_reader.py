@@ -1,5 +1,6 @@
 # expect: does not get old messages
 # rejected by: test_reader_late
+# told by: test_reader
 # Exercise 3.4: a latched map
 from nav_msgs.msg import MapMetaData, OccupancyGrid
 from std_msgs.msg import Header

@@ -1,5 +1,6 @@
 # expect: in the order of the specification
 # rejected by: test_all_reasons
+# told by: test_weak_offer
 # Exercise 3.5: why is there no data?
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Bool

@@ -1,5 +1,6 @@
 # expect: dead sensor must not look like a quiet one
 # rejected by: test_silent_sensor
+# told by: test_silence
 # Exercise 3.6: a rate and gap monitor
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Float64

@@ -1,5 +1,6 @@
 # expect: the third request has its second, too
 # rejected by: test_timeout_and_tries
+# told by: test_silent_server
 # Exercise 4.1: a patient client
 from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool

@@ -1,5 +1,6 @@
 # expect: Call succeed() before you return the result
 # rejected by: test_orders
+# told by: test_numbers
 # Exercise 5.1: a server that can be stopped
 class FibonacciServer(Node):
     def __init__(self):

@@ -1,5 +1,6 @@
 # expect: The default cancel callback refuses all
 # rejected by: test_cancel_at_any_step
+# told by: test_cancel
 # Exercise 5.1: a server that can be stopped
 class FibonacciServer(Node):
     def __init__(self):

@@ -1,0 +1,32 @@
+"""All faults by row and by name."""
+
+from helpers.faults.fault import Fault
+from helpers.faults.topics import NoData
+
+#: The faults in the order of the chapter.
+FAULTS: tuple[type[Fault], ...] = (NoData,)
+
+
+def plan(what: str, seed: int | str = 0, kind: str | None = None, folder=None, domain: int | None = None) -> Fault:
+    """A fault that is drawn but not staged: nothing is written, nothing runs. For its ``files`` and ``diagnosis``.
+
+    :param what: row or name, such as ``'A7.6'`` or ``'no_data'``.
+    :param kind: one of the fault's ``kinds``; drawn from the seed if not given.
+    :param folder: where to stage it; by default ``faults_ws/NAME`` in the current folder.
+    :param domain: its ROS domain; by default that of the environment.
+    :raises ValueError: there is no such fault or kind.
+    """
+    for fault in FAULTS:
+        if what in (fault.row, fault.name):
+            return fault(seed, kind, folder, domain)
+    raise ValueError(f'there is no fault {what!r}: there are {", ".join(f"{f.row} ({f.name})" for f in FAULTS)}')
+
+
+def stage(what: str, seed: int | str = 0, kind: str | None = None, folder=None, domain: int | None = None) -> Fault:
+    """Write a broken system into its folder and return its handle; arguments as in `plan`.
+
+    A fault that an earlier call staged in the same folder is stopped and removed.
+
+    :raises FileExistsError: the folder is somebody else's.
+    """
+    return plan(what, seed, kind, folder, domain).stage()

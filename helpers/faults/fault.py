@@ -1,0 +1,263 @@
+"""What all faults have in common: a folder with a small system in it, which does not do what it should.
+
+The system is made of ordinary files. ``start.txt`` names the programs, one line for each terminal that somebody has
+opened. Everything runs in child processes below that folder; nothing else on the machine changes.
+"""
+
+import atexit
+import hashlib
+import os
+import random
+import shlex
+import shutil
+import sys
+import time
+from pathlib import Path
+
+from helpers import terminals
+from helpers.processes import Process, background
+from helpers.workspace import Workspace
+
+START = 'start.txt'
+_MARK = '.fault'  # in a folder that a fault has made, and may remove
+_SHOWN = 8  # lines of a program
+_staged: dict[Path, 'Fault'] = {}
+
+
+class Verdict:
+    """Whether a system does what it should. True or false, and a line that says what was seen."""
+
+    def __init__(self, works: bool, seen: str):
+        self.works, self.seen = works, seen
+
+    def __bool__(self) -> bool:
+        return self.works
+
+    def __repr__(self) -> str:
+        return f'{"✓ it works" if self.works else "✗ it does not work"}: {self.seen}'
+
+
+class Fault:
+    """A system with a fault. Made by `helpers.faults.stage`; a subclass for each row of the chapter.
+
+    A subclass sets, in `plan`, what the system is: ``task``, ``files``, ``diagnosis``; and it says, in `works`, whether
+    it does its task. The same row, seed and kind give the same system, on every machine.
+    """
+
+    row = ''  #: such as ``'A7.6'``
+    name = ''  #: one word for it
+    title = ''  #: the symptom, as somebody would report it
+    kinds: tuple[str, ...] = ()  #: the causes it may have
+    patience = 10.0  # s; the longest time in which a system that works shows it
+
+    def __init__(self, seed: int | str = 0, kind: str | None = None, folder=None, domain: int | None = None):
+        if kind is not None and kind not in self.kinds:
+            raise ValueError(f'{self.row} has no kind {kind!r}: it has {", ".join(self.kinds)}')
+        self.seed = seed
+        self.random = random.Random(f'{self.row} {seed}')
+        drawn = self.random.choice(self.kinds)
+        self.kind = kind or drawn  #: the cause that was drawn
+        self.path = Path(folder or Path('faults_ws', self.name)).absolute()  #: the folder of the system
+        self.env = {} if domain is None else {'ROS_DOMAIN_ID': str(domain)}
+        self.task = ''  #: what the system should do, in a sentence
+        self.files: dict[str, str] = {}  #: the files as they are staged: path below the folder -> text
+        self.repaired: dict[str, str] = {}  #: the files that a repair changes, as they should be
+        self.diagnosis: dict = {}  #: ``cause``, ``where`` (the file), and what the tools show of it
+        self.programs: dict[str, Process] = {}  #: running programs by name
+        self._versions: dict[str, str] = {}  # of the running programs
+        self.plan()
+
+    # What a subclass says.
+
+    def plan(self) -> None:
+        """Draw the names and write the system down: ``task``, ``files``, ``repaired``, ``diagnosis``."""
+        raise NotImplementedError
+
+    def works(self, timeout: float) -> Verdict:
+        """Watch the system for at most ``timeout`` seconds, and say whether it does its task."""
+        raise NotImplementedError
+
+    def show_symptom(self) -> None:
+        """Print what somebody sees who uses the system."""
+        raise NotImplementedError
+
+    # What a learner calls.
+
+    def symptom(self) -> None:
+        """Run the system, and print what its user sees."""
+        self.start()
+        self.show_symptom()
+
+    def run(self, script: str) -> None:
+        """Run commands, one a line, in a new terminal of this system; shows them and what they print."""
+        self.terminal(script).run(script)
+
+    def show(self, file: str) -> None:
+        """Print a file of the system."""
+        print(self._file(file).read_text().rstrip('\n'))
+
+    def edit(self, file: str, old: str, new: str) -> None:
+        """Replace a piece of text in a file, as an editor would.
+
+        :raises ValueError: the text is not there, or more than once.
+        """
+        text = self._file(file).read_text()
+        if text.count(old) != 1:
+            raise ValueError(f'{file} has {old!r} {text.count(old)} times, not once')
+        self.write(file, text.replace(old, new))
+
+    def write(self, file: str, text: str) -> None:
+        """Write a file of the system; a first empty line of the text is left out.
+
+        :raises ValueError: ``file`` leads out of the system's folder.
+        """
+        path = self._file(file)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text.removeprefix('\n'))
+
+    def repair(self) -> None:
+        """Repair it as the course would; for tests, and for those who want to see one way."""
+        for file, text in self.repaired.items():
+            self.write(file, text)
+
+    def verify(self, timeout: float | None = None) -> Verdict:
+        """Start what has changed again, and say whether the system does its task now.
+
+        :param timeout: seconds to wait for it.
+        """
+        self.start()
+        return self.works(self.patience if timeout is None else timeout)
+
+    def start(self) -> None:
+        """Start the programs of ``start.txt``; those that still run and have not changed go on."""
+        wanted = dict(self._commands())
+        for name in [name for name, program in self.programs.items()
+                     if not program.running or self._version(wanted.get(name)) != self._versions[name]]:
+            self.programs.pop(name).stop()
+        for name, (machine, command) in wanted.items():
+            if name not in self.programs:
+                self._versions[name] = self._version((machine, command))
+                self.programs[name] = self._launch(machine, command)
+
+    def stop(self) -> None:
+        """End the programs and remove the folder; idempotent."""
+        for program in self.programs.values():
+            program.stop()
+        self.programs.clear()
+        if _staged.get(self.path) is self:
+            del _staged[self.path]
+            shutil.rmtree(self.path, ignore_errors=True)
+            if self.path.parent.name == 'faults_ws' and self.path.parent.is_dir() and not any(
+                    self.path.parent.iterdir()):
+                self.path.parent.rmdir()
+
+    def __enter__(self) -> 'Fault':
+        return self
+
+    def __exit__(self, kind, error, tb) -> None:
+        self.stop()
+
+    def __repr__(self) -> str:
+        files = '\n'.join(f'    {name}' for name in sorted(self.files))
+        return f'{self.row}: {self.title}\n{self.task}\nFiles in {_relative(self.path)}:\n{files}'
+
+    # What a subclass uses.
+
+    def terminal(self, script: str = '') -> Workspace:
+        """Where `run` runs a script."""
+        return Workspace(self.path, self.env)
+
+    def ask(self, script: str, timeout: float = 60.0) -> tuple[int, str]:
+        """Run commands in a new terminal without showing them; returns exit status and output.
+
+        :raises TimeoutError: they did not end in time.
+        """
+        with self.terminal(script).start(script) as process:
+            try:
+                process.wait_for_output(lambda line: False, timeout)
+            except RuntimeError:  # it has ended
+                return process.returncode, process.output
+        raise AssertionError('a process that ended has no status')
+
+    def watch(self, seen, timeout: float) -> bool:
+        """Wait until ``seen()`` is true, at most ``timeout`` seconds; False if it never was, or a program ended."""
+        deadline = time.monotonic() + timeout
+        while not seen():
+            if time.monotonic() > deadline or not all(program.running for program in self.programs.values()):
+                return bool(seen())
+            time.sleep(0.02)
+        return True
+
+    def show_programs(self) -> None:
+        """Print the last lines of each program."""
+        for name, program in self.programs.items():
+            print(f'--- {name}{"" if program.running else f", ended with status {program.returncode}"}')
+            for line in program.lines[-_SHOWN:]:
+                print(line)
+
+    def lines(self, name: str) -> list[str]:
+        """What a program has printed; nothing if it is not started."""
+        return self.programs[name].lines if name in self.programs else []
+
+    def stage(self) -> 'Fault':
+        """Write the files into the folder. An earlier fault in it is stopped.
+
+        :raises FileExistsError: the folder was not made by a fault; nothing is touched.
+        """
+        if self.path in _staged:
+            _staged[self.path].stop()
+        if self.path.exists() and any(self.path.iterdir()) and not (self.path / _MARK).is_file():
+            raise FileExistsError(f'{self.path} is not a fault of this course: move it away, or give another folder')
+        shutil.rmtree(self.path, ignore_errors=True)
+        self.path.mkdir(parents=True)
+        (self.path / _MARK).touch()
+        (self.path / terminals.DEFAULTS).write_text(terminals.colcon_defaults())
+        for file, text in self.files.items():
+            self.write(file, text)
+        _staged[self.path] = self
+        return self
+
+    def _commands(self):
+        """The lines of start.txt: (name, (machine, command)). A line is ``COMMAND`` or ``MACHINE: COMMAND``."""
+        file = self.path / START
+        for line in file.read_text().splitlines() if file.is_file() else ():
+            line = line.partition('#')[0].strip()
+            if line:
+                machine, _, command = line.rpartition(': ')
+                yield Path(_script(command)).stem, (machine, command)
+
+    def _launch(self, machine: str, command: str) -> Process:
+        argv = shlex.split(command)
+        argv[0] = sys.executable if argv[0] == 'python3' else argv[0]
+        return background(argv, env=self.env, cwd=self.path)
+
+    def _version(self, program: tuple[str, str] | None) -> str:
+        """What a program is made of, as a digest: its line, its file, and the settings of its machine."""
+        if program is None:
+            return ''
+        machine, command = program
+        digest = hashlib.sha256(repr(program).encode())
+        for file in (self.path / machine / _script(command), self.path / machine / '.bashrc'):
+            digest.update(file.read_bytes() if file.is_file() else b'-')
+        return digest.hexdigest()
+
+    def _file(self, name: str) -> Path:
+        path = (self.path / name).resolve()
+        if self.path.resolve() not in path.parents:
+            raise ValueError(f'{name} is not inside of {self.path.name}')
+        return path
+
+
+def _script(command: str) -> str:
+    """The file that a command starts: ``python3 lidar.py --ros-args`` -> ``lidar.py``."""
+    return next((part for part in shlex.split(command) if part.endswith('.py')), shlex.split(command)[0])
+
+
+def _relative(path: Path) -> str:
+    return os.path.relpath(path)
+
+
+@atexit.register
+def _at_exit() -> None:
+    for fault in list(_staged.values()):
+        fault.stop()
