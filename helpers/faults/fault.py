@@ -90,6 +90,8 @@ class Fault:
 
     def run(self, script: str) -> None:
         """Run commands, one a line, in a new terminal of this system; shows them and what they print."""
+        if self.start():
+            self.watch(lambda: all(program.lines for program in self.programs.values()), self.patience)
         self.terminal(script).run(script)
 
     def show(self, file: str) -> None:
@@ -128,16 +130,20 @@ class Fault:
         self.start()
         return self.works(self.patience if timeout is None else timeout)
 
-    def start(self) -> None:
-        """Start the programs of ``start.txt``; those that still run and have not changed go on."""
+    def start(self) -> list[str]:
+        """Start the programs of ``start.txt``; those that still run and have not changed go on.
+
+        :return: the names of those that were started now.
+        """
         wanted = dict(self._commands())
         for name in [name for name, program in self.programs.items()
                      if not program.running or self._version(wanted.get(name)) != self._versions[name]]:
             self.programs.pop(name).stop()
-        for name, (machine, command) in wanted.items():
-            if name not in self.programs:
-                self._versions[name] = self._version((machine, command))
-                self.programs[name] = self._launch(machine, command)
+        started = [name for name in wanted if name not in self.programs]
+        for name in started:
+            self._versions[name] = self._version(wanted[name])
+            self.programs[name] = self._launch(*wanted[name])
+        return started
 
     def stop(self) -> None:
         """End the programs and remove the folder; idempotent."""
@@ -179,11 +185,15 @@ class Fault:
                 return process.returncode, process.output
         raise AssertionError('a process that ended has no status')
 
-    def watch(self, seen, timeout: float) -> bool:
-        """Wait until ``seen()`` is true, at most ``timeout`` seconds; False if it never was, or a program ended."""
+    def watch(self, seen, timeout: float, ends: tuple[str, ...] = ()) -> bool:
+        """Wait until ``seen()`` is true, at most ``timeout`` seconds; False if it never was, or a program ended.
+
+        :param ends: programs that may end by themselves.
+        """
         deadline = time.monotonic() + timeout
         while not seen():
-            if time.monotonic() > deadline or not all(program.running for program in self.programs.values()):
+            lost = [name for name, program in self.programs.items() if name not in ends and not program.running]
+            if time.monotonic() > deadline or lost:
                 return bool(seen())
             time.sleep(0.02)
         return True
@@ -194,6 +204,15 @@ class Fault:
             print(f'--- {name}{"" if program.running else f", ended with status {program.returncode}"}')
             for line in program.lines[-_SHOWN:]:
                 print(line)
+
+    def signal(self, name: str, number: int, timeout: float = 0.0) -> bool:
+        """Send a signal to a program, and tell whether it has ended ``timeout`` seconds later."""
+        program = self.programs[name]
+        os.kill(program.pid, number)
+        deadline = time.monotonic() + timeout
+        while program.running and time.monotonic() < deadline:
+            time.sleep(0.02)
+        return not program.running
 
     def lines(self, name: str) -> list[str]:
         """What a program has printed; nothing if it is not started."""
