@@ -20,7 +20,7 @@ import numpy
 
 from mujoco_world import model as models
 from mujoco_world.drive import Controller, Odometry
-from mujoco_world.model import BODIES, FLOOR, LOOKS, TIMESTEP
+from mujoco_world.model import BODY, FLOOR, LOOKS, TIMESTEP, WALLS
 from mujoco_world.pictures import NoPicturesError, Pictures
 from mujoco_world.robot import Robot, UrdfError, read
 from mujoco_world.scene import Pose2D, Scene, SceneError, load
@@ -240,7 +240,7 @@ class World:
         rays = (self._rays @ pose[:3, :3].T).ravel()
         ids, ranges = numpy.empty(lidar.samples, numpy.int32), numpy.empty(lidar.samples)
         groups = numpy.zeros(6, numpy.uint8)
-        groups[BODIES] = 1
+        groups[[WALLS, BODY]] = 1
         mujoco.mj_multiRay(self.model, self.data, pose[:3, 3].copy(), rays, groups, True,
                            self.model.body(lidar.link).id, ids, ranges, None, lidar.samples, lidar.max_range)
         hit = ids >= 0
@@ -277,7 +277,7 @@ class World:
                 self._no_pictures = error
                 raise
         mujoco.mj_camlight(self.model, self.data)
-        return self._pictures.take(self.data, 'camera', (BODIES, LOOKS))
+        return self._pictures.take(self.data, 'camera', (WALLS, LOOKS))
 
     def close(self) -> None:
         """Give back what the camera holds."""
