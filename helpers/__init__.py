@@ -23,7 +23,9 @@ for _name, _value in _DEFAULTS.items():
 # Public name -> module that defines it; None where the name is the module itself.
 _HOME = {
     'CallbackError': 'errors',
+    'GraphView': 'graph',
     'ProgressBar': 'progress',
+    'TfView': 'views.tf_view',
     'TurtleView': 'turtle',
     'Workspace': 'workspace',
     'background': 'processes',
@@ -31,6 +33,7 @@ _HOME = {
     'collect': 'waiting',
     'ros': None,
     'routes': 'routes',
+    'show_graph': 'graph',
     'show_turtle': 'turtle',
     'spin_for': 'waiting',
     'spinning': 'spinning',

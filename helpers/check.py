@@ -1,8 +1,9 @@
 """`check("3.1")`: the visible tests of an exercise, run against the cells of this kernel."""
 
 import os
+from pathlib import Path
 
-from helpers import journal
+from helpers import journal, paths, start_page
 
 
 def check(exercise_id: str) -> None:
@@ -21,6 +22,8 @@ def check(exercise_id: str) -> None:
         print(f'The check could not run: {error}')
     else:
         _show(report.exercises)
+        if Path.cwd() == paths.NOTEBOOKS:  # not for copies, nor for an instructor's solutions
+            start_page.keep(report.exercises)
 
 
 def judge(exercise_id: str):

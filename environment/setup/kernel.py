@@ -1,4 +1,4 @@
-"""Ties the environment to the course: import path, start-up hook, Jupyter kernel."""
+"""Ties the environment to the course: import path, start-up hook, Jupyter kernel, JupyterLab's settings."""
 
 import json
 from pathlib import Path
@@ -9,18 +9,23 @@ from environment.setup.layout import Layout
 HOOK = '_course_startup'
 KERNEL = 'course'
 PROFILE = Path(__file__).with_name('fastdds.xml')
+SETTINGS = Path(__file__).with_name('jupyterlab.json')  # what JupyterLab does unless its user says otherwise
 
 
 def install(layout: Layout) -> None:
-    """Write `course.pth`, the start-up hook, Fast DDS's profile and the kernelspec; a second call changes nothing."""
+    """Write `course.pth`, the start-up hook, Fast DDS's profile, the kernelspec and JupyterLab's settings.
+
+    A second call changes nothing.
+    """
     site = layout.site_packages()
     # A copy, as a sandbox may show the environment without the repository.
     (site / f'{HOOK}.py').write_text(Path(startup.__file__).read_text())
     # Named so that it runs before ros_wheels_bootstrapper.pth, whose guard it looks after.
     (site / 'course.pth').write_text(f'{layout.root}\nimport {HOOK}\n')
-    profile = layout.prefix / startup.PROFILE
-    profile.parent.mkdir(parents=True, exist_ok=True)
-    profile.write_text(PROFILE.read_text())
+    copies = {PROFILE: startup.PROFILE, SETTINGS: 'share/jupyter/lab/settings/overrides.json'}
+    for source, target in copies.items():
+        (layout.prefix / target).parent.mkdir(parents=True, exist_ok=True)
+        (layout.prefix / target).write_text(source.read_text())
     directory = layout.prefix / 'share' / 'jupyter' / 'kernels' / KERNEL
     directory.mkdir(parents=True, exist_ok=True)
     (directory / 'kernel.json').write_text(json.dumps(kernelspec(layout), indent=1) + '\n')

@@ -73,7 +73,8 @@ class Setup:
         return stale
 
     def kernel_key(self) -> str:
-        files = (Path(startup.__file__).read_text(), kernel.PROFILE.read_text())
+        files = (Path(startup.__file__).read_text(), kernel.PROFILE.read_text(),
+                 kernel.SETTINGS.read_text())
         return digest(json.dumps(kernel.kernelspec(self.layout)), *files, str(self.layout.root))
 
     # The virtual environment.

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from helpers import paths
+from helpers import paths, start_page
 from helpers.cli import Refusal
 
 
@@ -32,6 +32,8 @@ def check(
     except (manifest.ManifestError, notebooks.InvalidSubmission) as error:
         raise Refusal(str(error)) from None
     report = session.run(cells, chosen, session.Options(processes=2))
+    if notebooks_folder.resolve() == paths.NOTEBOOKS:
+        start_page.keep(report.exercises)
     console = Console(highlight=False, soft_wrap=True)
     for style, text in display.lines(report.exercises):
         console.print(text, style=style or None, markup=False)

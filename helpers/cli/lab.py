@@ -7,8 +7,9 @@ from typing import Annotated
 
 import typer
 
-from helpers import paths
+from helpers import paths, start_page
 from helpers.cli import Refusal
+from helpers.exercises import manifest
 
 DEFAULT_PORT = 8888
 TRIES = 50  # ports from DEFAULT_PORT on, if no port is asked for
@@ -24,20 +25,26 @@ def lab(
     chosen = choose_port(port)
     if port is None and chosen != DEFAULT_PORT:
         print(f'course: port {DEFAULT_PORT} is in use; taking {chosen}', file=sys.stderr, flush=True)
+    try:
+        start = f'/lab/tree/{start_page.write().name}'
+    except (OSError, manifest.ManifestError) as error:  # a read-only folder: still good for reading and trying
+        print(f'course: no start page: {error}', file=sys.stderr, flush=True)
+        start = '/lab'
     # The environment's own kernel, whatever kernels the user has elsewhere under the same name.
     os.environ.setdefault('JUPYTER_PREFER_ENV_PATH', '1')
-    command = arguments(chosen, no_browser, os.geteuid() == 0)
+    command = arguments(chosen, no_browser, os.geteuid() == 0, start)
     os.chdir(paths.ROOT)
     os.execv(sys.executable, [sys.executable, *command])  # JupyterLab takes over this process: its signals, its exit
 
 
-def arguments(port: int, no_browser: bool, root_user: bool) -> list[str]:
-    """Return the arguments of the interpreter that start JupyterLab on ``port`` exactly."""
+def arguments(port: int, no_browser: bool, root_user: bool, start: str = '/lab') -> list[str]:
+    """Return the arguments of the interpreter that start JupyterLab on ``port`` exactly; it opens on ``start``."""
     result = [
         '-m', 'jupyterlab',
         f'--ServerApp.root_dir={paths.NOTEBOOKS}',
         f'--ServerApp.port={port}',
         '--ServerApp.port_retries=0',
+        f'--LabApp.default_url={start}',
         '--MultiKernelManager.default_kernel_name=python3',
         # All versions are locked: no questions about news and newer versions.
         '--LabApp.news_url=None',

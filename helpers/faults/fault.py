@@ -12,13 +12,16 @@ import shlex
 import shutil
 import sys
 import time
+from contextlib import ExitStack
 from pathlib import Path
 
-from helpers import terminals
+from helpers import domains, terminals
+from helpers.faults.machine import Machine
 from helpers.processes import Process, background
 from helpers.workspace import Workspace
 
 START = 'start.txt'
+DOMAIN, OTHER = '@DOMAIN@', '@OTHER@'  # in a text: the domain of the system, and one that is nobody's
 _MARK = '.fault'  # in a folder that a fault has made, and may remove
 _SHOWN = 8  # lines of a program
 _staged: dict[Path, 'Fault'] = {}
@@ -48,6 +51,7 @@ class Fault:
     name = ''  #: one word for it
     title = ''  #: the symptom, as somebody would report it
     kinds: tuple[str, ...] = ()  #: the causes it may have
+    machine = ''  #: the machine on which commands run; '' is this one
     patience = 10.0  # s; the longest time in which a system that works shows it
 
     def __init__(self, seed: int | str = 0, kind: str | None = None, folder=None, domain: int | None = None):
@@ -63,7 +67,10 @@ class Fault:
         self.files: dict[str, str] = {}  #: the files as they are staged: path below the folder -> text
         self.repaired: dict[str, str] = {}  #: the files that a repair changes, as they should be
         self.diagnosis: dict = {}  #: ``cause``, ``where`` (the file), and what the tools show of it
+        self.homes: dict[str, Machine] = {}  #: the machines of the system by name
         self.programs: dict[str, Process] = {}  #: running programs by name
+        self._other = ''
+        self._held = ExitStack()  # what it has claimed
         self._versions: dict[str, str] = {}  # of the running programs
         self.plan()
 
@@ -72,6 +79,9 @@ class Fault:
     def plan(self) -> None:
         """Draw the names and write the system down: ``task``, ``files``, ``repaired``, ``diagnosis``."""
         raise NotImplementedError
+
+    def prepare(self) -> None:
+        """Put into the folder what belongs to the system, but is not for the learner to change."""
 
     def works(self, timeout: float) -> Verdict:
         """Watch the system for at most ``timeout`` seconds, and say whether it does its task."""
@@ -88,9 +98,14 @@ class Fault:
         self.start()
         self.show_symptom()
 
-    def run(self, script: str) -> None:
-        """Run commands, one a line, in a new terminal of this system; shows them and what they print."""
-        self.terminal(script).run(script)
+    def run(self, script: str, on: str = '') -> None:
+        """Run commands, one a line, in a new terminal of this system; shows them and what they print.
+
+        :param on: the machine, where a system has several.
+        """
+        if self.start():
+            self.watch(lambda: all(program.lines for program in self.programs.values()), self.patience)
+        self.terminal(on).run(script)
 
     def show(self, file: str) -> None:
         """Print a file of the system."""
@@ -118,7 +133,7 @@ class Fault:
     def repair(self) -> None:
         """Repair it as the course would; for tests, and for those who want to see one way."""
         for file, text in self.repaired.items():
-            self.write(file, text)
+            self.write(file, self._fill(text))
 
     def verify(self, timeout: float | None = None) -> Verdict:
         """Start what has changed again, and say whether the system does its task now.
@@ -128,22 +143,28 @@ class Fault:
         self.start()
         return self.works(self.patience if timeout is None else timeout)
 
-    def start(self) -> None:
-        """Start the programs of ``start.txt``; those that still run and have not changed go on."""
+    def start(self) -> list[str]:
+        """Start the programs of ``start.txt``; those that still run and have not changed go on.
+
+        :return: the names of those that were started now.
+        """
         wanted = dict(self._commands())
         for name in [name for name, program in self.programs.items()
                      if not program.running or self._version(wanted.get(name)) != self._versions[name]]:
             self.programs.pop(name).stop()
-        for name, (machine, command) in wanted.items():
-            if name not in self.programs:
-                self._versions[name] = self._version((machine, command))
-                self.programs[name] = self._launch(machine, command)
+        started = [name for name in wanted if name not in self.programs]
+        for name in started:
+            self._versions[name] = self._version(wanted[name])
+            self.programs[name] = self._launch(*wanted[name])
+        return started
 
     def stop(self) -> None:
         """End the programs and remove the folder; idempotent."""
         for program in self.programs.values():
             program.stop()
         self.programs.clear()
+        self.homes.clear()
+        self._held.close()
         if _staged.get(self.path) is self:
             del _staged[self.path]
             shutil.rmtree(self.path, ignore_errors=True)
@@ -163,27 +184,37 @@ class Fault:
 
     # What a subclass uses.
 
-    def terminal(self, script: str = '') -> Workspace:
-        """Where `run` runs a script."""
-        return Workspace(self.path, self.env)
+    def terminal(self, on: str = '') -> Workspace:
+        """Where commands run: on a machine of the system, or as in a terminal of this one.
 
-    def ask(self, script: str, timeout: float = 60.0) -> tuple[int, str]:
+        :raises ValueError: the system has no such machine.
+        """
+        if on and on not in self.homes:
+            raise ValueError(f'there is no machine {on!r}: there are {", ".join(self.homes) or "none"}')
+        on = on or self.machine
+        return self.homes[on] if on else Workspace(self.path, self.env)
+
+    def ask(self, script: str, timeout: float = 60.0, on: str = '') -> tuple[int, str]:
         """Run commands in a new terminal without showing them; returns exit status and output.
 
         :raises TimeoutError: they did not end in time.
         """
-        with self.terminal(script).start(script) as process:
+        with self.terminal(on).start(script) as process:
             try:
                 process.wait_for_output(lambda line: False, timeout)
             except RuntimeError:  # it has ended
                 return process.returncode, process.output
         raise AssertionError('a process that ended has no status')
 
-    def watch(self, seen, timeout: float) -> bool:
-        """Wait until ``seen()`` is true, at most ``timeout`` seconds; False if it never was, or a program ended."""
+    def watch(self, seen, timeout: float, ends: tuple[str, ...] = ()) -> bool:
+        """Wait until ``seen()`` is true, at most ``timeout`` seconds; False if it never was, or a program ended.
+
+        :param ends: programs that may end by themselves.
+        """
         deadline = time.monotonic() + timeout
         while not seen():
-            if time.monotonic() > deadline or not all(program.running for program in self.programs.values()):
+            lost = [name for name, program in self.programs.items() if name not in ends and not program.running]
+            if time.monotonic() > deadline or lost:
                 return bool(seen())
             time.sleep(0.02)
         return True
@@ -194,6 +225,15 @@ class Fault:
             print(f'--- {name}{"" if program.running else f", ended with status {program.returncode}"}')
             for line in program.lines[-_SHOWN:]:
                 print(line)
+
+    def signal(self, name: str, number: int, timeout: float = 0.0) -> bool:
+        """Send a signal to a program, and tell whether it has ended ``timeout`` seconds later."""
+        program = self.programs[name]
+        os.kill(program.pid, number)
+        deadline = time.monotonic() + timeout
+        while program.running and time.monotonic() < deadline:
+            time.sleep(0.02)
+        return not program.running
 
     def lines(self, name: str) -> list[str]:
         """What a program has printed; nothing if it is not started."""
@@ -211,11 +251,20 @@ class Fault:
         shutil.rmtree(self.path, ignore_errors=True)
         self.path.mkdir(parents=True)
         (self.path / _MARK).touch()
-        (self.path / terminals.DEFAULTS).write_text(terminals.colcon_defaults())
-        for file, text in self.files.items():
-            self.write(file, text)
         _staged[self.path] = self
+        (self.path / terminals.DEFAULTS).write_text(terminals.colcon_defaults())
+        self.prepare()
+        for file, text in self.files.items():
+            self.write(file, self._fill(text))
         return self
+
+    def home(self, name: str) -> Machine:
+        """A machine of the system, in a folder of its name; made when it is first asked for."""
+        if name not in self.homes:
+            self.homes[name] = Machine(self.path / name, self.env)
+            self.homes[name].path.mkdir(parents=True)
+            self.homes[name].write(terminals.DEFAULTS, terminals.colcon_defaults())
+        return self.homes[name]
 
     def _commands(self):
         """The lines of start.txt: (name, (machine, command)). A line is ``COMMAND`` or ``MACHINE: COMMAND``."""
@@ -227,8 +276,12 @@ class Fault:
                 yield Path(_script(command)).stem, (machine, command)
 
     def _launch(self, machine: str, command: str) -> Process:
+        if machine:
+            return self.terminal(machine).start(f'exec {command}')
         argv = shlex.split(command)
-        argv[0] = sys.executable if argv[0] == 'python3' else argv[0]
+        if argv[0] != 'python3':
+            return self.terminal().start(f'exec {command}')
+        argv[0] = sys.executable
         return background(argv, env=self.env, cwd=self.path)
 
     def _version(self, program: tuple[str, str] | None) -> str:
@@ -241,6 +294,13 @@ class Fault:
             digest.update(file.read_bytes() if file.is_file() else b'-')
         return digest.hexdigest()
 
+    def _fill(self, text: str) -> str:
+        """Put numbers in the places of those that are known only here: of this domain, and of another one."""
+        here = self.env.get('ROS_DOMAIN_ID') or os.environ.get('ROS_DOMAIN_ID') or '0'
+        if OTHER in text and not self._other:
+            self._other = str(self._held.enter_context(domains.claim()))
+        return text.replace(DOMAIN, here).replace(OTHER, self._other)
+
     def _file(self, name: str) -> Path:
         path = (self.path / name).resolve()
         if self.path.resolve() not in path.parents:
@@ -249,8 +309,13 @@ class Fault:
 
 
 def _script(command: str) -> str:
-    """The file that a command starts: ``python3 lidar.py --ros-args`` -> ``lidar.py``."""
-    return next((part for part in shlex.split(command) if part.endswith('.py')), shlex.split(command)[0])
+    """What a command starts: ``python3 lidar.py --ros-args`` -> ``lidar.py``, ``ros2 run tf2_ros tf2_echo`` ->
+    ``tf2_echo``.
+    """
+    parts = shlex.split(command)
+    if parts[:2] == ['ros2', 'run']:
+        return parts[3]
+    return next((part for part in parts if part.endswith('.py')), parts[0])
 
 
 def _relative(path: Path) -> str:

@@ -68,8 +68,8 @@ except (KeyboardInterrupt, ExternalShutdownException):
 class NoData(Fault):
     """The publisher publishes, the subscriber hears nothing.
 
-    Kinds: ``reliability`` and ``durability`` (QoS that does not fit), ``name`` (misspelt topic), ``namespace`` (one side
-    is in a namespace, the other is not), ``type``.
+    Kinds: ``reliability`` and ``durability`` (QoS that does not fit), ``name`` (misspelt topic), ``namespace`` (one
+    side is in a namespace, the other is not), ``type``.
     """
 
     row, name, title = 'A7.6', 'no_data', 'both programs run, but no data arrives'
@@ -116,7 +116,8 @@ class NoData(Fault):
 
     def works(self, timeout: float) -> Verdict:
         heard = self.watch(lambda: any('heard' in line for line in self.lines(self.listener)), timeout)
-        return Verdict(heard, f'{self.listener} {"prints" if heard else "does not print"} what {self.publisher} measures')
+        does = 'prints' if heard else 'does not print'
+        return Verdict(heard, f'{self.listener} {does} what {self.publisher} measures')
 
     def show_symptom(self) -> None:
         both = self.watch(lambda: len(self.lines(self.publisher)) >= 3 and self.lines(self.listener), self.patience)

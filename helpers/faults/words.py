@@ -9,14 +9,14 @@ SENSORS = (('temperature', 'thermometer', 'degrees'), ('pressure', 'barometer', 
 LISTENERS = ('display', 'logger', 'dashboard', 'supervisor', 'alarm', 'recorder')
 ROOMS = ('kitchen', 'cellar', 'garage', 'attic', 'lab', 'hall', 'garden', 'workshop')
 #: Services: name, server, client.
-SERVICES = (('add_lengths', 'calculator', 'planner'), ('sum_weights', 'scales', 'loader'),
-            ('add_up', 'adder', 'cashier'), ('total_cost', 'accountant', 'buyer'),
-            ('join_distances', 'odometer', 'navigator'), ('count_parts', 'counter', 'assembler'))
+SERVICES = (('check_battery', 'battery_guard', 'mission'), ('open_gripper', 'gripper', 'picker'),
+            ('reset_odometry', 'odometer', 'navigator'), ('calibrate', 'scale', 'loader'),
+            ('start_pump', 'pump', 'gardener'), ('lock_door', 'door', 'watchman'))
 SENSOR_FRAMES = ('laser', 'camera', 'gps', 'imu', 'sonar', 'gripper')
 
 
 def misspelt(word: str, random) -> str:
-    """A name that looks like ``word`` but is not the same: two letters change places, one is missing, or one too much."""
+    """A name that looks like ``word`` and is not: two letters change places, or one is missing or too much."""
     ways = [word[:i] + word[i + 1] + word[i] + word[i + 2:] for i in range(1, len(word) - 1) if word[i] != word[i + 1]]
     ways += [word[:i] + word[i + 1:] for i in range(2, len(word))]
     ways += [word.removesuffix('s') if word.endswith('s') else word + 's']

@@ -4,6 +4,7 @@ import secrets
 import time
 from dataclasses import dataclass, field
 from random import Random
+from typing import TYPE_CHECKING
 
 from rclpy.context import Context
 from rclpy.duration import Duration
@@ -20,6 +21,9 @@ from helpers.runner.client import ForkServer, Process, RunnerError
 from helpers.runner.peers import SECOND, Peer
 from helpers.runner.verdicts import LearnerFault
 from helpers.runner.workspaces import Workspaces
+
+if TYPE_CHECKING:
+    from helpers.runner import frames
 
 MAX_MOMENTS = 250  # of simulated time, in a tenth of a second of it, at which the learner's timers are due
 MAX_MESSAGES = 5000  # at one moment of simulated time, on all topics that a test records
@@ -266,6 +270,16 @@ class Learner(Workspaces):
         `partial`), 'reject', or 'ignore' (accept, and go on as planned). All may be changed at any time.
         """
         return self.add(actions.Server(self, name, action_type, plan, accept, cancel, cancel_delay, partial, strict))
+
+    def tf_broadcaster(self) -> 'frames.Broadcaster':
+        """Transforms for the learner's listener: `send` for `/tf`, `fix` for `/tf_static`."""
+        from helpers.runner import frames  # with numpy and tf2: only tests about frames pay for it
+        return frames.Broadcaster(self)
+
+    def tf_listener(self) -> 'frames.Listener':
+        """What the learner broadcasts: `transforms`, `static_transforms`, `matrix`. A late one gets what is latched."""
+        from helpers.runner import frames
+        return frames.Listener(self)
 
     def add(self, peer: Peer):
         """Take in a partner of the learner's program, and return it."""

@@ -1,10 +1,9 @@
 """Who is connected with whom, and why not: what the graph knows, in a learner's words."""
 from dataclasses import dataclass
 
-from rclpy.duration import Duration
-from rclpy.duration import Infinite as INFINITE
-from rclpy.qos import DurabilityPolicy, QoSCompatibility, QoSProfile, ReliabilityPolicy, qos_check_compatible
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
+from helpers.qos import fit, mismatches
 from helpers.runner.values import type_name
 from helpers.runner.verdicts import WiringFault
 
@@ -59,27 +58,12 @@ def check(ours, kind: str, learners: list[Endpoint]) -> None:
                               f'{endpoint.type}. Endpoints of different types are never connected.')
         offered, requested = (endpoint.qos, ours.qos_profile) if kind == 'publisher' else (ours.qos_profile,
                                                                                           endpoint.qos)
-        compatibility, _ = qos_check_compatible(_plain(offered), _plain(requested))
-        if compatibility == QoSCompatibility.ERROR:
+        if not fit(offered, requested):
             raise WiringFault(_incompatible(endpoint, kind, offered, requested))
 
 
-def _plain(qos: QoSProfile) -> QoSProfile:
-    """The profile with "no limit" as an endpoint's maker writes it (0), not as the graph does (infinity)."""
-    def limit(duration: Duration) -> Duration:
-        return Duration() if duration.nanoseconds >= INFINITE.nanoseconds else duration
-    return QoSProfile(
-        history=qos.history, depth=qos.depth, reliability=qos.reliability, durability=qos.durability,
-        liveliness=qos.liveliness, deadline=limit(qos.deadline), lifespan=limit(qos.lifespan),
-        liveliness_lease_duration=limit(qos.liveliness_lease_duration))
-
-
 def _incompatible(endpoint: Endpoint, kind: str, offered: QoSProfile, requested: QoSProfile) -> str:
-    pairs = []
-    for policy, weak, strong in (('reliability', ReliabilityPolicy.BEST_EFFORT, ReliabilityPolicy.RELIABLE),
-                                 ('durability', DurabilityPolicy.VOLATILE, DurabilityPolicy.TRANSIENT_LOCAL)):
-        if getattr(offered, policy) == weak and getattr(requested, policy) == strong:
-            pairs.append((policy, weak.name, strong.name))
+    pairs = mismatches(offered, requested)
     if not pairs:
         return (f'The QoS of your {kind} on {endpoint.topic} is incompatible with what is asked for there (look at '
                 'deadline, lifespan and liveliness): nothing is delivered.')

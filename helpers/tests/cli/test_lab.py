@@ -77,7 +77,8 @@ def test_the_notebooks_are_served(tmp_path):
     environment = {**os.environ, **private}
     with subprocess.Popen(command, cwd=paths.ROOT, env=environment, stderr=subprocess.PIPE, text=True) as server:
         try:
-            token = next(match[1] for line in server.stderr if (match := re.search(rf':{port}/lab\?token=(\w+)', line)))
+            address = re.compile(rf':{port}/lab/tree/START.md\?token=(\w+)')
+            token = next(match[1] for line in server.stderr if (match := address.search(line)))
             contents = fetch(f'http://127.0.0.1:{port}/api/contents?token={token}')
         finally:
             server.send_signal(signal.SIGTERM)

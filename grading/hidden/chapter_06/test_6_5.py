@@ -1,0 +1,122 @@
+"""Hidden tests of exercise 6.5, follow, but not blindly."""
+
+import math
+
+import numpy as np
+import pytest
+
+from helpers.checks.chapter_06.geometry import same, words
+from helpers.checks.chapter_06.pursuit import Pursuit, zeros
+from helpers.runner import expect
+
+pytestmark = pytest.mark.exercise('6.5')
+
+
+def pursuit(learner, **options) -> Pursuit:
+    """Two turtles with any names, 3.5 to 4.5 m from each other, that look anywhere."""
+    draw = learner.random
+    leader, me = draw.sample(['alice', 'bob', 'carol', 'dave', 'erin'], 2)
+    angle, length = draw.uniform(-3, 3), draw.uniform(3.5, 4.5)
+    second = 5.5 + length * math.cos(angle), 5.5 + length * math.sin(angle), draw.uniform(-3, 3)
+    there = Pursuit(learner, leader, me, (5.5, 5.5, draw.uniform(-3, 3)), second, **options)
+    expect(there.node.name == '/follower', f'Your node is called {there.node.name}, expected /follower.')
+    return there
+
+
+def heard(there: Pursuit, count: int, what: str) -> None:
+    """Fail unless `count` commands have come (one more or less)."""
+    expect(abs(len(there.commands) - count) <= 1, f'{what}, {len(there.commands)} commands came on '
+                                                  f'/{there.names[1]}/cmd_vel, expected {count}: one every 0.1 s, also '
+                                                  'when there is nothing to follow.')
+
+
+@pytest.mark.weight(2)
+def test_command(learner):
+    """The command is what chase says for the place of the leader in the frame of the follower.
+
+    The frame in which you want to know the place is the target. Both names are arguments.
+    """
+    there = pursuit(learner)
+    # Ahead and to the left of it, 2 m away: with a look-up of anything else chase says something else.
+    there.me.theta = math.atan2(5.5 - there.me.y, 5.5 - there.me.x) - learner.random.choice([-0.6, 0.6])
+    there.leader.theta = there.me.theta + 2.0
+    for _ in range(3):
+        there.tell()
+        learner.run(0.1)
+    heard(there, 3, 'In 0.3 s')
+    command, place = there.commands.messages[-1], there.place()
+    told = (f'The leader is at {words(place)} in the frame of the follower. The command is linear.x '
+            f'{command.linear.x:.2f}, angular.z {command.angular.z:.2f}')
+
+    def is_for(x, y):
+        wanted = learner.call('chase', float(x), float(y))
+        return same((command.linear.x, command.angular.z), (wanted.linear.x, wanted.angular.z), 1e-3)
+
+    expect(not zeros(command), f'{told}: it stands. The transforms are 0.1 s old. If you look up at now(), they are '
+                               'never there in time.')
+    turn = there.leader.theta - there.me.theta
+    back = -place[:2] @ np.array([[math.cos(turn), -math.sin(turn)], [math.sin(turn), math.cos(turn)]])
+    expect(not is_for(*back), f'{told}. That is for where the follower is in the frame of the leader: target and '
+                              'source are swapped.')
+    expect(not is_for(there.leader.x, there.leader.y), f'{told}. That is for where the leader is in the world. The '
+                                                       'follower does not know where it looks itself.')
+    expect(is_for(*place[:2]), f'{told}. chase says something else for this place.')
+
+
+@pytest.mark.weight(2)
+def test_follow(learner):
+    """The leader drives a bend; the follower stays near it, with transforms that are 0.3 s old when they come.
+
+    The newest transform, Time(), is always a little old. Up to 0.5 s that is good enough.
+    """
+    there = pursuit(learner)
+    there.run(5.0, drive=(0.6, learner.random.choice([-0.6, 0.6])), delay=0.3)
+    expect(there.commands.messages, 'No command came.')
+    expect(there.distance < 2.2, f'The leader drove for 5 s, and the follower is {there.distance:.1f} m away, expected '
+                                 'about 1 to 2 m. The transforms were 0.3 s old each time: that is good enough.')
+
+
+@pytest.mark.weight(2)
+def test_unknown(learner):
+    """Nothing is known, then only one turtle: the commands are zeros, every 0.1 s. Then both are known, and it goes.
+
+    Catch TransformException. Never wait for a transform in a callback: it cannot come while you wait.
+    """
+    there = pursuit(learner, threads=True)
+    learner.run(1.0)
+    heard(there, 10, 'No transforms came for 1 s. In this time')
+    there.run(0.96, names=[learner.random.choice(there.names)])
+    heard(there, 19, 'Only one of the turtles is known after 2 s. In this time')
+    expect(all(map(zeros, there.commands.messages)), 'The leader or the follower was unknown, and a command drives.')
+    there.run(0.96)
+    expect(not zeros(there.commands.messages[-1]), 'Both turtles are known now, and the follower stands. Does your '
+                                                   'node still listen?')
+
+
+@pytest.mark.weight(3)
+def test_silence(learner):
+    """When the transforms of one of them stop, the follower stands; when they come again, it goes on.
+
+    Time() asks for the newest, however old. Compare its stamp with the clock of the node.
+    """
+    there = pursuit(learner)
+    there.run(0.96)
+    there.leader.theta += 1.0
+    expect(not zeros(there.commands.messages[-1]), 'Both turtles are known, and the follower stands.')
+    quiet = learner.random.choice(there.names)
+    loud = [name for name in there.names if name != quiet]
+    silence = learner.now / 1e9
+    there.run(0.384, names=loud)
+    expect(not zeros(there.commands.messages[-1]), 'The transforms are 0.4 s old, and the follower stands. Up to 0.5 s '
+                                                   'is good enough.')
+    there.run(0.48, names=loud)
+    who = 'leader' if quiet == there.names[0] else 'follower'
+    expect(zeros(there.commands.messages[-1]),
+           f'The {who} has said nothing for {learner.now / 1e9 - silence:.1f} s, and the commands still drive. A '
+           'look-up with Time() gives the newest transform, however old it is: look at its stamp.')
+    count = len(there.commands)
+    there.run(0.48, names=loud)
+    expect(len(there.commands) - count >= 4, 'While nothing new came, there were no commands. Publish zeros: a robot '
+                                             'goes on with its last command.')
+    there.run(0.96)
+    expect(not zeros(there.commands.messages[-1]), 'The transforms come again, and the follower still stands.')

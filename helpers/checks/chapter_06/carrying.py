@@ -1,0 +1,67 @@
+"""What the tests of exercise 6.3 show the learner's node: a robot that drives, and a cup that is carried."""
+
+import numpy as np
+from geometry_msgs.msg import PointStamped
+from rclpy.time import Time
+
+from helpers.checks.chapter_06.geometry import origin, same, words
+from helpers.runner import expect
+from helpers.runner.frames import pose
+from helpers.runner.peers import SECOND
+
+
+class Scene:
+    """Robot and cup move straight on, and turn evenly: what tf2 interpolates is exact.
+
+    `robot` and `cup` are (x, y, yaw at time 0; metres, radians) and (their changes in a second).
+    """
+
+    def __init__(self, learner, robot, cup):
+        self.learner, self._robot, self._cup = learner, np.array(robot, float), np.array(cup, float)
+        self._tf = learner.tf_broadcaster()
+        self.newest = 0.0  # stamp of the last transforms, simulated seconds
+
+    def robot(self, seconds: float) -> np.ndarray:
+        """The matrix of base_link in map."""
+        x, y, yaw = self._robot[0] + seconds * self._robot[1]
+        return pose(x, y, 0.0, yaw=yaw)
+
+    def cup(self, seconds: float) -> np.ndarray:
+        """The matrix of cup in map."""
+        x, y, yaw = self._cup[0] + seconds * self._cup[1]
+        return pose(x, y, 0.9, yaw=yaw)
+
+    def run(self, rounds: int, period: float = 0.2) -> None:
+        """Every `period` seconds both say where they are; afterwards `period` has passed since the last time."""
+        for _ in range(rounds):
+            self.newest = self.learner.now / SECOND
+            self._tf.send('map', 'base_link', self.robot(self.newest), self.newest)
+            self._tf.send('map', 'cup', self.cup(self.newest), self.newest)
+            self.learner.run(period, step=period)
+
+    def ask(self, node, seconds: float) -> None:
+        """Ask the node where the cup was so many seconds ago, and fail with the reason if it is wrong."""
+        now = self.learner.now / SECOND
+        then, call = now - seconds, f'where_was({seconds:g}) at time {now:g} s'
+        found = node.call('where_was', seconds)
+        expect(found is not None, f'{call} gave None. tf2 knows the cup for {then:g} s and the robot for '
+                                  f'{self.newest:g} s, not yet for {now:g} s. The newest transform has the time 0 in a '
+                                  'look-up. And do you keep your listener?')
+        expect(isinstance(found, PointStamped), f'{call} gave {found}, expected a PointStamped.')
+        place = (found.point.x, found.point.y, found.point.z)
+        robot, before = np.linalg.inv(self.robot(self.newest)), np.linalg.inv(self.robot(then))
+        expected = origin(robot @ self.cup(then))
+        told = f'{call} gave {words(place)}, expected {words(expected)}'
+        for wrong, reason in (
+                (before @ self.cup(then), 'This is seen from the robot as it stood then. It has moved on.'),
+                (robot @ self.cup(self.newest), 'This is where the cup was just now.'),
+                (self.cup(then), 'This is in the frame map.'),
+                (np.linalg.inv(robot @ self.cup(then)), 'This is where the robot is, seen from the cup: target and '
+                                                        'source are swapped.')):
+            expect(not same(place, origin(wrong), 1e-3), f'{told}. {reason}')
+        expect(same(place, expected, 1e-3), f'{told}.')
+        expect(found.header.frame_id == 'base_link', f'The point has the frame_id `{found.header.frame_id}`, expected '
+                                                     '`base_link`.')
+        stamp = Time.from_msg(found.header.stamp).nanoseconds / SECOND
+        expect(same(stamp, self.newest), f'{call} has the stamp {stamp:g} s, expected {self.newest:g} s: that of the '
+                                         "robot's newest transform.")

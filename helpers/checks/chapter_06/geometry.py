@@ -1,0 +1,23 @@
+"""Words and comparisons for the tests about frames."""
+
+import numpy as np
+
+
+def words(vector) -> str:
+    """A point or direction as text: (0.89, 0, 0.86)."""
+    return '(' + ', '.join(f'{round(float(value), 2) + 0.0:g}' for value in vector[:3]) + ')'
+
+
+def same(one, other, tolerance: float = 1e-4) -> bool:
+    """Whether two arrays of numbers are equal, but for rounding."""
+    return np.shape(one) == np.shape(other) and np.allclose(one, other, rtol=0, atol=tolerance)
+
+
+def origin(matrix) -> np.ndarray:
+    """Where the frame of a 4x4 matrix is: x, y, z."""
+    return np.asarray(matrix)[:3, 3]
+
+
+def axis(matrix, name: str) -> np.ndarray:
+    """Where an axis of the frame of a 4x4 matrix points to: a unit vector."""
+    return np.asarray(matrix)[:3, 'xyz'.index(name)]

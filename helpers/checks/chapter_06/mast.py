@@ -1,0 +1,47 @@
+"""What the tests of exercise 6.1 know of the mast."""
+
+import math
+
+from helpers.runner import expect
+from helpers.runner.frames import Listener, pose
+
+PARENTS = {'mast': 'base_link', 'lidar': 'mast', 'camera': 'mast', 'camera_optical': 'camera'}
+
+
+def truth(height: float, tilt: float) -> dict:
+    """The matrix of each child in its parent; `tilt` in degrees."""
+    return {'mast': pose(x=-0.1, z=0.3), 'lidar': pose(z=height, roll=math.pi),
+            'camera': pose(x=0.05, z=height - 0.1, pitch=math.radians(tilt)),
+            'camera_optical': pose(roll=-math.pi / 2, yaw=-math.pi / 2)}
+
+
+def late_joiner(learner, height: float, tilt: float) -> Listener:
+    """Start the mast, and listen when all has been said. Fails if not all frames are heard, with their parents."""
+    early = learner.tf_listener()
+    node = learner.start('SensorMast', height, tilt)
+    learner.settle()
+    learner.run(0.5)
+    expect(node.name == '/sensor_mast', f'Your node is called {node.name}, expected /sensor_mast.')
+    expect(not early.transforms, 'Transforms came on /tf. That is for frames that move; who comes late does not get '
+                                 'them. Use a StaticTransformBroadcaster.')
+    late = learner.tf_listener()
+    learner.settle()
+    heard = late.static_transforms
+    missing = [child for child in PARENTS if child not in early.static_transforms]
+    for child, transform in early.static_transforms.items():
+        swapped = PARENTS.get(transform.header.frame_id) == child
+        expect(not swapped, f'You sent `{transform.header.frame_id}` as the parent of `{child}`. Parent and child are '
+                            'swapped: header.frame_id is the parent.')
+    expect(not missing, f'No transform came for the frame `{missing and missing[0]}`.')
+    lost = [child for child in PARENTS if child not in heard]
+    expect(not lost, f'A listener that came late heard nothing of the frame `{lost and lost[0]}`; an earlier one did. '
+                     'It gets the last message of each publisher only: send all transforms in one list.')
+    return late
+
+
+def in_base(late: Listener, child: str):
+    """The matrix of a frame in base_link; fails if there is no way."""
+    matrix = late.matrix('base_link', child)
+    expect(matrix is not None, f'tf2 finds no way from `{child}` to `base_link`: the frames are no tree. Look at the '
+                               'parents.')
+    return matrix

@@ -1,0 +1,74 @@
+"""What the tests of exercise 6.5 show the learner's node: two turtles, the second one steered by it."""
+
+import math
+import random
+
+import numpy as np
+from geometry_msgs.msg import Twist
+
+from helpers.checks.chapter_06.geometry import origin
+from helpers.runner.frames import pose
+from helpers.runner.peers import SECOND
+from helpers.turtle import STEP, World
+
+STEPS = 6  # of the simulation between two transforms: about 0.1 s
+
+
+class Pursuit:
+    """Turtles `leader` and `me` in the real turtle simulation, in simulated time; their frames are in `world`.
+
+    Places are x, y, theta: metres and radians.
+    """
+
+    def __init__(self, learner, leader='turtle1', me='turtle2', first=(5.5, 5.5, 0.0), second=(2.0, 2.0, 0.0), **start):
+        self.learner, self.names = learner, (leader, me)
+        self._world = World(random_source=random.Random(0))
+        self.leader = self._world.spawn(*first, leader)
+        self.me = self._world.spawn(*second, me)
+        self.commands = learner.listen(f'/{me}/cmd_vel', Twist)
+        self._tf = learner.tf_broadcaster()
+        self.node = learner.start('Follower', leader, me, **start)
+
+    @property
+    def distance(self) -> float:
+        """Metres from one turtle to the other."""
+        return math.dist((self.leader.x, self.leader.y), (self.me.x, self.me.y))
+
+    def place(self) -> np.ndarray:
+        """Where the leader is in the frame of the follower: x, y, z."""
+        leader, me = (pose(turtle.x, turtle.y, yaw=turtle.theta) for turtle in (self.leader, self.me))
+        return origin(np.linalg.inv(me) @ leader)
+
+    def tell(self, names=None, seconds: float | None = None) -> None:
+        """Turtles (both, unless named) say where they are; stamped now, or as given (simulated seconds)."""
+        for turtle in (self.leader, self.me):
+            if names is None or turtle.name in names:
+                self._tf.send('world', turtle.name, pose(turtle.x, turtle.y, yaw=turtle.theta), seconds)
+
+    def run(self, seconds: float, names=None, delay: float = 0.0, drive=(0.0, 0.0)) -> None:
+        """Let time pass while turtles say where they are, `delay` seconds late.
+
+        :param drive: the leader's speeds: metres and radians in a second.
+        """
+        pending = []
+        end = self.learner.now / SECOND + seconds
+        while (now := self.learner.now / SECOND) < end - 1e-9:
+            for turtle in (self.leader, self.me):
+                if names is None or turtle.name in names:
+                    pending.append((now, turtle.name, pose(turtle.x, turtle.y, yaw=turtle.theta)))
+            while pending and pending[0][0] <= now - delay + 1e-9:
+                stamp, name, matrix = pending.pop(0)
+                self._tf.send('world', name, matrix, stamp)
+            seen = len(self.commands)
+            self.learner.run(STEPS * STEP, step=STEPS * STEP)
+            for command in self.commands.messages[seen:]:
+                if all(map(math.isfinite, (command.linear.x, command.angular.z))):
+                    self.me.command(now, command.linear.x, command.angular.z)
+            self.leader.command(now, *drive)
+            for step in range(1, STEPS + 1):
+                self._world.step(now + step * STEP)
+
+
+def zeros(command: Twist) -> bool:
+    """Whether a command stops the robot."""
+    return (command.linear.x, command.angular.z) == (0.0, 0.0)

@@ -1,0 +1,100 @@
+"""What the tests of exercise 6.4 show the learner's node: a robot that drives and turns, with a laser on it."""
+
+import math
+
+import numpy as np
+from rclpy.time import Time
+from sensor_msgs.msg import LaserScan, PointCloud2
+from sensor_msgs_py.point_cloud2 import read_points_list
+
+from helpers.checks.chapter_06.geometry import same, words
+from helpers.runner import expect
+from helpers.runner.frames import pose
+from helpers.runner.peers import SECOND
+
+
+class Laser:
+    """A laser in `frame`, at `mount` (its matrix in base_link). The robot moves evenly: tf2's interpolation is exact.
+
+    `speed`: what x, y and yaw change in a second (metres, radians).
+    """
+
+    def __init__(self, learner, frame='laser', mount=None, start=(2.0, 1.0, math.pi / 2), speed=(0.0, 0.0, 0.0)):
+        self.learner, self.frame = learner, frame
+        self.mount = pose(z=0.5) if mount is None else mount
+        self._start, self._speed = np.array(start), np.array(speed)
+        self._tf = learner.tf_broadcaster()
+        self._scans = learner.talk('/scan', LaserScan)
+        self.clouds = learner.listen('/points', PointCloud2)
+        self.node = learner.start('ScanToMap')
+        self._tf.fix('base_link', frame, self.mount)
+
+    def where(self, seconds: float) -> np.ndarray:
+        """The matrix of the laser in map."""
+        x, y, yaw = self._start + seconds * self._speed
+        return pose(x, y, 0.0, yaw=yaw) @ self.mount
+
+    def tell(self, seconds: float) -> None:
+        """The robot says where it is at that time."""
+        x, y, yaw = self._start + seconds * self._speed
+        self._tf.send('map', 'base_link', pose(x, y, 0.0, yaw=yaw), seconds)
+
+    def scan(self, ranges, seconds: float, first=-0.6, step=0.3) -> LaserScan:
+        """Send a scan that was measured at that time; `first` and `step` in radians."""
+        scan = LaserScan(angle_min=first, angle_max=first + step * (len(ranges) - 1), angle_increment=step,
+                         range_min=0.1, range_max=12.0, ranges=list(map(float, ranges)))
+        scan.header.frame_id = self.frame
+        scan.header.stamp = Time(nanoseconds=round(seconds * SECOND)).to_msg()
+        self._scans.send(scan)
+        self.learner.settle()
+        return scan
+
+    def hits(self, scan: LaserScan) -> np.ndarray:
+        """The hits of a scan in the frame of the laser, Nx3, in metres."""
+        ranges = np.array(scan.ranges)
+        angles = scan.angle_min + scan.angle_increment * np.arange(len(ranges))
+        with np.errstate(invalid='ignore'):
+            good = (ranges >= scan.range_min) & (ranges <= scan.range_max)
+        x, y = ranges * np.cos(angles), ranges * np.sin(angles)
+        return np.column_stack([x, y, np.zeros_like(x)])[good]
+
+    def check(self, scan: LaserScan, cloud: PointCloud2, others: dict | None = None) -> None:
+        """Fail with the reason if the cloud is not this scan's. `others`: wrong times, and their reasons."""
+        seconds = Time.from_msg(scan.header.stamp).nanoseconds / SECOND
+        expect(cloud.header.frame_id == 'map', f'The cloud has the frame_id `{cloud.header.frame_id}`, expected `map`.')
+        hits, found = self.hits(scan), points(cloud)
+        expect(len(found) == len(hits), f'A scan with {len(hits)} hits gave a cloud of {len(found)} points.')
+        there = self.where(seconds)
+        first, wanted = found[0], moved(hits, there)
+        told = (f'The first hit of the scan, {words(hits[0])} in `{self.frame}`, is at {words(first)} in the cloud, '
+                f'expected {words(wanted[0])}')
+        reasons = [(np.eye(4), 'It is still in the frame of the laser: only the name of the frame has changed.'),
+                   (np.linalg.inv(there), 'The transform goes from map to the laser: target and source are swapped.')]
+        reasons += [(self.where(other), reason) for other, reason in (others or {}).items()]
+        for wrong, reason in reasons:
+            expect(not same(found, moved(hits, wrong), 1e-3), f'{told}. {reason}')
+        expect(not same(found, wanted[::-1], 1e-3), 'The points come in the reverse order. A scan begins at angle_min.')
+        degrees = moved(self.hits(_in_degrees(scan)), there)
+        expect(not same(found, degrees, 1e-3), f'{told}. The angles of a scan are in radians already.')
+        expect(same(found, wanted, 1e-3), f'{told}.')
+        stamp = Time.from_msg(cloud.header.stamp).nanoseconds / SECOND
+        expect(same(stamp, seconds, 1e-6), f'The scan is of time {seconds:g} s, its cloud has the stamp {stamp:g} s. '
+                                           'A stamp says when it was measured, and does not change.')
+
+
+def points(cloud: PointCloud2) -> np.ndarray:
+    """The points of a cloud, Nx3; fails if it cannot be read."""
+    try:
+        return np.array([tuple(point) for point in read_points_list(cloud, ('x', 'y', 'z'))], float).reshape(-1, 3)
+    except Exception as error:  # noqa: BLE001 - the cloud is the learner's: whatever is wrong in it
+        expect(False, f'The cloud cannot be read ({type(error).__name__}: {error}). Make it with create_cloud_xyz32.')
+
+
+def moved(hits: np.ndarray, matrix: np.ndarray) -> np.ndarray:
+    """Points (Nx3) through a 4x4 matrix."""
+    return hits @ matrix[:3, :3].T + matrix[:3, 3]
+
+
+def _in_degrees(scan: LaserScan) -> LaserScan:
+    return LaserScan(angle_min=math.radians(scan.angle_min), angle_increment=math.radians(scan.angle_increment),
+                     range_min=scan.range_min, range_max=scan.range_max, ranges=scan.ranges)

@@ -1,0 +1,147 @@
+"""The page on which JupyterLab opens: the chapters, what they teach, how long they take, and the learner's progress.
+
+Everything in it comes from the notebooks' first cells, the list of exercises and the marks of the checks, so that it
+cannot say anything else than they do.
+"""
+
+import json
+import re
+from collections.abc import Iterable
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from helpers import marks, paths
+from helpers.exercises import manifest
+
+FILE = 'START.md'
+_STEPS = 10  # boxes in a bar
+
+_TEMPLATE = '''\
+# ROS 2 from zero
+
+Eight notebooks, from the first command to a robot that obeys you. Open a chapter with a click, or press Tab until its
+name is marked, then Enter. {% if next %}**Go on with [{{ next.title }}]({{ next.notebook }}).**{% else %}\
+**You have solved every exercise.**{% endif %}
+
+
+| chapter | time | exercises solved | points |
+|---|---|---|---|
+{% for one in chapters %}
+| [{{ one.title }}]({{ one.notebook }}) | {{ one.time }} | {{ one.bar }} {{ one.solved }} of {{ one.exercises }} \
+| {{ one.score }} of {{ one.points }} |
+{% endfor %}
+| **all chapters** | | {{ solved }} of {{ exercises }} | **{{ score }} of {{ points }}** |
+
+The points are those of the checks in the notebooks, at their last run. Graders look further, with tests of their own.
+
+| key | does |
+|---|---|
+| Shift+Enter | run the cell, go to the next one |
+| Enter, Esc | write in the cell, leave it |
+| A, B | (outside of a cell) a new cell above, below |
+| 0 0 | restart the kernel: everything is forgotten, nothing is lost in the notebook |
+
+A second terminal with ROS in it: `./course shell`. When you are done: `./course submit --id YOUR-NAME`.
+
+{% for one in chapters %}
+## {{ one.title }}
+
+> {{ one.thesis }}
+
+{{ one.goals }}
+
+[Open chapter {{ one.number }}]({{ one.notebook }})\
+{% if one.open %} · still open: {{ one.open | join(', ') }}{% endif %}
+
+
+{% endfor %}
+_This page is made anew when JupyterLab starts, and after each check. Close it and open it again to see the new one._
+'''
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """What a chapter's notebook says of itself, and how far the learner is."""
+
+    number: int
+    notebook: str
+    title: str
+    thesis: str
+    goals: str
+    time: str
+    exercises: int
+    solved: int
+    points: str
+    score: str
+    open: list[str]  # exercises that are not solved
+
+    @property
+    def bar(self) -> str:
+        full = _STEPS * self.solved // self.exercises if self.exercises else _STEPS
+        return '■' * full + '□' * (_STEPS - full)
+
+
+def write(folder: Path = paths.NOTEBOOKS) -> Path:
+    """Write the page into the folder of the notebooks and return its path.
+
+    :raises OSError: the folder cannot be written to.
+    :raises helpers.exercises.manifest.ManifestError: the list of exercises is damaged.
+    """
+    path = folder / FILE
+    path.write_text(text(folder), encoding='utf-8')
+    return path
+
+
+def keep(results: Iterable, folder: Path = paths.NOTEBOOKS) -> None:
+    """Note the results of a check and make the page anew. A folder that cannot be written to changes nothing."""
+    from filelock import Timeout
+
+    with suppress(OSError, Timeout, manifest.ManifestError):
+        marks.note(results, folder)
+        write(folder)
+
+
+def text(folder: Path = paths.NOTEBOOKS) -> str:
+    """The page as Markdown."""
+    from jinja2 import Environment  # here: a notebook's start does not wait for it
+
+    known = manifest.load()
+    found = marks.load(folder)
+    chapters = [_chapter(path, known, found) for path in sorted(folder.glob('[0-9][0-9]_*.ipynb'))]
+    mine = [exercise for exercise in known.values() if any(exercise.notebook == one.notebook for one in chapters)]
+    return Environment(trim_blocks=True, lstrip_blocks=True).from_string(_TEMPLATE).render(
+        chapters=chapters, next=next((one for one in chapters if one.open), None),
+        solved=sum(one.solved for one in chapters), exercises=len(mine),
+        points=_number(sum(exercise.points for exercise in mine)),
+        score=_number(sum(found[exercise.id].score for exercise in mine if exercise.id in found)))
+
+
+def _chapter(path: Path, known: dict, found: dict[str, marks.Mark]) -> Chapter:
+    mine = [exercise for exercise in known.values() if exercise.notebook == path.name]
+    still = [exercise.id for exercise in mine if exercise.id not in found or not found[exercise.id].passed]
+    head = _head(path)
+
+    def said(pattern: str, default: str = '') -> str:
+        match = re.search(pattern, head, re.MULTILINE | re.DOTALL)
+        return ' '.join(match[1].split()) if match else default
+
+    goals = re.search(r'^\*\*Goals\.\*\*.*?(?=^\*\*|\Z)', head, re.MULTILINE | re.DOTALL)
+    return Chapter(
+        int(path.name[:2]), path.name, said(r'^# (.+?)$', path.stem), said(r'^> (.+?)$'), goals[0].strip() if goals
+        else '', said(r'^\*\*Time\.\*\* (?:About )?(.+?)(?: with .*?)?\.$'), len(mine), len(mine) - len(still),
+        _number(sum(exercise.points for exercise in mine)),
+        _number(sum(found[exercise.id].score for exercise in mine if exercise.id in found)), still)
+
+
+def _head(path: Path) -> str:
+    """The notebook's first cell; a notebook that cannot be read has none: its learner sees that when opening it."""
+    try:
+        source = json.loads(path.read_text(encoding='utf-8'))['cells'][0]['source']
+    except (OSError, ValueError, LookupError, TypeError):
+        return ''
+    return source if isinstance(source, str) else ''.join(source)
+
+
+def _number(value: float) -> str:
+    return f'{value:.2f}'.rstrip('0').rstrip('.')

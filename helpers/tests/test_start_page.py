@@ -1,0 +1,79 @@
+"""The learner's progress: what checks leave behind, and the page that JupyterLab opens on."""
+
+from concurrent.futures import ThreadPoolExecutor
+
+import pytest
+
+from helpers import marks, paths, start_page
+from helpers.exercises import manifest
+from helpers.runner.results import ExerciseResult
+
+FIRST, *_ = EXERCISES = list(manifest.load().values())
+
+
+def result(exercise, score, verdict='passed'):
+    return ExerciseResult(exercise.id, exercise.title, exercise.points, verdict, score)
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """Two chapters: one as it is, one that cannot be read."""
+    name = FIRST.notebook
+    (tmp_path / name).write_bytes((paths.NOTEBOOKS / name).read_bytes())
+    (tmp_path / '99_broken.ipynb').write_text('{')
+    return tmp_path
+
+
+def test_marks_are_kept_and_replaced(tmp_path):
+    marks.note([result(FIRST, 5, 'failed')], tmp_path)
+    marks.note([result(EXERCISES[1], EXERCISES[1].points)], tmp_path)
+    marks.note([result(FIRST, FIRST.points)], tmp_path)
+    assert marks.load(tmp_path) == {exercise.id: marks.Mark(exercise.points, exercise.points, True)
+                                    for exercise in EXERCISES[:2]}
+
+
+def test_a_check_that_could_not_run_changes_nothing(tmp_path):
+    marks.note([result(FIRST, FIRST.points)], tmp_path)
+    marks.note([result(FIRST, None, 'grader_error')], tmp_path)
+    assert marks.load(tmp_path)[FIRST.id].passed
+
+
+@pytest.mark.parametrize('text', ['', '[]', '{"3.1": 5}', '{"3.1": {"points": "x"}}'])
+def test_a_damaged_file_is_no_hindrance(tmp_path, text):
+    (tmp_path / marks.FILE).write_text(text)
+    assert marks.load(tmp_path) == {}
+    marks.note([result(FIRST, 1)], tmp_path)
+    assert list(marks.load(tmp_path)) == [FIRST.id]
+
+
+def test_checks_at_the_same_time_lose_nothing(tmp_path):
+    with ThreadPoolExecutor(8) as pool:
+        list(pool.map(lambda exercise: marks.note([result(exercise, 1)], tmp_path), EXERCISES))
+    assert set(marks.load(tmp_path)) == {exercise.id for exercise in EXERCISES}
+    assert not list(tmp_path.glob('*.json?*[!k]'))  # no half-written file is left
+
+
+def test_the_page_tells_the_chapters_from_their_notebooks(folder):
+    text = start_page.text(folder)
+    assert f'[1. Environment]({FIRST.notebook}) | three hours |' in text
+    assert '> ROS is not switched on by installing it.' in text
+    assert '- choose a distribution' in text
+    assert '99_broken' in text
+
+
+def test_the_page_follows_the_checks(folder):
+    mine = [exercise for exercise in EXERCISES if exercise.notebook == FIRST.notebook]
+    start_page.keep([result(FIRST, FIRST.points)], folder)
+    text = (folder / start_page.FILE).read_text()
+    total = f'{sum(exercise.points for exercise in mine):.0f}'
+    assert f'1 of {len(mine)} | {FIRST.points:g} of {total} |' in text
+    assert f'still open: {", ".join(exercise.id for exercise in mine[1:])}' in text
+    assert '**Go on with [1. Environment]' in text
+    start_page.keep([result(exercise, exercise.points) for exercise in mine], folder)
+    assert '**You have solved every exercise.**' in (folder / start_page.FILE).read_text()
+
+
+def test_a_folder_that_cannot_be_written_to_stops_no_check(tmp_path):
+    (tmp_path / 'file').write_text('no folder')
+    start_page.keep([result(FIRST, 1)], tmp_path / 'file')
+    assert (tmp_path / 'file').read_text() == 'no folder'
