@@ -77,6 +77,7 @@ class World:
     :param noise: of the sensors.
     :param seed: of the noise.
     :param start: x, y, yaw of the robot's root frame at the beginning; None: as the scene says.
+    :param command_timeout: seconds after which a robot that gets no further command stops; None: it never does.
     :raises UrdfError: the description cannot be read or simulated.
     :raises SceneError: there is no such scene.
 
@@ -84,7 +85,7 @@ class World:
     """
 
     def __init__(self, urdf: str | None = None, scene: str | Path | Scene = 'rooms', noise: Noise = Noise(),
-                 seed: int = 0, start: Pose2D | None = None):
+                 seed: int = 0, start: Pose2D | None = None, command_timeout: float | None = None):
         if urdf is None:
             import mobile_robot_description
 
@@ -94,6 +95,7 @@ class World:
         self.scene = load(scene) if start is None else replace(load(scene), start=tuple(start))
         self.noise = noise
         self.seed = seed
+        self.command_timeout = command_timeout
         mujoco.set_mju_user_warning(_NO_WARNINGS.add)  # else MuJoCo writes a file into the current directory
         self.model = models.build(urdf, self.robot, self.scene)
         self.data = mujoco.MjData(self.model)
@@ -114,6 +116,7 @@ class World:
         return self.ticks * CONTROL_PERIOD
 
     ticks = 0  # control periods since the beginning
+    _commanded = 0  # the tick of the last command
 
     def step(self) -> None:
         """Advance by one control period, `CONTROL_PERIOD` seconds.
@@ -121,6 +124,8 @@ class World:
         :raises UnstableError: the numbers have blown up; `reset` begins anew.
         """
         if self._controller:
+            if self.command_timeout and (self.ticks - self._commanded) * CONTROL_PERIOD >= self.command_timeout:
+                self._controller.target = (0.0, 0.0)
             self.data.ctrl[:2] = self._controller.step(CONTROL_PERIOD)
         mujoco.mj_step(self.model, self.data, _STEPS)
         mujoco.mj_kinematics(self.model, self.data)  # else the frames are those of one physics step ago
@@ -142,7 +147,6 @@ class World:
         self._random = {name: numpy.random.default_rng([self.seed, number])
                         for number, name in enumerate(('scan', 'odometry'))}
         self.place(*self.scene.start)
-        self.origin = self.scene.start
         self.odometry = Odometry()
         if self._controller:
             self._controller.reset()
@@ -157,7 +161,7 @@ class World:
     # Drive
 
     def drive(self, linear: float, angular: float) -> None:
-        """Command a velocity (m/s forward, rad/s to the left), which the robot then keeps.
+        """Command a velocity (m/s forward, rad/s to the left), which the robot then keeps; see `command_timeout`.
 
         :raises ValueError: a number is not finite, or the robot has no differential drive.
         """
@@ -166,6 +170,7 @@ class World:
         if self._controller is None:
             raise ValueError('this robot cannot drive: its URDF has no <gazebo> plugin of a differential drive')
         self._controller.target = (float(linear), float(angular))
+        self._commanded = self.ticks
 
     @property
     def _drive_joints(self) -> tuple[str, ...]:
