@@ -198,6 +198,8 @@ def _pieces(message):
         yield Mesh(points, faces, tuple(map(float, colours.mean(axis=0)))), np.diag((*scale, 1.0))
     elif kind == message.MESH_RESOURCE:
         _check_scale(scale)
+        if not message.mesh_resource:
+            raise ValueError('its mesh_resource is empty; it must name a file')
         vertices, faces, own = meshes.load(message.mesh_resource)
         if message.mesh_use_embedded_materials:
             colour = own or LIGHT

@@ -136,6 +136,11 @@ class TfView:
     def fixed_frame(self, frame: str | None) -> None:
         self._chosen = frame or ''
 
+    @property
+    def address(self) -> str | None:
+        """The live view's page, as a browser on this machine opens it; None if there is none."""
+        return self._live.address if self._live is not None else None
+
     # Time travel
 
     def at(self, time=None) -> None:
@@ -143,7 +148,7 @@ class TfView:
 
         :param time: an rclpy Time, or a stamp from a message.
         """
-        self._wanted = ('at', None if time is None else _nanoseconds(time))
+        self._wanted = ('at', 0 if time is None else _nanoseconds(time))
 
     def rewind(self, seconds: float) -> None:
         """Show everything so many seconds before the latest transform; 0 goes back to now."""

@@ -48,9 +48,10 @@ class TopicDisplay(Display):
     def on_start(self) -> None:
         qos = self.default_qos() if self.qos is None else self.qos
         self._arrival, self._looked, self._silence = None, 0.0, ''
-        self._subscription = self.subscribe(self.message_type(), self.topic, self._on_message, qos)
+        self._subscription = self.subscribe(self.message_type(), self.topic, self.receive, qos)
 
-    def _on_message(self, message) -> None:
+    def receive(self, message) -> None:
+        """Note that a message has come, and take it."""
         self._arrival, self._silence = time.monotonic(), ''
         self.take(message)
 
