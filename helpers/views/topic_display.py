@@ -25,7 +25,8 @@ class TopicDisplay(Display):
     def __init__(self, topic: str, qos=None):
         super().__init__()
         self.topic, self.qos = topic, qos
-        self._subscription = None
+        self._wanted = self._subscription = None
+        self._topic_name = topic
         self._arrival: float | None = None  # of the last message, `time.monotonic()`
         self._looked = 0.0
         self._silence = ''
@@ -46,9 +47,13 @@ class TopicDisplay(Display):
         return QoSProfile(depth=5)
 
     def on_start(self) -> None:
+        from rclpy.qos import QoSProfile
+
         qos = self.default_qos() if self.qos is None else self.qos
-        self._arrival, self._looked, self._silence = None, 0.0, ''
-        self._subscription = self.subscribe(self.message_type(), self.topic, self.receive, qos)
+        self._wanted = qos if isinstance(qos, QoSProfile) else QoSProfile(depth=qos)
+        self._topic_name = self.node.resolve_topic_name(self.topic)
+        self._arrival, self._looked, self._silence, self._subscription = None, 0.0, '', None
+        self._try()
 
     def receive(self, message) -> None:
         """Note that a message has come, and take it."""
@@ -64,24 +69,37 @@ class TopicDisplay(Display):
             self._silence = self._look(heard=self._arrival is not None)
         return self._silence
 
+    def _try(self) -> None:
+        """Subscribe, unless the topic carries another type: DDS refuses two types of a topic in one process."""
+        kind = _type_name(self.message_type())
+        types = {info.topic_type for info in self.node.get_publishers_info_by_topic(self._topic_name)}
+        if not types or kind in types:
+            try:
+                self._subscription = self.subscribe(self.message_type(), self._topic_name, self.receive, self._wanted)
+            except Exception as error:  # rclpy has no public class for it
+                self._silence = f'cannot subscribe to [{self._topic_name}]: {str(error).splitlines()[0]}'
+
     def _look(self, heard: bool) -> str:
         from helpers import qos
 
-        name = self._subscription.topic_name
+        name, kind = self._topic_name, _type_name(self.message_type())
+        if self._subscription is None:
+            self._try()
         publishers = self.node.get_publishers_info_by_topic(name)
-        kind = _type_name(self.message_type())
         others = sorted({info.topic_type for info in publishers} - {kind})
         ours = [info.qos_profile for info in publishers if info.topic_type == kind]
-        misfits = [qos.mismatches(offered, self._subscription.qos_profile) for offered in ours]
+        misfits = [qos.mismatches(offered, self._wanted) for offered in ours]
         if ours and all(misfits):
             found = '; '.join(f'{policy}: the publisher offers {offers}, this display asks for {asks}'
                               for policy, offers, asks in misfits[0])
             return f'incompatible QoS on [{name}]: {found}'
-        if heard or (ours and not others):
-            return '' if heard else f'no message on [{name}] so far'
-        if others:
+        if heard:
+            return ''
+        if others and not ours:
             return f'[{name}] carries {", ".join(others)}, not {kind}'
-        return f'no publisher on [{name}]'
+        if self._subscription is None:
+            return self._silence
+        return f'no message on [{name}] so far' if ours else f'no publisher on [{name}]'
 
 
 class StampedDisplay(TopicDisplay):
@@ -162,7 +180,7 @@ class StampedDisplay(TopicDisplay):
                 return message, pose
         if time.monotonic() - self._waiting > _PATIENCE:
             self.problem = (f'no transform from [{_frame(newest)}] to [{fixed_frame}] at the time of the message on '
-                            f'[{self._subscription.topic_name}]')
+                            f'[{self._topic_name}]')
             return None, None
         return (kept[0], None) if kept is not None else (None, None)
 
@@ -173,7 +191,7 @@ class StampedDisplay(TopicDisplay):
 
         frame = _frame(message)
         if not frame:
-            self.problem = f'the message on [{self._subscription.topic_name}] has no frame_id'
+            self.problem = f'the message on [{self._topic_name}] has no frame_id'
             return None, False
         try:
             stamp = Time.from_msg(message.header.stamp)
