@@ -131,8 +131,8 @@ class TF(Display):
         if distance < 0.3 * self._length:
             self.scene.delete(path)
             return
-        size = round(min(0.4 * self._length, 0.3 * distance), 3 - math.floor(math.log10(self._length)))
-        self.scene.set(path, Arrow(size, size / 6, STATIC if static else MOVES, head=size))
+        size = round(min(0.3 * self._length, 0.3 * distance), 3 - math.floor(math.log10(self._length)))
+        self.scene.set(path, Arrow(size, size / 5.5, STATIC if static else MOVES, head=size))
         x = way / distance
         helper = np.array((0.0, 0.0, 1.0)) if abs(x[2]) < 0.9 else np.array((0.0, 1.0, 0.0))
         y = _cross(helper, x)
