@@ -33,6 +33,7 @@ _HOME = {
     'collect': 'waiting',
     'ros': None,
     'routes': 'routes',
+    'show_frames': 'views.frames_diagram',
     'show_graph': 'graph',
     'show_turtle': 'turtle',
     'spin_for': 'waiting',

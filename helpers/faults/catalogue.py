@@ -1,15 +1,19 @@
 """All faults by row and by name."""
 
+from helpers.faults.apt import NoSource
 from helpers.faults.discovery import Unseen
+from helpers.faults.distros import MixedDistros
 from helpers.faults.fault import Fault
 from helpers.faults.frames import NoTransform
 from helpers.faults.hang import Hang
+from helpers.faults.packages import NoProgram
 from helpers.faults.services import Waiting
 from helpers.faults.shells import CommandNotFound, NoColcon
 from helpers.faults.topics import NoData
 
 #: The faults in the order of the chapter.
-FAULTS: tuple[type[Fault], ...] = (CommandNotFound, NoColcon, NoData, Unseen, Waiting, Hang, NoTransform)
+FAULTS: tuple[type[Fault], ...] = (
+    NoSource, CommandNotFound, NoColcon, NoProgram, MixedDistros, NoData, Unseen, Waiting, Hang, NoTransform)
 
 
 def plan(what: str, seed: int | str = 0, kind: str | None = None, folder=None, domain: int | None = None) -> Fault:

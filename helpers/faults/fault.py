@@ -21,7 +21,8 @@ from helpers.processes import Process, background
 from helpers.workspace import Workspace
 
 START = 'start.txt'
-DOMAIN, OTHER = '@DOMAIN@', '@OTHER@'  # in a text: the domain of the system, and one that is nobody's
+# In a text: the folder of the system, its domain, and a domain that is nobody's.
+ROOT, DOMAIN, OTHER = '@ROOT@', '@DOMAIN@', '@OTHER@'
 _MARK = '.fault'  # in a folder that a fault has made, and may remove
 _SHOWN = 8  # lines of a program
 _staged: dict[Path, 'Fault'] = {}
@@ -295,11 +296,11 @@ class Fault:
         return digest.hexdigest()
 
     def _fill(self, text: str) -> str:
-        """Put numbers in the places of those that are known only here: of this domain, and of another one."""
+        """Put in what is known only here: the folder, this domain, and another one."""
         here = self.env.get('ROS_DOMAIN_ID') or os.environ.get('ROS_DOMAIN_ID') or '0'
         if OTHER in text and not self._other:
             self._other = str(self._held.enter_context(domains.claim()))
-        return text.replace(DOMAIN, here).replace(OTHER, self._other)
+        return text.replace(ROOT, str(self.path)).replace(DOMAIN, here).replace(OTHER, self._other)
 
     def _file(self, name: str) -> Path:
         path = (self.path / name).resolve()

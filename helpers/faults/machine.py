@@ -11,8 +11,8 @@ from helpers.workspace import Workspace
 BASHRC = '.bashrc'
 SETUP = 'opt/ros/{distro}/setup.bash'  # of a distribution, below the home
 SYSTEM_PATH = '/usr/bin:/bin'
-# What a terminal takes over from this process: language, places, the form of log lines; nothing of ROS.
-_KEPT = ('LANG', 'LC_ALL', 'TZ', 'TMPDIR', 'COURSE_DOMAINS_DIR', 'RCUTILS_CONSOLE_OUTPUT_FORMAT')
+# What a terminal takes over from this process: places and the form of log lines; nothing of ROS.
+_KEPT = ('TZ', 'TMPDIR', 'COURSE_DOMAINS_DIR', 'RCUTILS_CONSOLE_OUTPUT_FORMAT')
 
 
 class Machine(Workspace):
@@ -46,8 +46,9 @@ class Machine(Workspace):
 
     def _terminal(self, script: str) -> list[str]:
         variables = {name: os.environ[name] for name in _KEPT if name in os.environ}
-        variables |= {'HOME': str(self.path), 'PATH': self.system_path, 'TERM': 'dumb', 'PYTHONUNBUFFERED': '1',
-                      'RCUTILS_COLORIZED_OUTPUT': '0', 'COLCON_DEFAULTS_FILE': str(self.path / terminals.DEFAULTS),
+        variables |= {'HOME': str(self.path), 'PATH': self.system_path, 'TERM': 'dumb', 'LC_ALL': 'C.UTF-8',
+                      'PYTHONUNBUFFERED': '1', 'RCUTILS_COLORIZED_OUTPUT': '0',
+                      'COLCON_DEFAULTS_FILE': str(self.path / terminals.DEFAULTS),
                       'ROS_AUTOMATIC_DISCOVERY_RANGE': os.environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE', 'LOCALHOST'),
                       **self.env}
         settings = [f'{name}={value}' for name, value in variables.items()]

@@ -1,9 +1,9 @@
 """Seeing a robot in 3-D in a notebook: frames, robot, scans; live while it runs, a picture afterwards.
 
-A *display* (named after RViz's) turns topics into shapes: `helpers.views.display.Display` is their base class. It writes
-them into a *scene* (`helpers.views.scene.Scene`), which knows neither ROS nor a browser. Two renderers show a scene:
-`helpers.views.live` in meshcat's viewer, `helpers.views.picture` as an SVG for the saved notebook. `TfView` puts it all
-into the output of a cell::
+A *display* (named after RViz's) turns topics into shapes: `helpers.views.display.Display` is their base class. It
+writes them into a *scene* (`helpers.views.scene.Scene`), which knows neither ROS nor a browser. Two renderers show a
+scene: `helpers.views.live` in meshcat's viewer, `helpers.views.picture` as an SVG for the saved notebook. `TfView` puts
+it all into the output of a cell::
 
     with TfView(RobotModel(), LaserScan('/scan'), fixed_frame='odom') as view:
         …
@@ -16,6 +16,12 @@ import importlib
 # Public name -> module that defines it.
 _HOME = {
     'Display': 'display',
+    'LaserScan': 'laser_scan',
+    'Marker': 'marker',
+    'MarkerArray': 'marker',
+    'Odometry': 'odometry',
+    'PointCloud2': 'point_cloud',
+    'RobotModel': 'robot_model',
     'TfView': 'tf_view',
     'show_frames': 'frames_diagram',
 }

@@ -3,9 +3,9 @@
 It is a thread of the kernel, so nothing can outlive the kernel, not even a killed one. The port (a free one, on the
 loopback only) is opened for the first view and closed with the last.
 
-meshcat brings a server of its own, a child process. It is not used: it takes and answers one command at a time (about
-12 thousand a second here, at the cost of a whole core), where one message with all poses is enough, and it serves
-anyone on this machine. Ours answers only to those who know a secret, which is part of the address.
+meshcat brings a server of its own, a child process. It is not used: it takes and answers each pose as a command of its
+own, at 0.1 ms to 0.2 ms of a processor; here one message carries all poses of an update. And it serves anyone on this
+machine; ours answers only to those who know a secret, which is part of the address.
 """
 
 import asyncio
@@ -246,7 +246,7 @@ def _application(server: _Server):
     return Application([
         (f'{root}/ping', Ping),
         (f'{root}/meshcat.js', Route, {'path': library, 'kind': 'text/javascript'}),
-        (f'{root}/viewer.js', Route, {'path': WEB / 'viewer.js', 'kind': 'text/javascript'}),
+        *((f'{root}/{path.name}', Route, {'path': path, 'kind': 'text/javascript'}) for path in WEB.glob('*.js')),
         (f'{root}/([0-9]+)/', Page),
         (f'{root}/([0-9]+)/socket', Socket),
     ], websocket_ping_interval=_PING, log_function=lambda handler: None)
