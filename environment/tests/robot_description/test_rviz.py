@@ -1,4 +1,4 @@
-"""The scene for RViz2, which is not on this machine: it is YAML of the right form, and asks for what our displays do."""
+"""The scene for RViz2, which is not on this machine: YAML of the right form that asks for what our displays show."""
 
 from pathlib import Path
 
