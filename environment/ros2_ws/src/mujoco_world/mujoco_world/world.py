@@ -12,7 +12,7 @@ The same calls with the same seed give the same numbers.
 """
 
 from dataclasses import dataclass, replace
-from math import atan2, cos, hypot, isfinite, sin
+from math import atan2, cos, hypot, inf, isfinite, sin
 from pathlib import Path
 
 import mujoco
@@ -116,7 +116,7 @@ class World:
         return self.ticks * CONTROL_PERIOD
 
     ticks = 0  # control periods since the beginning
-    _commanded = 0  # the tick of the last command
+    _commanded: float = 0  # the tick of the last command
 
     def step(self) -> None:
         """Advance by one control period, `CONTROL_PERIOD` seconds.
@@ -171,6 +171,10 @@ class World:
             raise ValueError('this robot cannot drive: its URDF has no <gazebo> plugin of a differential drive')
         self._controller.target = (float(linear), float(angular))
         self._commanded = self.ticks
+
+    def keep_command(self) -> None:
+        """Keep the velocity that was commanded last, whatever `command_timeout` says."""
+        self._commanded = inf
 
     @property
     def _drive_joints(self) -> tuple[str, ...]:
