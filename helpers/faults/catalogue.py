@@ -6,14 +6,16 @@ from helpers.faults.distros import MixedDistros
 from helpers.faults.fault import Fault
 from helpers.faults.frames import NoTransform
 from helpers.faults.hang import Hang
+from helpers.faults.mystery import Mystery
 from helpers.faults.packages import NoProgram
 from helpers.faults.services import Waiting
 from helpers.faults.shells import CommandNotFound, NoColcon
 from helpers.faults.topics import NoData
 
-#: The faults in the order of the chapter.
+#: The faults in the order of the article's table, and the mystery, which has two.
 FAULTS: tuple[type[Fault], ...] = (
-    NoSource, CommandNotFound, NoColcon, NoProgram, MixedDistros, NoData, Unseen, Waiting, Hang, NoTransform)
+    NoSource, CommandNotFound, NoColcon, NoProgram, MixedDistros, NoData, Unseen, Waiting, Hang, NoTransform,
+    Mystery)
 
 
 def plan(what: str, seed: int | str = 0, kind: str | None = None, folder=None, domain: int | None = None) -> Fault:
