@@ -84,6 +84,11 @@ class Display:
         self._subscriptions.append(subscription)
         return subscription
 
+    def unsubscribe(self, subscription) -> None:
+        """End a subscription that `subscribe` made."""
+        self._subscriptions.remove(subscription)
+        self.node.destroy_subscription(subscription)
+
     def transform(self, fixed_frame: str, frame: str, time) -> np.ndarray | None:
         """Return the pose of a frame in the fixed frame as a 4 x 4 matrix; None, and a `problem`, if it is unknown."""
         from tf2_ros import TransformException

@@ -18,7 +18,7 @@ class LaserScan(StampedDisplay):
         ``qos_profile_sensor_data``; the status says so.
     """
 
-    def __init__(self, topic: str = '/scan', colour=RED, size: float = 0.04, qos=None):
+    def __init__(self, topic: str = '/scan', colour=RED, size: float = 0.06, qos=None):
         super().__init__(topic, qos)
         self.colour, self.size = colour, size
         self._beams: tuple = ()

@@ -19,7 +19,8 @@ class TopicDisplay(Display):
     """A display of one topic.
 
     :param topic: its name.
-    :param qos: QoS or depth of the subscription; None: as in RViz, see `default_qos`.
+    :param qos: QoS or depth of the subscription; None: as in RViz, see `default_qos`. Only that, with None, a display
+        asks for TRANSIENT_LOCAL where all publishers offer it: what was sent before it came is seen as well.
     """
 
     def __init__(self, topic: str, qos=None):
@@ -69,25 +70,45 @@ class TopicDisplay(Display):
             self._silence = self._look(heard=self._arrival is not None)
         return self._silence
 
+    def _publishers(self) -> tuple[list[str], list]:
+        """The types of the topic other than ours, and the QoS of those of our type."""
+        kind = _type_name(self.message_type())
+        found = self.node.get_publishers_info_by_topic(self._topic_name)
+        return (sorted({info.topic_type for info in found} - {kind}),
+                [info.qos_profile for info in found if info.topic_type == kind])
+
     def _try(self) -> None:
         """Subscribe, unless the topic carries another type: DDS refuses two types of a topic in one process."""
-        kind = _type_name(self.message_type())
-        types = {info.topic_type for info in self.node.get_publishers_info_by_topic(self._topic_name)}
-        if not types or kind in types:
-            try:
-                self._subscription = self.subscribe(self.message_type(), self._topic_name, self.receive, self._wanted)
-            except Exception as error:  # rclpy has no public class for it
-                self._silence = f'cannot subscribe to [{self._topic_name}]: {str(error).splitlines()[0]}'
+        others, ours = self._publishers()
+        if others and not ours:
+            return
+        self._ask_for_what_was_sent(ours)
+        try:
+            self._subscription = self.subscribe(self.message_type(), self._topic_name, self.receive, self._wanted)
+        except Exception as error:  # rclpy has no public class for it
+            self._silence = f'cannot subscribe to [{self._topic_name}]: {str(error).splitlines()[0]}'
+
+    def _ask_for_what_was_sent(self, offered: list) -> bool:
+        """Ask for TRANSIENT_LOCAL if nobody asked for anything and all offer it; return whether that is new."""
+        from rclpy.qos import DurabilityPolicy
+
+        kept = DurabilityPolicy.TRANSIENT_LOCAL
+        new = (self.qos is None and self._wanted.durability != kept and bool(offered)
+               and all(profile.durability == kept for profile in offered))
+        if new:
+            self._wanted.durability = kept
+        return new
 
     def _look(self, heard: bool) -> str:
         from helpers import qos
 
         name, kind = self._topic_name, _type_name(self.message_type())
+        others, ours = self._publishers()
+        if not heard and self._subscription is not None and self._ask_for_what_was_sent(ours):
+            self.unsubscribe(self._subscription)
+            self._subscription = None
         if self._subscription is None:
             self._try()
-        publishers = self.node.get_publishers_info_by_topic(name)
-        others = sorted({info.topic_type for info in publishers} - {kind})
-        ours = [info.qos_profile for info in publishers if info.topic_type == kind]
         misfits = [qos.mismatches(offered, self._wanted) for offered in ours]
         if ours and all(misfits):
             found = '; '.join(f'{policy}: the publisher offers {offers}, this display asks for {asks}'

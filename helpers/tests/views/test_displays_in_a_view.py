@@ -7,10 +7,11 @@ from sensor_msgs.msg import LaserScan as LaserScanMsg
 from std_msgs.msg import String
 from tf2_ros import StaticTransformBroadcaster
 from visualization_msgs.msg import Marker as MarkerMsg
+from visualization_msgs.msg import MarkerArray as MarkerArrayMsg
 
 from helpers import wait_for
 from helpers.tests.views.test_displays import ROBOT, marker, scan
-from helpers.views import LaserScan, Marker, RobotModel, TfView
+from helpers.views import LaserScan, Marker, MarkerArray, RobotModel, TfView
 
 
 def problem(view, text: str) -> None:
@@ -61,3 +62,18 @@ def test_why_nothing_comes(ros):
         scans.publish(scan())
         wait_for(lambda: not [line for line in view.problems if line.startswith('LaserScan 4')])
         assert displays[4].status() == '' and view.scene.below('LaserScan 4').items()
+
+
+def test_what_was_sent_before_the_display_came_is_seen(ros):
+    """Of publishers that keep their last message, whether they or the display came first."""
+    node = rclpy.create_node('sender')
+    latched = RobotModel.default_qos()
+    walls = node.create_publisher(MarkerArrayMsg, '/walls', latched)
+    walls.publish(MarkerArrayMsg(markers=[marker()]))
+    early, late, asked = MarkerArray('/walls'), MarkerArray('/later'), MarkerArray('/walls', qos=10)
+    with TfView(early, late, asked, fixed_frame='map', live=False):
+        wait_for(lambda: early.markers)
+        later = node.create_publisher(MarkerArrayMsg, '/later', latched)
+        later.publish(MarkerArrayMsg(markers=[marker()]))
+        wait_for(lambda: late.markers)
+        assert asked.markers == []
