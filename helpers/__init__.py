@@ -24,6 +24,7 @@ for _name, _value in _DEFAULTS.items():
 _HOME = {
     'CallbackError': 'errors',
     'GraphView': 'graph',
+    'PhysicsWorld': 'physics',
     'ProgressBar': 'progress',
     'TfView': 'views.tf_view',
     'TurtleView': 'turtle',
