@@ -16,6 +16,7 @@ import importlib
 # Public name -> module that defines it.
 _HOME = {
     'Display': 'display',
+    'ImageView': 'image_view',
     'LaserScan': 'laser_scan',
     'Marker': 'marker',
     'MarkerArray': 'marker',
