@@ -53,6 +53,60 @@ try:
 except (KeyboardInterrupt, ExternalShutdownException):
     pass
 """
+_SENSORS = """
+import math, sys
+import numpy as np
+import rclpy
+from geometry_msgs.msg import TransformStamped
+from nav_msgs.msg import Odometry
+from rclpy.executors import ExternalShutdownException
+from sensor_msgs.msg import LaserScan, PointCloud2
+from sensor_msgs_py.point_cloud2 import create_cloud_xyz32
+from std_msgs.msg import Header
+from tf2_ros import TransformBroadcaster
+
+rclpy.init()
+node = rclpy.create_node('robot')
+broadcaster = TransformBroadcaster(node)
+scans = node.create_publisher(LaserScan, '/scan', 5)
+clouds = node.create_publisher(PointCloud2, '/points', 5)
+odometry = node.create_publisher(Odometry, '/odom', 10)
+points = np.random.default_rng(0).uniform(-1, 1, (20_000, 3)).astype(np.float32)
+ranges = [3.0 + math.sin(0.1 * beam) for beam in range(360)]
+
+
+def move():
+    now = node.get_clock().now()
+    angle = now.nanoseconds / 1e9 % 1000
+    header = Header(stamp=now.to_msg(), frame_id='odom')
+    message = TransformStamped(header=header, child_frame_id='base')
+    message.transform.translation.x, message.transform.translation.y = math.cos(angle), math.sin(angle)
+    message.transform.rotation.w = 1.0
+    broadcaster.sendTransform(message)
+    place = Odometry(header=header, child_frame_id='base')
+    place.pose.pose.position.x, place.pose.pose.position.y = math.cos(angle), math.sin(angle)
+    odometry.publish(place)
+
+
+def header():
+    return Header(stamp=node.get_clock().now().to_msg(), frame_id='base')
+
+
+def scan():
+    scans.publish(LaserScan(header=header(), angle_increment=math.tau / 360, range_max=10.0, ranges=ranges))
+
+
+node.create_timer(1 / 50, move)
+if 'scan' in sys.argv:
+    node.create_timer(1 / 10, scan)
+if 'cloud' in sys.argv:
+    node.create_timer(1 / 5, lambda: clouds.publish(create_cloud_xyz32(header(), points)))
+print('ready', flush=True)
+try:
+    rclpy.spin(node)
+except (KeyboardInterrupt, ExternalShutdownException):
+    pass
+"""
 _BROWSER = """
 import asyncio, json, sys, time
 from tornado.websocket import websocket_connect
@@ -83,6 +137,7 @@ def measure() -> Iterator[tuple[str, float, str]]:
     """
     for count in COUNTS:
         yield from tree(count)
+    yield from sensors()
 
 
 def tree(count: int) -> Iterator[tuple[str, float, str]]:
@@ -90,6 +145,20 @@ def tree(count: int) -> Iterator[tuple[str, float, str]]:
     with domains.claim() as domain_id, _Child(_BROADCASTER, str(count), ROS_DOMAIN_ID=str(domain_id)) as sender:
         sender.line()
         yield from view(f'{count} frames', domain_id, lambda view: len(view.frames) > count)
+
+
+def sensors() -> Iterator[tuple[str, float, str]]:
+    """Yield the rows of a robot's sensors: odometry at 50 Hz, 360 beams at 10 Hz, 20,000 points at 5 Hz."""
+    from helpers.views import LaserScan, Odometry, PointCloud2
+
+    for name, sends, displays in (
+            ('odometry', (), [Odometry]),
+            ('odometry, scan', ('scan',), [Odometry, LaserScan]),
+            ('odometry, scan, cloud', ('scan', 'cloud'), [Odometry, LaserScan, PointCloud2])):
+        with domains.claim() as domain_id, _Child(_SENSORS, *sends, ROS_DOMAIN_ID=str(domain_id)) as sender:
+            sender.line()
+            yield from view(name, domain_id, lambda view: not view.problems and len(view.frames) == 2,
+                            *(display() for display in displays))
 
 
 def view(name: str, domain_id: int, is_there: Callable, *displays) -> Iterator[tuple[str, float, str]]:

@@ -8,6 +8,11 @@ it all into the output of a cell::
     with TfView(RobotModel(), LaserScan('/scan'), fixed_frame='odom') as view:
         …
 
+Displays, each with the topic that it shows unless another is given: `RobotModel` (``/robot_description``), `LaserScan`
+(``/scan``), `PointCloud2` (``/points``), `Odometry` (``/odom``), `Marker` (``/visualization_marker``), `MarkerArray`
+(``/visualization_marker_array``). Their `status`, which is also in ``view.problems``, says why nothing is seen. Beside
+the scene, `ImageView` (``/image``) shows a camera's pictures.
+
 Units are metres and radians; colours are (red, green, blue) from 0 to 1; axes are x red, y green, z blue.
 """
 
