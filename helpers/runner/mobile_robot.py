@@ -54,10 +54,12 @@ class MobileRobot(Peer):
         self._seen = 0
         self._topics = Topics(self.world, localization)
         self.commands = learner.listen('/cmd_vel', Twist)
-        self._talkers = {topic: learner.talk(f'/{topic.name.lstrip("/")}', topic.type, topic.qos)
-                         for topic in self._topics.topics if topic.name not in ('/clock', 'image', 'camera_info')}
+        self._talkers = [(topic, learner.talk(f'/{topic.name.lstrip("/")}', topic.type, topic.qos))
+                         for topic in self._topics.topics if topic.name not in ('/clock', 'image', 'camera_info')]
         fixed = learner.talk('/tf_static', TFMessage, LATCHED)
         fixed.publisher.publish(TFMessage(transforms=self._frames(fixed=True)))
+        for talker in (fixed, *(talker for _, talker in self._talkers)):
+            talker.optional = True
         learner.add(self)
 
     @property
@@ -91,7 +93,7 @@ class MobileRobot(Peer):
         self._next = self._learner.now + self._period
         pose = self.pose
         self.path.append((self.world.time, pose.x, pose.y, pose.yaw))
-        for topic, talker in self._talkers.items():
+        for topic, talker in self._talkers:
             message = topic.make()
             if topic.name == '/tf':
                 message.transforms += self._frames(fixed=False)
