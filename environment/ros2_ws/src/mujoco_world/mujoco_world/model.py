@@ -15,7 +15,8 @@ STIFFNESS = 0.005  # s, time constant of a contact; MuJoCo wants at least two ti
 FLOOR = 'floor'
 # Groups of geoms. A laser sees what touches: WALLS and BODY. A camera sees WALLS and LOOKS.
 WALLS, LOOKS, BODY = 0, 1, 2
-GAIN = 1.0  # N m s/rad, of the controller of a driven wheel's speed
+GAIN = 5.0  # N m s/rad, of the controller of a driven wheel's speed
+ROTOR = 0.01  # kg m², what a driven wheel feels of its motor's rotor, through the gears
 # MuJoCo wants a mass of what moves. A link without <inertial> has none: this is next to none.
 LEAST_MASS, LEAST_INERTIA = 1e-3, 1e-6  # kg, kg m²
 
@@ -76,6 +77,7 @@ def _finish_robot(spec: mujoco.MjSpec, robot: Robot) -> None:
         limit = robot.description.joints[joint].limit
         motor = spec.add_actuator(name=joint, target=joint, trntype=mujoco.mjtTrn.mjTRN_JOINT)
         motor.set_to_velocity(GAIN)
+        spec.joint(joint).armature = ROTOR
         if limit and limit.effort:
             motor.forcelimited, motor.forcerange = True, [-limit.effort, limit.effort]
         if limit and limit.velocity:

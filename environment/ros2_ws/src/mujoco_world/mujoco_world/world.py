@@ -153,9 +153,17 @@ class World:
         self._turned = self._wheel_angles()
 
     def place(self, x: float, y: float, yaw: float = 0.0) -> None:
-        """Lift the robot to another place of the floor and put it down at rest. Its odometry knows nothing of it."""
+        """Lift the robot to another place of the floor and put it down at rest. Its odometry knows nothing of it.
+
+        Its root frame is on the floor; what would be below the floor then lifts it.
+        """
         self.data.qpos[self._root:self._root + 7] = [x, y, 0, cos(yaw / 2), 0, 0, sin(yaw / 2)]
         self.data.qvel[:] = 0
+        mujoco.mj_kinematics(self.model, self.data)
+        floor = self.model.geom(FLOOR).id
+        self.data.qpos[self._root + 2] = -min([0.0, *(
+            mujoco.mj_geomDistance(self.model, self.data, floor, geom, 1.0, None)
+            for geom in self._own if self.model.geom_group[geom] == BODY)])
         mujoco.mj_forward(self.model, self.data)
 
     # Drive
