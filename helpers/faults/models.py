@@ -106,7 +106,13 @@ class NoModel(Fault):
             'subscribed': f'/{wrong_topic}' if self.kind == 'name' else '/robot_description'}
 
     def show_symptom(self) -> None:
-        self.watch(lambda: len(self.lines('viewer')) >= 4, self.patience, ends=('robot_state_publisher',))
+        publisher = 'robot_state_publisher'
+
+        def up() -> bool:
+            said = publisher not in self.programs or len(self.lines(publisher)) >= 2
+            return said and len(self.lines('viewer')) >= 3
+
+        self.watch(up, self.patience, ends=(publisher,))
         self.show_programs()
 
     def works(self, timeout: float) -> Verdict:
@@ -137,7 +143,8 @@ class Falls(Fault):
             'wheels': ''.join(_without(part, 'collision') if 'wheel"' in part else part for part in _links(urdf)),
             'no_inertial': urdf.replace(body, _without(body, 'inertial')),
             'mass': urdf.replace(body, re.sub(r'<mass value=".*?"/>', f'<mass value="{mass}"/>', body))}
-        self.files = {START: 'python3 drop.py robot.urdf\n', 'drop.py': _DROP.format(speed=speed), 'robot.urdf': broken[self.kind]}
+        self.files = {START: 'python3 drop.py robot.urdf\n', 'drop.py': _DROP.format(speed=speed),
+                      'robot.urdf': broken[self.kind]}
         self.repaired = {'robot.urdf': urdf}
         self.way = 2.0 * speed
         self.task = (f'drop.py puts the robot on the floor and drives ahead with {speed} m/s for 2 s. It should stand, '
