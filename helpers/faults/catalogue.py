@@ -6,6 +6,7 @@ from helpers.faults.distros import MixedDistros
 from helpers.faults.fault import Fault
 from helpers.faults.frames import NoTransform
 from helpers.faults.hang import Hang
+from helpers.faults.models import Falls, NoModel
 from helpers.faults.mystery import Mystery
 from helpers.faults.packages import NoProgram
 from helpers.faults.services import Waiting
@@ -14,8 +15,8 @@ from helpers.faults.topics import NoData
 
 #: The faults in the order of the article's table, and the mystery, which has two.
 FAULTS: tuple[type[Fault], ...] = (
-    NoSource, CommandNotFound, NoColcon, NoProgram, MixedDistros, NoData, Unseen, Waiting, Hang, NoTransform,
-    Mystery)
+    NoSource, CommandNotFound, NoColcon, NoProgram, MixedDistros, NoData, Unseen, Waiting, Hang, NoModel,
+    Falls, NoTransform, Mystery)
 
 
 def plan(what: str, seed: int | str = 0, kind: str | None = None, folder=None, domain: int | None = None) -> Fault:

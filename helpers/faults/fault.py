@@ -286,12 +286,13 @@ class Fault:
         return background(argv, env=self.env, cwd=self.path)
 
     def _version(self, program: tuple[str, str] | None) -> str:
-        """What a program is made of, as a digest: its line, its file, and the settings of its machine."""
+        """What a program is made of, as a digest: its line, the files in it, and the settings of its machine."""
         if program is None:
             return ''
         machine, command = program
         digest = hashlib.sha256(repr(program).encode())
-        for file in (self.path / machine / _script(command), self.path / machine / '.bashrc'):
+        for name in (*shlex.split(command), '.bashrc'):
+            file = self.path / machine / name
             digest.update(file.read_bytes() if file.is_file() else b'-')
         return digest.hexdigest()
 

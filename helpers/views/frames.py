@@ -16,6 +16,7 @@ from helpers.views import poses
 
 _RIVALS = 1.0  # s: a frame that had two parents within this time has two broadcasters
 _HELD = 20_000  # messages kept for the buffer while it holds still
+_JUMP = 1_000_000_000  # ns: stamps that go back by more begin anew, as a simulation that is started again
 
 
 @dataclass
@@ -79,6 +80,15 @@ class FrameListener(TransformListener):
             for data, static in held:
                 super().static_callback(data) if static else super().callback(data)
 
+    def _jumped_back(self, data) -> bool:
+        for message in data.transforms:
+            link = self.links.get(message.child_frame_id)
+            stamp = message.header.stamp
+            if (link is not None and not link.static and not link.rivals and stamp.sec > 0
+                    and stamp.sec * 1_000_000_000 + stamp.nanosec < link.stamp - _JUMP):
+                return True
+        return False
+
     @property
     def latest(self) -> int:
         """The latest stamp of all moving frames in the buffer, in ns; 0 if nothing moves."""
@@ -98,6 +108,8 @@ class FrameListener(TransformListener):
 
     def _note(self, data, static: bool) -> None:
         now = time.monotonic()
+        if not static and self._jumped_back(data):
+            self.buffer.clear()
         for message in data.transforms:
             header, transform = message.header, message.transform
             child, parent = message.child_frame_id.removeprefix('/'), header.frame_id.removeprefix('/')

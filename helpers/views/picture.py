@@ -19,6 +19,7 @@ _UP = np.cross(VIEW_FROM, _RIGHT)
 _LIGHT = np.array((0.25, -0.5, 0.83))
 _LARGEST = 56_000  # characters; budgets are halved until the picture is smaller
 _MARGIN = (34, 46, 40, 70)  # pixels at the top, the left, the bottom and the right that hold names and captions
+_BUDGET = 3000  # points of clouds, and faces of meshes
 _SIDES = 20  # of a cylinder
 _FONT = 'system-ui, -apple-system, "Segoe UI", sans-serif'
 
@@ -30,7 +31,7 @@ def svg(scene: Scene, caption: str = '', problems: Sequence[str] = (), width: in
     :param problems: lines in red above it.
     """
     items = scene.items()
-    budget = 3000  # points of clouds, and faces of meshes
+    budget = _BUDGET
     while True:
         text = _Picture(items, width, height, budget).text(caption, problems)
         if len(text) < _LARGEST or budget < 50:
@@ -41,6 +42,7 @@ def svg(scene: Scene, caption: str = '', problems: Sequence[str] = (), width: in
 class _Picture:
     def __init__(self, items: list[Item], width: int, height: int, budget: int):
         self.items, self.width, self.height, self.budget = items, width, height, budget
+        self.finest = 0.8 * _BUDGET / budget  # pixels between two points of a line
         self.parts: list[tuple[float, str]] = []  # depth towards the viewer, element
         self.boxes: list[tuple] = []  # what the names have taken
         self._fit()
@@ -73,19 +75,20 @@ class _Picture:
             if not isinstance(item.shape, Label):
                 getattr(self, f'_{type(item.shape).__name__.lower()}')(item)
         body += [element for _, element in sorted(self.parts, key=lambda entry: entry[0])]
-        body += [self._name(item) for item in self.items if isinstance(item.shape, Label) and item.shape.text]
-        style = f'font-family=\'{_FONT}\' font-size="13"'
-        lines = [f'<text x="12" y="{22 + 17 * number}" fill="#b3261e" {style}>{escape(line)}</text>'
+        named = [item for item in self.items if isinstance(item.shape, Label) and item.shape.text]
+        body += ['<g stroke="#fff" stroke-width="3" paint-order="stroke">', *map(self._name, named), '</g>']
+        lines = [f'<text x="12" y="{22 + 17 * number}" fill="#b3261e">{escape(line)}</text>'
                  for number, line in enumerate(line for problem in problems for line in problem.splitlines())]
         if self.empty:
-            lines.append(f'<text x="{self.width / 2:g}" y="{self.height / 2:g}" text-anchor="middle" fill="#59606e" '
-                         f'{style}>no frame so far</text>')
+            lines.append(f'<text x="{self.width / 2:g}" y="{self.height / 2:g}" text-anchor="middle" fill="#59606e">'
+                         'no frame so far</text>')
         if not self.empty:
             caption = f'{caption} · grid {self.step:g} m' if caption else f'grid {self.step:g} m'
-            lines.append(f'<text x="12" y="{self.height - 12}" fill="#59606e" {style}>{escape(caption)}</text>')
+            lines.append(f'<text x="12" y="{self.height - 12}" fill="#59606e">{escape(caption)}</text>')
         return '\n'.join((
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{self.width}" height="{self.height}" '
-            f'viewBox="0 0 {self.width} {self.height}" stroke-linecap="round" stroke-linejoin="round">',
+            f'viewBox="0 0 {self.width} {self.height}" fill="none" stroke-linecap="round" '
+            f'stroke-linejoin="round" font-family=\'{_FONT}\' font-size="13">',
             f'<rect width="{self.width}" height="{self.height}" rx="6" fill="#f6f8fa" stroke="#cfd3da"/>',
             *(part for part in body if part), *lines, '</svg>'))
 
@@ -100,7 +103,7 @@ class _Picture:
         ends += [(x, y, 0) for y in range(y0, y1 + 1) for x in (x0, x1)]
         flat = self.flat(np.array(ends, dtype=float) * step)
         path = ''.join(f'M{_pair(a)}L{_pair(b)}' for a, b in zip(flat[::2], flat[1::2], strict=True))
-        return f'<path d="{path}" stroke="#d5dae1" fill="none"/>'
+        return f'<path d="{path}" stroke="#d5dae1"/>'
 
     def _add(self, depth: float, element: str, opacity: float) -> None:
         self.parts.append((depth, element if opacity >= 1 else f'<g opacity="{opacity:.2g}">{element}</g>'))
@@ -109,13 +112,13 @@ class _Picture:
         flat = self.flat(ends)
         kept = [flat[0]]
         for place in flat[1:]:
-            if np.abs(place - kept[-1]).max() >= 0.7:
+            if np.abs(place - kept[-1]).max() >= self.finest:
                 kept.append(place)
         if len(kept) < 2:
             kept.append(kept[0])
         path = f'M{_pair(kept[0])}L' + ' '.join(_pair(place) for place in kept[1:])
         self._add(float(np.mean(np.asarray(ends) @ VIEW_FROM)),
-                  f'<path d="{path}" stroke="{_hex(colour)}" stroke-width="{width:.3g}" fill="none"{more}/>', opacity)
+                  f'<path d="{path}" stroke="{_hex(colour)}" stroke-width="{width:.3g}"{more}/>', opacity)
 
     def _axes(self, item: Item) -> None:
         origin = item.pose[:3, 3]
@@ -145,7 +148,7 @@ class _Picture:
         if shape.pieces:
             runs = [(i, i + 2) for i in range(0, len(points), 2)]
         else:  # in runs of one colour, and short enough to be hidden where something is nearer
-            most = 2 if several else max(2, min(20, len(points) // 12))
+            most = 2 if several else max(2, min(40, len(points) // 12))
             runs = [(i, min(i + most, len(points))) for i in range(0, len(points) - 1, most - 1)]
         for begin, end in runs:
             self._stroke(points[begin:end], shape.colours[begin if several else 0], shape.width, item.opacity, more)
@@ -216,7 +219,9 @@ class _Picture:
                 normal = -normal
             shade = _hex(np.minimum(1.0, colour * (0.62 + 0.42 * max(0.0, float(normal @ _LIGHT)))))
             path = ' '.join(_pair(place) for place in flat[face])
-            self._add(float((corners[face] @ VIEW_FROM).mean()),
+            depths = corners[face] @ VIEW_FROM
+            depth = depths.min() if normal[2] > 0.9 else depths.mean()  # what stands on a floor is painted over it
+            self._add(float(depth),
                       f'<polygon points="{path}" fill="{shade}" stroke="{shade}" stroke-width=".5"/>', opacity)
 
     # Names
@@ -234,12 +239,12 @@ class _Picture:
             if abs(middle - y) > tall:
                 end = left - 2 if left > x else left + long + 2
                 line = (f'<path d="M{x:.0f} {y:.0f}L{end:.0f} {middle:.0f}" stroke="{_hex(shape.colour)}" '
-                        'stroke-width=".7"/>')
+                        'stroke-width=".7"/>')  # of its own colour, not of the names' border
         weight = ' font-weight="600"' if shape.bold else ''
         opacity = f' opacity="{item.opacity:.2g}"' if item.opacity < 1 else ''
-        return (f'{line}<text x="{left:.0f}" y="{middle + 0.35 * size:.0f}" font-family=\'{_FONT}\' '
-                f'font-size="{size:.3g}"{weight}{opacity} fill="{_hex(shape.colour)}" stroke="#fff" stroke-width="3" '
-                f'paint-order="stroke">{escape(shape.text)}</text>')
+        big = '' if shape.height is None else f' font-size="{size:.3g}"'
+        return (f'{line}<text x="{left:.0f}" y="{middle + 0.35 * size:.0f}"{big}{weight}{opacity} '
+                f'fill="{_hex(shape.colour)}">{escape(shape.text)}</text>')
 
     def _free_place(self, x: float, y: float, long: float, tall: float) -> tuple[float, float]:
         """The place near (x, y) that covers other names least: left end and middle of the text."""

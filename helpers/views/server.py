@@ -16,11 +16,13 @@ import os
 import secrets
 import threading
 from collections.abc import Callable
+from importlib.util import find_spec
 from pathlib import Path
 
 WEB = Path(__file__).parent / 'web'
 _PING = 20.0  # s between two signs of life of a browser
 _WAIT = 5.0  # s for the thread to begin or end
+_ENDED = 4000  # the code of a socket's end that tells the page not to connect again
 _lock = threading.RLock()
 _running: '_Server | None' = None
 _numbers = itertools.count(1)
@@ -155,15 +157,15 @@ class _Server:
 
 def _hang_up(channel: Channel) -> None:
     for socket in channel.sockets.copy():
-        socket.close()
+        socket.close(_ENDED)
 
 
 def _application(server: _Server):
-    import meshcat
     from tornado.web import Application, RequestHandler
     from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
-    library = Path(meshcat.__file__).parent / 'viewer' / 'dist' / 'main.min.js'
+    package = Path(find_spec('meshcat').origin).parent  # to import it takes long, and only this file is needed
+    library = package / 'viewer' / 'dist' / 'main.min.js'
 
     class File(RequestHandler):
         """A file as it is."""
@@ -208,7 +210,7 @@ def _application(server: _Server):
             self.channel = server.channels.get(name)
             self.busy = self.behind = False
             if self.channel is None:
-                self.close()
+                self.close(_ENDED)
                 return
             self.set_nodelay(True)
             self.channel.sockets.add(self)

@@ -1,6 +1,7 @@
 """`TfView`: the frames of the running system, and displays beside them, in the output of a cell."""
 
 import math
+import threading
 
 from helpers import journal, nodes
 from helpers.spinning import spinning
@@ -13,6 +14,7 @@ from helpers.views.tf_display import TF
 
 RATE = 30.0  # updates a second, at most
 NODE = '_tf_view'
+_FIRST = 0.4  # s, the longest wait for the first frames
 _views: list['TfView'] = []
 
 
@@ -92,6 +94,7 @@ class TfView:
         self._past: float | None = None  # s before `_latest`; None: live
         self._moment = 0  # ns, 0: live
         self._latest = 0
+        self._any = threading.Event()  # a frame is known
         self._wanted = None  # what `at` or `rewind` asks of the next update
         self._tf = TF(frame_timeout, axis_length, trails)
         self._live: LiveRenderer | None = None
@@ -110,8 +113,8 @@ class TfView:
             raise
         self._node.create_timer(1 / RATE, self._update)
         _views.append(self)
-        self._show()
         self._spinning = spinning(self._node)
+        self._show()
 
     # What is there
 
@@ -143,12 +146,12 @@ class TfView:
 
     # Time travel
 
-    def at(self, time=None) -> None:
+    def at(self, when=None) -> None:
         """Show everything at a time of the last ten seconds; None goes back to now.
 
-        :param time: an rclpy Time, or a stamp from a message.
+        :param when: an rclpy Time, or a stamp from a message.
         """
-        self._wanted = ('at', 0 if time is None else _nanoseconds(time))
+        self._wanted = ('at', 0 if when is None else _nanoseconds(when))
 
     def rewind(self, seconds: float) -> None:
         """Show everything so many seconds before the latest transform; 0 goes back to now."""
@@ -207,6 +210,8 @@ class TfView:
         from rclpy.time import Time
 
         self._tf.look()
+        if self._tf.tree.links:
+            self._any.set()
         self._choose_time()
         frame = self._chosen or self._tf.tree.best_root()
         if frame != self._fixed_frame:
@@ -256,6 +261,7 @@ class TfView:
             return
         from IPython.display import display
 
+        self._any.wait(_FIRST)  # the picture that is saved with a view that nobody stops shall show something
         content = self.picture()
         if self._live is not None:
             content = _Live(content.svg, str(self), self._live.html(content.svg, self._height))
@@ -290,8 +296,8 @@ def _numbered(number: int) -> str:
     return NODE if number == 1 else f'{NODE}_{number}'
 
 
-def _nanoseconds(time) -> int:
-    return time.nanoseconds if hasattr(time, 'nanoseconds') else time.sec * 1_000_000_000 + time.nanosec
+def _nanoseconds(when) -> int:
+    return when.nanoseconds if hasattr(when, 'nanoseconds') else when.sec * 1_000_000_000 + when.nanosec
 
 
 def _depth_first(tree: Tree, members):

@@ -116,12 +116,32 @@ def test_a_client_that_waits(tmp_path, domain, kind):
 @pytest.mark.parametrize('kind', ['call', 'loop'])
 def test_a_program_that_hangs(tmp_path, domain, kind, capsys):
     with staged(tmp_path, 'A7.9', kind) as fault:
-        assert not fault.interrupt()
+        assert not fault.interrupt(SHORT)
         fault.stacks()
         stack = capsys.readouterr().out
         file = (fault.path / fault.diagnosis['where']).read_text().splitlines()
         number = next(i for i, line in enumerate(file, 1) if fault.diagnosis['line'] in line)
         assert f'{fault.diagnosis["where"]}", line {number} in {fault.diagnosis["callback"]}' in stack
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', ['namespace', 'urdf'])
+def test_no_robot_model(tmp_path, domain, kind, capsys):
+    with staged(tmp_path, 'A7.10', kind) as fault:
+        fault.symptom()
+        shown = capsys.readouterr().out
+        assert 'no robot description' in shown and ('FATAL' in shown) == (kind == 'urdf')
+        if kind == 'namespace':
+            assert 'Publisher count: 0' in fault.ask('ros2 topic info /robot_description')[1]
+            assert 'Publisher count: 1' in fault.ask(f'ros2 topic info {fault.diagnosis["published"]}')[1]
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', faults.plan('A7.11').kinds)
+def test_a_robot_that_does_not_stand_or_drive(tmp_path, domain, kind):
+    with staged(tmp_path, 'A7.11', kind) as fault:
+        text = (fault.path / 'robot.urdf').read_text()
+        assert ('<collision>' in text) == (kind != 'no_collision')
         fault.repair()
 
 

@@ -52,6 +52,13 @@ function solid(geometry, colour, more) {
 }
 
 // Each takes a shape and two functions that return one of its arrays, as floats or as integers.
+// Points that lie on a surface, as those of a scan do, are drawn over it; and they are seen from afar.
+const POINTS_NEARER = `
+  gl_PointSize = max(gl_PointSize, 3.0);
+  vec4 nearer = projectionMatrix * (mvPosition + vec4(0.0, 0.0, max(0.03, -0.006 * mvPosition.z), 0.0));
+  gl_Position.z = nearer.z * gl_Position.w / nearer.w;
+  #include <logdepthbuf_vertex>`;
+
 const builders = {
   Axes(shape) {  // sticks, and thick lines in them, which stay visible from afar
     const all = new THREE.Group();
@@ -98,7 +105,11 @@ const builders = {
     const geometry = new THREE.BufferGeometry(), points = floats(shape.points);
     geometry.setAttribute('position', new THREE.BufferAttribute(points, 3));
     geometry.setAttribute('color', new THREE.BufferAttribute(perPoint(floats(shape.colours), points.length / 3), 3));
-    const cloud = new THREE.Points(geometry, new THREE.PointsMaterial({size: shape.size, vertexColors: true}));
+    const material = new THREE.PointsMaterial({size: shape.size, vertexColors: true});
+    material.onBeforeCompile = (shader) => {
+      shader.vertexShader = shader.vertexShader.replace('#include <logdepthbuf_vertex>', POINTS_NEARER);
+    };
+    const cloud = new THREE.Points(geometry, material);
     cloud.frustumCulled = false;
     return cloud;
   },

@@ -58,13 +58,25 @@ at('names').addEventListener('click', () => {
 
 // -- the kernel
 
-const socket = new WebSocket(new URL('socket', location.href).href.replace(/^http/, 'ws'));
-socket.binaryType = 'arraybuffer';
-socket.onmessage = (event) => {
-  const message = take(event.data);
-  if (message.state) showState(message.state);
-  look.news = true;
-  window.updates = (window.updates || 0) + 1;  // for measurements
-  viewer.set_dirty();
-};
-socket.onclose = () => { at('gone').style.display = 'flex'; };
+const ENDED = 4000;       // the server's code for a view that has stopped
+const TRIES = [1, 3, 9];  // s before each try to connect again, as after a proxy's hiccup
+let socket, tries = 0;
+
+function connect() {
+  socket = new WebSocket(new URL('socket', location.href).href.replace(/^http/, 'ws'));
+  socket.binaryType = 'arraybuffer';
+  socket.onmessage = (event) => {
+    const message = take(event.data);
+    if (message.state) showState(message.state);
+    look.news = true;
+    tries = 0;
+    document.body.classList.remove('ended');
+    window.updates = (window.updates || 0) + 1;  // for measurements
+    viewer.set_dirty();
+  };
+  socket.onclose = (event) => {
+    document.body.classList.add('ended');
+    if (event.code !== ENDED && tries < TRIES.length) setTimeout(connect, 1000 * TRIES[tries++]);
+  };
+}
+connect();
