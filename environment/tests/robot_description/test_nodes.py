@@ -149,6 +149,13 @@ def test_a_bad_description_ends_the_program_in_one_line(start, tmp_path, name, c
     assert status == 1 and says in output and 'Traceback' not in output
 
 
+def test_a_description_that_is_no_yaml_is_said_in_one_line(start):
+    status, output = ended(start(program('robot_state_publisher', 'robot_state_publisher'), '--ros-args', '-p',
+                                 'robot_description:=<!-- robot: a\nrobot -->'))
+    assert status == 1 and output.splitlines()[-1].startswith(
+        'robot_state_publisher: the value of -p robot_description:=… is not YAML') and 'Traceback' not in output
+
+
 def test_launch_of_xacro_and_both_publishers(start, listener, tmp_path):
     """In a namespace, with a prefix of the frames: the whole way from macros to /tf."""
     (tmp_path / 'cart.urdf.xacro').write_text(XACRO)

@@ -179,6 +179,6 @@ class WorldNode(Node):
         super().destroy_node()
 
 
-def main(args: list[str] | None = None) -> int | None:
-    """Run the node until Ctrl+C."""
-    return run(WorldNode, args)
+def main() -> int:
+    """Run the node until Ctrl+C; return the program's exit status."""
+    return run(lambda arguments: WorldNode())
