@@ -2,10 +2,16 @@
 
 import math
 import subprocess
+from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 import yaml
+from ament_index_python.packages import PackageNotFoundError, get_package_share_directory
 from geometry_msgs.msg import Twist
+from mujoco_world import gazebo, scene
+from mujoco_world.topics import Topics
+from mujoco_world.world import World
 from nav_msgs.msg import Odometry
 from rcl_interfaces.msg import Parameter, ParameterType, ParameterValue
 from rcl_interfaces.srv import SetParameters
@@ -94,3 +100,58 @@ def test_a_world_that_cannot_be_is_one_line_and_an_exit_status(domain):
     assert done.returncode == 1 and done.stdout == ''
     line, = done.stderr.splitlines()
     assert line.endswith("there is no scene 'attic'; there are empty, rooms, or give a .yaml file")
+
+
+# Gazebo, as far as it can be checked where it is not installed.
+
+# From ros_gz_bridge's README (Jazzy): ROS type -> Gazebo type.
+BRIDGED = {
+    'geometry_msgs/msg/Twist': 'gz.msgs.Twist', 'nav_msgs/msg/Odometry': 'gz.msgs.Odometry',
+    'rosgraph_msgs/msg/Clock': 'gz.msgs.Clock', 'sensor_msgs/msg/CameraInfo': 'gz.msgs.CameraInfo',
+    'sensor_msgs/msg/Image': 'gz.msgs.Image', 'sensor_msgs/msg/JointState': 'gz.msgs.Model',
+    'sensor_msgs/msg/LaserScan': 'gz.msgs.LaserScan', 'tf2_msgs/msg/TFMessage': 'gz.msgs.Pose_V',
+}
+
+
+def test_the_bridge_names_types_that_it_knows_and_the_topics_of_the_robot():
+    share = Path(get_package_share_directory('mujoco_world'))
+    entries = yaml.safe_load((share / 'config' / 'ros_gz_bridge.yaml').read_text())
+    assert {entry['ros_type_name']: entry['gz_type_name'] for entry in entries} == BRIDGED
+    world = World(scene='rooms')
+    ours = {f'/{topic.name.lstrip("/")}' for topic in Topics(world).topics}
+    out = {entry['topic_name'] for entry in entries if entry['direction'] == 'GZ_TO_ROS'}
+    assert out == ours and [e['topic_name'] for e in entries if e['direction'] == 'ROS_TO_GZ'] == ['/cmd_vel']
+    # The robot tells Gazebo the same names, without the slash.
+    named = {element.text for element in ElementTree.fromstring(world.urdf).iter() if element.tag in (
+        'topic', 'odom_topic', 'tf_topic', 'camera_info_topic')}
+    assert named == {name.lstrip('/') for name in ours | {'/cmd_vel'}} - {'clock'}
+
+
+def test_gazebos_world_has_the_walls_of_the_scene():
+    rooms = scene.load('rooms')
+    root = ElementTree.fromstring(gazebo.sdf(rooms))
+    assert root.tag == 'sdf' and {plugin.get('filename') for plugin in root.iter('plugin')} == set(gazebo.SYSTEMS)
+    models = {model.get('name'): model for model in root.find('world').iter('model')}
+    assert models.keys() == {'floor', *(wall.name for wall in rooms.walls),
+                             *(f'station_{name}' for name in rooms.stations)}
+    for wall in rooms.walls:
+        model = models[wall.name]
+        assert model.findtext('static') == 'true'
+        assert [float(part) for part in model.findtext('pose').split()] == pytest.approx(
+            [*wall.at, wall.height / 2, 0, 0, 0])
+        for kind in ('collision', 'visual'):
+            size = model.findtext(f'link/{kind}/geometry/box/size')
+            assert [float(part) for part in size.split()] == pytest.approx([*wall.size, wall.height])
+
+
+def test_without_gazebo_the_launch_file_says_what_is_missing_and_what_to_do(domain):
+    try:
+        get_package_share_directory('ros_gz_sim')
+        pytest.skip('Gazebo is installed')
+    except PackageNotFoundError:
+        pass
+    done = subprocess.run([ROS2, 'launch', 'mujoco_world', 'gazebo.launch.py'], capture_output=True, text=True,
+                          timeout=60)
+    said = done.stdout + done.stderr
+    assert done.returncode == 1 and 'Traceback' not in said
+    assert 'there is no ROS package' in said and 'ros2 launch mujoco_world world.launch.py' in said

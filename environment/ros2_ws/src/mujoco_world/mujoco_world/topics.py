@@ -131,10 +131,11 @@ class Topics:
     def markers(self) -> MarkerArray:
         """The scene, for a view: floor, walls, stations and their names, in the frame map."""
         scene = self.world.scene
-        edges = [(wall.at[axis] + sign * wall.size[axis] / 2) for wall in scene.walls for axis in (0, 1)
-                 for sign in (-1, 1)] or [5.0]
-        side = 2 * max(map(abs, edges)) + 0.4
-        found = [_marker('floor', Marker.CUBE, (0, 0, -0.01), (side, side, 0.02), (0.90, 0.90, 0.88, 0.6))]
+        ends = [[wall.at[axis] + sign * wall.size[axis] / 2 for wall in scene.walls for sign in (-1, 1)] or [-5.0, 5.0]
+                for axis in (0, 1)]
+        middle = [(min(one) + max(one)) / 2 for one in ends]
+        sides = [max(one) - min(one) + 0.6 for one in ends]
+        found = [_marker('floor', Marker.CUBE, (*middle, -0.01), (*sides, 0.02), (0.90, 0.90, 0.88, 0.6))]
         found += [_marker('walls', Marker.CUBE, (*wall.at, wall.height / 2), (*wall.size, wall.height), wall.colour)
                   for wall in scene.walls]
         for name, (x, y, _) in scene.stations.items():
