@@ -104,6 +104,8 @@ def refresh(setup: Setup, stale: list[str]) -> None:
             setup.install_requirements()
         if 'relocation' in setup.stale():
             setup.relocate()
+        if 'backports' in setup.stale():
+            setup.backport()
         setup.build_overlay()
         if 'kernel' in setup.stale():
             setup.install_kernel()

@@ -48,12 +48,12 @@ def repair(places: Places) -> int:
         new = _PREFIX.sub(lambda _: os.fsencode(places.prefix), new)
         if _FOREIGN.search(new):
             raise RuntimeError(f'{path} names a directory of the machine that built it, in a form not known here')
-        _replace(path, new)
+        replace(path, new)
         changed += 1
     for path in places.prefix.glob('share/ament_index/resource_index/parent_prefix_path/*'):
         # The build machine had underlays; this prefix has none.
         if path.read_bytes():
-            _replace(path, b'')
+            replace(path, b'')
             changed += 1
     return changed
 
@@ -85,10 +85,11 @@ def let_scripts_ask(prefix: Path, python: Path) -> None:
             b'_colcon_python_executable="%s"' % os.fsencode(python),
         )
         if new != old:
-            _replace(path, new)
+            replace(path, new)
 
 
-def _replace(path: Path, content: bytes) -> None:
+def replace(path: Path, content: bytes) -> None:
+    """Put a new file in place of `path`, with the same rights; who holds a link to the old one keeps the old one."""
     partial = path.with_name(f'.{path.name}.partial')
     partial.write_bytes(content)
     shutil.copymode(path, partial)

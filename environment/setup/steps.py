@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from environment.setup import kernel, overlay, processes, relocation, requirements, startup, tools
+from environment.setup import backports, kernel, overlay, processes, relocation, requirements, startup, tools
 from environment.setup.console import Console
 from environment.setup.interpreter import Interpreter
 from environment.setup.lack import BuildFailed
@@ -61,7 +61,8 @@ class Setup:
             return ['venv']
         lock = self.lock()
         foundation = self.foundation(lock)
-        wanted = {'requirements': digest(lock), 'relocation': foundation, 'kernel': self.kernel_key()}
+        wanted = {'requirements': digest(lock), 'relocation': foundation, 'backports': self.backports_key(foundation),
+                  'kernel': self.kernel_key()}
         stale = [name for name, key in wanted.items() if self.stamps.read(name) != key]
         packages = self.packages()
         for name, key in overlay.keys(packages, foundation).items():
@@ -71,6 +72,9 @@ class Setup:
         if not relocation.scripts_ask(self.layout.prefix, self.base_python()):
             stale.append('setup.bash')
         return stale
+
+    def backports_key(self, foundation: str) -> str:
+        return digest(foundation, backports.text())
 
     def kernel_key(self) -> str:
         files = (Path(startup.__file__).read_text(), kernel.PROFILE.read_text(),
@@ -149,6 +153,7 @@ class Setup:
         file = self.layout.state / 'requirements.txt'
         before = requirements.names(file.read_text()) if file.exists() else set()
         self.stamps.remove('requirements')
+        self.stamps.remove('backports')  # they change files of these packages
         self.stamps.write('requirements.started', '1')
         env = self._env()
         config = subprocess.run(
@@ -197,6 +202,11 @@ class Setup:
             relocation.repair(relocation.Places(self.layout.prefix, Path(asked.stdout.strip()), numpy))
             self.console.end()
         self.stamps.write('relocation', foundation)
+
+    def backport(self) -> None:
+        self.stamps.remove('backports')
+        backports.apply(self.layout.site_packages())
+        self.stamps.write('backports', self.backports_key(self.foundation(self.lock())))
 
     # The course's own packages.
 

@@ -101,6 +101,7 @@ def made(checkout: Layout, tmp_path):
     foundation = setup.foundation(setup.lock())
     setup.stamps.write('requirements', digest(setup.lock()))
     setup.stamps.write('relocation', foundation)
+    setup.stamps.write('backports', setup.backports_key(foundation))
     setup.stamps.write('kernel', setup.kernel_key())
     for name, key in overlay.keys(setup.packages(), foundation).items():
         setup.stamps.write(f'package.{name}', key)
@@ -115,7 +116,7 @@ def test_a_changed_lock(made: Setup):
     made.layout.requirements.write_text('ros-jazzy-rclpy==1\nnumpy==2\nrich==4\n')
     assert made.stale() == ['requirements']
     made.layout.requirements.write_text('ros-jazzy-rclpy==2\nnumpy==2\nrich==3\n')
-    assert made.stale() == ['requirements', 'relocation', 'package.lower', 'package.upper']
+    assert made.stale() == ['requirements', 'relocation', 'backports', 'package.lower', 'package.upper']
 
 
 def test_a_changed_package(made: Setup):

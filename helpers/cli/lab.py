@@ -3,6 +3,7 @@
 import os
 import socket
 import sys
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -37,11 +38,15 @@ def lab(
     os.execv(sys.executable, [sys.executable, *command])  # JupyterLab takes over this process: its signals, its exit
 
 
-def arguments(port: int, no_browser: bool, root_user: bool, start: str = '/lab') -> list[str]:
-    """Return the arguments of the interpreter that start JupyterLab on ``port`` exactly; it opens on ``start``."""
+def arguments(port: int, no_browser: bool, root_user: bool, start: str = '/lab',
+              folder: Path | None = None) -> list[str]:
+    """Return the arguments of the interpreter that start JupyterLab on ``port`` exactly.
+
+    It opens on ``start`` and serves ``folder``, notebooks/ by default.
+    """
     result = [
         '-m', 'jupyterlab',
-        f'--ServerApp.root_dir={paths.NOTEBOOKS}',
+        f'--ServerApp.root_dir={folder or paths.NOTEBOOKS}',
         f'--ServerApp.port={port}',
         '--ServerApp.port_retries=0',
         f'--LabApp.default_url={start}',
