@@ -96,5 +96,10 @@ class Display:
         try:
             return poses.from_transform(self.buffer.lookup_transform_core(fixed_frame, frame, time))
         except TransformException:
-            self.problem = f'no transform from [{frame}] to [{fixed_frame}]'
+            self.problem = no_transform(f'[{frame}]', fixed_frame)
             return None
+
+
+def no_transform(frames: str, fixed_frame: str) -> str:
+    """Say that frames, such as ``[laser], [camera]``, cannot be placed in the fixed frame."""
+    return f'no transform from {frames} to [{fixed_frame}]' if fixed_frame else f'no transform from {frames}: no frames'

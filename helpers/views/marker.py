@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from helpers.views import meshes, poses
+from helpers.views.display import no_transform
 from helpers.views.scene import part
 from helpers.views.shapes import LIGHT, Arrow, Box, Cylinder, Label, Line, Mesh, Points, Shape, Sphere
 from helpers.views.topic_display import TopicDisplay
@@ -124,7 +125,7 @@ class Marker(TopicDisplay):
             self.scene.appearance(path, visible=False)
             shown.placed = None
             late = ' at the time of the marker' if 'extrapolation' in str(error) else ''
-            return f'no transform from [{frame}] to [{fixed_frame}]{late}'
+            return no_transform(f'[{frame}]', fixed_frame) + late
         self.scene.pose(path, base @ poses.from_pose(message.pose))
         self.scene.appearance(path, visible=True)
         shown.placed = fixed_frame

@@ -4,6 +4,7 @@ import numpy as np
 import urdf_reader
 
 from helpers.views import meshes
+from helpers.views.display import no_transform
 from helpers.views.scene import part
 from helpers.views.shapes import LIGHT, Box, Cylinder, Mesh, Shape, Sphere
 from helpers.views.topic_display import TopicDisplay
@@ -89,7 +90,7 @@ class RobotModel(TopicDisplay):
         problems = list(self._complaints)
         if missing:
             names = ', '.join(f'[{self.prefix}{link}]' for link in missing)
-            problems.append(f'no transform from {names} to [{fixed_frame}]')
+            problems.append(no_transform(names, fixed_frame))
         if self.robot is None and not problems:
             problems.append(self.silence())
         self.problem = '\n'.join(filter(None, problems))

@@ -7,7 +7,7 @@ from collections import deque
 import numpy as np
 
 from helpers.views import poses
-from helpers.views.display import Display
+from helpers.views.display import Display, no_transform
 
 _LOOK = 1.0  # s between two looks at the graph while nothing comes
 _SILENT = 2.0  # s without a message after which the QoS of the publishers is looked at again
@@ -134,6 +134,7 @@ class StampedDisplay(TopicDisplay):
     def __init__(self, topic: str, qos=None):
         super().__init__(topic, qos)
         self._kept: deque = deque()
+        self._travels = False  # what is kept stays
         self._shown = None  # the message that is drawn
         self._place: tuple | None = None  # (message, fixed frame) of the pose that is set
         self._waiting: float | None = None  # since when a message waits for its transform
@@ -148,11 +149,12 @@ class StampedDisplay(TopicDisplay):
         if self._kept and _stamp(message) < _stamp(self._kept[-1]):  # time went back: a new run of a simulation
             self._kept.clear()
         self._kept.append(message)
-        while _stamp(message) - _stamp(self._kept[0]) > _HISTORY or len(self._kept) > 1000:
+        while len(self._kept) > 1000 or not self._travels and _stamp(message) - _stamp(self._kept[0]) > _HISTORY:
             self._kept.popleft()
 
     def update(self, fixed_frame, time) -> None:
         self.problem = self.silence()
+        self._travels = time.nanoseconds != 0
         if self._kept:
             message, pose = self._choose(fixed_frame, time)
             if message is None:
@@ -200,7 +202,7 @@ class StampedDisplay(TopicDisplay):
                 self._waiting = None
                 return message, pose
         if time.monotonic() - self._waiting > _PATIENCE:
-            self.problem = (f'no transform from [{_frame(newest)}] to [{fixed_frame}] at the time of the message on '
+            self.problem = (f'{no_transform(f"[{_frame(newest)}]", fixed_frame)} at the time of the message on '
                             f'[{self._topic_name}]')
             return None, None
         return (kept[0], None) if kept is not None else (None, None)
@@ -220,7 +222,7 @@ class StampedDisplay(TopicDisplay):
         except ExtrapolationException:
             return None, True
         except TransformException:
-            self.problem = f'no transform from [{frame}] to [{fixed_frame}]'
+            self.problem = no_transform(f'[{frame}]', fixed_frame)
             return None, False
 
 

@@ -129,10 +129,16 @@ def test_scan_time_travel(stage):
     assert len(s.seen()['message'].shape.points) == 5
     s.update(at=12.5)
     assert (len(s.seen()['message'].shape.points), s.seen()['message'].pose[0, 3]) == (3, 2.0)
+    s.display.receive(scan(100.0))  # the past stays while one looks at it
+    s.update(at=12.5)
+    assert len(s.seen()['message'].shape.points) == 3
     s.update(at=9.0)
     assert s.seen() == {}
+    s.frame('odom', 'laser', at=100.0)
     s.update()
-    assert len(s.seen()['message'].shape.points) == 5
+    assert len(s.seen()['message'].shape.points) == 3 == len(scan().ranges)
+    s.display.receive(scan(101.0))
+    assert len(s.display._kept) == 2
 
 
 def test_scan_with_a_frame_that_is_not_there(stage):
@@ -140,6 +146,7 @@ def test_scan_with_a_frame_that_is_not_there(stage):
     s.frame('odom', 'base')
     s.display.receive(scan())
     assert s.update() == 'no transform from [laser] to [odom]' and s.seen() == {}
+    assert s.update('') == 'no transform from [laser]: no frames'
     assert s.update('laser') == '' and 'message' in s.seen()
     nameless = scan()
     nameless.header.frame_id = ''
