@@ -106,6 +106,9 @@ try:
     rclpy.spin(node)
 except (KeyboardInterrupt, ExternalShutdownException):
     pass
+except Exception:
+    if rclpy.ok():  # else it was told to end while it was sending
+        raise
 """
 _BROWSER = """
 import asyncio, json, sys, time
@@ -115,12 +118,15 @@ from tornado.websocket import websocket_connect
 async def main():
     socket = await websocket_connect(sys.argv[1], max_message_size=2**26)
     seconds = float(sys.argv[2])
+    drawn = json.dumps({'drawn': 1})  # a browser says so, else it gets no more
     await socket.read_message()
+    await socket.write_message(drawn)
     print('ready', flush=True)
     sys.stdin.readline()
     begin, count, size = time.monotonic(), 0, 0
     while time.monotonic() - begin < seconds:
         message = await socket.read_message()
+        await socket.write_message(drawn)
         count, size = count + 1, size + len(message)
     elapsed = time.monotonic() - begin
     print(json.dumps({'rate': count / elapsed, 'size': size / max(1, count)}), flush=True)

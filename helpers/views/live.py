@@ -45,11 +45,14 @@ class LiveRenderer:
         return self._channel.watched
 
     def update(self) -> None:
-        """Send what has changed since the last time, if anybody looks."""
-        changes = self._scene.changes()
+        """Send what has changed since the last time, if anybody looks and keeps up; else it is sent together, later."""
         if not self._channel.watched:
+            self._scene.changes()
             self._shown = None
             return
+        if not self._channel.ready:
+            return
+        changes = self._scene.changes()
         state = self._state()
         if changes or state != self._shown:
             self._channel.send(encode(changes, None if state == self._shown else state))

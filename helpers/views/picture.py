@@ -5,13 +5,14 @@ the direction from which the live view looks at first; nearer things are painted
 """
 
 import math
+import textwrap
 from collections.abc import Sequence
 from html import escape
 
 import numpy as np
 
 from helpers.views.scene import Item, Scene
-from helpers.views.shapes import BLUE, GREEN, RED, Arrow, Axes, Box, Cylinder, Label, Line, Mesh, Points, Sphere
+from helpers.views.shapes import BLUE, GREEN, RED, Arrow, Axes, Box, Colour, Cylinder, Label, Line, Mesh, Points, Sphere
 
 VIEW_FROM = np.array((0.49, -0.70, 0.53)) / math.sqrt(0.49**2 + 0.70**2 + 0.53**2)  # as in web/viewer.js
 _RIGHT = np.cross((0.0, 0.0, 1.0), VIEW_FROM) / np.linalg.norm(np.cross((0.0, 0.0, 1.0), VIEW_FROM))
@@ -24,16 +25,18 @@ _SIDES = 20  # of a cylinder
 _FONT = 'system-ui, -apple-system, "Segoe UI", sans-serif'
 
 
-def svg(scene: Scene, caption: str = '', problems: Sequence[str] = (), width: int = 720, height: int = 420) -> str:
+def svg(scene: Scene, caption: str = '', problems: Sequence[str] = (), legend: Sequence[tuple[str, Colour, bool]] = (),
+        width: int = 720, height: int = 420) -> str:
     """Return the scene as an SVG of less than 60 kB.
 
     :param caption: a line below the picture.
     :param problems: lines in red above it.
+    :param legend: kinds of lines: what, colour, dashed.
     """
     items = scene.items()
     budget = _BUDGET
     while True:
-        text = _Picture(items, width, height, budget).text(caption, problems)
+        text = _Picture(items, width, height, budget).text(caption, problems, legend)
         if len(text) < _LARGEST or budget < 50:
             return text
         budget //= 2
@@ -69,7 +72,7 @@ class _Picture:
 
     # Elements
 
-    def text(self, caption: str, problems: Sequence[str]) -> str:
+    def text(self, caption: str, problems: Sequence[str], legend) -> str:
         body = [self._ground()]
         for item in self.items:
             if not isinstance(item.shape, Label):
@@ -78,19 +81,30 @@ class _Picture:
         named = [item for item in self.items if isinstance(item.shape, Label) and item.shape.text]
         body += ['<g stroke="#fff" stroke-width="3" paint-order="stroke">', *map(self._name, named), '</g>']
         lines = [f'<text x="12" y="{22 + 17 * number}" fill="#b3261e">{escape(line)}</text>'
-                 for number, line in enumerate(line for problem in problems for line in problem.splitlines())]
+                 for number, line in enumerate(line for problem in problems
+                                               for line in textwrap.wrap(problem, int(self.width / 7.2)))]
         if self.empty:
             lines.append(f'<text x="{self.width / 2:g}" y="{self.height / 2:g}" text-anchor="middle" fill="#59606e">'
                          'no frame so far</text>')
         if not self.empty:
             caption = f'{caption} · grid {self.step:g} m' if caption else f'grid {self.step:g} m'
             lines.append(f'<text x="12" y="{self.height - 12}" fill="#59606e">{escape(caption)}</text>')
+            lines += self._legend(legend)
         return '\n'.join((
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{self.width}" height="{self.height}" '
             f'viewBox="0 0 {self.width} {self.height}" fill="none" stroke-linecap="round" '
             f'stroke-linejoin="round" font-family=\'{_FONT}\' font-size="13">',
             f'<rect width="{self.width}" height="{self.height}" rx="6" fill="#f6f8fa" stroke="#cfd3da"/>',
             *(part for part in body if part), *lines, '</svg>'))
+
+    def _legend(self, legend) -> list[str]:
+        x, parts = self.width - 12.0, []
+        for what, colour, dashed in reversed(legend):
+            x -= 7 * len(what) + 32
+            dash = ' stroke-dasharray="5 4" stroke-linecap="butt"' if dashed else ''
+            parts.append(f'<path d="M{x:.0f} {self.height - 16}h20" stroke="{_hex(colour)}" stroke-width="2.5"{dash}/>'
+                         f'<text x="{x + 26:.0f}" y="{self.height - 12}" fill="#59606e">{escape(what)}</text>')
+        return parts
 
     def _ground(self) -> str:
         wide = max(*(self.high - self.low)[:2], 0.1)
@@ -234,7 +248,10 @@ class _Picture:
         if shape.height is not None:  # one that was given a size stands where it was put
             left, middle, line = x - long / 2, y, ''
         else:
-            left, middle = self._free_place(x, y, long, tall)
+            place = self._free_place(x, y, long, tall)
+            if place is None:
+                return ''
+            left, middle = place
             line = ''
             if abs(middle - y) > tall:
                 end = left - 2 if left > x else left + long + 2
@@ -246,8 +263,8 @@ class _Picture:
         return (f'{line}<text x="{left:.0f}" y="{middle + 0.35 * size:.0f}"{big}{weight}{opacity} '
                 f'fill="{_hex(shape.colour)}">{escape(shape.text)}</text>')
 
-    def _free_place(self, x: float, y: float, long: float, tall: float) -> tuple[float, float]:
-        """The place near (x, y) that covers other names least: left end and middle of the text."""
+    def _free_place(self, x: float, y: float, long: float, tall: float) -> tuple[float, float] | None:
+        """The place near (x, y) that covers other names least: left end and middle of the text; None without room."""
         best = None
         for up in (-1, 1, -2.3, 2.3, -3.6, 3.6, -4.9, 4.9):
             for side in (1, -1):
@@ -263,6 +280,8 @@ class _Picture:
                     break
             if best[0] == 0:
                 break
+        if best[0] > 0.5 * long * tall:
+            return None
         self.boxes.append(best[1])
         return best[1][0], (best[1][1] + best[1][3]) / 2
 

@@ -15,6 +15,7 @@ import json
 import os
 import secrets
 import threading
+import time
 from collections.abc import Callable
 from importlib.util import find_spec
 from pathlib import Path
@@ -22,6 +23,8 @@ from pathlib import Path
 WEB = Path(__file__).parent / 'web'
 _PING = 20.0  # s between two signs of life of a browser
 _WAIT = 5.0  # s for the thread to begin or end
+_AHEAD = 3  # messages on their way to a browser; it acknowledges each one that it has drawn
+_PATIENCE = 2.0  # s that others wait for a browser that does not
 _ENDED = 4000  # the code of a socket's end that tells the page not to connect again
 _lock = threading.RLock()
 _running: '_Server | None' = None
@@ -56,8 +59,13 @@ class Channel:
         """Whether any browser watches."""
         return bool(self.sockets)
 
+    @property
+    def ready(self) -> bool:
+        """Whether all browsers keep up; but a hidden or hanging one is waited for only shortly."""
+        return all(socket.ready or socket.idle > _PATIENCE for socket in self.sockets.copy())
+
     def send(self, message: bytes) -> None:
-        """Send to all browsers. One that is too slow misses it, and gets everything once it is ready again."""
+        """Send to all browsers. One that is not ready misses it, and gets everything once it is ready again."""
         if self.sockets and self._server is not None:
             self._server.call(self._send, message)
 
@@ -208,7 +216,7 @@ def _application(server: _Server):
 
         def open(self, name: str) -> None:
             self.channel = server.channels.get(name)
-            self.busy = self.behind = False
+            self.on_way, self.behind, self.last = 0, False, time.monotonic()
             if self.channel is None:
                 self.close(_ENDED)
                 return
@@ -216,28 +224,36 @@ def _application(server: _Server):
             self.channel.sockets.add(self)
             self.offer(self.channel.everything())
 
+        @property
+        def ready(self) -> bool:
+            return self.on_way < _AHEAD
+
+        @property
+        def idle(self) -> float:
+            """Seconds since the browser last acknowledged a message."""
+            return time.monotonic() - self.last
+
         def offer(self, message: bytes) -> None:
-            """Send, unless the last message is still on its way; then everything is sent after it."""
-            if self.busy:
+            if not self.ready:
                 self.behind = True
                 return
-            self.busy = True
-            asyncio.ensure_future(self._deliver(message))
-
-        async def _deliver(self, message: bytes) -> None:
+            self.on_way += 1
             try:
-                await self.write_message(message, binary=True)
-                while self.behind:
-                    self.behind = False
-                    await self.write_message(self.channel.everything(), binary=True)
+                sent = self.write_message(message, binary=True)
             except WebSocketClosedError:
-                pass
-            finally:
-                self.busy = False
+                return
+            sent.add_done_callback(lambda done: done.exception())  # it may close meanwhile: nothing to tell
 
         def on_message(self, message) -> None:
             content = json.loads(message)
-            if isinstance(content, dict) and self.channel is not None:
+            if self.channel is None or not isinstance(content, dict):
+                return
+            if isinstance(drawn := content.get('drawn'), int):
+                self.on_way, self.last = max(0, self.on_way - drawn), time.monotonic()
+                if self.behind and self.on_way == 0:
+                    self.behind = False
+                    self.offer(self.channel.everything())
+            else:
                 self.channel.on_message(content)
 
         def on_close(self) -> None:

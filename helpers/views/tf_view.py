@@ -10,7 +10,7 @@ from helpers.views.display import Display
 from helpers.views.frames import Tree
 from helpers.views.live import LiveRenderer
 from helpers.views.scene import Scene
-from helpers.views.tf_display import TF
+from helpers.views.tf_display import MOVES, STATIC, TF
 
 RATE = 30.0  # updates a second, at most
 NODE = '_tf_view'
@@ -88,7 +88,7 @@ class TfView:
         self.buffer = Buffer()  #: the tf2_ros.Buffer with what has been heard; it holds still during time travel
         self.displays = displays
         self._made_in = journal.number()
-        self._height = height
+        self._height, self._frames = height, frames
         self._chosen = fixed_frame or ''
         self._fixed_frame = self._chosen
         self._past: float | None = None  # s before `_latest`; None: live
@@ -271,7 +271,9 @@ class TfView:
         caption = f'fixed frame: {self._fixed_frame}' if self._fixed_frame else ''
         if self._past is not None:
             caption += f' · {self._past:.2f} s before the latest'
-        return picture.svg(self.scene, caption, self.problems, height=self._height)
+        kinds = {link.static for link in self._tf.tree.links.values()} if self._frames else ()
+        legend = [kind for kind in (('moves', MOVES, False), ('static', STATIC, True)) if kind[2] in kinds]
+        return picture.svg(self.scene, caption, self.problems, legend, height=self._height)
 
 
 def _names(displays) -> dict[str, Display]:

@@ -97,6 +97,42 @@ def test_a_browser_gets_everything_then_the_changes_and_can_answer(stage):
     asyncio.run(asyncio.wait_for(watch(), 60))
 
 
+def test_a_slow_browser_gets_no_more_than_it_can_draw_and_misses_nothing(stage):
+    scene, _, _, make = stage
+    renderer = make()
+
+    def texts(content) -> set[str]:
+        return {shape['text'] for _, _, shape in content.get('shapes', ())}
+
+    async def keep_updating():
+        while True:
+            renderer.update()
+            await asyncio.sleep(0.01)
+
+    async def watch():
+        connection = await websocket_connect(renderer.address.replace('http', 'ws') + 'socket')
+        seen = texts(decode(await connection.read_message())[0])
+        for number in range(10):
+            scene.set(str(number), Label(str(number)))
+            renderer.update()
+        for _ in range(2):
+            seen |= texts(decode(await connection.read_message())[0])
+        unexpected = asyncio.ensure_future(connection.read_message())
+        await AsyncHTTPClient().fetch(renderer.address)  # whatever was on its way has come by now
+        assert not unexpected.done()
+        await connection.write_message('{"drawn": 3}')
+        scene.set('last', Label('last'))
+        updates = asyncio.ensure_future(keep_updating())
+        message = await unexpected
+        while not {'9', 'last'} <= (seen := seen | texts(decode(message)[0])):
+            await connection.write_message('{"drawn": 1}')
+            message = await connection.read_message()
+        updates.cancel()
+        assert seen == {*'0123456789', 'last'}
+
+    asyncio.run(asyncio.wait_for(watch(), 60))
+
+
 def test_views_share_one_port_which_the_last_one_closes(stage):
     _, _, _, make = stage
     first, second = make(), make()

@@ -35,8 +35,11 @@ export function drawNames(canvas, camera) {
     if (shape.height !== null) {  // one that was given a size stands where it was put
       box = {left: x - long / 2, middle: y, long, tall};
     } else {
-      label.place = freePlace(x, y, long, tall, taken, label.place ?? 0);
-      box = boxAt(PLACES[label.place], x, y, long, tall);
+      const [place, covered] = freePlace(x, y, long, tall, taken, label.place ?? 0);
+      label.place = place;
+      label.left_out = covered > (label.left_out ? 0.25 : 0.5) * long * tall;  // no room: nearer, there is more
+      if (label.left_out) continue;
+      box = boxAt(PLACES[place], x, y, long, tall);
       taken.push(box);
     }
     write(pen, shape, box, x, y, size, opacityOf(group));
@@ -59,7 +62,7 @@ function freePlace(x, y, long, tall, taken, last) {  // the last one, as long as
     const much = covered(place);
     if (much < least) [best, least] = [place, much];
   }
-  return best;
+  return [best, least];
 }
 
 function write(pen, shape, box, x, y, size, opacity) {

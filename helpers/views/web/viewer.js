@@ -11,7 +11,7 @@ const viewer = new MeshCat.Viewer(at('pane'));
 for (const path of [['Grid'], ['Axes'], ['Background']]) viewer.set_property(path, 'visible', false);
 viewer.gui.domElement.style.display = 'none';
 const look = new Look(viewer), canvas = at('labels');
-let withNames = true;
+let withNames = true, undrawn = 0;
 
 const render = viewer.render.bind(viewer);
 viewer.render = () => {
@@ -20,6 +20,8 @@ viewer.render = () => {
   render();
   canvas.style.visibility = withNames ? 'visible' : 'hidden';
   if (withNames) drawNames(canvas, viewer.camera);
+  if (undrawn) tell({drawn: undrawn});  // the kernel does not send more than can be drawn
+  undrawn = 0;
 };
 
 // -- controls
@@ -69,12 +71,14 @@ function connect() {
     const message = take(event.data);
     if (message.state) showState(message.state);
     look.news = true;
+    undrawn += 1;
     tries = 0;
     document.body.classList.remove('ended');
     window.updates = (window.updates || 0) + 1;  // for measurements
     viewer.set_dirty();
   };
   socket.onclose = (event) => {
+    undrawn = 0;
     document.body.classList.add('ended');
     if (event.code !== ENDED && tries < TRIES.length) setTimeout(connect, 1000 * TRIES[tries++]);
   };
