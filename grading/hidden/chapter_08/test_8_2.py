@@ -184,13 +184,11 @@ def test_new_rate(learner):
     heard.clear()
     learner.run(0.4)
     wanted = [0.25 + n / rate for n in range(1, int(0.4 * rate + 0.5) + 1)]
+    expect(len(heard) <= len(wanted), f'At a rate of {rate:g}, {len(heard)} messages came in 0.4 s: does the old timer '
+                                      'still run?')
     expect(heard.stamps == pytest.approx(wanted, abs=1e-6),
            f'The rate became {rate:g} at 0.25 s. Messages came at {[round(s, 4) for s in heard.stamps]} s, expected '
            f'at {[round(s, 4) for s in wanted]} s.')
-    expect(parameters.set(rate=2.0).successful, 'rate = 2 was refused.')
-    heard.clear()
-    learner.run(1.1)
-    expect(len(heard) == 2, f'At a rate of 2, {len(heard)} messages came in 1.1 s: does the old timer still run?')
 
 
 @pytest.mark.weight(2)

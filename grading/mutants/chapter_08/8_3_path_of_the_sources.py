@@ -1,4 +1,4 @@
-# expect: started no governor
+# expect: so name the installed file
 # rejected by: test_values
 # Exercise 8.3: two governors
 FLEET_YAML = '''

@@ -32,7 +32,10 @@ def launched(learner) -> dict[str, dict]:
     log, _, report = done.output.rpartition('---')
     expect('InvalidParameterTypeException' not in log, 'A governor did not start: a value in FLEET_YAML has the wrong '
                                                        'type. rate and max_linear are doubles: 1.0, and not 1.')
-    expect('arse' not in log or 'RCLError' not in log,
+    expect('Error opening YAML file' not in log,
+           'A governor did not start: the launch file names a parameter file that is not there. The sources of the '
+           'package are gone, so name the installed file: FindPackageShare finds its folder.')
+    expect("Couldn't parse params file" not in log,
            'A governor did not start: ROS cannot read FLEET_YAML. Look at the indentation, and at the two underscores '
            'of ros__parameters.')
     lines = [json.loads(line) for line in report.splitlines() if line.strip().startswith('{')]
