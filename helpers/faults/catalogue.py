@@ -3,7 +3,7 @@
 from helpers.faults.apt import NoSource
 from helpers.faults.discovery import Unseen
 from helpers.faults.distros import MixedDistros
-from helpers.faults.fault import Fault
+from helpers.faults.fault import Fault, stop_all
 from helpers.faults.frames import NoTransform
 from helpers.faults.hang import Hang
 from helpers.faults.models import Falls, NoModel
@@ -37,8 +37,17 @@ def plan(what: str, seed: int | str = 0, kind: str | None = None, folder=None, d
 def stage(what: str, seed: int | str = 0, kind: str | None = None, folder=None, domain: int | None = None) -> Fault:
     """Write a broken system into its folder and return its handle; arguments as in `plan`.
 
-    A fault that an earlier call staged in the same folder is stopped and removed.
+    One at a time: without a folder, the fault that was staged before is stopped and removed; with one, that which is
+    staged in the same folder.
 
     :raises FileExistsError: the folder is somebody else's.
     """
-    return plan(what, seed, kind, folder, domain).stage()
+    fault = plan(what, seed, kind, folder, domain)
+    if folder is None:
+        stop()
+    return fault.stage()
+
+
+def stop() -> None:
+    """Stop all faults that are staged, and remove their folders."""
+    stop_all()

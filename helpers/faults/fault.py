@@ -10,6 +10,7 @@ import os
 import random
 import shlex
 import shutil
+import signal
 import sys
 import time
 from contextlib import ExitStack
@@ -53,6 +54,7 @@ class Fault:
     title = ''  #: the symptom, as somebody would report it
     kinds: tuple[str, ...] = ()  #: the causes it may have
     machine = ''  #: the machine on which commands run; '' is this one
+    program = ''  #: the program that `stacks` looks at
     patience = 10.0  # s; the longest time in which a system that works shows it
 
     def __init__(self, seed: int | str = 0, kind: str | None = None, folder=None, domain: int | None = None):
@@ -96,7 +98,7 @@ class Fault:
 
     def symptom(self) -> None:
         """Run the system, and print what its user sees."""
-        self.start()
+        self.up()
         self.show_symptom()
 
     def run(self, script: str, on: str = '') -> None:
@@ -104,8 +106,7 @@ class Fault:
 
         :param on: the machine, where a system has several.
         """
-        if self.start():
-            self.watch(lambda: all(program.lines for program in self.programs.values()), self.patience)
+        self.up()
         self.terminal(on).run(script)
 
     def show(self, file: str) -> None:
@@ -143,6 +144,22 @@ class Fault:
         """
         self.start()
         return self.works(self.patience if timeout is None else timeout)
+
+    def stacks(self, name: str = '') -> None:
+        """Print where each thread of a program stands: the newest call first, as ``faulthandler`` does.
+
+        The program must have ``faulthandler.register(signal.SIGUSR1)``.
+
+        :param name: the program; by default the one that the fault is about.
+        """
+        name = name or self.program
+        self.start()
+        self.watch(lambda: self.lines(name), self.patience)
+        self.watch(lambda: False, 0.5)  # it shall have come to where it hangs
+        before = len(self.lines(name))
+        self.signal(name, signal.SIGUSR1)
+        self.watch(lambda: any('in <module>' in line for line in self.lines(name)[before:]), 5.0)
+        print('\n'.join(self.lines(name)[before:]))
 
     def start(self) -> list[str]:
         """Start the programs of ``start.txt``; those that still run and have not changed go on.
@@ -206,6 +223,12 @@ class Fault:
             except RuntimeError:  # it has ended
                 return process.returncode, process.output
         raise AssertionError('a process that ended has no status')
+
+    def up(self) -> None:
+        """Start what is not running, and wait until each program has printed something, or has ended."""
+        if self.start():
+            self.watch(lambda: all(program.lines or not program.running for program in self.programs.values()),
+                       self.patience, ends=tuple(self.programs))
 
     def watch(self, seen, timeout: float, ends: tuple[str, ...] = ()) -> bool:
         """Wait until ``seen()`` is true, at most ``timeout`` seconds; False if it never was, or a program ended.
@@ -325,6 +348,7 @@ def _relative(path: Path) -> str:
 
 
 @atexit.register
-def _at_exit() -> None:
+def stop_all() -> None:
+    """End all faults that are staged, and remove their folders."""
     for fault in list(_staged.values()):
         fault.stop()

@@ -154,16 +154,6 @@ class Hang(Fault):
             self.programs.pop(self.program).stop(timeout=0.2)
         super().stop()
 
-    def stacks(self) -> None:
-        """Print where each thread of the program stands: the newest call first, as ``faulthandler`` does."""
-        self.start()
-        self.watch(lambda: self.lines(self.program), self.patience)
-        self.watch(lambda: False, 0.5)  # it shall have come to where it hangs
-        before = len(self.lines(self.program))
-        self.signal(self.program, signal.SIGUSR1)
-        self.watch(lambda: any('in <module>' in line for line in self.lines(self.program)[before:]), 5.0)
-        print('\n'.join(self.lines(self.program)[before:]))
-
 
 def _source(body: str, imports: str, executor: str, message: str) -> str:
     head = _HEAD.format(imports=imports, executor=f'ExternalShutdownException, {executor}', message=message)

@@ -163,7 +163,8 @@ class Falls(Fault):
             return Verdict(False, 'the simulator did not get to the end')
         ahead, height, pitch = (float(found[-1].split(word)[1].split()[0]) for word in ('ahead', 'height', 'pitch'))
         good = abs(height) < 0.01 and abs(pitch) < 0.05 and abs(ahead - self.way) < 0.2 * self.way
-        return Verdict(good, f'after 2 s it is {ahead:.2f} m ahead, at a height of {height:.2f} m')
+        return Verdict(good, 'the robot stands on the floor, and comes as far as it should' if good
+                       else f'after 2 s it is {ahead:.1f} m ahead, at a height of {height:.1f} m')
 
     def _ended(self) -> bool:
         return not self.programs['drop'].running

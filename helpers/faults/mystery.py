@@ -81,6 +81,7 @@ class Panel(Node):
         self.listener = TransformListener(self.buffer, self)
         self.value = self.answer = '-'
         self.create_timer(0.3, self.on_timer)
+        self.get_logger().info('ready')
 
     def on_message(self, message):
         self.value = f'{{message.data}}'
@@ -117,6 +118,7 @@ class Mystery(Fault):
 
     row, name, title = 'mystery', 'mystery', 'the panel does not show what it should'
     kinds = ('two',)
+    program = 'panel'
 
     def plan(self) -> None:
         draw = self.random
@@ -164,7 +166,7 @@ class Mystery(Fault):
             self.home(machine).install()
 
     def show_symptom(self) -> None:
-        self.watch(lambda: len(self.lines('panel')) >= 4, self.patience if self.lines('robot') else 3.0)
+        self.watch(lambda: len(self.lines('panel')) >= 5, 2.0)
         self.show_programs()
 
     def works(self, timeout: float) -> Verdict:
