@@ -131,7 +131,7 @@ class Topics:
     def markers(self) -> MarkerArray:
         """The scene, for a view: floor, walls, stations and their names, in the frame map."""
         scene = self.world.scene
-        ends = [[wall.at[axis] + sign * wall.size[axis] / 2 for wall in scene.walls for sign in (-1, 1)] or [-5.0, 5.0]
+        ends = [[wall.at[axis] + sign * wall.size[axis] / 2 for wall in scene.walls for sign in (-1, 1)] or [-2.0, 2.0]
                 for axis in (0, 1)]
         middle = [(min(one) + max(one)) / 2 for one in ends]
         sides = [max(one) - min(one) + 0.6 for one in ends]
@@ -140,7 +140,7 @@ class Topics:
                   for wall in scene.walls]
         for name, (x, y, _) in scene.stations.items():
             colour = scene.colours.get(name, (0.45, 0.47, 0.52, 1.0))
-            found.append(_marker('stations', Marker.CYLINDER, (x, y, 0.002), (0.44, 0.44, 0.004), colour))
+            found.append(_marker('stations', Marker.CYLINDER, (x, y, 0.01), (0.44, 0.44, 0.02), colour))
             found.append(_marker('names', Marker.TEXT_VIEW_FACING, (x, y, 0.35), (0, 0, 0.2), (0.1, 0.1, 0.1, 1.0),
                                  name))
         for number, marker in enumerate(found):
