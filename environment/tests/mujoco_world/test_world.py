@@ -163,6 +163,8 @@ def test_without_collision_the_robot_falls_through_the_floor():
     world = World(mobile_robot_description.urdf('no_collision'), 'empty')
     world.run(1.0)
     assert world.pose.z == pytest.approx(-9.81 / 2, rel=0.02)
+    with pytest.raises(UnstableError, match='has fallen 1000 m: is there a <collision>'):
+        world.run(15.0)
 
 
 def test_without_inertial_the_robot_shakes():

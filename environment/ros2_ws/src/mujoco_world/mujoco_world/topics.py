@@ -1,5 +1,6 @@
 """A world as ROS messages: what is published, of which type, how often, and when it is due."""
 
+from array import array  # rclpy takes it as it is, and checks the elements of anything else one by one
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from math import cos, sin, tan
@@ -110,13 +111,13 @@ class Topics:
         lidar = self.world.robot.lidar
         return LaserScan(header=self._header(lidar.frame), angle_min=lidar.min_angle, angle_max=lidar.max_angle,
                          angle_increment=lidar.increment, scan_time=1 / lidar.rate, range_min=lidar.min_range,
-                         range_max=lidar.max_range, ranges=self.world.scan())
+                         range_max=lidar.max_range, ranges=array('f', self.world.scan().tobytes()))
 
     def image(self) -> Image:
         """What the camera sees. Raises NoPicturesError where the machine cannot render."""
         camera = self.world.robot.camera
         return Image(header=self._header(camera.frame), height=camera.height, width=camera.width, encoding='rgb8',
-                     step=3 * camera.width, data=self.world.image().tobytes())
+                     step=3 * camera.width, data=array('B', self.world.image().tobytes()))
 
     def camera_info(self) -> CameraInfo:
         """The camera's intrinsics: a pinhole in the middle of the picture, square pixels, no distortion."""

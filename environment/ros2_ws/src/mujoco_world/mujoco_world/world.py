@@ -28,12 +28,13 @@ from mujoco_world.scene import Pose2D, Scene, SceneError, load
 __all__ = ['CONTROL_PERIOD', 'NoPicturesError', 'Noise', 'Pose', 'SceneError', 'UnstableError', 'UrdfError', 'World']
 
 CONTROL_PERIOD = 0.01  # s: how often the drive's controller acts and reads its wheels; what `World.step` advances by
+DEEP = 1000.0  # m below the floor: who is there has fallen for 14 s, and falls for ever
 _STEPS = round(CONTROL_PERIOD / TIMESTEP)
 _NO_WARNINGS: set[str] = set()
 
 
 class UnstableError(RuntimeError):
-    """The simulation has left the range of numbers: forces too large for the masses that the URDF gives."""
+    """The robot has left the world: its masses are too small for the forces, or nothing of it touches the floor."""
 
 
 @dataclass(frozen=True)
@@ -121,7 +122,7 @@ class World:
     def step(self) -> None:
         """Advance by one control period, `CONTROL_PERIOD` seconds.
 
-        :raises UnstableError: the numbers have blown up; `reset` begins anew.
+        :raises UnstableError: the numbers have blown up, or the robot falls without end; `reset` begins anew.
         """
         if self._controller:
             if self.command_timeout and (self.ticks - self._commanded) * CONTROL_PERIOD >= self.command_timeout:
@@ -130,10 +131,16 @@ class World:
         mujoco.mj_step(self.model, self.data, _STEPS)
         mujoco.mj_kinematics(self.model, self.data)  # else the frames are those of one physics step ago
         self.ticks += 1
-        if not (numpy.isfinite(self.data.qpos).all() and abs(self.data.qpos[self._root:self._root + 3]).max() < 1e6):
+        self._check()
+        self._read_wheels()
+
+    def _check(self) -> None:
+        if not (numpy.isfinite(self.data.qpos).all() and abs(self.data.qpos[self._root:self._root + 3]).max() < 1e5):
             raise UnstableError('the simulation has become unstable: is there an <inertial> for each link that moves, '
                                 'with a mass and an inertia that fit its size?')
-        self._read_wheels()
+        if self.data.qpos[self._root + 2] < -DEEP:
+            raise UnstableError(f'the robot has fallen {DEEP:g} m: is there a <collision> for each link that is to '
+                                'stand on the floor?')
 
     def run(self, seconds: float) -> None:
         """Advance by so many seconds, to the nearest control period."""
