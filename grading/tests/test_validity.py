@@ -148,6 +148,14 @@ class TestChapter05(Validity):
     number = 5
 
 
+class TestChapter06(Validity):
+    number = 6
+
+
+class TestChapter07(Validity):
+    number = 7
+
+
 class TestChapter08(Validity):
     number = 8
 

@@ -100,7 +100,7 @@ class _Picture:
     def _legend(self, legend) -> list[str]:
         x, parts = self.width - 12.0, []
         for what, colour, dashed in reversed(legend):
-            x -= 7 * len(what) + 32
+            x -= 7 * len(what) + 46
             dash = ' stroke-dasharray="5 4" stroke-linecap="butt"' if dashed else ''
             parts.append(f'<path d="M{x:.0f} {self.height - 16}h20" stroke="{_hex(colour)}" stroke-width="2.5"{dash}/>'
                          f'<text x="{x + 26:.0f}" y="{self.height - 12}" fill="#59606e">{escape(what)}</text>')
@@ -169,12 +169,12 @@ class _Picture:
 
     def _points(self, item: Item) -> None:
         shape = item.shape
-        every = max(1, math.ceil(len(shape.points) / self.budget))
-        points = _placed(item.pose, shape.points[::every])
+        some = _some(len(shape.points), self.budget)
+        points = _placed(item.pose, shape.points[some])
         if not len(points):
             return
         flat, depth = np.round(self.flat(points)).astype(int), points @ VIEW_FROM
-        colours = shape.colours if len(shape.colours) == 1 else shape.colours[::every]
+        colours = shape.colours if len(shape.colours) == 1 else shape.colours[some]
         colours = np.broadcast_to(np.round(colours * 6) / 6, points.shape)
         slices = np.clip(((depth - depth.min()) / (np.ptp(depth) + 1e-9) * 8).astype(int), 0, 7)
         groups: dict[tuple, list[int]] = {}
@@ -202,15 +202,22 @@ class _Picture:
         self._faces(_placed(item.pose, corners), faces, item.shape.colour, item.opacity)
 
     def _sphere(self, item: Item) -> None:
+        """An ellipse, should the pose scale the sphere: the outline of what the matrix makes of it."""
         centre = item.pose[:3, 3]
-        radius = item.shape.radius * float(np.linalg.norm(item.pose[:3, 0]))
-        size = max(1.0, radius * self.scale)
+        radii = item.shape.radius * item.pose[:3, :3]
+        outline = np.vstack((_RIGHT, _UP)) @ radii
+        squares, ways = np.linalg.eigh(outline @ outline.T)
+        short, long = np.maximum(1.0, np.sqrt(np.maximum(squares, 0)) * self.scale)
+        turn = -math.degrees(math.atan2(ways[1, 1], ways[0, 1]))
         x, y = self.flat(centre)[0]
         light = _hex(np.minimum(1.0, np.array(item.shape.colour) * 0.6 + 0.4))
-        self._add(float(centre @ VIEW_FROM) + radius,
-                  f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{size:.1f}" fill="{_hex(item.shape.colour)}"/>'
-                  f'<circle cx="{x - 0.25 * size:.1f}" cy="{y - 0.3 * size:.1f}" r="{0.35 * size:.1f}" fill="{light}" '
-                  'opacity=".55"/>', item.opacity)
+        form = (f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{long:.1f}"' if long - short < 0.2 else
+                f'<ellipse cx="{x:.1f}" cy="{y:.1f}" rx="{long:.1f}" ry="{short:.1f}" '
+                f'transform="rotate({turn:.0f} {x:.1f} {y:.1f})"')
+        self._add(float(centre @ VIEW_FROM + np.linalg.norm(VIEW_FROM @ radii)),
+                  f'{form} fill="{_hex(item.shape.colour)}"/>'
+                  f'<circle cx="{x - 0.25 * short:.1f}" cy="{y - 0.3 * short:.1f}" r="{0.35 * short:.1f}" '
+                  f'fill="{light}" opacity=".55"/>', item.opacity)
 
     def _mesh(self, item: Item) -> None:
         vertices, faces = _coarser(item.shape.vertices, item.shape.faces, self.budget // 3)
@@ -280,7 +287,7 @@ class _Picture:
                     break
             if best[0] == 0:
                 break
-        if best[0] > 0.5 * long * tall:
+        if best[0] > 0.25 * long * tall:
             return None
         self.boxes.append(best[1])
         return best[1][0], (best[1][1] + best[1][3]) / 2
@@ -327,6 +334,11 @@ def _coarser(vertices, faces, most: int):
         if len(few) <= most:
             break
     return vertices[first], few
+
+
+def _some(count: int, most: int):
+    """Which points of a cloud to show, at most so many; by chance, as every n-th would show a pattern."""
+    return slice(None) if count <= most else np.sort(np.random.default_rng(0).permutation(count)[:most])
 
 
 def _overlap(a, b) -> float:

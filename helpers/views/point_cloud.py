@@ -16,7 +16,7 @@ class PointCloud2(StampedDisplay):
         blue for the least value to red for the greatest), or a colour: red, green, blue from 0 to 1. None: its own
         colours if it has any, else its intensity, else z.
     :param size: of a point in m.
-    :param most: points that are shown of one cloud; of a larger one every second, third … point.
+    :param most: points that are shown of one cloud; of a larger one so many, by chance.
     :param qos: QoS or depth; None: as in RViz, reliable.
     """
 
@@ -24,6 +24,7 @@ class PointCloud2(StampedDisplay):
         super().__init__(topic, qos)
         self.colour, self.size, self.most = colour, size, most
         self._complaint = ''
+        self._chosen: tuple = (0, None)  # size of a cloud, and which of its points are shown
 
     def message_type(self):
         from sensor_msgs.msg import PointCloud2
@@ -53,7 +54,11 @@ class PointCloud2(StampedDisplay):
         from sensor_msgs_py import point_cloud2
 
         data = point_cloud2.read_points(message).reshape(-1)
-        return data[::-(-len(data) // self.most)] if len(data) > self.most else data
+        if len(data) <= self.most:
+            return data
+        if self._chosen[0] != len(data):
+            self._chosen = len(data), np.random.default_rng(0).permutation(len(data))[:self.most]
+        return data[self._chosen[1]]
 
     def _colours(self, data: np.ndarray, fields: set[str]) -> np.ndarray:
         colour = self.colour

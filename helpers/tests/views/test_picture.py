@@ -92,3 +92,28 @@ def test_the_picture_stays_small():
         scene.set(f'{number}/name', Label(f'frame_{number}'))
         scene.pose(str(number), poses.matrix(RNG.random(3)))
     assert len(picture.svg(scene)) < 60_000
+
+
+def test_a_sphere_that_the_pose_scales_is_an_ellipse():
+    scene = Scene()
+    scene.set('egg', Sphere(0.5))
+    scene.pose('egg', np.diag((1.0, 1.0, 3.0, 1.0)))
+    ellipse = elements(picture.svg(scene), 'ellipse')[0]
+    assert abs(float(ellipse.get('transform').removeprefix('rotate(').split()[0])) == 90  # it stands upright
+    assert 2 < float(ellipse.get('rx')) / float(ellipse.get('ry')) < 3  # seen from above, a little
+
+
+def test_what_stands_on_a_floor_is_painted_over_it():
+    scene = Scene()
+    scene.set('far', Box((0.2, 0.2, 0.2), (1.0, 0.0, 0.0)))
+    scene.pose('far', poses.matrix((-4.0, 4.0, 0.1)))
+    scene.set('floor', Box((10.0, 10.0, 0.01), (0.0, 0.0, 1.0)))
+    fills = [element.get('fill') for element in elements(picture.svg(scene), 'polygon')]
+    top = next(number for number, fill in enumerate(fills) if fill.startswith('#0000'))
+    assert all(number > top for number, fill in enumerate(fills) if fill.endswith('0000'))
+
+
+def test_a_large_cloud_is_thinned_out_without_a_pattern():
+    some = picture._some(10_000, 2_500)
+    assert len(set(some.tolist())) == 2_500
+    assert set((some % 100).tolist()) == set(range(100))  # every column of a camera's 100 x 100 points
