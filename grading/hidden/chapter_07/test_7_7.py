@@ -85,8 +85,8 @@ def test_repaired_frames(learner):
 
     repair_tf for both lists, and repair_model.
     """
-    for cause in ('unknown', 'two parents', 'not connected'):
-        case = Case(learner.random, {'frames': (cause,), 'model': (learner.random.choice(FAULTS['model']),)})
+    for cause, moves in (('unknown', None), ('two parents', True), ('not connected', False)):
+        case = Case(learner.random, {'frames': (cause,), 'model': (learner.random.choice(FAULTS['model']),)}, moves)
         after = case.repaired(learner)
         case.tree.check([after['moving'], after['static']])
         case.robot.check(after['urdf'])

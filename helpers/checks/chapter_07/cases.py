@@ -16,14 +16,17 @@ FAULTS = {
 class Case:
     """A drawn case: `case` as the learner gets it, and all `expected` findings."""
 
-    def __init__(self, random, faults: dict[str, tuple] | None = None):
-        """`faults`: part of the case -> causes. In 'graph', 'hidden' is a wrong name that hides a wrong reliability."""
+    def __init__(self, random, faults: dict[str, tuple] | None = None, moves: bool | None = None):
+        """`faults`: part of the case -> causes. In 'graph', 'hidden' is a wrong name that hides a wrong reliability.
+
+        `moves`: as for `frames.Tree`.
+        """
         faults = faults or {}
         causes = {part: faults.get(part, ()) for part in FAULTS}
         self.files, self.want, self.expected = machines.draw(random, *causes['machine'])
         self.package = packages.Package(random, *causes['package'])
         self.robot = models.Robot(random, *causes['model'])
-        self.tree = frames.Tree(random, *causes['frames'])
+        self.tree = frames.Tree(random, *causes['frames'], moves=moves)
         text, programs, hanging = stacks.draw(random, 'idle', *causes['stacks'], 'spinning')
         hidden = causes['graph'] == ('hidden',)
         endpoints, deaf = graphs.draw(random, *(('name',) if hidden else causes['graph']))

@@ -25,8 +25,11 @@ _FIXED = ('mast', 'plate', 'bracket', 'housing')
 class Tree:
     """A drawn robot: `moving`, `static`, `target`, `source`, `now`; the `expected` findings, and the `truth`."""
 
-    def __init__(self, random, *causes: str, near: bool = True):
-        """`near`: whether the name that was meant can be found, if one is wrong."""
+    def __init__(self, random, *causes: str, near: bool = True, moves: bool | None = None):
+        """`near`: whether the name that was meant can be found, if one is wrong. `moves`: whether a transform with
+        wrong names is a moving one; None: as it comes. The sensor's own one is static.
+        """
+        moves = random.random() < 0.5 if moves is None else moves
         self._random = random
         self.target = random.choice(_ROOTS)
         self.source, other = random.sample(_SENSORS, 2)
@@ -48,12 +51,13 @@ class Tree:
                 names[self.source, 'child'] = wrong
                 self._found(self.source, 'unknown', wrong if near else '')
             elif cause == 'not connected':
-                wrong = self._misspelt(middle) if near else 'pedestal'
-                names[fixed, 'parent'] = wrong
-                self._found(wrong, 'not connected', middle if near else '')
+                parent, child = ('platform', middle) if moves else (middle, fixed)
+                wrong = self._misspelt(parent) if near else 'pedestal'
+                names[child, 'parent'] = wrong
+                self._found(wrong, 'not connected', parent if near else '')
             elif cause == 'two parents':
-                exchanged = random.choice([other, fixed])
-                self._found(middle, 'two parents', exchanged)
+                exchanged = middle if moves else random.choice([other, fixed])
+                self._found('platform' if moves else middle, 'two parents', exchanged)
             elif cause == 'old':
                 for child in random.choice([[middle], ['platform'], ['platform', middle]]):
                     ages[child] = random.randint(12, 95) / 10
@@ -73,7 +77,6 @@ class Tree:
         self.moving.append(_transform(other, 'lid', [0.0, 0.0, 0.1], self.now - 30.0))
         random.shuffle(self.moving)
         random.shuffle(self.static)
-        self.published = names
 
     @property
     def arguments(self) -> tuple:

@@ -1,4 +1,4 @@
-# expect: The function did not return
+# expect: Each fault is one finding
 # rejected by: test_beyond_repair
 # Exercise 7.7: the mystery
 def look(case):
@@ -23,7 +23,7 @@ def repair_case(case):
 
 def triage(case):
     found = []
-    while fresh := look(case):
-        found = found + [one for one in fresh if one not in found]
+    for _ in range(3):
+        found += look(case)
         case = repair_case(case)
     return found
