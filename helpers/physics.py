@@ -4,6 +4,7 @@ import math
 import sys
 from pathlib import Path
 
+from helpers.executors import refuse_in_callback
 from helpers.paths import ROOT
 from helpers.settling import settle
 from helpers.spinning import raise_pending, spinning
@@ -134,11 +135,12 @@ class PhysicsWorld:
         :param until: a function; time stops when it returns true.
         :returns: whether `until` did.
         :raises CallbackError: a callback raised.
-        :raises RuntimeError: the world has been stopped.
+        :raises RuntimeError: the world has been stopped, or a callback has called this.
         """
         __tracebackhide__ = True
         from mujoco_world.topics import PERIOD
 
+        refuse_in_callback('run()')
         if self not in _worlds:
             raise RuntimeError('this world has been stopped: make a new PhysicsWorld()')
         paused, self._node.paused = self._node.paused, True

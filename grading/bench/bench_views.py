@@ -1,4 +1,4 @@
-"""TfView: updates a second that reach a browser, and the processor time of the kernel, for trees of frames.
+"""TfView: updates a second that reach a browser, and the processor time of the kernel; the simulated robot's figures.
 
 The frames move at 30 Hz, sent by another process as one message; a third one receives what a browser would. `cores` is
 the processor time of the kernel's process alone, per second: listening, buffer, poses, web server.
@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator
 
 import psutil
 
+from grading.bench import physics
 from helpers import domains, paths
 
 COUNTS = (10, 50, 100)
@@ -137,13 +138,14 @@ asyncio.run(main())
 
 
 def measure() -> Iterator[tuple[str, float, str]]:
-    """Yield rate, processor time and size of messages for each tree.
+    """Yield rate, processor time and size of messages for each tree, and the figures of the physics.
 
     :raises RuntimeError: a tree does not come.
     """
     for count in COUNTS:
         yield from tree(count)
     yield from sensors()
+    yield from physics.measure()
 
 
 def tree(count: int) -> Iterator[tuple[str, float, str]]:
