@@ -4,6 +4,7 @@ import math
 from pathlib import Path
 
 import mobile_robot_description
+import mujoco_world
 import numpy as np
 import pytest
 import yaml
@@ -290,8 +291,10 @@ def test_the_camera_sees_the_open_door_or_says_what_is_missing():
 
 def test_without_opengl_all_but_the_camera_works(monkeypatch):
     def broken(*args):
-        raise ImportError('no libEGL')
+        raise OSError('no libEGL')
 
+    monkeypatch.setattr(mujoco_world.ctypes, 'CDLL', broken)
+    assert mujoco_world._opengl() == 'disable'  # else the import of MuJoCo fails
     monkeypatch.setattr(pictures.mujoco, 'Renderer', broken)
     world = World()
     for _ in range(2):
