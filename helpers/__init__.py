@@ -24,6 +24,7 @@ for _name, _value in _DEFAULTS.items():
 _HOME = {
     'CallbackError': 'errors',
     'GraphView': 'graph',
+    'PhysicsWorld': 'physics',
     'ProgressBar': 'progress',
     'TfView': 'views.tf_view',
     'TurtleView': 'turtle',
@@ -33,6 +34,7 @@ _HOME = {
     'collect': 'waiting',
     'ros': None,
     'routes': 'routes',
+    'show_frames': 'views.frames_diagram',
     'show_graph': 'graph',
     'show_turtle': 'turtle',
     'spin_for': 'waiting',

@@ -132,6 +132,22 @@ class Spinning:
             if work.seconds > seconds
         ]
 
+    def pass_round(self, timeout: float, busy: float) -> None:
+        """Wait until the callbacks that are ready now have run: their executor has come round twice since.
+
+        :param timeout: seconds to wait at most.
+        :param busy: seconds to wait at most for callbacks that run in other threads.
+        """
+        deadline = time.monotonic() + timeout
+        for _ in range(2):  # the first may belong to a round that had begun before
+            passed = threading.Event()
+            self._executor.create_task(passed.set)
+            while not passed.wait(min(_JOIN_SLICE, max(0.0, deadline - time.monotonic()))):
+                if not self.running or time.monotonic() >= deadline:
+                    return
+        with activity:
+            activity.wait_for(lambda: not self._watch.busy(), max(0.0, min(busy, deadline - time.monotonic())))
+
     def __enter__(self) -> 'Spinning':
         return self
 

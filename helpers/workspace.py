@@ -108,8 +108,9 @@ class Workspace:
 
     def _terminal(self, script: str) -> list[str]:
         """The command that runs a script in a new terminal."""
-        # Variables that belong to the kernel's own Python, not to a terminal.
+        # Variables that belong to the kernel's own Python, or that make tools print colours though it is no terminal.
         return ['env', '-u', 'PYTHONDONTWRITEBYTECODE', '-u', '_ROS_WHEELS_BOOTSTRAP_COMPLETE',
+                '-u', 'FORCE_COLOR', '-u', 'CLICOLOR_FORCE',
                 *terminals.shell(script)]
 
     @staticmethod

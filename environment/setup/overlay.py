@@ -59,9 +59,13 @@ def uninstall(name: str, build: Path, prefix: Path) -> None:
     manifests = (build / name / 'install_manifest.txt', build / name / 'install.log')
     listed = [line for m in manifests if m.is_file() for line in m.read_text().splitlines() if line.strip()]
     ours = [path for path in map(Path, listed) if path.is_absolute() and prefix in path.parents]
+    directories = {parent for path in ours for parent in path.parents}
     for path in ours:
-        path.unlink(missing_ok=True)
-    for directory in sorted({parent for path in ours for parent in path.parents}, key=lambda d: -len(d.parts)):
+        if path.is_dir() and not path.is_symlink():  # setup.py lists a directory where it had no file for it
+            directories.add(path)
+        else:
+            path.unlink(missing_ok=True)
+    for directory in sorted(directories, key=lambda d: -len(d.parts)):
         if prefix in directory.parents and directory.is_dir() and not any(directory.iterdir()):
             directory.rmdir()
 

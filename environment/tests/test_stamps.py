@@ -78,7 +78,8 @@ def test_uninstall_removes_what_was_installed_and_nothing_else(tmp_path):
     outside = tmp_path / 'outside.txt'
     outside.touch()
     (build / 'p').mkdir(parents=True)
-    (build / 'p' / 'install_manifest.txt').write_text(f'{prefix}/share/p/gone.txt\n{outside}\n')
+    (prefix / 'share' / 'p' / 'empty').mkdir()  # what setup.py lists of a glob that found nothing
+    (build / 'p' / 'install_manifest.txt').write_text(f'{prefix}/share/p/empty\n{prefix}/share/p/gone.txt\n{outside}\n')
     overlay.uninstall('p', build, prefix)
     assert not (prefix / 'share' / 'p').exists()
     assert (prefix / 'share' / 'other' / 'kept.txt').exists()

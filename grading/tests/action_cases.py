@@ -188,6 +188,19 @@ learner.run(1.0)
 count.send(order=9)
 learner.run(1.0)
 """, 'failed', ('sleeps with time.sleep', 'clock on the wall')),
+    'a timer whose callback waits for longer than its period': Case(HEAD + """\
+        self.p = self.create_publisher(String, 'chatter', 10)
+        self.create_timer(0.1, self.tick)
+
+    def tick(self):
+        self.get_clock().sleep_for(Duration(seconds=0.25))
+        self.p.publish(String())
+""", """
+heard = learner.listen('/chatter', String)
+learner.start('Talker', threads=True)
+learner.run(1.0)
+assert [round(stamp, 3) for stamp in heard.stamps] == [0.35, 0.6, 0.85], heard.stamps
+"""),
     'a callback in a thread that never returns': Case(SERVER + LOOP % ('while True: handle', ''), START + '''
 count.send(order=9)
 learner.run(1.0)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from grading.tests import action_cases, command_cases, service_cases, small
+from grading.tests import action_cases, command_cases, frame_cases, robot_cases, service_cases, small
 from grading.tests.small import Case
 from helpers.exercises.notebooks import Cell
 from helpers.runner import launch, session
@@ -358,6 +358,8 @@ sys.stdout.close()
     **service_cases.CASES,
     **action_cases.CASES,
     **command_cases.CASES,
+    **frame_cases.CASES,
+    **robot_cases.CASES,
 }
 
 

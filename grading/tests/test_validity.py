@@ -148,6 +148,18 @@ class TestChapter05(Validity):
     number = 5
 
 
+class TestChapter06(Validity):
+    number = 6
+
+
+class TestChapter07(Validity):
+    number = 7
+
+
+class TestChapter08(Validity):
+    number = 8
+
+
 def pytest_generate_tests(metafunc):
     for kind in VARIANTS:
         if kind in metafunc.fixturenames:

@@ -12,7 +12,7 @@ Another seed gives other names, values and causes; the same seed the same ones, 
 cause. A system lives in a folder of its own (``faults_ws/…`` beside the notebook) and in child processes.
 """
 
-from helpers.faults.catalogue import FAULTS, plan, stage
+from helpers.faults.catalogue import FAULTS, plan, stage, stop
 from helpers.faults.fault import Fault, Verdict
 
-__all__ = ['FAULTS', 'Fault', 'Verdict', 'plan', 'stage']
+__all__ = ['FAULTS', 'Fault', 'Verdict', 'plan', 'stage', 'stop']

@@ -1,15 +1,22 @@
 """All faults by row and by name."""
 
+from helpers.faults.apt import NoSource
 from helpers.faults.discovery import Unseen
-from helpers.faults.fault import Fault
+from helpers.faults.distros import MixedDistros
+from helpers.faults.fault import Fault, stop_all
 from helpers.faults.frames import NoTransform
 from helpers.faults.hang import Hang
+from helpers.faults.models import Falls, NoModel
+from helpers.faults.mystery import Mystery
+from helpers.faults.packages import NoProgram
 from helpers.faults.services import Waiting
 from helpers.faults.shells import CommandNotFound, NoColcon
 from helpers.faults.topics import NoData
 
-#: The faults in the order of the chapter.
-FAULTS: tuple[type[Fault], ...] = (CommandNotFound, NoColcon, NoData, Unseen, Waiting, Hang, NoTransform)
+#: The faults in the order of the article's table, and the mystery, which has two.
+FAULTS: tuple[type[Fault], ...] = (
+    NoSource, CommandNotFound, NoColcon, NoProgram, MixedDistros, NoData, Unseen, Waiting, Hang, NoModel,
+    Falls, NoTransform, Mystery)
 
 
 def plan(what: str, seed: int | str = 0, kind: str | None = None, folder=None, domain: int | None = None) -> Fault:
@@ -30,8 +37,17 @@ def plan(what: str, seed: int | str = 0, kind: str | None = None, folder=None, d
 def stage(what: str, seed: int | str = 0, kind: str | None = None, folder=None, domain: int | None = None) -> Fault:
     """Write a broken system into its folder and return its handle; arguments as in `plan`.
 
-    A fault that an earlier call staged in the same folder is stopped and removed.
+    One at a time: without a folder, the fault that was staged before is stopped and removed; with one, that which is
+    staged in the same folder.
 
     :raises FileExistsError: the folder is somebody else's.
     """
-    return plan(what, seed, kind, folder, domain).stage()
+    fault = plan(what, seed, kind, folder, domain)
+    if folder is None:
+        stop()
+    return fault.stage()
+
+
+def stop() -> None:
+    """Stop all faults that are staged, and remove their folders."""
+    stop_all()

@@ -10,6 +10,7 @@ import os
 import random
 import shlex
 import shutil
+import signal
 import sys
 import time
 from contextlib import ExitStack
@@ -21,7 +22,8 @@ from helpers.processes import Process, background
 from helpers.workspace import Workspace
 
 START = 'start.txt'
-DOMAIN, OTHER = '@DOMAIN@', '@OTHER@'  # in a text: the domain of the system, and one that is nobody's
+# In a text: the folder of the system, its domain, and a domain that is nobody's.
+ROOT, DOMAIN, OTHER = '@ROOT@', '@DOMAIN@', '@OTHER@'
 _MARK = '.fault'  # in a folder that a fault has made, and may remove
 _SHOWN = 8  # lines of a program
 _staged: dict[Path, 'Fault'] = {}
@@ -52,6 +54,7 @@ class Fault:
     title = ''  #: the symptom, as somebody would report it
     kinds: tuple[str, ...] = ()  #: the causes it may have
     machine = ''  #: the machine on which commands run; '' is this one
+    program = ''  #: the program that `stacks` looks at
     patience = 10.0  # s; the longest time in which a system that works shows it
 
     def __init__(self, seed: int | str = 0, kind: str | None = None, folder=None, domain: int | None = None):
@@ -95,7 +98,7 @@ class Fault:
 
     def symptom(self) -> None:
         """Run the system, and print what its user sees."""
-        self.start()
+        self.up()
         self.show_symptom()
 
     def run(self, script: str, on: str = '') -> None:
@@ -103,8 +106,7 @@ class Fault:
 
         :param on: the machine, where a system has several.
         """
-        if self.start():
-            self.watch(lambda: all(program.lines for program in self.programs.values()), self.patience)
+        self.up()
         self.terminal(on).run(script)
 
     def show(self, file: str) -> None:
@@ -142,6 +144,22 @@ class Fault:
         """
         self.start()
         return self.works(self.patience if timeout is None else timeout)
+
+    def stacks(self, name: str = '') -> None:
+        """Print where each thread of a program stands: the newest call first, as ``faulthandler`` does.
+
+        The program must have ``faulthandler.register(signal.SIGUSR1)``.
+
+        :param name: the program; by default the one that the fault is about.
+        """
+        name = name or self.program
+        self.start()
+        self.watch(lambda: self.lines(name), self.patience)
+        self.watch(lambda: False, 0.5)  # it shall have come to where it hangs
+        before = len(self.lines(name))
+        self.signal(name, signal.SIGUSR1)
+        self.watch(lambda: any('in <module>' in line for line in self.lines(name)[before:]), 5.0)
+        print('\n'.join(self.lines(name)[before:]))
 
     def start(self) -> list[str]:
         """Start the programs of ``start.txt``; those that still run and have not changed go on.
@@ -205,6 +223,12 @@ class Fault:
             except RuntimeError:  # it has ended
                 return process.returncode, process.output
         raise AssertionError('a process that ended has no status')
+
+    def up(self) -> None:
+        """Start what is not running, and wait until each program has printed something, or has ended."""
+        if self.start():
+            self.watch(lambda: all(program.lines or not program.running for program in self.programs.values()),
+                       self.patience, ends=tuple(self.programs))
 
     def watch(self, seen, timeout: float, ends: tuple[str, ...] = ()) -> bool:
         """Wait until ``seen()`` is true, at most ``timeout`` seconds; False if it never was, or a program ended.
@@ -285,21 +309,22 @@ class Fault:
         return background(argv, env=self.env, cwd=self.path)
 
     def _version(self, program: tuple[str, str] | None) -> str:
-        """What a program is made of, as a digest: its line, its file, and the settings of its machine."""
+        """What a program is made of, as a digest: its line, the files in it, and the settings of its machine."""
         if program is None:
             return ''
         machine, command = program
         digest = hashlib.sha256(repr(program).encode())
-        for file in (self.path / machine / _script(command), self.path / machine / '.bashrc'):
+        for name in (*shlex.split(command), '.bashrc'):
+            file = self.path / machine / name
             digest.update(file.read_bytes() if file.is_file() else b'-')
         return digest.hexdigest()
 
     def _fill(self, text: str) -> str:
-        """Put numbers in the places of those that are known only here: of this domain, and of another one."""
+        """Put in what is known only here: the folder, this domain, and another one."""
         here = self.env.get('ROS_DOMAIN_ID') or os.environ.get('ROS_DOMAIN_ID') or '0'
         if OTHER in text and not self._other:
             self._other = str(self._held.enter_context(domains.claim()))
-        return text.replace(DOMAIN, here).replace(OTHER, self._other)
+        return text.replace(ROOT, str(self.path)).replace(DOMAIN, here).replace(OTHER, self._other)
 
     def _file(self, name: str) -> Path:
         path = (self.path / name).resolve()
@@ -323,6 +348,7 @@ def _relative(path: Path) -> str:
 
 
 @atexit.register
-def _at_exit() -> None:
+def stop_all() -> None:
+    """End all faults that are staged, and remove their folders."""
     for fault in list(_staged.values()):
         fault.stop()

@@ -120,7 +120,8 @@ class NoTransform(Fault):
         return started
 
     def show_symptom(self) -> None:
-        self.watch(lambda: len(self.lines(self.looker)) >= 4, self.patience)
+        before = len(self.lines(self.looker))
+        self.watch(lambda: len(self.lines(self.looker)) >= before + 4, self.patience)
         self.show_programs()
 
     def works(self, timeout: float) -> Verdict:

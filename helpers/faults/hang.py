@@ -6,7 +6,7 @@ from helpers.faults import words
 from helpers.faults.fault import START, Fault, Verdict
 from helpers.faults.services import SERVER
 
-GRACE = 2.0  # s in which a program must end after Ctrl+C
+GRACE = 5.0  # s in which a program must end after Ctrl+C
 
 _HEAD = '''\
 import faulthandler
@@ -140,11 +140,11 @@ class Hang(Fault):
         self.watch(lambda: self.lines(self.program), self.patience)
         self.watch(lambda: len(self.lines(self.program)) > 2, 1.0)
         self.show_programs()
-        print(f'(Ctrl+C on {self.program}: it {"ends" if self.interrupt() else "goes on"})')
+        print(f'(Ctrl+C on {self.program}: it {"ends" if self.interrupt(1.0) else "goes on"})')
 
-    def interrupt(self) -> bool:
-        """Press Ctrl+C for the program, and tell whether it ends. One that does not is killed."""
-        ends = self.signal(self.program, signal.SIGINT, GRACE)
+    def interrupt(self, timeout: float = GRACE) -> bool:
+        """Press Ctrl+C, and tell whether the program ends in ``timeout`` seconds. One that does not is killed."""
+        ends = self.signal(self.program, signal.SIGINT, timeout)
         self.programs.pop(self.program).stop(timeout=0)
         return ends
 
@@ -153,16 +153,6 @@ class Hang(Fault):
         if self.program in self.programs:
             self.programs.pop(self.program).stop(timeout=0.2)
         super().stop()
-
-    def stacks(self) -> None:
-        """Print where each thread of the program stands: the newest call first, as ``faulthandler`` does."""
-        self.start()
-        self.watch(lambda: self.lines(self.program), self.patience)
-        self.watch(lambda: False, 0.5)  # it shall have come to where it hangs
-        before = len(self.lines(self.program))
-        self.signal(self.program, signal.SIGUSR1)
-        self.watch(lambda: any('in <module>' in line for line in self.lines(self.program)[before:]), 5.0)
-        print('\n'.join(self.lines(self.program)[before:]))
 
 
 def _source(body: str, imports: str, executor: str, message: str) -> str:

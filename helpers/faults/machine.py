@@ -11,8 +11,10 @@ from helpers.workspace import Workspace
 BASHRC = '.bashrc'
 SETUP = 'opt/ros/{distro}/setup.bash'  # of a distribution, below the home
 SYSTEM_PATH = '/usr/bin:/bin'
-# What a terminal takes over from this process: language, places, the form of log lines; nothing of ROS.
-_KEPT = ('LANG', 'LC_ALL', 'TZ', 'TMPDIR', 'COURSE_DOMAINS_DIR', 'RCUTILS_CONSOLE_OUTPUT_FORMAT')
+# What a terminal takes over from this process: places and the form of log lines; nothing of ROS.
+_KEPT = ('TZ', 'TMPDIR', 'COURSE_DOMAINS_DIR', 'RCUTILS_CONSOLE_OUTPUT_FORMAT')
+# Nothing here looks beyond this machine, unless a .bashrc says so.
+_RANGE = 'export ROS_AUTOMATIC_DISCOVERY_RANGE=${ROS_AUTOMATIC_DISCOVERY_RANGE:-LOCALHOST}\n'
 
 
 class Machine(Workspace):
@@ -24,7 +26,7 @@ class Machine(Workspace):
 
     def install(self, distro: str = 'jazzy') -> None:
         """Give it ROS: a setup file in ``opt/ros/DISTRO`` that leads to the installation of the course."""
-        self.write(SETUP.format(distro=distro), f'source {ros_setup()}\n')
+        self.write(SETUP.format(distro=distro), f'source {ros_setup()}\n{_RANGE}')
 
     def install_apart(self, tools: dict[str, str], distro: str = 'jazzy') -> None:
         """Give it ROS, but with some commands in folders of their own, and not beside ``ros2``.
@@ -40,15 +42,16 @@ class Machine(Workspace):
             wrapper = folder / command
             wrapper.write_text(f'#!/bin/sh\nexec {target} "$@"\n')
             wrapper.chmod(0o755)
-        self.write(SETUP.format(distro=distro), f'keep=$PATH\nsource {ros_setup()}\nexport PATH={ros}/bin:$keep\n')
+        self.write(SETUP.format(distro=distro),
+                   f'keep=$PATH\nsource {ros_setup()}\nexport PATH={ros}/bin:$keep\n{_RANGE}')
         if any(shutil.which(command, path=SYSTEM_PATH) for command in tools):
             self.system_path = str(self._system_without(set(tools)))
 
     def _terminal(self, script: str) -> list[str]:
         variables = {name: os.environ[name] for name in _KEPT if name in os.environ}
-        variables |= {'HOME': str(self.path), 'PATH': self.system_path, 'TERM': 'dumb', 'PYTHONUNBUFFERED': '1',
-                      'RCUTILS_COLORIZED_OUTPUT': '0', 'COLCON_DEFAULTS_FILE': str(self.path / terminals.DEFAULTS),
-                      'ROS_AUTOMATIC_DISCOVERY_RANGE': os.environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE', 'LOCALHOST'),
+        variables |= {'HOME': str(self.path), 'PATH': self.system_path, 'TERM': 'dumb', 'LC_ALL': 'C.UTF-8',
+                      'PYTHONUNBUFFERED': '1', 'RCUTILS_COLORIZED_OUTPUT': '0',
+                      'COLCON_DEFAULTS_FILE': str(self.path / terminals.DEFAULTS),
                       **self.env}
         settings = [f'{name}={value}' for name, value in variables.items()]
         return ['env', '-i', *settings, 'bash', '--noprofile', '--norc', '-c', f'source ~/{BASHRC}\n{script}']

@@ -120,7 +120,7 @@ class NoData(Fault):
         return Verdict(heard, f'{self.listener} {does} what {self.publisher} measures')
 
     def show_symptom(self) -> None:
-        both = self.watch(lambda: len(self.lines(self.publisher)) >= 3 and self.lines(self.listener), self.patience)
+        both = self.watch(lambda: len(self.lines(self.publisher)) >= 2 and self.lines(self.listener), self.patience)
         if not both:
             print('(a program has not come up)')
         self.show_programs()

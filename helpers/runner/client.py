@@ -14,6 +14,7 @@ from helpers.runner import answers, launch, spent, values
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
 from helpers.runner.text import LEFT_OUT
 from helpers.runner.verdicts import InvalidProgram, LearnerCrashed, LearnerFault, LearnerTimeout
+from helpers.runner.zygote import ON_DEMAND
 
 # rcl's own remark on two nodes of one name: tests make them on purpose.
 _NOISE = re.compile(r'^\[WARN\] \[rcl\.logging_rosout\]: Publisher already registered .*\n?', re.MULTILINE)
@@ -52,13 +53,16 @@ class ForkServer:
             raise RunnerError("the learner's side has ended")
         return json.loads(data)
 
-    def fork(self) -> tuple[str, socket.socket, int]:
-        """Start a process for one program, within `limits`: (its key, its channel, the read end of its output)."""
+    def fork(self, modules: list[str] = ()) -> tuple[str, socket.socket, int]:
+        """Start a process for one program, within `limits`: (its key, its channel, the read end of its output).
+
+        `modules`: what it imports, as far as the server may import it for all (`zygote.ON_DEMAND`).
+        """
         key = str(next(self._keys))
         ours, theirs = socket.socketpair()
         output_read, output_write = os.pipe()
         with theirs:
-            request = {'op': 'fork', 'key': key, 'limits': asdict(self.limits)}
+            request = {'op': 'fork', 'key': key, 'limits': asdict(self.limits), 'modules': list(modules)}
             socket.send_fds(self._control, [json.dumps(request).encode()], [theirs.fileno(), output_write])
         os.close(output_write)
         self._until(lambda event: event.get('event') == 'forked' and event.get('key') == key, START_TIMEOUT)
@@ -124,6 +128,12 @@ class Output:
         self._thread.join(timeout)
 
 
+def _modules(cells: list[dict]) -> list[str]:
+    """Those of `zygote.ON_DEMAND` that the cells seem to import."""
+    text = '\n'.join(cell['source'] for cell in cells)
+    return [name for name in ON_DEMAND if re.search(rf'^\s*(import|from)\s+{re.escape(name)}\b', text, re.MULTILINE)]
+
+
 class Process:
     """One process of the learner's with their program loaded."""
 
@@ -132,7 +142,7 @@ class Process:
         """Load `program` (see `helpers.exercises.program`). Raises LearnerFault if it cannot be loaded."""
         self.server = server
         self.title = program['title']
-        self.key, sock, output = server.fork()
+        self.key, sock, output = server.fork(_modules(program['cells']))
         self.channel = Channel(sock)
         self.output = Output(output, server.limits.output)
         self._ids = itertools.count(1)

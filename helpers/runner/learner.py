@@ -75,7 +75,9 @@ class Recording:
 
 
 class Talker:
-    """A publisher of the test's."""
+    """A publisher of the test's. `optional`: a program may do without a subscription to it; no hint tells of that."""
+
+    optional = False
 
     def __init__(self, learner: 'Learner', publisher, strict: bool):
         self.learner, self.publisher, self.strict = learner, publisher, strict
@@ -531,7 +533,7 @@ class Learner(Workspaces):
         """What a failed test may add: endpoints of the test's that no node of the learner's is connected with."""
         own = self.own_nodes()
         ends = [(recording.subscription.topic_name, 'publisher') for recording in self._recordings]
-        ends += [(talker.topic, 'subscription') for talker in self._talkers]
+        ends += [(talker.topic, 'subscription') for talker in self._talkers if not talker.optional]
         found = []
         for topic, kind in dict.fromkeys(ends):
             there = self.endpoints(topic)

@@ -59,8 +59,7 @@ class Named(Peer):
             except Exception:  # noqa: BLE001 - the node has gone: there is nothing to tell
                 continue
             for name, types in there:
-                if name.rpartition('/')[2] not in _BUILT_IN:
-                    found.setdefault(name, []).extend(types)
+                found.setdefault(name, []).extend(types)
         return found
 
     def check(self) -> None:
@@ -73,6 +72,7 @@ class Named(Peer):
         theirs = self.theirs()
         if self.name in theirs:
             return []
-        others = ', '.join(f'{name} ({types[0]})' for name, types in sorted(theirs.items()))
+        others = ', '.join(f'{name} ({types[0]})' for name, types in sorted(theirs.items())
+                           if name.rpartition('/')[2] not in _BUILT_IN)
         instead = f'; it has one {self.preposition} {others}' if others else ''
         return [f'Your program has no {self.kind} {self.preposition} {self.name}{instead}.']

@@ -498,7 +498,8 @@ class Worker(Commands):
             for timer in node.timers:
                 if timer.clock.clock_type == ClockType.ROS_TIME and not timer.is_canceled():
                     left = timer.time_until_next_call()
-                    if left is not None:
+                    # What is overdue waits for its callback group, in which another callback still waits.
+                    if left is not None and left > 0:
                         remaining.append(left)
         if self.conductor.crew and (due := self.conductor.crew.next_due()) is not None:
             remaining.append(due - now)

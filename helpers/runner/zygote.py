@@ -16,6 +16,7 @@ import select
 import signal
 import socket
 import sys
+from contextlib import suppress
 
 from helpers.runner.launch import Limits
 from helpers.runner.lifetime import die_with_parent
@@ -29,6 +30,9 @@ _MESSAGES = {'std_msgs': ('String', 'UInt64', 'Int32', 'Bool', 'Float64', 'Heade
              'geometry_msgs': ('Twist', 'Pose', 'PoseStamped'), 'sensor_msgs': ('LaserScan',),
              'nav_msgs': ('OccupancyGrid', 'Odometry'),
              'rcl_interfaces': ('Log', 'ParameterEvent')}
+
+# Slow to import, and only some programs do: the server imports them for the first one, and the others have them.
+ON_DEMAND = ('tf2_ros', 'tf_transformations', 'tf2_geometry_msgs', 'tf2_sensor_msgs', 'sensor_msgs_py.point_cloud2')
 
 
 def warm_up() -> None:
@@ -57,6 +61,16 @@ def warm_up() -> None:
         getattr(srv, name).__class__.__import_type_support__()
 
     import helpers.runner.worker  # noqa: F401
+
+
+def warm_up_for(modules: list[str]) -> None:
+    """Import those of `modules` that are in ON_DEMAND."""
+    import importlib
+
+    for name in ON_DEMAND:
+        if name in modules and name not in sys.modules:
+            with suppress(Exception):  # the program's own import will tell
+                importlib.import_module(name)
 
 
 class Programs:
@@ -135,6 +149,7 @@ def serve(control: socket.socket, programs: Programs) -> None:
             tell(event='cleared')
         else:
             channel, output = ancillary
+            warm_up_for(request.get('modules', []))
             pid = programs.fork(Limits(**request['limits']), channel, output)
             os.close(channel)
             os.close(output)

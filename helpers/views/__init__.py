@@ -1,12 +1,17 @@
 """Seeing a robot in 3-D in a notebook: frames, robot, scans; live while it runs, a picture afterwards.
 
-A *display* (named after RViz's) turns topics into shapes: `helpers.views.display.Display` is their base class. It writes
-them into a *scene* (`helpers.views.scene.Scene`), which knows neither ROS nor a browser. Two renderers show a scene:
-`helpers.views.live` in meshcat's viewer, `helpers.views.picture` as an SVG for the saved notebook. `TfView` puts it all
-into the output of a cell::
+A *display* (named after RViz's) turns topics into shapes: `helpers.views.display.Display` is their base class. It
+writes them into a *scene* (`helpers.views.scene.Scene`), which knows neither ROS nor a browser. Two renderers show a
+scene: `helpers.views.live` in meshcat's viewer, `helpers.views.picture` as an SVG for the saved notebook. `TfView` puts
+it all into the output of a cell::
 
     with TfView(RobotModel(), LaserScan('/scan'), fixed_frame='odom') as view:
         …
+
+Displays, each with the topic that it shows unless another is given: `RobotModel` (``/robot_description``), `LaserScan`
+(``/scan``), `PointCloud2` (``/points``), `Odometry` (``/odom``), `Marker` (``/visualization_marker``), `MarkerArray`
+(``/visualization_marker_array``). Their `status`, which is also in ``view.problems``, says why nothing is seen. Beside
+the scene, `ImageView` (``/image``) shows a camera's pictures.
 
 Units are metres and radians; colours are (red, green, blue) from 0 to 1; axes are x red, y green, z blue.
 """
@@ -16,6 +21,13 @@ import importlib
 # Public name -> module that defines it.
 _HOME = {
     'Display': 'display',
+    'ImageView': 'image_view',
+    'LaserScan': 'laser_scan',
+    'Marker': 'marker',
+    'MarkerArray': 'marker',
+    'Odometry': 'odometry',
+    'PointCloud2': 'point_cloud',
+    'RobotModel': 'robot_model',
     'TfView': 'tf_view',
     'show_frames': 'frames_diagram',
 }

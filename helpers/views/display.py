@@ -84,6 +84,11 @@ class Display:
         self._subscriptions.append(subscription)
         return subscription
 
+    def unsubscribe(self, subscription) -> None:
+        """End a subscription that `subscribe` made."""
+        self._subscriptions.remove(subscription)
+        self.node.destroy_subscription(subscription)
+
     def transform(self, fixed_frame: str, frame: str, time) -> np.ndarray | None:
         """Return the pose of a frame in the fixed frame as a 4 x 4 matrix; None, and a `problem`, if it is unknown."""
         from tf2_ros import TransformException
@@ -91,5 +96,10 @@ class Display:
         try:
             return poses.from_transform(self.buffer.lookup_transform_core(fixed_frame, frame, time))
         except TransformException:
-            self.problem = f'no transform from [{frame}] to [{fixed_frame}]'
+            self.problem = no_transform(f'[{frame}]', fixed_frame)
             return None
+
+
+def no_transform(frames: str, fixed_frame: str) -> str:
+    """Say that frames, such as ``[laser], [camera]``, cannot be placed in the fixed frame."""
+    return f'no transform from {frames} to [{fixed_frame}]' if fixed_frame else f'no transform from {frames}: no frames'

@@ -59,11 +59,20 @@ class Arrow(Shape):
 
     :param length: of the whole arrow in m.
     :param radius: of the shaft in m; the head is twice as wide. None: a twentieth of the length.
+    :param head: length of the head in m, up to the whole length. None: six radii, but at most half of the length.
     """
 
     length: float = 1.0
     radius: float | None = None
     colour: Colour = RED
+    head: float | None = None
+
+    @property
+    def sizes(self) -> tuple[float, float]:
+        """Radius of the shaft and length of the head."""
+        radius = self.length / 20 if self.radius is None else self.radius
+        head = min(6 * radius, 0.5 * self.length) if self.head is None else min(self.head, self.length)
+        return radius, head
 
 
 @dataclass(frozen=True)

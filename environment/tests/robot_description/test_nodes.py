@@ -1,5 +1,7 @@
 """The programs, started as a user starts them: their topics, parameters, log lines and exit status."""
 
+import itertools
+
 import pytest
 from rcl_interfaces.msg import Parameter, ParameterType, ParameterValue
 from rcl_interfaces.srv import GetParameters, SetParameters
@@ -56,10 +58,16 @@ class Listener:
         publisher.publish(message)
 
     def joint_states(self):
-        """A publisher of joint states whose reader is there; best effort, as the reader asks no more."""
+        """A publisher of joint states, best effort as its reader; what it sends leads to transforms that come here."""
         qos = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT)
         publisher = self.peer.node.create_publisher(JointState, '/joint_states', qos)
-        self.peer.until(publisher.get_subscription_count, 'a reader of /joint_states')
+        stamps = itertools.count(1.0)
+
+        def comes() -> bool:
+            self.send(publisher, next(stamps), lift=0.0)
+            return bool(self.tf)
+
+        self.peer.until(comes, 'transforms on /tf')
         return publisher
 
     def set_parameter(self, name: str, value: ParameterValue):
@@ -99,12 +107,13 @@ def test_robot_state_publisher(start, listener, arm_file):
 
     # At most 20 transforms a second, by the stamps: the one after 40 ms is left out, the one after 50 ms is not.
     publisher = listener.joint_states()
-    for stamp in (100.0, 100.04, 100.05):
-        listener.send(publisher, stamp, shoulder=1.0, lift=stamp - 100)
-    until(lambda: len(listener.tf) >= 6, 'two transforms of each joint')
-    assert [t.child_frame_id for t in listener.tf] == ['finger', 'slider', 'upper'] * 2
-    assert [t.header.stamp.nanosec for t in listener.tf] == [0] * 3 + [50_000_000] * 3
-    assert listener.tf[4].transform.translation.x == pytest.approx(0.05)
+    for stamp in (1000.0, 1000.04, 1000.05):
+        listener.send(publisher, stamp, shoulder=1.0, lift=stamp - 1000)
+    tf = until(lambda: (found := [t for t in listener.tf if t.header.stamp.sec >= 1000])[5:] and found,
+               'two transforms of each joint')
+    assert [t.child_frame_id for t in tf] == ['finger', 'slider', 'upper'] * 2
+    assert [t.header.stamp.nanosec for t in tf] == [0] * 3 + [50_000_000] * 3
+    assert tf[4].transform.translation.x == pytest.approx(0.05)
 
     publisher.publish(JointState(name=['lift']))
     publisher.publish(JointState(name=['lift'], position=[1.0, 2.0]))
@@ -147,6 +156,13 @@ def test_a_bad_description_ends_the_program_in_one_line(start, tmp_path, name, c
     path.write_text(content or '')
     status, output = ended(start(program(name, name), *([str(path)] if content else [])))
     assert status == 1 and says in output and 'Traceback' not in output
+
+
+def test_a_description_that_is_no_yaml_is_said_in_one_line(start):
+    status, output = ended(start(program('robot_state_publisher', 'robot_state_publisher'), '--ros-args', '-p',
+                                 'robot_description:=<!-- robot: a\nrobot -->'))
+    assert status == 1 and output.splitlines()[-1].startswith(
+        'robot_state_publisher: the value of -p robot_description:=… is not YAML') and 'Traceback' not in output
 
 
 def test_launch_of_xacro_and_both_publishers(start, listener, tmp_path):

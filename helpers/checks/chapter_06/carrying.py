@@ -46,7 +46,8 @@ class Scene:
         found = node.call('where_was', seconds)
         expect(found is not None, f'{call} gave None. tf2 knows the cup for {then:g} s and the robot for '
                                   f'{self.newest:g} s, not yet for {now:g} s. The newest transform has the time 0 in a '
-                                  'look-up. And do you keep your listener?')
+                                  'look-up. And is there one buffer, with one listener, for the life of the '
+                                  'node?')
         expect(isinstance(found, PointStamped), f'{call} gave {found}, expected a PointStamped.')
         place = (found.point.x, found.point.y, found.point.z)
         robot, before = np.linalg.inv(self.robot(self.newest)), np.linalg.inv(self.robot(then))

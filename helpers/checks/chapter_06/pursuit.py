@@ -7,11 +7,12 @@ import numpy as np
 from geometry_msgs.msg import Twist
 
 from helpers.checks.chapter_06.geometry import origin
+from helpers.runner import expect
 from helpers.runner.frames import pose
 from helpers.runner.peers import SECOND
 from helpers.turtle import STEP, World
 
-STEPS = 6  # of the simulation between two transforms: about 0.1 s
+STEPS = 8  # of the simulation between two transforms: 0.128 s
 
 
 class Pursuit:
@@ -33,6 +34,12 @@ class Pursuit:
     def distance(self) -> float:
         """Metres from one turtle to the other."""
         return math.dist((self.leader.x, self.leader.y), (self.me.x, self.me.y))
+
+    @property
+    def stands(self) -> bool:
+        """Whether the last command stops the follower; fails if there is none."""
+        expect(self.commands.messages, f'No command came on /{self.names[1]}/cmd_vel.')
+        return zeros(self.commands.messages[-1])
 
     def place(self) -> np.ndarray:
         """Where the leader is in the frame of the follower: x, y, z."""

@@ -16,6 +16,7 @@ def test_hits(learner):
     laser = Laser(learner)
     laser.tell(0.0)
     scan = laser.scan([3.0, 2.0], 0.0, first=0.0)
+    learner.run(0.1)
     expect(laser.clouds.messages, 'A scan came and its transform is there, and no cloud came on /points.')
     laser.check(scan, laser.clouds.messages[0])
 
@@ -28,6 +29,7 @@ def test_no_hits(learner):
     laser = Laser(learner)
     laser.tell(0.0)
     scan = laser.scan([float('inf'), 2.0, 0.05, 3.0, float('nan')], 0.0)
+    learner.run(0.1)
     expect(laser.clouds.messages, 'A scan came and its transform is there, and no cloud came on /points.')
     laser.check(scan, laser.clouds.messages[0])
 
@@ -44,7 +46,7 @@ def test_transform_comes_later(learner):
     learner.run(0.05)
     expect(not laser.clouds.messages, 'A cloud came before the transform of its time was known.')
     laser.tell(0.15)
-    learner.settle()
+    learner.run(0.1)
     expect(laser.clouds.messages, 'The transform came 0.05 s after the scan, and then no cloud came. Do not give up, '
                                   'and do not block: the callback that waits keeps the transforms out.')
     laser.check(scan, laser.clouds.messages[0])

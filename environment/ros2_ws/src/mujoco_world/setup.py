@@ -11,8 +11,8 @@ setup(
     data_files=[
         ('share/ament_index/resource_index/packages', ['resource/' + package_name]),
         ('share/' + package_name, ['package.xml']),
-        *((f'share/{package_name}/{folder}', glob(f'{folder}/*'))
-          for folder in ('config', 'gazebo', 'launch', 'scenes')),
+        *((f'share/{package_name}/{folder}', glob(f'{folder}/*.*'))
+          for folder in ('config', 'launch', 'scenes')),
     ],
     install_requires=['setuptools'],
     zip_safe=True,

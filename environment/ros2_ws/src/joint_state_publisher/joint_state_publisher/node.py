@@ -1,13 +1,11 @@
 """The node: a robot description in; positions of its joints out."""
 
 import argparse
-import sys
 from pathlib import Path
 
 from rcl_interfaces.msg import ParameterDescriptor, ParameterType
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile
-from rclpy.utilities import remove_ros_args
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 from urdf_reader import Mimic, UrdfError, read
@@ -122,9 +120,12 @@ class JointStatePublisher(Node):
         self._publisher.publish(message)
 
 
+def _make(arguments: list[str]) -> JointStatePublisher:
+    parser = argparse.ArgumentParser(prog='joint_state_publisher')
+    parser.add_argument('urdf_file', help='URDF file to use', nargs='?', default=None)
+    return JointStatePublisher(parser.parse_args(arguments).urdf_file)
+
+
 def main() -> int:
     """Run the program; return its exit status."""
-    parser = argparse.ArgumentParser()
-    parser.add_argument('urdf_file', help='URDF file to use', nargs='?', default=None)
-    given = parser.parse_args(remove_ros_args(args=sys.argv)[1:])
-    return run(lambda: JointStatePublisher(given.urdf_file), sys.argv)
+    return run(_make)

@@ -13,8 +13,10 @@ from mujoco_world.scene import Scene
 TIMESTEP = 0.002  # s
 STIFFNESS = 0.005  # s, time constant of a contact; MuJoCo wants at least two time steps
 FLOOR = 'floor'
-BODIES, LOOKS = 0, 1  # groups of geoms: what touches and what a laser sees; what only a camera sees
-GAIN = 1.0  # N m s/rad, of the controller of a driven wheel's speed
+# Groups of geoms. A laser sees what touches: WALLS and BODY. A camera sees WALLS and LOOKS.
+WALLS, LOOKS, BODY = 0, 1, 2
+GAIN = 5.0  # N m s/rad, of the controller of a driven wheel's speed
+ROTOR = 0.01  # kg m², what a driven wheel feels of its motor's rotor, through the gears
 # MuJoCo wants a mass of what moves. A link without <inertial> has none: this is next to none.
 LEAST_MASS, LEAST_INERTIA = 1e-3, 1e-6  # kg, kg m²
 
@@ -64,7 +66,7 @@ def _finish_robot(spec: mujoco.MjSpec, robot: Robot) -> None:
         body = spec.body(name)
         for geom in body.geoms:
             looks = geom.group == 1  # MuJoCo's reader marks what is only seen
-            geom.group = LOOKS if looks else BODIES
+            geom.group = LOOKS if looks else BODY
             if not looks:
                 mu = robot.friction.get(name, 1.0)
                 geom.friction = [mu, 0.0, 0.0]
@@ -75,6 +77,7 @@ def _finish_robot(spec: mujoco.MjSpec, robot: Robot) -> None:
         limit = robot.description.joints[joint].limit
         motor = spec.add_actuator(name=joint, target=joint, trntype=mujoco.mjtTrn.mjTRN_JOINT)
         motor.set_to_velocity(GAIN)
+        spec.joint(joint).armature = ROTOR
         if limit and limit.effort:
             motor.forcelimited, motor.forcerange = True, [-limit.effort, limit.effort]
         if limit and limit.velocity:
@@ -94,7 +97,7 @@ def _add_scene(spec: mujoco.MjSpec, scene: Scene) -> None:
     spec.option.impratio = 20.0  # wheels creep less under load
     spec.option.disableflags |= mujoco.mjtDisableBit.mjDSBL_AUTORESET  # what blows up is told, not hidden
     world = spec.worldbody
-    world.add_geom(name=FLOOR, type=mujoco.mjtGeom.mjGEOM_PLANE, size=[20, 20, 0.1], rgba=[0.86, 0.86, 0.84, 1])
+    world.add_geom(name=FLOOR, type=mujoco.mjtGeom.mjGEOM_PLANE, size=[20, 20, 0.1], material=_tiles(spec))
     for wall in scene.walls:
         world.add_geom(name=wall.name, type=mujoco.mjtGeom.mjGEOM_BOX, pos=[*wall.at, wall.height / 2],
                        size=[wall.size[0] / 2, wall.size[1] / 2, wall.height / 2], rgba=wall.colour)
@@ -102,4 +105,16 @@ def _add_scene(spec: mujoco.MjSpec, scene: Scene) -> None:
         world.add_geom(name=f'station {name}', type=mujoco.mjtGeom.mjGEOM_CYLINDER, pos=[x, y, 0.001],
                        size=[0.22, 0.001, 0], rgba=scene.colours.get(name, (0.45, 0.47, 0.52, 1.0)),
                        contype=0, conaffinity=0, group=LOOKS)
-    world.add_light(pos=[0, 0, 6], dir=[0, 0.2, -1], type=mujoco.mjtLightType.mjLIGHT_DIRECTIONAL)
+    world.add_light(pos=[0, 0, 6], dir=[0.3, 0.2, -1], type=mujoco.mjtLightType.mjLIGHT_DIRECTIONAL, castshadow=False,
+                    diffuse=[0.45, 0.45, 0.45], ambient=[0.25, 0.25, 0.25])
+
+
+def _tiles(spec: mujoco.MjSpec) -> str:
+    """Add a sky and a floor of tiles of half a metre: a camera sees how fast it moves. Returns the tiles' material."""
+    spec.add_texture(name='sky', type=mujoco.mjtTexture.mjTEXTURE_SKYBOX, builtin=mujoco.mjtBuiltin.mjBUILTIN_GRADIENT,
+                     rgb1=[0.80, 0.87, 0.95], rgb2=[0.97, 0.97, 0.98], width=64, height=64)
+    spec.add_texture(name='tiles', type=mujoco.mjtTexture.mjTEXTURE_2D, builtin=mujoco.mjtBuiltin.mjBUILTIN_CHECKER,
+                     rgb1=[0.87, 0.87, 0.85], rgb2=[0.80, 0.80, 0.78], width=64, height=64)
+    tiles = spec.add_material(name='tiles', texuniform=True, texrepeat=[1, 1])
+    tiles.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = 'tiles'
+    return tiles.name

@@ -5,9 +5,6 @@ from concurrent.futures import ThreadPoolExecutor
 import mujoco
 import numpy
 
-# A context of OpenGL belongs to one thread. All pictures of a process are made in this one.
-_thread = ThreadPoolExecutor(1, thread_name_prefix='pictures')
-
 
 class NoPicturesError(RuntimeError):
     """This machine cannot render; the text says what it lacks."""
@@ -22,9 +19,13 @@ class Pictures:
 
     def __init__(self, model: mujoco.MjModel, width: int, height: int):
         self._shapes = mujoco.MjvOption()
-        self._shapes.geomgroup[:] = 0
         self._size = (height, width)
-        self._renderer = _thread.submit(self._open, model).result()
+        self._thread = ThreadPoolExecutor(1, thread_name_prefix='pictures')  # OpenGL's context belongs to one thread
+        try:
+            self._renderer = self._thread.submit(self._open, model).result()
+        except NoPicturesError:
+            self._thread.shutdown()
+            raise
 
     def _open(self, model: mujoco.MjModel):
         try:
@@ -36,7 +37,7 @@ class Pictures:
 
     def take(self, data: mujoco.MjData, camera: str | mujoco.MjvCamera, groups: tuple[int, ...]) -> numpy.ndarray:
         """Return a picture, height x width x 3, uint8, red green blue. `groups` are the groups of geoms to show."""
-        return _thread.submit(self._take, data, camera, groups).result()
+        return self._thread.submit(self._take, data, camera, groups).result()
 
     def _take(self, data, camera, groups) -> numpy.ndarray:
         self._shapes.geomgroup[:] = 0
@@ -46,4 +47,5 @@ class Pictures:
 
     def close(self) -> None:
         """Give the memory back."""
-        _thread.submit(self._renderer.close).result()
+        self._thread.submit(self._renderer.close).result()
+        self._thread.shutdown()

@@ -12,7 +12,7 @@ The same calls with the same seed give the same numbers.
 """
 
 from dataclasses import dataclass, replace
-from math import atan2, cos, hypot, isfinite, sin
+from math import atan2, cos, hypot, inf, isfinite, sin
 from pathlib import Path
 
 import mujoco
@@ -20,7 +20,7 @@ import numpy
 
 from mujoco_world import model as models
 from mujoco_world.drive import Controller, Odometry
-from mujoco_world.model import BODIES, FLOOR, LOOKS, TIMESTEP
+from mujoco_world.model import BODY, FLOOR, LOOKS, TIMESTEP, WALLS
 from mujoco_world.pictures import NoPicturesError, Pictures
 from mujoco_world.robot import Robot, UrdfError, read
 from mujoco_world.scene import Pose2D, Scene, SceneError, load
@@ -28,12 +28,13 @@ from mujoco_world.scene import Pose2D, Scene, SceneError, load
 __all__ = ['CONTROL_PERIOD', 'NoPicturesError', 'Noise', 'Pose', 'SceneError', 'UnstableError', 'UrdfError', 'World']
 
 CONTROL_PERIOD = 0.01  # s: how often the drive's controller acts and reads its wheels; what `World.step` advances by
+DEEP = 1000.0  # m below the floor: who is there has fallen for 14 s, and falls for ever
 _STEPS = round(CONTROL_PERIOD / TIMESTEP)
 _NO_WARNINGS: set[str] = set()
 
 
 class UnstableError(RuntimeError):
-    """The simulation has left the range of numbers: forces too large for the masses that the URDF gives."""
+    """The robot has left the world: its masses are too small for the forces, or nothing of it touches the floor."""
 
 
 @dataclass(frozen=True)
@@ -77,6 +78,7 @@ class World:
     :param noise: of the sensors.
     :param seed: of the noise.
     :param start: x, y, yaw of the robot's root frame at the beginning; None: as the scene says.
+    :param command_timeout: seconds after which a robot that gets no further command stops; None: it never does.
     :raises UrdfError: the description cannot be read or simulated.
     :raises SceneError: there is no such scene.
 
@@ -84,7 +86,7 @@ class World:
     """
 
     def __init__(self, urdf: str | None = None, scene: str | Path | Scene = 'rooms', noise: Noise = Noise(),
-                 seed: int = 0, start: Pose2D | None = None):
+                 seed: int = 0, start: Pose2D | None = None, command_timeout: float | None = None):
         if urdf is None:
             import mobile_robot_description
 
@@ -94,6 +96,7 @@ class World:
         self.scene = load(scene) if start is None else replace(load(scene), start=tuple(start))
         self.noise = noise
         self.seed = seed
+        self.command_timeout = command_timeout
         mujoco.set_mju_user_warning(_NO_WARNINGS.add)  # else MuJoCo writes a file into the current directory
         self.model = models.build(urdf, self.robot, self.scene)
         self.data = mujoco.MjData(self.model)
@@ -114,21 +117,30 @@ class World:
         return self.ticks * CONTROL_PERIOD
 
     ticks = 0  # control periods since the beginning
+    _commanded: float = 0  # the tick of the last command
 
     def step(self) -> None:
         """Advance by one control period, `CONTROL_PERIOD` seconds.
 
-        :raises UnstableError: the numbers have blown up; `reset` begins anew.
+        :raises UnstableError: the numbers have blown up, or the robot falls without end; `reset` begins anew.
         """
         if self._controller:
+            if self.command_timeout and (self.ticks - self._commanded) * CONTROL_PERIOD >= self.command_timeout:
+                self._controller.target = (0.0, 0.0)
             self.data.ctrl[:2] = self._controller.step(CONTROL_PERIOD)
         mujoco.mj_step(self.model, self.data, _STEPS)
         mujoco.mj_kinematics(self.model, self.data)  # else the frames are those of one physics step ago
         self.ticks += 1
-        if not (numpy.isfinite(self.data.qpos).all() and abs(self.data.qpos[self._root:self._root + 3]).max() < 1e6):
+        self._check()
+        self._read_wheels()
+
+    def _check(self) -> None:
+        if not (numpy.isfinite(self.data.qpos).all() and abs(self.data.qpos[self._root:self._root + 3]).max() < 1e5):
             raise UnstableError('the simulation has become unstable: is there an <inertial> for each link that moves, '
                                 'with a mass and an inertia that fit its size?')
-        self._read_wheels()
+        if self.data.qpos[self._root + 2] < -DEEP:
+            raise UnstableError(f'the robot has fallen {DEEP:g} m: is there a <collision> for each link that is to '
+                                'stand on the floor?')
 
     def run(self, seconds: float) -> None:
         """Advance by so many seconds, to the nearest control period."""
@@ -142,22 +154,29 @@ class World:
         self._random = {name: numpy.random.default_rng([self.seed, number])
                         for number, name in enumerate(('scan', 'odometry'))}
         self.place(*self.scene.start)
-        self.origin = self.scene.start
         self.odometry = Odometry()
         if self._controller:
             self._controller.reset()
         self._turned = self._wheel_angles()
 
     def place(self, x: float, y: float, yaw: float = 0.0) -> None:
-        """Lift the robot to another place of the floor and put it down at rest. Its odometry knows nothing of it."""
+        """Lift the robot to another place of the floor and put it down at rest. Its odometry knows nothing of it.
+
+        Its root frame is on the floor; what would be below the floor then lifts it.
+        """
         self.data.qpos[self._root:self._root + 7] = [x, y, 0, cos(yaw / 2), 0, 0, sin(yaw / 2)]
         self.data.qvel[:] = 0
+        mujoco.mj_kinematics(self.model, self.data)
+        floor = self.model.geom(FLOOR).id
+        self.data.qpos[self._root + 2] = -min([0.0, *(
+            mujoco.mj_geomDistance(self.model, self.data, floor, geom, 1.0, None)
+            for geom in self._own if self.model.geom_group[geom] == BODY)])
         mujoco.mj_forward(self.model, self.data)
 
     # Drive
 
     def drive(self, linear: float, angular: float) -> None:
-        """Command a velocity (m/s forward, rad/s to the left), which the robot then keeps.
+        """Command a velocity (m/s forward, rad/s to the left), which the robot then keeps; see `command_timeout`.
 
         :raises ValueError: a number is not finite, or the robot has no differential drive.
         """
@@ -166,6 +185,11 @@ class World:
         if self._controller is None:
             raise ValueError('this robot cannot drive: its URDF has no <gazebo> plugin of a differential drive')
         self._controller.target = (float(linear), float(angular))
+        self._commanded = self.ticks
+
+    def keep_command(self) -> None:
+        """Keep the velocity that was commanded last, whatever `command_timeout` says."""
+        self._commanded = inf
 
     @property
     def _drive_joints(self) -> tuple[str, ...]:
@@ -240,7 +264,7 @@ class World:
         rays = (self._rays @ pose[:3, :3].T).ravel()
         ids, ranges = numpy.empty(lidar.samples, numpy.int32), numpy.empty(lidar.samples)
         groups = numpy.zeros(6, numpy.uint8)
-        groups[BODIES] = 1
+        groups[[WALLS, BODY]] = 1
         mujoco.mj_multiRay(self.model, self.data, pose[:3, 3].copy(), rays, groups, True,
                            self.model.body(lidar.link).id, ids, ranges, None, lidar.samples, lidar.max_range)
         hit = ids >= 0
@@ -277,7 +301,7 @@ class World:
                 self._no_pictures = error
                 raise
         mujoco.mj_camlight(self.model, self.data)
-        return self._pictures.take(self.data, 'camera', (BODIES, LOOKS))
+        return self._pictures.take(self.data, 'camera', (WALLS, LOOKS))
 
     def close(self) -> None:
         """Give back what the camera holds."""

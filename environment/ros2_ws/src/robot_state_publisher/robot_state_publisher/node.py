@@ -1,6 +1,5 @@
 """The node: a robot description in, and joint states; transforms out."""
 
-import sys
 from pathlib import Path
 
 from builtin_interfaces.msg import Time as Stamp
@@ -11,7 +10,6 @@ from rclpy.parameter import Parameter
 from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
 from rclpy.qos_overriding_options import QoSOverridingOptions
 from rclpy.time import Time
-from rclpy.utilities import remove_ros_args
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
@@ -155,5 +153,4 @@ class RobotStatePublisher(Node):
 
 def main() -> int:
     """Run the program; return its exit status."""
-    files = remove_ros_args(args=sys.argv)[1:]
-    return run(lambda: RobotStatePublisher(files[0] if files else None), sys.argv)
+    return run(lambda arguments: RobotStatePublisher(arguments[0] if arguments else None))

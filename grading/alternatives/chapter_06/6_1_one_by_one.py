@@ -1,0 +1,20 @@
+# Exercise 6.1: a sensor mast
+class SensorMast(Node):
+    """One broadcaster for each frame, and quaternions by hand."""
+
+    def __init__(self, height=1.0, tilt=20.0):
+        super().__init__('sensor_mast')
+        half = math.radians(tilt) / 2
+        self.send('base_link', 'mast', (-0.1, 0.0, 0.3), (0.0, 0.0, 0.0, 1.0))
+        self.send('mast', 'lidar', (0.0, 0.0, height), (1.0, 0.0, 0.0, 0.0))
+        self.send('mast', 'camera', (0.05, 0.0, height - 0.1), (0.0, math.sin(half), 0.0, math.cos(half)))
+        self.send('camera', 'camera_optical', (0.0, 0.0, 0.0), (-0.5, 0.5, -0.5, 0.5))
+
+    def send(self, parent, child, place, turn):
+        message = TransformStamped(child_frame_id=child)
+        message.header.frame_id = parent
+        message.header.stamp = self.get_clock().now().to_msg()
+        (message.transform.translation.x, message.transform.translation.y, message.transform.translation.z) = place
+        x, y, z, w = turn
+        message.transform.rotation = Quaternion(x=x, y=y, z=z, w=w)
+        StaticTransformBroadcaster(self).sendTransform(message)

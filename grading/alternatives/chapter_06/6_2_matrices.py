@@ -1,0 +1,22 @@
+# Exercise 6.2: a moon
+from tf_transformations import euler_matrix, quaternion_from_matrix, translation_matrix
+
+
+class Moon(Node):
+    """Turn, go out, look back: a product of matrices."""
+
+    def __init__(self, radius=3.0, period=8.0):
+        super().__init__('moon')
+        self.speed = 2 * math.pi / period
+        self.out = translation_matrix((radius, 0.0, 0.0)) @ euler_matrix(0.0, 0.0, math.pi)
+        self.broadcaster = TransformBroadcaster(self)
+        self.create_timer(0.05, self.tick)
+
+    def tick(self):
+        now = self.get_clock().now()
+        there = euler_matrix(0.0, 0.0, self.speed * now.nanoseconds * 1e-9) @ self.out
+        x, y, z, w = map(float, quaternion_from_matrix(there))
+        message = transform('planet', 'moon', *there[:3, 3])
+        message.transform.rotation = Quaternion(x=x, y=y, z=z, w=w)
+        message.header.stamp = now.to_msg()
+        self.broadcaster.sendTransform([message])

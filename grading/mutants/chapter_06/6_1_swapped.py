@@ -1,0 +1,13 @@
+# expect: Parent and child are swapped
+# rejected by: test_tree
+# Exercise 6.1: a sensor mast
+class SensorMast(Node):
+    def __init__(self, height=1.0, tilt=20.0):
+        super().__init__('sensor_mast')
+        self.broadcaster = StaticTransformBroadcaster(self)
+        self.broadcaster.sendTransform([
+            transform('mast', 'base_link', x=-0.1, z=0.3),
+            transform('lidar', 'mast', z=height, roll=math.pi),
+            transform('camera', 'mast', x=0.05, z=height - 0.1, pitch=math.radians(tilt)),
+            transform('camera_optical', 'camera', roll=-math.pi / 2, yaw=-math.pi / 2),
+        ])

@@ -1,0 +1,18 @@
+# expect: the time of the wall
+# rejected by: test_stamp
+# Exercise 6.2: a moon
+class Moon(Node):
+    def __init__(self, radius=3.0, period=8.0):
+        super().__init__('moon')
+        self.radius, self.period = radius, period
+        self.broadcaster = TransformBroadcaster(self)
+        self.create_timer(0.05, self.tick)
+
+    def tick(self):
+        from rclpy.clock import Clock
+        now = self.get_clock().now()
+        angle = 2 * math.pi * (now.nanoseconds / 1e9) / self.period
+        x, y = self.radius * math.cos(angle), self.radius * math.sin(angle)
+        message = transform('planet', 'moon', x=x, y=y, yaw=angle + math.pi)
+        message.header.stamp = Clock().now().to_msg()
+        self.broadcaster.sendTransform(message)

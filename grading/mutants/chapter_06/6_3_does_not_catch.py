@@ -1,0 +1,16 @@
+# expect: LookupException
+# rejected by: test_unknown
+# Exercise 6.3: where was the cup?
+class CupFinder(Node):
+    def __init__(self):
+        super().__init__('cup_finder')
+        self.buffer = Buffer(Duration(seconds=31))
+        self.listener = TransformListener(self.buffer, self)
+
+    def where_was(self, seconds):
+        then = self.get_clock().now() - Duration(seconds=seconds)
+        found = self.buffer.lookup_transform_full('base_link', Time(), 'cup', then, 'map')
+        point = PointStamped(header=found.header)
+        place = found.transform.translation
+        point.point.x, point.point.y, point.point.z = place.x, place.y, place.z
+        return point

@@ -1,0 +1,75 @@
+"""The tests of exercise 6.6 let a crate fall in the simulated world, on the learner's side."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+
+from helpers.checks.chapter_06.geometry import same, words
+from helpers.runner import expect
+
+SCRIPT = Path(__file__).with_name('drop.py')
+
+
+class Crate:
+    """The learner's crate of this mass (kg) and size (length, width, height; metres), and what `drop.py` found."""
+
+    def __init__(self, learner, mass: float, *size: float):
+        self.mass, self.size = mass, size
+        self.name = f'crate({", ".join(map(str, (mass, *size)))})'
+        text = learner.call('crate', mass, *size)
+        expect(isinstance(text, str), f'{self.name} gave {text}, expected the text of a URDF.')
+        expect(len(text) < 20_000, f'{self.name} gave {len(text)} characters.')
+        workspace = learner.workspace({'crate.urdf': text, 'drop.py': SCRIPT.read_text()})
+        done = workspace.run('python3', 'drop.py', 'crate.urdf')
+        expect(done.status == 0 and done.lines, f'{self.name} cannot be simulated: {done.last_line}')
+        try:
+            self.found = json.loads(done.lines[-1])
+        except ValueError:
+            expect(False, f'{self.name} cannot be simulated: {done.last_line}')
+        expect('refused' not in self.found, f'{self.name} cannot be simulated: {self.found.get("refused")}')
+
+    def check_fall(self) -> None:
+        """It stands on the floor in the end, and touches where it is seen."""
+        found, (length, width, height) = self.found, self.size
+        last = found['height']
+        expect(found['touches'], f'{self.name} fell through the floor: after 1.5 s it is at z = {last:.1f} m. It has '
+                                 'no <collision>.')
+        expect(found['looks'], f'{self.name} cannot be seen: its <visual> is gone.')
+        low, high = np.array(found['low']), np.array(found['high'])
+        wanted = np.array([-length / 2, -width / 2, 0.0]), np.array([length / 2, width / 2, height])
+        told = f'{self.name}: its <collision> reaches from {words(low)} to {words(high)}, expected from ' \
+               f'{words(wanted[0])} to {words(wanted[1])}'
+        expect(not same((low, high), (wanted[0] - (0, 0, height / 2), wanted[1] - (0, 0, height / 2))),
+               f'{told}. The middle of the box is at the frame: the <collision> needs an <origin>, too.')
+        expect(not same(high - low, np.array(self.size) / 2), f'{told}. A <box> has whole sides, not half ones.')
+        expect(same((low, high), wanted), f'{told}.')
+        expect(same(last, 0.0, 5e-3), f'{self.name}, dropped from half a metre, is at z = {last:.3f} m after 1.5 s, '
+                                      'expected 0.')
+
+    def check_weight(self) -> None:
+        """Its mass, where the middle of it is, and its inertia."""
+        found, (a, b, c) = self.found, self.size
+        mass, centre = found['mass'], found['centre']
+        expect(mass > 0.002, f'{self.name} weighs next to nothing: it has no <inertial>, or no mass in it.')
+        expect(same(mass, self.mass, 1e-3), f'{self.name} has the mass {mass:g} kg, expected {self.mass:g} kg.')
+        expect(not same(centre, (0, 0, 0)), f'The mass of {self.name} is at its bottom. The <inertial> needs an '
+                                            '<origin>, too.')
+        expect(same(centre, (0, 0, c / 2)), f'{self.name}: the centre of its mass is at {words(centre)}, expected '
+                                            f'{words((0, 0, c / 2))}.')
+        squares = np.array([b * b + c * c, a * a + c * c, a * a + b * b])
+        inertia, wanted = np.array(found['inertia']), self.mass / 12 * squares
+        numbers = [[f'{value:.4g}' for value in values] for values in (np.diag(inertia), wanted)]
+        told = f'{self.name}: the inertia about x, y and z is {", ".join(numbers[0])} kg m², expected ' \
+               f'{", ".join(numbers[1])}'
+
+        def is_about(values):
+            return np.allclose(inertia, np.diag(values), rtol=1e-2, atol=1e-6)
+
+        expect(not is_about(12 * wanted), f'{told}. Divide by 12.')
+        own = self.mass / 12 * np.array([a * a, b * b, c * c])
+        # No body has the inertia of a sum that is too small for the third: MuJoCo takes the mean of all three.
+        expect(not is_about(own) and not is_about([own.mean()] * 3),
+               f'{told}. The side along an axis does not count for it: take the two others.')
+        expect(not is_about([1.0, 1.0, 1.0]), f'{told}. 1 kg m² is the inertia of a large table.')
+        expect(is_about(wanted), f'{told}.')

@@ -1,0 +1,72 @@
+"""Exercise 7.7's cases: all that is known of a robot, with two faults from the whole chapter."""
+
+from helpers.checks.chapter_07 import frames, graphs, machines, models, packages, stacks
+from helpers.runner import expect
+
+WHY = {**machines.WHY, **packages.WHY, **graphs.WHY, **stacks.WHY, **models.WHY, **frames.WHY}
+# Faults that do not hide another one, by the part of the case; graphs' as `graphs.draw` names them.
+FAULTS = {
+    'machine': machines.CAUSES, 'package': packages.CAUSES, 'stacks': stacks.CAUSES, 'model': models.CAUSES,
+    'frames': frames.CAUSES,
+    'graph': ('name', 'nobody', 'type', 'reliability', 'durability', 'both', 'service name', 'service nobody',
+              'service type', 'description nobody', 'description durability'),
+}
+
+
+class Case:
+    """A drawn case: `case` as the learner gets it, and all `expected` findings."""
+
+    def __init__(self, random, faults: dict[str, tuple] | None = None, moves: bool | None = None):
+        """`faults`: part of the case -> causes. In 'graph', 'hidden' is a wrong name that hides a wrong reliability.
+
+        `moves`: as for `frames.Tree`.
+        """
+        faults = faults or {}
+        causes = {part: faults.get(part, ()) for part in FAULTS}
+        self.files, self.want, self.expected = machines.draw(random, *causes['machine'])
+        self.package = packages.Package(random, *causes['package'])
+        self.robot = models.Robot(random, *causes['model'])
+        self.tree = frames.Tree(random, *causes['frames'], moves=moves)
+        text, programs, hanging = stacks.draw(random, 'idle', *causes['stacks'], 'spinning')
+        hidden = causes['graph'] == ('hidden',)
+        endpoints, deaf = graphs.draw(random, *(('name',) if hidden else causes['graph']))
+        if hidden:
+            deaf = [*deaf, self._hide(endpoints, deaf[0])]
+        self.expected = [*self.expected, *self.package.expected, *self.robot.expected, *self.tree.expected, *hanging,
+                         *deaf]
+        self.case = {
+            'files': self.files, 'want': self.want, 'package': self.package.files, 'endpoints': endpoints,
+            'stacks': text, 'programs': programs, 'urdf': self.robot.urdf,
+            **dict(zip(('moving', 'static', 'target', 'source', 'now'), self.tree.arguments, strict=True))}
+
+    @staticmethod
+    def _hide(endpoints: list[dict], finding: tuple) -> tuple:
+        """Make a publisher whose topic is misspelt BEST_EFFORT, too; returns the finding that this gives."""
+        _, where, _, right = finding
+        node, wrong = where.split()
+        for end in endpoints:
+            if end['name'] in (right, wrong):
+                strength = graphs.STRONG if end['role'] == 'subscription' else graphs.WEAK
+                end['reliability'] = strength['reliability']
+        return 'A7.6', f'{node} {right}', 'reliability', graphs.WEAK['reliability']
+
+    def repaired(self, learner) -> dict:
+        """What the learner makes of the case, by repairing three times."""
+        case = self.case
+        for _ in range(3):
+            case = learner.call('repair_case', case)
+            lost = sorted(self.case.keys() - case.keys()) if isinstance(case, dict) else ['everything']
+            expect(not lost, f'The case that repair_case returned lacks {", ".join(lost)}.')
+        return case
+
+    def check_graph(self, endpoints) -> None:
+        """Fail with words if somebody is deaf in the repaired graph who need not be."""
+        expect(isinstance(endpoints, list) and len(endpoints) == len(self.case['endpoints']),
+               'repair_case must keep all endpoints.')
+        offered = {(end['name'], end['type']): end for end in endpoints if end['role'] in ('publisher', 'server')}
+        for end in endpoints:
+            if end['role'] in ('subscription', 'client'):
+                other = offered.get((end['name'], end['type']))
+                heard = other and all(end[policy] != graphs.STRONG[policy] or other[policy] == end[policy]
+                                      for policy in graphs.STRONG if end['role'] == 'subscription')
+                expect(heard, f'After your repair, {end["node"]} is still deaf on {end["name"]}.')

@@ -1,0 +1,183 @@
+"""Exercise 7.3's graphs: drawn as endpoints, and made of real nodes."""
+
+import time
+from contextlib import ExitStack
+from difflib import get_close_matches
+
+import rclpy
+from rclpy.context import Context
+from rclpy.exceptions import ROSInterruptException
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.qos_overriding_options import QoSOverridingOptions, QoSPolicyKind
+from rosidl_runtime_py.utilities import get_message, get_service
+
+from helpers.faults.words import misspelt
+from helpers.runner import expect
+
+ROOMS = ('kitchen', 'cellar', 'attic', 'garage', 'hall')
+TOPICS = ('temperature', 'odom', 'scan', 'battery', 'joystick', 'wheel_speed', 'humidity')
+SERVICES = ('open_door', 'calibrate', 'take_picture', 'reset_map')
+MESSAGES = ('std_msgs/msg/String', 'std_msgs/msg/Int32', 'std_msgs/msg/Float32', 'std_msgs/msg/Bool')
+REQUESTS = ('std_srvs/srv/Trigger', 'std_srvs/srv/Empty', 'std_srvs/srv/SetBool')
+STRONG = {'reliability': 'RELIABLE', 'durability': 'TRANSIENT_LOCAL'}
+WEAK = {'reliability': 'BEST_EFFORT', 'durability': 'VOLATILE'}
+DESCRIPTION = '/robot_description'
+CAUSES = ('name', 'nobody', 'type', 'reliability', 'durability')
+WHY = {
+    'name': 'A name that nobody sends on, and one of the same type that is nearly the same: `nearest` finds it.',
+    'nobody': 'Nobody publishes or serves the name, and no name of the same type is near.',
+    'type': 'The same name with two types: nothing is ever delivered.',
+    'reliability': 'Only a subscription that asks for RELIABLE and is offered BEST_EFFORT gets nothing; the other way '
+                   'round it fits.',
+    'durability': 'Only a subscription that asks for TRANSIENT_LOCAL and is offered VOLATILE gets nothing; the other '
+                  'way round it fits.',
+}
+
+
+def draw(random, *faults: str) -> tuple[list[dict], list[tuple]]:
+    """Endpoints with these faults, among healthy ones, and the findings that are right.
+
+    A fault is a cause; after ``service`` or ``description`` and a space, one of a service or of /robot_description.
+    ``both`` is a topic of which neither policy fits.
+    """
+    while True:
+        endpoints, expected = _draw(random, faults)
+        if _unambiguous(endpoints, expected):
+            random.shuffle(endpoints)
+            return endpoints, expected
+
+
+def _draw(random, faults):
+    endpoints, expected = [], []
+    topics, services = random.sample(TOPICS, len(TOPICS)), random.sample(SERVICES, len(SERVICES))
+    messages = list(MESSAGES)
+
+    def end(role, node, name, kind, **qos):
+        policies = ('', '') if role in ('server', 'client') else ('RELIABLE', 'VOLATILE')
+        endpoints.append({'role': role, 'node': node, 'name': name, 'type': kind,
+                          **dict(zip(STRONG, policies, strict=True)), **qos})
+
+    for number, fault in enumerate(faults or ['healthy']):
+        where, _, cause = fault.rpartition(' ')
+        space = random.choice(['', f'/{random.choice(ROOMS)}'])
+        sender, receiver = f'{space}/sender_{number}', f'{random.choice(["", space])}/receiver_{number}'
+        service = where == 'service'
+        roles = ('server', 'client') if service else ('publisher', 'subscription')
+        kind, other = random.sample(REQUESTS if service else messages, 2)
+        name = f'/{services.pop()}' if service else DESCRIPTION if where else f'{space}/{topics.pop()}'
+        row = 'A7.8' if service else 'A7.10' if where else 'A7.6'
+        asked, offered, wanted = name, {}, {}
+        if cause == 'name':
+            last = name.rpartition('/')[2]
+            asked = random.choice([name.replace(last, misspelt(last, random)), f'/{random.choice(ROOMS)}_robot/{last}'])
+            asked = name.replace(last, misspelt(last, random)) if where == 'description' else asked
+            row = 'A7.6' if where == 'description' else row
+        elif cause == 'healthy':
+            wanted = random.choice([{}, WEAK])
+            offered = random.choice([{}, STRONG])
+        else:
+            policies = {'both': STRONG, 'nobody': {}, 'type': {}}.get(cause, [cause])
+            offered, wanted = {p: WEAK[p] for p in policies}, {p: STRONG[p] for p in policies}
+        if cause != 'nobody':
+            end(roles[0], sender, name, kind, **offered)
+        end(roles[1], receiver, asked, other if cause == 'type' else kind, **wanted)
+        evidence = {'name': name, 'nobody': '', 'type': kind}
+        for policy in offered if cause not in ('healthy',) else ():
+            expected.append((row, f'{receiver} {asked}', policy, WEAK[policy]))
+        if cause in evidence:
+            expected.append((row, f'{receiver} {asked}', cause, evidence[cause]))
+    # What is healthy: nobody hears it, nobody asks, and somebody asks for less than is offered.
+    end('publisher', '/lonely', f'/{topics.pop()}', random.choice(MESSAGES), **random.choice([STRONG, WEAK]))
+    end('server', '/idle', f'/{services.pop()}', random.choice(REQUESTS))
+    name, kind = f'/{topics.pop()}', random.choice(MESSAGES)
+    end('publisher', '/generous', name, kind, **STRONG)
+    end('subscription', '/modest', name, kind, **WEAK)
+    end('subscription', '/strict', name, kind, **STRONG)
+    return endpoints, expected
+
+
+def _unambiguous(endpoints, expected) -> bool:
+    """Whether no name but the right one is near to one that nobody sends on, also for those who measure otherwise."""
+    for _, where, cause, evidence in expected:
+        if cause not in ('name', 'nobody'):
+            continue
+        name = where.split()[1]
+        mine = next(end for end in endpoints if end['name'] == name)
+        names = {end['name'] for end in endpoints
+                 if end['role'] in ('publisher', 'server') and end['type'] == mine['type']} - {name}
+        same_end = {other for other in names if other.rpartition('/')[2] == name.rpartition('/')[2]}
+        close = set(get_close_matches(name, names, 5, 0.6)) | same_end
+        right = {evidence} if cause == 'name' else set()
+        if close != right or (right and not same_end and not get_close_matches(name, right, 1, 0.78)):
+            return False
+    return True
+
+
+class System:
+    """Real nodes for endpoints, each in a participant of its own; use it in a `with` block."""
+
+    def __init__(self, domain_id: int):
+        self.domain_id = domain_id
+        self._stack = ExitStack()
+        self._executor: SingleThreadedExecutor | None = None
+
+    def __enter__(self) -> 'System':
+        return self
+
+    def __exit__(self, kind, error, tb) -> None:
+        self._stack.close()
+
+    def add(self, endpoint: dict, arguments=()):
+        """Make the endpoint's node with these ROS arguments. Returns the publisher, list of messages, or client."""
+        context = Context()
+        context.init(domain_id=self.domain_id)
+        self._stack.callback(context.try_shutdown)
+        space, _, name = endpoint['node'].rpartition('/')
+        node = Node(name, namespace=space, context=context, use_global_arguments=False, start_parameter_services=False,
+                    enable_rosout=False, cli_args=['--ros-args', *arguments] if arguments else None)
+        self._stack.callback(node.destroy_node)
+        executor = SingleThreadedExecutor(context=context)
+        executor.add_node(node)
+        self._stack.callback(executor.shutdown, 1)
+        if endpoint['role'] == 'server':
+            return node.create_service(get_service(endpoint['type']), endpoint['name'], lambda _, response: response)
+        if endpoint['role'] == 'client':
+            return node.create_client(get_service(endpoint['type']), endpoint['name'])
+        qos = QoSProfile(depth=5, reliability=ReliabilityPolicy[endpoint['reliability']],
+                         durability=DurabilityPolicy[endpoint['durability']])
+        kind = get_message(endpoint['type'])
+        if endpoint['role'] == 'publisher':
+            return node.create_publisher(kind, endpoint['name'], qos)
+        heard = Heard(executor)
+        node.create_subscription(kind, endpoint['name'], heard.append, qos, qos_overriding_options=QoSOverridingOptions(
+            [QoSPolicyKind.RELIABILITY, QoSPolicyKind.DURABILITY]))
+        return heard
+
+
+class Heard(list):
+    """The messages of a subscription, while its `executor` is spun."""
+
+    def __init__(self, executor):
+        super().__init__()
+        self.executor = executor
+
+    def hears(self, publisher, timeout: float) -> bool:
+        """Whether a message of the publisher arrives within `timeout` seconds."""
+        end = time.monotonic() + timeout
+        while not self and time.monotonic() < end:
+            publisher.publish(publisher.msg_type())
+            self.executor.spin_once(timeout_sec=0.05)
+        return bool(self)
+
+
+def restart(system: System, endpoint: dict, arguments):
+    """Make the endpoint's node with the learner's arguments; fail with words if they are none."""
+    fits = (isinstance(arguments, list) and len(arguments) == 2 and all(isinstance(one, str) for one in arguments)
+            and arguments[0] in ('-r', '--remap', '-p', '--param'))
+    expect(fits, f'repair_graph returned {arguments!r}; expected two texts, the first one -r or -p.')
+    try:
+        return system.add(endpoint, arguments)
+    except (rclpy._rclpy_pybind11.RCLError, ROSInterruptException, ValueError, RuntimeError) as error:
+        expect(False, f'The node does not start with {" ".join(arguments)}: {error}')

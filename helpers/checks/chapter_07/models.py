@@ -1,0 +1,160 @@
+"""Exercise 7.5's robots: drawn with their faults, and dropped to the floor in MuJoCo."""
+
+import json
+from xml.etree import ElementTree
+
+from helpers.runner import expect
+
+CAUSES = ('collision', 'inertial', 'mass', 'inertia')
+WHY = {
+    'collision': 'A link with <visual> and without <collision> is seen, and touches nothing. A link without <visual> '
+                 'is only a frame.',
+    'inertial': 'A link with <visual> and without <inertial> has no mass. A link without <visual> needs none.',
+    'mass': 'A mass must be more than 0.',
+    'inertia': 'Each of the three moments is more than 0, and none is more than the sum of the two others.',
+}
+_LINKS = ('left_wheel', 'right_wheel', 'caster', 'mast', 'gripper', 'bumper')
+# Runs on the learner's side: drops the robot from one metre, and tells where its parts are after two seconds.
+_DROP = '''\
+import json
+
+import mujoco
+
+spec = mujoco.MjSpec.from_string(open('robot.urdf').read())
+spec.bodies[1].add_freejoint()
+spec.bodies[1].pos = [0, 0, 1]
+spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_PLANE, size=[5, 5, 0.1])
+spec.option.timestep = 0.002
+try:
+    model = spec.compile()
+except ValueError as error:
+    print(json.dumps({'error': str(error).splitlines()[0]}))
+else:
+    data = mujoco.MjData(model)
+    mujoco.mj_step(model, data, 1000)
+    print(json.dumps({model.body(i).name: float(data.xpos[i][2]) for i in range(1, model.nbody)}))
+'''
+
+
+class Robot:
+    """A drawn robot: its `urdf`, and the `expected` findings. `causes`: pairs of link and cause, or causes."""
+
+    def __init__(self, random, *causes):
+        names = random.sample(_LINKS, 3)
+        faults: dict[str, list[str]] = {}
+        for cause in causes:
+            faults.setdefault(random.choice(names) if isinstance(cause, str) else cause[0], []).append(
+                cause if isinstance(cause, str) else cause[1])
+        self.expected: list[tuple] = []
+        self.faulty = faults
+        root = ElementTree.Element('robot', name=f'robot{random.randint(10, 99)}')
+        self._link(root, random, 'base_link', faults.get('base_link', ()), box=True)
+        ElementTree.SubElement(root, 'link', name='laser_frame')
+        for number, name in enumerate(['laser_frame', *names]):
+            if number:
+                self._link(root, random, name, faults.get(name, ()))
+            joint = ElementTree.SubElement(root, 'joint', name=f'{name}_joint',
+                                           type='fixed' if number % 2 == 0 else 'continuous')
+            ElementTree.SubElement(joint, 'parent', link='base_link')
+            ElementTree.SubElement(joint, 'child', link=name)
+            ElementTree.SubElement(joint, 'origin', xyz=f'{0.3 * number - 0.4:.2f} {0.4 * (-1) ** number} 0.0',
+                                   rpy='1.5708 0 0')
+            ElementTree.SubElement(joint, 'axis', xyz='0 0 1')
+        ElementTree.indent(root)
+        self.urdf = '<?xml version="1.0"?>\n' + ElementTree.tostring(root, encoding='unicode')
+
+    def _link(self, root, random, name: str, faults, box: bool = False) -> None:
+        link = ElementTree.SubElement(root, 'link', name=name)
+        numbers = [f'{random.uniform(0.05, 0.2):.3f}' for _ in range(3)]
+        shape = random.choice([('box', {'size': ' '.join(numbers)}), ('sphere', {'radius': numbers[0]}),
+                               ('cylinder', {'radius': numbers[0], 'length': numbers[1]})]) if not box else (
+            'box', {'size': '0.4 0.3 0.1'})
+        mass = random.uniform(0.3, 3.0)
+        for part in ['visual'] if 'collision' in faults else ['visual', 'collision']:
+            there = ElementTree.SubElement(link, part)
+            ElementTree.SubElement(there, 'origin', xyz=f'0 0 {float(numbers[2]) / 10:.4f}', rpy='0 0 0')
+            ElementTree.SubElement(ElementTree.SubElement(there, 'geometry'), shape[0], shape[1])
+        if 'inertial' not in faults:
+            inertial = ElementTree.SubElement(link, 'inertial')
+            value = random.choice(['0', '0.0', f'-{mass:.2f}']) if 'mass' in faults else f'{mass:.2f}'
+            ElementTree.SubElement(inertial, 'mass', value=value)
+            moments = [f'{moment:.6f}' for moment in solid(*shape, mass)]
+            if 'inertia' in faults:
+                place, low = random.randrange(3), min(map(float, moments))
+                moments[place] = random.choice(['0', f'-{low:.5f}', f'{2 * sum(map(float, moments)):.5f}'])
+                self.expected.append(('A7.11', name, 'inertia', ' '.join(moments)))
+            ElementTree.SubElement(inertial, 'inertia', dict(zip(('ixx', 'iyy', 'izz'), moments, strict=True)),
+                                   ixy='0', ixz='0', iyz='0')
+            if 'mass' in faults:
+                self.expected.append(('A7.11', name, 'mass', value))
+        self.expected += [('A7.11', name, cause, '') for cause in ('collision', 'inertial') if cause in faults]
+
+    def check(self, repaired) -> None:
+        """Fail with words if the repaired text is no robot, or a link is not as it should be."""
+        expect(isinstance(repaired, str), 'repair_model must return a text.')
+        try:
+            after = {link.get('name'): link for link in ElementTree.fromstring(repaired).findall('link')}
+        except ElementTree.ParseError as error:
+            expect(False, f'The repaired text is not XML: {error}.')
+        for before in ElementTree.fromstring(self.urdf.partition('\n')[2]).findall('link'):
+            name = before.get('name')
+            expect(name in after, f'The link {name} is gone.')
+            if name not in self.faulty:
+                expect(_canonical(before) == _canonical(after[name]), f'The link {name} was right, and is changed.')
+            else:
+                self._check_link(name, before, after[name])
+
+    def _check_link(self, name: str, before, link) -> None:
+        visual, collisions = before.find('visual'), link.findall('collision')
+        expect(len(collisions) == 1, f'The link {name} has {len(collisions)} <collision> after your repair.')
+        for part in ('origin', 'geometry'):
+            there = collisions[0].find(part)
+            expect(there is not None and _canonical(there) == _canonical(visual.find(part)),
+                   f'The <{part}> of the <collision> of {name} is not that of its <visual>.')
+        mass, moments = link.find('inertial/mass'), link.find('inertial/inertia')
+        expect(mass is not None and moments is not None, f'The link {name} has no <mass> or <inertia>.')
+        faults = self.faulty[name]
+        right = 1.0 if {'mass', 'inertial'} & set(faults) else float(before.find('inertial/mass').get('value'))
+        expect(_close(mass.get('value'), right), f'The mass of {name} is {mass.get("value")}, expected {right:g}.')
+        values = [moments.get(key, '') for key in ('ixx', 'iyy', 'izz')]
+        old = [before.find('inertial/inertia').get(key) for key in ('ixx', 'iyy', 'izz')] if before.find(
+            'inertial') is not None else []
+        shape = visual.find('geometry')[0]
+        wanted = solid(shape.tag, shape.attrib, right) if {'inertia', 'inertial'} & set(faults) else map(float, old)
+        wanted = list(wanted)
+        expect(all(map(_close, values, wanted)), f'The moments of {name} are {" ".join(values)}, expected '
+                                                 f'{" ".join(f"{value:.6f}" for value in wanted)}.')
+
+    def drop(self, learner, repaired) -> None:
+        """Fail with words if a simulation refuses the repaired robot, or it falls through the floor."""
+        self.check(repaired)
+        workspace = learner.workspace({'robot.urdf': repaired, 'drop.py': _DROP})
+        done = workspace.run('python3', 'drop.py')
+        seen = json.loads(done.last_line) if done.status == 0 else {'error': done.last_line}
+        expect('error' not in seen, f'The simulation refuses the robot: {seen.get("error")}')
+        lowest = min(seen, key=seen.get)
+        expect(seen[lowest] > -0.1, f'Two seconds after it was dropped, {lowest} is at {seen[lowest]:.1f} m: it fell '
+                                    'through the floor.')
+
+
+def solid(shape: str, sizes: dict[str, str], mass: float) -> tuple[float, float, float]:
+    """Moments of inertia of a solid body about its centre, kg m² (any textbook of mechanics)."""
+    if shape == 'box':
+        x, y, z = (float(size)**2 for size in sizes['size'].split())
+        return mass * (y + z) / 12, mass * (x + z) / 12, mass * (x + y) / 12
+    square = float(sizes['radius'])**2
+    if shape == 'sphere':
+        return (mass * square * 2 / 5,) * 3
+    across = mass * (square / 4 + float(sizes['length'])**2 / 12)
+    return across, across, mass * square / 2
+
+
+def _canonical(element) -> str:
+    return ElementTree.canonicalize(ElementTree.tostring(element, encoding='unicode'), strip_text=True)
+
+
+def _close(text: str, value: float) -> bool:
+    try:
+        return abs(float(text) - value) <= 1e-4 * abs(value) + 2e-6
+    except (TypeError, ValueError):
+        return False

@@ -1,0 +1,127 @@
+"""Exercise 7.2's packages: drawn with their faults, and built."""
+
+import re
+
+from helpers.runner import expect
+
+PACKAGES = ('greeter', 'porter', 'gardener', 'courier', 'patrol')
+PROGRAMS = ('hello', 'status', 'sweep', 'fetch', 'charge', 'lift', 'report', 'dock')
+FUNCTIONS = ('main', 'run', 'start', 'go', 'work')
+CAUSES = ('file', 'module', 'function')
+WHY = {
+    'file': 'An entry point names a module as import does: no `/`, no `.py`.',
+    'module': 'The module is looked up among the files of the package: package.name is package/name.py.',
+    'function': 'A function that can be started stands at the left margin of its module, and is named after a colon; '
+                'a method of a class, or a longer name that only begins so, is none.',
+}
+_ENTRY = re.compile(r"""(['"])([\w-]+)\s*=\s*([^'"]*?)\s*\1""")
+_SETUP = '''\
+from setuptools import find_packages, setup
+
+package_name = '{package}'
+
+setup(
+    name=package_name,
+    version='0.1.0',
+    packages=find_packages(exclude=['test']),
+    data_files=[
+        ('share/ament_index/resource_index/packages', ['resource/' + package_name]),
+        ('share/' + package_name, ['package.xml']),
+    ],
+    install_requires=['setuptools'],
+    zip_safe=True,
+    maintainer='{program} team',
+    maintainer_email='team@example.com',
+    description='What the robot does',
+    license='Apache-2.0',
+    entry_points={{
+        'console_scripts': [
+{entries}
+        ],
+    }},
+)
+'''
+_MODULE = '''\
+"""One thing that the robot does."""
+
+
+class Task:
+    def {method}(self):
+        return '{program}'
+
+
+def {private}(task):
+    print(task.{method}(), 'says {word}')
+
+
+def {function}():
+    {private}(Task())
+'''
+_PACKAGE_XML = '''\
+<?xml version="1.0"?>
+<package format="3">
+  <name>{package}</name>
+  <version>0.1.0</version>
+  <description>What the robot does</description>
+  <maintainer email="team@example.com">team</maintainer>
+  <license>Apache-2.0</license>
+  <export><build_type>ament_python</build_type></export>
+</package>
+'''
+
+
+class Package:
+    """A drawn package: `files` as the learner gets them, `expected` findings, `right` entry points."""
+
+    def __init__(self, random, *causes: str):
+        self.name = random.choice(PACKAGES)
+        programs = random.sample(PROGRAMS, 4)
+        self.words = {program: f'word{random.randint(100, 999)}' for program in programs}
+        self.right, self.expected, entries = {}, [], []
+        self.files = {f'{self.name}/__init__.py': ''}
+        faulty = dict(zip(random.sample(programs, len(causes)), causes, strict=True))
+        lost = f'{self.name}.{random.choice(["main", "program", "node"])}:main'  # programs may share a wrong one
+        for program in programs:
+            function, method = random.sample(FUNCTIONS, 2)
+            self.files[f'{self.name}/{program}.py'] = _MODULE.format(
+                function=function, method=method, program=program, word=self.words[program], private=f'_{function}')
+            self.right[program] = value = f'{self.name}.{program}:{function}'
+            if program in faulty:
+                value = random.choice({
+                    'file': [f'{self.name}/{program}.py:{function}', f'{self.name}.{program}.py:{function}',
+                             f'{self.name}/{program}:{function}'],
+                    'module': [lost, lost, f'{program}:{function}', f'{self.name}.{program}_:{function}'],
+                    'function': [f'{self.name}.{program}', f'{self.name}.{program}:{method}',
+                                 f'{self.name}.{program}:{function[:-1]}'],
+                }[faulty[program]])
+                self.expected.append(('A7.4', program, faulty[program], value))
+            quote = random.choice(['"', "'"])
+            entries.append(f'            {quote}{program} = {value}{quote},')
+        self.files['setup.py'] = _SETUP.format(package=self.name, program=programs[0], entries='\n'.join(entries))
+
+    def check(self, repaired) -> None:
+        """Fail with words if the repaired files do not have the right entry points."""
+        expect(isinstance(repaired, dict) and all(isinstance(text, str) for text in repaired.values()),
+               'repair_package must return a dictionary of texts.')
+        lost = sorted(self.files.keys() - repaired.keys())
+        expect(not lost, f'repair_package must return all files: {lost and lost[0]} is missing.')
+        changed = sorted(name for name in self.files if name != 'setup.py' and repaired[name] != self.files[name])
+        expect(not changed, f'{changed and changed[0]} was right, and is changed: only setup.py is to be repaired.')
+        begin = repaired['setup.py'].find('console_scripts')
+        there = {program: value for _, program, value in _ENTRY.findall(repaired['setup.py'][begin:])}
+        for program, value in self.right.items():
+            expect(program in there, f'The program {program} is gone from setup.py.')
+            expect(there[program] == value, f'After your repair, {program} leads to `{there[program]}`, expected '
+                                            f'`{value}`.')
+
+    def build(self, learner, repaired: dict[str, str]) -> None:
+        """Fail with words if the repaired package cannot be built, or a program does not run."""
+        self.check(repaired)  # what is wrong already is not built
+        texts = {**repaired, 'package.xml': _PACKAGE_XML.format(package=self.name), f'resource/{self.name}': '',
+                 'setup.cfg': f'[install]\ninstall_scripts=$base/lib/{self.name}\n'}
+        workspace = learner.workspace({f'src/{self.name}/{name}': text for name, text in texts.items()})
+        workspace.build()
+        done = workspace.run('bash', '-c', 'for program in "$@"; do ros2 run $0 $program; done', self.name, *self.words)
+        for program, word in self.words.items():
+            expect(f'{program} says {word}' in done.lines,
+                   f'`ros2 run {self.name} {program}` did not print `{program} says {word}`.')

@@ -1,0 +1,209 @@
+"""Each fault, live: the tool that the chapter names shows it, it can be repaired, and it leaves nothing behind."""
+
+import os
+from contextlib import contextmanager
+
+import psutil
+import pytest
+
+from helpers import faults
+from helpers.faults.machine import SYSTEM_PATH
+
+SHORT = 1.0  # s; long enough to see that a system does not work
+
+
+@contextmanager
+def staged(folder, what, kind, seed=3):
+    """A fault that must be broken at first and work at the end of the block, and of which nothing may stay."""
+    before = {child.pid for child in psutil.Process().children(recursive=True)}
+    path = folder / 'system'
+    with faults.stage(what, seed, kind, path) as fault:
+        assert not fault.verify(timeout=SHORT)
+        yield fault
+        verdict = fault.verify()
+        assert verdict, f'{verdict}\n' + '\n'.join(p.output for p in fault.programs.values())
+    assert not path.exists()
+    left = [child for child in psutil.Process().children(recursive=True) if child.pid not in before]
+    assert all('guardian.py' in ' '.join(child.cmdline()) for child in left), left
+
+
+@pytest.mark.skipif(not os.access('/usr/bin/apt-get', os.X_OK), reason='needs apt-get')
+@pytest.mark.parametrize('kind, message', [
+    ('key_file', 'NO_PUBKEY'), ('wrong_key', 'NO_PUBKEY'), ('suite', 'does not have a Release file'),
+    ('codename', 'jammy'), ('component', "doesn't have the component"), ('malformed', 'Malformed entry 1')])
+def test_a_source_line_of_apt(tmp_path, kind, message, capsys):
+    with staged(tmp_path, 'A7.1', kind) as fault:
+        fault.symptom()
+        shown = capsys.readouterr().out
+        assert message in shown and 'Candidate' not in shown
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', faults.plan('A7.2').kinds)
+def test_a_shell_without_ros2(tmp_path, kind, capsys):
+    with staged(tmp_path, 'A7.2', kind) as fault:
+        fault.symptom()
+        assert 'ros2: command not found' in capsys.readouterr().out
+        _, path = fault.ask('echo $PATH')
+        assert ('opt/ros/jazzy' in path) is False
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', faults.plan('A7.3').kinds)
+def test_a_shell_without_colcon(tmp_path, kind, capsys):
+    with staged(tmp_path, 'A7.3', kind) as fault:
+        fault.symptom()
+        assert 'colcon: command not found' in capsys.readouterr().out
+        assert fault.ask('ros2 --help')[0] == 0
+        assert str(fault.path / 'home' / fault.diagnosis['folder'] / 'colcon') in fault.ask('find ~ -name colcon')[1]
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind, message', [
+    ('module', 'ModuleNotFoundError'), ('script_dir', 'No executable found')])
+def test_an_entry_point(tmp_path, kind, message, capsys):
+    with staged(tmp_path, 'A7.4', kind) as fault:
+        fault.run(fault.command)
+        assert message in capsys.readouterr().out
+        fault.repair()
+
+
+def test_two_distributions(tmp_path, domain):
+    with staged(tmp_path, 'A7.5', 'both') as fault:
+        assert fault.diagnosis['distro'] in fault.ask('echo $ROS_DISTRO')[1]
+        assert fault.ask('cd ros2_ws && colcon build')[0] == 1
+        log = fault.path / 'home' / 'ros2_ws' / 'log' / 'latest_build' / fault.package / 'stderr.log'
+        assert 'ImportError' in log.read_text() and 'opt/ros/' + fault.diagnosis['distro'] in log.read_text()
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', ['reliability', 'namespace', 'type'])
+def test_no_data(tmp_path, domain, kind):
+    with staged(tmp_path, 'A7.6', kind) as fault:
+        truth = fault.diagnosis
+        status, shown = fault.ask(f'ros2 topic info --verbose {truth["publisher_topic"]}')
+        assert status == 0
+        counts = [line for line in shown.splitlines() if 'count' in line]
+        assert counts == ['Publisher count: 1', f'Subscription count: {0 if kind == "namespace" else 1}']
+        if kind == 'reliability':
+            assert {'BEST_EFFORT', 'RELIABLE'} <= {line.split()[-1] for line in shown.splitlines() if line.strip()}
+        if kind == 'type':
+            assert truth['offered'] in shown and truth['requested'] in shown
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', ['domain', 'range'])
+def test_machines_that_do_not_see_each_other(tmp_path, domain, kind):
+    with staged(tmp_path, 'A7.7', kind) as fault:
+        assert (fault.diagnosis['variable'] == 'ROS_DOMAIN_ID') == (kind == 'domain')
+        values = {fault.ask(f'echo ${fault.diagnosis["variable"]}', on=machine)[1] for machine in fault.machines}
+        assert len(values) == 2
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', ['no_server', 'type'])
+def test_a_client_that_waits(tmp_path, domain, kind):
+    with staged(tmp_path, 'A7.8', kind) as fault:
+        truth = fault.diagnosis
+        status, shown = fault.ask(f'ros2 node info /{truth["client"]}')
+        clients = shown.partition('Service Clients:')[2]
+        assert status == 0 and f'{truth["client_service"]}: {truth["client_type"]}' in clients
+        if kind == 'no_server':
+            assert f'/{truth["server"]}' not in fault.ask('ros2 node list')[1]
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', ['call', 'loop'])
+def test_a_program_that_hangs(tmp_path, domain, kind, capsys):
+    with staged(tmp_path, 'A7.9', kind) as fault:
+        assert not fault.interrupt(SHORT)
+        fault.stacks()
+        stack = capsys.readouterr().out
+        file = (fault.path / fault.diagnosis['where']).read_text().splitlines()
+        number = next(i for i, line in enumerate(file, 1) if fault.diagnosis['line'] in line)
+        assert f'{fault.diagnosis["where"]}", line {number} in {fault.diagnosis["callback"]}' in stack
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', ['namespace', 'urdf'])
+def test_no_robot_model(tmp_path, domain, kind, capsys):
+    with staged(tmp_path, 'A7.10', kind) as fault:
+        fault.symptom()
+        shown = capsys.readouterr().out
+        assert 'no robot description' in shown and ('FATAL' in shown) == (kind == 'urdf')
+        if kind == 'namespace':
+            assert 'Publisher count: 0' in fault.ask('ros2 topic info /robot_description')[1]
+            assert 'Publisher count: 1' in fault.ask(f'ros2 topic info {fault.diagnosis["published"]}')[1]
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', faults.plan('A7.11').kinds)
+def test_a_robot_that_does_not_stand_or_drive(tmp_path, domain, kind):
+    with staged(tmp_path, 'A7.11', kind) as fault:
+        text = (fault.path / 'robot.urdf').read_text()
+        assert ('<collision>' in text) == (kind != 'no_collision')
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', ['swapped', 'parent'])
+def test_a_transform(tmp_path, domain, kind):
+    with staged(tmp_path, 'A7.12', kind) as fault:
+        source = fault.diagnosis['chain'][-1]
+        with fault.terminal().start(f'exec ros2 run tf2_ros tf2_echo odom {source}') as echo:
+            echo.wait_for_output('Translation: [-' if kind == 'swapped' else 'not part of the same tree', 20)
+        fault.repair()
+
+
+def test_two_faults_at_once(tmp_path, domain):
+    with staged(tmp_path, 'mystery', 'two', seed=3) as fault:
+        first, second = fault.repaired, fault.diagnosis['faults']
+        assert len(second) == 2 and first
+        fault.repair()
+
+
+def test_editing_starts_only_what_has_changed(tmp_path, domain):
+    with staged(tmp_path, 'A7.6', 'name') as fault:
+        publisher = fault.programs[fault.publisher].pid
+        wrong, right = fault.diagnosis['subscriber_topic'], fault.diagnosis['publisher_topic']
+        fault.edit(fault.diagnosis['where'], wrong.strip('/'), right.strip('/'))
+        assert fault.start() == [fault.listener]
+        assert fault.programs[fault.publisher].pid == publisher
+
+
+def test_a_folder_of_somebody_else_is_left_alone(tmp_path):
+    (tmp_path / 'thesis.txt').write_text('three years')
+    with pytest.raises(FileExistsError, match='move it away'):
+        faults.stage('A7.2', folder=tmp_path)
+    assert (tmp_path / 'thesis.txt').read_text() == 'three years'
+
+
+def test_staging_again_stops_the_earlier_one(tmp_path, domain):
+    first = faults.stage('A7.8', 1, folder=tmp_path / 'system')
+    first.start()
+    programs = list(first.programs.values())
+    with faults.stage('A7.8', 2, folder=tmp_path / 'system') as second:
+        assert not any(program.running for program in programs)
+        assert set(second.files) <= {path.name for path in second.path.iterdir()}
+
+
+def test_edits_are_exact_and_stay_inside(tmp_path):
+    with faults.stage('A7.2', 1, 'unsourced', tmp_path / 'system') as fault:
+        with pytest.raises(ValueError, match='0 times, not once'):
+            fault.edit('home/.bashrc', 'no such text', '')
+        with pytest.raises(ValueError, match='not inside'):
+            fault.write('../elsewhere', '')
+        with pytest.raises(ValueError, match="no machine 'moon': there are home"):
+            fault.run('ls', on='moon')
+
+
+def test_a_tool_that_the_system_has_itself_is_hidden(tmp_path, monkeypatch):
+    """On a stock machine colcon is in /usr/bin, where every terminal finds it."""
+    usr = tmp_path / 'usr'
+    usr.mkdir()
+    for command in ('bash', 'env', 'ls', 'cat', 'find'):
+        (usr / command).symlink_to(f'{SYSTEM_PATH.split(":")[0]}/{command}')
+    (usr / 'colcon').symlink_to('/bin/true')
+    monkeypatch.setattr('helpers.faults.machine.SYSTEM_PATH', str(usr))
+    with faults.stage('A7.3', 1, 'missing', tmp_path / 'system') as fault:
+        assert fault.ask('colcon --help')[0] == 127
+        assert fault.ask('ls')[0] == 0

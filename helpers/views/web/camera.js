@@ -1,0 +1,83 @@
+// Where one looks from, and the ground: both follow what is there until somebody takes the camera.
+'use strict';
+
+import {eachPoint, root} from './nodes.js';
+
+const THREE = MeshCat.THREE;
+const VIEW_FROM = new THREE.Vector3(0.49, -0.70, 0.53).normalize();  // as in helpers/views/picture.py
+const ROOM = 0.8;  // of the picture is for the scene, the rest for names and controls
+
+export class Look {
+  constructor(viewer) {
+    this.viewer = viewer;
+    this.ground = new THREE.Group();
+    viewer.scene.add(this.ground, root);
+    viewer.camera.fov = 40;
+    viewer.controls.addEventListener('start', () => { this.byHand = true; });
+    this.reset();
+  }
+
+  reset() {
+    this.byHand = false;
+    this.fitted = null;
+    this.news = true;
+  }
+
+  update() {  // before a picture is drawn
+    if (!this.news) return;
+    this.news = false;
+    const box = new THREE.Box3();
+    eachPoint((point) => box.expandByPoint(point));
+    if (box.isEmpty()) return;
+    this.drawGround(box);
+    if (this.byHand) return;
+    const centre = box.getCenter(new THREE.Vector3());
+    const radius = Math.max(0.05, box.getSize(new THREE.Vector3()).length() / 2), old = this.fitted;
+    const fits = old && centre.distanceTo(old.centre) < 0.4 * old.radius
+      && radius < 1.2 * old.radius && radius > 0.6 * old.radius;
+    if (!fits) this.fit(centre, radius);
+  }
+
+  fit(centre, radius) {
+    const camera = this.viewer.camera;
+    const right = new THREE.Vector3(0, 0, 1).cross(VIEW_FROM).normalize(), up = VIEW_FROM.clone().cross(right);
+    const tall = ROOM * Math.tan(THREE.MathUtils.degToRad(camera.fov) / 2), wide = tall * camera.aspect;
+    let distance = 0.2 * radius;
+    eachPoint((point) => {
+      point.sub(centre);
+      const away = Math.max(Math.abs(point.dot(right)) / wide, Math.abs(point.dot(up)) / tall);
+      distance = Math.max(distance, away + point.dot(VIEW_FROM));
+    });
+    const upright = (v) => new THREE.Vector3(v.x, v.z, -v.y);  // three.js: y is up; ROS: z is up
+    camera.position.copy(upright(centre.clone().addScaledVector(VIEW_FROM, distance)));
+    camera.near = radius / 100;
+    camera.far = radius * 200;
+    camera.updateProjectionMatrix();
+    this.viewer.controls.target.copy(upright(centre));
+    this.viewer.controls.update();
+    this.fitted = {centre, radius};
+  }
+
+  drawGround(box) {
+    const size = box.getSize(new THREE.Vector3()), wide = Math.max(size.x, size.y, 0.1);
+    const power = 10 ** Math.floor(Math.log10(wide / 4));
+    const step = power * [1, 2, 5, 10, 20].find((factor) => wide / (factor * power) <= 8);
+    const low = [box.min.x, box.min.y].map((value) => Math.floor(value / step) - 1);
+    const high = [box.max.x, box.max.y].map((value) => Math.ceil(value / step) + 1);
+    const key = [step, ...low, ...high].join();
+    if (this.drawn === key) return;
+    this.drawn = key;
+    for (const child of [...this.ground.children]) {
+      this.ground.remove(child);
+      child.geometry.dispose();
+      child.material.dispose();
+    }
+    const points = [];
+    for (let i = low[0]; i <= high[0]; i++) points.push(i, low[1], 0, i, high[1], 0);
+    for (let i = low[1]; i <= high[1]; i++) points.push(low[0], i, 0, high[0], i, 0);
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.Float32BufferAttribute(points.map((value) => value * step), 3));
+    this.ground.add(new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({color: 0xc4cad3})));
+    this.step = step;
+  }
+}

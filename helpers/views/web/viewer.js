@@ -1,0 +1,86 @@
+// The page of one view: meshcat's viewer (three.js, camera, lights), fed by the kernel, with a few controls.
+'use strict';
+
+import {Look} from './camera.js';
+import {drawNames} from './names.js';
+import {take} from './nodes.js';
+import {resolution} from './shapes.js';
+
+const at = (name) => document.getElementById(name);
+const viewer = new MeshCat.Viewer(at('pane'));
+for (const path of [['Grid'], ['Axes'], ['Background']]) viewer.set_property(path, 'visible', false);
+viewer.gui.domElement.style.display = 'none';
+const look = new Look(viewer), canvas = at('labels');
+let withNames = true, undrawn = 0;
+
+const render = viewer.render.bind(viewer);
+viewer.render = () => {
+  resolution.set(canvas.clientWidth, canvas.clientHeight);
+  look.update();
+  render();
+  canvas.style.visibility = withNames ? 'visible' : 'hidden';
+  if (withNames) drawNames(canvas, viewer.camera);
+  if (undrawn) tell({drawn: undrawn});  // the kernel does not send more than can be drawn
+  undrawn = 0;
+};
+
+// -- controls
+
+const fixed = at('fixed'), slider = at('slider'), when = at('when'), live = at('live');
+let dragging = false;
+
+function showState(state) {
+  const wanted = ['', ...state.frames], there = [...fixed.options].map((option) => option.value);
+  if (state.chosen && !wanted.includes(state.chosen)) wanted.push(state.chosen);
+  if (wanted.join('\n') !== there.join('\n')) {
+    fixed.replaceChildren(...wanted.map((frame) => new Option(frame, frame)));
+  }
+  fixed.options[0].textContent = state.chosen ? 'automatic' : `automatic: ${state.fixed_frame || 'no frame yet'}`;
+  if (document.activeElement !== fixed) fixed.value = state.chosen;
+  at('problems').textContent = state.problems.join('\n');
+  slider.min = -state.history;
+  if (!dragging) slider.value = state.past === null ? 0 : -state.past;
+  when.textContent = state.past === null ? 'now' : `${state.past.toFixed(2)} s ago`;
+  when.classList.toggle('past', state.past !== null);
+  live.setAttribute('aria-pressed', String(state.past === null));
+}
+
+const tell = (content) => { if (socket.readyState === WebSocket.OPEN) socket.send(JSON.stringify(content)); };
+fixed.addEventListener('change', () => { fixed.blur(); tell({fixed_frame: fixed.value}); });
+slider.addEventListener('pointerdown', () => { dragging = true; });
+slider.addEventListener('pointerup', () => { dragging = false; });
+slider.addEventListener('input', () => tell({past: -Number(slider.value)}));
+live.addEventListener('click', () => tell({past: 0}));
+at('fit').addEventListener('click', () => { look.reset(); viewer.set_dirty(); });
+at('names').addEventListener('click', () => {
+  withNames = !withNames;
+  at('names').setAttribute('aria-pressed', String(withNames));
+  viewer.set_dirty();
+});
+
+// -- the kernel
+
+const ENDED = 4000;       // the server's code for a view that has stopped
+const TRIES = [1, 3, 9];  // s before each try to connect again, as after a proxy's hiccup
+let socket, tries = 0;
+
+function connect() {
+  socket = new WebSocket(new URL('socket', location.href).href.replace(/^http/, 'ws'));
+  socket.binaryType = 'arraybuffer';
+  socket.onmessage = (event) => {
+    const message = take(event.data);
+    if (message.state) showState(message.state);
+    look.news = true;
+    undrawn += 1;
+    tries = 0;
+    document.body.classList.remove('ended');
+    window.updates = (window.updates || 0) + 1;  // for measurements
+    viewer.set_dirty();
+  };
+  socket.onclose = (event) => {
+    undrawn = 0;
+    document.body.classList.add('ended');
+    if (event.code !== ENDED && tries < TRIES.length) setTimeout(connect, 1000 * TRIES[tries++]);
+  };
+}
+connect();
