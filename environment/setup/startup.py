@@ -34,7 +34,17 @@ def activate(environ=os.environ, prefix=sys.prefix):
         # Others are workspaces that stand on this prefix, unless it stands on a stock ROS itself.
         underlay = os.path.isdir(os.path.join(prefix, 'share', 'rclpy'))
         environ['AMENT_PREFIX_PATH'] = os.pathsep.join([*prefixes, prefix] if underlay else [prefix, *prefixes])
+    share_the_machine(environ)
     drop_foreign_guard(environ, prefix)
+
+
+def share_the_machine(environ, user=None):
+    """On a JupyterHub give each user a ROS domain: their nodes would hear each other's on the machine they share.
+
+    From 1 to 100, by the user's number (`user`, os.getuid()); hubs number their users one after the other.
+    """
+    if environ.get('JUPYTERHUB_USER'):
+        environ.setdefault('ROS_DOMAIN_ID', str(1 + (os.getuid() if user is None else user) % 100))
 
 
 def drop_foreign_guard(environ, prefix):

@@ -260,3 +260,13 @@ def test_the_environments_python_repairs_an_inherited_guard(clean_environ):
     seen = json.loads(answer.stdout)
     assert f'{sys.prefix}/lib' in seen['LD_LIBRARY_PATH'].split(':')
     assert sys.prefix in seen['AMENT_PREFIX_PATH'].split(':')
+
+
+def test_users_of_a_hub_have_domains_of_their_own(tmp_path):
+    alone, mine, chosen = {}, {'JUPYTERHUB_USER': 'ada'}, {'JUPYTERHUB_USER': 'ada', 'ROS_DOMAIN_ID': '7'}
+    for environ in (alone, mine, chosen):
+        startup.share_the_machine(environ, 1001)
+    assert 'ROS_DOMAIN_ID' not in alone
+    assert (mine['ROS_DOMAIN_ID'], chosen['ROS_DOMAIN_ID']) == ('2', '7')
+    startup.activate(mine, str(tmp_path))
+    assert mine['ROS_DOMAIN_ID'] == '2'

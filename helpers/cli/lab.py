@@ -19,6 +19,8 @@ TRIES = 50  # ports from DEFAULT_PORT on, if no port is asked for
 def lab(
     port: Annotated[int | None, typer.Option(min=1, max=65535, help='TCP port; default: a free one from 8888.')] = None,
     no_browser: Annotated[bool, typer.Option('--no-browser', help='Only print the address.')] = False,
+    host: Annotated[str, typer.Option(metavar='ADDRESS', help='Address to listen on; 0.0.0.0 lets other machines in, '
+                                                              'who need the token.')] = 'localhost',
 ):
     """Open JupyterLab on notebooks/."""
     if not paths.NOTEBOOKS.is_dir():
@@ -33,7 +35,7 @@ def lab(
         start = '/lab'
     # The environment's own kernel, whatever kernels the user has elsewhere under the same name.
     os.environ.setdefault('JUPYTER_PREFER_ENV_PATH', '1')
-    command = arguments(chosen, no_browser, os.geteuid() == 0, start)
+    command = [*arguments(chosen, no_browser, os.geteuid() == 0, start), f'--ServerApp.ip={host}']
     os.chdir(paths.ROOT)
     os.execv(sys.executable, [sys.executable, *command])  # JupyterLab takes over this process: its signals, its exit
 
