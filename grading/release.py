@@ -11,7 +11,7 @@ from helpers import paths
 from helpers.exercises import manifest
 
 LEFT_OUT = ('solutions', 'grading', '.ci', '.github', 'build', 'log')
-_FILE_LEFT_OUT = re.compile(r'\.(pyc|part)$|^submission-.*\.zip$|^START\.md$|^\.progress\.json')
+_FILE_LEFT_OUT = re.compile(r'\.(pyc|part)$|^submission-.*\.zip$|^START\.md$|^\.progress\.json|^\.gitlab-ci\.yml$')
 _FOLDER_LEFT_OUT = {'.git', '.venv', '__pycache__', '.ipynb_checkpoints', '.pytest_cache', '.ruff_cache', 'build',
                     'install', 'log'}
 
