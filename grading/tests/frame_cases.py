@@ -75,6 +75,12 @@ learner.start('Talker')
 learner.run(1.0)
 expect(heard.matrix('map', 'moving') is not None, 'Not a number.')
 """, 'failed', ('Not a number.',)),
+    'no transforms at all': Case(HEAD, """
+heard = learner.tf_listener()
+learner.start('Talker')
+learner.run(1.0)
+expect(heard.transforms, 'Nothing.')
+""", 'failed', ('no publisher on /tf or /tf_static.',)),
     'static transforms that are not latched': Case(HEAD + """\
         from tf2_msgs.msg import TFMessage
         self.p = self.create_publisher(TFMessage, '/tf_static', 10)

@@ -13,7 +13,7 @@ from tf2_msgs.msg import TFMessage
 from tf2_py import BufferCore, TransformException
 from tf_transformations import compose_matrix, quaternion_from_matrix, quaternion_matrix
 
-from helpers.runner.peers import SECOND
+from helpers.runner.peers import SECOND, Peer
 
 MOVING_QOS = QoSProfile(depth=100)
 STATIC_QOS = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -64,15 +64,22 @@ class Broadcaster:
         self._static.send(TFMessage(transforms=[to_message(parent, child, matrix)]))
 
 
-class Listener:
+class Listener(Peer):
     """Records what the learner's program broadcasts: `learner.tf_listener()`. One made late gets what is latched.
 
     `moving` and `static` are the recordings of `/tf` and `/tf_static`.
     """
 
     def __init__(self, learner):
+        self._learner = learner
         self.moving = learner.listen('/tf', TFMessage, MOVING_QOS)
         self.static = learner.listen('/tf_static', TFMessage, STATIC_QOS)
+        self.moving.optional = self.static.optional = True  # most programs publish on one of them only
+
+    def hints(self) -> list[str]:
+        """Whether the learner's program broadcasts at all."""
+        topics = [topic for topic in ('/tf', '/tf_static') if self._learner.endpoints(topic).publishers]
+        return [] if topics else ['Your program has no publisher on /tf or /tf_static.']
 
     @property
     def transforms(self) -> list[TransformStamped]:

@@ -57,6 +57,7 @@ class Recording:
     stamps: list[float] = field(default_factory=list)
     subscription: object = field(default=None, repr=False)
     strict: bool = field(default=True, repr=False)
+    optional: bool = field(default=False, repr=False)  # no hint if the learner has no publisher there
     matched: int = field(default=0, repr=False)  # publishers that were ever connected
     known: set = field(default_factory=set, repr=False)  # those of the test's and the learner's programs
 
@@ -281,7 +282,7 @@ class Learner(Workspaces):
     def tf_listener(self) -> 'frames.Listener':
         """What the learner broadcasts: `transforms`, `static_transforms`, `matrix`. A late one gets what is latched."""
         from helpers.runner import frames
-        return frames.Listener(self)
+        return self.add(frames.Listener(self))
 
     def add(self, peer: Peer):
         """Take in a partner of the learner's program, and return it."""
@@ -532,7 +533,8 @@ class Learner(Workspaces):
     def hints(self) -> list[str]:
         """What a failed test may add: endpoints of the test's that no node of the learner's is connected with."""
         own = self.own_nodes()
-        ends = [(recording.subscription.topic_name, 'publisher') for recording in self._recordings]
+        ends = [(recording.subscription.topic_name, 'publisher') for recording in self._recordings
+                if not recording.optional]
         ends += [(talker.topic, 'subscription') for talker in self._talkers if not talker.optional]
         found = []
         for topic, kind in dict.fromkeys(ends):

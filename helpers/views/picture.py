@@ -21,42 +21,50 @@ _LIGHT = np.array((0.25, -0.5, 0.83))
 _LARGEST = 56_000  # characters; budgets are halved until the picture is smaller
 _MARGIN = (34, 46, 40, 70)  # pixels at the top, the left, the bottom and the right that hold names and captions
 _BUDGET = 3000  # points of clouds, and faces of meshes
+_ON_TOP, _SEEN = 1e6, 1e5  # m nearer than all else: what nothing hides, and points that no face hides
 _SIDES = 20  # of a cylinder
 _FONT = 'system-ui, -apple-system, "Segoe UI", sans-serif'
 
 
 def svg(scene: Scene, caption: str = '', problems: Sequence[str] = (), legend: Sequence[tuple[str, Colour, bool]] = (),
-        width: int = 720, height: int = 420) -> str:
+        around: tuple[np.ndarray, float] | None = None, width: int = 720, height: int = 420) -> str:
     """Return the scene as an SVG of less than 60 kB.
 
     :param caption: a line below the picture.
     :param problems: lines in red above it.
     :param legend: kinds of lines: what, colour, dashed.
+    :param around: a point and how much around it to show, in m; None: everything.
     """
     items = scene.items()
     budget = _BUDGET
     while True:
-        text = _Picture(items, width, height, budget).text(caption, problems, legend)
+        text = _Picture(items, around, width, height, budget).text(caption, problems, legend)
         if len(text) < _LARGEST or budget < 50:
             return text
         budget //= 2
 
 
 class _Picture:
-    def __init__(self, items: list[Item], width: int, height: int, budget: int):
+    def __init__(self, items: list[Item], around, width: int, height: int, budget: int):
         self.items, self.width, self.height, self.budget = items, width, height, budget
         self.finest = 0.8 * _BUDGET / budget  # pixels between two points of a line
         self.parts: list[tuple[float, str]] = []  # depth towards the viewer, element
+        self.walls: list[tuple] = []  # faces that hide points: corners, outline, normal
         self.boxes: list[tuple] = []  # what the names have taken
-        self._fit()
+        self._fit(around)
 
     # Projection
 
-    def _fit(self) -> None:
+    def _fit(self, around) -> None:
         clouds = [points for item in self.items if len(points := _extent(item))]
         self.empty = not clouds
         points = np.vstack(clouds) if clouds else np.array([[-1.0, -1.0, 0.0], [1.0, 1.0, 0.0]])
-        self.low, self.high = points.min(axis=0), points.max(axis=0)
+        if around is not None:
+            centre, span = around
+            points = centre + 0.5 * span * np.array([_RIGHT, -_RIGHT, _UP, -_UP])
+        self.low, self.high = points.min(axis=0), points.max(axis=0)  # where there is ground
+        if around is not None:
+            self.low, self.high = centre - span, centre + span
         u, v = points @ _RIGHT, points @ _UP
         top, left, bottom, right = _MARGIN
         room = np.array((self.width - left - right, self.height - top - bottom), dtype=float)
@@ -74,9 +82,12 @@ class _Picture:
 
     def text(self, caption: str, problems: Sequence[str], legend) -> str:
         body = [self._ground()]
-        for item in self.items:
+        for item in sorted(self.items, key=lambda item: isinstance(item.shape, Points)):  # last: faces may hide them
             if not isinstance(item.shape, Label):
+                first = len(self.parts)
                 getattr(self, f'_{type(item.shape).__name__.lower()}')(item)
+                if getattr(item.shape, 'on_top', False):
+                    self.parts[first:] = [(depth + _ON_TOP, element) for depth, element in self.parts[first:]]
         body += [element for _, element in sorted(self.parts, key=lambda entry: entry[0])]
         named = [item for item in self.items if isinstance(item.shape, Label) and item.shape.text]
         body += ['<g stroke="#fff" stroke-width="3" paint-order="stroke">', *map(self._name, named), '</g>']
@@ -122,8 +133,15 @@ class _Picture:
     def _add(self, depth: float, element: str, opacity: float) -> None:
         self.parts.append((depth, element if opacity >= 1 else f'<g opacity="{opacity:.2g}">{element}</g>'))
 
+    def _outside(self, flat: np.ndarray) -> bool:
+        """Whether all of an element is beside the picture."""
+        low, high = flat.min(axis=0), flat.max(axis=0)
+        return bool(high[0] < 0 or high[1] < 0 or low[0] > self.width or low[1] > self.height)
+
     def _stroke(self, ends, colour, width: float, opacity: float, more: str = '') -> None:
         flat = self.flat(ends)
+        if self._outside(flat):
+            return
         kept = [flat[0]]
         for place in flat[1:]:
             if np.abs(place - kept[-1]).max() >= self.finest:
@@ -173,18 +191,35 @@ class _Picture:
         points = _placed(item.pose, shape.points[some])
         if not len(points):
             return
-        flat, depth = np.round(self.flat(points)).astype(int), points @ VIEW_FROM
+        flat = self.flat(points)
+        if self._outside(flat):
+            return
         colours = shape.colours if len(shape.colours) == 1 else shape.colours[some]
         colours = np.broadcast_to(np.round(colours * 6) / 6, points.shape)
-        slices = np.clip(((depth - depth.min()) / (np.ptp(depth) + 1e-9) * 8).astype(int), 0, 7)
-        groups: dict[tuple, list[int]] = {}
-        for index, key in enumerate(zip(slices.tolist(), map(tuple, colours.tolist()), strict=True)):
-            groups.setdefault(key, []).append(index)
+        seen = ~self._hidden(points, flat, 1.5 * shape.size)
+        groups: dict[tuple, dict] = {}
+        for place, colour in zip(np.round(flat[seen]).astype(int).tolist(), colours[seen].tolist(), strict=True):
+            groups.setdefault(tuple(colour), {})[tuple(place)] = None
         width = min(6.0, max(1.5, shape.size * self.scale))
-        for (_, colour), members in groups.items():
-            path = ''.join(f'M{x} {y}h0' for x, y in dict.fromkeys(map(tuple, flat[members].tolist())))
-            self._add(float(depth[members].mean()),
-                      f'<path d="{path}" stroke="{_hex(colour)}" stroke-width="{width:.2g}"/>', item.opacity)
+        for colour, places in groups.items():
+            path = ''.join(f'M{x} {y}h0' for x, y in places)
+            self._add(_SEEN, f'<path d="{path}" stroke="{_hex(colour)}" stroke-width="{width:.2g}"/>', item.opacity)
+
+    def _hidden(self, points: np.ndarray, flat: np.ndarray, near: float) -> np.ndarray:
+        """Which points a face hides, from which they are farther away than `near` m."""
+        hidden = np.zeros(len(points), dtype=bool)
+        for corners, outline, normal in self.walls:
+            low, high = outline.min(axis=0), outline.max(axis=0)
+            some = np.flatnonzero(~hidden & np.all((flat >= low) & (flat <= high), axis=1))
+            if not len(some):
+                continue
+            ahead = ((corners[0] - points[some]) @ normal) / (VIEW_FROM @ normal)  # how far it is to the face
+            sides = np.roll(outline, -1, axis=0) - outline
+            to = flat[some][:, None] - outline
+            turns = sides[:, 0] * to[..., 1] - sides[:, 1] * to[..., 0]
+            inside = np.all(turns >= 0, axis=1) | np.all(turns <= 0, axis=1)
+            hidden[some[inside & (ahead > near)]] = True
+        return hidden
 
     def _box(self, item: Item) -> None:
         x, y, z = (0.5 * size for size in item.shape.size)
@@ -226,6 +261,8 @@ class _Picture:
     def _faces(self, corners, faces, colour, opacity: float, both_sides: bool = False) -> None:
         """Paint those faces that look at the viewer, brighter the more they look into the light."""
         flat, colour = self.flat(corners), np.array(colour)
+        if self._outside(flat):
+            return
         for face in faces:
             face = list(face)
             a, b, c = corners[face[:3]]
@@ -238,6 +275,8 @@ class _Picture:
                 if not both_sides:
                     continue
                 normal = -normal
+            if opacity >= 1:
+                self.walls.append((corners[face], flat[face], normal))
             shade = _hex(np.minimum(1.0, colour * (0.62 + 0.42 * max(0.0, float(normal @ _LIGHT)))))
             path = ' '.join(_pair(place) for place in flat[face])
             depths = corners[face] @ VIEW_FROM
@@ -250,6 +289,8 @@ class _Picture:
     def _name(self, item: Item) -> str:
         shape = item.shape
         x, y = self.flat(item.pose[:3, 3])[0]
+        if not (0 <= x <= self.width and 0 <= y <= self.height):
+            return ''
         size = 13.0 if shape.height is None else min(60.0, max(4.0, 1.4 * shape.height * self.scale))
         long, tall = (0.58 if shape.bold else 0.54) * size * len(shape.text), 1.15 * size
         if shape.height is not None:  # one that was given a size stands where it was put

@@ -48,9 +48,11 @@ class Axes(Shape):
     """A coordinate frame: x red, y green, z blue.
 
     :param length: of each axis in m.
+    :param on_top: nothing hides it, as with a frame inside of a robot.
     """
 
     length: float = 0.2
+    on_top: bool = False
 
 
 @dataclass(frozen=True)
@@ -60,12 +62,14 @@ class Arrow(Shape):
     :param length: of the whole arrow in m.
     :param radius: of the shaft in m; the head is twice as wide. None: a twentieth of the length.
     :param head: length of the head in m, up to the whole length. None: six radii, but at most half of the length.
+    :param on_top: nothing hides it.
     """
 
     length: float = 1.0
     radius: float | None = None
     colour: Colour = RED
     head: float | None = None
+    on_top: bool = False
 
     @property
     def sizes(self) -> tuple[float, float]:
@@ -126,6 +130,7 @@ class Line(_ArrayShape):
     :param width: in pixels of the screen.
     :param pieces: points 0-1, 2-3, 4-5 … are separate lines; N is even.
     :param dashed: interrupted.
+    :param on_top: nothing hides it.
     """
 
     arrays: ClassVar = {'points': 3, 'colours': 3}
@@ -134,6 +139,7 @@ class Line(_ArrayShape):
     width: float = 2.0
     pieces: bool = False
     dashed: bool = False
+    on_top: bool = False
 
     def __post_init__(self):
         super().__post_init__()

@@ -26,11 +26,13 @@ class TF(Display):
     :param frame_timeout: seconds.
     :param axis_length: in m; None: from the distances between the frames.
     :param trails: frames that leave a line behind.
+    :param on_top: nothing hides the frames.
     """
 
-    def __init__(self, frame_timeout: float = 10.0, axis_length: float | None = None, trails=()):
+    def __init__(self, frame_timeout: float = 10.0, axis_length: float | None = None, trails=(), on_top: bool = False):
         super().__init__()
         self.frame_timeout, self.axis_length, self.trails = frame_timeout, axis_length, tuple(trails)
+        self.on_top = on_top
         self.tree = Tree({})
         self.poses: dict[str, np.ndarray] = {}
         self.listener: FrameListener | None = None
@@ -110,7 +112,7 @@ class TF(Display):
         look = (self._length, static)
         if self._drawn.get(frame) != look:
             self._drawn[frame] = look
-            self.scene.set(f'{path}/axes', Axes(self._length))
+            self.scene.set(f'{path}/axes', Axes(self._length, self.on_top))
             self.scene.set(f'{path}/name', Label(frame, None, _STATIC_NAME if static else DARK, not static))
         opacity = 1.0 if past or link is None or static else self._freshness(link)
         self.scene.appearance(path, opacity=opacity)
@@ -132,7 +134,7 @@ class TF(Display):
             self.scene.delete(path)
             return
         size = round(min(0.3 * self._length, 0.3 * distance), 3 - math.floor(math.log10(self._length)))
-        self.scene.set(path, Arrow(size, size / 5.5, STATIC if static else MOVES, head=size))
+        self.scene.set(path, Arrow(size, size / 5.5, STATIC if static else MOVES, head=size, on_top=self.on_top))
         x = way / distance
         helper = np.array((0.0, 0.0, 1.0)) if abs(x[2]) < 0.9 else np.array((0.0, 1.0, 0.0))
         y = _cross(helper, x)
@@ -154,7 +156,8 @@ class TF(Display):
             if self._lines.get(static) != points.tobytes():
                 self._lines[static] = points.tobytes()
                 name = 'links/static' if static else 'links/moving'
-                self.scene.set(name, Line(points, colour, 2.5 if not static else 2.0, pieces=True, dashed=static))
+                self.scene.set(name, Line(points, colour, 2.0 if static else 2.5, pieces=True, dashed=static,
+                                          on_top=self.on_top))
 
     def _draw_trails(self) -> None:
         for number, frame in enumerate(self.trails):

@@ -9,7 +9,7 @@ from helpers.views import picture
 from helpers.views.display import Display
 from helpers.views.frames import Tree
 from helpers.views.live import LiveRenderer
-from helpers.views.scene import Scene
+from helpers.views.scene import Scene, part
 from helpers.views.tf_display import MOVES, STATIC, TF
 
 RATE = 30.0  # updates a second, at most
@@ -61,6 +61,8 @@ class TfView:
 
     :param displays: what to show beside the frames, see `helpers.views`.
     :param fixed_frame: the frame that stands still; None: the root of the largest tree.
+    :param focus: a frame that the camera follows; None: everything is in the picture.
+    :param span: how much around that frame is in the picture, in m.
     :param frames: show the frames themselves.
     :param trails: names of frames that leave a line behind.
     :param axis_length: of the frames' axes in m; None: what suits.
@@ -70,9 +72,9 @@ class TfView:
     :raises RuntimeError: ROS is not started.
     """
 
-    def __init__(self, *displays: Display, fixed_frame: str | None = None, frames: bool = True, trails=(),
-                 axis_length: float | None = None, frame_timeout: float = 10.0, height: int = 420,
-                 live: bool | None = None):
+    def __init__(self, *displays: Display, fixed_frame: str | None = None, focus: str | None = None, span: float = 2.0,
+                 frames: bool = True, trails=(), axis_length: float | None = None, frame_timeout: float = 10.0,
+                 height: int = 420, live: bool | None = None):
         import rclpy
         from tf2_ros import Buffer
 
@@ -87,6 +89,7 @@ class TfView:
         self.scene = Scene()  #: what is shown; for displays of your own
         self.buffer = Buffer()  #: the tf2_ros.Buffer with what has been heard; it holds still during time travel
         self.displays = displays
+        self.focus, self.span = focus, span
         self._made_in = journal.number()
         self._height, self._frames = height, frames
         self._chosen = fixed_frame or ''
@@ -96,7 +99,7 @@ class TfView:
         self._latest = 0
         self._any = threading.Event()  # a frame is known
         self._wanted = None  # what `at` or `rewind` asks of the next update
-        self._tf = TF(frame_timeout, axis_length, trails)
+        self._tf = TF(frame_timeout, axis_length, trails, on_top=bool(displays))
         self._live: LiveRenderer | None = None
         self._output = None
         self._node = rclpy.create_node(_free_name(), enable_rosout=False, start_parameter_services=False)
@@ -241,7 +244,8 @@ class TfView:
 
     def _state(self) -> dict:
         return {'fixed_frame': self._fixed_frame, 'chosen': self._chosen, 'frames': sorted(self._tf.tree.frames),
-                'problems': self.problems, 'past': self._past, 'history': 10.0}
+                'problems': self.problems, 'past': self._past, 'history': 10.0, 'span': self.span,
+                'focus': f'TF/frames/{part(self.focus)}' if self.focus else None}
 
     def _on_message(self, content: dict) -> None:
         """The page's controls; in the server's thread."""
@@ -273,7 +277,9 @@ class TfView:
             caption += f' · {self._past:.2f} s before the latest'
         kinds = {link.static for link in self._tf.tree.links.values()} if self._frames else ()
         legend = [kind for kind in (('moves', MOVES, False), ('static', STATIC, True)) if kind[2] in kinds]
-        return picture.svg(self.scene, caption, self.problems, legend, height=self._height)
+        pose = self._tf.poses.get(self.focus)
+        around = None if pose is None else (pose[:3, 3], self.span)
+        return picture.svg(self.scene, caption, self.problems, legend, around, height=self._height)
 
 
 def _names(displays) -> dict[str, Display]:

@@ -99,7 +99,6 @@ def test_silence(learner):
     """
     there = pursuit(learner)
     there.run(0.896)
-    there.leader.theta += 1.0
     expect(not there.stands, 'Both turtles are known, and the follower stands.')
     quiet = learner.random.choice(there.names)
     loud = [name for name in there.names if name != quiet]

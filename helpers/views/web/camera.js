@@ -1,11 +1,13 @@
 // Where one looks from, and the ground: both follow what is there until somebody takes the camera.
 'use strict';
 
-import {eachPoint, root} from './nodes.js';
+import {eachPoint, placeOf, root} from './nodes.js';
 
 const THREE = MeshCat.THREE;
 const VIEW_FROM = new THREE.Vector3(0.49, -0.70, 0.53).normalize();  // as in helpers/views/picture.py
 const ROOM = 0.8;  // of the picture is for the scene, the rest for names and controls
+
+const upright = (v) => new THREE.Vector3(v.x, v.z, -v.y);  // three.js: y is up; ROS: z is up
 
 export class Look {
   constructor(viewer) {
@@ -20,13 +22,26 @@ export class Look {
   reset() {
     this.byHand = false;
     this.fitted = null;
+    this.followed = null;
     this.news = true;
+  }
+
+  // A node to follow, and how much around it to show, in m; or null: everything.
+  focus(path, span) {
+    if (path === this.path && span === this.span) return;
+    [this.path, this.span] = [path, span];
+    this.reset();
   }
 
   update() {  // before a picture is drawn
     if (!this.news) return;
     this.news = false;
-    const box = new THREE.Box3();
+    const place = this.path ? placeOf(this.path) : null, box = new THREE.Box3();
+    if (place) {
+      this.follow(place);
+      this.drawGround(box.setFromCenterAndSize(place, new THREE.Vector3().setScalar(2 * this.span)));
+      return;
+    }
     eachPoint((point) => box.expandByPoint(point));
     if (box.isEmpty()) return;
     this.drawGround(box);
@@ -36,6 +51,19 @@ export class Look {
     const fits = old && centre.distanceTo(old.centre) < 0.4 * old.radius
       && radius < 1.2 * old.radius && radius > 0.6 * old.radius;
     if (!fits) this.fit(centre, radius);
+  }
+
+  follow(place) {
+    if (this.followed) {  // also with a camera that was moved by hand: it goes along
+      const step = upright(place.clone().sub(this.followed));
+      this.viewer.camera.position.add(step);
+      this.viewer.controls.target.add(step);
+      this.viewer.controls.update();
+    } else {
+      const camera = this.viewer.camera, tall = Math.tan(THREE.MathUtils.degToRad(camera.fov) / 2);
+      this.place(place, 0.5 * this.span / tall / Math.min(1, camera.aspect), 0.5 * this.span);
+    }
+    this.followed = place;
   }
 
   fit(centre, radius) {
@@ -48,14 +76,18 @@ export class Look {
       const away = Math.max(Math.abs(point.dot(right)) / wide, Math.abs(point.dot(up)) / tall);
       distance = Math.max(distance, away + point.dot(VIEW_FROM));
     });
-    const upright = (v) => new THREE.Vector3(v.x, v.z, -v.y);  // three.js: y is up; ROS: z is up
+    this.place(centre, distance, radius);
+    this.fitted = {centre, radius};
+  }
+
+  place(centre, distance, radius) {
+    const camera = this.viewer.camera;
     camera.position.copy(upright(centre.clone().addScaledVector(VIEW_FROM, distance)));
     camera.near = radius / 100;
     camera.far = radius * 200;
     camera.updateProjectionMatrix();
     this.viewer.controls.target.copy(upright(centre));
     this.viewer.controls.update();
-    this.fitted = {centre, radius};
   }
 
   drawGround(box) {

@@ -37,7 +37,7 @@ export function drawNames(canvas, camera) {
     } else {
       const [place, covered] = freePlace(x, y, long, tall, taken, label.place ?? 0);
       label.place = place;
-      label.left_out = covered > (label.left_out ? 0.25 : 0.5) * long * tall;  // no room: nearer, there is more
+      label.left_out = covered > (label.left_out ? 0.1 : 0.3) * long * tall;  // no room: nearer, there is more
       if (label.left_out) continue;
       box = boxAt(PLACES[place], x, y, long, tall);
       taken.push(box);

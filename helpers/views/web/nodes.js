@@ -60,6 +60,14 @@ export function isVisible(target) {
   return true;
 }
 
+// Where a node is, in coordinates of the fixed frame; null if there is none.
+export function placeOf(path) {
+  const target = byPath.get(path);
+  if (!target) return null;
+  root.updateWorldMatrix(true, true);
+  return root.worldToLocal(new THREE.Vector3().setFromMatrixPosition(target.matrixWorld));
+}
+
 // One message: uint32 length of the JSON, the JSON, the binary block. Returns the JSON.
 export function take(buffer) {
   const length = new DataView(buffer).getUint32(0, true), start = 4 + length;

@@ -119,8 +119,26 @@ const builders = {
 };
 
 export function build(shape, floats, integers) {
-  return builders[shape.type](shape, floats, integers);
+  const content = builders[shape.type](shape, floats, integers);
+  if (shape.on_top) {
+    content.traverse((part) => {
+      part.renderOrder = ON_TOP;
+      if (part.material) part.material.transparent = true;  // three.js draws these last
+    });
+  }
+  return content;
 }
+
+// Drawn after all that can hide and before all that shall not be hidden: between them distances begin anew.
+const ON_TOP = 2;
+const NOTHING = new THREE.MeshBasicMaterial({colorWrite: false, depthWrite: false, transparent: true});
+export const curtain = new THREE.Mesh(new THREE.BoxGeometry(1e-6, 1e-6, 1e-6), NOTHING);
+curtain.frustumCulled = false;
+curtain.renderOrder = ON_TOP - 1;
+curtain.onBeforeRender = (renderer) => {
+  renderer.state.buffers.depth.setMask(true);
+  renderer.clearDepth();
+};
 
 export function dispose(content) {
   content.traverse((part) => {
@@ -132,7 +150,7 @@ export function dispose(content) {
 export function setOpacity(content, opacity) {
   content.traverse((part) => {
     if (!part.material) return;
-    part.material.transparent = opacity < 1;
+    part.material.transparent = opacity < 1 || part.renderOrder === ON_TOP;
     part.material.depthWrite = opacity >= 1;
     part.material.opacity = opacity;
     if (part.material.uniforms) part.material.uniforms.opacity.value = opacity;

@@ -4,12 +4,13 @@
 import {Look} from './camera.js';
 import {drawNames} from './names.js';
 import {take} from './nodes.js';
-import {resolution} from './shapes.js';
+import {curtain, resolution} from './shapes.js';
 
 const at = (name) => document.getElementById(name);
 const viewer = new MeshCat.Viewer(at('pane'));
 for (const path of [['Grid'], ['Axes'], ['Background']]) viewer.set_property(path, 'visible', false);
 viewer.gui.domElement.style.display = 'none';
+viewer.scene.add(curtain);
 const look = new Look(viewer), canvas = at('labels');
 let withNames = true, undrawn = 0;
 
@@ -43,6 +44,7 @@ function showState(state) {
   when.textContent = state.past === null ? 'now' : `${state.past.toFixed(2)} s ago`;
   when.classList.toggle('past', state.past !== null);
   live.setAttribute('aria-pressed', String(state.past === null));
+  look.focus(state.focus, state.span);
 }
 
 const tell = (content) => { if (socket.readyState === WebSocket.OPEN) socket.send(JSON.stringify(content)); };
