@@ -22,7 +22,8 @@ def check(exercise_id: str) -> None:
         print(f'The check could not run: {error}')
     else:
         _show(report.exercises)
-        if Path.cwd() == paths.NOTEBOOKS:  # not for copies, nor for an instructor's solutions
+        # Not for copies, nor when an instructor's solutions are built.
+        if Path.cwd() == paths.NOTEBOOKS and os.environ.get('COURSE_PROGRESS') != 'off':
             start_page.keep(report.exercises)
 
 

@@ -117,9 +117,18 @@ def text(folder: Path = paths.NOTEBOOKS) -> str:
         score=_number(sum(found[exercise.id].score for exercise in mine if exercise.id in found)))
 
 
-def _chapter(path: Path, known: dict, found: dict[str, marks.Mark]) -> Chapter:
-    mine = [exercise for exercise in known.values() if exercise.notebook == path.name]
-    still = [exercise.id for exercise in mine if exercise.id not in found or not found[exercise.id].passed]
+@dataclass(frozen=True)
+class Introduction:
+    """What a chapter's first cell says."""
+
+    title: str  # '3. Nodes and topics'
+    thesis: str
+    goals: str  # Markdown
+    time: str  # 'three hours'
+
+
+def introduction(path: Path) -> Introduction:
+    """Read a chapter's first cell. What is not in it is empty; the title is then the file's name."""
     head = _head(path)
 
     def said(pattern: str, default: str = '') -> str:
@@ -127,10 +136,17 @@ def _chapter(path: Path, known: dict, found: dict[str, marks.Mark]) -> Chapter:
         return ' '.join(match[1].split()) if match else default
 
     goals = re.search(r'^\*\*Goals\.\*\*.*?(?=^\*\*|\Z)', head, re.MULTILINE | re.DOTALL)
+    return Introduction(said(r'^# (.+?)$', path.stem), said(r'^> (.+?)$'), goals[0].strip() if goals else '',
+                        said(r'^\*\*Time\.\*\* (?:About )?(.+?)(?: with .*?)?\.$'))
+
+
+def _chapter(path: Path, known: dict, found: dict[str, marks.Mark]) -> Chapter:
+    mine = [exercise for exercise in known.values() if exercise.notebook == path.name]
+    still = [exercise.id for exercise in mine if exercise.id not in found or not found[exercise.id].passed]
+    said = introduction(path)
     return Chapter(
-        int(path.name[:2]), path.name, said(r'^# (.+?)$', path.stem), said(r'^> (.+?)$'), goals[0].strip() if goals
-        else '', said(r'^\*\*Time\.\*\* (?:About )?(.+?)(?: with .*?)?\.$'), len(mine), len(mine) - len(still),
-        _number(sum(exercise.points for exercise in mine)),
+        int(path.name[:2]), path.name, said.title, said.thesis, said.goals, said.time,
+        len(mine), len(mine) - len(still), _number(sum(exercise.points for exercise in mine)),
         _number(sum(found[exercise.id].score for exercise in mine if exercise.id in found)), still)
 
 

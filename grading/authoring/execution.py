@@ -39,7 +39,7 @@ def execute(notebook: NotebookNode, chapter: Chapter, folder: Path, timeout: flo
                             resources={'metadata': {'path': str(folder)}})
     with domains.claim() as domain_id:
         try:
-            client.execute(env={**os.environ, 'ROS_DOMAIN_ID': str(domain_id)})
+            client.execute(env={**os.environ, 'ROS_DOMAIN_ID': str(domain_id), 'COURSE_PROGRESS': 'off'})
         except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
             raise _explain(error, notebook, chapter, timeout) from None
     notebook.metadata.clear()

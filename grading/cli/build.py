@@ -2,6 +2,7 @@
 
 import re
 import sys
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -14,6 +15,8 @@ def build(
     chapters: Annotated[list[str] | None, typer.Argument(metavar='[NN …]', help='Chapters; all if none.')] = None,
     check: Annotated[bool, typer.Option('--check', help='Run nothing: prove that all fits its source.')] = False,
     force: Annotated[bool, typer.Option('--force', help='Execute unchanged chapters too.')] = False,
+    html: Annotated[Path | None, typer.Option(metavar='DIR', help='Only write the course as web pages, without '
+                                                                  'solutions, from what is built.')] = None,
     timeout: Annotated[float, typer.Option(help='Longest time of one cell, in seconds.')] = 60.0,
 ):
     """Make the executed solution and the learner's notebook of each chapter from solutions/NN_name.md."""
@@ -36,6 +39,15 @@ def build(
             print(f'{len(lines)} generated files are out of step; run ./course build' if lines
                   else f'{len(known)} chapters are in step with their sources')
             raise typer.Exit(1 if lines else 0)
+        if html:
+            from grading.edition import pages
+
+            try:
+                written = pages.write(tree, html)
+            except (pages.EditionError, OSError) as error:
+                raise Refusal(str(error)) from None
+            print(f'{len(written)} pages; begin with {written[0]}')
+            return
         builder.build(tree, selected or None, force=force, timeout=timeout)
     except ChapterErrors as errors:
         print(errors, file=sys.stderr)

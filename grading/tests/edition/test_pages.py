@@ -1,0 +1,53 @@
+"""The course as web pages: readable, linked, and without any solution."""
+
+import re
+
+import pytest
+
+from grading.authoring import build
+from grading.authoring import chapter as chapters
+from grading.edition import pages
+from grading.tests.authoring.conftest import built, make_without_kernel, tree  # noqa: F401 - fixtures
+from helpers import paths
+
+COURSE = build.Tree(paths.ROOT)
+
+
+@pytest.mark.parametrize('source', chapters.sources(COURSE.solutions), ids=lambda path: path.stem)
+def test_no_solution_is_shown(source):
+    chapter = chapters.read(source)
+    shown = {cell.id: cell for cell in pages.readable(COURSE, chapter).cells}
+    for cell in build.notebooks.learner(chapter).cells:
+        if 'exercise' in cell.metadata:
+            assert (shown[cell.id].source, shown[cell.id].outputs) == (cell.source, [])
+        elif cell.cell_type == 'code' and cell.source.startswith('check('):
+            assert shown[cell.id].outputs == []
+    assert any(cell.get('outputs') for cell in shown.values())  # but what the lesson prints is
+
+
+def test_pages_and_contents_are_linked(built, tmp_path):  # noqa: F811
+    index, page = pages.write(built, tmp_path / 'pages', say=lambda line: None)
+    assert re.search(rf'<a href="{page.name}">', index.read_text())
+    text = page.read_text()
+    assert '<a href="index.html">All chapters</a>' in text
+    assert not re.search(r'<(script|link)[^>]+(src|href)="http', text)  # it can be read without a network
+
+
+def test_a_hint_stays_folded(built, tmp_path):  # noqa: F811
+    source = built.solutions / '07_tiny.md'
+    hint = '<details><summary>Hint</summary>\n\nA **hint**.\n\n</details>\n\n'
+    source.write_text(source.read_text().replace('```{code-cell}', f'{hint}```{{code-cell}}', 1))
+    with pytest.raises(pages.EditionError, match='run ./course build 07 first'):
+        pages.write(built, tmp_path / 'pages', say=lambda line: None)
+    assert not (tmp_path / 'pages').exists()
+    built.solved(chapters.read(source)).unlink()
+    make_without_kernel(built)
+    _, page = pages.write(built, tmp_path / 'pages', say=lambda line: None)
+    assert re.search(r'<summary>Hint</summary>\s*<p>A <strong>hint</strong>.</p>\s*</details>', page.read_text())
+
+
+def test_a_folder_that_is_not_empty_is_refused(built, tmp_path):  # noqa: F811
+    (tmp_path / 'mine').mkdir()
+    (tmp_path / 'mine' / 'file').touch()
+    with pytest.raises(pages.EditionError, match='is not empty'):
+        pages.write(built, tmp_path / 'mine')
