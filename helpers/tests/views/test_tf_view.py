@@ -168,6 +168,20 @@ def test_displays_have_their_own_part_and_tell_their_problems(sender):
     assert not [node for node in nodes.living() if 'tf_view' in node.get_name()]
 
 
+def test_the_camera_can_follow_a_frame(sender):
+    with TfView(focus='base', span=0.5, live=True) as view:
+        sender.wait_for_listener()
+        sender.send('map', 'base', 100.0)
+        sender.send('base', 'laser', 0.1, static=True)
+        wait_for(lambda: len(view.frames) == 3, timeout=30)
+        wait_for(lambda: place(view, 'laser'), timeout=30)
+        assert '>laser</text>' in view.picture().svg and '>map</text>' not in view.picture().svg
+        state = view._state()
+        assert state['focus'] in view.scene and state['span'] == 0.5
+        view.focus = None
+        assert '>map</text>' in view.picture().svg
+
+
 def test_a_view_ends_with_ros_and_needs_it(ros):
     with pytest.raises(TypeError, match='not str'):
         TfView('/scan')
