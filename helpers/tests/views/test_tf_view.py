@@ -103,6 +103,27 @@ def test_a_stale_frame_fades_and_goes_with_what_hangs_on_it(sender, monkeypatch)
     view.stop()
 
 
+def test_while_simulated_time_stands_still_nothing_fades(sender, monkeypatch):
+    from rosgraph_msgs.msg import Clock
+
+    from helpers.views import tf_display
+
+    sender.node.create_publisher(Clock, '/clock', 1)
+    with TfView(frame_timeout=3.0) as view:
+        sender.wait_for_listener()
+        wait_for(lambda: view._node.count_publishers('/clock'), timeout=30)
+        sender.send('map', 'base', at=5.0)
+        sender.send('map', 'late', at=5.0)
+        wait_for(lambda: len(view.frames) == 3, timeout=30)
+        now = tf_display.time.monotonic()
+        monkeypatch.setattr(tf_display.time, 'monotonic', lambda: now + 100.0)
+        sender.send('map', 'late', 7.0, at=5.5)
+        wait_for(lambda: place(view, 'late') == [7, 0, 0], timeout=30)
+        assert {item.opacity for item in seen(view, Axes).values()} == {1.0}
+        sender.send('map', 'late', at=9.0)
+        wait_for(lambda: view.frames == ['map', 'late'], timeout=30)
+
+
 def test_the_past(sender):
     with TfView(trails=['moon']) as view:
         sender.wait_for_listener()
