@@ -5,7 +5,7 @@ import pytest
 import rclpy
 from geometry_msgs.msg import TransformStamped
 from rclpy.time import Time
-from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
+from tf2_ros import Buffer, StaticTransformBroadcaster, TransformBroadcaster
 
 from helpers import TfView, show_frames, spin_for, wait_for
 from helpers.ros import nodes
@@ -238,6 +238,35 @@ def test_the_flat_tree(sender):
         wait_for(lambda: view.problems, timeout=30)
         loop = show_frames(view)
         assert repr(loop).startswith('a loop: ') and '>map</text>' in loop.svg()
+
+
+def test_the_flat_tree_of_a_buffer_alone():
+    buffer = Buffer()
+    for parent, child in (('a', 'b'), ('b', 'c'), ('c', 'a'), ('x', 'y')):
+        message = TransformStamped(child_frame_id=child)
+        message.header.frame_id, message.header.stamp.sec, message.transform.rotation.w = parent, 1, 1.0
+        buffer.set_transform(message, f'from_{parent}')
+    diagram = show_frames(buffer)
+    assert diagram.problems == ['a loop: b → a → c → b'] and '>a loop: b → a → c → b</text>' in diagram.svg()
+    assert repr(diagram).splitlines()[1:3] == ['x, root', '  y, moves, once, 0.0 s, from_x']
+
+
+def test_ages_are_by_simulated_time_where_there_is_some(sender):
+    from builtin_interfaces.msg import Time as Stamp
+    from rosgraph_msgs.msg import Clock
+
+    from helpers import spinning
+
+    publisher = sender.node.create_publisher(Clock, '/clock', 1)
+    sender.node.create_timer(0.02, lambda: publisher.publish(Clock(clock=Stamp(sec=12))))
+    buffer = Buffer()
+    message = TransformStamped(child_frame_id='base')
+    message.header.frame_id, message.header.stamp.sec, message.transform.rotation.w = 'map', 10, 1.0
+    buffer.set_transform(message, 'me')
+    with spinning(sender.node):
+        node = rclpy.create_node('other')
+        wait_for(lambda: node.count_publishers('/clock'), timeout=30)
+        assert repr(show_frames(buffer)) == 'map, root\n  base, moves, once, 2.0 s, 0.0 s, me'
 
 
 def test_the_flat_tree_listens_by_itself(sender):
