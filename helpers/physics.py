@@ -97,10 +97,8 @@ class PhysicsWorld:
     @property
     def odometry(self):
         """Where the robot's wheels say that it is, in the frame odom: x, y, yaw, and velocities linear, angular."""
-        from dataclasses import replace
-
         with self._node.lock:
-            return replace(self.world.odometry)
+            return self.world.odometry
 
     @property
     def touching(self) -> set[str]:

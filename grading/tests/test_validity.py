@@ -35,7 +35,8 @@ class Variant:
     """A text for an exercise's cell.
 
     A mutant says what the learner must read (`# expect:`), which hidden test rejects it (`# rejected by:`), and which
-    test says those words if that is another (`# told by:`).
+    test says those words if that is another (`# told by:`). A line `# alone: REASON` gives a variant a notebook of its
+    own: its exercise uses the answers of others, which must be right then.
     """
 
     name: str
@@ -44,23 +45,26 @@ class Variant:
     expected: tuple[str, ...]
     rejected_by: str
     told_by: tuple[str, ...]
+    alone: bool
 
     @classmethod
     def read(cls, path: Path) -> 'Variant':
         text = path.read_text()
         chapter, number, _ = path.stem.split('_', 2)
-        source = re.sub(r'^# (expect|rejected by|told by):.*\n', '', text, flags=re.MULTILINE)
+        source = re.sub(r'^# (expect|rejected by|told by|alone):.*\n', '', text, flags=re.MULTILINE)
         return cls(path.stem, f'{chapter}.{number}', source, tuple(re.findall(r'^# expect: (.+)$', text, re.MULTILINE)),
                    ''.join(re.findall(r'^# rejected by: (.+)$', text, re.MULTILINE)),
-                   tuple(re.findall(r'^# told by: (.+)$', text, re.MULTILINE)))
+                   tuple(re.findall(r'^# told by: (.+)$', text, re.MULTILINE)),
+                   bool(re.search(r'^# alone: ', text, re.MULTILINE)))
 
 
 def layers(kind, number):
-    """Variants of different exercises of a chapter, side by side: one notebook each."""
-    columns = [[variant for path in VARIANTS[kind] if (variant := Variant.read(path)).exercise == identity]
-               for identity in EXERCISES if identity.startswith(f'{number}.')]
-    return [pytest.param([variant for variant in row if variant], id=str(index))
-            for index, row in enumerate(zip_longest(*columns))]
+    """Variants of different exercises of a chapter, side by side: one notebook each. Some want one of their own."""
+    mine = [variant for path in VARIANTS[kind] if (variant := Variant.read(path)).exercise.startswith(f'{number}.')]
+    columns = [[variant for variant in mine if variant.exercise == identity and not variant.alone]
+               for identity in EXERCISES]
+    rows = [*zip_longest(*columns), *([variant] for variant in mine if variant.alone)]
+    return [pytest.param([variant for variant in row if variant], id=str(index)) for index, row in enumerate(rows)]
 
 
 def solved(number):

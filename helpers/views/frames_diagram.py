@@ -4,6 +4,7 @@ Read from left to right: a line leads from each parent to its child. Beside a ch
 or moving, how often it comes, how old the latest one is, how much history there is, and who broadcasts it.
 """
 
+import time
 from dataclasses import dataclass
 from html import escape
 
@@ -16,6 +17,7 @@ _ROW, _INDENT, _BOX, _FONT = 30, 28, 22, 'system-ui, -apple-system, "Segoe UI", 
 _COLUMNS = (('', 70), ('rate', 75), ('age', 80), ('history', 75), ('broadcaster', 0))
 _STATIC_RATE = 10_000.0  # what a buffer says of the single sample of a static transform
 _LONGEST_AGE = 86_400.0  # s; more means that the stamps are of another clock
+_PATIENCE = 1.0  # s, the longest wait for /clock
 
 
 @dataclass
@@ -38,16 +40,23 @@ class FramesDiagram:
     :param now: seconds; None: no ages.
     :param broadcasters: names of nodes on /tf and on /tf_static, for transforms whose sender is not known: tf2 in
         Python does not tell it.
-    :param problems: lines in red.
+    :param problems: lines in red; None: what is wrong with the tree as far as the buffer tells.
     """
 
-    def __init__(self, buffer, now: float | None = None, broadcasters=((), ()), problems=()):
-        self.now, self.problems = now, list(problems)
+    def __init__(self, buffer, now: float | None = None, broadcasters=((), ()), problems=None):
+        self.now = now
         # `[]` is an empty buffer's answer; and a frame's name may look like a number to YAML.
         data = {str(frame): entry for frame, entry in dict(yaml.safe_load(buffer.all_frames_as_yaml())).items()}
         self.rows = [_row(child, entry, broadcasters) for child, entry in data.items()]
         self._links = {row.child: Link(row.child, row.parent, row.static) for row in self.rows}
         self.tree = Tree(self._links)
+        self.problems = self.tree.problems(self.tree.best_root()) if problems is None else list(problems)
+
+    @property
+    def other_clock(self) -> bool:
+        """Whether the latest stamp is so far from now that it must be of another clock."""
+        stamps = [row.stamp for row in self.rows if not row.static]
+        return bool(stamps) and self.now is not None and abs(self.now - max(stamps)) > _LONGEST_AGE
 
     def _lines(self) -> list[tuple[int, str, Row | None]]:
         """Depth, frame and transform, parents before children; frames in loops come last."""
@@ -142,32 +151,34 @@ def show_frames(buffer=None, duration: float = 2.0) -> FramesDiagram:
 
     :param buffer: a ``tf2_ros.Buffer`` of yours, or a `TfView`: shows what it knows, and does not listen.
     :param duration: seconds to listen; slower transforms than one in this time may be missed.
-    :raises RuntimeError: ROS is not started.
+    :raises RuntimeError: ROS is not started, and no buffer is given.
     """
     import rclpy
     from tf2_ros import Buffer
 
     from helpers import spin_for
 
+    problems = getattr(buffer, 'problems', None)
+    mine = getattr(buffer, 'buffer', buffer)
     if not rclpy.ok():
+        if mine is not None:
+            return FramesDiagram(mine, problems=problems)
         raise RuntimeError('ROS is not started: run helpers.ros.start() first')
     node = rclpy.create_node('_show_frames', enable_rosout=False, start_parameter_services=False)
     try:
-        problems = getattr(buffer, 'problems', [])
-        mine = getattr(buffer, 'buffer', buffer)
+        clock = _Clock(node)
         if mine is None:
             mine = Buffer()
             listener = FrameListener(mine, node)
-            clock = _Clock(node)
             spin_for(duration, node)
             listener.unregister()
             tree = Tree(listener.links)
             problems = tree.problems(tree.best_root())
-        else:
-            clock = _Clock(node)
-            if node.count_publishers('/clock'):
-                spin_for(0.3, node)
-        return FramesDiagram(mine, clock.now(), _broadcasters(node), problems)
+        diagram = FramesDiagram(mine, clock.now(), _broadcasters(node), problems)
+        if diagram.other_clock and node.count_publishers('/clock'):
+            clock.wait()
+            diagram.now = clock.now()
+        return diagram
     finally:
         node.destroy_node()
 
@@ -184,6 +195,14 @@ class _Clock:
 
     def _take(self, message) -> None:
         self._seconds = message.clock.sec + 1e-9 * message.clock.nanosec
+
+    def wait(self) -> None:
+        """Wait for the first message, but not long: a simulation may stand still."""
+        from helpers import spin_for
+
+        deadline = time.monotonic() + _PATIENCE
+        while self._seconds is None and time.monotonic() < deadline:
+            spin_for(0.05, self._node)
 
     def now(self) -> float:
         """Seconds."""

@@ -11,6 +11,7 @@ from html import escape
 
 import numpy as np
 
+from helpers.views.painter import Part, order
 from helpers.views.scene import Item, Scene
 from helpers.views.shapes import BLUE, GREEN, RED, Arrow, Axes, Box, Colour, Cylinder, Label, Line, Mesh, Points, Sphere
 
@@ -18,10 +19,10 @@ VIEW_FROM = np.array((0.49, -0.70, 0.53)) / math.sqrt(0.49**2 + 0.70**2 + 0.53**
 _RIGHT = np.cross((0.0, 0.0, 1.0), VIEW_FROM) / np.linalg.norm(np.cross((0.0, 0.0, 1.0), VIEW_FROM))
 _UP = np.cross(VIEW_FROM, _RIGHT)
 _LIGHT = np.array((0.25, -0.5, 0.83))
-_LARGEST = 56_000  # characters; budgets are halved until the picture is smaller
+_LARGEST = 56_000  # characters; budgets are cut until the picture is smaller
 _MARGIN = (34, 46, 40, 70)  # pixels at the top, the left, the bottom and the right that hold names and captions
 _BUDGET = 3000  # points of clouds, and faces of meshes
-_ON_TOP, _SEEN = 1e6, 1e5  # m nearer than all else: what nothing hides, and points that no face hides
+_SEEN, _ON_TOP = 1, 2  # layers: points that no face hides, and what nothing hides
 _SIDES = 20  # of a cylinder
 _FONT = 'system-ui, -apple-system, "Segoe UI", sans-serif'
 
@@ -41,14 +42,14 @@ def svg(scene: Scene, caption: str = '', problems: Sequence[str] = (), legend: S
         text = _Picture(items, around, width, height, budget).text(caption, problems, legend)
         if len(text) < _LARGEST or budget < 50:
             return text
-        budget //= 2
+        budget = int(budget * min(0.5, 0.9 * _LARGEST / len(text)))
 
 
 class _Picture:
     def __init__(self, items: list[Item], around, width: int, height: int, budget: int):
         self.items, self.width, self.height, self.budget = items, width, height, budget
         self.finest = 0.8 * _BUDGET / budget  # pixels between two points of a line
-        self.parts: list[tuple[float, str]] = []  # depth towards the viewer, element
+        self.parts: list[Part] = []
         self.walls: list[tuple] = []  # faces that hide points: corners, outline, normal
         self.boxes: list[tuple] = []  # what the names have taken
         self._fit(around)
@@ -87,8 +88,9 @@ class _Picture:
                 first = len(self.parts)
                 getattr(self, f'_{type(item.shape).__name__.lower()}')(item)
                 if getattr(item.shape, 'on_top', False):
-                    self.parts[first:] = [(depth + _ON_TOP, element) for depth, element in self.parts[first:]]
-        body += [element for _, element in sorted(self.parts, key=lambda entry: entry[0])]
+                    for part in self.parts[first:]:
+                        part.layer = _ON_TOP
+        body += order(self.parts, VIEW_FROM)
         named = [item for item in self.items if isinstance(item.shape, Label) and item.shape.text]
         body += ['<g stroke="#fff" stroke-width="3" paint-order="stroke">', *map(self._name, named), '</g>']
         lines = [f'<text x="12" y="{22 + 17 * number}" fill="#b3261e">{escape(line)}</text>'
@@ -130,8 +132,12 @@ class _Picture:
         path = ''.join(f'M{_pair(a)}L{_pair(b)}' for a, b in zip(flat[::2], flat[1::2], strict=True))
         return f'<path d="{path}" stroke="#d5dae1"/>'
 
-    def _add(self, depth: float, element: str, opacity: float) -> None:
-        self.parts.append((depth, element if opacity >= 1 else f'<g opacity="{opacity:.2g}">{element}</g>'))
+    def _add(self, element: str, opacity: float, points: np.ndarray, normal=None, layer: int = 0) -> None:
+        if not len(points):
+            return
+        flat = self.flat(points)
+        self.parts.append(Part(element if opacity >= 1 else f'<g opacity="{opacity:.2g}">{element}</g>',
+                               points, flat.min(axis=0) - 1, flat.max(axis=0) + 1, normal, layer))
 
     def _outside(self, flat: np.ndarray) -> bool:
         """Whether all of an element is beside the picture."""
@@ -149,8 +155,7 @@ class _Picture:
         if len(kept) < 2:
             kept.append(kept[0])
         path = f'M{_pair(kept[0])}L' + ' '.join(_pair(place) for place in kept[1:])
-        self._add(float(np.mean(np.asarray(ends) @ VIEW_FROM)),
-                  f'<path d="{path}" stroke="{_hex(colour)}" stroke-width="{width:.3g}"{more}/>', opacity)
+        self._add(f'<path d="{path}" stroke="{_hex(colour)}" stroke-width="{width:.3g}"{more}/>', opacity, ends)
 
     def _axes(self, item: Item) -> None:
         origin = item.pose[:3, 3]
@@ -169,8 +174,7 @@ class _Picture:
         way = tip - tail
         across = np.array((-way[1], way[0])) / (np.linalg.norm(way) + 1e-9) * max(2.5, 2 * radius * self.scale)
         corners = ' '.join(_pair(place) for place in (tip, tail + across, tail - across))
-        self._add(float(ends[1] @ VIEW_FROM) + 1e-6,
-                  f'<polygon points="{corners}" fill="{_hex(shape.colour)}"/>', item.opacity)
+        self._add(f'<polygon points="{corners}" fill="{_hex(shape.colour)}"/>', item.opacity, ends[1:])
 
     def _line(self, item: Item) -> None:
         shape = item.shape
@@ -203,7 +207,8 @@ class _Picture:
         width = min(6.0, max(1.5, shape.size * self.scale))
         for colour, places in groups.items():
             path = ''.join(f'M{x} {y}h0' for x, y in places)
-            self._add(_SEEN, f'<path d="{path}" stroke="{_hex(colour)}" stroke-width="{width:.2g}"/>', item.opacity)
+            self._add(f'<path d="{path}" stroke="{_hex(colour)}" stroke-width="{width:.2g}"/>', item.opacity,
+                      points[seen], layer=_SEEN)
 
     def _hidden(self, points: np.ndarray, flat: np.ndarray, near: float) -> np.ndarray:
         """Which points a face hides, from which they are farther away than `near` m."""
@@ -249,10 +254,9 @@ class _Picture:
         form = (f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{long:.1f}"' if long - short < 0.2 else
                 f'<ellipse cx="{x:.1f}" cy="{y:.1f}" rx="{long:.1f}" ry="{short:.1f}" '
                 f'transform="rotate({turn:.0f} {x:.1f} {y:.1f})"')
-        self._add(float(centre @ VIEW_FROM + np.linalg.norm(VIEW_FROM @ radii)),
-                  f'{form} fill="{_hex(item.shape.colour)}"/>'
+        self._add(f'{form} fill="{_hex(item.shape.colour)}"/>'
                   f'<circle cx="{x - 0.25 * short:.1f}" cy="{y - 0.3 * short:.1f}" r="{0.35 * short:.1f}" '
-                  f'fill="{light}" opacity=".55"/>', item.opacity)
+                  f'fill="{light}" opacity=".55"/>', item.opacity, _extent(item))
 
     def _mesh(self, item: Item) -> None:
         vertices, faces = _coarser(item.shape.vertices, item.shape.faces, self.budget // 3)
@@ -279,10 +283,8 @@ class _Picture:
                 self.walls.append((corners[face], flat[face], normal))
             shade = _hex(np.minimum(1.0, colour * (0.62 + 0.42 * max(0.0, float(normal @ _LIGHT)))))
             path = ' '.join(_pair(place) for place in flat[face])
-            depths = corners[face] @ VIEW_FROM
-            depth = depths.min() if normal[2] > 0.9 else depths.mean()  # what stands on a floor is painted over it
-            self._add(float(depth),
-                      f'<polygon points="{path}" fill="{shade}" stroke="{shade}" stroke-width=".5"/>', opacity)
+            self._add(f'<polygon points="{path}" fill="{shade}" stroke="{shade}" stroke-width=".5"/>', opacity,
+                      corners[face], normal)
 
     # Names
 

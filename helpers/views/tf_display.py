@@ -14,6 +14,7 @@ from helpers.views.shapes import DARK, Arrow, Axes, Label, Line
 MOVES, STATIC = (0.85, 0.47, 0.02), (0.48, 0.53, 0.6)  # colours of the links
 _STATIC_NAME = (0.33, 0.38, 0.46)
 _TRAIL = ((0.56, 0.27, 0.68), (0.0, 0.52, 0.53), (0.75, 0.15, 0.35), (0.45, 0.5, 0.1))  # not the links' colours
+_LOOK = 1.0  # s between two looks for a /clock
 _TRAIL_STEP = 0.002  # m between two points of a trail
 
 
@@ -21,7 +22,8 @@ class TF(Display):
     """Every frame with its axes and name, and a line with an arrow head from it to its parent.
 
     Names of moving frames are bold and their lines solid; static ones are grey and dashed. A moving frame that is not
-    broadcast any more fades after a third of `frame_timeout`, and is gone after all of it.
+    broadcast any more fades after a third of `frame_timeout`, and is gone after all of it. Where somebody publishes
+    /clock, it is simulated time that counts: while that stands still, nothing fades.
 
     :param frame_timeout: seconds.
     :param axis_length: in m; None: from the distances between the frames.
@@ -40,6 +42,8 @@ class TF(Display):
         self._lines: dict[bool, tuple] = {}
         self._paths: dict[str, deque] = {}
         self._length = 0.0
+        self._simulated, self._looked = False, -math.inf  # whether there is a /clock, and when that was found out
+        self._now = 0.0
 
     def on_start(self) -> None:
         self.listener = FrameListener(self.buffer, self.node)
@@ -52,8 +56,12 @@ class TF(Display):
     def look(self) -> None:
         """Find out which frames there are now."""
         now = time.monotonic()
+        if now - self._looked > _LOOK:
+            self._looked, self._simulated = now, self.node.count_publishers('/clock') > 0
         links = dict(self.listener.links)
-        alive = {child: link for child, link in links.items() if link.static or now - link.arrival < self.frame_timeout}
+        stamps = [link.stamp for link in links.values() if not link.static]
+        self._now = max(stamps, default=0) if self._simulated else now
+        alive = {child: link for child, link in links.items() if link.static or self._age(link) < self.frame_timeout}
         self.tree = Tree(alive)
         # What hangs, static, on a frame that has gone is gone as well.
         for root, members in list(self.tree.trees.items()):
@@ -61,6 +69,10 @@ class TF(Display):
                 alive = {child: link for child, link in alive.items() if child not in members}
         if len(alive) < len(self.tree.links):
             self.tree = Tree(alive)
+
+    def _age(self, link) -> float:
+        """Seconds since the last transform of a moving frame."""
+        return (self._now - link.stamp) / 1e9 if self._simulated else self._now - link.arrival
 
     def update(self, fixed_frame, time) -> None:
         past = time.nanoseconds != 0
@@ -122,7 +134,7 @@ class TF(Display):
     def _freshness(self, link) -> float:
         """1 for a frame that was just heard of, less for a stale one; in coarse steps, each of which is a change."""
         third = self.frame_timeout / 3
-        age = time.monotonic() - link.arrival
+        age = self._age(link)
         return 1.0 if age < third else round(max(0.15, 0.6 * (3 * third - age) / (2 * third)), 1)
 
     def _draw_arrow(self, frame, pose, parent, static, opacity) -> None:

@@ -68,7 +68,7 @@ def test_the_launched_world_has_the_frames_and_topics_of_its_robot_and_can_be_dr
     odometry = heard['/odom']
     peer.until(lambda: odometry[-1].pose.pose.position.x > 0.1, 'the robot drives')
     peer.until(lambda: odometry[-1].twist.twist.linear.x < 0.001, 'the robot stops')
-    assert 'ignoring a message on cmd_vel' in '\n'.join(launched.lines)
+    launched.wait_for_output('ignoring a message on cmd_vel', timeout=30)
 
     # Services: pause, one step, reset.
     assert peer.call(SetBool, '/world/pause', data=True).success

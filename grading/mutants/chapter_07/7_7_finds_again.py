@@ -1,5 +1,6 @@
 # expect: Each fault is one finding
 # rejected by: test_beyond_repair
+# alone: it uses the answers of the other exercises
 # Exercise 7.7: the mystery
 def look(case):
     transforms = [case[key] for key in ('moving', 'static', 'target', 'source', 'now')]

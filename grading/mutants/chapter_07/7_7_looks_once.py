@@ -1,5 +1,6 @@
 # expect: You did not find
 # rejected by: test_hidden_by_a_name
+# alone: it uses the answers of the other exercises
 # Exercise 7.7: the mystery
 def look(case):
     transforms = [case[key] for key in ('moving', 'static', 'target', 'source', 'now')]

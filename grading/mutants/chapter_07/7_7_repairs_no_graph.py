@@ -1,5 +1,6 @@
 # expect: is still deaf
 # rejected by: test_repaired_graph
+# alone: it uses the answers of the other exercises
 # Exercise 7.7: the mystery
 def look(case):
     transforms = [case[key] for key in ('moving', 'static', 'target', 'source', 'now')]

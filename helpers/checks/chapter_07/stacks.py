@@ -139,9 +139,9 @@ def lonely(name, seconds):
 
 
 def interrupt(name):
-    client = start('client.py', name, '60')
-    wait(lambda: 'librmw_fastrtps' in open(f'/proc/{client.pid}/maps').read() or client.poll() is not None)
-    time.sleep(0.5)
+    client = start('watched.py', 'client.py', name, '60')
+    wait(lambda: 'client made' in text('watched.py') or client.poll() is not None)
+    time.sleep(0.5)  # it shall wait for the server by now
     before = client.poll()
     client.send_signal(signal.SIGINT)
     print('early' if before is not None else wait(lambda: client.poll() is not None, 2.0))
@@ -170,13 +170,35 @@ finally:
         program.kill()
 '''
 
+# Runs a program, and tells when it has made a client.
+WATCHED = '''\
+import runpy
+import sys
+
+from rclpy.node import Node
+
+plain = Node.create_client
+
+
+def create_client(self, *args, **kwargs):
+    client = plain(self, *args, **kwargs)
+    print('client made', flush=True)
+    return client
+
+
+Node.create_client = create_client
+sys.argv = sys.argv[1:]
+runpy.run_path(sys.argv[0], run_name='__main__')
+'''
+
 
 class Client:
     """The learner's client as a program beside servers of the test's."""
 
     def __init__(self, learner):
         self._workspace = learner.workspace({
-            'client.py': learner.text('CLIENT_PY'), 'server.py': SERVER, 'drive.py': DRIVER})
+            'client.py': learner.text('CLIENT_PY'), 'server.py': SERVER, 'drive.py': DRIVER,
+            'watched.py': WATCHED})
 
     def ask(self, name: str, seconds: float, word: str | None) -> tuple[str, str]:
         """What the client prints last, and its status. The server answers `word`, or never (''); None: no server."""

@@ -67,6 +67,48 @@ def test_everything_is_inside_at_any_scale(scale):
         assert -60 < float(element.get('x')) < 600 and 0 <= float(element.get('y')) <= 310
 
 
+def colours_in_order(text: str) -> list[str]:
+    return [element.get('fill') for element in elements(text, 'polygon')]
+
+
+def test_a_long_wall_hides_what_stands_behind_it_whatever_the_distances_of_their_middles():
+    scene = Scene()
+    scene.set('block', Box((1.0, 1.0, 1.0), (0.0, 1.0, 0.0)))
+    scene.pose('block', poses.matrix((9.0, 1.0, 0.5)))  # nearer than the middle of the wall, but behind it
+    scene.set('wall', Box((20.0, 0.2, 3.0), (1.0, 0.0, 0.0)))
+    scene.pose('wall', poses.matrix((0.0, 0.0, 1.5)))
+    scene.set('floor', Box((30.0, 30.0, 0.01), (0.0, 0.0, 1.0)))
+    scene.pose('floor', poses.matrix((0.0, 0.0, -0.005)))
+    order = colours_in_order(picture.svg(scene))
+    floor, wall = '#0000f7', '#d40000'  # its top, its front
+    assert order[0] == floor and all(order.index(face) < order.index(wall) for face in order if face[3:5] != '00')
+    scene.pose('block', poses.matrix((-9.0, -1.0, 0.5)))  # farther than the middle of the wall, but before it
+    order = colours_in_order(picture.svg(scene))
+    assert all(order.index(face) > order.index(wall) for face in order if face[3:5] != '00')
+
+
+def test_faces_hide_points_behind_them():
+    scene = Scene()
+    scene.set('wall', Box((4.0, 0.1, 2.0)))
+    before, behind = [(x, -0.07, 0.0) for x in (-1, 0, 1)], [(x, 1.0, -0.5) for x in (-1, 0, 1)]
+    scene.set('scan', Points(before + behind, (1, 0, 0), 0.03))
+    [path] = [element for element in elements(picture.svg(scene), 'path') if element.get('stroke') == '#ff0000']
+    assert path.get('d').count('M') == 3
+    scene.appearance('wall', opacity=0.5)
+    [path] = [element for element in elements(picture.svg(scene), 'path') if element.get('stroke') == '#ff0000']
+    assert path.get('d').count('M') == 6, 'one can see through it'
+
+
+def test_what_is_on_top_is_painted_last_and_a_point_can_be_in_the_middle():
+    scene = Scene()
+    scene.set('body', Box())
+    scene.set('inside', Axes(0.3, on_top=True))
+    scene.set('far', Axes(1.0))
+    scene.pose('far', poses.matrix((50.0, 50.0, 0.0)))
+    text = picture.svg(scene, around=(np.zeros(3), 2.0))
+    assert text.rfind('<polygon') < text.find('#db262e') and text.count('#db262e') == 1, 'the far one is left out'
+
+
 def test_names_at_one_place_do_not_cover_each_other():
     scene = Scene()
     for number in range(6):
@@ -87,7 +129,7 @@ def test_the_picture_stays_small():
     scene.set('mesh', Mesh(grid, faces))
     angles = np.linspace(0, 60, 5000)
     scene.set('trail', Line(np.column_stack((np.cos(angles), np.sin(angles), angles / 60))))
-    for number in range(100):
+    for number in range(60):
         scene.set(f'{number}/axes', Axes())
         scene.set(f'{number}/name', Label(f'frame_{number}'))
         scene.pose(str(number), poses.matrix(RNG.random(3)))

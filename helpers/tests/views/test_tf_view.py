@@ -5,7 +5,7 @@ import pytest
 import rclpy
 from geometry_msgs.msg import TransformStamped
 from rclpy.time import Time
-from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
+from tf2_ros import Buffer, StaticTransformBroadcaster, TransformBroadcaster
 
 from helpers import TfView, show_frames, spin_for, wait_for
 from helpers.ros import nodes
@@ -103,6 +103,27 @@ def test_a_stale_frame_fades_and_goes_with_what_hangs_on_it(sender, monkeypatch)
     view.stop()
 
 
+def test_while_simulated_time_stands_still_nothing_fades(sender, monkeypatch):
+    from rosgraph_msgs.msg import Clock
+
+    from helpers.views import tf_display
+
+    sender.node.create_publisher(Clock, '/clock', 1)
+    with TfView(frame_timeout=3.0) as view:
+        sender.wait_for_listener()
+        wait_for(lambda: view._node.count_publishers('/clock'), timeout=30)
+        sender.send('map', 'base', at=5.0)
+        sender.send('map', 'late', at=5.0)
+        wait_for(lambda: len(view.frames) == 3, timeout=30)
+        now = tf_display.time.monotonic()
+        monkeypatch.setattr(tf_display.time, 'monotonic', lambda: now + 100.0)
+        sender.send('map', 'late', 7.0, at=5.5)
+        wait_for(lambda: place(view, 'late') == [7, 0, 0], timeout=30)
+        assert {item.opacity for item in seen(view, Axes).values()} == {1.0}
+        sender.send('map', 'late', at=9.0)
+        wait_for(lambda: view.frames == ['map', 'late'], timeout=30)
+
+
 def test_the_past(sender):
     with TfView(trails=['moon']) as view:
         sender.wait_for_listener()
@@ -168,6 +189,20 @@ def test_displays_have_their_own_part_and_tell_their_problems(sender):
     assert not [node for node in nodes.living() if 'tf_view' in node.get_name()]
 
 
+def test_the_camera_can_follow_a_frame(sender):
+    with TfView(focus='base', span=0.5, live=True) as view:
+        sender.wait_for_listener()
+        sender.send('map', 'base', 100.0)
+        sender.send('base', 'laser', 0.1, static=True)
+        wait_for(lambda: len(view.frames) == 3, timeout=30)
+        wait_for(lambda: place(view, 'laser'), timeout=30)
+        assert '>laser</text>' in view.picture().svg and '>map</text>' not in view.picture().svg
+        state = view._state()
+        assert state['focus'] in view.scene and state['span'] == 0.5
+        view.focus = None
+        assert '>map</text>' in view.picture().svg
+
+
 def test_a_view_ends_with_ros_and_needs_it(ros):
     with pytest.raises(TypeError, match='not str'):
         TfView('/scan')
@@ -203,6 +238,35 @@ def test_the_flat_tree(sender):
         wait_for(lambda: view.problems, timeout=30)
         loop = show_frames(view)
         assert repr(loop).startswith('a loop: ') and '>map</text>' in loop.svg()
+
+
+def test_the_flat_tree_of_a_buffer_alone():
+    buffer = Buffer()
+    for parent, child in (('a', 'b'), ('b', 'c'), ('c', 'a'), ('x', 'y')):
+        message = TransformStamped(child_frame_id=child)
+        message.header.frame_id, message.header.stamp.sec, message.transform.rotation.w = parent, 1, 1.0
+        buffer.set_transform(message, f'from_{parent}')
+    diagram = show_frames(buffer)
+    assert diagram.problems == ['a loop: b → a → c → b'] and '>a loop: b → a → c → b</text>' in diagram.svg()
+    assert repr(diagram).splitlines()[1:3] == ['x, root', '  y, moves, once, 0.0 s, from_x']
+
+
+def test_ages_are_by_simulated_time_where_there_is_some(sender):
+    from builtin_interfaces.msg import Time as Stamp
+    from rosgraph_msgs.msg import Clock
+
+    from helpers import spinning
+
+    publisher = sender.node.create_publisher(Clock, '/clock', 1)
+    sender.node.create_timer(0.02, lambda: publisher.publish(Clock(clock=Stamp(sec=12))))
+    buffer = Buffer()
+    message = TransformStamped(child_frame_id='base')
+    message.header.frame_id, message.header.stamp.sec, message.transform.rotation.w = 'map', 10, 1.0
+    buffer.set_transform(message, 'me')
+    with spinning(sender.node):
+        node = rclpy.create_node('other')
+        wait_for(lambda: node.count_publishers('/clock'), timeout=30)
+        assert repr(show_frames(buffer)) == 'map, root\n  base, moves, once, 2.0 s, 0.0 s, me'
 
 
 def test_the_flat_tree_listens_by_itself(sender):

@@ -1,7 +1,9 @@
 """The simulated world with its robot: ``ros2 launch mujoco_world world.launch.py [scene:=…] [urdf:=FILE] …``."""
 
+from pathlib import Path
+
 from launch import LaunchDescription
-from launch.actions import DeclareLaunchArgument
+from launch.actions import DeclareLaunchArgument, OpaqueFunction, Shutdown
 from launch.substitutions import Command, LaunchConfiguration, PathJoinSubstitution
 from launch_ros.actions import Node
 from launch_ros.parameter_descriptions import ParameterValue
@@ -17,6 +19,14 @@ ARGUMENTS = {
 }
 
 
+def check(context) -> list:
+    """One line for a file that is not there, where xacro would print a traceback."""
+    file = LaunchConfiguration('urdf').perform(context)
+    if not Path(file).is_file():
+        raise RuntimeError(f'urdf: there is no file {file}')
+    return []
+
+
 def generate_launch_description() -> LaunchDescription:
     """The world, and what publishes the robot's own frames."""
     description = ParameterValue(Command(['xacro "', LaunchConfiguration('urdf'), '"']), value_type=str)
@@ -24,7 +34,8 @@ def generate_launch_description() -> LaunchDescription:
         DeclareLaunchArgument('urdf', default_value=ROBOT, description="the robot's description, URDF or xacro"),
         *(DeclareLaunchArgument(name, default_value=default, description=text)
           for name, (default, text) in ARGUMENTS.items()),
-        Node(package='mujoco_world', executable='world', output='screen',
+        OpaqueFunction(function=check),
+        Node(package='mujoco_world', executable='world', output='screen', on_exit=Shutdown(),
              parameters=[{'robot_description': description}, {name: LaunchConfiguration(name) for name in ARGUMENTS}]),
         Node(package='robot_state_publisher', executable='robot_state_publisher', output='screen',
              parameters=[{'robot_description': description, 'use_sim_time': True, 'publish_frequency': 50.0}]),

@@ -30,7 +30,6 @@ __all__ = ['CONTROL_PERIOD', 'NoPicturesError', 'Noise', 'Pose', 'SceneError', '
 CONTROL_PERIOD = 0.01  # s: how often the drive's controller acts and reads its wheels; what `World.step` advances by
 DEEP = 1000.0  # m below the floor: who is there has fallen for 14 s, and falls for ever
 _STEPS = round(CONTROL_PERIOD / TIMESTEP)
-_NO_WARNINGS: set[str] = set()
 
 
 class UnstableError(RuntimeError):
@@ -97,7 +96,7 @@ class World:
         self.noise = noise
         self.seed = seed
         self.command_timeout = command_timeout
-        mujoco.set_mju_user_warning(_NO_WARNINGS.add)  # else MuJoCo writes a file into the current directory
+        mujoco.set_mju_user_warning(_ignore)
         self.model = models.build(urdf, self.robot, self.scene)
         self.data = mujoco.MjData(self.model)
         self._root = self.model.joint('root').qposadr[0]
@@ -154,7 +153,7 @@ class World:
         self._random = {name: numpy.random.default_rng([self.seed, number])
                         for number, name in enumerate(('scan', 'odometry'))}
         self.place(*self.scene.start)
-        self.odometry = Odometry()
+        self._odometry = Odometry()
         if self._controller:
             self._controller.reset()
         self._turned = self._wheel_angles()
@@ -204,12 +203,12 @@ class World:
         angles = self._wheel_angles()
         turned, self._turned = angles - self._turned, angles
         distance, angle = self._controller.motion(*turned.tolist())
-        self.odometry.linear, self.odometry.angular = distance / CONTROL_PERIOD, angle / CONTROL_PERIOD
+        self._odometry.linear, self._odometry.angular = distance / CONTROL_PERIOD, angle / CONTROL_PERIOD
         if self.noise.odometry:
             way = abs(turned) * self.robot.drive.radius
             error = self.noise.odometry * numpy.sqrt(way) * self._random['odometry'].standard_normal(2)
             distance, angle = self._controller.motion(*(turned + error / self.robot.drive.radius).tolist())
-        self.odometry.move(distance, angle)
+        self._odometry.move(distance, angle)
 
     # State
 
@@ -236,6 +235,11 @@ class World:
         matrix = self.transform(self.robot.description.root)
         (xx, _, _), (yx, _, _), (zx, zy, zz) = matrix[:3, :3].tolist()
         return Pose(*matrix[:3, 3].tolist(), roll=atan2(zy, zz), pitch=atan2(-zx, hypot(xx, yx)), yaw=atan2(yx, xx))
+
+    @property
+    def odometry(self) -> Odometry:
+        """Where the wheels say that the robot is, in the frame odom, and how fast it is."""
+        return replace(self._odometry)
 
     @property
     def touching(self) -> set[str]:
@@ -308,3 +312,7 @@ class World:
         if self._pictures is not None:
             self._pictures.close()
             self._pictures = None
+
+
+def _ignore(text: str) -> None:
+    """Take MuJoCo's warnings, which it else writes to a file where the program runs. `World.step` says what counts."""

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import rclpy
-from rclpy.exceptions import InvalidParameterTypeException
+from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValueException
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.utilities import remove_ros_args
@@ -38,7 +38,7 @@ def run(make_node: Callable[[list[str]], Node]) -> int:
             pass
         except CannotStart:
             return 1
-        except InvalidParameterTypeException as error:
+        except (InvalidParameterTypeException, InvalidParameterValueException) as error:
             print(f'{Path(sys.argv[0]).name}: {error}', file=sys.stderr)
             return 1
         except Exception:
