@@ -1,4 +1,4 @@
-"""The files for other machines, as far as they can be checked here: form, schema, and that they name the same things."""
+"""The files for other machines, as far as they can be checked here: form, schema, and whether they agree."""
 
 import json
 import re
