@@ -15,6 +15,7 @@ from helpers.views.tf_display import MOVES, STATIC, TF
 RATE = 30.0  # updates a second, at most
 NODE = '_tf_view'
 _FIRST = 0.4  # s, the longest wait for the first frames
+_SETTLED = 2  # updates in which no frame is added
 _views: list['TfView'] = []
 
 
@@ -97,7 +98,8 @@ class TfView:
         self._past: float | None = None  # s before `_latest`; None: live
         self._moment = 0  # ns, 0: live
         self._latest = 0
-        self._any = threading.Event()  # a frame is known
+        self._begun = threading.Event()  # frames are there, and for the moment no more come
+        self._count = self._same = 0
         self._wanted = None  # what `at` or `rewind` asks of the next update
         self._tf = TF(frame_timeout, axis_length, trails, on_top=bool(displays))
         self._live: LiveRenderer | None = None
@@ -213,8 +215,6 @@ class TfView:
         from rclpy.time import Time
 
         self._tf.look()
-        if self._tf.tree.links:
-            self._any.set()
         self._choose_time()
         frame = self._chosen or self._tf.tree.best_root()
         if frame != self._fixed_frame:
@@ -226,6 +226,12 @@ class TfView:
             display.update(self._fixed_frame, moment)
         if self._live is not None:
             self._live.update()
+        if not self._begun.is_set():
+            count = len(self._tf.poses)
+            self._same = self._same + 1 if count and count == self._count else 0
+            self._count = count
+            if self._same == _SETTLED:
+                self._begun.set()
 
     def _choose_time(self) -> None:
         wanted, self._wanted = self._wanted, None
@@ -265,7 +271,7 @@ class TfView:
             return
         from IPython.display import display
 
-        self._any.wait(_FIRST)  # the picture that is saved with a view that nobody stops shall show something
+        self._begun.wait(_FIRST)  # the picture that is saved with a view that nobody stops shall show something
         content = self.picture()
         if self._live is not None:
             content = _Live(content.svg, str(self), self._live.html(content.svg, self._height))
