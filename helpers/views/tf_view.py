@@ -56,7 +56,8 @@ class TfView:
 
     Axes are x red, y green, z blue. A line with an arrow head leads from each frame to its parent: solid for moving
     frames, dashed for static ones. Frames that come late appear; a moving frame that is not broadcast any more fades,
-    and is gone after `frame_timeout`. When the view stops, a still picture remains in the notebook.
+    and is gone after `frame_timeout`. The slider below goes back in time, as `rewind` does. When the view stops, a
+    still picture remains in the notebook.
 
     It is a node of this process (``/_tf_view``) that spins in the background. A view in a later cell replaces it.
 
@@ -177,16 +178,18 @@ class TfView:
             return
         _views.remove(self)
         self._spinning.let_go(self._node)
-        if self._node.context.ok():
-            self._update()
-        for display in (self._tf, *self._parts.values()):
-            display.stop()
-        live, self._live = self._live, None
-        if live is not None:
-            live.close()
-        nodes.destroy(self._node)
-        if self._output is not None:
-            self._output.update(self.picture())
+        try:
+            if self._node.context.ok():
+                self._update()
+        finally:  # a display of somebody's own may raise
+            for display in (self._tf, *self._parts.values()):
+                display.stop()
+            live, self._live = self._live, None
+            if live is not None:
+                live.close()
+            nodes.destroy(self._node)
+            if self._output is not None:
+                self._output.update(self.picture())
 
     def __enter__(self) -> 'TfView':
         return self
