@@ -8,6 +8,7 @@ import json
 import signal
 import subprocess
 import time
+from pathlib import Path
 
 import rclpy
 from action_msgs.msg import GoalStatus
@@ -49,7 +50,9 @@ class Customer:
         while not condition():
             rclpy.spin_once(self.node, timeout_sec=0.05)
             if self.launch.poll() is not None:
-                raise Missing('the launch, which has ended by itself')
+                raise Missing('the end: ros2 launch has ended by itself')
+            if 'process has died' in Path('launch.txt').read_text(errors='replace'):
+                raise Missing(f'{what}: a process has died')
             if time.monotonic() > deadline:
                 raise Missing(what)
 
@@ -80,6 +83,8 @@ def story(customer: Customer, told: dict) -> None:
     """Set stations, drive, call the robot back, drive again."""
     for node in VALUES:
         told[node] = customer.parameters(node)
+    if not told['/delivery_robot']['use_sim_time']:
+        raise Missing('simulated time in /delivery_robot')
     customer.until(customer.stations.service_is_ready, 'the service /set_station')
     customer.until(customer.action.server_is_ready, 'the action /go_to_station')
     for name, x in (('far', 3.0), ('near', 1.0)):
