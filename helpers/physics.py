@@ -4,6 +4,7 @@ import math
 import sys
 from pathlib import Path
 
+from helpers.errors import say
 from helpers.executors import refuse_in_callback
 from helpers.paths import ROOT
 from helpers.settling import settle
@@ -70,6 +71,9 @@ class PhysicsWorld:
             Parameter('publish_frequency', value=50.0)])
         self._spinning = spinning(self._node, self._frames)
         _worlds.append(self)
+        if (clocks := self._node.count_publishers('/clock')) > 1:
+            say(f'{clocks} programs publish /clock in this domain. With two worlds, time and robot jump to and fro: '
+                'stop one of them. "ros2 topic info /clock --verbose" names them.\n')
 
     @property
     def simulator(self) -> str:

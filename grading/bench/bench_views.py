@@ -24,7 +24,7 @@ from geometry_msgs.msg import TransformStamped
 from rclpy.executors import ExternalShutdownException
 from tf2_ros import TransformBroadcaster
 
-count = int(sys.argv[1])
+count, together = int(sys.argv[1]), sys.argv[2] == 'together'
 rclpy.init()
 node = rclpy.create_node('broadcaster')
 broadcaster = TransformBroadcaster(node)
@@ -44,7 +44,8 @@ def send():
         angle = 0.5 * math.sin(now.nanoseconds / 1e9 + number)
         message.transform.rotation.z, message.transform.rotation.w = math.sin(angle / 2), math.cos(angle / 2)
         transforms.append(message)
-    broadcaster.sendTransform(transforms)
+    for part in [transforms] if together else transforms:
+        broadcaster.sendTransform(part)
 
 
 node.create_timer(1 / 30, send)
@@ -144,15 +145,21 @@ def measure() -> Iterator[tuple[str, float, str]]:
     """
     for count in COUNTS:
         yield from tree(count)
+    yield from tree(COUNTS[-1], together=False)
     yield from sensors()
     yield from physics.measure()
 
 
-def tree(count: int) -> Iterator[tuple[str, float, str]]:
-    """Yield the rows of one tree of frames."""
-    with domains.claim() as domain_id, _Child(_BROADCASTER, str(count), ROS_DOMAIN_ID=str(domain_id)) as sender:
+def tree(count: int, together: bool = True) -> Iterator[tuple[str, float, str]]:
+    """Yield the rows of one tree of frames.
+
+    :param together: all transforms of a moment in one message, as of a robot_state_publisher; else one message each.
+    """
+    how = 'together' if together else 'each in a message of its own'
+    with domains.claim() as domain_id, _Child(_BROADCASTER, str(count), how, ROS_DOMAIN_ID=str(domain_id)) as sender:
         sender.line()
-        yield from view(f'{count} frames', domain_id, lambda view: len(view.frames) > count)
+        name = f'{count} frames' if together else f'{count} frames, {how}'
+        yield from view(name, domain_id, lambda view: len(view.frames) > count)
 
 
 def sensors() -> Iterator[tuple[str, float, str]]:

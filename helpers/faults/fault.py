@@ -153,9 +153,8 @@ class Fault:
         :param name: the program; by default the one that the fault is about.
         """
         name = name or self.program
-        self.start()
-        self.watch(lambda: self.lines(name), self.patience)
-        self.watch(lambda: False, 0.5)  # it shall have come to where it hangs
+        self.up()
+        self.settle()
         before = len(self.lines(name))
         self.signal(name, signal.SIGUSR1)
         self.watch(lambda: any('in <module>' in line for line in self.lines(name)[before:]), 5.0)
@@ -229,6 +228,10 @@ class Fault:
         if self.start():
             self.watch(lambda: all(program.lines or not program.running for program in self.programs.values()),
                        self.patience, ends=tuple(self.programs))
+
+    def settle(self) -> None:
+        """Give a program that is up the time to come to where it hangs."""
+        self.watch(lambda: False, 0.7)
 
     def watch(self, seen, timeout: float, ends: tuple[str, ...] = ()) -> bool:
         """Wait until ``seen()`` is true, at most ``timeout`` seconds; False if it never was, or a program ended.

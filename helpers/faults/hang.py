@@ -42,6 +42,7 @@ class Asker(Node):
     def on_timer(self):
         if not self.client.service_is_ready():
             return
+        self.get_logger().info('on_timer begins', once=True)
 {body}'''
 _CALL = '''\
         response = self.client.call(Trigger.Request())
@@ -70,6 +71,7 @@ class Asker(Node):
         self.get_logger().info('ready')
 
     def on_timer(self):
+        self.get_logger().info('on_timer begins', once=True)
 {body}
     def on_message(self, message):
         self.get_logger().info(f'answer: {{message.data}}')
@@ -137,10 +139,14 @@ class Hang(Fault):
         return Verdict(ends, f'{self.program} prints answers, and Ctrl+C {"ends it" if ends else "does not end it"}')
 
     def show_symptom(self) -> None:
-        self.watch(lambda: self.lines(self.program), self.patience)
-        self.watch(lambda: len(self.lines(self.program)) > 2, 1.0)
+        self.settle()
         self.show_programs()
         print(f'(Ctrl+C on {self.program}: it {"ends" if self.interrupt(1.0) else "goes on"})')
+
+    def settle(self) -> None:
+        """Wait until the program has come to where it hangs."""
+        self.watch(lambda: any('on_timer begins' in line for line in self.lines(self.program)), self.patience)
+        self.watch(lambda: False, 0.3)
 
     def interrupt(self, timeout: float = GRACE) -> bool:
         """Press Ctrl+C, and tell whether the program ends in ``timeout`` seconds. One that does not is killed."""

@@ -72,6 +72,15 @@ class MobileRobot(Peer):
         """The scene's stations: x, y, yaw in the frame map, by name."""
         return dict(self.world.scene.stations)
 
+    @property
+    def localization(self) -> bool:
+        """Whether map -> odom is published; a test may switch it off and on again."""
+        return self._topics.localization
+
+    @localization.setter
+    def localization(self, on: bool) -> None:
+        self._topics.localization = on
+
     def distance(self, x: float, y: float) -> float:
         """Metres from the robot to a place in the frame map."""
         return math.dist((self.pose.x, self.pose.y), (x, y))

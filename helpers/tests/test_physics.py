@@ -8,6 +8,7 @@ from mobile_robot_description import path, urdf
 from mujoco_world.world import Noise
 from rclpy.node import Node
 from rclpy.parameter import Parameter
+from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import LaserScan
 
 from helpers import CallbackError, PhysicsWorld, collect, spinning, wait_for
@@ -95,6 +96,16 @@ def test_a_robot_or_scene_that_cannot_be_is_an_error_of_the_call_and_leaves_the_
                 PhysicsWorld(**wrong)
         world.run(0.1)
         assert world.time == pytest.approx(0.1)
+
+
+def test_a_second_clock_in_the_domain_is_told(ros, capfd):
+    other = Node('other')
+    other.create_publisher(Clock, '/clock', 10)
+    with PhysicsWorld(real_time_factor=None):
+        assert '2 programs publish /clock' in capfd.readouterr().err
+    nodes.destroy(other)
+    with PhysicsWorld(real_time_factor=None):
+        assert '/clock' not in capfd.readouterr().err
 
 
 def test_a_view_shows_robot_scan_and_walls(ros):

@@ -4,9 +4,9 @@ That is: who is whose parent now, when each transform last arrived, which ones a
 tree (two parents, a loop, separate trees).
 """
 
-import time
 from collections import deque
 from dataclasses import dataclass, field
+from time import monotonic
 
 import numpy as np
 from rclpy.time import Time
@@ -107,7 +107,7 @@ class FrameListener(TransformListener):
         return max(stamps)
 
     def _note(self, data, static: bool) -> None:
-        now = time.monotonic()
+        now = monotonic()
         if not static and self._jumped_back(data):
             self.buffer.clear()
         for message in data.transforms:

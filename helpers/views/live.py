@@ -8,6 +8,7 @@ import base64
 import json
 import secrets
 import struct
+import threading
 from collections.abc import Callable
 from dataclasses import fields
 
@@ -32,6 +33,8 @@ class LiveRenderer:
     def __init__(self, scene: Scene, state: Callable[[], dict], on_message: Callable[[dict], None]):
         self._scene, self._state = scene, state
         self._shown: dict | None = None
+        self._sent = 0  # updates so far
+        self._order = threading.Lock()  # between an update and the whole for a new page
         self._channel = server.open_channel(self._everything, on_message)
 
     @property
@@ -52,11 +55,13 @@ class LiveRenderer:
             return
         if not self._channel.ready:
             return
-        changes = self._scene.changes()
         state = self._state()
-        if changes or state != self._shown:
-            self._channel.send(encode(changes, None if state == self._shown else state))
-            self._shown = state
+        with self._order:
+            changes = self._scene.changes()
+            if changes or state != self._shown:
+                self._sent += 1
+                self._channel.send(encode(changes, None if state == self._shown else state), self._sent)
+                self._shown = state
 
     def html(self, picture: str, height: int) -> str:
         """Return the output of the cell: a picture, which becomes the live view where that can be reached.
@@ -71,8 +76,10 @@ class LiveRenderer:
         """Send the browsers away; idempotent."""
         self._channel.close()
 
-    def _everything(self) -> bytes:
-        return encode(self._scene.everything(), self._state(), reset=True)
+    def _everything(self) -> tuple[bytes, int]:
+        state = self._state()
+        with self._order:
+            return encode(self._scene.everything(), state, reset=True), self._sent
 
 
 def encode(changes: Changes, state: dict | None = None, reset: bool = False) -> bytes:

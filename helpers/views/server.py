@@ -34,11 +34,12 @@ _numbers = itertools.count(1)
 class Channel:
     """The browsers that watch one view; made by `open_channel`.
 
-    :param everything: returns the message that brings an empty page up to date; called in the server's thread.
+    :param everything: returns the message that brings an empty page up to date, and the number of the latest message
+        that it includes; called in the server's thread.
     :param on_message: called in the server's thread with what a page sent, a dict.
     """
 
-    def __init__(self, everything: Callable[[], bytes], on_message: Callable[[dict], None]):
+    def __init__(self, everything: Callable[[], tuple[bytes, int]], on_message: Callable[[dict], None]):
         self.everything, self.on_message = everything, on_message
         self.name = str(next(_numbers))
         self.sockets: set = set()
@@ -64,10 +65,13 @@ class Channel:
         """Whether all browsers keep up; but a hidden or hanging one is waited for only shortly."""
         return all(socket.ready or socket.idle > _PATIENCE for socket in self.sockets.copy())
 
-    def send(self, message: bytes) -> None:
-        """Send to all browsers. One that is not ready misses it, and gets everything once it is ready again."""
+    def send(self, message: bytes, number: int) -> None:
+        """Send to all browsers. One that is not ready misses it, and gets everything once it is ready again.
+
+        :param number: of the message; it grows.
+        """
         if self.sockets and self._server is not None:
-            self._server.call(self._send, message)
+            self._server.call(self._send, message, number)
 
     def close(self) -> None:
         """Send the browsers away; the last channel closes the port. Idempotent."""
@@ -76,12 +80,12 @@ class Channel:
             if server is not None:
                 server.remove(self)
 
-    def _send(self, message: bytes) -> None:
+    def _send(self, message: bytes, number: int) -> None:
         for socket in self.sockets.copy():
-            socket.offer(message)
+            socket.offer(message, number)
 
 
-def open_channel(everything: Callable[[], bytes], on_message: Callable[[dict], None]) -> Channel:
+def open_channel(everything: Callable[[], tuple[bytes, int]], on_message: Callable[[dict], None]) -> Channel:
     """Open a channel, and the server's port with the first one.
 
     :raises OSError: no port can be had.
@@ -216,13 +220,13 @@ def _application(server: _Server):
 
         def open(self, name: str) -> None:
             self.channel = server.channels.get(name)
-            self.on_way, self.behind, self.last = 0, False, time.monotonic()
+            self.on_way, self.behind, self.last, self.number = 0, False, time.monotonic(), -1
             if self.channel is None:
                 self.close(_ENDED)
                 return
             self.set_nodelay(True)
             self.channel.sockets.add(self)
-            self.offer(self.channel.everything())
+            self.offer(*self.channel.everything())
 
         @property
         def ready(self) -> bool:
@@ -233,10 +237,13 @@ def _application(server: _Server):
             """Seconds since the browser last acknowledged a message."""
             return time.monotonic() - self.last
 
-        def offer(self, message: bytes) -> None:
+        def offer(self, message: bytes, number: int) -> None:
+            if number <= self.number:
+                return  # included in what it has got
             if not self.ready:
                 self.behind = True
                 return
+            self.number = number
             self.on_way += 1
             try:
                 sent = self.write_message(message, binary=True)
@@ -252,7 +259,7 @@ def _application(server: _Server):
                 self.on_way, self.last = max(0, self.on_way - drawn), time.monotonic()
                 if self.behind and self.on_way == 0:
                     self.behind = False
-                    self.offer(self.channel.everything())
+                    self.offer(*self.channel.everything())
             else:
                 self.channel.on_message(content)
 

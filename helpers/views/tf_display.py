@@ -1,8 +1,8 @@
 """The display of the frames themselves: axes, names, lines to the parents, trails."""
 
 import math
-import time
 from collections import deque
+from time import monotonic
 
 import numpy as np
 
@@ -55,7 +55,7 @@ class TF(Display):
 
     def look(self) -> None:
         """Find out which frames there are now."""
-        now = time.monotonic()
+        now = monotonic()
         if now - self._looked > _LOOK:
             self._looked, self._simulated = now, self.node.count_publishers('/clock') > 0
         links = dict(self.listener.links)

@@ -15,6 +15,7 @@ from helpers.views.tf_display import MOVES, STATIC, TF
 RATE = 30.0  # updates a second, at most
 NODE = '_tf_view'
 _FIRST = 0.4  # s, the longest wait for the first frames
+_SETTLED = 2  # updates in which no frame is added
 _views: list['TfView'] = []
 
 
@@ -55,7 +56,8 @@ class TfView:
 
     Axes are x red, y green, z blue. A line with an arrow head leads from each frame to its parent: solid for moving
     frames, dashed for static ones. Frames that come late appear; a moving frame that is not broadcast any more fades,
-    and is gone after `frame_timeout`. When the view stops, a still picture remains in the notebook.
+    and is gone after `frame_timeout`. The slider below goes back in time, as `rewind` does. When the view stops, a
+    still picture remains in the notebook.
 
     It is a node of this process (``/_tf_view``) that spins in the background. A view in a later cell replaces it.
 
@@ -97,7 +99,8 @@ class TfView:
         self._past: float | None = None  # s before `_latest`; None: live
         self._moment = 0  # ns, 0: live
         self._latest = 0
-        self._any = threading.Event()  # a frame is known
+        self._begun = threading.Event()  # frames are there, and for the moment no more come
+        self._count = self._same = 0
         self._wanted = None  # what `at` or `rewind` asks of the next update
         self._tf = TF(frame_timeout, axis_length, trails, on_top=bool(displays))
         self._live: LiveRenderer | None = None
@@ -175,16 +178,18 @@ class TfView:
             return
         _views.remove(self)
         self._spinning.let_go(self._node)
-        if self._node.context.ok():
-            self._update()
-        for display in (self._tf, *self._parts.values()):
-            display.stop()
-        live, self._live = self._live, None
-        if live is not None:
-            live.close()
-        nodes.destroy(self._node)
-        if self._output is not None:
-            self._output.update(self.picture())
+        try:
+            if self._node.context.ok():
+                self._update()
+        finally:  # a display of somebody's own may raise
+            for display in (self._tf, *self._parts.values()):
+                display.stop()
+            live, self._live = self._live, None
+            if live is not None:
+                live.close()
+            nodes.destroy(self._node)
+            if self._output is not None:
+                self._output.update(self.picture())
 
     def __enter__(self) -> 'TfView':
         return self
@@ -213,8 +218,6 @@ class TfView:
         from rclpy.time import Time
 
         self._tf.look()
-        if self._tf.tree.links:
-            self._any.set()
         self._choose_time()
         frame = self._chosen or self._tf.tree.best_root()
         if frame != self._fixed_frame:
@@ -226,6 +229,12 @@ class TfView:
             display.update(self._fixed_frame, moment)
         if self._live is not None:
             self._live.update()
+        if not self._begun.is_set():
+            count = len(self._tf.poses)
+            self._same = self._same + 1 if count and count == self._count else 0
+            self._count = count
+            if self._same == _SETTLED:
+                self._begun.set()
 
     def _choose_time(self) -> None:
         wanted, self._wanted = self._wanted, None
@@ -265,7 +274,7 @@ class TfView:
             return
         from IPython.display import display
 
-        self._any.wait(_FIRST)  # the picture that is saved with a view that nobody stops shall show something
+        self._begun.wait(_FIRST)  # the picture that is saved with a view that nobody stops shall show something
         content = self.picture()
         if self._live is not None:
             content = _Live(content.svg, str(self), self._live.html(content.svg, self._height))

@@ -1,6 +1,8 @@
 """The simulated world, without ROS: physics, drive, sensors, and what a bad description does."""
 
 import math
+import subprocess
+import sys
 from pathlib import Path
 
 import mobile_robot_description
@@ -287,6 +289,19 @@ def test_the_camera_sees_the_open_door_or_says_what_is_missing():
     assert sky[2] > 200 and sky[2] > sky[0]  # blue
     assert (image[60:80].astype(int) @ [1, -1, 0]).max() > 60  # the kitchen's red disc
     world.close()
+
+
+def test_a_program_that_does_not_close_its_world_ends_without_a_word():
+    code = """
+from mujoco_world.world import NoPicturesError, World
+world = World()
+try:
+    world.image()
+except NoPicturesError:
+    pass
+"""
+    done = subprocess.run([sys.executable, '-c', code], capture_output=True, text=True, timeout=60)
+    assert (done.returncode, done.stdout, done.stderr) == (0, '', '')
 
 
 def test_without_opengl_all_but_the_camera_works(monkeypatch):

@@ -65,14 +65,14 @@ def test_command(learner):
 
 @pytest.mark.weight(2)
 def test_follow(learner):
-    """The leader drives a bend; the follower stays near it, with transforms that are 0.3 s old when they come.
+    """The leader drives a bend; the follower stays near it, with transforms that are 0.2 s old when they come.
 
     The newest transform, Time(), is always a little old. Up to 0.5 s that is good enough.
     """
     there = pursuit(learner)
-    there.run(4.0, drive=(0.6, learner.random.choice([-0.6, 0.6])), delay=0.3)
+    there.run(4.0, drive=(0.6, learner.random.choice([-0.6, 0.6])), delay=0.2)
     expect(there.distance < 2.2, f'The leader drove for 4 s, and the follower is {there.distance:.1f} m away, expected '
-                                 'about 1 to 2 m. The transforms were 0.3 s old each time: that is good enough.')
+                                 'about 1 to 2 m. The transforms were 0.2 s old each time: that is good enough.')
 
 
 @pytest.mark.weight(2)

@@ -1,5 +1,5 @@
 # expect: is there one buffer, with one listener, for the life of the node?
-# rejected by: test_seconds_ago
+# rejected by: test_again
 # Exercise 6.3: where was the cup?
 class CupFinder(Node):
     def __init__(self):

@@ -1,10 +1,12 @@
-"""Run the learner's tests of exercise 8.4 with right and wrong functions: which of them do they reject?
+"""Run the learner's tests of exercises 8.4 and 8.6 with right and wrong functions: which of them do they reject?
 
-Each function is a file `speed/limit.py` of its own, under a number that tells nothing. One process imports pytest and
-forks for each of them, so that a dozen costs little more than one.
+Each function is a file such as `speed/limit.py` of its own, under a number that tells nothing. One process imports
+pytest and forks for each of them, so that a dozen costs little more than one.
 """
 
 import json
+from dataclasses import dataclass
+from pathlib import PurePosixPath
 
 from helpers.runner import expect
 
@@ -25,7 +27,7 @@ for number in sorted(os.listdir('functions')):
         sys.path.insert(0, os.path.join('functions', number))
         for name in ('rclpy', 'rclpy.node'):
             sys.modules[name] = None  # importing it is an ImportError
-        status = pytest.main(['-q', '-x', '--tb=line', '--color=no', '-p', 'no:cacheprovider', 'test/test_limit.py'])
+        status = pytest.main(['-q', '-x', '--tb=line', '--color=no', '-p', 'no:cacheprovider', sys.argv[1]])
         sys.stdout.flush()
         os._exit(int(status))
     outcomes[number] = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
@@ -34,18 +36,31 @@ print({MARK!r} + json.dumps(outcomes))
 EMPTY = {'conftest.py': '', 'pytest.ini': '[pytest]\naddopts =\n'}
 
 
-def judge(learner, functions: dict[str, str]) -> dict[str, int]:
-    """Run the learner's TEST_LIMIT with each function (name → text of limit.py): name → pytest's exit status.
+@dataclass(frozen=True)
+class Subject:
+    """What is tested: a module of a package, by the text that the learner's cell binds to `tests`."""
+
+    module: PurePosixPath
+    tests: str
+
+
+LIMIT = Subject(PurePosixPath('speed/limit.py'), 'TEST_LIMIT')
+STEERING = Subject(PurePosixPath('delivery_robot/steering.py'), 'TEST_STEERING')
+
+
+def judge(learner, functions: dict[str, str], subject: Subject = LIMIT) -> dict[str, int]:
+    """Run the learner's tests with each function (name → text of its module): name → pytest's exit status.
 
     The learner's side sees numbers in an order that is drawn, and no names.
     """
     names = list(functions)
     learner.random.shuffle(names)
-    files = {**EMPTY, 'run.py': _RUN, 'test/test_limit.py': learner.text('TEST_LIMIT')}
+    module, tests = subject.module, f'test/test_{subject.module.name}'
+    files = {**EMPTY, 'run.py': _RUN, tests: learner.text(subject.tests)}
     for number, name in enumerate(names):
-        folder = f'functions/{number:02}/speed'
-        files |= {f'{folder}/__init__.py': '', f'{folder}/limit.py': functions[name]}
-    done = learner.workspace(files).run('python3', 'run.py')
+        folder = f'functions/{number:02}'
+        files |= {f'{folder}/{module.parent}/__init__.py': '', f'{folder}/{module}': functions[name]}
+    done = learner.workspace(files).run('python3', 'run.py', tests)
     expect(done.last_line.startswith(MARK), f'The run of your tests ended with: {done.last_line}')
     outcomes = json.loads(done.lines[-1].removeprefix(MARK))
     statuses = {name: outcomes[f'{number:02}'] for number, name in enumerate(names)}
@@ -57,16 +72,17 @@ def judge(learner, functions: dict[str, str]) -> dict[str, int]:
     return statuses
 
 
-def accepts(learner, functions: dict[str, str]) -> None:
+def accepts(learner, functions: dict[str, str], subject: Subject = LIMIT) -> None:
     """Fail unless the learner's tests pass with each of these right functions; a name says what is special in it."""
-    for name, status in judge(learner, functions).items():
-        expect(status == 0, f'A test of yours fails with a function that does what its docstring says ({name}). '
+    said = 'docstring' if subject is LIMIT else 'specification'
+    for name, status in judge(learner, functions, subject).items():
+        expect(status == 0, f'A test of yours fails with a function that does what its {said} says ({name}). '
                             'Compare computed numbers with pytest.approx, and ask for nothing that is not in the '
-                            'docstring.')
+                            f'{said}.')
 
 
-def rejects(learner, functions: dict[str, str]) -> None:
+def rejects(learner, functions: dict[str, str], subject: Subject = LIMIT) -> None:
     """Fail unless the learner's tests notice each of these wrong functions; a name says what is wrong."""
-    statuses = judge(learner, functions)
+    statuses = judge(learner, functions, subject)
     for name in functions:
         expect(statuses[name] == 1, f'No test of yours notices a function {name}.')

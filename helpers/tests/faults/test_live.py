@@ -116,7 +116,8 @@ def test_a_client_that_waits(tmp_path, domain, kind):
 @pytest.mark.parametrize('kind', ['call', 'loop'])
 def test_a_program_that_hangs(tmp_path, domain, kind, capsys):
     with staged(tmp_path, 'A7.9', kind) as fault:
-        assert not fault.interrupt(SHORT)
+        fault.symptom()
+        assert 'it goes on' in capsys.readouterr().out
         fault.stacks()
         stack = capsys.readouterr().out
         file = (fault.path / fault.diagnosis['where']).read_text().splitlines()

@@ -80,7 +80,7 @@ def test_a_stale_frame_fades_and_goes_with_what_hangs_on_it(sender, monkeypatch)
 
     clock = [1000.0]
     for module in (frames, tf_display):
-        monkeypatch.setattr(module.time, 'monotonic', lambda: clock[0])
+        monkeypatch.setattr(module, 'monotonic', lambda: clock[0])
     view = TfView(frame_timeout=3.0)
     view._spinning.let_go(view._node)  # updates only when told, at times that are told
     sender.wait_for_listener()
@@ -115,8 +115,8 @@ def test_while_simulated_time_stands_still_nothing_fades(sender, monkeypatch):
         sender.send('map', 'base', at=5.0)
         sender.send('map', 'late', at=5.0)
         wait_for(lambda: len(view.frames) == 3, timeout=30)
-        now = tf_display.time.monotonic()
-        monkeypatch.setattr(tf_display.time, 'monotonic', lambda: now + 100.0)
+        now = tf_display.monotonic()
+        monkeypatch.setattr(tf_display, 'monotonic', lambda: now + 100.0)
         sender.send('map', 'late', 7.0, at=5.5)
         wait_for(lambda: place(view, 'late') == [7, 0, 0], timeout=30)
         assert {item.opacity for item in seen(view, Axes).values()} == {1.0}
@@ -187,6 +187,22 @@ def test_displays_have_their_own_part_and_tell_their_problems(sender):
     assert first.node is None and view.problems == []
     assert '>base</text>' in view.picture().svg
     assert not [node for node in nodes.living() if 'tf_view' in node.get_name()]
+
+
+class Broken(Display):
+    def update(self, fixed_frame, time):
+        raise ZeroDivisionError('of a display')
+
+
+def test_a_display_that_raises_is_heard_of_and_leaves_nothing(ros):
+    from helpers import CallbackError
+
+    view = TfView(Broken(), live=True)
+    with pytest.raises(CallbackError, match='of a display'):
+        wait_for(lambda: False, timeout=30)
+    with pytest.raises(ZeroDivisionError):
+        view.stop()
+    assert not nodes.is_alive(view._node) and view.address is None
 
 
 def test_the_camera_can_follow_a_frame(sender):

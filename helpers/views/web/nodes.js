@@ -84,6 +84,7 @@ export function take(buffer) {
   }
   for (const [id, visible, opacity] of message.appearances || []) {
     const target = nodes.get(id);
+    if (!target) continue;
     target.visible = visible;
     if (target.userData.opacity === opacity) continue;
     target.userData.opacity = opacity;
@@ -95,6 +96,7 @@ export function take(buffer) {
     const ids = integers(message.poses[0]), matrices = floats(message.poses[1]);
     ids.forEach((id, i) => {
       const target = nodes.get(id);
+      if (!target) return;
       target.matrix.fromArray(matrices, 16 * i);
       target.matrixWorldNeedsUpdate = true;
     });

@@ -70,11 +70,11 @@ function connect() {
   socket = new WebSocket(new URL('socket', location.href).href.replace(/^http/, 'ws'));
   socket.binaryType = 'arraybuffer';
   socket.onmessage = (event) => {
+    undrawn += 1;
+    tries = 0;
     const message = take(event.data);
     if (message.state) showState(message.state);
     look.news = true;
-    undrawn += 1;
-    tries = 0;
     document.body.classList.remove('ended');
     window.updates = (window.updates || 0) + 1;  // for measurements
     viewer.set_dirty();

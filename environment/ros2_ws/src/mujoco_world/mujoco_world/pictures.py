@@ -1,5 +1,7 @@
 """Pictures of a MuJoCo model without a screen."""
 
+import atexit
+import weakref
 from concurrent.futures import ThreadPoolExecutor
 
 import mujoco
@@ -26,6 +28,7 @@ class Pictures:
         except NoPicturesError:
             self._thread.shutdown()
             raise
+        atexit.register(_at_exit, weakref.ref(self))
 
     def _open(self, model: mujoco.MjModel):
         try:
@@ -49,3 +52,9 @@ class Pictures:
         """Give the memory back."""
         self._thread.submit(self._renderer.close).result()
         self._thread.shutdown()
+
+
+def _at_exit(reference: weakref.ref) -> None:
+    """Free what nobody has closed, before EGL itself ends: else it writes an error. The thread has gone by now."""
+    if (pictures := reference()) is not None:
+        pictures._renderer.close()

@@ -1,0 +1,128 @@
+"""Launch the package delivery_robot and use it as people would. Writes story.json: what happened.
+
+Runs in the workspace, where only the learner's code can suffer. Each step waits for a condition, with a bound; a step
+that fails ends the story with the name of what was missing.
+"""
+
+import json
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+import rclpy
+from action_msgs.msg import GoalStatus
+from delivery_interfaces.action import GoToStation
+from delivery_interfaces.srv import SetStation
+from nav_msgs.msg import Odometry
+from rcl_interfaces.srv import GetParameters
+from rclpy.action import ActionClient
+from rclpy.parameter import parameter_value_to_python
+
+PATIENCE = 25.0  # s of wall time for a step
+STATUS = {GoalStatus.STATUS_SUCCEEDED: 'succeeded', GoalStatus.STATUS_CANCELED: 'canceled',
+          GoalStatus.STATUS_ABORTED: 'aborted'}
+VALUES = {'/delivery_robot': ('max_linear', 'max_angular', 'tolerance', 'timeout', 'use_sim_time'),
+          '/world': ('scene', 'real_time_factor')}
+
+
+class Missing(Exception):
+    """What did not come."""
+
+
+class Customer:
+    """Somebody who uses the robot."""
+
+    def __init__(self, launch: subprocess.Popen):
+        self.launch = launch
+        self.node = rclpy.create_node('customer')
+        self.odometry = Odometry()
+        self.node.create_subscription(Odometry, 'odom', lambda odometry: setattr(self, 'odometry', odometry), 10)
+        self.stations = self.node.create_client(SetStation, 'set_station')
+        self.action = ActionClient(self.node, GoToStation, 'go_to_station')
+
+    @property
+    def x(self) -> float:
+        return self.odometry.pose.pose.position.x
+
+    def until(self, condition, what: str) -> None:
+        deadline = time.monotonic() + PATIENCE
+        while not condition():
+            rclpy.spin_once(self.node, timeout_sec=0.05)
+            if self.launch.poll() is not None:
+                raise Missing('the end: ros2 launch has ended by itself')
+            if 'process has died' in Path('launch.txt').read_text(errors='replace'):
+                raise Missing(f'{what}: a process has died')
+            if time.monotonic() > deadline:
+                raise Missing(what)
+
+    def answer(self, future, what: str):
+        self.until(future.done, what)
+        return future.result()
+
+    def parameters(self, node: str) -> dict:
+        client = self.node.create_client(GetParameters, f'{node}/get_parameters')
+        self.until(client.service_is_ready, f'the node {node}')
+        found = self.answer(client.call_async(GetParameters.Request(names=VALUES[node])), f'the parameters of {node}')
+        return dict(zip(VALUES[node], map(parameter_value_to_python, found.values), strict=False))
+
+    def go(self, station: str):
+        """Send a goal until it is accepted: the robot learns only now where it is."""
+        accepted = []
+
+        def tried():
+            goal = self.answer(self.action.send_goal_async(GoToStation.Goal(station=station)), 'an answer to a goal')
+            accepted[:] = [goal]
+            return goal.accepted
+
+        self.until(tried, f'an accepted goal: all goals to {station} were rejected')
+        return accepted[0]
+
+
+def story(customer: Customer, told: dict) -> None:
+    """Set stations, drive, call the robot back, drive again."""
+    for node in VALUES:
+        told[node] = customer.parameters(node)
+    if not told['/delivery_robot']['use_sim_time']:
+        raise Missing('simulated time in /delivery_robot')
+    customer.until(customer.stations.service_is_ready, 'the service /set_station')
+    customer.until(customer.action.server_is_ready, 'the action /go_to_station')
+    for name, x in (('far', 3.0), ('near', 1.0)):
+        request = SetStation.Request(name=name, x=x)
+        told[name] = customer.answer(customer.stations.call_async(request), 'an answer of /set_station').success
+    goal = customer.go('far')
+    result = goal.get_result_async()
+    customer.until(lambda: customer.x > 0.25 or result.done(), 'the robot on its way')
+    customer.answer(goal.cancel_goal_async(), 'an answer to the cancel request')
+    told['cancelled'] = STATUS.get(customer.answer(result, 'the end of the cancelled goal').status)
+    customer.until(lambda: abs(customer.odometry.twist.twist.linear.x) < 0.02, 'the robot standing after the cancel')
+    told['stopped_at'] = round(customer.x, 3)
+    result = customer.answer(customer.go('near').get_result_async(), 'the end of the second goal')
+    told['arrived'], told['distance'] = STATUS.get(result.status), round(result.result.distance, 3)
+    customer.until(lambda: abs(customer.odometry.twist.twist.linear.x) < 0.02, 'the robot standing at the station')
+    told['ended_at'] = round(customer.x, 3)
+
+
+def main() -> None:
+    told = {}
+    with open('launch.txt', 'w') as log:
+        launch = subprocess.Popen(['ros2', 'launch', 'delivery_robot', 'delivery.launch.py', 'scene:=empty',
+                                   'real_time_factor:=1.5'], stdout=log, stderr=subprocess.STDOUT)
+        try:
+            rclpy.init()
+            story(Customer(launch), told)
+        except Missing as missing:
+            told['missing'] = str(missing)
+        finally:
+            launch.send_signal(signal.SIGINT)
+            try:
+                told['status'] = launch.wait(15.0)
+            except subprocess.TimeoutExpired:
+                launch.kill()
+                told['status'] = None
+    with open('story.json', 'w') as file:
+        json.dump(told, file)
+
+
+if __name__ == '__main__':
+    main()
