@@ -131,7 +131,8 @@ def overlay(layout: Layout, environ: Mapping[str, str]) -> Fact:
     stale = setup.stale()
     if stale:
         return Fact('course packages', False, f'not fresh: {", ".join(stale)}', 'run: ./course doctor')
-    return Fact('course packages', True, ', '.join(setup.packages()) or 'all in the underlay')
+    count = len(setup.packages())
+    return Fact('course packages', True, f'{count} built' if count else 'all in the underlay')
 
 
 def compiler(environ: Mapping[str, str]) -> Fact:
@@ -313,4 +314,4 @@ def graphics() -> Fact:
     if found:
         return Fact('off-screen OpenGL', True, ' and '.join(found))
     text = 'neither EGL nor OSMesa: no simulated cameras'
-    return Fact('off-screen OpenGL', False, text, 'run: sudo apt install libegl1 libosmesa6', required=False)
+    return Fact('off-screen OpenGL', False, text, 'run: sudo apt install libegl1 libgl1-mesa-dri', required=False)

@@ -244,7 +244,7 @@ class Setup:
 
         try:
             self._run(
-                f'Building {len(selected)} ROS packages ({", ".join(selected)})',
+                f'Building {_counted(selected)}',
                 overlay.colcon(self.layout, selected),
                 'colcon',
                 tools.environment(self.environ, self.layout, self.underlay),
@@ -282,3 +282,9 @@ class Setup:
         if status:
             raise tools.explain(label[0].lower() + label[1:], output, str(file), env)
         self.console.end()
+
+
+def _counted(packages: list[str], named: int = 5) -> str:
+    """'2 ROS packages (a, b)'; of many only the number, as the line would be longer than a terminal."""
+    names = f' ({", ".join(packages)})' if len(packages) <= named else ''
+    return f'{len(packages)} ROS package{"s" * (len(packages) != 1)}{names}'

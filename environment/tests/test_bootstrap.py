@@ -62,7 +62,7 @@ def test_a_clone_is_interrupted_resumed_changed_and_moved(tmp_path, clean_enviro
     changed = start(clone, clean_environ, *command)
     out, err = changed.communicate(timeout=3000)
     assert out == 'works\n'
-    assert 'Building 1 ROS packages (tf2_msgs)' in err
+    assert 'Building 1 ROS package (tf2_msgs)' in err
 
     # What it needs is told when a tool is missing, and only then.
     moved = tmp_path / 'moved'
