@@ -13,8 +13,8 @@ import yaml
 from helpers.views.frames import FrameListener, Link, Tree
 from helpers.views.tf_display import MOVES, STATIC
 
-_ROW, _INDENT, _BOX, _FONT = 30, 28, 22, 'system-ui, -apple-system, "Segoe UI", sans-serif'
-_COLUMNS = (('', 70), ('rate', 75), ('age', 80), ('history', 75), ('broadcaster', 0))
+_ROW, _INDENT, _BOX, _FONT = 30, 24, 22, 'system-ui, -apple-system, "Segoe UI", sans-serif'
+_COLUMNS = (('', 60), ('rate', 68), ('age', 72), ('history', 68), ('broadcaster', 0))
 _STATIC_RATE = 10_000.0  # what a buffer says of the single sample of a static transform
 _LONGEST_AGE = 86_400.0  # s; more means that the stamps are of another clock
 _PATIENCE = 1.0  # s, the longest wait for /clock
@@ -92,8 +92,8 @@ class FramesDiagram:
     def svg(self) -> str:
         """Return the picture."""
         lines = self._lines()
-        names = max([9 * len(frame) + 30 + _INDENT * depth for depth, frame, _ in lines], default=150)
-        starts = [names + 30]
+        names = max([8.5 * len(frame) + 24 + _INDENT * depth for depth, frame, _ in lines], default=150)
+        starts = [names + 22]
         for _, width in _COLUMNS[:-1]:
             starts.append(starts[-1] + width)
         longest = max([len(self._cells(row)[-1]) for _, _, row in lines] + [11])
@@ -113,7 +113,8 @@ class FramesDiagram:
                          '</text>')
         return '\n'.join((
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}" height="{height:.0f}" '
-            f'viewBox="0 0 {width:.0f} {height:.0f}" font-family=\'{_FONT}\' font-size="13" fill="#21252f">',
+            f'viewBox="0 0 {width:.0f} {height:.0f}" style="max-width:100%;height:auto" '
+            f'font-family=\'{_FONT}\' font-size="13" fill="#21252f">',
             f'<rect width="{width:.0f}" height="{height:.0f}" rx="6" fill="#fbfcfd" stroke="#cfd3da"/>',
             *parts, '</svg>'))
 

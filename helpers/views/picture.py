@@ -105,8 +105,8 @@ class _Picture:
             lines += self._legend(legend)
         return '\n'.join((
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{self.width}" height="{self.height}" '
-            f'viewBox="0 0 {self.width} {self.height}" fill="none" stroke-linecap="round" '
-            f'stroke-linejoin="round" font-family=\'{_FONT}\' font-size="13">',
+            f'viewBox="0 0 {self.width} {self.height}" style="max-width:100%;height:auto" fill="none" '
+            f'stroke-linecap="round" stroke-linejoin="round" font-family=\'{_FONT}\' font-size="13">',
             f'<rect width="{self.width}" height="{self.height}" rx="6" fill="#f6f8fa" stroke="#cfd3da"/>',
             *(part for part in body if part), *lines, '</svg>'))
 

@@ -5,7 +5,7 @@ import {eachPoint, placeOf, root} from './nodes.js';
 
 const THREE = MeshCat.THREE;
 const VIEW_FROM = new THREE.Vector3(0.49, -0.70, 0.53).normalize();  // as in helpers/views/picture.py
-const ROOM = 0.8;  // of the picture is for the scene, the rest for names and controls
+const SIDE = 0.88, BARS = 92;  // share of the width, and pixels of the height, that are for names and controls
 
 const upright = (v) => new THREE.Vector3(v.x, v.z, -v.y);  // three.js: y is up; ROS: z is up
 
@@ -42,15 +42,26 @@ export class Look {
       this.drawGround(box.setFromCenterAndSize(place, new THREE.Vector3().setScalar(2 * this.span)));
       return;
     }
-    eachPoint((point) => box.expandByPoint(point));
+    root.updateWorldMatrix(true, false);
+    const camera = this.viewer.camera, flat = new THREE.Vector3(), used = [0, 0], room = this.room();
+    const project = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse).multiply(root.matrixWorld);
+    eachPoint((point) => {
+      box.expandByPoint(point);
+      flat.copy(point).applyMatrix4(project);
+      used[0] = Math.max(used[0], Math.abs(flat.x) / room[0]);
+      used[1] = Math.max(used[1], Math.abs(flat.y) / room[1]);
+    });
     if (box.isEmpty()) return;
     this.drawGround(box);
     if (this.byHand) return;
-    const centre = box.getCenter(new THREE.Vector3());
-    const radius = Math.max(0.05, box.getSize(new THREE.Vector3()).length() / 2), old = this.fitted;
-    const fits = old && centre.distanceTo(old.centre) < 0.4 * old.radius
-      && radius < 1.2 * old.radius && radius > 0.6 * old.radius;
-    if (!fits) this.fit(centre, radius);
+    const most = Math.max(...used), radius = Math.max(0.05, box.getSize(new THREE.Vector3()).length() / 2);
+    const fits = this.fitted && most < 1.08 && most > 0.45 && radius < 3 * this.fitted;
+    if (!fits) this.fit(box.getCenter(new THREE.Vector3()), radius);
+  }
+
+  room() {  // what part of the picture the scene may fill, in x and in y
+    const height = this.viewer.dom_element.clientHeight || 400;
+    return [SIDE, Math.max(0.4, 1 - BARS / height)];
   }
 
   follow(place) {
@@ -69,7 +80,8 @@ export class Look {
   fit(centre, radius) {
     const camera = this.viewer.camera;
     const right = new THREE.Vector3(0, 0, 1).cross(VIEW_FROM).normalize(), up = VIEW_FROM.clone().cross(right);
-    const tall = ROOM * Math.tan(THREE.MathUtils.degToRad(camera.fov) / 2), wide = tall * camera.aspect;
+    const half = Math.tan(THREE.MathUtils.degToRad(camera.fov) / 2), room = this.room();
+    const wide = room[0] * half * camera.aspect, tall = room[1] * half;
     let distance = 0.2 * radius;
     eachPoint((point) => {
       point.sub(centre);
@@ -77,7 +89,7 @@ export class Look {
       distance = Math.max(distance, away + point.dot(VIEW_FROM));
     });
     this.place(centre, distance, radius);
-    this.fitted = {centre, radius};
+    this.fitted = radius;
   }
 
   place(centre, distance, radius) {
