@@ -35,10 +35,11 @@ class NoSource(Fault):
     kinds = ('key_file', 'wrong_key', 'suite', 'codename', 'component', 'malformed')
     machine = 'pc'
 
-    def __init__(self, *arguments):
-        super().__init__(*arguments)
+    def stage(self) -> Fault:
+        """As for all; in another folder if the path of this one has a space."""
         if any(map(str.isspace, str(self.path))):  # apt ends a word of a source line there
             self.path = Path(tempfile.mkdtemp(prefix='fault_'))
+        return super().stage()
 
     def plan(self) -> None:
         draw = self.random

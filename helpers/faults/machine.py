@@ -1,6 +1,7 @@
 """A private machine: a home folder whose terminals know nothing but what its own ``.bashrc`` sets."""
 
 import os
+import shlex
 import shutil
 import sys
 from pathlib import Path
@@ -26,7 +27,7 @@ class Machine(Workspace):
 
     def install(self, distro: str = 'jazzy') -> None:
         """Give it ROS: a setup file in ``opt/ros/DISTRO`` that leads to the installation of the course."""
-        self.write(SETUP.format(distro=distro), f'source {ros_setup()}\n{_RANGE}')
+        self.write(SETUP.format(distro=distro), f'source {shlex.quote(str(ros_setup()))}\n{_RANGE}')
 
     def install_apart(self, tools: dict[str, str], distro: str = 'jazzy') -> None:
         """Give it ROS, but with some commands in folders of their own, and not beside ``ros2``.
@@ -40,10 +41,10 @@ class Machine(Workspace):
             folder = self.path / tools[command] if command in tools else ros / 'bin'
             folder.mkdir(parents=True, exist_ok=True)
             wrapper = folder / command
-            wrapper.write_text(f'#!/bin/sh\nexec {target} "$@"\n')
+            wrapper.write_text(f'#!/bin/sh\nexec {shlex.quote(target)} "$@"\n')
             wrapper.chmod(0o755)
         self.write(SETUP.format(distro=distro),
-                   f'keep=$PATH\nsource {ros_setup()}\nexport PATH={ros}/bin:$keep\n{_RANGE}')
+                   f'keep=$PATH\nsource {shlex.quote(str(ros_setup()))}\nexport PATH="{ros}/bin:$keep"\n{_RANGE}')
         if any(shutil.which(command, path=SYSTEM_PATH) for command in tools):
             self.system_path = str(self._system_without(set(tools)))
 

@@ -39,6 +39,16 @@ def test_a_source_line_of_apt(tmp_path, kind, message, capsys):
         fault.repair()
 
 
+@pytest.mark.parametrize('row', ['A7.1', 'A7.3'])
+def test_a_path_with_a_space(tmp_path, row):
+    if row == 'A7.1' and not os.access('/usr/bin/apt-get', os.X_OK):
+        pytest.skip('needs apt-get')
+    with faults.stage(row, 1, folder=tmp_path / 'my course' / 'system') as fault:
+        fault.repair()
+        assert fault.verify()
+    assert not fault.path.exists()
+
+
 @pytest.mark.parametrize('kind', faults.plan('A7.2').kinds)
 def test_a_shell_without_ros2(tmp_path, kind, capsys):
     with staged(tmp_path, 'A7.2', kind) as fault:
