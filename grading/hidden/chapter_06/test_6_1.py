@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from helpers.checks.chapter_06 import mast
-from helpers.checks.chapter_06.geometry import axis, origin, same, words
+from helpers.checks.chapter_06.geometry import axis, explain, origin, same, words
 from helpers.runner import expect
 from helpers.runner.frames import to_matrix
 
@@ -65,13 +65,12 @@ def test_camera(learner):
     there = mast.in_base(late, 'camera')
     view, angle = axis(there, 'x'), math.radians(tilt)
     told = f'SensorMast({height}, {tilt}): the camera looks along {words(view)} in base_link'
-    expect(not same(view, (math.cos(angle), 0, math.sin(angle))),
-           f'{told}. That is up. Positive angles turn from z to x: a positive pitch looks down.')
-    expect(not same(view, (math.cos(tilt), 0, -math.sin(tilt))),
-           f'{told}: the tilt was taken for radians. It is in degrees.')
-    expect(same(view, (math.cos(angle), 0, -math.sin(angle))),
-           f'{told}, expected {words((math.cos(angle), 0, -math.sin(angle)))}. Which angle is it, and in which order '
-           'does a Quaternion have x, y, z and w?')
+    expected = math.cos(angle), 0, -math.sin(angle)
+    explain(same(view, expected), f'{told}, expected {words(expected)}.',
+            (same(view, (math.cos(angle), 0, math.sin(angle))),
+             'That is up. Positive angles turn from z to x: a positive pitch looks down.'),
+            (same(view, (math.cos(tilt), 0, -math.sin(tilt))), 'The tilt was taken for radians. It is in degrees.'),
+            (True, 'Which angle is it, and in which order does a Quaternion have x, y, z and w?'))
 
 
 def test_lidar(learner):

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from helpers.checks.chapter_06.geometry import same, words
+from helpers.checks.chapter_06.geometry import explain, same, words
 from helpers.checks.chapter_06.pursuit import Pursuit, zeros
 from helpers.runner import expect
 
@@ -56,11 +56,11 @@ def test_command(learner):
                                'never there in time.')
     turn = there.leader.theta - there.me.theta
     back = -place[:2] @ np.array([[math.cos(turn), -math.sin(turn)], [math.sin(turn), math.cos(turn)]])
-    expect(not is_for(*back), f'{told}. That is for where the follower is in the frame of the leader: target and '
-                              'source are swapped.')
-    expect(not is_for(there.leader.x, there.leader.y), f'{told}. That is for where the leader is in the world. The '
-                                                       'follower does not know where it looks itself.')
-    expect(is_for(*place[:2]), f'{told}. chase says something else for this place.')
+    explain(is_for(*place[:2]), f'{told}. chase says something else for this place.',
+            (is_for(*back), 'That is for where the follower is in the frame of the leader: target and source are '
+                            'swapped.'),
+            (is_for(there.leader.x, there.leader.y), 'That is for where the leader is in the world. The follower does '
+                                                     'not know where it looks itself.'))
 
 
 @pytest.mark.weight(2)

@@ -1,4 +1,4 @@
-# expect: the tilt was taken for radians
+# expect: The tilt was taken for radians
 # rejected by: test_camera
 # Exercise 6.1: a sensor mast
 class SensorMast(Node):

@@ -1,4 +1,4 @@
-# expect: it goes round to the right
+# expect: It goes round to the right
 # rejected by: test_circle
 # Exercise 6.2: a moon
 class Moon(Node):

@@ -1,4 +1,4 @@
-# expect: it never turns
+# expect: It never turns.
 # rejected by: test_face
 # Exercise 6.2: a moon
 class Moon(Node):

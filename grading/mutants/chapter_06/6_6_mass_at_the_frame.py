@@ -1,4 +1,4 @@
-# expect: The mass of
+# expect: That is its bottom
 # rejected by: test_weight
 # Exercise 6.6: a crate
 def crate(mass, length, width, height):

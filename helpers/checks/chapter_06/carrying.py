@@ -4,7 +4,7 @@ import numpy as np
 from geometry_msgs.msg import PointStamped
 from rclpy.time import Time
 
-from helpers.checks.chapter_06.geometry import origin, same, words
+from helpers.checks.chapter_06.geometry import explain, origin, same, words
 from helpers.runner import expect
 from helpers.runner.frames import pose
 from helpers.runner.peers import SECOND
@@ -52,15 +52,13 @@ class Scene:
         place = (found.point.x, found.point.y, found.point.z)
         robot, before = np.linalg.inv(self.robot(self.newest)), np.linalg.inv(self.robot(then))
         expected = origin(robot @ self.cup(then))
-        told = f'{call} gave {words(place)}, expected {words(expected)}'
-        for wrong, reason in (
+        explain(same(place, expected, 1e-3), f'{call} gave {words(place)}, expected {words(expected)}.', *[
+            (same(place, origin(wrong), 1e-3), reason) for wrong, reason in (
                 (before @ self.cup(then), 'This is seen from the robot as it stood then. It has moved on.'),
                 (robot @ self.cup(self.newest), 'This is where the cup was just now.'),
                 (self.cup(then), 'This is in the frame map.'),
                 (np.linalg.inv(robot @ self.cup(then)), 'This is where the robot is, seen from the cup: target and '
-                                                        'source are swapped.')):
-            expect(not same(place, origin(wrong), 1e-3), f'{told}. {reason}')
-        expect(same(place, expected, 1e-3), f'{told}.')
+                                                        'source are swapped.'))])
         expect(found.header.frame_id == 'base_link', f'The point has the frame_id `{found.header.frame_id}`, expected '
                                                      '`base_link`.')
         stamp = Time.from_msg(found.header.stamp).nanoseconds / SECOND

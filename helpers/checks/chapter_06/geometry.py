@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from helpers.runner import expect
+
 
 def words(vector) -> str:
     """A point or direction as text: (0.89, 0, 0.86)."""
@@ -11,6 +13,11 @@ def words(vector) -> str:
 def same(one, other, tolerance: float = 1e-4) -> bool:
     """Whether two arrays of numbers are equal, but for rounding."""
     return np.shape(one) == np.shape(other) and np.allclose(one, other, rtol=0, atol=tolerance)
+
+
+def explain(right, told: str, *reasons: tuple[object, str]) -> None:
+    """Fail with `told` unless `right` is true. Of the reasons (condition, text), the first that holds is added."""
+    expect(right, ' '.join([told, *[text for holds, text in reasons if holds][:1]]))
 
 
 def origin(matrix) -> np.ndarray:

@@ -7,7 +7,7 @@ from rclpy.time import Time
 from sensor_msgs.msg import LaserScan, PointCloud2
 from sensor_msgs_py.point_cloud2 import read_points_list
 
-from helpers.checks.chapter_06.geometry import same, words
+from helpers.checks.chapter_06.geometry import explain, same, words
 from helpers.runner import expect
 from helpers.runner.frames import pose
 from helpers.runner.peers import SECOND
@@ -67,16 +67,15 @@ class Laser:
         there = self.where(seconds)
         first, wanted = found[0], moved(hits, there)
         told = (f'The first hit of the scan, {words(hits[0])} in `{self.frame}`, is at {words(first)} in the cloud, '
-                f'expected {words(wanted[0])}')
+                f'expected {words(wanted[0])}.')
         reasons = [(np.eye(4), 'It is still in the frame of the laser: only the name of the frame has changed.'),
                    (np.linalg.inv(there), 'The transform goes from map to the laser: target and source are swapped.')]
         reasons += [(self.where(other), reason) for other, reason in (others or {}).items()]
-        for wrong, reason in reasons:
-            expect(not same(found, moved(hits, wrong), 1e-3), f'{told}. {reason}')
-        expect(not same(found, wanted[::-1], 1e-3), 'The points come in the reverse order. A scan begins at angle_min.')
         degrees = moved(self.hits(_in_degrees(scan)), there)
-        expect(not same(found, degrees, 1e-3), f'{told}. The angles of a scan are in radians already.')
-        expect(same(found, wanted, 1e-3), f'{told}.')
+        explain(same(found, wanted, 1e-3), told,
+                *[(same(found, moved(hits, wrong), 1e-3), reason) for wrong, reason in reasons],
+                (same(found, wanted[::-1], 1e-3), 'The points come in the reverse order: a scan begins at angle_min.'),
+                (same(found, degrees, 1e-3), 'The angles of a scan are in radians already.'))
         stamp = Time.from_msg(cloud.header.stamp).nanoseconds / SECOND
         expect(same(stamp, seconds, 1e-6), f'The scan is of time {seconds:g} s, its cloud has the stamp {stamp:g} s. '
                                            'A stamp says when it was measured, and does not change.')
