@@ -1,7 +1,6 @@
 """Asking rclpy for the graph, as one node sees it."""
 
 from rclpy.action.graph import get_action_client_names_and_types_by_node, get_action_server_names_and_types_by_node
-from rclpy.node import NodeNameNonExistentError
 from rclpy.topic_or_service_is_hidden import topic_or_service_is_hidden
 
 from helpers.graph.model import Graph, Link
@@ -60,7 +59,7 @@ def _others(node, names: set[str], shown):
                 'action server': get_action_server_names_and_types_by_node(node, name, space),
                 'action client': get_action_client_names_and_types_by_node(node, name, space),
             }
-        except NodeNameNonExistentError:  # it has just gone
+        except RuntimeError:  # rclpy's RCLError: the node has just gone
             continue
         for role, pairs in found.items():
             for service, types in pairs:

@@ -8,6 +8,7 @@ from rclpy.action import ActionClient, ActionServer
 from std_msgs.msg import String
 
 from helpers import GraphView, show_graph, spinning, wait_for
+from helpers.graph.reading import read
 from helpers.ros import nodes
 
 LINKS = {('/b', 'publisher', '/chatter'), ('/robot/a', 'subscription', '/chatter'),
@@ -66,6 +67,13 @@ def test_a_still_picture(system, capsys):
     shown = capsys.readouterr().out
     assert '/robot/a' in shown and 'subscribes to /chatter [std_msgs/msg/String]' in shown
     assert '_show_graph' not in shown
+
+
+def test_a_node_that_has_just_gone_has_nothing(ros):
+    node = rclpy.create_node('watcher')
+    node.get_node_names_and_namespaces = lambda: [('ghost', '/')]
+    graph = read(node)
+    assert graph.nodes == ('/ghost',) and graph.links == ()
 
 
 @pytest.mark.parametrize('show', [show_graph, GraphView])
