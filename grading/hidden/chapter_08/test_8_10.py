@@ -19,7 +19,7 @@ def story(learner) -> dict:
                                                   'installed folder.'),
                       ("Couldn't parse params file", 'ROS cannot read DELIVERY_YAML.')):
         expect(word not in log, f'Your node did not start. {why}')
-    expect('/delivery_robot' in told, f'The node /delivery_robot did not start: {log}')
+    expect('/delivery_robot' in told, f'The node /delivery_robot did not start: {told["last"]}')
     return told
 
 
@@ -57,7 +57,7 @@ def test_drives(learner):
     """
     told = story(learner)
     expect('missing' not in told, f'This never came: {told.get("missing")}. The last that the launch said: '
-                                  f'{told["log"]}')
+                                  f'{told["last"]}')
     expect(told['cancelled'] == 'canceled', f'The goal that was called back ended as {told["cancelled"]}, expected '
                                             'canceled.')
     expect(told['stopped_at'] < 2.0, f'The robot was called back at 0.3 m, and stood at {told["stopped_at"]:.2f} m.')

@@ -141,11 +141,11 @@ def launched(learner) -> dict:
                                   'mv sources src; fi\ncat launch.txt; echo ---; cat story.json', timeout=100)
     log, _, story = done.output.rpartition('---')
     expect(story.strip().startswith('{'), f'The run of your package ended with: {done.last_line}')
-    return {**json.loads(story), 'log': _last(log)}
+    return {**json.loads(story), 'log': log, 'last': _last(log)}
 
 
 def _last(log: str) -> str:
-    """The line of a launch's output that tells most."""
-    lines = [line.strip() for line in log.splitlines() if line.strip()]
-    telling = [line for line in lines if 'Error' in line or 'error' in line.lower().split(']')[0]]
+    """The line of a launch's output that tells most: an error of the learner's program, or else the last one."""
+    lines = [line.strip() for line in log.splitlines() if line.strip() and 'process has died' not in line]
+    telling = [line for line in lines if 'Error' in line or 'Exception' in line]
     return (telling or lines or ['nothing'])[-1][:300]
