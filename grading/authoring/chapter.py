@@ -10,7 +10,7 @@ from nbformat import ValidationError
 
 from grading.authoring import regions
 from grading.authoring.errors import AuthoringError
-from helpers.exercises import manifest
+from helpers.exercises import cell_ids, manifest
 
 FILE_NAME = re.compile(r'(\d\d)_[a-z0-9_]+\.md')
 
@@ -64,7 +64,7 @@ class Chapter:
                 title=cell.source.splitlines()[0].split(':', 1)[1].strip(),
                 points=cell.exercise['points'],
                 names=tuple(cell.exercise['names']),
-                cell_id='ex-' + cell.exercise['id'].replace('.', '-'),
+                cell_id=cell_ids.of_exercise(cell.exercise['id']),
                 stub=manifest.stub_digest(cell.split.stub),
             )
             for cell in self.cells if cell.exercise is not None

@@ -1,12 +1,12 @@
 """From a chapter to its two notebooks, without running anything."""
 
-import hashlib
 from collections import Counter
 
 import nbformat
 from nbformat import NotebookNode
 
 from grading.authoring.chapter import Cell, Chapter
+from helpers.exercises import cell_ids
 
 # Fixed, so that neither the author's machine nor the kernel's version shows.
 METADATA = {
@@ -61,14 +61,13 @@ def _learner_metadata(metadata: dict) -> dict:
 
 
 def _ids(cells: tuple[Cell, ...]) -> list[str]:
-    """Return ids that depend on a cell's own text only, so that an edit elsewhere does not change them."""
+    """Return the cells' ids, see helpers.exercises.cell_ids."""
     seen = Counter()
     ids = []
     for cell in cells:
         if cell.exercise is not None:
-            ids.append('ex-' + cell.exercise['id'].replace('.', '-'))
+            ids.append(cell_ids.of_exercise(cell.exercise['id']))
             continue
-        text = f'{cell.kind}\n{cell.source}'
-        seen[text] += 1
-        ids.append(hashlib.sha256(f'{seen[text]}\n{text}'.encode()).hexdigest()[:8])
+        seen[cell.kind, cell.source] += 1
+        ids.append(cell_ids.of_given(cell.kind, cell.source, seen[cell.kind, cell.source]))
     return ids

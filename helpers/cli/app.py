@@ -9,7 +9,7 @@ import typer
 from helpers.cli import Refusal
 
 # In the order of --help. The instructor's commands exist only where the instructor's half is.
-LEARNER = ('lab', 'test', 'doctor', 'shell', 'check', 'submit')
+LEARNER = ('lab', 'test', 'doctor', 'shell', 'check', 'submit', 'migrate')
 INSTRUCTOR = ('release', 'grade', 'build', 'bench')
 
 

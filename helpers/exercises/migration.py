@@ -1,0 +1,361 @@
+"""Takes a learner's work from the notebooks of an older version of the course into those of this one.
+
+What is the learner's is told from the notebooks alone: an exercise's cell has its heading and its id, a given cell
+that is untouched has the id of its text (`cell_ids`), and what remains the learner wrote or changed. With the older
+version's list of exercises beside its notebooks, untouched stubs and changed ones are told, too.
+
+Nothing of the learner's is dropped: an answer for which there is no place becomes a raw cell, which does not run.
+"""
+
+import copy
+import json
+import os
+import re
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from helpers import paths
+from helpers.exercises import cell_ids, manifest, notebooks, program
+
+_CHAPTER = re.compile(r'(\d\d)_\w+\.ipynb')
+_TITLE = re.compile(r'\s*#\s*Exercise\s+[\d.]+\s*:\s*(.+?)\s*$', re.IGNORECASE | re.MULTILINE)
+
+
+class MigrationError(Exception):
+    """Nothing can be carried over; the message names the lack and the remedy."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of one exercise."""
+
+    exercise: str  # its id in this version; in the old one if it is gone
+    said: str
+    lost: bool = False  # the learner has to do something
+
+
+@dataclass
+class Report:
+    """What was carried over."""
+
+    exercises: list[Outcome] = field(default_factory=list)
+    own: dict[str, int] = field(default_factory=dict)  # cells of the learner's own, by notebook
+    notes: list[str] = field(default_factory=list)
+    written: list[Path] = field(default_factory=list)
+    backup: Path | None = None  # the folder with the notebooks as they were before
+
+
+@dataclass(frozen=True)
+class _Answer:
+    """An exercise's cell in an old notebook."""
+
+    exercise: str
+    title: str | None
+    source: str
+    declared: dict  # the cell's metadata: points, names
+    card: dict | None  # the cell with the exercise's text
+    notebook: str
+    after: str | None  # id of the nearest cell before it
+
+
+def migrate(old: Path, folder: Path = paths.NOTEBOOKS, *, dry_run: bool = False,
+            known: dict[str, manifest.Exercise] | None = None) -> Report:
+    """Carry answers and own cells over from `old` into the notebooks in `folder`.
+
+    :param old: the older version's folder, or its folder of notebooks.
+    :param folder: this version's notebooks. One that changes is first copied into a new folder `backup-…` beside it.
+    :param dry_run: only report.
+    :param known: this version's exercises; those of the course if not given.
+    :raises MigrationError: there is no notebook, one cannot be read or written, or both folders are the same.
+    """
+    source = _notebooks_of(old)
+    if source.resolve() == folder.resolve():
+        raise MigrationError(f'{source} holds the notebooks of this version itself: unpack the new version beside the '
+                             'old one, and give the old one.')
+    known = manifest.load() if known is None else known
+    before = {path.name: _read(path) for path in _chapters(source)}
+    target = {path.name: _read(path) for path in _chapters(folder)}
+    if not target:
+        raise MigrationError(f'{folder} has no notebooks of the course: get a complete copy of the course.')
+    migration = _Migration(before, copy.deepcopy(target), known, _stubs(source))
+    report = migration.run()
+    changed = [name for name in target if migration.target[name] != target[name]]
+    if changed and not dry_run:
+        _write(report, folder, {name: migration.target[name] for name in changed})
+    return report
+
+
+class _Migration:
+    def __init__(self, before: dict, target: dict, known: dict, stubs: dict[str, str]):
+        self.before, self.target, self.known, self.stubs = before, target, known, stubs
+        self.report = Report()
+
+    def run(self) -> Report:
+        answers = [answer for name in self.before for answer in self._answers(name)]
+        times = {answer.exercise: sum(one.exercise == answer.exercise for one in answers) for answer in answers}
+        for exercise, number in times.items():
+            if number > 1:
+                self._say(exercise, f'is there {number} times in the old notebook: keep one cell, then run this again',
+                          lost=True)
+        for answer in answers:
+            if times[answer.exercise] == 1:
+                self._carry(answer)
+        for name in self.before:
+            self._carry_own(name)
+        self.report.exercises.sort(key=lambda one: [int(part) for part in one.exercise.split('.')])
+        return self.report
+
+    def _say(self, exercise: str, said: str, lost: bool = False) -> None:
+        self.report.exercises.append(Outcome(exercise, said, lost))
+
+    # Answers
+
+    def _answers(self, name: str) -> list[_Answer]:
+        found, card, after = [], None, None
+        for cell in self.before[name]['cells']:
+            exercise = _exercise(cell)
+            if exercise:
+                title = _TITLE.match(cell['source'])
+                found.append(_Answer(exercise, title[1] if title else None, cell['source'],
+                                     cell['metadata'].get('exercise', {}), card, name, after))
+                card = None
+            elif cell['cell_type'] == 'markdown':
+                card = cell
+            after = cell.get('id', after)
+        return found
+
+    def _carry(self, answer: _Answer) -> None:
+        exercise = self._successor(answer)
+        if exercise is None:
+            place = self._beside(answer)
+            self._say(answer.exercise, 'is no longer in the course; your answer is kept as a raw cell in '
+                                       f'{place}, which does not run', lost=True)
+            return
+        cells = self.target[exercise.notebook]['cells']
+        index = next((i for i, cell in enumerate(cells) if cell.get('id') == exercise.cell_id), None)
+        if index is None:
+            self._say(exercise.id, f'has no cell in the new {exercise.notebook}: get a fresh copy of that notebook, '
+                                   'then run this again', lost=True)
+            return
+        digest, moved = _digest(answer.source), ''
+        if digest is not None and digest in (exercise.stub, self.stubs.get(answer.exercise)):
+            self._say(exercise.id, 'was not attempted; the new notebook stays as it is')
+            return
+        source = answer.source
+        if (answer.exercise, answer.title) != (exercise.id, exercise.title):
+            source = _with_heading(source, f'# Exercise {exercise.id}: {exercise.title}')
+            moved = f' (it was {answer.exercise})' if answer.exercise != exercise.id else ''
+        if cells[index]['source'] == source:
+            self._say(exercise.id, 'has this answer already')
+            return
+        if _digest(cells[index]['source']) != exercise.stub:
+            _insert(cells, index + 1, _raw(answer.exercise, 'the answer from the old notebook', source))
+            self._say(exercise.id, f'has another answer already, which stays{moved}; the old one stands below it as a '
+                                   'raw cell', lost=True)
+            return
+        given, cells[index]['source'] = cells[index]['source'], source
+        changes = self._changes(answer, exercise, cells)
+        if self.stubs.get(answer.exercise, exercise.stub) != exercise.stub:
+            _insert(cells, index + 1, _raw(exercise.id, 'what the new version gives', given))
+            changes.append('what is given, which stands below your answer as a raw cell')
+        self._say(exercise.id, f'carried over{moved}' + (f'; changed since: {"; ".join(changes)}' if changes else ''))
+
+    def _successor(self, answer: _Answer) -> manifest.Exercise | None:
+        """The exercise of this version that the answer belongs to. A number may now be another exercise's."""
+        here = {key: one for key, one in self.known.items() if one.notebook in self.target}
+        same = here.get(answer.exercise)
+        if same and answer.title in (None, same.title):
+            return same
+        titled = [exercise for exercise in here.values() if exercise.title == answer.title]
+        if len(titled) == 1:
+            return titled[0]
+        names = answer.declared.get('names')
+        return same if same and (names is None or set(names) & set(same.names)) else None
+
+    def _changes(self, answer: _Answer, exercise: manifest.Exercise, cells: list[dict]) -> list[str]:
+        changes = []
+        if answer.title not in (None, exercise.title):
+            changes.append(f'the title, now "{exercise.title}"')
+        if answer.card and not any(cell.get('id') == answer.card.get('id') or cell['source'] == answer.card['source']
+                                   for cell in cells):
+            changes.append('its text: read it again')
+        points = answer.declared.get('points', exercise.points)
+        if points != exercise.points:
+            changes.append(f'points, {points:g} → {exercise.points:g}')
+        names = answer.declared.get('names')
+        if names is not None and set(names) != set(exercise.names):
+            changes.append(f'it asks for {", ".join(exercise.names)}, no longer for {", ".join(names)}')
+        return changes
+
+    def _beside(self, answer: _Answer) -> str:
+        """Keep an answer that has no exercise; returns the notebook in which it is."""
+        name = self._new_name(answer.notebook) or next(reversed(self.target))
+        cells = self.target[name]['cells']
+        _insert(cells, _place(cells, answer.after),
+                _raw(answer.exercise, 'an answer to an exercise that is gone', answer.source))
+        return name
+
+    # The learner's own cells
+
+    def _carry_own(self, name: str) -> None:
+        cells = self.before[name]['cells']
+        if any('id' not in cell for cell in cells):
+            self.report.notes.append(f'{name}: its cells have no ids, so only exercises are carried over; cells of '
+                                     'your own are still in the old notebook. JupyterLab writes ids, when it saves.')
+            return
+        new = self._new_name(name)
+        count, anchor = 0, None
+        for cell in cells:
+            exercise = _exercise(cell)
+            given = not exercise and cell_ids.untouched(cell['cell_type'], cell['source'], cell['id'])
+            if not exercise and not given and cell['source'].strip() and not cell['id'].startswith('old-'):
+                if new is None:
+                    self.report.notes.append(f'{name}: this version has no such chapter; your own cells are still in '
+                                             'the old notebook.')
+                    return
+                count += self._add(self.target[new]['cells'], cell, anchor)
+            if new and any(one.get('id') == cell['id'] for one in self.target[new]['cells']):
+                anchor = cell['id']
+        if count:
+            self.report.own[new] = count
+
+    def _add(self, cells: list[dict], cell: dict, anchor: str | None) -> bool:
+        """Put in a cell of the learner's; False if it is there already."""
+        there = next((one for one in cells if one.get('id') == cell['id']), None)
+        if there is None:
+            if any(one['source'] == cell['source'] for one in cells):
+                return False
+            cells.insert(_place(cells, anchor), _fresh(cell))
+            return True
+        if there['source'] == cell['source'] or not cell_ids.untouched(there['cell_type'], there['source'], cell['id']):
+            return False
+        there['source'] = cell['source']  # given, the same in both versions, and changed by the learner
+        return True
+
+    def _new_name(self, name: str) -> str | None:
+        if name in self.target:
+            return name
+        return next((new for new in self.target if new[:2] == name[:2]), None)
+
+
+def _exercise(cell: dict) -> str | None:
+    """The id of the exercise whose cell this is, by heading or by the cell's id."""
+    if cell['cell_type'] != 'code':
+        return None
+    heading = program.exercise_id(notebooks.Cell(cell['source'], 0))
+    match = re.fullmatch(r'ex-(\d+)-(\d+)', cell.get('id') or '')
+    return heading or (f'{match[1]}.{match[2]}' if match else None)
+
+
+def _digest(source: str) -> str | None:
+    try:
+        return manifest.stub_digest(source)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):  # no program: certainly not the stub
+        return None
+
+
+def _with_heading(source: str, heading: str) -> str:
+    lines = source.splitlines()
+    first = next((i for i, line in enumerate(lines) if line.strip()), 0)
+    if lines and program.HEADING.match(lines[first].strip()):
+        del lines[:first + 1]
+    return '\n'.join([heading, *lines])
+
+
+def _raw(exercise: str, what: str, source: str) -> dict:
+    head = f'Exercise {exercise}, {what}. This cell does not run: delete it when you have read it.'
+    return {'id': f'old-{exercise.replace(".", "-")}', 'cell_type': 'raw', 'metadata': {},
+            'source': f'{head}\n\n{source}'}
+
+
+def _insert(cells: list[dict], index: int, cell: dict) -> None:
+    """Insert a raw cell, once: not if the same is there from an earlier run."""
+    if any(one['source'] == cell['source'] for one in cells):
+        return
+    names = {one.get('id') for one in cells}
+    first, number = cell['id'], 1
+    while cell['id'] in names:
+        number += 1
+        cell['id'] = f'{first}-{number}'
+    cells.insert(index, cell)
+
+
+def _place(cells: list[dict], anchor: str | None) -> int:
+    """The index behind the cell `anchor`; the end if there is none."""
+    return next((i + 1 for i, cell in enumerate(cells) if anchor and cell.get('id') == anchor), len(cells))
+
+
+def _fresh(cell: dict) -> dict:
+    """A copy that has not been run."""
+    result = copy.deepcopy(cell)
+    if result['cell_type'] == 'code':
+        result['outputs'], result['execution_count'] = [], None
+    return result
+
+
+# Files
+
+
+def _chapters(folder: Path) -> list[Path]:
+    return sorted(path for path in folder.glob('*.ipynb') if _CHAPTER.fullmatch(path.name))
+
+
+def _notebooks_of(old: Path) -> Path:
+    for folder in (old, old / 'notebooks'):
+        if folder.is_dir() and _chapters(folder):
+            return folder
+    if old.is_file():
+        raise MigrationError(f'{old} is a file: give the folder of the old course, or of its notebooks. A zip has to '
+                             'be unpacked first.')
+    raise MigrationError(f'{old} has no notebooks of the course, such as 03_nodes_and_topics.ipynb: give the folder of '
+                         'the old course, or of its notebooks.')
+
+
+def _stubs(folder: Path) -> dict[str, str]:
+    """Digests of the old version's stubs, by exercise; empty if its list of exercises is not beside the notebooks."""
+    try:
+        exercises = manifest.load(folder.resolve().parent / manifest.MANIFEST.relative_to(paths.ROOT))
+    except manifest.ManifestError:
+        return {}
+    return {key: exercise.stub for key, exercise in exercises.items()}
+
+
+def _read(path: Path) -> dict:
+    try:
+        notebooks.read(path)  # within bounds, and a notebook
+    except notebooks.InvalidSubmission as error:
+        raise MigrationError(f'{path.parent}: {error}') from None
+    notebook = json.loads(path.read_text(encoding='utf-8-sig'))
+    for cell in notebook['cells']:
+        if not isinstance(cell['source'], str):
+            cell['source'] = ''.join(cell['source'])
+        cell['source'] = cell['source'].replace('\r\n', '\n')
+        cell.setdefault('metadata', {})
+        if not isinstance(cell['metadata'].get('exercise', {}), dict):
+            del cell['metadata']['exercise']
+    return notebook
+
+
+def _write(report: Report, folder: Path, changed: dict[str, dict]) -> None:
+    """Copy the notebooks that change into a new folder, then replace each as a whole."""
+    import nbformat
+
+    report.backup = folder / time.strftime('backup-%Y%m%d-%H%M%S')
+    number = 1
+    while report.backup.exists():
+        number += 1
+        report.backup = folder / f'{report.backup.name.partition("_")[0]}_{number}'
+    try:
+        report.backup.mkdir()
+        for name in changed:
+            (report.backup / name).write_bytes((folder / name).read_bytes())
+        for name, notebook in changed.items():
+            text = nbformat.writes(nbformat.from_dict(notebook)).rstrip('\n') + '\n'
+            temporary = folder / f'{name}.part'
+            temporary.write_text(text, encoding='utf-8', errors='surrogatepass')
+            os.replace(temporary, folder / name)
+            report.written.append(folder / name)
+    except OSError as error:
+        raise MigrationError(f'{error.filename or folder} cannot be written: {error.strerror}. What was there before '
+                             f'is in {report.backup}.') from None
