@@ -104,11 +104,22 @@ class Learner:
     def write(self, cell: str, source: str) -> None:
         """Put `source` into the cell with this id, by the keyboard, and run it."""
         self._go_to(cell)
-        editor = self.page.locator('.jp-NotebookPanel:not(.lm-mod-hidden) .jp-Cell.jp-mod-active .cm-content')
-        editor.click()
+        self._active.locator('.cm-content').click()
         self.page.keyboard.press('Control+A')
         self.page.keyboard.insert_text(source)
         self.page.keyboard.press('Shift+Enter')
+
+    def add(self, source: str) -> str:
+        """Write a cell below the active one, run it and return its id."""
+        self.page.keyboard.press('Escape')
+        before = len(self.sources())
+        self.page.keyboard.press('b')
+        self.page.wait_for_function(_MORE_THAN, arg=before)
+        cell = self.page.evaluate(_ACTIVE)
+        self._active.locator('.cm-content').click()
+        self.page.keyboard.insert_text(source)
+        self.run(cell)
+        return cell
 
     def run(self, cell: str) -> str:
         """Run the cell with this id and return the text of its output."""
@@ -117,8 +128,12 @@ class Learner:
         self.page.keyboard.press('Control+Enter')
         self.page.wait_for_function(_HAS_RUN, arg=index)
         self.wait_until_idle()
-        return self.page.locator('.jp-NotebookPanel:not(.lm-mod-hidden) .jp-Cell.jp-mod-active .jp-Cell-outputArea'
-                                 ).inner_text()
+        return self.output(cell).inner_text()
+
+    def output(self, cell: str):
+        """What is below the cell with this id, as a Playwright locator; good until another cell is active."""
+        self._go_to(cell)
+        return self._active.locator('.jp-Cell-outputArea')
 
     def save(self) -> None:
         self.page.keyboard.press('Escape')
@@ -138,8 +153,12 @@ class Learner:
         index = self.page.evaluate(_ACTIVATE, cell)
         if index < 0:
             raise LookupError(f'the notebook has no cell {cell!r}')
-        self.page.locator('.jp-NotebookPanel:not(.lm-mod-hidden) .jp-Cell.jp-mod-active').scroll_into_view_if_needed()
+        self._active.scroll_into_view_if_needed()
         return index
+
+    @property
+    def _active(self):
+        return self.page.locator('.jp-NotebookPanel:not(.lm-mod-hidden) .jp-Cell.jp-mod-active')
 
 
 # JupyterLab shows its application as `jupyterapp` only when asked to (--expose-app-in-browser).
@@ -152,6 +171,8 @@ _IDLE = '''() => {
 _ALL_RUN = f'''() => {_NOTEBOOK}.widgets.every(cell => cell.model.type !== "code"
     || (cell.model.executionCount !== null && cell.model.executionState !== "running"))'''
 _HAS_RUN = f'(index) => {_NOTEBOOK}.widgets[index].model.executionCount !== null'
+_MORE_THAN = f'(count) => {_NOTEBOOK}.widgets.length > count'
+_ACTIVE = f'() => {_NOTEBOOK}.activeCell.model.id'
 _SAVED = '() => !window.jupyterapp.shell.currentWidget.context.model.dirty'
 _SOURCES = f'() => {_NOTEBOOK}.widgets.map(cell => [cell.model.id, cell.model.sharedModel.getSource()])'
 _OUTPUTS = f'''() => {_NOTEBOOK}.widgets.filter(cell => cell.model.type === "code")
