@@ -1,7 +1,7 @@
 // The scene of helpers/views/scene.py: nodes by id and path. The messages that change them: helpers/views/live.py.
 'use strict';
 
-import {build, dispose, setOpacity} from './shapes.js';
+import {build, dispose, renew, setOpacity} from './shapes.js';
 
 const THREE = MeshCat.THREE;
 export const root = new THREE.Group();
@@ -80,6 +80,7 @@ export function take(buffer) {
     const target = node(id, path), label = shape && shape.type === 'Label';
     labels.delete(id);
     if (label) labels.set(id, {group: target, shape});
+    if (shape && target.userData.content && renew(target.userData.content, shape, floats)) continue;
     setContent(target, shape && !label ? build(shape, floats, integers) : null);
   }
   for (const [id, visible, opacity] of message.appearances || []) {
@@ -113,8 +114,8 @@ export function eachPoint(take) {
     if (!target.visible) return;
     if (target.userData.content) target.userData.content.traverse((part) => {
       matrix.multiplyMatrices(back, part.matrixWorld);
-      if (part.userData.ends) {
-        for (const values of part.userData.ends) {
+      if (part.geometry && part.geometry.userData.ends) {
+        for (const values of part.geometry.userData.ends) {
           for (let i = 0; i < values.length; i += 3) take(point.fromArray(values, i).applyMatrix4(matrix));
         }
       } else if (part.isPoints) {

@@ -102,9 +102,7 @@ const builders = {
     return solid(geometry, shape.colour, {side: THREE.DoubleSide, flatShading: true});
   },
   Points(shape, floats) {
-    const geometry = new THREE.BufferGeometry(), points = floats(shape.points);
-    geometry.setAttribute('position', new THREE.BufferAttribute(points, 3));
-    geometry.setAttribute('color', new THREE.BufferAttribute(perPoint(floats(shape.colours), points.length / 3), 3));
+    const geometry = pointGeometry(floats(shape.points), floats(shape.colours));
     const material = new THREE.PointsMaterial({size: shape.size, vertexColors: true});
     material.onBeforeCompile = (shader) => {
       shader.vertexShader = shader.vertexShader.replace('#include <logdepthbuf_vertex>', POINTS_NEARER);
@@ -118,8 +116,29 @@ const builders = {
   },
 };
 
+function pointGeometry(points, colours) {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.BufferAttribute(points, 3));
+  geometry.setAttribute('color', new THREE.BufferAttribute(perPoint(colours, points.length / 3), 3));
+  return geometry;
+}
+
+// What often comes anew, and what must be the same for that only its numbers change: a new material costs time.
+const RENEWABLE = {Line: ['width', 'dashed', 'on_top'], Points: ['size']};
+
+export function renew(content, shape, floats) {
+  const last = content.userData.shape, fixed = RENEWABLE[shape.type];
+  if (!fixed || last.type !== shape.type || fixed.some((name) => last[name] !== shape[name])) return false;
+  const points = floats(shape.points), colours = floats(shape.colours);
+  content.geometry.dispose();
+  content.geometry = shape.type === 'Line' ? lineGeometry(points, colours, shape) : pointGeometry(points, colours);
+  content.userData.shape = shape;
+  return true;
+}
+
 export function build(shape, floats, integers) {
   const content = builders[shape.type](shape, floats, integers);
+  content.userData.shape = shape;
   if (shape.on_top) {
     content.traverse((part) => {
       part.renderOrder = ON_TOP;
@@ -190,7 +209,7 @@ const FRAGMENT = `
   }`;
 const DASH = 9;  // pixels
 
-function thickLine(points, colours, shape) {
+function lineGeometry(points, colours, shape) {
   const step = shape.pieces ? 2 : 1;
   const count = Math.max(0, shape.pieces ? points.length / 6 : points.length / 3 - 1);
   const all = perPoint(colours, points.length / 3);
@@ -210,12 +229,16 @@ function thickLine(points, colours, shape) {
     geometry.setAttribute(name, new THREE.InstancedBufferAttribute(values, 3));
   }
   geometry.instanceCount = count;
-  const mesh = new THREE.Mesh(geometry, new THREE.ShaderMaterial({
+  geometry.userData = {ends: [a, b]};
+  return geometry;
+}
+
+function thickLine(points, colours, shape) {
+  const mesh = new THREE.Mesh(lineGeometry(points, colours, shape), new THREE.ShaderMaterial({
     vertexShader: VERTEX, fragmentShader: FRAGMENT, side: THREE.DoubleSide,
     uniforms: {resolution: {value: resolution}, width: {value: shape.width}, opacity: {value: 1},
                dash: {value: shape.dashed ? DASH : 0}},
   }));
   mesh.frustumCulled = false;
-  mesh.userData.ends = [a, b];
   return mesh;
 }
