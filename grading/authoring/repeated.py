@@ -5,13 +5,14 @@ from pathlib import Path
 import nbformat
 from nbformat import NotebookNode
 
+RUNS = ('first', 'second')
 IGNORE = {'tags': ['nbval-ignore-output']}
 
 
-def repeated(notebook: NotebookNode, folder: Path) -> NotebookNode:
+def repeated(notebook: NotebookNode, folder: Path, runs: tuple[str, ...] = RUNS) -> NotebookNode:
     """Return ``notebook`` with all of its cells twice, to be run in ``folder`` wherever the result is kept.
 
-    Outputs are kept, so both runs are compared with them; a cell that was never executed is not compared.
+    Outputs are kept, so all runs are compared with them; a cell that was never executed is not compared.
     """
     cells = [_cell('note', f'''\
 import os
@@ -19,7 +20,7 @@ from grading.authoring import leftovers, semicolons
 os.chdir({str(folder)!r})
 semicolons.honour()
 leftovers.note()''')]
-    for run in ('first', 'second'):
+    for run in runs:
         for cell in notebook.cells:
             if cell.cell_type == 'code':
                 cells.append(nbformat.from_dict({**cell, 'id': f'{cell.id}-{run}'}))
@@ -27,7 +28,7 @@ leftovers.note()''')]
     return nbformat.from_dict({**notebook, 'cells': cells})
 
 
-def write(notebooks: list[Path], target: Path) -> list[Path]:
+def write(notebooks: list[Path], target: Path, runs: tuple[str, ...] = RUNS) -> list[Path]:
     """Write the repeated form of each notebook below ``target``, in a folder named as its own; return the paths.
 
     :raises ValueError: a notebook cannot be read; the message names it.
@@ -40,7 +41,7 @@ def write(notebooks: list[Path], target: Path) -> list[Path]:
             raise ValueError(f'{path.name} is no notebook: {error}') from None
         copy = target / path.parent.name / path.name
         copy.parent.mkdir(parents=True, exist_ok=True)
-        nbformat.write(repeated(notebook, path.parent), copy)
+        nbformat.write(repeated(notebook, path.parent, runs), copy)
         written.append(copy)
     return written
 

@@ -1,10 +1,11 @@
 """Benchmarks. ``bench_NAME.py``, here or in environment/bench or helpers/bench, is found by ``./course bench``.
 
 Such a module defines ``measure()``, which yields (what, value, unit) triples, and says in the first line of its
-docstring what is measured.
+docstring what is measured. Where there is a peer, `against` makes the rows.
 """
 
 import ast
+from collections.abc import Iterator
 from pathlib import Path
 
 FOLDERS = ('environment/bench', 'helpers/bench', 'grading/bench')
@@ -29,3 +30,15 @@ def run(path: Path) -> list[tuple[str, float, str]]:
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return [(str(what), float(value), str(unit)) for what, value, unit in module.measure()]
+
+
+def against(what: str, ours: float, peer: str, theirs: float, unit: str) -> Iterator[tuple[str, float, str]]:
+    """Yield the rows of a figure, of the same figure of a peer, and how many times the peer's ours is.
+
+    :raises RuntimeError: the peer's is zero.
+    """
+    if not theirs:
+        raise RuntimeError(f'{what}: nothing was measured with {peer}')
+    yield what, ours, unit
+    yield f'{what}: {peer}', theirs, unit
+    yield f'{what}: course / {peer}', ours / theirs, '×'

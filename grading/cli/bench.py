@@ -1,4 +1,4 @@
-"""``./course bench``: benchmarks, as a table and as JSON."""
+"""``./course bench``: benchmarks, as one table and as JSON."""
 
 import json
 import os
@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from helpers import paths
+from helpers import domains, paths
 from helpers.cli import Refusal
 
 JSON = paths.ROOT / 'build' / 'bench.json'
@@ -21,6 +21,7 @@ def bench(
 ):
     """Run the benchmarks, print a table and write JSON."""
     from rich.console import Console
+    from rich.markup import escape
     from rich.table import Table
 
     from grading import bench as benchmarks
@@ -29,22 +30,25 @@ def bench(
     if name is not None and name not in found:
         raise Refusal(f'no benchmark {name!r}; there are: {", ".join(found)}')
     results, failed = [], False
+    table = Table('benchmark', 'what', 'value', 'unit')
     for one, path in found.items():
         if name not in (None, one):
             continue
-        Console().print(f'{one}: {benchmarks.title(path)}', markup=False)
-        table = Table('', 'value', 'unit')
+        Console(stderr=True).print(f'{one}: {benchmarks.title(path)}', markup=False, highlight=False)
         try:
-            rows = benchmarks.run(path)
+            with domains.claim() as domain_id:
+                os.environ['ROS_DOMAIN_ID'] = str(domain_id)
+                rows = benchmarks.run(path)
         except Exception as error:  # one broken benchmark does not take the others along
             failed = True
             results.append({'benchmark': one, 'error': f'{type(error).__name__}: {error}'})
             typer.echo(f'{one}: {type(error).__name__}: {error}', err=True)
             continue
-        for what, value, unit in rows:
-            table.add_row(what, f'{value:.4g}', unit)
+        table.add_section()
+        for number, (what, value, unit) in enumerate(rows):
+            table.add_row('' if number else one, escape(what), f'{value:.4g}', unit)
             results.append({'benchmark': one, 'what': what, 'value': value, 'unit': unit})
-        Console().print(table)
+    Console().print(table)
     machine = {'cpus': len(os.sched_getaffinity(0)), 'machine': platform.machine(), 'python': platform.python_version()}
     report = {'time': time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime()), 'machine': machine, 'results': results}
     output.parent.mkdir(parents=True, exist_ok=True)

@@ -66,7 +66,7 @@ def test_benchmarks_are_found_run_and_written(course, tmp_path, capsys):
     output = tmp_path / 'new' / 'bench.json'
     assert app.main(['bench', '-o', str(output)]) == 1
     shown = capsys.readouterr()
-    assert 'quick: About quick.' in shown.out and '12.5' in shown.out
+    assert 'quick: About quick.' in shown.err and '12.5' in shown.out
     assert 'broken: OSError: no clock' in shown.err
     assert json.loads(output.read_text())['results'] == [
         {'benchmark': 'broken', 'error': 'OSError: no clock'},
