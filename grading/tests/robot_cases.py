@@ -46,6 +46,20 @@ learner.start('Talker')
 learner.run(4.0)
 expect(robot.bumps == ['east'] and 3.8 < robot.pose.x < 3.9, f'{robot.bumps} {robot.pose}')
 """),
+    'the localiser falls silent and speaks again': Case(DRIVER, HEAD + """
+robot = MobileRobot(learner, 'empty')
+tf = learner.tf_listener()
+learner.start('Talker')
+learner.run(0.25)
+robot.localization = False
+learner.run(1.0)
+def drifts():
+    return sum(one.child_frame_id == 'odom' for message in tf.moving.messages for one in message.transforms)
+heard = drifts()
+robot.localization = True
+learner.run(0.25)
+expect(1 <= heard <= 4 and drifts() > heard, f'{heard} {drifts()}')
+"""),
     'without commands the robot stops': Case("""\
 from geometry_msgs.msg import Twist
 
