@@ -71,6 +71,8 @@ def test_follow(learner):
     """
     there = pursuit(learner)
     there.run(4.0, drive=(0.6, learner.random.choice([-0.6, 0.6])), delay=0.2)
+    expect(not all(map(zeros, there.commands.messages)), 'The follower stood all the time. The transforms were 0.2 s '
+                                                         'old each time they came: that is good enough.')
     expect(there.distance < 2.2, f'The leader drove for 4 s, and the follower is {there.distance:.1f} m away, expected '
                                  'about 1 to 2 m. The transforms were 0.2 s old each time: that is good enough.')
 
