@@ -80,6 +80,9 @@ def migrate(old: Path, folder: Path = paths.NOTEBOOKS, *, dry_run: bool = False,
         raise MigrationError(f'{folder} has no notebooks of the course: get a complete copy of the course.')
     migration = _Migration(before, copy.deepcopy(target), known, _stubs(source))
     report = migration.run()
+    if workspaces := sorted(path.name for path in source.glob('*_ws') if path.is_dir()):
+        report.notes.append(f'{", ".join(workspaces)} in {source}: workspaces are made again by the cells. Copy what '
+                            'you changed in them by hand.')
     changed = [name for name in target if migration.target[name] != target[name]]
     if changed and not dry_run:
         _write(report, folder, {name: migration.target[name] for name in changed})
@@ -118,7 +121,7 @@ class _Migration:
             if exercise:
                 title = _TITLE.match(cell['source'])
                 found.append(_Answer(exercise, title[1] if title else None, cell['source'],
-                                     cell['metadata'].get('exercise', {}), card, name, after))
+                                     _declared(cell['metadata']), card, name, after))
                 card = None
             elif cell['cell_type'] == 'markdown':
                 card = cell
@@ -200,37 +203,39 @@ class _Migration:
 
     def _carry_own(self, name: str) -> None:
         cells = self.before[name]['cells']
-        if any('id' not in cell for cell in cells):
-            self.report.notes.append(f'{name}: its cells have no ids, so only exercises are carried over; cells of '
-                                     'your own are still in the old notebook. JupyterLab writes ids, when it saves.')
+        if not any(cell_ids.untouched(cell['cell_type'], cell['source'], cell.get('id', '')) for cell in cells):
+            self.report.notes.append(f'{name}: its cells have lost their ids: only exercises are carried over; cells '
+                                     'of your own are still in the old notebook. JupyterLab keeps ids.')
             return
         new = self._new_name(name)
         count, anchor = 0, None
         for cell in cells:
             exercise = _exercise(cell)
-            given = not exercise and cell_ids.untouched(cell['cell_type'], cell['source'], cell['id'])
-            if not exercise and not given and cell['source'].strip() and not cell['id'].startswith('old-'):
+            identity = cell.setdefault('id', cell_ids.of_given(cell['cell_type'], cell['source'], 0))
+            given = exercise or cell_ids.untouched(cell['cell_type'], cell['source'], identity)
+            if not given and cell['source'].strip() and not identity.startswith('old-'):
                 if new is None:
                     self.report.notes.append(f'{name}: this version has no such chapter; your own cells are still in '
                                              'the old notebook.')
                     return
                 count += self._add(self.target[new]['cells'], cell, anchor)
-            if new and any(one.get('id') == cell['id'] for one in self.target[new]['cells']):
-                anchor = cell['id']
+            if new and any(one.get('id') == identity for one in self.target[new]['cells']):
+                anchor = identity
         if count:
             self.report.own[new] = count
 
     def _add(self, cells: list[dict], cell: dict, anchor: str | None) -> bool:
         """Put in a cell of the learner's; False if it is there already."""
+        if any(one['source'] == cell['source'] for one in cells):
+            return False
         there = next((one for one in cells if one.get('id') == cell['id']), None)
         if there is None:
-            if any(one['source'] == cell['source'] for one in cells):
-                return False
             cells.insert(_place(cells, anchor), _fresh(cell))
-            return True
-        if there['source'] == cell['source'] or not cell_ids.untouched(there['cell_type'], there['source'], cell['id']):
-            return False
-        there['source'] = cell['source']  # given, the same in both versions, and changed by the learner
+        elif cell_ids.untouched(there['cell_type'], there['source'], cell['id']):
+            there['source'] = cell['source']  # given, the same in both versions, and changed by the learner
+        else:  # changed in both
+            again = _fresh(cell) | {'id': cell_ids.of_given(cell['cell_type'], cell['source'], 0)}
+            cells.insert(_place(cells, cell['id']), again)
         return True
 
     def _new_name(self, name: str) -> str | None:
@@ -246,6 +251,16 @@ def _exercise(cell: dict) -> str | None:
     heading = program.exercise_id(notebooks.Cell(cell['source'], 0))
     match = re.fullmatch(r'ex-(\d+)-(\d+)', cell.get('id') or '')
     return heading or (f'{match[1]}.{match[2]}' if match else None)
+
+
+def _declared(metadata: dict) -> dict:
+    """What the cell's metadata say about the exercise, as far as it has the right form."""
+    said = metadata.get('exercise')
+    if not isinstance(said, dict):
+        return {}
+    forms = {'points': lambda value: isinstance(value, (int, float)),
+             'names': lambda value: isinstance(value, list) and all(isinstance(one, str) for one in value)}
+    return {key: said[key] for key, fits in forms.items() if key in said and fits(said[key])}
 
 
 def _digest(source: str) -> str | None:
@@ -331,9 +346,10 @@ def _read(path: Path) -> dict:
         if not isinstance(cell['source'], str):
             cell['source'] = ''.join(cell['source'])
         cell['source'] = cell['source'].replace('\r\n', '\n')
-        cell.setdefault('metadata', {})
-        if not isinstance(cell['metadata'].get('exercise', {}), dict):
-            del cell['metadata']['exercise']
+        if not isinstance(cell.get('metadata'), dict):
+            cell['metadata'] = {}
+        if cell.get('id') is None:
+            cell.pop('id', None)
     return notebook
 
 

@@ -178,7 +178,35 @@ def test_a_notebook_without_ids_gives_its_exercises(case):
     (case.old / NAME).write_text(json.dumps({'cells': cells, 'metadata': {}, 'nbformat': 4, 'nbformat_minor': 4}))
     report = case.again()
     assert case.sources() == [TITLE['source'], ANSWER]
-    assert 'no ids' in report.notes[0]
+    assert 'lost their ids' in report.notes[0]
+
+
+def test_foreign_ids_make_no_given_cell_a_learners_own(case):
+    changed = dict(given('Text that is new in this version.'))
+    report = case.migrate([dict(TITLE, id='f1'), dict(MIDDLE, id='f2'), dict(exercise(ANSWER), id='f3')],
+                          [TITLE, changed, exercise()])
+    assert case.sources() == [TITLE['source'], changed['source'], ANSWER]
+    assert 'lost their ids' in report.notes[0]
+
+
+def test_a_cell_that_was_changed_in_both_is_there_twice(case):
+    case.migrate([TITLE, own('x = 1')], [TITLE])
+    case.write(case.old, [TITLE, own('x = 2')])
+    case.again()
+    assert case.sources() == [TITLE['source'], 'x = 1', 'x = 2']
+    assert case.again().backup is None
+
+
+def test_workspaces_are_named(case):
+    (case.old / 'ros2_ws').mkdir()
+    assert 'ros2_ws in' in case.migrate([TITLE], [TITLE]).notes[0]
+
+
+@pytest.mark.parametrize('declared', [3, {'points': 'many', 'names': 7}, {'names': [1]}])
+def test_damaged_metadata_do_no_harm(case, declared):
+    answer = exercise(ANSWER)
+    answer['metadata'] = {'exercise': declared}
+    assert said(case.migrate([answer], [exercise()])) == {'3.1': 'carried over'}
 
 
 def test_a_chapter_with_another_name_is_the_same_chapter(case):
