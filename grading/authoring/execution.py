@@ -2,6 +2,7 @@
 
 import os
 import re
+from collections.abc import Mapping
 from pathlib import Path
 
 from jupyter_client.kernelspec import KernelSpecManager, NoSuchKernel
@@ -27,10 +28,12 @@ def kernel_name() -> str:
     return KERNEL
 
 
-def execute(notebook: NotebookNode, chapter: Chapter, folder: Path, timeout: float = CELL_TIMEOUT) -> None:
+def execute(notebook: NotebookNode, chapter: Chapter, folder: Path, timeout: float = CELL_TIMEOUT,
+            environment: Mapping[str, str] | None = None) -> None:
     """Run all cells of ``notebook``, the solved form of ``chapter``, in ``folder`` and fill in the outputs.
 
     :param timeout: longest time of one cell, in seconds.
+    :param environment: variables for the kernel beside those of this process.
     :raises AuthoringError: a cell failed or took too long; the message names the line in the source.
     """
     metadata = dict(notebook.metadata)
@@ -39,7 +42,8 @@ def execute(notebook: NotebookNode, chapter: Chapter, folder: Path, timeout: flo
                             resources={'metadata': {'path': str(folder)}})
     with domains.claim() as domain_id:
         try:
-            client.execute(env={**os.environ, 'ROS_DOMAIN_ID': str(domain_id), 'COURSE_PROGRESS': 'off'})
+            client.execute(env={**os.environ, **(environment or {}), 'ROS_DOMAIN_ID': str(domain_id),
+                                'COURSE_PROGRESS': 'off'})
         except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
             raise _explain(error, notebook, chapter, timeout) from None
     notebook.metadata.clear()

@@ -17,6 +17,8 @@ def build(
     force: Annotated[bool, typer.Option('--force', help='Execute unchanged chapters too.')] = False,
     html: Annotated[Path | None, typer.Option(metavar='DIR', help='Only write the course as web pages, without '
                                                                   'solutions, from what is built.')] = None,
+    scenes: Annotated[bool, typer.Option(help='In the pages: 3-D scenes to turn and replay. For them chapters with '
+                                              'such views are executed again.')] = True,
     timeout: Annotated[float, typer.Option(help='Longest time of one cell, in seconds.')] = 60.0,
 ):
     """Make the executed solution and the learner's notebook of each chapter from solutions/NN_name.md."""
@@ -43,7 +45,7 @@ def build(
             from grading.edition import pages
 
             try:
-                written = pages.write(tree, html)
+                written = pages.write(tree, html, scenes=scenes, timeout=timeout)
             except (pages.EditionError, OSError) as error:
                 raise Refusal(str(error)) from None
             print(f'{len(written)} pages; begin with {written[0]}')

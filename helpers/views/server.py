@@ -100,6 +100,12 @@ def open_channel(everything: Callable[[], tuple[bytes, int]], on_message: Callab
     return channel
 
 
+def library() -> Path:
+    """Return meshcat's viewer, with three.js in it: one script."""
+    package = Path(find_spec('meshcat').origin).parent  # to import it takes long, and only this file is needed
+    return package / 'viewer' / 'dist' / 'main.min.js'
+
+
 def close_all() -> None:
     """Close every channel and the port; idempotent."""
     with _lock:
@@ -176,8 +182,6 @@ def _application(server: _Server):
     from tornado.web import Application, RequestHandler
     from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
-    package = Path(find_spec('meshcat').origin).parent  # to import it takes long, and only this file is needed
-    library = package / 'viewer' / 'dist' / 'main.min.js'
 
     class File(RequestHandler):
         """A file as it is."""
@@ -270,8 +274,9 @@ def _application(server: _Server):
     root = f'/{server.secret}'
     return Application([
         (f'{root}/ping', Ping),
-        (f'{root}/meshcat.js', Route, {'path': library, 'kind': 'text/javascript'}),
+        (f'{root}/meshcat.js', Route, {'path': library(), 'kind': 'text/javascript'}),
         *((f'{root}/{path.name}', Route, {'path': path, 'kind': 'text/javascript'}) for path in WEB.glob('*.js')),
+        (f'{root}/viewer.css', Route, {'path': WEB / 'viewer.css', 'kind': 'text/css'}),
         (f'{root}/([0-9]+)/', Page),
         (f'{root}/([0-9]+)/socket', Socket),
     ], websocket_ping_interval=_PING, log_function=lambda handler: None)

@@ -1,7 +1,9 @@
 """`TfView`: the frames of the running system, and displays beside them, in the output of a cell."""
 
 import math
+import os
 import threading
+from pathlib import Path
 
 from helpers import journal, nodes
 from helpers.spinning import spinning
@@ -9,6 +11,7 @@ from helpers.views import picture
 from helpers.views.display import Display
 from helpers.views.frames import Tree
 from helpers.views.live import LiveRenderer
+from helpers.views.recording import VARIABLE, Recording
 from helpers.views.scene import Scene, part
 from helpers.views.tf_display import MOVES, STATIC, TF
 
@@ -20,13 +23,17 @@ _views: list['TfView'] = []
 
 
 class Picture:
-    """A still picture of a view, as Jupyter shows it."""
+    """A still picture of a view, as Jupyter shows it.
 
-    def __init__(self, svg: str, text: str):
-        self.svg, self._text = svg, text
+    :param scene: the name of the page that replays the view (see `recording`); it goes into the output's metadata.
+    """
 
-    def _repr_mimebundle_(self, include=None, exclude=None) -> dict[str, str]:
-        return {'image/svg+xml': self.svg, 'text/plain': self._text}
+    def __init__(self, svg: str, text: str, scene: str | None = None):
+        self.svg, self._text, self._scene = svg, text, scene
+
+    def _repr_mimebundle_(self, include=None, exclude=None):
+        data = {'image/svg+xml': self.svg, 'text/plain': self._text}
+        return (data, {'scene': self._scene}) if self._scene else data
 
     def __repr__(self) -> str:
         return self._text
@@ -104,6 +111,7 @@ class TfView:
         self._wanted = None  # what `at` or `rewind` asks of the next update
         self._tf = TF(frame_timeout, axis_length, trails, on_top=bool(displays))
         self._live: LiveRenderer | None = None
+        self._recording: Recording | None = None
         self._output = None
         self._node = rclpy.create_node(_free_name(), enable_rosout=False, start_parameter_services=False)
         try:
@@ -181,6 +189,8 @@ class TfView:
         try:
             if self._node.context.ok():
                 self._update()
+                if self._recording is not None:
+                    self._recording.update(final=True)
         finally:  # a display of somebody's own may raise
             for display in (self._tf, *self._parts.values()):
                 display.stop()
@@ -188,8 +198,9 @@ class TfView:
             if live is not None:
                 live.close()
             nodes.destroy(self._node)
+            scene = self._recording.write(Path(os.environ[VARIABLE])) if self._recording is not None else None
             if self._output is not None:
-                self._output.update(self.picture())
+                self._output.update(Picture(self._svg(), str(self), scene))
 
     def __enter__(self) -> 'TfView':
         return self
@@ -227,8 +238,9 @@ class TfView:
         for display in (self._tf, *self._parts.values()):
             display.problem = ''
             display.update(self._fixed_frame, moment)
-        if self._live is not None:
-            self._live.update()
+        for renderer in (self._live, self._recording):
+            if renderer is not None:
+                renderer.update()
         if not self._begun.is_set():
             count = len(self._tf.poses)
             self._same = self._same + 1 if count and count == self._count else 0
@@ -264,6 +276,9 @@ class TfView:
             self.rewind(max(0.0, past))
 
     def _open(self) -> None:
+        if os.environ.get(VARIABLE) and journal.in_kernel():
+            self._recording = Recording(self.scene, self._state)
+            return
         try:
             self._live = LiveRenderer(self.scene, self._state, self._on_message)
         except OSError:  # no port: the picture remains

@@ -2,6 +2,7 @@
 
 import re
 
+import nbformat
 import pytest
 
 from grading.authoring import build
@@ -16,7 +17,8 @@ COURSE = build.Tree(paths.ROOT)
 @pytest.mark.parametrize('source', chapters.sources(COURSE.solutions), ids=lambda path: path.stem)
 def test_no_solution_is_shown(source):
     chapter = chapters.read(source)
-    shown = {cell.id: cell for cell in pages.readable(COURSE, chapter).cells}
+    notebook = nbformat.read(COURSE.solved(chapter), as_version=4)
+    shown = {cell.id: cell for cell in pages.readable(chapter, notebook).cells}
     for cell in build.notebooks.learner(chapter).cells:
         if 'exercise' in cell.metadata:
             assert (shown[cell.id].source, shown[cell.id].outputs) == (cell.source, [])

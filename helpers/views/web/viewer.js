@@ -1,29 +1,13 @@
 // The page of one view: meshcat's viewer (three.js, camera, lights), fed by the kernel, with a few controls.
 'use strict';
 
-import {Look} from './camera.js';
-import {drawNames} from './names.js';
-import {take} from './nodes.js';
-import {curtain, resolution} from './shapes.js';
+import {at, drawn, show} from './stage.js';
 
-const at = (name) => document.getElementById(name);
-const viewer = new MeshCat.Viewer(at('pane'));
-for (const path of [['Grid'], ['Axes'], ['Background']]) viewer.set_property(path, 'visible', false);
-viewer.gui.domElement.style.display = 'none';
-viewer.scene.add(curtain);
-const look = new Look(viewer), canvas = at('labels');
-let withNames = true, undrawn = 0;
-
-const render = viewer.render.bind(viewer);
-viewer.render = () => {
-  resolution.set(canvas.clientWidth, canvas.clientHeight);
-  look.update();
-  render();
-  canvas.style.visibility = withNames ? 'visible' : 'hidden';
-  if (withNames) drawNames(canvas, viewer.camera);
+let undrawn = 0;
+drawn.push(() => {
   if (undrawn) tell({drawn: undrawn});  // the kernel does not send more than can be drawn
   undrawn = 0;
-};
+});
 
 // -- controls
 
@@ -38,13 +22,11 @@ function showState(state) {
   }
   fixed.options[0].textContent = state.chosen ? 'automatic' : `automatic: ${state.fixed_frame || 'no frame yet'}`;
   if (document.activeElement !== fixed) fixed.value = state.chosen;
-  at('problems').textContent = state.problems.join('\n');
   slider.min = -state.history;
   if (!dragging) slider.value = state.past === null ? 0 : -state.past;
   when.textContent = state.past === null ? 'now' : `${state.past.toFixed(2)} s ago`;
   when.classList.toggle('past', state.past !== null);
   live.setAttribute('aria-pressed', String(state.past === null));
-  look.focus(state.focus, state.span);
 }
 
 const tell = (content) => { if (socket.readyState === WebSocket.OPEN) socket.send(JSON.stringify(content)); };
@@ -53,12 +35,6 @@ slider.addEventListener('pointerdown', () => { dragging = true; });
 slider.addEventListener('pointerup', () => { dragging = false; });
 slider.addEventListener('input', () => tell({past: -Number(slider.value)}));
 live.addEventListener('click', () => tell({past: 0}));
-at('fit').addEventListener('click', () => { look.reset(); viewer.set_dirty(); });
-at('names').addEventListener('click', () => {
-  withNames = !withNames;
-  at('names').setAttribute('aria-pressed', String(withNames));
-  viewer.set_dirty();
-});
 
 // -- the kernel
 
@@ -72,12 +48,9 @@ function connect() {
   socket.onmessage = (event) => {
     undrawn += 1;
     tries = 0;
-    const message = take(event.data);
-    if (message.state) showState(message.state);
-    look.news = true;
+    const state = show(event.data);
+    if (state) showState(state);
     document.body.classList.remove('ended');
-    window.updates = (window.updates || 0) + 1;  // for measurements
-    viewer.set_dirty();
   };
   socket.onclose = (event) => {
     undrawn = 0;
