@@ -1,15 +1,19 @@
 """The course as web pages: readable, linked, and without any solution."""
 
 import re
+from pathlib import Path
 
 import nbformat
 import pytest
+from nbformat.v4 import new_output
 
 from grading.authoring import build
 from grading.authoring import chapter as chapters
 from grading.edition import pages
+from grading.tests.authoring import sources
 from grading.tests.authoring.conftest import built, make_without_kernel, tree  # noqa: F401 - fixtures
 from helpers import paths
+from helpers.views import recording
 
 COURSE = build.Tree(paths.ROOT)
 
@@ -53,3 +57,29 @@ def test_a_folder_that_is_not_empty_is_refused(built, tmp_path):  # noqa: F811
     (tmp_path / 'mine' / 'file').touch()
     with pytest.raises(pages.EditionError, match='is not empty'):
         pages.write(built, tmp_path / 'mine')
+
+
+def test_views_are_recorded_and_opened_from_the_page(built, tmp_path, monkeypatch):  # noqa: F811
+    source = built.solutions / '07_tiny.md'
+    view = '```{code-cell} ipython3\nTfView()\n```\n\n'
+    solution = sources.EXERCISE.replace('    return 2', '    TfView()\n    return 2')
+    source.write_text(sources.TINY.replace(sources.EXERCISE, view + solution))
+    built.solved(chapters.read(source)).unlink()
+    make_without_kernel(built)
+
+    def execute(notebook, chapter, folder, timeout, environment):
+        """Each cell with a view, also in a solution, leaves a scene and a picture."""
+        scenes = Path(environment[recording.VARIABLE])
+        for name in recording.SHARED:
+            (scenes / name).touch()
+        for number, cell in enumerate(cell for cell in notebook.cells if 'TfView()' in cell.source):
+            (scenes / f'{number}.html').touch()
+            picture = new_output('display_data', {'image/svg+xml': '<svg/>'}, metadata={'scene': f'{number}.html'})
+            cell.outputs = [picture]
+
+    monkeypatch.setattr(pages.execution, 'execute', execute)
+    _, page = pages.write(built, tmp_path / 'pages', say=lambda line: None)
+    assert re.findall(r'<a href="(scenes/[^"]+)"', page.read_text()) == ['scenes/0.html']
+    assert {path.name for path in (tmp_path / 'pages' / 'scenes').iterdir()} == {'0.html', *recording.SHARED}
+    _, page = pages.write(built, tmp_path / 'still', say=lambda line: None, scenes=False)
+    assert 'scenes/' not in page.read_text() and not (tmp_path / 'still' / 'scenes').exists()
