@@ -16,6 +16,8 @@ from weakref import WeakKeyDictionary, WeakSet
 from helpers import journal
 from helpers.errors import say
 
+UNKNOWN = '_NODE_NAME_UNKNOWN_'  # rmw's name for the node of an endpoint that is known by itself only
+
 # Called with a node that is about to be destroyed: a background executor lets go of it first.
 before_destroy: list[Callable] = []
 

@@ -16,6 +16,7 @@ from rclpy.time import Time
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import UInt64
 
+from helpers.nodes import UNKNOWN
 from helpers.runner import actions, services, spent, values, wiring
 from helpers.runner.client import ForkServer, Process, RunnerError
 from helpers.runner.peers import SECOND, Peer
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
 
 MAX_MOMENTS = 250  # of simulated time, in a tenth of a second of it, at which the learner's timers are due
 MAX_MESSAGES = 5000  # at one moment of simulated time, on all topics that a test records
-UNKNOWN = '_NODE_NAME_UNKNOWN_'  # rmw's name for the node of an endpoint that is known by itself only
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,8 @@ _ROW, _INDENT, _BOX, _FONT = 30, 24, 22, 'system-ui, -apple-system, "Segoe UI", 
 _COLUMNS = (('', 60), ('rate', 68), ('age', 72), ('history', 68), ('broadcaster', 0))
 _STATIC_RATE = 10_000.0  # what a buffer says of the single sample of a static transform
 _LONGEST_AGE = 86_400.0  # s; more means that the stamps are of another clock
-_PATIENCE = 1.0  # s, the longest wait for /clock
+_PATIENCE = 1.0  # s, the longest wait for /clock, and for the names of nodes
+_WIDEST = 900  # px, as much as a cell on a laptop has; JupyterLab cuts off the rest
 
 
 @dataclass
@@ -98,7 +99,9 @@ class FramesDiagram:
             starts.append(starts[-1] + width)
         longest = max([len(self._cells(row)[-1]) for _, _, row in lines] + [11])
         top = 34 + 18 * len(self.problems)
-        width, height = starts[-1] + 7.5 * longest + 20, top + _ROW * max(1, len(lines)) + 6
+        problems = max([7.5 * len(text) + 24 for text in self.problems], default=0)
+        width, height = max(starts[-1] + 7.5 * longest + 20, problems), top + _ROW * max(1, len(lines)) + 6
+        scale = min(1.0, _WIDEST / width)
         parts = [f'<text x="12" y="{20 + 18 * number}" fill="#b3261e">{escape(text)}</text>'
                  for number, text in enumerate(self.problems)]
         parts += [f'<text x="{x}" y="{top - 12}" fill="#6b7280" font-size="12">{title}</text>'
@@ -112,7 +115,7 @@ class FramesDiagram:
             parts.append(f'<text x="14" y="{top + 18}" fill="#59606e">no frame: nothing came on /tf and /tf_static'
                          '</text>')
         return '\n'.join((
-            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}" height="{height:.0f}" '
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width * scale:.0f}" height="{height * scale:.0f}" '
             f'viewBox="0 0 {width:.0f} {height:.0f}" style="max-width:100%;height:auto" '
             f'font-family=\'{_FONT}\' font-size="13" fill="#21252f">',
             f'<rect width="{width:.0f}" height="{height:.0f}" rx="6" fill="#fbfcfd" stroke="#cfd3da"/>',
@@ -211,9 +214,18 @@ class _Clock:
 
 
 def _broadcasters(node) -> tuple[list[str], list[str]]:
-    """The nodes that publish on /tf, and on /tf_static."""
-    return tuple(sorted({f'{info.node_namespace.rstrip("/")}/{info.node_name}'
-                         for info in node.get_publishers_info_by_topic(topic)}) for topic in ('/tf', '/tf_static'))
+    """The nodes that publish on /tf, and on /tf_static. One whose name does not come in time is left out."""
+    from helpers import spin_for
+    from helpers.nodes import UNKNOWN
+
+    deadline = time.monotonic() + _PATIENCE
+    while True:
+        found = [node.get_publishers_info_by_topic(topic) for topic in ('/tf', '/tf_static')]
+        named = [{f'{info.node_namespace.rstrip("/")}/{info.node_name}' for info in infos if info.node_name != UNKNOWN}
+                 for infos in found]
+        if time.monotonic() >= deadline or all(info.node_name != UNKNOWN for infos in found for info in infos):
+            return sorted(named[0]), sorted(named[1])
+        spin_for(0.05, node)
 
 
 def _row(child: str, entry: dict, broadcasters) -> Row:

@@ -1,5 +1,8 @@
 """TfView with real broadcasters: frames come, move, go stale and go; the past; the picture that stays."""
 
+import re
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 import rclpy
@@ -265,6 +268,30 @@ def test_the_flat_tree_of_a_buffer_alone():
     diagram = show_frames(buffer)
     assert diagram.problems == ['a loop: b → a → c → b'] and '>a loop: b → a → c → b</text>' in diagram.svg()
     assert repr(diagram).splitlines()[1:3] == ['x, root', '  y, moves, once, 0.0 s, from_x']
+
+
+def test_a_wide_flat_tree_is_made_smaller():
+    buffer = Buffer()
+    for number in range(12):
+        message = TransformStamped(child_frame_id=f'a_frame_with_a_rather_long_name_{number + 1}')
+        message.header.frame_id = f'a_frame_with_a_rather_long_name_{number}'
+        message.transform.rotation.w = 1.0
+        buffer.set_transform_static(message, 'somebody')
+    size = re.match(r'<svg [^>]*width="(\d+)" height="(\d+)" viewBox="0 0 (\d+) (\d+)"', FramesDiagram(buffer).svg())
+    width, height, whole_width, whole_height = map(int, size.groups())
+    assert width == 900 < whole_width and height / whole_height == pytest.approx(width / whole_width, abs=0.01)
+
+
+def test_a_broadcaster_without_a_name_is_left_out(monkeypatch):
+    from helpers.views import frames_diagram
+
+    class Graph:
+        def get_publishers_info_by_topic(self, topic):
+            return [SimpleNamespace(node_namespace='/', node_name='camera'),
+                    SimpleNamespace(node_namespace='_NODE_NAMESPACE_UNKNOWN_', node_name=nodes.UNKNOWN)]
+
+    monkeypatch.setattr(frames_diagram, '_PATIENCE', 0.0)
+    assert frames_diagram._broadcasters(Graph()) == (['/camera'], ['/camera'])
 
 
 def test_ages_are_by_simulated_time_where_there_is_some(sender):
