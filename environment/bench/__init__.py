@@ -1,1 +1,1 @@
-"""Benchmarks of the environment; `./course bench NAME` runs `bench_NAME.run()` and prints the rows it returns."""
+"""Benchmarks of the environment; `./course bench NAME` runs `bench_NAME.measure()` (see `grading.bench`)."""

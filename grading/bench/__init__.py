@@ -22,14 +22,15 @@ def title(path: Path) -> str:
     return (ast.get_docstring(ast.parse(path.read_text(encoding='utf-8'))) or path.stem).splitlines()[0]
 
 
-def run(path: Path) -> list[tuple[str, float, str]]:
-    """Import and run one benchmark."""
+def run(path: Path) -> Iterator[tuple[str, float, str]]:
+    """Import and run one benchmark; yields its rows as they are measured."""
     import importlib.util
 
     spec = importlib.util.spec_from_file_location(path.stem, path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
-    return [(str(what), float(value), str(unit)) for what, value, unit in module.measure()]
+    for what, value, unit in module.measure():
+        yield str(what), float(value), str(unit)
 
 
 def against(what: str, ours: float, peer: str, theirs: float, unit: str) -> Iterator[tuple[str, float, str]]:

@@ -1,6 +1,7 @@
 """The author's commands, as the command line runs them."""
 
 import json
+import os
 
 import pytest
 
@@ -64,10 +65,12 @@ def test_benchmarks_are_found_run_and_written(course, tmp_path, capsys):
     make_benchmark(tmp_path, 'quick', "yield 'a wait', 12.5, 'ms'")
     make_benchmark(tmp_path, 'broken', "raise OSError('no clock')")
     output = tmp_path / 'new' / 'bench.json'
+    before = os.environ.get('ROS_DOMAIN_ID')
     assert app.main(['bench', '-o', str(output)]) == 1
     shown = capsys.readouterr()
     assert 'quick: About quick.' in shown.err and '12.5' in shown.out
     assert 'broken: OSError: no clock' in shown.err
+    assert os.environ.get('ROS_DOMAIN_ID') == before
     assert json.loads(output.read_text())['results'] == [
         {'benchmark': 'broken', 'error': 'OSError: no clock'},
         {'benchmark': 'quick', 'what': 'a wait', 'value': 12.5, 'unit': 'ms'},
