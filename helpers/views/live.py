@@ -1,7 +1,7 @@
 """The live renderer: a scene in meshcat's viewer, in the output of a cell.
 
 One message for each update carries everything that has changed: a little JSON, and all numbers as one block of binary
-data. What it says is in `encode`, who reads it in ``web/viewer.js``. Without a browser nothing is encoded.
+data. What it says is in `encode`, who reads it in ``web/nodes.js``. Without a browser nothing is encoded.
 """
 
 import base64
