@@ -87,7 +87,8 @@ class Learner:
     def follow(self, link: str) -> None:
         """Click on a link of the start page that leads to a notebook, and wait for its kernel."""
         self.page.locator('.jp-RenderedMarkdown').get_by_role('link', name=link).first.click()
-        self.page.locator('.jp-NotebookPanel').first.wait_for()
+        # JupyterLab may have opened others again, which an earlier page left open.
+        self.page.locator('.jp-NotebookPanel:not(.lm-mod-hidden)').first.wait_for()
         self.wait_until_idle()
 
     def run_all(self) -> None:
