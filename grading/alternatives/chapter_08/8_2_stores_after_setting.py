@@ -36,9 +36,10 @@ class Governor(Node):
         changed = {one.name: one.value for one in parameters}
         self.values.update(changed)
         if 'rate' in changed:
-            if self.timer:
-                self.timer.cancel()
-            self.timer = self.create_timer(1 / changed['rate'], self.tick)
+            if self.timer is None:
+                self.timer = self.create_timer(1 / changed['rate'], self.tick)
+            self.timer.timer_period_ns = round(1e9 / changed['rate'])
+            self.timer.reset()
 
     def tick(self):
         limit = {'normal': self.values['max_linear'], 'slow': self.values['slow_linear'], 'stop': 0.0}
