@@ -1,6 +1,7 @@
 """Keeps what pytest starts apart on the wire: a ROS domain for each process, and one for each test that asks."""
 
 import os
+from collections import Counter
 from contextlib import ExitStack
 
 import pytest
@@ -13,6 +14,21 @@ _held = ExitStack()
 def pytest_configure(config):
     """Give this process, and all that it starts, its own domain. Each worker of xdist comes through here."""
     os.environ['ROS_DOMAIN_ID'] = str(_held.enter_context(domains.claim()))
+
+
+def pytest_collection_modifyitems(config, items):
+    """Leave out what costs much and seldom finds more than the rest, unless everything is asked for."""
+    if os.environ.get('COURSE_ALL_TESTS'):
+        return
+    seen, left_out = Counter(), []
+    for item in items:
+        sample = item.get_closest_marker('first_of')
+        case = seen[item.nodeid.partition('[')[0]]
+        seen[item.nodeid.partition('[')[0]] += 1
+        if item.get_closest_marker('thorough') or sample and case % sample.args[0]:
+            left_out.append(item)
+    config.hook.pytest_deselected(items=left_out)
+    items[:] = [item for item in items if item not in set(left_out)]
 
 
 def pytest_unconfigure(config):

@@ -2,8 +2,9 @@
 
 Variants of different exercises share a notebook, so that there are as many runs as the richest exercise has variants.
 Of a wrong solution's exercise only the test that must reject it runs, and the one that says the expected words where
-that is another. And only some variants of each exercise run. So the whole suite keeps within its time; run this file
-with COURSE_ALL_TESTS=1 in the environment, which leaves nothing out, after each change of an exercise or of its tests.
+that is another. Only some wrong answers to each exercise run, and no alternatives. So the whole suite keeps within its
+time; after each change of an exercise or of its tests run this file with COURSE_ALL_TESTS=1 in the environment, which
+leaves nothing out.
 """
 
 import os
@@ -25,8 +26,8 @@ from helpers.runner import session
 pytestmark = pytest.mark.timeout(600)
 SEED = os.environ.get('COURSE_SEED', 'validity')  # another one tries the tests with other inputs
 ALL_TESTS = bool(os.environ.get('COURSE_ALL_TESTS'))
-SOME = {'mutants': 3, 'alternatives': 1}  # so many of each exercise run by default, the first by name,
-SOME_ALONE = 1  # or so many wrong answers, where each needs a notebook of its own
+SOME = 3  # so many wrong answers of each exercise run by default, the first by name,
+SOME_ALONE = 1  # or so many, where each needs a notebook of its own
 EXERCISES = manifest.load()
 CHAPTERS = {chapters.read(path).number: path for path in chapters.sources(paths.ROOT / 'solutions')}
 VARIANTS = {kind: sorted((paths.ROOT / 'grading' / kind).glob('chapter_*/*.py'))
@@ -64,18 +65,18 @@ class Variant:
 def layers(kind, number):
     """Variants of different exercises of a chapter, side by side: one notebook each. Some want one of their own."""
     mine = [variant for path in VARIANTS[kind] if (variant := Variant.read(path)).exercise.startswith(f'{number}.')]
-    if not ALL_TESTS:
-        mine = [variant for identity in EXERCISES for variant in _some(kind, identity, mine)]
+    if kind == 'mutants' and not ALL_TESTS:
+        mine = [variant for identity in EXERCISES for variant in _some(identity, mine)]
     columns = [[variant for variant in mine if variant.exercise == identity and not variant.alone]
                for identity in EXERCISES]
     rows = [*zip_longest(*columns), *([variant] for variant in mine if variant.alone)]
     return [pytest.param([variant for variant in row if variant], id=str(index)) for index, row in enumerate(rows)]
 
 
-def _some(kind, identity, variants):
-    """The variants of an exercise that run by default."""
+def _some(identity, variants):
+    """The wrong answers to an exercise that run by default."""
     mine = [variant for variant in variants if variant.exercise == identity]
-    return mine[:SOME_ALONE if kind == 'mutants' and any(variant.alone for variant in mine) else SOME[kind]]
+    return mine[:SOME_ALONE if any(variant.alone for variant in mine) else SOME]
 
 
 def solved(number):
@@ -135,6 +136,7 @@ class Validity:
             for fragment in variant.expected:
                 assert fragment in told(result), (variant.name, told(result))
 
+    @pytest.mark.thorough
     def test_alternatives_get_full_marks(self, alternatives):
         results = judge(self.number, varied(self.number, alternatives), {variant.exercise for variant in alternatives})
         for variant in alternatives:

@@ -11,6 +11,8 @@ from helpers.faults.machine import SYSTEM_PATH
 
 SHORT = 1.0  # s; long enough to see that a system does not work
 
+pytestmark = pytest.mark.first_of(2)
+
 
 @contextmanager
 def staged(folder, what, kind, seed=3):
