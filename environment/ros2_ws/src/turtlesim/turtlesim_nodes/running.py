@@ -4,6 +4,7 @@ import contextlib
 from collections.abc import Callable
 
 import rclpy
+from rclpy._rclpy_pybind11 import RCLError
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 
@@ -22,4 +23,5 @@ def run(make_node: Callable[[], Node], args: list[str] | None) -> None:
             if rclpy.ok():
                 raise
         finally:
-            rclpy.try_shutdown()
+            with contextlib.suppress(RCLError):  # the signal's handler may shut down at the same moment
+                rclpy.try_shutdown()
