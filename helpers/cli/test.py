@@ -63,7 +63,8 @@ def _unit_tests(scratch: Path) -> Step:
     if not 0 < step.failed <= FEW:
         return step
     # What failed beside others may have been starved by them. It has to pass alone, and it is told.
-    again = _pytest('unit tests again, one at a time', scratch, ['-q', '--last-failed', '--last-failed-no-failures=none'])
+    again = _pytest('unit tests again, one at a time', scratch,
+                    ['-q', '--last-failed', '--last-failed-no-failures=none'])
     return Step(step.name, step.passed + again.passed, again.failed, step.skipped, step.seconds + again.seconds)
 
 
