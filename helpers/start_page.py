@@ -21,17 +21,17 @@ _TEMPLATE = '''\
 # ROS 2 from zero
 
 Eight notebooks, from the first command to a robot that obeys you. Open a chapter with a click, or press Tab until its
-name is marked, then Enter. {% if next %}**Go on with [{{ next.title }}]({{ next.notebook }}).**{% else %}\
+name is marked, then Enter. {% if next %}**Go on with [{{ next.says.title }}]({{ next.notebook }}).**{% else %}\
 **You have solved every exercise.**{% endif %}
 
 
 | chapter | time | exercises solved | points |
 |---|---|---|---|
 {% for one in chapters %}
-| [{{ one.title }}]({{ one.notebook }}) | {{ one.time }} | {{ one.bar }} {{ one.solved }} of {{ one.exercises }} \
-| {{ one.score }} of {{ one.points }} |
+| [{{ one.says.title }}]({{ one.notebook }}) | {{ one.says.time }} \
+| {{ one.bar }} {{ one.solved }} of {{ one.exercises }} | {{ one.score }} of {{ one.points }} |
 {% endfor %}
-| **all chapters** | | {{ solved }} of {{ exercises }} | **{{ score }} of {{ points }}** |
+| **all chapters** | | **{{ solved }} of {{ exercises }}** | **{{ score }} of {{ points }}** |
 
 The points are those of the checks in the notebooks, at their last run. Graders look further, with tests of their own.
 
@@ -45,11 +45,11 @@ The points are those of the checks in the notebooks, at their last run. Graders 
 A second terminal with ROS in it: `./course shell`. When you are done: `./course submit --id YOUR-NAME`.
 
 {% for one in chapters %}
-## {{ one.title }}
+## {{ one.says.title }}
 
-> {{ one.thesis }}
+> {{ one.says.thesis }}
 
-{{ one.goals }}
+{{ one.says.goals }}
 
 [Open chapter {{ one.number }}]({{ one.notebook }})\
 {% if one.open %} · still open: {{ one.open | join(', ') }}{% endif %}
@@ -61,15 +61,22 @@ _This page is made anew when JupyterLab starts, and after each check. Close it a
 
 
 @dataclass(frozen=True)
+class Introduction:
+    """What a chapter's first cell says."""
+
+    title: str  # '3. Nodes and topics'
+    thesis: str
+    goals: str  # Markdown
+    time: str  # 'three hours'
+
+
+@dataclass(frozen=True)
 class Chapter:
     """What a chapter's notebook says of itself, and how far the learner is."""
 
     number: int
     notebook: str
-    title: str
-    thesis: str
-    goals: str
-    time: str
+    says: Introduction
     exercises: int
     solved: int
     points: str
@@ -117,16 +124,6 @@ def text(folder: Path = paths.NOTEBOOKS) -> str:
         score=_number(sum(found[exercise.id].score for exercise in mine if exercise.id in found)))
 
 
-@dataclass(frozen=True)
-class Introduction:
-    """What a chapter's first cell says."""
-
-    title: str  # '3. Nodes and topics'
-    thesis: str
-    goals: str  # Markdown
-    time: str  # 'three hours'
-
-
 def introduction(path: Path) -> Introduction:
     """Read a chapter's first cell. What is not in it is empty; the title is then the file's name."""
     head = _head(path)
@@ -143,10 +140,9 @@ def introduction(path: Path) -> Introduction:
 def _chapter(path: Path, known: dict, found: dict[str, marks.Mark]) -> Chapter:
     mine = [exercise for exercise in known.values() if exercise.notebook == path.name]
     still = [exercise.id for exercise in mine if exercise.id not in found or not found[exercise.id].passed]
-    said = introduction(path)
     return Chapter(
-        int(path.name[:2]), path.name, said.title, said.thesis, said.goals, said.time,
-        len(mine), len(mine) - len(still), _number(sum(exercise.points for exercise in mine)),
+        int(path.name[:2]), path.name, introduction(path), len(mine), len(mine) - len(still),
+        _number(sum(exercise.points for exercise in mine)),
         _number(sum(found[exercise.id].score for exercise in mine if exercise.id in found)), still)
 
 

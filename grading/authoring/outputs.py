@@ -28,6 +28,8 @@ def sanitizers(root: Path) -> list[tuple[str, str, str]]:
         # Bounded, and only from a word's beginning: else a long line without @ takes minutes.
         ('email', r'(?<![\w.+-])[\w.+-]{1,64}@[\w-]{1,63}\.[\w.-]+', 'you@example.com'),
         ('pid', r'\b(pid|process)([ =])\d+', r'\1\g<2>0'),
+        # ros2 launch names its folder of logs after the home, the time, the host and the process.
+        ('ros_log', r'(?<!\S)/\S*/\.ros/log/[\w.-]+', '/home/you/.ros/log/0'),
     ]
 
 

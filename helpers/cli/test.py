@@ -5,7 +5,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Annotated
@@ -29,6 +29,8 @@ class Step:
     failed: int = 0
     skipped: int = 0
     seconds: float = 0.0
+    failures: list[str] = field(default_factory=list)  # the failed tests' names
+    unstable: list[str] = field(default_factory=list)  # those that failed beside others and passed alone
 
 
 def test(arguments: Arguments = None):
@@ -65,7 +67,9 @@ def _unit_tests(scratch: Path) -> Step:
     # What failed beside others may have been starved by them. It has to pass alone, and it is told.
     again = _pytest('unit tests again, one at a time', scratch,
                     ['-q', '--last-failed', '--last-failed-no-failures=none'])
-    return Step(step.name, step.passed + again.passed, again.failed, step.skipped, step.seconds + again.seconds)
+    unstable = [name for name in step.failures if name not in again.failures]
+    return Step(step.name, step.passed + again.passed, again.failed, step.skipped, step.seconds + again.seconds,
+                again.failures, unstable)
 
 
 def _in_step(scratch: Path) -> Step:
@@ -130,6 +134,8 @@ def _count(step: Step, report: Path) -> None:
         total, failed, skipped = (int(suite.get(key, 0)) for key in ('tests', 'failures', 'skipped'))
         failed += int(suite.get('errors', 0))
         step.passed, step.failed, step.skipped = total - failed - skipped, failed, skipped
+        step.failures = [f'{case.get("classname")}.{case.get("name")}' for case in suite.iter('testcase')
+                         if case.find('failure') is not None or case.find('error') is not None]
 
 
 def _heading(name: str) -> None:
@@ -142,6 +148,8 @@ def _summary(steps: list[Step]) -> int:
         verdict = 'FAILED' if step.failed else 'passed'
         counts = f'{step.passed:5} passed {step.failed:4} failed {step.skipped:4} skipped'
         print(f'{verdict}  {step.name:24} {counts} {step.seconds:7.1f} s')
+    for name in (name for step in steps for name in step.unstable):
+        print(f'unstable: {name} failed beside other tests and passed alone')
     passed, failed, skipped = (sum(getattr(step, key) for step in steps) for key in ('passed', 'failed', 'skipped'))
     print(f'{passed} passed, {failed} failed, {skipped} skipped in {sum(step.seconds for step in steps):.0f} s')
     return int(failed > 0)

@@ -64,6 +64,33 @@ def test_with_arguments_only_pytest_runs(monkeypatch, tmp_path, capfd):
     assert run([*chosen, 'nothing']) == 2
 
 
+def test_what_failed_beside_others_has_to_pass_alone_and_is_named(monkeypatch, tmp_path, capfd):
+    sample = tmp_path / 'test_sample.py'
+    sample.write_text('from pathlib import Path\n\ndef test_good(): pass\n\ndef test_broken(): assert 0\n'
+                      '\ndef test_starved():\n    mark = Path(__file__).with_name("once")\n'
+                      '    once, _ = mark.exists(), mark.touch()\n    assert once\n')
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(command, '_workers', lambda: 0)
+    monkeypatch.setenv('PYTEST_ADDOPTS', f'--rootdir={tmp_path} {sample}')
+    step = command._unit_tests(tmp_path)
+    assert (step.passed, step.failed) == (2, 1)
+    assert step.unstable == ['test_sample.test_starved'] and step.failures == ['test_sample.test_broken']
+    plan(monkeypatch, step)
+    assert run() == 1
+    assert 'unstable: test_sample.test_starved failed beside other tests and passed alone' in capfd.readouterr().out
+
+
+def test_many_failures_are_no_accident(monkeypatch, tmp_path, capfd):
+    sample = tmp_path / 'test_sample.py'
+    sample.write_text(f'import pytest\n\n@pytest.mark.parametrize("n", range({command.FEW + 1}))\n'
+                      'def test_bad(n): assert 0\n')
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(command, '_workers', lambda: 0)
+    monkeypatch.setenv('PYTEST_ADDOPTS', f'--rootdir={tmp_path} {sample}')
+    assert command._unit_tests(tmp_path).failed == command.FEW + 1
+    assert 'one at a time' not in capfd.readouterr().out
+
+
 def test_the_learners_edition_leaves_out_what_it_lacks(monkeypatch):
     names = [step.__name__ for step in command._plan()]
     assert names == ['_style', '_unit_tests', '_in_step', '_notebooks']
