@@ -1,8 +1,13 @@
 """Grading: a submission of two pure functions and a talker, in the sandbox, from start to gradebook.
 
 `start` is once per run of grade, the parts are per submission. Every mark is verified.
+
+The other graders get the same answers with a test for each. The course then grades as they do, one submission at a
+time, in a program that is started for it; see `grading.bench.peers` for what else differs.
 """
 
+import subprocess
+import sys
 import tempfile
 import threading
 import time
@@ -12,16 +17,18 @@ from pathlib import Path
 import psutil
 
 from grading import grade, sandbox
-from grading.bench import sheet
+from grading.bench import Figure, sheet
 from grading.course import Course
 from grading.sandbox import station
 from grading.submission import Submission
+from helpers import paths
 from helpers.exercises.manifest import Exercise
 from helpers.exercises.notebooks import Cell, parse
 from helpers.runner import session
 
 COUNTS = (1, 10, 50)
 JOBS = 2
+COMPARED = 10  # submissions that the other graders get, too
 NOTEBOOK = '91_sheet.ipynb'
 _TESTS = {
     'mean': "    expect(learner.call('mean', [1, 2, 6]) == 3, 'The mean of 1, 2 and 6 is 3.')",
@@ -31,8 +38,8 @@ _TESTS = {
 }
 
 
-def measure() -> Iterator[tuple[str, float, str]]:
-    """Yield wall time and peak memory of runs of grade, and the split of one session's time.
+def measure() -> Iterator[Figure]:
+    """Yield wall time and peak memory of runs of grade, the split of one session's time, and times of other graders.
 
     :raises RuntimeError: the sandbox does not work here, or a mark is not full.
     """
@@ -42,12 +49,26 @@ def measure() -> Iterator[tuple[str, float, str]]:
         course = _course(Path(folder))
         for count in COUNTS:
             seconds, memory = _run(course, count, Path(folder, str(count)))
-            yield f'{count} submissions, {JOBS} at a time: per submission', seconds / count, 's'
-            yield f'{count} submissions: per exercise', seconds / count / len(sheet.NAMES), 's'
-            yield f'{count} submissions: peak memory', memory / 2**20, 'MiB'
+            many = f'{count} submissions, {JOBS} at a time' if count > 1 else '1 submission'
+            yield Figure(f'{many}: per submission', seconds / count, 's')
+            yield Figure(f'{many}: per exercise', seconds / count / len(sheet.NAMES), 's')
+            yield Figure(f'{many}: peak memory', memory / 2**20, 'MiB')
         yield from _parts(course)
     from grading.bench.peers import timing
-    yield from timing.measure(10)
+    for peer in timing.PEERS:
+        ours = _program(COMPARED) / COMPARED
+        theirs = timing.seconds(peer, COMPARED) / COMPARED
+        yield Figure(f'{COMPARED} submissions, one at a time: per submission', ours, 's', peer, theirs)
+
+
+def _program(count: int) -> float:
+    """Seconds of a program that grades `count` submissions one after the other, its start included."""
+    begin = time.perf_counter()
+    done = subprocess.run([sys.executable, '-m', 'grading.bench.bench_grading', str(count)], cwd=paths.ROOT,
+                          timeout=600, capture_output=True, text=True)
+    if done.returncode:
+        raise RuntimeError(f'grading in a program of its own failed: {done.stderr[-800:]}')
+    return time.perf_counter() - begin
 
 
 def _course(folder: Path) -> Course:
@@ -82,20 +103,20 @@ def _notebook(variant: int) -> bytes:
     return nbformat.writes(notebook).encode()
 
 
-def _run(course: Course, count: int, output: Path) -> tuple[float, int]:
+def _run(course: Course, count: int, output: Path, jobs: int = JOBS) -> tuple[float, int]:
     """Grade `count` submissions with cold servers; returns seconds and the peak of memory in bytes."""
     station.close()
     works = [Submission(f'learner{number:03}', Path(NOTEBOOK), {NOTEBOOK: _notebook(number)})
              for number in range(count)]
     with _Peak() as peak:
         begin = time.perf_counter()
-        records = grade.grade(works, course, output, JOBS)
+        records = grade.grade(works, course, output, jobs)
         seconds = time.perf_counter() - begin
     _verify(record.score == record.points for record in records)
     return seconds, peak.bytes
 
 
-def _parts(course: Course) -> Iterator[tuple[str, float, str]]:
+def _parts(course: Course) -> Iterator[Figure]:
     """Where the time of one session goes, best of five on warm servers."""
     cells: list[Cell] = parse(_notebook(0), NOTEBOOK)
     options = session.Options(hidden=course.hidden, visible=course.visible,
@@ -113,12 +134,12 @@ def _parts(course: Course) -> Iterator[tuple[str, float, str]]:
         if best is None or seconds < best[0]:
             best = seconds, report.spent
     seconds, spent = best
-    yield 'once per run: start and import of both servers', cold - seconds, 's'
-    yield 'one session, warm: all', seconds, 's'
-    yield '  start: two sandboxes, processes', seconds - spent['pytest'], 's'
-    yield '  load: programs into processes', spent['load'], 's'
-    yield '  discovery', spent['discovery'], 's'
-    yield '  tests: all else', spent['pytest'] - spent['load'] - spent['discovery'], 's'
+    yield Figure('once per run: start and import of both servers', cold - seconds, 's')
+    yield Figure('one session, warm: all', seconds, 's')
+    yield Figure('  start: two sandboxes, processes', seconds - spent['pytest'], 's')
+    yield Figure('  load: programs into processes', spent['load'], 's')
+    yield Figure('  discovery', spent['discovery'], 's')
+    yield Figure('  tests: all else', spent['pytest'] - spent['load'] - spent['discovery'], 's')
 
 
 def _verify(marks) -> None:
@@ -150,3 +171,14 @@ class _Peak:
                 except (psutil.Error, OSError):
                     pass
             self.bytes = max(self.bytes, total)
+
+
+def main() -> None:
+    """Grade as many submissions as the argument says, one at a time: the program that `_program` times."""
+    count = int(sys.argv[1])
+    with tempfile.TemporaryDirectory(prefix='course-bench-') as folder:
+        _run(_course(Path(folder)), count, Path(folder, 'results'), jobs=1)
+
+
+if __name__ == '__main__':
+    main()

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from grading.bench import against
+from grading.bench import Figure
 
 ROUNDS = 5  # of each, in turn: what disturbs one disturbs the other
 SECONDS = 1.0
@@ -15,8 +15,8 @@ _IN_FLIGHT = 8  # messages, for the rate; fewer than the queue is deep, so that 
 _PEER = 'plain rclpy'
 
 
-def measure() -> Iterator[tuple[str, float, str]]:
-    """Yield latency and rate with `helpers.spinning`, with an executor in a thread, and the ratios.
+def measure() -> Iterator[Figure]:
+    """Yield latency and rate with `helpers.spinning`, beside an executor in a thread.
 
     :raises RuntimeError: a message did not come.
     """
@@ -33,10 +33,10 @@ def measure() -> Iterator[tuple[str, float, str]]:
     finally:
         ros.stop()
     ours, theirs = ([1e6 * seconds for seconds in latencies[way]] for way in ways)
-    yield from against('latency, median', statistics.median(ours), _PEER, statistics.median(theirs), 'us')
-    yield from against('latency, 99 %', _worst(ours), _PEER, _worst(theirs), 'us')
-    yield from against('messages, median', statistics.median(rates[_with_helpers]), _PEER,
-                       statistics.median(rates[_with_rclpy]), '1/s')
+    yield Figure('latency, median', statistics.median(ours), 'us', _PEER, statistics.median(theirs))
+    yield Figure('latency, 99 %', _worst(ours), 'us', _PEER, _worst(theirs))
+    yield Figure('messages, median', statistics.median(rates[_with_helpers]), '1/s', _PEER,
+                 statistics.median(rates[_with_rclpy]))
 
 
 def _worst(values: list[float]) -> float:

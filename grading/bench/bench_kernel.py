@@ -8,10 +8,11 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
-from grading.bench import against
+from grading.bench import Figure
 from helpers.tests.kernels import Kernel
 
 STARTS = 5
+_PEER = 'plain rclpy program'
 _NODES = """
 import rclpy
 from std_msgs.msg import String
@@ -41,21 +42,26 @@ print('heard', flush=True)
 """
 
 
-def measure() -> Iterator[tuple[str, float, str]]:
+def measure() -> Iterator[Figure]:
     """Yield the medians of several fresh kernels and programs, taken in turn.
+
+    To make a kernel ready is Jupyter's part, which a program does not have; the cell then does what the program does.
 
     :raises RuntimeError: the message did not come.
     """
     ready, whole, plain = [], [], []
+    _program()  # does not count: it reads from the disk what the others then find in memory
     for _ in range(STARTS):
         kernel = _kernel()
         ready.append(kernel[0])
         whole.append(kernel[1])
         plain.append(_program())
-    yield 'kernel ready', statistics.median(ready), 's'
-    yield from against('start to first message', statistics.median(whole), 'plain rclpy program',
-                       statistics.median(plain), 's')
-    yield 'start to first message, worst', max(whole), 's'
+    cell = [end - begin for begin, end in zip(ready, whole, strict=True)]
+    program = statistics.median(plain)
+    yield Figure('kernel ready', statistics.median(ready), 's')
+    yield Figure('ready kernel to first message', statistics.median(cell), 's', _PEER, program)
+    yield Figure('start to first message', statistics.median(whole), 's', _PEER, program)
+    yield Figure('start to first message, worst', max(whole), 's', _PEER, max(plain))
 
 
 def _kernel() -> tuple[float, float]:
@@ -75,8 +81,9 @@ def _program() -> float:
     """Seconds until a message has come in a program that is started for it."""
     begin = time.perf_counter()
     with subprocess.Popen([sys.executable, '-c', PLAIN], stdout=subprocess.PIPE, text=True) as program:
-        heard = program.stdout.readline().strip()
+        # Not just the first line: Fast DDS may have a remark.
+        heard = any(line == 'heard\n' for line in program.stdout)
         seconds = time.perf_counter() - begin
-    if heard != 'heard':
+    if not heard:
         raise RuntimeError(f'the plain program ended with {program.returncode}')
     return seconds

@@ -49,7 +49,7 @@ def _pair(domain_id: int, latency: list[float]) -> float:
     with subprocess.Popen([sys.executable, '-c', ECHO], env=environment, stdout=subprocess.PIPE, text=True) as echo:
         context = rclpy.Context()
         try:
-            if echo.stdout.readline().strip() != 'ready':
+            if not any(line == 'ready\n' for line in echo.stdout):  # Fast DDS may have a remark before
                 raise RuntimeError('the echo node did not start')
             rclpy.init(context=context, domain_id=domain_id)
             begin = time.perf_counter()

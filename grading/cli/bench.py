@@ -1,8 +1,7 @@
 """``./course bench``: benchmarks, as one table and as JSON."""
 
-import json
 import os
-import platform
+import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -15,48 +14,68 @@ from helpers import domains, paths
 from helpers.cli import Refusal
 
 JSON = paths.ROOT / 'build' / 'bench.json'
+WIDTH = 130  # of a table that goes into a file
 
 
 def bench(
-    name: Annotated[str | None, typer.Argument(metavar='[NAME]', help='One benchmark; all if none.')] = None,
+    names: Annotated[list[str] | None, typer.Argument(metavar='[NAME]...', help='Only these; all if none.')] = None,
     output: Annotated[Path, typer.Option('-o', '--output', help='The JSON file.')] = JSON,
 ):
-    """Run the benchmarks, print a table and write JSON."""
+    """Run the benchmarks, print a table and write JSON. All of them take a quarter of an hour on a quiet machine."""
     from rich.console import Console
-    from rich.markup import escape
-    from rich.table import Table
 
     from grading import bench as benchmarks
+    from grading.bench import machine
+    from grading.bench.report import Report
 
     found = benchmarks.find(paths.ROOT)
-    if name is not None and name not in found:
-        raise Refusal(f'no benchmark {name!r}; there are: {", ".join(found)}')
-    results, failed = [], False
-    table = Table('benchmark', 'what', 'value', 'unit')
-    for one, path in found.items():
-        if name not in (None, one):
-            continue
-        Console(stderr=True).print(f'{one}: {benchmarks.title(path)}', markup=False, highlight=False)
-        table.add_section()
-        named = False
-        try:
-            with _own_domain():
-                for what, value, unit in benchmarks.run(path):
-                    typer.echo(f'  {what}: {value:.4g} {unit}', err=True)
-                    table.add_row('' if named else one, escape(what), f'{value:.4g}', unit)
-                    results.append({'benchmark': one, 'what': what, 'value': value, 'unit': unit})
-                    named = True
-        except Exception as error:  # one broken benchmark does not take the others along
-            failed = True
-            results.append({'benchmark': one, 'error': f'{type(error).__name__}: {error}'})
-            typer.echo(f'{one}: {type(error).__name__}: {error}', err=True)
-    Console().print(table)
-    machine = {'cpus': len(os.sched_getaffinity(0)), 'machine': platform.machine(), 'python': platform.python_version()}
-    report = {'time': time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime()), 'machine': machine, 'results': results}
-    output.parent.mkdir(parents=True, exist_ok=True)
-    output.write_text(json.dumps(report, indent=2) + '\n', encoding='utf-8')
+    for name in names or ():
+        if name not in found:
+            raise Refusal(f'no benchmark {name!r}; there are: {", ".join(found)}')
+    chosen = [name for name in found if not names or name in names]
+    report = Report()
+    if warning := machine.busy(report.load):
+        typer.echo(f'course: {warning}', err=True)
+    stopped = False
+    try:
+        for place, name in enumerate(chosen, 1):
+            _measure(report, name, found[name], f'[{place}/{len(chosen)}] ')
+            report.write(output)  # what is measured stays, whatever comes next
+    except KeyboardInterrupt:
+        stopped = True
+        report.write(output)
+    Console(width=None if sys.stdout.isatty() else WIDTH).print(report.table())
     typer.echo(f'written to {output}')
-    raise typer.Exit(int(failed))
+    if stopped:
+        typer.echo('course: stopped; the rest was not measured', err=True)
+        raise typer.Exit(130)
+    raise typer.Exit(int(report.failed))
+
+
+def _measure(report, name: str, path: Path, place: str) -> None:
+    """Add one benchmark to the report, and tell of each figure when it is there."""
+    from grading import bench as benchmarks
+    from grading.bench.report import Part, cells
+
+    part = Part(name)
+    report.parts.append(part)
+    begin = time.perf_counter()
+    try:
+        typer.echo(f'{place}{name}: {benchmarks.title(path)}', err=True)
+        with _own_domain():
+            for figure in benchmarks.run(path):
+                part.figures.append(figure)
+                value, unit, reference, theirs, ratio = cells(figure)
+                beside = f' ({reference}: {theirs}; ratio {ratio})' if reference else ''
+                typer.echo(f'  {figure.what}: {value} {unit}{beside}', err=True)
+    except Exception as error:  # one broken benchmark does not take the others along
+        part.error = f'{type(error).__name__}: {error}'
+        typer.echo(f'{name}: {part.error}', err=True)
+    except KeyboardInterrupt:
+        part.error = 'stopped'
+        raise
+    finally:
+        part.seconds = time.perf_counter() - begin
 
 
 @contextmanager

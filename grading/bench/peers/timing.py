@@ -1,10 +1,9 @@
-"""Seconds per submission of the other graders, each on right answers, whose full marks are verified."""
+"""How long the other graders need, each on right answers, whose full marks are verified."""
 
 import csv
 import json
 import tempfile
 import time
-from collections.abc import Iterator
 from pathlib import Path
 
 from grading.bench.peers import sheets
@@ -15,16 +14,14 @@ FULL = 3.0
 SHEET = 'sheet'
 
 
-def measure(submissions: int) -> Iterator[tuple[str, float, str]]:
-    """Yield the time per submission of nbgrader's `autograde` and of otter-grader's `run`.
+def seconds(peer: str, submissions: int) -> float:
+    """Return how long one of PEERS needs to grade so many submissions; to hand out and to make tests is not in it.
 
-    :raises RuntimeError: one could not be installed, failed, or did not give full marks.
+    :raises RuntimeError: it could not be installed, failed, or did not give full marks.
     """
     program('nbgrader')  # the installation is not part of the times
-    for name, grade in (('nbgrader autograde', _nbgrader), ('otter run', _otter)):
-        with domains.claim() as domain_id, tempfile.TemporaryDirectory(prefix='course-bench-') as folder:
-            seconds = grade(Path(folder), submissions, domain_id)
-        yield f'{name}, {submissions} submissions: per submission', seconds / submissions, 's'
+    with domains.claim() as domain_id, tempfile.TemporaryDirectory(prefix='course-bench-') as folder:
+        return PEERS[peer](Path(folder), submissions, domain_id)
 
 
 def _nbgrader(course: Path, submissions: int, domain_id: int) -> float:
@@ -63,3 +60,6 @@ def _otter(folder: Path, submissions: int, domain_id: int) -> float:
 def _verify(name: str, marks: list[float], submissions: int) -> None:
     if marks != [FULL] * submissions:
         raise RuntimeError(f'{name} did not give full marks to right answers: {marks}')
+
+
+PEERS = {'nbgrader autograde': _nbgrader, 'otter run': _otter}

@@ -2,31 +2,45 @@
 
 import pytest
 
-from grading import bench
-from grading.bench import bench_helpers, bench_idle, bench_notebooks, bench_setup
+from grading.bench import bench_grading, bench_helpers, bench_idle, bench_notebooks, bench_setup, machine
+from grading.bench.peers import timing
 from helpers import paths
 
 
-def test_a_peer_gets_a_ratio():
-    rows = list(bench.against('latency', 2.0, 'plain rclpy', 4.0, 'us'))
-    assert rows == [('latency', 2.0, 'us'), ('latency: plain rclpy', 4.0, 'us'),
-                    ('latency: course / plain rclpy', 0.5, '×')]
-    with pytest.raises(RuntimeError, match='nothing was measured with plain rclpy'):
-        list(bench.against('latency', 2.0, 'plain rclpy', 0.0, 'us'))
+def test_the_machine_is_told():
+    facts = machine.facts()
+    assert facts['processor'] and facts['processors'] > 0 and facts['memory'] > 2**28 and facts['packages']['ipykernel']
+    many = machine.BUSY * facts['processors']
+    assert machine.busy(many) == ''
+    assert f'load {many + 1:.1f} on' in machine.busy(many + 1)
 
 
 def test_messages_by_both_ways(domain, monkeypatch):
     monkeypatch.setattr(bench_helpers, 'ROUNDS', 2)
     monkeypatch.setattr(bench_helpers, 'SECONDS', 0.1)
-    rows = {what: value for what, value, _ in bench_helpers.measure()}
-    assert len(rows) == 9 and all(value > 0 for value in rows.values())
+    figures = list(bench_helpers.measure())
+    assert len(figures) == 3
+    assert all(figure.value > 0 and figure.ratio > 0 and figure.reference == 'plain rclpy' for figure in figures)
 
 
 def test_idle_nodes_by_both_ways(domain, monkeypatch):
     monkeypatch.setattr(bench_idle, 'ROUNDS', 1)
     monkeypatch.setattr(bench_idle, 'SECONDS', 0.2)
-    cores = [value for _, value, unit in bench_idle.measure() if unit != '×']
-    assert len(cores) == 2 and all(0 < value < 1000 for value in cores)
+    figure, = bench_idle.measure()
+    assert 0 < figure.value < 1000 and 0 < figure.reference_value < 1000
+
+
+def test_grading_is_compared_on_the_same_terms(monkeypatch):
+    asked = []
+    monkeypatch.setattr(bench_grading.sandbox, 'problem', lambda: '')
+    monkeypatch.setattr(bench_grading, '_run', lambda course, count, output: (3.0 * count, 2**20))
+    monkeypatch.setattr(bench_grading, '_parts', lambda course: ())
+    monkeypatch.setattr(bench_grading, '_program', lambda count: asked.append(('course', count)) or 5.0)
+    monkeypatch.setattr(timing, 'seconds', lambda peer, count: asked.append((peer, count)) or 20.0)
+    compared = [figure for figure in bench_grading.measure() if figure.reference]
+    assert [(figure.reference, figure.value, figure.ratio) for figure in compared] == [
+        ('nbgrader autograde', 0.5, 0.25), ('otter run', 0.5, 0.25)]
+    assert asked == [('course', 10), ('nbgrader autograde', 10), ('course', 10), ('otter run', 10)]
 
 
 def test_a_notebook_that_fails_is_no_figure(tmp_path, monkeypatch):

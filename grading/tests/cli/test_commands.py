@@ -62,20 +62,53 @@ def make_benchmark(root, name, body):
 
 
 def test_benchmarks_are_found_run_and_written(course, tmp_path, capsys):
-    make_benchmark(tmp_path, 'quick', "yield 'a wait', 12.5, 'ms'")
-    make_benchmark(tmp_path, 'broken', "raise OSError('no clock')")
+    make_benchmark(tmp_path, 'quick', "yield 'a wait', 12.5, 'ms'; yield 'a try', 3.0, 's', 'the other', 4.0")
+    make_benchmark(tmp_path, 'broken', "yield 'before', 1.0, 's'; raise OSError('no [clock]')")
+    make_benchmark(tmp_path, 'odd', "yield 'nothing', 1.0, 's', 'the other', 0")
     output = tmp_path / 'new' / 'bench.json'
     before = os.environ.get('ROS_DOMAIN_ID')
     assert app.main(['bench', '-o', str(output)]) == 1
     shown = capsys.readouterr()
-    assert 'quick: About quick.' in shown.err and '12.5' in shown.out
-    assert 'broken: OSError: no clock' in shown.err
+    assert '[3/3] quick: About quick.' in shown.err and 'a try: 3 s (the other: 4; ratio 0.75)' in shown.err
     assert os.environ.get('ROS_DOMAIN_ID') == before
-    assert json.loads(output.read_text())['results'] == [
-        {'benchmark': 'broken', 'error': 'OSError: no clock'},
-        {'benchmark': 'quick', 'what': 'a wait', 'value': 12.5, 'unit': 'ms'},
+    table = [[cell.strip() for cell in line.split('│')[1:-1]] for line in shown.out.splitlines() if '│' in line]
+    assert [row[:-1] if row[-1] == '' else row for row in table] == [
+        ['broken', 'before', '1', 's', '', ''],
+        ['', 'failed: OSError: no [clock]', '', '', '', ''],
+        ['odd', 'failed: RuntimeError: nothing: nothing was measured with the other', '', '', '', ''],
+        ['quick', 'a wait', '12.5', 'ms', '', ''],
+        ['', 'a try', '3', 's', 'the other', '4', '0.75'],
     ]
+    found = json.loads(output.read_text())
+    assert found['results'] == [
+        {'benchmark': 'broken', 'what': 'before', 'value': 1.0, 'unit': 's'},
+        {'benchmark': 'quick', 'what': 'a wait', 'value': 12.5, 'unit': 'ms'},
+        {'benchmark': 'quick', 'what': 'a try', 'value': 3.0, 'unit': 's', 'reference': 'the other',
+         'reference_value': 4.0, 'ratio': 0.75},
+    ]
+    assert found['benchmarks']['broken']['error'] == 'OSError: no [clock]'
+    assert found['benchmarks']['quick']['error'] == ''
+    assert {'begin', 'end', 'machine', 'load'} <= set(found)
     assert app.main(['bench', 'quick', '-o', str(output)]) == 0
+    assert list(json.loads(output.read_text())['benchmarks']) == ['quick']
+
+
+def test_a_stopped_run_keeps_what_it_has(course, tmp_path, capsys):
+    make_benchmark(tmp_path, 'first', "yield 'a wait', 12.5, 'ms'")
+    make_benchmark(tmp_path, 'second', "yield 'begun', 1.0, 's'; raise KeyboardInterrupt")
+    output = tmp_path / 'bench.json'
+    assert app.main(['bench', 'first', 'second', '-o', str(output)]) == 130
+    assert [row['what'] for row in json.loads(output.read_text())['results']] == ['a wait', 'begun']
+    shown = capsys.readouterr()
+    assert 'failed: stopped' in shown.out and 'the rest was not measured' in shown.err
+
+
+def test_a_busy_machine_is_told(course, tmp_path, monkeypatch, capsys):
+    make_benchmark(tmp_path, 'quick', "yield 'a wait', 12.5, 'ms'")
+    for load, told in ((50.0, True), (0.0, False)):
+        monkeypatch.setattr(os, 'getloadavg', lambda now=load: (now, now, now))
+        assert app.main(['bench', '-o', str(tmp_path / 'bench.json')]) == 0
+        assert ('this machine is busy (load 50.0' in capsys.readouterr().err) is told
 
 
 def test_an_unknown_benchmark_is_unusable_input(course, tmp_path, capsys):
