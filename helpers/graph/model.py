@@ -64,6 +64,7 @@ class Graph:
     domain_id: int
     nodes: tuple[str, ...]
     links: tuple[Link, ...]
+    namespace: str = '/'  # only what stands in it, and what that is connected with
 
     @cached_property
     def problems(self) -> list[Problem]:
@@ -75,7 +76,7 @@ class Graph:
     @cached_property
     def key(self) -> tuple:
         """Equal for two graphs that look the same."""
-        return self.domain_id, self.nodes, tuple(link.key for link in self.links)
+        return self.domain_id, self.namespace, self.nodes, tuple(link.key for link in self.links)
 
     def names(self, kind: str) -> list[str]:
         """The topics, services or actions."""

@@ -19,6 +19,7 @@ _VERBS = {'publisher': 'publishes', 'subscription': 'subscribes to', 'client': '
           'action client': 'sends goals to', 'action server': 'acts on'}
 
 _TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).from_string('''\
+{% if boxes %}
 <div style="overflow-x: auto">
 <svg xmlns="http://www.w3.org/2000/svg" role="img" viewBox="0 0 {{ width }} {{ height }}" \
 style="width: 100%; max-width: {{ width }}px; min-width: {{ (0.7 * width) | round | int }}px; height: auto; \
@@ -72,6 +73,7 @@ font-weight="700" fill="#ffffff">{{ number }}</text>
 {% endfor %}
 </svg>
 </div>
+{% endif %}
 <div style="font-size: 0.92em; opacity: 0.8">{{ summary }}</div>
 {% for problem in problems %}
 <div style="margin-top: 0.35em; padding-left: 2em; text-indent: -2em"><span style="display: inline-block; \
@@ -98,7 +100,10 @@ class Picture:
 
 
 def summary(graph: Graph) -> str:
-    """One line: the domain, how many of each, and how many problems."""
+    """One line: the domain, how many of each, and how many problems; or that there is nothing."""
+    if not graph.nodes:
+        where = '' if graph.namespace == '/' else f' in the namespace {graph.namespace}'
+        return f'Domain {graph.domain_id}: no node is running{where}.'
     counts = [(len(graph.nodes), 'node'), *((len(graph.names(kind)), kind) for kind in KIND_COLOURS)]
     there = [f'{count} {word}{"s" * (count != 1)}' for count, word in counts if count or word in ('node', 'topic')]
     wrong = len(graph.problems)

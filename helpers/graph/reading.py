@@ -33,7 +33,8 @@ def read(node, namespace: str = '/', parameters: bool = False, hidden: bool = Fa
     there = {link.node for link in links}
     names = [name for name in names if name.startswith(prefix) or name in there]
     unique = {link.key: link for link in links}
-    return Graph(node.context.get_domain_id(), tuple(sorted(names)), tuple(unique[key] for key in sorted(unique)))
+    return Graph(node.context.get_domain_id(), tuple(sorted(names)), tuple(unique[key] for key in sorted(unique)),
+                 prefix.rstrip('/') or '/')
 
 
 def _topics(node, shown):

@@ -194,7 +194,7 @@ class Tree:
         if self.looped:
             found.append(f'a loop: {" → ".join(self._loop())}')
         if fixed_frame and fixed_frame not in self.frames:
-            found.append(f'there is no frame [{fixed_frame}]')
+            found.append(f'tf2 knows no frame [{fixed_frame}]: only what stands in it can be shown')
         elif self.root_of(fixed_frame) is not None:
             found += [f'no transform from {_names(members)} to [{fixed_frame}]: separate trees'
                       for root, members in self.trees.items() if root != self.root_of(fixed_frame)]

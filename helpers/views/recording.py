@@ -16,8 +16,6 @@ import zlib
 from collections.abc import Callable
 from pathlib import Path
 
-from jinja2 import Environment
-
 from helpers.views import server
 from helpers.views.live import encode
 from helpers.views.scene import Scene
@@ -29,7 +27,6 @@ SIZE = 1_000_000  # bytes of a packed recording; the same
 SHARED = ('viewer.js', 'viewer.css', 'viewer.js.LICENSE.txt')
 _IMPORT = re.compile(r"^import \{([\w, ]+)\} from '\./(\w+\.js)';$", re.MULTILINE)
 _EXPORT = re.compile(r'^export ((?:const|class|function) (\w+))', re.MULTILINE)
-_PAGE = Environment(autoescape=True, keep_trailing_newline=True)
 
 
 class Recording:
@@ -82,8 +79,7 @@ class Recording:
             return None
         folder.mkdir(parents=True, exist_ok=True)
         _write_shared(folder)
-        page = _PAGE.from_string((server.WEB / 'replay.html').read_text(encoding='utf-8'))
-        text = page.render(recording=base64.b64encode(bytes(self._packed) + self._packer.copy().flush()).decode())
+        text = server.page(base64.b64encode(bytes(self._packed) + self._packer.copy().flush()).decode())
         number = 1
         while True:
             name = f'scene-{number:02}.html'

@@ -20,6 +20,8 @@ from collections.abc import Callable
 from importlib.util import find_spec
 from pathlib import Path
 
+from jinja2 import Environment
+
 WEB = Path(__file__).parent / 'web'
 _PING = 20.0  # s between two signs of life of a browser
 _WAIT = 5.0  # s for the thread to begin or end
@@ -106,6 +108,15 @@ def library() -> Path:
     return package / 'viewer' / 'dist' / 'main.min.js'
 
 
+def page(recording: str = '') -> str:
+    """Return the page of a view as HTML.
+
+    :param recording: what it replays, as base64 (see `recording`); '' for the page of a live view.
+    """
+    template = Environment(autoescape=True, trim_blocks=True, keep_trailing_newline=True)
+    return template.from_string((WEB / 'page.html').read_text(encoding='utf-8')).render(recording=recording)
+
+
 def close_all() -> None:
     """Close every channel and the port; idempotent."""
     with _lock:
@@ -182,32 +193,26 @@ def _application(server: _Server):
     from tornado.web import Application, RequestHandler
     from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
-
     class File(RequestHandler):
         """A file as it is."""
-
-        def get(self, *_, path: Path, kind: str) -> None:
-            self.set_header('Content-Type', f'{kind}; charset=utf-8')
-            self.set_header('Cache-Control', 'no-cache')
-            self.write(path.read_bytes())
-
-    class Route(File):
-        """A file of a known path."""
 
         def initialize(self, path: Path, kind: str) -> None:
             self.path, self.kind = path, kind
 
-        def get(self, *_) -> None:
-            super().get(path=self.path, kind=self.kind)
+        def get(self) -> None:
+            self.set_header('Content-Type', f'{self.kind}; charset=utf-8')
+            self.set_header('Cache-Control', 'no-cache')
+            self.write(self.path.read_bytes())
 
-    class Page(File):
+    class Page(RequestHandler):
         """The page of one view."""
 
         def get(self, name: str) -> None:
             if name not in server.channels:
                 self.send_error(404)
                 return
-            super().get(path=WEB / 'viewer.html', kind='text/html')
+            self.set_header('Cache-Control', 'no-cache')
+            self.write(page())
 
     class Ping(RequestHandler):
         """Tells the cell's script, which another server has sent, that this port can be reached."""
@@ -274,9 +279,9 @@ def _application(server: _Server):
     root = f'/{server.secret}'
     return Application([
         (f'{root}/ping', Ping),
-        (f'{root}/meshcat.js', Route, {'path': library(), 'kind': 'text/javascript'}),
-        *((f'{root}/{path.name}', Route, {'path': path, 'kind': 'text/javascript'}) for path in WEB.glob('*.js')),
-        (f'{root}/viewer.css', Route, {'path': WEB / 'viewer.css', 'kind': 'text/css'}),
+        (f'{root}/meshcat.js', File, {'path': library(), 'kind': 'text/javascript'}),
+        *((f'{root}/{path.name}', File, {'path': path, 'kind': 'text/javascript'}) for path in WEB.glob('*.js')),
+        (f'{root}/viewer.css', File, {'path': WEB / 'viewer.css', 'kind': 'text/css'}),
         (f'{root}/([0-9]+)/', Page),
         (f'{root}/([0-9]+)/socket', Socket),
     ], websocket_ping_interval=_PING, log_function=lambda handler: None)

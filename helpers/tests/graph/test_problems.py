@@ -109,5 +109,8 @@ def test_the_picture_shows_all_and_marks_what_is_wrong():
 
 
 def test_an_empty_graph():
-    empty = Picture(graph())
-    assert str(empty) == 'Domain 7: 0 nodes, 0 topics' and '<svg' in empty._repr_mimebundle_()['text/html']
+    for namespace, where in (('/', ''), ('/robot', ' in the namespace /robot')):
+        empty = Picture(Graph(7, (), (), namespace))
+        assert str(empty) == f'Domain 7: no node is running{where}.'
+        page = empty._repr_mimebundle_()['text/html']
+        assert str(empty) in page and '<svg' not in page, 'an empty picture would be a blank strip'

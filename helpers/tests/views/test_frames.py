@@ -35,7 +35,7 @@ def test_separate_trees_and_a_fixed_frame_that_is_not_there():
     one = tree(link('a', 'x'), link('b', 'y'), link('c', 'b'))
     assert one.problems('y') == ['no transform from [x], [a] to [y]: separate trees']
     assert set(one.poses('x')) == {'x', 'a'}
-    assert one.problems('moon') == ['there is no frame [moon]']
+    assert one.problems('moon') == ['tf2 knows no frame [moon]: only what stands in it can be shown']
 
 
 def test_a_loop():
