@@ -5,7 +5,9 @@ cannot say anything else than they do.
 """
 
 import json
+import os
 import re
+import tempfile
 from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import dataclass
@@ -33,6 +35,12 @@ name is marked, then Enter. {% if next %}**Go on with [{{ next.says.title }}]({{
 {% endfor %}
 | **all chapters** | | **{{ solved }} of {{ exercises }}** | **{{ score }} of {{ points }}** |
 
+{% if damaged or missing %}
+> {% if missing %}**Not in this folder:** {{ missing | join(', ') }}. {% endif %}
+{% if damaged %}**Damaged, cannot be opened:** {{ damaged | join(', ') }}. {% endif %}
+Take a fresh copy from the course as you got it. What you last saved may be in the folder `.ipynb_checkpoints`.
+
+{% endif %}
 The points are those of the checks in the notebooks, at their last run. Graders look further, with tests of their own.
 
 | key | does |
@@ -82,6 +90,7 @@ class Chapter:
     points: str
     score: str
     open: list[str]  # exercises that are not solved
+    readable: bool
 
     @property
     def bar(self) -> str:
@@ -95,9 +104,16 @@ def write(folder: Path = paths.NOTEBOOKS) -> Path:
     :raises OSError: the folder cannot be written to.
     :raises helpers.exercises.manifest.ManifestError: the list of exercises is damaged.
     """
-    path = folder / FILE
-    path.write_text(text(folder), encoding='utf-8')
-    return path
+    with tempfile.NamedTemporaryFile('w', dir=folder, prefix=f'.{FILE}', delete=False, encoding='utf-8') as file:
+        try:
+            file.write(text(folder))
+            file.flush()
+            os.chmod(file.name, 0o644)
+            os.replace(file.name, folder / FILE)  # as a whole: a full disk leaves the old page
+        except BaseException:
+            os.unlink(file.name)
+            raise
+    return folder / FILE
 
 
 def keep(results: Iterable, folder: Path = paths.NOTEBOOKS) -> None:
@@ -118,7 +134,10 @@ def text(folder: Path = paths.NOTEBOOKS) -> str:
     chapters = [_chapter(path, known, found) for path in sorted(folder.glob('[0-9][0-9]_*.ipynb'))]
     mine = [exercise for exercise in known.values() if any(exercise.notebook == one.notebook for one in chapters)]
     return Environment(trim_blocks=True, lstrip_blocks=True).from_string(_TEMPLATE).render(
-        chapters=chapters, next=next((one for one in chapters if one.open), None),
+        chapters=chapters, next=next((one for one in chapters if one.open and one.readable), None),
+        damaged=[f'`{one.notebook}`' for one in chapters if not one.readable],
+        missing=[f'`{name}`' for name in sorted({exercise.notebook for exercise in known.values()})
+                 if not (folder / name).is_file()],
         solved=sum(one.solved for one in chapters), exercises=len(mine),
         points=_number(sum(exercise.points for exercise in mine)),
         score=_number(sum(found[exercise.id].score for exercise in mine if exercise.id in found)))
@@ -126,7 +145,7 @@ def text(folder: Path = paths.NOTEBOOKS) -> str:
 
 def introduction(path: Path) -> Introduction:
     """Read a chapter's first cell. What is not in it is empty; the title is then the file's name."""
-    head = _head(path)
+    head = _head(path) or ''
 
     def said(pattern: str, default: str = '') -> str:
         match = re.search(pattern, head, re.MULTILINE | re.DOTALL)
@@ -143,15 +162,16 @@ def _chapter(path: Path, known: dict, found: dict[str, marks.Mark]) -> Chapter:
     return Chapter(
         int(path.name[:2]), path.name, introduction(path), len(mine), len(mine) - len(still),
         _number(sum(exercise.points for exercise in mine)),
-        _number(sum(found[exercise.id].score for exercise in mine if exercise.id in found)), still)
+        _number(sum(found[exercise.id].score for exercise in mine if exercise.id in found)), still,
+        _head(path) is not None)
 
 
-def _head(path: Path) -> str:
-    """The notebook's first cell; a notebook that cannot be read has none: its learner sees that when opening it."""
+def _head(path: Path) -> str | None:
+    """The notebook's first cell; None if the notebook cannot be read."""
     try:
         source = json.loads(path.read_text(encoding='utf-8'))['cells'][0]['source']
     except (OSError, ValueError, LookupError, TypeError):
-        return ''
+        return None
     return source if isinstance(source, str) else ''.join(source)
 
 

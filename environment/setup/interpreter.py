@@ -114,7 +114,7 @@ def demand(candidate: Interpreter) -> Interpreter:
     names = {'venv': 'the venv module', 'dev': 'the headers (Python.h)'}
     what = f'Python {candidate.short} ({candidate.path}) lacks ' + ' and '.join(names[m] for m in missing)
     if candidate.path.startswith('/usr/bin/'):
-        remedy = 'run: sudo apt install ' + ' '.join(f'python{candidate.short}-{m}' for m in missing)
+        remedy = 'run: sudo apt install ' + ' '.join(f'python{candidate.short}-{m}' for m in missing) + ' g++'
     else:
         remedy = 'install it whole, or name another Python: COURSE_PYTHON=/usr/bin/python3 ./course'
     raise Lack(what, remedy)

@@ -1,5 +1,6 @@
 """``./course lab``: JupyterLab on the notebooks."""
 
+import errno
 import os
 import socket
 import sys
@@ -25,19 +26,53 @@ def lab(
     """Open JupyterLab on notebooks/."""
     if not paths.NOTEBOOKS.is_dir():
         raise Refusal(f'{paths.NOTEBOOKS} is missing: get a complete copy of the course, or run ./course build')
-    chosen = choose_port(port)
+    check_private_folder()
+    chosen = choose_port(port, host)
     if port is None and chosen != DEFAULT_PORT:
-        print(f'course: port {DEFAULT_PORT} is in use; taking {chosen}', file=sys.stderr, flush=True)
-    try:
-        start = f'/lab/tree/{start_page.write().name}'
-    except (OSError, manifest.ManifestError) as error:  # a read-only folder: still good for reading and trying
-        print(f'course: no start page: {error}', file=sys.stderr, flush=True)
-        start = '/lab'
+        say(f'port {DEFAULT_PORT} is in use; taking {chosen}')
+    start = f'/lab/tree/{start_page.FILE}' if make_start_page() else '/lab'
+    say('JupyterLab is starting; it tells its address below. To end it: Ctrl+C, twice')
     # The environment's own kernel, whatever kernels the user has elsewhere under the same name.
     os.environ.setdefault('JUPYTER_PREFER_ENV_PATH', '1')
     command = [*arguments(chosen, no_browser, os.geteuid() == 0, start), f'--ServerApp.ip={host}']
     os.chdir(paths.ROOT)
     os.execv(sys.executable, [sys.executable, *command])  # JupyterLab takes over this process: its signals, its exit
+
+
+def say(text: str) -> None:
+    """Tell the learner one line, in front of what JupyterLab says."""
+    print(f'course: {text}', file=sys.stderr, flush=True)
+
+
+def make_start_page() -> bool:
+    """Make the start page anew, if that can be; returns whether there is one. All else works without it."""
+    try:
+        start_page.write()
+    except manifest.ManifestError as error:
+        say(f'the start page is an old one, or none: {error}')
+    except OSError as error:
+        if error.errno in (errno.ENOSPC, errno.EDQUOT):
+            say(f'the disk is full, nothing that you write is kept: free some space (see: df -h {paths.NOTEBOOKS})')
+        else:
+            say(f'{paths.NOTEBOOKS} is not writable for you, nothing that you write in it is kept; '
+                f'run: sudo chown -R $(id -un) "{paths.NOTEBOOKS}", or copy the course to a folder of your own')
+    return (paths.NOTEBOOKS / start_page.FILE).is_file()
+
+
+def check_private_folder() -> None:
+    """Raise Refusal unless Jupyter can keep its own files: its server ends with a long report otherwise."""
+    from jupyter_core.paths import jupyter_runtime_dir
+
+    folder = jupyter_runtime_dir()
+    try:
+        os.makedirs(folder, mode=0o700, exist_ok=True)
+        probe = Path(folder, f'course-{os.getpid()}')
+        probe.write_text('x')
+        probe.unlink()
+    except OSError as error:
+        remedy = ('free some space' if error.errno in (errno.ENOSPC, errno.EDQUOT)
+                  else 'run: export HOME=FOLDER, with a folder that you may write to, then ./course lab')
+        raise Refusal(f'Jupyter cannot write to {folder} ({error.strerror.lower()}); {remedy}') from None
 
 
 def arguments(port: int, no_browser: bool, root_user: bool, start: str = '/lab',
@@ -56,6 +91,7 @@ def arguments(port: int, no_browser: bool, root_user: bool, start: str = '/lab',
         # All versions are locked: no questions about news and newer versions.
         '--LabApp.news_url=None',
         '--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate',
+        '--Application.log_level=WARN',  # the address, and what goes wrong; not thirty lines on its parts
     ]
     if no_browser:
         result.append('--no-browser')
@@ -64,28 +100,35 @@ def arguments(port: int, no_browser: bool, root_user: bool, start: str = '/lab',
     return result
 
 
-def choose_port(wanted: int | None) -> int:
+def choose_port(wanted: int | None, host: str = 'localhost') -> int:
     """Return ``wanted``, or a free port from DEFAULT_PORT on.
 
-    :raises Refusal: ``wanted`` is in use or not allowed, or no port is free.
+    :raises Refusal: ``wanted`` is in use or not allowed, no port is free, or ``host`` is no address of this machine.
     """
     if wanted is not None:
-        problem = _problem(wanted)
+        problem = _problem(wanted, host)
         if problem:
             raise Refusal(f'port {wanted}: {problem}; choose another one, or none')
         return wanted
     for port in range(DEFAULT_PORT, DEFAULT_PORT + TRIES):
-        if not _problem(port):
+        if not _problem(port, host):
             return port
     raise Refusal(f'no port from {DEFAULT_PORT} to {port} is free; choose one with --port')
 
 
-def _problem(port: int) -> str | None:
-    """Return why nobody can listen on ``port`` of this machine, or None."""
-    with socket.socket() as probe:
-        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)  # as the server does: ignores TIME_WAIT
-        try:
-            probe.bind(('127.0.0.1', port))
-        except OSError as error:
-            return error.strerror.lower()
+def _problem(port: int, host: str) -> str | None:
+    """Return why nobody can listen on ``port`` of ``host``, or None.
+
+    :raises Refusal: it is not the port, but ``host``.
+    """
+    from tornado.netutil import bind_sockets  # what the server itself does
+
+    try:
+        for server in bind_sockets(port, '' if host == '*' else host):
+            server.close()
+    except OSError as error:
+        if isinstance(error, socket.gaierror) or error.errno == errno.EADDRNOTAVAIL:
+            raise Refusal(f'--host {host}: this machine has no such address; leave --host out, or take 0.0.0.0 '
+                          'to let other machines in') from None
+        return error.strerror.lower()
     return None

@@ -58,7 +58,20 @@ def test_the_page_tells_the_chapters_from_their_notebooks(folder):
     assert f'[1. Environment]({FIRST.notebook}) | three hours |' in text
     assert '> ROS is not switched on by installing it.' in text
     assert '- choose a distribution' in text
-    assert '99_broken' in text
+    assert '**Damaged, cannot be opened:** `99_broken.ipynb`' in text
+    missing = {exercise.notebook for exercise in EXERCISES} - {FIRST.notebook}
+    assert all(f'`{name}`' in text for name in missing)
+    assert f'`{FIRST.notebook}`' not in text
+
+
+def test_a_page_that_cannot_be_written_leaves_the_old_one(folder, monkeypatch):
+    old = start_page.write(folder).read_text()
+    monkeypatch.setattr(start_page.os, 'replace', lambda *_: (_ for _ in ()).throw(OSError(28, 'No space left')))
+    with pytest.raises(OSError, match='No space left'):
+        start_page.write(folder)
+    assert (folder / start_page.FILE).read_text() == old
+    assert {path.suffix for path in folder.iterdir()} == {'.ipynb', '.md'}
+    assert len(list(folder.glob('.*'))) == 0
 
 
 def test_the_page_follows_the_checks(folder):

@@ -54,6 +54,32 @@ def test_missing_notebooks_are_named(monkeypatch, tmp_path):
         lab.lab()
 
 
+@pytest.mark.parametrize('host', ['nosuch.invalid', '192.0.2.1'])  # the second: RFC 5737, nobody's
+def test_an_address_of_another_machine_is_refused(host):
+    with pytest.raises(Refusal, match=f'--host {host}: this machine has no such address'):
+        lab.choose_port(None, host)
+
+
+def test_a_home_that_cannot_be_written_to_is_named(monkeypatch):
+    monkeypatch.setenv('JUPYTER_RUNTIME_DIR', '/proc/jupyter')
+    with pytest.raises(Refusal, match='cannot write to /proc/jupyter .*; run: export HOME'):
+        lab.check_private_folder()
+
+
+@pytest.mark.parametrize(('number', 'said'), [(30, 'run: sudo chown'), (28, 'free some space')])
+def test_without_a_new_start_page_the_old_one_is_shown(monkeypatch, tmp_path, capsys, number, said):
+    def fail():
+        raise OSError(number, os.strerror(number))
+
+    monkeypatch.setattr(paths, 'NOTEBOOKS', tmp_path)
+    monkeypatch.setattr(lab.start_page, 'write', fail)
+    assert not lab.make_start_page()
+    (tmp_path / 'START.md').touch()
+    assert lab.make_start_page()
+    message, again = capsys.readouterr().err.splitlines()
+    assert said in message and message == again
+
+
 def fetch(address, patience=30.0):
     """Return the JSON at ``address``. The server tells its address a moment before it listens."""
     end = time.monotonic() + patience
