@@ -1,9 +1,8 @@
 """What submissions are graded against, and digests of it: a mark is up to date while they are the same."""
 
 import hashlib
-import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -17,7 +16,10 @@ from helpers.runner import session
 HIDDEN = Path(__file__).resolve().parent / 'hidden'
 _GRADER = (Path(session.__file__).resolve().parent, Path(manifest.__file__).resolve().parent,
            Path(sandbox.__file__).resolve().parent)
-_TESTS = re.compile(r'chapter_\d+/test_(\d+)_(\d+)\b.*\.py')  # of one exercise; all other files are everybody's
+
+
+class ChapterError(Exception):
+    """A chapter is chosen that is not in the course."""
 
 
 @dataclass(frozen=True)
@@ -35,6 +37,17 @@ class Course:
         """The course of this checkout."""
         return cls(tuple(manifest.load().values()))
 
+    def part(self, chapters: Sequence[int]) -> 'Course':
+        """The same with the exercises of these chapters only; all of it if there are none.
+
+        :raises ChapterError: a chapter has no exercise.
+        """
+        known = {exercise.chapter for exercise in self.exercises}
+        if unknown := sorted(set(chapters) - known):
+            raise ChapterError(f'there is no exercise in chapter {unknown[0]}; there are chapters '
+                               f'{", ".join(map(str, sorted(known)))}')
+        return replace(self, exercises=tuple(one for one in self.exercises if not chapters or one.chapter in chapters))
+
     @cached_property
     def digests(self) -> dict[str, str]:
         """By exercise, a SHA-256 of all that its mark depends on besides the submission.
@@ -45,14 +58,14 @@ class Course:
         for folder in _GRADER:
             for path in _files(folder):
                 grader.update(_content(path, folder))
-        tests = [(_TESTS.fullmatch(path.relative_to(folder).as_posix()), _content(path, folder))
+        tests = [(manifest.tested_in(path.name), _content(path, folder))
                  for folder in (self.visible, self.hidden) for path in _files(folder)]
         digests = {}
         for exercise in self.exercises:
             digest = grader.copy()
             digest.update(repr(exercise).encode())
-            for match, content in tests:
-                if match is None or f'{match[1]}.{match[2]}' == exercise.id:
+            for tested, content in tests:
+                if tested in (None, exercise.id):
                     digest.update(content)
             digests[exercise.id] = digest.hexdigest()
         return digests

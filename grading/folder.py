@@ -1,14 +1,15 @@
 """The folder of a run's results: its lock, its settings, its records, its log.
 
-The truth is `results/<learner>.json`. `run.json` holds what belongs to the folder: the seed, and whether the results
-are anonymous.
+The truth is `results/<learner>.json`. `run.json` holds what belongs to the folder: the seed, the chapters, and whether
+the results are anonymous.
 """
 
 import contextlib
 import json
 import logging
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from filelock import FileLock, Timeout
@@ -23,6 +24,15 @@ RESULTS = 'results'
 
 class FolderError(Exception):
     """The folder cannot be used; the message says why."""
+
+
+@dataclass(frozen=True)
+class _Known:
+    """What holds for all runs into a folder."""
+
+    seed: str
+    anonymous: bool
+    chapters: tuple[int, ...]  # none: all
 
 
 class _Lines(logging.Formatter):
@@ -74,26 +84,43 @@ class Folder:
         except (OSError, ValueError):
             return ''
 
-    def settle(self, seed: str, anonymous: bool) -> str:
+    def chapters(self, wanted: Iterable[int] = ()) -> tuple[int, ...]:
+        """The chapters that are graded here: `wanted`, else those of the folder's first run. None: the whole course.
+
+        :raises FolderError: the folder holds results of other chapters; or it is damaged.
+        """
+        wanted, known = tuple(sorted(set(wanted))), self._known()
+        if known is None or not wanted or known.chapters == wanted:
+            return known.chapters if known else wanted
+        had = f'chapter {" and ".join(map(str, known.chapters))}' if known.chapters else 'the whole course'
+        raise FolderError(f'{self.path} holds results of {had}: leave --chapter out, or give another folder')
+
+    def settle(self, seed: str, anonymous: bool, chapters: Iterable[int] = ()) -> str:
         """The folder's seed: `seed` if one is given, else the one that was drawn when the folder was new.
 
-        :raises FolderError: the folder holds names and shall be anonymous, or the other way round; or it is damaged.
+        :raises FolderError: the folder holds names and shall be anonymous, or the other way round; or other chapters;
+            or it is damaged.
         """
+        known = self._known()
+        if known and known.anonymous != anonymous:
+            raise FolderError(f'{self.path} was made {"with" if known.anonymous else "without"} --anonymous: '
+                              'do the same, or give another folder')
+        seed = seed or (known.seed if known else '') or seeds.fresh()
+        settings = _Known(seed, anonymous, self.chapters(chapters))
+        records.write(self.path / 'run.json', json.dumps({'schema': records.SCHEMA} | asdict(settings)) + '\n',
+                      sync=True)
+        return seed
+
+    def _known(self) -> '_Known | None':
+        """What the folder's earlier runs settled; None if there was none."""
         path = self.path / 'run.json'
         try:
             known = json.loads(path.read_text(encoding='utf-8'))
-            old = str(known['seed'])
-            if bool(known['anonymous']) != anonymous:
-                raise FolderError(f'{self.path} was made {"with" if known["anonymous"] else "without"} --anonymous: '
-                                  'do the same, or give another folder')
+            return _Known(str(known['seed']), bool(known['anonymous']), tuple(map(int, known.get('chapters', ()))))
         except FileNotFoundError:
-            old = ''
+            return None
         except (OSError, ValueError, KeyError, TypeError) as error:
             raise FolderError(f'{path} is damaged ({error}): give another folder, or remove that file') from None
-        seed = seed or old or seeds.fresh()
-        records.write(path, json.dumps({'schema': records.SCHEMA, 'seed': seed, 'anonymous': anonymous}) + '\n',
-                      sync=True)
-        return seed
 
     def records(self) -> dict[str, Record]:
         """All records that there are and can be used, by learner."""

@@ -39,6 +39,7 @@ class Settings:
     late: Policy | None = None
     adjustments: tuple[Adjustment, ...] = ()
     anonymous: bool = False
+    chapters: tuple[int, ...] = ()  # that the course is limited to; none: the whole course
     cluster: str = ''  # the address of a Dask scheduler; threads of this process if empty
 
 
@@ -87,7 +88,7 @@ class _Run:
 
     def __init__(self, submissions, course: Course, folder: Folder, log, listener: Listener, settings: Settings):
         self.course, self.folder, self.log, self.listener, self.settings = course, folder, log, listener, settings
-        self.seed = folder.settle(settings.seed, settings.anonymous)
+        self.seed = folder.settle(settings.seed, settings.anonymous, settings.chapters)
         self.records = folder.records()
         self.ids = {submission.learner: submission.learner for submission in submissions}
         if settings.anonymous:

@@ -20,6 +20,9 @@ def grade(
     sandbox: Annotated[str, typer.Option(metavar='NAME', help='Where learners\' code runs: '
                                          f'{" or ".join(sandboxes.LAUNCHERS)}.')] = sandboxes.DEFAULT,
     cluster: Annotated[str, typer.Option(metavar='ADDRESS', help='Grade on the Dask cluster of this scheduler.')] = '',
+    chapter: Annotated[list[int] | None, typer.Option(
+        metavar='N', help='Grade only this chapter\'s exercises, as an assignment; may be given several times. DIR '
+                          'keeps the choice.')] = None,
     seed: Annotated[str, typer.Option(metavar='TEXT', help='Of the inputs that tests draw; DIR\'s own if not given.')
                     ] = '',
     only: Annotated[list[str] | None, typer.Option(
@@ -40,23 +43,27 @@ def grade(
     from grading import choice, executors, folder, plan, progress, unit
     from grading import grade as grader
     from grading import late as lateness
+    from grading.course import ChapterError
     from grading.submissions import Unusable, find
     from helpers.exercises import manifest
 
-    refused = (Unusable, manifest.ManifestError, choice.ChoiceError, folder.FolderError, executors.ClusterError,
-               lateness.PolicyError, manual.AdjustmentError, pseudonyms.AnonymousError, unit.Mismatch)
+    refused = (Unusable, manifest.ManifestError, choice.ChoiceError, ChapterError, folder.FolderError,
+               executors.ClusterError, lateness.PolicyError, manual.AdjustmentError,
+               pseudonyms.AnonymousError, unit.Mismatch)
     console = Console(highlight=False, soft_wrap=True)
     skipped: list[Path] = []
     try:
         found = find(submissions, skipped)
         if sandbox not in sandboxes.LAUNCHERS:
             raise Refusal(f'there is no sandbox {sandbox!r}; there are: {", ".join(sandboxes.LAUNCHERS)}')
-        course = replace(grader.Course.here(), sandbox=sandbox)
+        chapters = folder.Folder(output).chapters(chapter or ())
+        course = replace(grader.Course.here(), sandbox=sandbox).part(chapters)
         if not cluster and (problem := sandboxes.problem(sandbox)):
             raise Refusal(f'{problem}. To grade without protection: --sandbox none')
         settings = grader.Settings(
             seed, tuple(only or ()), regrade, lateness.load(late) if late else None,
-            tuple(manual.load(adjustments, plan.points(course.exercises))) if adjustments else (), anonymous, cluster)
+            tuple(manual.load(adjustments, plan.points(course.exercises))) if adjustments else (), anonymous,
+            chapters, cluster)
         for path in skipped:
             console.print(f'{path}: no submission, left out', style='yellow', markup=False)
         if course.sandbox == 'none':

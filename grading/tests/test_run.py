@@ -323,8 +323,20 @@ def test_exit_status(command, tmp_path, monkeypatch):
     assert found.exit_code == 1 and 'left marks open for bob (90.1, 90.2)' in found.output
 
 
+def test_an_assignment_of_one_chapter(command, course, tmp_path, monkeypatch):
+    other = replace(course.exercises[0], id='91.1', chapter=91)
+    monkeypatch.setattr(grade.Course, 'here', lambda: replace(course, exercises=(*course.exercises, other)))
+    monkeypatch.setattr(unit, 'perform', lambda work, say: _anything(work))
+    assert 'ada: 15 of 15, graded' in command('--chapter', 90).output
+    assert '0 of 2 submissions' in command().output  # the folder keeps the choice
+    with open(tmp_path / 'out' / 'gradebook.csv', newline='') as file:
+        assert next(csv.reader(file)) == ['learner', '90.1', '90.2', 'total', 'status']
+    assert 'holds results of chapter 90' in str(command('--chapter', 91).exception)
+
+
 @pytest.mark.parametrize(('arguments', 'text'), [
     (('--only', 'nobody'), 'no submission of'),
+    (('--chapter', '7'), 'no exercise in chapter 7; there are chapters 90'),
     (('--late', 'none.yaml'), 'none.yaml cannot be read'),
     (('--adjustments', 'none.csv'), 'none.csv cannot be read'),
     (('--cluster', 'tcp://127.0.0.1:9'), 'no Dask scheduler answers'),
