@@ -17,6 +17,9 @@ from environment.setup.steps import Setup
 
 ROOT = Path(__file__).resolve().parents[2]
 FAILED, UNUSABLE = 1, 2
+# Not `python -m`: that would import from the folder in which the command is given first, which may be another checkout,
+# or have a json.py of a learner's.
+_START = 'import sys; sys.path.remove(""); from helpers.cli.app import main; sys.exit(main())'
 
 
 def main(arguments: list[str], root: Path = ROOT) -> int:
@@ -40,7 +43,7 @@ def main(arguments: list[str], root: Path = ROOT) -> int:
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
     python = str(layout.python)
-    os.execve(python, [python, '-m', 'helpers.cli', *arguments], activated(layout, underlay, os.environ))
+    os.execve(python, [python, '-c', _START, *arguments], activated(layout, underlay, os.environ))
 
 
 def _interrupt(number, frame):
@@ -154,7 +157,7 @@ def activated(layout: Layout, underlay: underlays.Underlay, environ: Mapping[str
         )
         env = dict(item.split('=', 1) for item in answer.stdout.decode().split('\0') if '=' in item)
     else:
-        env.update({'ROS_DISTRO': underlays.DISTRO, 'ROS_VERSION': '2', 'ROS_PYTHON_VERSION': '3'})
+        env.update(startup.OF_ROS)
     startup.activate(env, str(layout.prefix))
     first = str(layout.prefix / 'bin')
     env['PATH'] = os.pathsep.join([first, *(p for p in env.get('PATH', os.defpath).split(os.pathsep) if p != first)])

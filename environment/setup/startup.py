@@ -18,6 +18,7 @@ DEFAULTS = {
     # numpy's thread pool would start a thread per core in each node's process.
     'OPENBLAS_NUM_THREADS': '1',
 }
+OF_ROS = {'ROS_DISTRO': 'jazzy', 'ROS_VERSION': '2', 'ROS_PYTHON_VERSION': '3'}
 # Announcements that come often: how Fast DDS finds others quickly. `kernel.install` puts the file there.
 PROFILE = os.path.join('share', 'course', 'fastdds.xml')
 
@@ -36,6 +37,21 @@ def activate(environ=os.environ, prefix=sys.prefix):
         environ['AMENT_PREFIX_PATH'] = os.pathsep.join([*prefixes, prefix] if underlay else [prefix, *prefixes])
     share_the_machine(environ)
     drop_foreign_guard(environ, prefix)
+    if 'ipykernel_launcher' in sys.orig_argv:
+        complete_kernel(environ, prefix)
+
+
+def complete_kernel(environ, prefix):
+    """Give a kernel what `./course lab` would have given it: JupyterHub and VS Code start it by themselves.
+
+    Its cells call programs, such as `ros2`, by their names.
+    """
+    first = os.path.join(prefix, 'bin')
+    folders = environ.get('PATH', os.defpath).split(os.pathsep)
+    if first not in folders:
+        environ['PATH'] = os.pathsep.join([first, *folders])
+    for name, value in OF_ROS.items():
+        environ.setdefault(name, value)
 
 
 def share_the_machine(environ, user=None):

@@ -270,3 +270,13 @@ def test_users_of_a_hub_have_domains_of_their_own(tmp_path):
     assert (mine['ROS_DOMAIN_ID'], chosen['ROS_DOMAIN_ID']) == ('2', '7')
     startup.activate(mine, str(tmp_path))
     assert mine['ROS_DOMAIN_ID'] == '2'
+
+
+def test_a_kernel_that_another_server_starts_finds_ros_and_its_programs():
+    code = 'import json, os; print(json.dumps(dict(os.environ)))'
+    answers = [subprocess.run([sys.executable, '-c', code, *more], env={'PATH': '/usr/bin'}, capture_output=True,
+                              check=True, text=True, timeout=60).stdout for more in ((), ('ipykernel_launcher',))]
+    plain, kernel = map(json.loads, answers)
+    assert plain['PATH'] == '/usr/bin'
+    assert kernel['PATH'] == f'{sys.prefix}/bin:/usr/bin'
+    assert kernel['ROS_DISTRO'] == 'jazzy'
