@@ -1,4 +1,4 @@
-"""The list of all exercises, ``helpers/checks/exercises.json``, and the digest that recognises an untouched stub.
+"""The list of all exercises, ``helpers/checks/exercises.json``; what recognises an untouched stub, and a file of tests.
 
 ``./course build`` (grading.authoring) writes the list from the sources of the chapters; ``check``, ``submit`` and
 ``grade`` read it. Both sides take the format and the digest from here.
@@ -7,11 +7,13 @@
 import ast
 import hashlib
 import json
+import re
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
 MANIFEST = Path(__file__).resolve().parents[1] / 'checks' / 'exercises.json'
+_TESTS = re.compile(r'test_(\d+)_(\d+)\b.*\.py')
 
 
 @dataclass(frozen=True)
@@ -41,6 +43,12 @@ def stub_digest(source: str) -> str:
     :raises SyntaxError: ``source`` does not parse.
     """
     return hashlib.sha256(_dump(ast.parse(source)).encode()).hexdigest()
+
+
+def tested_in(name: str) -> str | None:
+    """Return the exercise that a file's tests belong to: '3.1' for 'test_3_1.py'; None if its name does not say."""
+    found = _TESTS.fullmatch(name)
+    return f'{found[1]}.{found[2]}' if found else None
 
 
 def load(path: Path = MANIFEST) -> dict[str, Exercise]:

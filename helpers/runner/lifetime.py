@@ -1,7 +1,9 @@
-"""Ends a process together with the one that started it, however that one ends."""
+"""How a process of the runner's ends: together with the one that started it, and without delay."""
 
 import ctypes
+import os
 import signal
+import sys
 
 _PR_SET_PDEATHSIG = 1
 
@@ -9,3 +11,13 @@ _PR_SET_PDEATHSIG = 1
 def die_with_parent() -> None:
     """Have the kernel kill this process when the thread that started it ends."""
     ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
+
+
+def leave(status: int) -> None:
+    """End this process at once, all that was printed included. Never returns.
+
+    To take apart an interpreter that has imported ROS takes a tenth of a second of the processor, and nobody needs it.
+    """
+    sys.stdout.flush()
+    sys.stderr.flush()
+    os._exit(status)

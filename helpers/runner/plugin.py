@@ -12,6 +12,7 @@ from dataclasses import replace
 
 import pytest
 
+from helpers.exercises import manifest
 from helpers.runner import seeds, verdicts
 from helpers.runner.client import ForkServer
 from helpers.runner.learner import AGAIN, TIMEOUTS, Learner
@@ -36,6 +37,10 @@ class Plugin:
         config.addinivalue_line('markers', 'exercise(id): the exercise that a test judges')
         config.addinivalue_line('markers', 'limits(name=value): other bounds for the program, see launch.Limits')
         config.addinivalue_line('markers', 'weight(n): how much a test counts within its exercise; 1 by default')
+
+    def pytest_ignore_collect(self, collection_path):
+        """Leave out the files of other exercises, which would only cost time."""
+        return manifest.tested_in(collection_path.name) not in (None, *self.programs) or None
 
     def pytest_collection_modifyitems(self, items):
         """Tell which tests there are, and keep those that are to run now."""

@@ -5,7 +5,6 @@
 import importlib
 import json
 import os
-import re
 import select
 import subprocess
 import tempfile
@@ -17,7 +16,7 @@ from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
 from helpers import domains
-from helpers.exercises import notebooks, program
+from helpers.exercises import manifest, notebooks, program
 from helpers.exercises.manifest import Exercise
 from helpers.runner import launch, results, seeds, verdicts
 from helpers.runner.results import ExerciseResult, TestResult
@@ -221,9 +220,9 @@ class _Collection:
 
     def _broken(self, event: dict, programs: dict[str, dict]) -> None:
         """A test file that cannot be read: by its name, test_3_1.py, it belongs to one exercise; else to all."""
-        found = re.search(r'test_(\d+)_(\d+)', event['where'])
+        tested = manifest.tested_in(Path(event['where'].partition('::')[0]).name)
         for exercise in programs:
-            if not found or exercise == f'{found[1]}.{found[2]}':
+            if tested in (None, exercise):
                 self._owe(exercise, event['where'], event['text'])
 
     def _owe(self, exercise: str, name: str, fault: str) -> None:

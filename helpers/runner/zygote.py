@@ -19,7 +19,7 @@ import sys
 from contextlib import suppress
 
 from helpers.runner.launch import Limits
-from helpers.runner.lifetime import die_with_parent
+from helpers.runner.lifetime import die_with_parent, leave
 
 # What most programs import; the rest is imported by the program itself.
 _MESSAGE_PACKAGES = ('std_msgs', 'geometry_msgs', 'sensor_msgs', 'nav_msgs', 'builtin_interfaces', 'rosgraph_msgs',
@@ -214,6 +214,7 @@ def main() -> None:
     warm_up()
     control.send(b'{"event": "ready"}')
     serve(control, Programs())
+    leave(0)
 
 
 if __name__ == '__main__':
