@@ -1,5 +1,9 @@
-"""A7.1: apt cannot use the source of ROS. The real apt, on a private root, with a folder for a server."""
+"""A7.1: apt cannot use the source of ROS. The real apt, on a private root, with a folder for a server.
 
+Where there is no apt, everything but apt is there: the line is read in its place.
+"""
+
+import re
 import shutil
 import tempfile
 from pathlib import Path
@@ -12,6 +16,10 @@ REPOSITORY = Path(__file__).parent / 'repository'
 PACKAGE = 'ros-jazzy-ros-base'
 _LIST = 'etc/apt/sources.list.d/ros2.list'
 _KEY = 'ros-archive-keyring.gpg'
+_SOURCE = re.compile(r'deb\s+\[([^]]*)\]\s+file:(\S+)\s+(\S+)\s+(\S.*)')  # options, address, release, components
+_ABSENT = '''\
+There is no apt-get on this machine: only Debian, Ubuntu and their relatives have it. So apt cannot show its error here.
+The files are there all the same. Read the line and repair it; verify() compares it with the server.'''
 _OTHERS = ('docker', 'vscode', 'nodesource', 'gazebo')
 # Everything apt reads and writes is below ROOT; it drops no rights and asks for no translations.
 _CONFIGURATION = f'''\
@@ -60,8 +68,6 @@ class NoSource(Fault):
                           'expected': words_right[field]}
 
     def prepare(self) -> None:
-        if not shutil.which('apt-get', path=SYSTEM_PATH):
-            raise RuntimeError('this fault needs apt-get, which Debian and Ubuntu have: read on without it')
         pc = self.home('pc')
         pc.env['APT_CONFIG'] = str(pc.path / 'apt.conf')
         pc.write(BASHRC, '')
@@ -76,12 +82,41 @@ class NoSource(Fault):
         shutil.copy(REPOSITORY / 'other-archive-keyring.gpg', pc.path / 'usr/share/keyrings' / self._other_key)
 
     def show_symptom(self) -> None:
-        self.run(f'apt-get update\napt-cache policy {PACKAGE}')
+        if _apt():
+            self.run(f'apt-get update\napt-cache policy {PACKAGE}')
+        else:
+            print(_ABSENT)
 
     def works(self, timeout: float) -> Verdict:
-        status, output = self.ask(f'apt-get update && apt-cache policy {PACKAGE}')
-        offered = status == 0 and 'W:' not in output and 'Candidate: 0' in output
-        return Verdict(offered, f'apt {"offers" if offered else "does not offer"} {PACKAGE}')
+        if _apt():
+            status, output = self.ask(f'apt-get update && apt-cache policy {PACKAGE}')
+            offered = status == 0 and 'W:' not in output and 'Candidate: 0' in output
+        else:
+            offered = self.fits()
+        return Verdict(offered, f'the source {"offers" if offered else "does not offer"} {PACKAGE}')
+
+    def fits(self) -> bool:
+        """Whether all lines of the source have the server's key, and one a release and component with the package."""
+        lines = [line.strip() for line in self._file(f'pc/{_LIST}').read_text().splitlines()]
+        found = [_SOURCE.fullmatch(line) for line in lines if line and not line.startswith('#')]
+        return all(found) and all(map(_signed, found)) and any(map(_offers, found))
+
+
+def _apt() -> bool:
+    return shutil.which('apt-get', path=SYSTEM_PATH) is not None
+
+
+def _signed(source: re.Match) -> bool:
+    """Whether the key that a source line names is the one that has signed the server's list."""
+    key = re.search(r'signed-by=(\S+)', source[1])
+    return bool(key) and Path(key[1]).is_file() and Path(key[1]).read_bytes() == (REPOSITORY / _KEY).read_bytes()
+
+
+def _offers(source: re.Match) -> bool:
+    """Whether there is such a release, with all these components, and with the package."""
+    release = Path(source[2], 'dists', source[3])
+    lists = [release / component / 'binary-amd64' / 'Packages' for component in source[4].split()]
+    return all(one.is_file() for one in lists) and any(f'Package: {PACKAGE}\n' in one.read_text() for one in lists)
 
 
 def _line(key: str, suite: str, component: str) -> str:

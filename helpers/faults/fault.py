@@ -8,6 +8,7 @@ import atexit
 import hashlib
 import os
 import random
+import re
 import shlex
 import shutil
 import signal
@@ -26,6 +27,9 @@ START = 'start.txt'
 ROOT, DOMAIN, OTHER = '@ROOT@', '@DOMAIN@', '@OTHER@'
 _MARK = '.fault'  # in a folder that a fault has made, and may remove
 _SHOWN = 8  # lines of a program
+_START = 30.0  # s in which a program prints its first line, on a machine under load
+_SETTLE = 5.0  # s in which a program that hangs comes to the place where it does
+_STACKS = re.compile(r'(Current thread|Thread) 0x|  File "|$')  # the lines that faulthandler prints
 _staged: dict[Path, 'Fault'] = {}
 
 
@@ -75,6 +79,7 @@ class Fault:
         self._other = ''
         self._held = ExitStack()  # what it has claimed
         self._versions: dict[str, str] = {}  # of the running programs
+        self._asked: dict[str, set[int]] = {}  # the lines of a program that are stacks, which we have asked for
         self.plan()
 
     # What a subclass says.
@@ -140,9 +145,9 @@ class Fault:
     def verify(self, timeout: float | None = None) -> Verdict:
         """Start what has changed again, and say whether the system does its task now.
 
-        :param timeout: seconds to wait for it.
+        :param timeout: seconds to wait for it, after the programs are up.
         """
-        self.start()
+        self.up()  # the time begins when all are there
         return self.works(self.patience if timeout is None else timeout)
 
     def stacks(self, name: str = '') -> None:
@@ -152,13 +157,8 @@ class Fault:
 
         :param name: the program; by default the one that the fault is about.
         """
-        name = name or self.program
         self.up()
-        self.settle()
-        before = len(self.lines(name))
-        self.signal(name, signal.SIGUSR1)
-        self.watch(lambda: any('in <module>' in line for line in self.lines(name)[before:]), 5.0)
-        print('\n'.join(self.lines(name)[before:]))
+        print('\n'.join(self.settled(name or self.program)))
 
     def start(self) -> list[str]:
         """Start the programs of ``start.txt``; those that still run and have not changed go on.
@@ -171,7 +171,7 @@ class Fault:
             self.programs.pop(name).stop()
         started = [name for name in wanted if name not in self.programs]
         for name in started:
-            self._versions[name] = self._version(wanted[name])
+            self._versions[name], self._asked[name] = self._version(wanted[name]), set()
             self.programs[name] = self._launch(*wanted[name])
         return started
 
@@ -227,36 +227,64 @@ class Fault:
         """Start what is not running, and wait until each program has printed something, or has ended."""
         if self.start():
             self.watch(lambda: all(program.lines or not program.running for program in self.programs.values()),
-                       self.patience, ends=tuple(self.programs))
+                       _START, ends=tuple(self.programs))
 
-    def settle(self) -> None:
-        """Give a program that is up the time to come to where it hangs."""
-        self.watch(lambda: False, 0.7)
+    def hangs(self, stacks: list[str]) -> bool:
+        """Whether a program with these stacks has come to where it hangs; True if that is not known."""
+        return True
 
-    def watch(self, seen, timeout: float, ends: tuple[str, ...] = ()) -> bool:
+    def settled(self, name: str) -> list[str]:
+        """The stacks of a program as soon as it `hangs`, the last ones if it does not; or a line that says why not."""
+        program = self.programs.get(name)
+        if program is None or not program.running:
+            return [f'({name} does not run: no stacks)']
+        if not self.watch(lambda: _listens(program.pid), _SETTLE, ends=tuple(self.programs)):
+            return [f'({name} has no faulthandler.register: no stacks)']
+        stacks: list[str] = []
+
+        def stands() -> bool:
+            stacks[:] = self._stacks(name)
+            return self.hangs(stacks)
+
+        self.watch(stands, _SETTLE, ends=tuple(self.programs), period=0.1)
+        return stacks
+
+    def _stacks(self, name: str) -> list[str]:
+        before = len(self.lines(name))
+        self.signal(name, signal.SIGUSR1)
+        # The oldest call of the last thread ends them.
+        self.watch(lambda: any('in <module>' in line for line in self.lines(name)[before:]), _SETTLE,
+                   ends=tuple(self.programs))
+        found = {i: line for i, line in enumerate(self.lines(name)) if i >= before and _STACKS.match(line)}
+        self._asked[name] |= found.keys()
+        return list(found.values())
+
+    def watch(self, seen, timeout: float, ends: tuple[str, ...] = (), period: float = 0.02) -> bool:
         """Wait until ``seen()`` is true, at most ``timeout`` seconds; False if it never was, or a program ended.
 
         :param ends: programs that may end by themselves.
+        :param period: seconds between two looks.
         """
         deadline = time.monotonic() + timeout
         while not seen():
             lost = [name for name, program in self.programs.items() if name not in ends and not program.running]
             if time.monotonic() > deadline or lost:
                 return bool(seen())
-            time.sleep(0.02)
+            time.sleep(period)
         return True
 
     def show_programs(self) -> None:
         """Print the last lines of each program."""
         for name, program in self.programs.items():
             print(f'--- {name}{"" if program.running else f", ended with status {program.returncode}"}')
-            for line in program.lines[-_SHOWN:]:
-                print(line)
+            own = [line for i, line in enumerate(program.lines) if i not in self._asked[name]]
+            print(*own[-_SHOWN:], sep='\n', end='\n' if own else '')
 
     def signal(self, name: str, number: int, timeout: float = 0.0) -> bool:
         """Send a signal to a program, and tell whether it has ended ``timeout`` seconds later."""
         program = self.programs[name]
-        os.kill(program.pid, number)
+        if program.running:
+            os.kill(program.pid, number)
         deadline = time.monotonic() + timeout
         while program.running and time.monotonic() < deadline:
             time.sleep(0.02)
@@ -344,6 +372,16 @@ def _script(command: str) -> str:
     if parts[:2] == ['ros2', 'run']:
         return parts[3]
     return next((part for part in parts if part.endswith('.py')), parts[0])
+
+
+def _listens(pid: int) -> bool:
+    """Whether a process does something of its own when the signal USR1 comes. Without that, the signal would end it."""
+    try:
+        status = Path(f'/proc/{pid}/status').read_text()
+    except OSError:  # it has ended
+        return False
+    caught = re.search(r'^SigCgt:\s*([0-9a-f]+)$', status, re.MULTILINE)
+    return bool(caught) and bool(int(caught[1], 16) >> (signal.SIGUSR1 - 1) & 1)
 
 
 def _relative(path: Path) -> str:

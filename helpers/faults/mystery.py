@@ -2,6 +2,7 @@
 
 from helpers.faults import words
 from helpers.faults.fault import START, Fault, Verdict
+from helpers.faults.hang import waits_in_call
 from helpers.faults.machine import BASHRC, SETUP
 
 _SHELL = '''\
@@ -168,6 +169,11 @@ class Mystery(Fault):
     def show_symptom(self) -> None:
         self.watch(lambda: len(self.lines('panel')) >= 5, 2.0)
         self.show_programs()
+
+    def hangs(self, stacks: list[str]) -> bool:
+        """Whether the panel stands in `call`, if it has one."""
+        blocks = '.client.call(' in (self.path / 'panel' / 'panel.py').read_text()
+        return not blocks or waits_in_call(stacks)
 
     def works(self, timeout: float) -> Verdict:
         def shown() -> list[str]:

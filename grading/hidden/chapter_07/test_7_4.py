@@ -54,11 +54,8 @@ def test_real_program(learner, kind):
     program = fault.diagnosis['where']
     files = {name: text for name, text in fault.files.items() if name.endswith('.py')}
     line = next(line.strip() for line in files[program].splitlines() if fault.diagnosis['line'] in line)
-    server = next((name for name in files if name != program), '')
-    workspace = learner.workspace({**files, 'drive.py': stacks.DRIVER})
-    printed = workspace.run('python3', 'drive.py', 'stacks', program, server, timeout=40).output
+    text = stacks.take(learner, files, program, line, newer='call' if kind == 'call' else '')
     expected = ('A7.9', 'on_timer', 'busy' if kind == 'loop' else kind, line)
-    text = printed[printed.rindex('Thread 0x') if kind == 'call' else printed.rindex('Current thread'):]
     compare(learner.call('diagnose_stacks', text, files), [expected], stacks.WHY)
 
 

@@ -9,6 +9,7 @@ WHY = {
     'busy': 'A callback that stands in its own line does not return.',
 }
 CAUSES = tuple(WHY)
+LIMIT = 90.0  # s for a run of the driver; it ends by itself before
 _RCLPY = ('/opt/ros/jazzy/lib/python3.12/site-packages/rclpy', '/home/ada/.venv/lib/python3.11/site-packages/rclpy')
 _OUTER = ('executors.py await_or_execute', 'executors.py _execute', 'executors.py handler', 'task.py __call__')
 _SPIN = ('executors.py spin_once', 'executors.py spin')
@@ -79,12 +80,16 @@ def _frame(file: str, line: int, function: str) -> str:
 SERVER = '''\
 import signal
 import sys
+import time
 
 import rclpy
 from std_srvs.srv import Trigger
 
 
 def answer(request, response):
+    end = time.monotonic() + 5.0
+    while not node.count_clients(sys.argv[1]) and time.monotonic() < end:
+        time.sleep(0.02)  # an answer to somebody who is not known yet would be lost
     response.message = sys.argv[2]
     return response
 
@@ -98,12 +103,15 @@ if sys.argv[2]:
 signal.pause()  # it is there, and never answers
 '''
 
-# Runs beside the programs: starts them, waits until they are ready, presses Ctrl+C or asks for stacks.
+# Runs beside the programs: starts them, waits until they have come so far, presses Ctrl+C or asks for stacks.
 DRIVER = '''\
+import re
 import signal
 import subprocess
 import sys
 import time
+
+START = 30.0  # s of wall time for a program to be up, on a machine under load
 
 
 def start(*argv):
@@ -117,51 +125,65 @@ def text(program):
     return open(f'{program}.txt').read()
 
 
-def wait(condition, seconds=15.0):
+def wait(condition, seconds):
     end = time.monotonic() + seconds
     while not condition() and time.monotonic() < end:
         time.sleep(0.02)
     return condition()
 
 
+def client(name, seconds, served=''):
+    """Start the client, and wait until it has made its ROS client, or has ended."""
+    program = start('watched.py', served, 'client.py', name, seconds)
+    wait(lambda: MADE in text('watched.py') or program.poll() is not None, START)
+    return program
+
+
 def answer(name, seconds, word):
     start('server.py', name, word)
-    wait(lambda: 'ready' in text('server.py'))
-    lonely(name, seconds)
+    wait(lambda: 'ready' in text('server.py'), START)
+    lonely(name, seconds, 'served')
 
 
-def lonely(name, seconds):
-    begin = time.monotonic()
-    client = start('client.py', name, seconds)
-    ended = wait(lambda: client.poll() is not None, 2 * float(seconds) + 8.0)
-    print(text('client.py'))
-    print('status', client.returncode if ended else 'none')
+def lonely(name, seconds, served=''):
+    program = client(name, seconds, served)
+    ended = wait(lambda: program.poll() is not None, 2 * float(seconds) + 8.0)
+    print('\\n'.join(line for line in text('watched.py').splitlines() if line not in (MADE, WAITS)))
+    print('status', program.returncode if ended else 'none')
 
 
 def interrupt(name):
-    client = start('watched.py', 'client.py', name, '60')
-    wait(lambda: 'client made' in text('watched.py') or client.poll() is not None)
-    time.sleep(0.5)  # it shall wait for the server by now
-    before = client.poll()
-    client.send_signal(signal.SIGINT)
-    print('early' if before is not None else wait(lambda: client.poll() is not None, 2.0))
+    program = client(name, '60')
+    # It looks for the server next. One that does so in an unusual way has a moment to come there.
+    wait(lambda: WAITS in text('watched.py') or program.poll() is not None, 3.0)
+    before = program.poll()
+    program.send_signal(signal.SIGINT)
+    print('early' if before is not None else wait(lambda: program.poll() is not None, 5.0))
 
 
-def stacks(program, server):
+def stacks(program, server, *marks):
+    """Print the stacks of a program as soon as all marks are in them: patterns for single lines."""
     if server:
         start(server)
     hanging = start(program)
-    wait(lambda: 'ready' in text(program))
+    wait(lambda: 'ready' in text(program), START)  # it listens to the signal before it says so
 
-    def shown():
+    def dump():
+        before = len(text(program))
         hanging.send_signal(signal.SIGUSR1)
-        time.sleep(0.2)
-        return 'in on_timer' in text(program)
+        wait(lambda: 'in <module>' in text(program)[before:], 5.0)  # the oldest call of the last thread
+        begin = re.search('(Current thread|Thread) 0x', text(program)[before:])
+        return text(program)[before + begin.start():] if begin else ''
 
-    wait(shown)
-    print(text(program))
+    shown = dump()
+    end = time.monotonic() + START
+    while not all(re.search(mark, shown) for mark in marks) and time.monotonic() < end:
+        time.sleep(0.1)
+        shown = dump()
+    print(shown)
 
 
+MADE, WAITS = 'client made', 'waits for the server'
 programs = []
 try:
     globals()[sys.argv[1]](*sys.argv[2:])
@@ -170,24 +192,47 @@ finally:
         program.kill()
 '''
 
-# Runs a program, and tells when it has made a client.
+# Runs a program, and tells when it has made a client, and when it looks for the client's server. If there is a server,
+# the client knows it as soon as it is made: how long that takes on this machine is not what is asked.
 WATCHED = '''\
 import runpy
 import sys
+import time
 
+from rclpy.client import Client
 from rclpy.node import Node
 
-plain = Node.create_client
+make, is_ready, wait = Node.create_client, Client.service_is_ready, Client.wait_for_service
+said = set()
+
+
+def say(mark):
+    if mark not in said:
+        said.add(mark)
+        print(mark, flush=True)
 
 
 def create_client(self, *args, **kwargs):
-    client = plain(self, *args, **kwargs)
-    print('client made', flush=True)
+    client = make(self, *args, **kwargs)
+    end = time.monotonic() + 10.0
+    while served and not is_ready(client) and time.monotonic() < end:
+        time.sleep(0.02)
+    say('client made')
     return client
 
 
-Node.create_client = create_client
-sys.argv = sys.argv[1:]
+def service_is_ready(self):
+    say('waits for the server')
+    return is_ready(self)
+
+
+def wait_for_service(self, *args, **kwargs):
+    say('waits for the server')
+    return wait(self, *args, **kwargs)
+
+
+Node.create_client, Client.service_is_ready, Client.wait_for_service = create_client, service_is_ready, wait_for_service
+served, *sys.argv = sys.argv[1:]
 runpy.run_path(sys.argv[0], run_name='__main__')
 '''
 
@@ -203,9 +248,21 @@ class Client:
     def ask(self, name: str, seconds: float, word: str | None) -> tuple[str, str]:
         """What the client prints last, and its status. The server answers `word`, or never (''); None: no server."""
         mode = ['lonely', name, str(seconds)] if word is None else ['answer', name, str(seconds), word]
-        lines = self._workspace.run('python3', 'drive.py', *mode, timeout=40).lines
+        lines = self._workspace.run('python3', 'drive.py', *mode, timeout=LIMIT).lines
         return (lines[-2] if len(lines) > 1 else ''), lines[-1].removeprefix('status ')
 
     def interrupt(self, name: str) -> str:
         """Ctrl+C while it waits for a server: 'True' if it ends, 'False' if not, 'early' if it had ended before."""
-        return self._workspace.run('python3', 'drive.py', 'interrupt', name, timeout=40).last_line
+        return self._workspace.run('python3', 'drive.py', 'interrupt', name, timeout=LIMIT).last_line
+
+
+def take(learner, files: dict[str, str], program: str, line: str, newer: str = '') -> str:
+    """The stacks of a program of these files while its `on_timer` stands in a source line.
+
+    :param newer: the function of rclpy's ``client.py`` in which that line is; '' for none.
+    """
+    number = [one.strip() for one in files[program].splitlines()].index(line) + 1
+    marks = [rf'{program}", line {number} in on_timer', *([rf'client\.py", line \d+ in {newer}\b'] if newer else [])]
+    server = next((name for name in files if name != program), '')
+    workspace = learner.workspace({**files, 'drive.py': DRIVER})
+    return workspace.run('python3', 'drive.py', 'stacks', program, server, *marks, timeout=LIMIT).output
