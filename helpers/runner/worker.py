@@ -17,6 +17,7 @@ import threading
 import time
 import traceback
 import types
+from collections.abc import Callable
 
 import rclpy
 import rclpy.node
@@ -194,12 +195,10 @@ class Conductor:
         """Run callbacks until step `number` has come and nothing more is ready.
 
         Returns the number of the learner's callbacks that ran, and whether the time `now` (ns) has come, too.
-        Faults: `busy` (never idle), `deaf` (the step did not arrive), `exception` in a callback.
+        Faults: `busy` (never idle), `deaf` (a message needs more than `timeout` s), `exception` in a callback.
         """
-        deadline = time.monotonic() + timeout
         # No callback of the learner's runs before all has arrived that was sent before the step.
-        while self.step_seen < number:
-            self._hear(deadline)
+        self._hear(lambda: self.step_seen >= number, timeout)
         count = 0
         quiet = False
         while not quiet:
@@ -211,8 +210,7 @@ class Conductor:
                 self._sent_since_echo = False
                 self.echo_sent += 1
                 self.echo.publish(UInt64(data=self.echo_sent))
-                while self.echo_seen < self.echo_sent:
-                    self._hear(deadline)
+                self._hear(lambda: self.echo_seen >= self.echo_sent, timeout)
         reached = all(node.get_clock().now().nanoseconds >= now for node in nodes
                       if node.get_clock().ros_time_is_active)
         if self.raised:
@@ -228,16 +226,23 @@ class Conductor:
             found += lines[-1:]
         return found
 
-    def _hear(self, deadline: float) -> None:
-        """Wait for a message to the conductor itself."""
-        if time.monotonic() > deadline:
-            raise Fault('deaf')
-        try:
-            handler, _, node = self.executor.wait_for_ready_callbacks(timeout_sec=0.05, nodes=[self.node])
-        except TimeoutException:
-            return
-        if node is self.node:  # tasks of the learner's are offered, too: their turn comes later
-            handler()
+    def _hear(self, came: Callable[[], bool], timeout: float) -> None:
+        """Receive messages to the conductor itself until `came()`; the Fault `deaf` after `timeout` seconds.
+
+        The bound is on this one message's way: the time that callbacks have taken before does not count.
+        """
+        deadline = time.monotonic() + timeout
+        while not came():
+            # Asked before the wait: a process that got no computing time until now still takes what has arrived.
+            late = time.monotonic() > deadline
+            try:
+                handler, _, node = self.executor.wait_for_ready_callbacks(timeout_sec=0.05, nodes=[self.node])
+            except TimeoutException:
+                node = None
+            if node is self.node:  # tasks of the learner's are offered, too: their turn comes later
+                handler()
+            elif late:
+                raise Fault('deaf')
 
     _sent_since_echo = True
 
