@@ -21,12 +21,12 @@ from std_msgs.msg import String
 rclpy.init()
 node = rclpy.create_node('talker')
 publisher = node.create_publisher(String, 'chatter', 10)
-end = time.monotonic() + 3
+end = time.monotonic() + 20
 while publisher.get_subscription_count() == 0 and time.monotonic() < end:
     time.sleep(0.01)
 for count in range(4):
     publisher.publish(String(data=f'{sys.argv[1]}{count}'))
-publisher.wait_for_all_acked(Duration(seconds=1))
+publisher.wait_for_all_acked(Duration(seconds=20))
 node.destroy_node()
 rclpy.shutdown()
 '''
