@@ -38,6 +38,7 @@ _NO_SPACE = re.compile(r'No space left on device|os error 28|ENOSPC|Errno 28|Dis
 _NO_MEMORY = re.compile(
     r'Killed signal terminated program|virtual memory exhausted|Cannot allocate memory', re.IGNORECASE
 )
+_NO_CACHE = re.compile(r'Failed to initialize cache at `([^`]+)`')
 _BAD_HASH = re.compile(r'hash(es)? (mismatch|do not match)|DO NOT MATCH THE HASHES', re.IGNORECASE)
 _NO_INDEX = re.compile(
     r'Failed to fetch|Request failed after|error sending request|dns error|tcp connect|Connection refused|'
@@ -54,6 +55,9 @@ def explain(what: str, output: str, log: str, environ: Mapping[str, str]) -> Exc
         return Lack(f'the disk filled up while {what}', 'free some space (see: df -h .), then run ./course again')
     if _NO_MEMORY.search(output):
         return Lack(f'memory ran out while {what}', 'close other programs, then run ./course again')
+    if closed := _NO_CACHE.search(output):
+        return Lack(f'uv, the installer, cannot write to {closed[1]}',
+                    'run: export HOME=FOLDER, with a folder that you may write to, then ./course again')
     if _BAD_HASH.search(output):
         return Lack(
             'the package index serves a file that differs from the lock',
@@ -64,7 +68,8 @@ def explain(what: str, output: str, log: str, environ: Mapping[str, str]) -> Exc
         shown = re.sub(r'//[^/@]*@', '//', index) if index else 'https://pypi.org/simple'
         return Lack(
             f'the package index {shown} cannot be reached, or lacks a package',
-            f'try: curl -I {shown}/uv/ (behind a proxy set HTTPS_PROXY, for a mirror PIP_INDEX_URL)',
+            f'see whether a browser on this machine opens {shown}/uv/ (behind a proxy set HTTPS_PROXY, for a mirror '
+            'PIP_INDEX_URL), then run ./course again',
         )
     tail = '\n'.join(output.strip().splitlines()[-20:])
     return BuildFailed(f'failed: {what}', tail, log)
