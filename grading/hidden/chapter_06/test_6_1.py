@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from helpers.checks.chapter_06 import mast
-from helpers.checks.chapter_06.geometry import axis, explain, origin, same, words
+from helpers.checks.chapter_06.geometry import axis, check_rotation, explain, origin, same, words
 from helpers.runner import expect
 from helpers.runner.frames import to_matrix
 
@@ -34,11 +34,8 @@ def test_tree(learner):
         expect(there == parent, f'The parent of `{child}` is `{there}`, expected `{parent}`.')
     others = sorted(set(heard) - set(mast.PARENTS))
     expect(not others, f'There is one more frame, `{others and others[0]}`.')
-    for child, transform in heard.items():
-        turn = transform.transform.rotation
-        length = math.hypot(turn.x, turn.y, turn.z, turn.w)
-        expect(same(length, 1.0), f'The quaternion of `{child}` has the length {length:.2f}, expected 1. "Not turned" '
-                                  'is x=0, y=0, z=0, w=1.')
+    for transform in heard.values():
+        check_rotation(transform, mast.NOT_TURNED)
 
 
 @pytest.mark.weight(2)

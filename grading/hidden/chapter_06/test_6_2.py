@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from helpers.checks.chapter_06.geometry import axis, explain, origin, same, words
+from helpers.checks.chapter_06.geometry import axis, check_rotation, explain, origin, same, words
 from helpers.runner import expect
 from helpers.runner.frames import to_matrix
 
@@ -63,10 +63,7 @@ def test_face(learner):
     """
     radius, period, pairs = watch(learner, 1.0)
     for time, transform in pairs:
-        turn = transform.transform.rotation
-        length = math.hypot(turn.x, turn.y, turn.z, turn.w)
-        expect(same(length, 1.0), f'A quaternion has the length {length:.2f}, expected 1: it is no rotation. An angle '
-                                  'is not a part of a quaternion. Use quaternion_from_euler.')
+        check_rotation(transform, 'An angle is not a part of a quaternion. Use quaternion_from_euler.')
         there, angle = to_matrix(transform), 2 * math.pi * time / period
         view, expected = axis(there, 'x'), np.array((-math.cos(angle), -math.sin(angle), 0.0))
         told = f'Moon({radius}, {period}): at time {time:g} s the x axis of the moon points along {words(view)}'

@@ -1,5 +1,7 @@
 """Words and comparisons for the tests about frames."""
 
+import math
+
 import numpy as np
 
 from helpers.runner import expect
@@ -18,6 +20,14 @@ def same(one, other, tolerance: float = 1e-4) -> bool:
 def explain(right, told: str, *reasons: tuple[object, str]) -> None:
     """Fail with `told` unless `right` is true. Of the reasons (condition, text), the first that holds is added."""
     expect(right, ' '.join([told, *[text for holds, text in reasons if holds][:1]]))
+
+
+def check_rotation(transform, hint: str = '') -> None:
+    """Fail, with the hint, unless the quaternion of a TransformStamped has the length 1."""
+    turn = transform.transform.rotation
+    length = math.hypot(turn.x, turn.y, turn.z, turn.w)
+    expect(same(length, 1.0), f'The quaternion of `{transform.child_frame_id}` has the length {length:.2f}, expected '
+                              f'1: it is no rotation. {hint}')
 
 
 def origin(matrix) -> np.ndarray:

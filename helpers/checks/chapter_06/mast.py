@@ -1,11 +1,13 @@
 """What the tests of exercise 6.1 know of the mast."""
 
 import math
+from difflib import get_close_matches
 
 from helpers.runner import expect
 from helpers.runner.frames import Listener, pose
 
 PARENTS = {'mast': 'base_link', 'lidar': 'mast', 'camera': 'mast', 'camera_optical': 'camera'}
+NOT_TURNED = '"Not turned" is x=0, y=0, z=0, w=1.'
 
 
 def truth(height: float, tilt: float) -> dict:
@@ -32,9 +34,18 @@ def late_joiner(learner, height: float, tilt: float) -> Listener:
         expect(not swapped, f'You sent `{transform.header.frame_id}` as the parent of `{child}`. Parent and child are '
                             'swapped: header.frame_id is the parent.')
     lost = [child for child in PARENTS if child not in heard]
-    expect(not lost, f'A listener that came late heard of `{next(iter(heard))}`, and nothing of `{lost and lost[0]}`. '
-                     'It gets the last message of each publisher: send all transforms in one list.')
+    expect(not lost, f'A listener that came late heard of {", ".join(f"`{child}`" for child in sorted(heard))}, and '
+                     f'nothing of `{lost and lost[0]}`. {_why(heard, lost)}')
     return late
+
+
+def _why(heard, lost: list[str]) -> str:
+    """Why frames may be missing among those that were heard."""
+    if len(heard) == 1:
+        return 'It gets the last message of each publisher: send all transforms in one list.'
+    others = [child for child in heard if child not in PARENTS]
+    near = get_close_matches(lost[0], others, 1, 0.5) if lost else []
+    return f'Is it what you call `{near[0]}`? A name counts letter by letter.' if near else 'Nobody has sent it.'
 
 
 def in_base(late: Listener, child: str):

@@ -3,7 +3,7 @@
 import pytest
 
 from helpers.checks.chapter_06 import mast
-from helpers.checks.chapter_06.geometry import axis, origin, same, words
+from helpers.checks.chapter_06.geometry import axis, check_rotation, origin, same, words
 from helpers.runner import expect
 
 pytestmark = pytest.mark.exercise('6.1')
@@ -18,6 +18,7 @@ def test_late(learner):
     for child, parent in mast.PARENTS.items():
         there = late.static_transforms[child].header.frame_id
         expect(there == parent, f'The parent of `{child}` is `{there}`, expected `{parent}`.')
+        check_rotation(late.static_transforms[child], mast.NOT_TURNED)
 
 
 def test_camera(learner):

@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_06.geometry import axis, origin, same, words
+from helpers.checks.chapter_06.geometry import axis, check_rotation, origin, same, words
 from helpers.runner import expect
 from helpers.runner.frames import to_matrix
 
@@ -35,6 +35,7 @@ def test_quarter(learner):
     expect((last.header.frame_id, last.child_frame_id) == ('planet', 'moon'),
            f'The transform says where `{last.child_frame_id}` is in `{last.header.frame_id}`, expected `moon` in '
            '`planet`.')
+    check_rotation(last, 'Use quaternion_from_euler.')
     there = to_matrix(last)
     expect(same(origin(there), (0, 3, 0), 1e-3),
            f'After 2 s the moon is at {words(origin(there))}, expected (0, 3, 0).')
