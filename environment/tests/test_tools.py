@@ -30,7 +30,7 @@ LOCK = Layout(ROOT).requirements.read_text()
         ('cc1plus: fatal error: Killed signal terminated program cc1plus', 'memory ran out'),
         ('error: Failed to fetch: `http://x/simple/uv/`\n Caused by: dns error', 'cannot be reached'),
         ('ERROR: Could not find a version\nERROR: No matching distribution found for uv==1', 'cannot be reached'),
-        ('error: Failed to initialize cache at `/root/.cache/uv`\n  cause: Permission denied', 'write to /root/.cache/uv'),
+        ('error: Failed to initialize cache at `/root/.cache/uv`\n  cause: …', 'write to /root/.cache/uv'),
         ('error: Hash mismatch for `rich==1`', 'differs from the lock'),
     ],
 )
