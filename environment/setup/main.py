@@ -17,9 +17,9 @@ from environment.setup.steps import Setup
 
 ROOT = Path(__file__).resolve().parents[2]
 FAILED, UNUSABLE = 1, 2
-# Not `python -m`: that would import from the folder in which the command is given first, which may be another checkout,
-# or have a json.py of a learner's.
-_START = 'import sys; sys.path.remove(""); from helpers.cli.app import main; sys.exit(main())'
+# Not `python -m`: that would import first from the folder in which the command is given. This may be another checkout,
+# or hold a json.py of a learner's.
+_START = 'import sys; sys.path[0] = sys.argv.pop(1); from helpers.cli.app import main; sys.exit(main())'
 
 
 def main(arguments: list[str], root: Path = ROOT) -> int:
@@ -43,7 +43,7 @@ def main(arguments: list[str], root: Path = ROOT) -> int:
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
     python = str(layout.python)
-    os.execve(python, [python, '-c', _START, *arguments], activated(layout, underlay, os.environ))
+    os.execve(python, [python, '-c', _START, str(root), *arguments], activated(layout, underlay, os.environ))
 
 
 def _interrupt(number, frame):

@@ -1,5 +1,6 @@
 """``./course release``: the learner's edition, or an autograder for Gradescope."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -14,6 +15,9 @@ def release(
     gradescope: Annotated[bool, typer.Option('--gradescope', help='Make the autograder zip for Gradescope.')] = False,
     classroom: Annotated[bool, typer.Option(
         '--classroom', help='Add a GitHub workflow that runs the visible checks at each push.')] = False,
+    chapter: Annotated[list[int] | None, typer.Option(
+        metavar='N', help='With --gradescope: grade only this chapter\'s exercises; may be given several times.')
+        ] = None,
     sandbox: Annotated[str, typer.Option(
         metavar='NAME', help='With --gradescope: where learners\' code runs there.')] = 'none',
     hidden: Annotated[str, typer.Option(
@@ -24,8 +28,10 @@ def release(
     if gradescope:
         if classroom:
             raise Refusal('--gradescope and --classroom are two different releases: give one')
-        _gradescope(output, sandbox, hidden)
+        _gradescope(output, sandbox, hidden, chapter or ())
         return
+    if chapter:
+        raise Refusal('--chapter is for --gradescope: the learners\' edition always has all chapters')
     from grading import release as edition
 
     try:
@@ -38,13 +44,13 @@ def release(
     typer.echo(f'{output}: {len(files)} files')
 
 
-def _gradescope(output: Path, sandbox: str, hidden: str) -> None:
+def _gradescope(output: Path, sandbox: str, hidden: str, chapters: Sequence[int]) -> None:
     from grading.gradescope import bundle
 
     if output.is_dir():
         raise Refusal(f'{output} is a folder: give the name of the zip, such as {output / "autograder.zip"}')
     try:
-        names = bundle.bundle(output, sandbox, hidden)
+        names = bundle.bundle(output, sandbox, hidden, chapters=chapters)
     except bundle.BundleError as error:
         raise Refusal(str(error)) from None
     typer.echo(f'{output}: {len(names)} files, {output.stat().st_size / 2**20:.1f} MB')

@@ -4,9 +4,11 @@ import io
 import json
 import os
 import zipfile
+from collections.abc import Iterable
 from pathlib import Path
 
 from grading import release, sandbox
+from grading.course import ChapterError, Course
 from grading.gradescope.harness import CONFIG
 from grading.reports import gradescope
 from helpers import paths
@@ -22,22 +24,30 @@ class BundleError(Exception):
     """The zip cannot be made; the message says why."""
 
 
-def bundle(output: Path, chosen: str, hidden: str = gradescope.HIDDEN, root: Path = paths.ROOT) -> list[str]:
+def bundle(output: Path, chosen: str, hidden: str = gradescope.HIDDEN, root: Path = paths.ROOT,
+           chapters: Iterable[int] = ()) -> list[str]:
     """Write the zip; returns the names of its files.
 
     :param chosen: the sandbox in which learner's code runs on Gradescope.
     :param hidden: when learners see the hidden tests, one of `gradescope.VISIBILITIES`.
+    :param chapters: that are graded; all if there are none.
     :raises BundleError: a choice is unknown, or the zip cannot be written.
     """
     if chosen not in sandbox.LAUNCHERS:
         raise BundleError(f'there is no sandbox {chosen!r}; there are: {", ".join(sandbox.LAUNCHERS)}')
     if hidden not in gradescope.VISIBILITIES:
         raise BundleError(f'hidden tests can be {", ".join(gradescope.VISIBILITIES)}, not {hidden!r}')
+    chapters = sorted(set(chapters))
+    try:
+        Course.here().part(chapters)
+    except ChapterError as error:
+        raise BundleError(str(error)) from None
+    settings = {'sandbox': chosen, 'hidden': hidden, 'chapters': chapters}
     data = io.BytesIO()
     with zipfile.ZipFile(data, 'w') as archive:
         for name in SCRIPTS:
             _add(archive, name, (Path(__file__).parent / name).read_bytes(), True)
-        _add(archive, CONFIG, (json.dumps({'sandbox': chosen, 'hidden': hidden}, indent=2) + '\n').encode(), False)
+        _add(archive, CONFIG, (json.dumps(settings, indent=2) + '\n').encode(), False)
         for name in release.files(root, LEFT_OUT):
             path = root / name
             _add(archive, f'course/{name}', path.read_bytes(), os.access(path, os.X_OK))

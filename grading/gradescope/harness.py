@@ -26,23 +26,25 @@ class Config:
 
     sandbox: str
     hidden: str  # when learners see the hidden tests: one of gradescope.VISIBILITIES
+    chapters: tuple[int, ...] = ()  # that are graded; none: all
 
     @classmethod
     def load(cls, path: Path) -> 'Config':
         data = json.loads(path.read_text(encoding='utf-8'))
-        return cls(str(data['sandbox']), str(data['hidden']))
+        return cls(str(data['sandbox']), str(data['hidden']), tuple(map(int, data.get('chapters', ()))))
 
 
 def main(root: Path) -> int:
     """Grade; returns the exit status."""
     config = Config.load(root / 'source' / CONFIG)
+    chapters = [word for number in config.chapters for word in ('--chapter', str(number))]
     with tempfile.TemporaryDirectory(prefix='gradescope-') as folder:
         archive = Path(folder, f'{_learner(root / "submission_metadata.json")}.zip')
         pack(root / 'submission', archive)
         output = Path(folder, 'out')
         for attempt in (1, 2):
             status = subprocess.run([sys.executable, '-m', 'helpers.cli', 'grade', str(archive), '-o', str(output),
-                                     '--sandbox', config.sandbox], cwd=paths.ROOT).returncode
+                                     '--sandbox', config.sandbox, *chapters], cwd=paths.ROOT).returncode
             record = next((record for path in sorted(output.glob('results/*.json')) if (record := Record.load(path))),
                           None)
             if record is None or record.status != 'grader_error':

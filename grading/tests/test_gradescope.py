@@ -91,6 +91,8 @@ def test_a_fault_is_no_zero(root):
     (root / 'results' / 'results.json').write_text('{"score": 100, "tests": []}')
     config = root / 'source' / harness.CONFIG
     known = config.read_text()
+    config.write_text(known.replace('"chapters": []', '"chapters": [99]'))
+    assert 'no exercise in chapter 99' in run(root, {CHAPTER: answered('3.1')}).stderr  # the choice reaches the grader
     config.write_text(known.replace('"none"', '"no such sandbox"'))
     done = run(root, {CHAPTER: answered('3.1')})
     config.write_text(known)
@@ -152,6 +154,8 @@ def test_refusals(tmp_path):
         bundle.bundle(tmp_path / 'a.zip', 'chroot')
     with pytest.raises(bundle.BundleError, match='hidden tests can be'):
         bundle.bundle(tmp_path / 'a.zip', 'none', 'soon')
+    with pytest.raises(bundle.BundleError, match='no exercise in chapter 99'):
+        bundle.bundle(tmp_path / 'a.zip', 'none', chapters=[99])
     (tmp_path / 'file').write_text('')
     with pytest.raises(bundle.BundleError, match='cannot be written'):
         bundle.bundle(tmp_path / 'file' / 'a.zip', 'none')

@@ -28,6 +28,13 @@ def test_help_names_every_command():
     assert set(app.LEARNER) <= set(shown)
 
 
+def test_what_lies_where_the_command_is_given_is_not_imported(tmp_path):
+    (tmp_path / 'helpers').mkdir()  # another checkout
+    (tmp_path / 'json.py').write_text('raise SystemExit("a file of the learner\'s")')
+    done = subprocess.run([paths.ROOT / 'course', '--help'], cwd=tmp_path, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0 and 'Commands:' in done.stdout, done.stderr
+
+
 def test_the_instructors_commands_need_the_instructors_half(monkeypatch):
     assert set(app.INSTRUCTOR) & set(command_names())
     real = app.find_spec
