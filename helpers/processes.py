@@ -161,7 +161,7 @@ class Process:
                 pass
         self._signal(signal.SIGKILL)  # the rest of the group, too
         status = self._popen.wait()
-        self._reader.join(1.0)
+        self._reader.join(5.0)  # to the end of its output; only a stranger may still hold that open
         _tell_guardian(f'-{self._popen.pid}')
         if self in _children:
             _children.remove(self)

@@ -56,7 +56,8 @@ def test_a_fault_of_the_tests_is_no_mark(tmp_path, text, log):
     small.write_tests(tmp_path, ONE)
     small.write_tests(tmp_path, ONE.replace('90.1', '90.2'), 2)
     small.write_tests(tmp_path, ONE + text, 2)
-    report = run(tmp_path, (1, 2), test_timeout=5.0)
+    # Short only where it has to pass: it bounds the good exercise's tests, too.
+    report = run(tmp_path, (1, 2), **({'test_timeout': 10.0} if 'sleep' in text else {}))
     good, bad = report.exercises
     assert (good.verdict, good.score) == ('passed', 10), report.log
     assert (bad.verdict, bad.score) == ('grader_error', None)
@@ -119,6 +120,20 @@ def test_seeds():
 def test_no_tests_at_all(tmp_path):
     report = run(tmp_path)
     assert (report.exercises[0].verdict, report.exercises[0].score) == ('grader_error', None)
+
+
+def test_files_of_other_exercises_are_not_read(tmp_path):
+    """They would cost time; and what is wrong in them is no matter of this exercise."""
+    small.write_tests(tmp_path, ONE)
+    (tmp_path / 'checks' / 'chapter_90' / 'test_90_2.py').write_text('raise OSError\n')
+    assert run(tmp_path).exercises[0].passed
+    report = run(tmp_path, exercises=(1, 2))
+    assert [exercise.verdict for exercise in report.exercises][1] == 'grader_error'
+
+
+def test_a_files_name_says_what_it_tests():
+    names = ('test_3_1.py', 'test_8_10.py', 'test_8_10_more.py', 'test_3_1.txt', 'conftest.py', 'test_rules.py')
+    assert [manifest.tested_in(name) for name in names] == ['3.1', '8.10', None, None, None, None]
 
 
 def test_hidden_tests_must_be_there(tmp_path):

@@ -136,7 +136,7 @@ def test_robot_state_publisher(start, listener, arm_file):
     listener.send(publisher, 0.0, j=1.0)
     until(lambda: listener.tf, 'a transform, whatever its stamp')
     assert listener.tf[0].child_frame_id == 'b'
-    assert process.stop() == 0 and 'Traceback' not in process.output
+    assert process.stop(PATIENCE) == 0 and 'Traceback' not in process.output
 
 
 def ended(process) -> tuple[int, str]:
@@ -176,7 +176,7 @@ def test_launch_of_xacro_and_both_publishers(start, listener, tmp_path):
     assert (wheel.header.frame_id, wheel.child_frame_id) == ('left/base', 'left/wheel_link')
     assert wheel.transform.translation.z == pytest.approx(0.2)
     assert wheel.transform.rotation.y == pytest.approx(0.24740396, abs=1e-6)  # sin(0.5 / 2)
-    assert process.stop() == 0
+    assert process.stop(PATIENCE) == 0
 
 
 def test_joint_state_publisher_takes_other_sources(start, peer, arm_file):

@@ -6,6 +6,8 @@ import xml.etree.ElementTree as ElementTree
 
 import pytest
 
+from environment.tests.running import PATIENCE
+
 PYTHON_PACKAGE = """\
 going to create a new package
 package name: py_talker_listener
@@ -247,7 +249,7 @@ def test_run_ends_with_the_status_of_the_program(overlay):
 def test_run_ends_its_program(overlay):
     here = overlay(wait='trap "echo interrupted; exit 0" INT; echo waiting; while true; do sleep 0.05; done')
     with here.start('run', 'tools', 'wait') as running:
-        running.wait_for_output('waiting')
-        running.stop()  # Ctrl+C: to the whole group, as a terminal does
+        running.wait_for_output('waiting', PATIENCE)
+        running.stop(PATIENCE)  # Ctrl+C: to the whole group, as a terminal does
         assert running.lines == ['waiting', 'interrupted']
         assert running.returncode == 0

@@ -32,7 +32,7 @@ def test_service_call_of_the_article(ros2):
 def test_service_call_waits_for_the_server_and_repeats(ros2):
     with ros2.start(*SWITCH[:2], '/nobody', SWITCH[3]) as call:
         call.wait_for_output('waiting for service to become available...', timeout=PATIENCE)
-        call.stop()
+        call.stop(PATIENCE)
         assert call.lines == ['waiting for service to become available...']
         assert call.returncode == 2
     with ros2.start(*SWITCH, '{data: true}', '-r', '20') as call:

@@ -71,7 +71,7 @@ def test_echo_of_what_is_not_there(ros2):
 def test_echo_ends_quietly_with_ctrl_c_and_with_its_reader(ros2):
     with ros2.start('topic', 'echo', '/chatter') as echo:
         echo.wait_for_output('data: hello', timeout=PATIENCE)
-        echo.stop()
+        echo.stop(PATIENCE)
         assert set(echo.lines) == {'data: hello', '---'}
         assert echo.returncode == 2  # as stock: the number of SIGINT
     done = subprocess.run(

@@ -23,7 +23,7 @@ NUMBER = r'-?\d+\.\d'
 def test_measuring(ros2, argv, lines):
     with ros2.start('topic', *argv) as meter:
         meter.wait_for_output(r'min: ', timeout=PATIENCE)
-        meter.stop()
+        meter.stop(PATIENCE)
         assert meter.returncode == 2
     for line, pattern in zip(meter.lines, lines, strict=False):
         assert re.fullmatch(pattern, line), meter.lines

@@ -51,7 +51,7 @@ def test_static_transform_publisher_by_position(domain, heard):
                                     "rotation: ('0.000000', '0.000000', '0.000000', '1.000000')",
                                     "from 'world' to 'robot_base'"]
     assert position(heard.lookup_transform('world', 'robot_base', LATEST, LONG)) == (1.0, 0.0, 0.5)
-    assert publisher.stop() == 0
+    assert publisher.stop(TIMEOUT) == 0
     assert 'Traceback' not in publisher.output
 
 
@@ -133,7 +133,7 @@ def test_nonsense_that_can_be_sent_is_refused_by_the_receiver(domain):
         '  0.000  0.000  1.000  1.000',
         '  0.000  0.000  0.000  1.000',
     ]
-    assert echo.stop() == 0
+    assert echo.stop(TIMEOUT) == 0
     assert 'Traceback' not in echo.output
 
 
@@ -150,7 +150,7 @@ def test_echo_of_frames_that_loop(domain):
         domain.program('tf2_ros', 'static_transform_publisher', '--frame-id', parent, '--child-frame-id', child)
     echo = domain.program('tf2_ros', 'tf2_echo', 'y', 'a', '20')
     echo.wait_for_output('Waiting for transform y ->  a: The tf tree is invalid because it contains a loop.', TIMEOUT)
-    assert echo.stop() == 0
+    assert echo.stop(TIMEOUT) == 0
     assert 'Traceback' not in echo.output
 
 
@@ -181,12 +181,12 @@ def test_description_of_angles(xyzw, angles):
 def test_monitor_begins(domain):
     monitor = domain.program('tf2_ros', 'tf2_monitor')
     monitor.wait_for_output('Gathering data on all frames for 10 seconds...', TIMEOUT)
-    assert monitor.stop() == 0
+    assert monitor.stop(TIMEOUT) == 0
     waiting = domain.program('tf2_ros', 'tf2_monitor', 'a', 'b')
     waiting.wait_for_output('Waiting for transform a ->  b: Invalid frame ID "a" passed to canTransform', TIMEOUT)
     domain.program('tf2_ros', 'static_transform_publisher', '--frame-id', 'a', '--child-frame-id', 'b')
     waiting.wait_for_output('Gathering data on a -> b for 10 seconds...', TIMEOUT)
-    assert waiting.stop() == 0
+    assert waiting.stop(TIMEOUT) == 0
     assert end(domain.program('tf2_ros', 'tf2_monitor', 'a')) == (255, 'TF_Monitor: usage: tf2_monitor framea frameb')
 
 

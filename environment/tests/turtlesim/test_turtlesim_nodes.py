@@ -120,7 +120,7 @@ def test_the_pose_comes_every_16_ms_and_each_is_a_step_of_16_ms(simulator, peer)
 
 def test_walls_are_reported_in_stocks_words(simulator, peer):
     peer.call(TeleportAbsolute, '/turtle1/teleport_absolute', x=20.0, y=5.0, theta=0.0)
-    line = simulator.wait_for_output('Oh no!')
+    line = simulator.wait_for_output('Oh no!', timeout=30)
     # 5.0 from below is 6.088889 from above
     assert line == '[WARN] [turtlesim]: Oh no! I hit the wall! (Clamping from [x=20.000000, y=6.088889])'
     poses = peer.listen(Pose, '/turtle1/pose')
@@ -138,26 +138,26 @@ def test_the_services_of_a_turtle(simulator, peer):
     peer.until(lambda: colors and (colors[-1].r, colors[-1].g, colors[-1].b) == (10, 20, 30), 'the pen below')
     peer.call(Empty, '/clear')
     peer.until(lambda: (colors[-1].r, colors[-1].g, colors[-1].b) == (255, 255, 255), 'clean paper below')
-    simulator.wait_for_output('Clearing turtlesim.')
+    simulator.wait_for_output('Clearing turtlesim.', timeout=30)
 
 
 def test_spawn_kill_and_reset(simulator, peer):
     assert peer.call(Spawn, '/spawn', x=1.0, y=2.0, theta=0.5, name='').name == 'turtle2'
-    simulator.wait_for_output('Spawning turtle [turtle2] at x=[1.000000], y=[2.000000], theta=[0.500000]')
+    simulator.wait_for_output('Spawning turtle [turtle2] at x=[1.000000], y=[2.000000], theta=[0.500000]', timeout=30)
     assert peer.call(Spawn, '/spawn', name='turtle2').name == ''
-    simulator.wait_for_output('[ERROR] [turtlesim]: A turtle named [turtle2] already exists')
+    simulator.wait_for_output('[ERROR] [turtlesim]: A turtle named [turtle2] already exists', timeout=30)
     assert peer.call(Spawn, '/spawn', name='no good').name == ''
-    simulator.wait_for_output('[ERROR] [turtlesim]: Cannot spawn turtle [no good]: Invalid topic name')
+    simulator.wait_for_output('[ERROR] [turtlesim]: Cannot spawn turtle [no good]: Invalid topic name', timeout=30)
     assert peer.call(Spawn, '/spawn', x=math.nan).name == ''
-    simulator.wait_for_output('[ERROR] [turtlesim]: Cannot spawn turtle []: x is nan, not a finite number')
+    simulator.wait_for_output('[ERROR] [turtlesim]: Cannot spawn turtle []: x is nan, not a finite number', timeout=30)
     peer.listen(Pose, '/turtle2/pose')
     peer.call(Kill, '/kill', name='turtle2')
     peer.until(lambda: not peer.node.count_publishers('/turtle2/pose'), 'the end of /turtle2/pose')
     peer.call(Kill, '/kill', name='turtle2')
-    simulator.wait_for_output('[ERROR] [turtlesim]: Tried to kill turtle [turtle2], which does not exist')
+    simulator.wait_for_output('[ERROR] [turtlesim]: Tried to kill turtle [turtle2], which does not exist', timeout=30)
     peer.call(TeleportAbsolute, '/turtle1/teleport_absolute', x=1.0, y=1.0, theta=1.0)
     peer.call(Empty, '/reset')
-    simulator.wait_for_output('Resetting turtlesim.')
+    simulator.wait_for_output('Resetting turtlesim.', timeout=30)
     simulator.wait_for_output(lambda line: STARTED in line and simulator.lines.count(line) == 2)
     poses = peer.listen(Pose, '/turtle1/pose')
     peer.until(lambda: poses and abs(poses[-1].x - 5.544445) < 1e-5, 'the turtle in the middle')
@@ -183,7 +183,7 @@ def test_a_rotation_succeeds_with_feedback_and_result(simulator, peer):
     assert answer.result.delta == pytest.approx(-3.0, abs=0.025)
     remaining = [message.feedback.remaining for message in feedback]
     assert remaining == sorted(remaining, reverse=True) and 0.0 < remaining[-1] < remaining[0] <= 3.0
-    simulator.wait_for_output('[INFO] [turtlesim]: Rotation goal completed successfully')
+    simulator.wait_for_output('[INFO] [turtlesim]: Rotation goal completed successfully', timeout=30)
 
 
 def test_a_rotation_is_executing_at_once_and_can_be_cancelled(simulator, peer):
@@ -193,7 +193,7 @@ def test_a_rotation_is_executing_at_once_and_can_be_cancelled(simulator, peer):
     peer.until(lambda: handle.status == GoalStatus.STATUS_EXECUTING, 'the status EXECUTING')
     peer.result(handle.cancel_goal_async(), 'the cancel response')
     assert peer.result(handle.get_result_async(), 'the result').status == GoalStatus.STATUS_CANCELED
-    simulator.wait_for_output('[INFO] [turtlesim]: Rotation goal canceled')
+    simulator.wait_for_output('[INFO] [turtlesim]: Rotation goal canceled', timeout=30)
 
 
 def test_a_new_rotation_aborts_the_old_one(simulator, peer):
@@ -227,12 +227,13 @@ def test_a_rotation_is_aborted_when_something_else_happens(simulator, peer, how)
 
 def test_bad_numbers_are_refused_with_one_line(simulator, peer):
     peer.publisher(Twist, '/turtle1/cmd_vel').publish(drive(linear=math.nan))
-    simulator.wait_for_output('[ERROR] [turtlesim]: Ignoring velocity command: linear is nan, not a finite number')
+    simulator.wait_for_output('[ERROR] [turtlesim]: Ignoring velocity command: linear is nan, not a finite number',
+                              timeout=30)
     peer.call(TeleportAbsolute, '/turtle1/teleport_absolute', x=math.inf)
-    simulator.wait_for_output('[ERROR] [turtlesim]: Ignoring teleport_absolute request: x is inf')
+    simulator.wait_for_output('[ERROR] [turtlesim]: Ignoring teleport_absolute request: x is inf', timeout=30)
     handle, _ = rotate(peer, math.nan)
     assert peer.result(handle.get_result_async(), 'the result').status == GoalStatus.STATUS_ABORTED
-    simulator.wait_for_output('[ERROR] [turtlesim]: Ignoring rotate_absolute goal: theta is nan')
+    simulator.wait_for_output('[ERROR] [turtlesim]: Ignoring rotate_absolute goal: theta is nan', timeout=30)
     poses = peer.listen(Pose, '/turtle1/pose')
     peer.until(lambda: poses, 'a pose')
     assert poses[-1].x == pytest.approx(5.544445, abs=1e-5)
@@ -264,7 +265,7 @@ def test_draw_square_and_mimic_drive(simulator, peer, start):
     square = start(program('turtlesim', 'draw_square'))
     goal = square.wait_for_output('New goal', timeout=30)
     assert goal == '[INFO] [draw_square]: New goal [7.544445 5.544445, 0.000000]'
-    simulator.wait_for_output('Resetting turtlesim.')
+    simulator.wait_for_output('Resetting turtlesim.', timeout=30)
     peer.until(lambda: any(twist.linear.x == 1.0 for twist in followed), 'the follower at 1 m/s')
     square.wait_for_output('[INFO] [draw_square]: Reached goal', timeout=60)
     assert (square.stop(timeout=30), mimic.stop(timeout=30)) == (0, 0)
