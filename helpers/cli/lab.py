@@ -4,6 +4,7 @@ import errno
 import os
 import socket
 import sys
+import tempfile
 from pathlib import Path
 from typing import Annotated
 
@@ -26,7 +27,7 @@ def lab(
     """Open JupyterLab on notebooks/."""
     if not paths.NOTEBOOKS.is_dir():
         raise Refusal(f'{paths.NOTEBOOKS} is missing: get a complete copy of the course, or run ./course build')
-    check_private_folder()
+    check_private_folders()
     chosen = choose_port(port, host)
     if port is None and chosen != DEFAULT_PORT:
         say(f'port {DEFAULT_PORT} is in use; taking {chosen}')
@@ -59,20 +60,20 @@ def make_start_page() -> bool:
     return (paths.NOTEBOOKS / start_page.FILE).is_file()
 
 
-def check_private_folder() -> None:
+def check_private_folders() -> None:
     """Raise Refusal unless Jupyter can keep its own files: its server ends with a long report otherwise."""
-    from jupyter_core.paths import jupyter_runtime_dir
+    from jupyter_core.paths import jupyter_config_dir, jupyter_runtime_dir
 
-    folder = jupyter_runtime_dir()
-    try:
-        os.makedirs(folder, mode=0o700, exist_ok=True)
-        probe = Path(folder, f'course-{os.getpid()}')
-        probe.write_text('x')
-        probe.unlink()
-    except OSError as error:
-        remedy = ('free some space' if error.errno in (errno.ENOSPC, errno.EDQUOT)
-                  else 'run: export HOME=FOLDER, with a folder that you may write to, then ./course lab')
-        raise Refusal(f'Jupyter cannot write to {folder} ({error.strerror.lower()}); {remedy}') from None
+    for folder in (jupyter_runtime_dir(), jupyter_config_dir()):
+        try:
+            os.makedirs(folder, mode=0o700, exist_ok=True)
+            with tempfile.NamedTemporaryFile(dir=folder) as probe:
+                probe.write(b'x')
+                probe.flush()
+        except OSError as error:
+            remedy = ('free some space' if error.errno in (errno.ENOSPC, errno.EDQUOT)
+                      else 'run: export HOME=FOLDER, with a folder that you may write to, then ./course lab')
+            raise Refusal(f'Jupyter cannot write to {folder} ({error.strerror.lower()}); {remedy}') from None
 
 
 def arguments(port: int, no_browser: bool, root_user: bool, start: str = '/lab',

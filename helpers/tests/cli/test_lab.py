@@ -60,10 +60,11 @@ def test_an_address_of_another_machine_is_refused(host):
         lab.choose_port(None, host)
 
 
-def test_a_home_that_cannot_be_written_to_is_named(monkeypatch):
-    monkeypatch.setenv('JUPYTER_RUNTIME_DIR', '/proc/jupyter')
+@pytest.mark.parametrize('variable', ['JUPYTER_RUNTIME_DIR', 'JUPYTER_CONFIG_DIR'])
+def test_a_home_that_cannot_be_written_to_is_named(monkeypatch, variable):
+    monkeypatch.setenv(variable, '/proc/jupyter')
     with pytest.raises(Refusal, match='cannot write to /proc/jupyter .*; run: export HOME'):
-        lab.check_private_folder()
+        lab.check_private_folders()
 
 
 @pytest.mark.parametrize(('number', 'said'), [(30, 'run: sudo chown'), (28, 'free some space')])
