@@ -29,6 +29,7 @@ _MARK = '.fault'  # in a folder that a fault has made, and may remove
 _SHOWN = 8  # lines of a program
 _START = 30.0  # s in which a program prints its first line, on a machine under load
 _SETTLE = 5.0  # s in which a program that hangs comes to the place where it does
+_STOP = 3.0  # s in which programs end after Ctrl+C; then they are killed
 _STACKS = re.compile(r'(Current thread|Thread) 0x|  File "|$')  # the lines that faulthandler prints
 _staged: dict[Path, 'Fault'] = {}
 
@@ -115,17 +116,22 @@ class Fault:
         self.terminal(on).run(script)
 
     def show(self, file: str) -> None:
-        """Print a file of the system."""
-        print(self._file(file).read_text().rstrip('\n'))
+        """Print a file of the system.
+
+        :raises FileNotFoundError: there is no such file.
+        """
+        print(self._read(file).rstrip('\n'))
 
     def edit(self, file: str, old: str, new: str) -> None:
         """Replace a piece of text in a file, as an editor would.
 
         :raises ValueError: the text is not there, or more than once.
+        :raises FileNotFoundError: there is no such file.
         """
-        text = self._file(file).read_text()
+        text = self._read(file)
         if text.count(old) != 1:
-            raise ValueError(f'{file} has {old!r} {text.count(old)} times, not once')
+            raise ValueError(f'{file} has {old!r} {text.count(old)} times: give more of the text around it'
+                             if old in text else f'{file} has no {old!r}: fault.show({file!r}) prints it')
         self.write(file, text.replace(old, new))
 
     def write(self, file: str, text: str) -> None:
@@ -156,15 +162,21 @@ class Fault:
         The program must have ``faulthandler.register(signal.SIGUSR1)``.
 
         :param name: the program; by default the one that the fault is about.
+        :raises ValueError: ``start.txt`` starts no such program.
         """
         self.up()
-        print('\n'.join(self.settled(name or self.program)))
+        name = name or self.program
+        if name not in self.programs:
+            raise ValueError(f'{name or "which program?"}: there run {", ".join(self.programs) or "no programs"}')
+        print('\n'.join(self.settled(name)))
 
     def start(self) -> list[str]:
         """Start the programs of ``start.txt``; those that still run and have not changed go on.
 
         :return: the names of those that were started now.
+        :raises RuntimeError: the system is not staged (any more).
         """
+        self._alive()
         wanted = dict(self._commands())
         for name in [name for name, program in self.programs.items()
                      if not program.running or self._version(wanted.get(name)) != self._versions[name]]:
@@ -177,8 +189,12 @@ class Fault:
 
     def stop(self) -> None:
         """End the programs and remove the folder; idempotent."""
+        for name in self.programs:  # all at once: each takes a moment to end
+            self.signal(name, signal.SIGINT)
+        self.watch(lambda: not any(program.running for program in self.programs.values()), _STOP,
+                   ends=tuple(self.programs))
         for program in self.programs.values():
-            program.stop()
+            program.stop(timeout=0)
         self.programs.clear()
         self.homes.clear()
         self._held.close()
@@ -208,6 +224,7 @@ class Fault:
         """
         if on and on not in self.homes:
             raise ValueError(f'there is no machine {on!r}: there are {", ".join(self.homes) or "none"}')
+        self._alive()
         on = on or self.machine
         return self.homes[on] if on else Workspace(self.path, self.env)
 
@@ -235,8 +252,8 @@ class Fault:
 
     def settled(self, name: str) -> list[str]:
         """The stacks of a program as soon as it `hangs`, the last ones if it does not; or a line that says why not."""
-        program = self.programs.get(name)
-        if program is None or not program.running:
+        program = self.programs[name]
+        if not program.running:
             return [f'({name} does not run: no stacks)']
         if not self.watch(lambda: _listens(program.pid), _SETTLE, ends=tuple(self.programs)):
             return [f'({name} has no faulthandler.register: no stacks)']
@@ -357,7 +374,18 @@ class Fault:
             self._other = str(self._held.enter_context(domains.claim()))
         return text.replace(ROOT, str(self.path)).replace(DOMAIN, here).replace(OTHER, self._other)
 
+    def _alive(self) -> None:
+        if not (self.path / _MARK).is_file():
+            raise RuntimeError(f'this system is stopped, and its folder is gone: stage it again, '
+                               f'faults.stage({self.name!r}, seed={self.seed!r})')
+
+    def _read(self, name: str) -> str:
+        if not self._file(name).is_file():
+            raise FileNotFoundError(f'the system has no file {name}; it has {", ".join(sorted(self.files))}')
+        return self._file(name).read_text()
+
     def _file(self, name: str) -> Path:
+        self._alive()
         path = (self.path / name).resolve()
         if self.path.resolve() not in path.parents:
             raise ValueError(f'{name} is not inside of {self.path.name}')

@@ -1,6 +1,7 @@
 """Each fault, live: the tool that the chapter names shows it, it can be repaired, and it leaves nothing behind."""
 
 import os
+import signal
 from contextlib import contextmanager
 
 import psutil
@@ -164,9 +165,11 @@ def test_stacks_of_a_program_that_cannot_tell(tmp_path, domain, capsys):
         fault.write(fault.diagnosis['where'], deaf)
         fault.stacks()
         assert f'({fault.program} has no faulthandler.register: no stacks)' in capsys.readouterr().out
+        fault.signal(fault.program, signal.SIGKILL, timeout=5.0)
+        assert fault.settled(fault.program) == [f'({fault.program} does not run: no stacks)']
         fault.write('start.txt', '')
-        fault.stacks()
-        assert f'({fault.program} does not run: no stacks)' in capsys.readouterr().out
+        with pytest.raises(ValueError, match=f'{fault.program}: there run no programs'):
+            fault.stacks()
 
 
 @pytest.mark.parametrize('kind', ['namespace', 'urdf'])
@@ -232,12 +235,19 @@ def test_staging_again_stops_the_earlier_one(tmp_path, domain):
 
 def test_edits_are_exact_and_stay_inside(tmp_path):
     with faults.stage('A7.2', 1, 'unsourced', tmp_path / 'system') as fault:
-        with pytest.raises(ValueError, match='0 times, not once'):
+        with pytest.raises(ValueError, match=r"has no 'no such text': fault.show\('home/.bashrc'\) prints it"):
             fault.edit('home/.bashrc', 'no such text', '')
+        with pytest.raises(ValueError, match="has 'export ' 2 times: give more of the text"):
+            fault.edit('home/.bashrc', 'export ', '')
         with pytest.raises(ValueError, match='not inside'):
             fault.write('../elsewhere', '')
         with pytest.raises(ValueError, match="no machine 'moon': there are home"):
             fault.run('ls', on='moon')
+        with pytest.raises(FileNotFoundError, match=r'no file .bashrc; it has home/.bashrc'):
+            fault.show('.bashrc')
+    for verb in (fault.verify, fault.symptom, lambda: fault.show('home/.bashrc'), lambda: fault.run('ls')):
+        with pytest.raises(RuntimeError, match=r"stage it again, faults.stage\('no_ros2', seed=1\)"):
+            verb()
 
 
 def test_a_tool_that_the_system_has_itself_is_hidden(tmp_path, monkeypatch):
