@@ -5,6 +5,7 @@ import os
 import pytest
 
 from grading.tests import small
+from helpers.exercises import manifest
 from helpers.runner import launch, seeds, session
 
 ONE = '''

@@ -10,7 +10,6 @@ MAX_BYTES = 10 * 2**20
 MAX_CELLS = 2000
 MAX_SOURCE = 200_000  # characters of one cell
 MAX_CODE = 1_000_000  # characters of all cells of code
-MAX_DEPTH = 50  # of nested JSON
 
 
 class InvalidSubmission(Exception):
