@@ -88,7 +88,11 @@ def all_die():
 def fine():
     return sorted(entry for entry in os.listdir('/proc') if entry.isdigit())
 '''
+# What is under test is which bound ends a program: the one on time must not come first on a slow machine.
 TESTS = '''
+from helpers.runner import plugin
+from helpers.runner.learner import Timeouts
+plugin.TIMEOUTS = Timeouts(call=60.0)
 pytestmark = [pytestmark, pytest.mark.limits(
     memory=900 * 2**20, total_memory=600 * 2**20, processes=64, tmp=4 * 2**20, home=5 * 2**20, shared=3 * 2**20)]
 
@@ -158,13 +162,14 @@ def left(cookie: str) -> list[str]:
 
 
 def gone(cookie: str) -> bool:
-    """Whether they end within 10 s."""
-    deadline = time.monotonic() + 10
+    """Whether they end within 30 s."""
+    deadline = time.monotonic() + 30
     while left(cookie) and time.monotonic() < deadline:
         time.sleep(0.05)
     return not left(cookie)
 
 
+@pytest.mark.timeout(300)
 def test_each_bound_has_its_verdict(folder):
     report = run(folder, 'import contextlib\nimport signal\nimport time\n' + BOMBS, TESTS, names=('fine',))
     tests = {test.test.partition('::test_')[2]: test for test in report.exercises[0].tests}
@@ -210,6 +215,7 @@ def test_daemon(learner):
     assert not left(cookie)
 
 
+@pytest.mark.timeout(180)
 def test_nothing_outlives_a_grader_that_is_killed(tmp_path):
     cookie = f'sleep-{secrets.token_hex(8)}'
     (tmp_path / 'grader.py').write_text(f"""\
@@ -224,7 +230,7 @@ def test_daemon(learner):
 """)
     grader = subprocess.Popen([sys.executable, str(tmp_path / 'grader.py')], cwd=paths.ROOT)
     try:
-        deadline = time.monotonic() + 60
+        deadline = time.monotonic() + 120  # for all that a grader starts
         while not left(cookie):
             assert time.monotonic() < deadline and grader.poll() is None
             time.sleep(0.05)
