@@ -208,9 +208,10 @@ def test_an_opaque_function_may_return_actions_or_fail(go):
 def test_a_timer_waits_and_is_cancelled_by_a_shutdown(go):
     begin = time.monotonic()
     status, said, _ = go(
-        TimerAction(period=0.3, actions=[LogInfo(msg='second'), EmitEvent(event=ShutdownEvent(reason='enough'))]),
-        TimerAction(period='0.1', actions=[LogInfo(msg='first')]),
         TimerAction(period=1000.0, actions=[LogInfo(msg='never')]),
+        # Before the longer one, so that it ends first however late that one begins.
+        TimerAction(period='0.1', actions=[LogInfo(msg='first')]),
+        TimerAction(period=0.3, actions=[LogInfo(msg='second'), EmitEvent(event=ShutdownEvent(reason='enough'))]),
         RegisterEventHandler(OnShutdown(on_shutdown=[LogInfo(msg=['end: ', LocalSubstitution('event.reason')])])),
     )
     assert (status, said) == (0, ['first', 'second', 'end: enough'])
