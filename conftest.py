@@ -17,9 +17,22 @@ def pytest_configure(config):
 
 
 def pytest_collection_modifyitems(config, items):
-    """Leave out what costs much and seldom finds more than the rest, unless everything is asked for."""
-    if os.environ.get('COURSE_ALL_TESTS'):
-        return
+    """Leave out what is sampled; with several workers, bring the rest into an order that keeps all of them busy."""
+    if not os.environ.get('COURSE_ALL_TESTS'):
+        _sample(config, items)
+    if hasattr(config, 'workerinput'):
+        # What takes long first, lest it be still running when all else is done; then, as xdist does, large modules.
+        # xdist itself would start modules with few tests last: it has to be told --no-loadscope-reorder.
+        sizes = Counter(_scope(item) for item in items)
+        items.sort(key=lambda item: (item.get_closest_marker('early') is None, -sizes[_scope(item)]))
+
+
+def _scope(item):
+    return item.nodeid.rpartition('::')[0]
+
+
+def _sample(config, items):
+    """Leave out what costs much and seldom finds more than the rest."""
     seen, left_out = Counter(), []
     for item in items:
         sample = item.get_closest_marker('first_of')

@@ -5,6 +5,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections import Counter
 from dataclasses import dataclass, field
 from importlib.util import find_spec
 from pathlib import Path
@@ -31,6 +32,7 @@ class Step:
     seconds: float = 0.0
     failures: list[str] = field(default_factory=list)  # the failed tests' names
     unstable: list[str] = field(default_factory=list)  # those that failed beside others and passed alone
+    left_out: list[str] = field(default_factory=list)  # for each skipped test, why; it says what to install
 
 
 def test(arguments: Arguments = None):
@@ -61,7 +63,8 @@ def _style(scratch: Path) -> Step:
 
 
 def _unit_tests(scratch: Path) -> Step:
-    step = _pytest('unit tests', scratch, ['-q', f'-n{_workers()}', '--dist=loadscope'])
+    step = _pytest('unit tests', scratch, ['-q', f'-n{_workers()}', '--dist=loadscope',
+                                          '--no-loadscope-reorder'])
     if not 0 < step.failed <= FEW:
         return step
     # What failed beside others may have been starved by them. It has to pass alone, and it is told.
@@ -69,7 +72,7 @@ def _unit_tests(scratch: Path) -> Step:
                     ['-q', '--last-failed', '--last-failed-no-failures=none'])
     unstable = [name for name in step.failures if name not in again.failures]
     return Step(step.name, step.passed + again.passed, again.failed, step.skipped, step.seconds + again.seconds,
-                again.failures, unstable)
+                again.failures, unstable, step.left_out)
 
 
 def _in_step(scratch: Path) -> Step:
@@ -130,7 +133,9 @@ def _count(step: Step, report: Path) -> None:
 
     if not report.exists():
         return
-    for suite in ElementTree.parse(report).getroot().iter('testsuite'):
+    root = ElementTree.parse(report).getroot()
+    step.left_out = [skip.get('message', '') for skip in root.iter('skipped')]
+    for suite in root.iter('testsuite'):
         total, failed, skipped = (int(suite.get(key, 0)) for key in ('tests', 'failures', 'skipped'))
         failed += int(suite.get('errors', 0))
         step.passed, step.failed, step.skipped = total - failed - skipped, failed, skipped
@@ -150,6 +155,8 @@ def _summary(steps: list[Step]) -> int:
         print(f'{verdict}  {step.name:24} {counts} {step.seconds:7.1f} s')
     for name in (name for step in steps for name in step.unstable):
         print(f'unstable: {name} failed beside other tests and passed alone')
+    for reason, count in Counter(reason for step in steps for reason in step.left_out).items():
+        print(f'skipped: {count} test{"s" * (count > 1)}: {reason}')
     passed, failed, skipped = (sum(getattr(step, key) for step in steps) for key in ('passed', 'failed', 'skipped'))
     print(f'{passed} passed, {failed} failed, {skipped} skipped in {sum(step.seconds for step in steps):.0f} s')
     return int(failed > 0)

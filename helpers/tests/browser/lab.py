@@ -10,17 +10,31 @@ import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from importlib.util import find_spec
 from pathlib import Path
 
+import pytest
+
+from environment.setup import facts
 from helpers import paths, start_page
 from helpers.cli import lab
+from helpers.tests.browser import evidence
 
-CHROMIUM = shutil.which('chromium') or shutil.which('chromium-browser')
+_found = facts.browser()
+CHROMIUM = _found.text if _found.ok else None
+# Marks of the tests that need them. Neither belongs to the course, so a learner's machine may have none.
+NEEDED = [
+    pytest.mark.skipif(not CHROMIUM, reason=f'no Chromium for the tests in a browser; {_found.remedy}'),
+    pytest.mark.skipif(not find_spec('playwright'), reason='no Playwright for the tests in a browser; run: '
+                       '.venv/bin/uv pip install --python .venv/bin/python -r environment/browser.lock'),
+]
 # No display, no GPU; and no connections of the browser's own.
 FLAGS = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic',
          '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync']
-PATIENCE = 60_000  # ms, for one step; LONG for a whole notebook on a busy machine
-LONG = 240_000
+# ms, for one step and for a whole notebook. Ample, as the machine may have much else to do; only failures wait so long.
+PATIENCE = 120_000
+LONG = 600_000
+MOST_TABS = 200  # so many presses reach everything of the start page
 
 
 def copy_notebooks(folder: Path) -> Path:
@@ -38,6 +52,7 @@ def served(folder: Path, private: Path) -> Iterator[str]:
     `private`: where Jupyter keeps its settings and its memory of open tabs, and where its log goes.
     """
     log = private / 'lab.log'
+    evidence.also(log)
     folders = {f'JUPYTER_{name}_DIR': str(private / name) for name in ('RUNTIME', 'CONFIG', 'DATA')}
     environment = {**os.environ, **folders,
                    'JUPYTERLAB_WORKSPACES_DIR': str(private / 'workspaces'), 'JUPYTER_PREFER_ENV_PATH': '1'}
@@ -59,7 +74,7 @@ def served(folder: Path, private: Path) -> Iterator[str]:
                 server.kill()
 
 
-def _address(server: subprocess.Popen, log: Path, port: int, patience: float = 60.0) -> str:
+def _address(server: subprocess.Popen, log: Path, port: int, patience: float = PATIENCE / 1000) -> str:
     end = time.monotonic() + patience
     while time.monotonic() < end and server.poll() is None:
         if found := re.search(rf'http://127\.0\.0\.1:{port}/\S+', log.read_text()):
@@ -77,24 +92,33 @@ class Learner:
     """
 
     def __init__(self, page):
-        self.page = page
+        self.page = evidence.watch(page)
         page.set_default_timeout(PATIENCE)
 
-    def open(self, address: str) -> None:
-        self.page.goto(address)
+    def open(self, address: str, workspace: str = 'default') -> None:
+        """Open the start page, in a workspace of that name: JupyterLab remembers the tabs of each one."""
+        self.page.goto(address.replace('/lab/', f'/lab/workspaces/{workspace}/', 1))
         self.page.locator('.jp-RenderedMarkdown h1').first.wait_for()
 
     def follow(self, link: str) -> None:
-        """Click on a link of the start page that leads to a notebook, and wait for its kernel."""
-        self.page.locator('.jp-RenderedMarkdown').get_by_role('link', name=link).first.click()
-        # JupyterLab may have opened others again, which an earlier page left open.
+        """Follow a link of the start page that leads to a notebook, by Tab and Enter, and wait for its kernel."""
+        for _ in range(MOST_TABS):
+            self.page.keyboard.press('Tab')
+            if self.page.evaluate(_FOCUSED).startswith(link):
+                break
+        else:
+            raise LookupError(f'Tab does not reach a link {link!r}')
+        self.page.keyboard.press('Enter')
         self.page.locator('.jp-NotebookPanel:not(.lm-mod-hidden)').first.wait_for()
         self.wait_until_idle()
 
-    def run_all(self) -> None:
-        """Menu: Run, Run All Cells; returns when the last cell has run."""
+    def start_all(self) -> None:
+        """Menu: Run, Run All Cells."""
         self.page.get_by_role('menuitem', name='Run', exact=True).click()
         self.page.get_by_role('menuitem', name='Run All Cells', exact=True).click()
+
+    def wait_until_all_ran(self) -> None:
+        """Until the last cell has run, or one has failed: JupyterLab does not run those below."""
         self.page.wait_for_function(_ALL_RUN, timeout=LONG)
         self.wait_until_idle()
 
@@ -103,12 +127,22 @@ class Learner:
         self.page.wait_for_function(_IDLE)
 
     def write(self, cell: str, source: str) -> None:
-        """Put `source` into the cell with this id, by the keyboard, and run it."""
-        self._go_to(cell)
-        self._active.locator('.cm-content').click()
-        self.page.keyboard.press('Control+A')
-        self.page.keyboard.insert_text(source)
-        self.page.keyboard.press('Shift+Enter')
+        """Replace the text of the cell with this id, typing it character by character.
+
+        :raises ValueError: the cell has another text afterwards, since the editor added something.
+        """
+        index = self._go_to(cell)
+        keyboard = self.page.keyboard
+        for key in ('Escape', 'Enter', 'Control+A', 'Delete'):
+            keyboard.press(key)
+        for number, line in enumerate(source.split('\n')):
+            if number:
+                for key in ('Enter', 'Shift+Home', 'Delete'):  # the editor indents by itself
+                    keyboard.press(key)
+            keyboard.type(line)
+        written = self.page.evaluate(_SOURCE, index)
+        if written != source:
+            raise ValueError(f'typed {source!r}, the cell shows {written!r}')
 
     def add(self, source: str) -> str:
         """Write a cell below the active one, run it and return its id."""
@@ -122,14 +156,22 @@ class Learner:
         self.run(cell)
         return cell
 
-    def run(self, cell: str) -> str:
-        """Run the cell with this id and return the text of its output."""
+    def run(self, cell: str) -> None:
+        """Run the cell with this id by Shift+Enter, and wait for its end."""
         index = self._go_to(cell)
+        before = self.page.evaluate(_COUNT, index)
         self.page.keyboard.press('Escape')
-        self.page.keyboard.press('Control+Enter')
-        self.page.wait_for_function(_HAS_RUN, arg=index)
-        self.wait_until_idle()
-        return self.output(cell).inner_text()
+        self.page.keyboard.press('Shift+Enter')
+        self.page.wait_for_function(_RAN_AGAIN, arg=[index, before])
+
+    def sees(self, cell: str, text) -> None:
+        """Wait until the output of the cell with this id shows `text`, a string or a pattern.
+
+        :raises AssertionError: it does not come; the message has what is there.
+        """
+        from playwright.sync_api import expect
+
+        expect(self.output(cell)).to_contain_text(text, use_inner_text=True, timeout=PATIENCE)
 
     def output(self, cell: str):
         """What is below the cell with this id, as a Playwright locator; good until another cell is active."""
@@ -139,7 +181,6 @@ class Learner:
     def save(self) -> None:
         self.page.keyboard.press('Escape')
         self.page.keyboard.press('Control+S')
-        self.page.locator('.jp-NotebookPanel:not(.lm-mod-hidden)').first.wait_for()
         self.page.wait_for_function(_SAVED)
 
     def sources(self) -> dict[str, str]:
@@ -169,9 +210,21 @@ _IDLE = '''() => {
     const kernel = context?.session?.kernel;
     return context?.isReady && kernel?.connectionStatus === "connected" && kernel.status === "idle";
 }'''
-_ALL_RUN = f'''() => {_NOTEBOOK}.widgets.every(cell => cell.model.type !== "code"
-    || (cell.model.executionCount !== null && cell.model.executionState !== "running"))'''
-_HAS_RUN = f'(index) => {_NOTEBOOK}.widgets[index].model.executionCount !== null'
+_ALL_RUN = f'''() => {{
+    const cells = {_NOTEBOOK}.widgets.map(cell => cell.model).filter(model => model.type === "code");
+    const stops = model => !(model.getMetadata("tags") ?? []).includes("raises-exception")
+        && model.outputs.toJSON().some(output => output.output_type === "error");
+    return cells.every(model => model.executionCount !== null && model.executionState !== "running")
+        || cells.some(stops);
+}}'''
+_COUNT = f'(index) => {_NOTEBOOK}.widgets[index].model.executionCount'
+# JupyterLab sets the new number when all output has come.
+_RAN_AGAIN = f'''([index, before]) => {{
+    const count = {_NOTEBOOK}.widgets[index].model.executionCount;
+    return count !== null && count !== before;
+}}'''
+_SOURCE = f'(index) => {_NOTEBOOK}.widgets[index].model.sharedModel.getSource()'
+_FOCUSED = '() => document.activeElement?.tagName === "A" ? document.activeElement.textContent : ""'
 _MORE_THAN = f'(count) => {_NOTEBOOK}.widgets.length > count'
 _ACTIVE = f'() => {_NOTEBOOK}.activeCell.model.id'
 _SAVED = '() => !window.jupyterapp.shell.currentWidget.context.model.dirty'

@@ -1,11 +1,11 @@
-"""A learner in a real browser: opens a chapter, runs and solves it, checks it, hands it in, and sees frames move."""
+"""Two learners in a real browser, by the keyboard: one solves an exercise of chapter 3 and hands it in, the other sees
+the frames of chapter 6 move."""
 
 import io
 import json
 import re
 import subprocess
 import sys
-from importlib.util import find_spec
 from zipfile import ZipFile
 
 import pytest
@@ -13,23 +13,9 @@ import pytest
 from helpers import paths
 from helpers.tests.browser import lab
 
-pytestmark = [
-    pytest.mark.timeout(600),
-    pytest.mark.skipif(not lab.CHROMIUM, reason='no browser; run: sudo apt-get install chromium'),
-    pytest.mark.skipif(not find_spec('playwright'), reason='no Playwright; run: .venv/bin/uv pip install -r '
-                       'environment/browser.lock'),
-]
+pytestmark = [pytest.mark.timeout(900), pytest.mark.early, *lab.NEEDED]
 SOLUTION = paths.ROOT / 'solutions' / '03_nodes_and_topics.ipynb'
-
-
-@pytest.fixture(scope='module')
-def browser():
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(executable_path=lab.CHROMIUM, args=lab.FLAGS)
-        yield chromium
-        chromium.close()
+HEARD = "['Hello ROS 2: 0', 'Hello ROS 2: 1', 'Hello ROS 2: 2']"
 
 
 @pytest.fixture(scope='module')
@@ -38,18 +24,22 @@ def folder(tmp_path_factory):
 
 
 @pytest.fixture(scope='module')
-def address(folder, tmp_path_factory):
-    with lab.served(folder, tmp_path_factory.mktemp('jupyter')) as where:
-        yield where
+def learners(browser, folder, tmp_path_factory):
+    """At one server: by chapter, a learner who has come there from the start page and has told it to run.
 
-
-@pytest.fixture
-def learner(browser, address):
-    page = browser.new_page(viewport={'width': 1366, 'height': 768})
-    someone = lab.Learner(page)
-    someone.open(address)
-    yield someone
-    page.close()
+    The chapters run side by side, the longer one first, each with a kernel of its own.
+    """
+    with lab.served(folder, tmp_path_factory.mktemp('jupyter')) as address:
+        found = {}
+        for chapter in (6, 3):
+            learner = lab.Learner(browser.new_page(viewport={'width': 1366, 'height': 768}))
+            learner.open(address, f'chapter-{chapter}')
+            learner.follow(f'{chapter}. ')
+            learner.start_all()
+            found[chapter] = learner
+        yield found
+        for learner in found.values():
+            learner.page.close()
 
 
 def failed(outputs, notebook):
@@ -60,18 +50,21 @@ def failed(outputs, notebook):
 
 
 @pytest.mark.skipif(not SOLUTION.is_file(), reason='the learner\'s edition has no solutions')
-def test_chapter_3_from_the_start_page_to_a_submission(learner, folder, tmp_path):
-    learner.follow('3. Nodes and topics')
-    learner.run_all()
-    outputs = learner.outputs()
-    assert not failed(outputs, folder / SOLUTION.name)
+def test_chapter_3_from_the_start_page_to_a_submission(learners, folder, tmp_path):
+    learner = learners[3]
+    learner.wait_until_all_ran()
+    assert not failed(learner.outputs(), folder / SOLUTION.name)
     sources = learner.sources()
+    talk = next(cell for cell, source in sources.items() if 'with spinning(Talker(), listener' in source)
+    learner.sees(talk, HEARD)
     check = next(cell for cell, source in sources.items() if source == 'check("3.1")')
-    assert 'Not solved yet' in learner.run(check)
+    learner.sees(check, 'Not solved yet')
 
     solved = {cell['id']: ''.join(cell['source']) for cell in json.loads(SOLUTION.read_text())['cells']}
     learner.write('ex-3-1', solved['ex-3-1'])
-    assert re.search(r'Exercise 3\.1.*\n+.*All', learner.run(check), re.IGNORECASE)
+    learner.run('ex-3-1')
+    learner.run(check)
+    learner.sees(check, re.compile(r'Exercise 3\.1.*\s+.*All', re.IGNORECASE))
     learner.save()
 
     handed_in = tmp_path / 'ada.zip'
@@ -84,6 +77,8 @@ def test_chapter_3_from_the_start_page_to_a_submission(learner, folder, tmp_path
 
 
 UPDATES = 'count => window.updates >= count'  # so many came from the kernel
+FOUND = 10  # updates, after which the camera has found its place
+MOST = 200  # updates; by then a frame that moves has moved
 LIVE = """\
 helpers.ros.start()
 spinning(DynamicTFBroadcaster())
@@ -98,9 +93,9 @@ def moved(before, after):
     return sum(ImageChops.difference(*pictures).histogram()[64:])
 
 
-def test_chapter_6_runs_and_its_frames_move(learner, folder):
-    learner.follow('6. ')
-    learner.run_all()
+def test_chapter_6_runs_and_its_frames_move(learners, folder):
+    learner = learners[6]
+    learner.wait_until_all_ran()
     outputs, sources = learner.outputs(), learner.sources()
     assert not failed(outputs, folder / '06_tf2_and_tools.ipynb')
     shown = [outputs[cell] for cell, source in sources.items() if 'with TfView(' in source]
@@ -111,10 +106,13 @@ def test_chapter_6_runs_and_its_frames_move(learner, folder):
     drawing = page.locator('#pane canvas')
     drawing.wait_for()
     frame = drawing.element_handle().owner_frame()
-    frame.wait_for_function(UPDATES, arg=10)  # the camera has found its place
-    first = drawing.screenshot()
-    frame.wait_for_function(UPDATES, arg=50)
-    assert moved(first, drawing.screenshot()) > 50
+    frame.wait_for_function(UPDATES, arg=FOUND)
+    first, changed, seen = drawing.screenshot(), 0, FOUND
+    while changed <= 50 and seen < MOST:
+        seen = frame.evaluate('window.updates') + 5
+        frame.wait_for_function(UPDATES, arg=seen)
+        changed = moved(first, drawing.screenshot())
+    assert changed > 50
 
     learner.add('view.stop()')
     output = learner.output(cell)

@@ -1,21 +1,14 @@
 """A recorded view in a real browser, from a file: it plays, goes back and can be turned."""
 
-from importlib.util import find_spec
-
 import pytest
 
-from helpers.tests.browser import lab
+from helpers.tests.browser import evidence, lab
 from helpers.views import poses
 from helpers.views.recording import Recording
 from helpers.views.scene import Scene
 from helpers.views.shapes import Axes, Label
 
-pytestmark = [
-    pytest.mark.timeout(180),
-    pytest.mark.skipif(not lab.CHROMIUM, reason='no browser; run: sudo apt-get install chromium'),
-    pytest.mark.skipif(not find_spec('playwright'), reason='no Playwright; run: .venv/bin/uv pip install -r '
-                       'environment/browser.lock'),
-]
+pytestmark = [pytest.mark.timeout(600), *lab.NEEDED]
 STEPS = 5
 STILL = 10  # pictures that are alike
 # A number that differs when names are drawn elsewhere, as when a frame has moved or one looks from elsewhere; it is
@@ -51,31 +44,27 @@ def recorded(tmp_path):
     return tmp_path / recording.write(tmp_path)
 
 
-def test_a_recording_plays_goes_back_and_can_be_turned(recorded):
-    from playwright.sync_api import sync_playwright
-
+def test_a_recording_plays_goes_back_and_can_be_turned(browser, recorded):
     errors = []
-    with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(executable_path=lab.CHROMIUM, args=lab.FLAGS)
-        page = chromium.new_page(viewport={'width': 600, 'height': 400})
-        page.set_default_timeout(lab.PATIENCE)
-        page.on('pageerror', lambda error: errors.append(error))
-        page.goto(recorded.as_uri())
-        page.wait_for_function('document.getElementById("when").textContent === "1.0 of 1.0 s"')  # it plays by itself
-        page.get_by_role('button', name='play').wait_for()
-        assert page.locator('#fixed').inner_text() == 'fixed frame: map'
-        assert page.evaluate('window.updates') == STEPS + 1
-        at_the_end = page.evaluate(DRAWN)
-        page.locator('#slider').fill('0')
-        assert page.locator('#when').inner_text() == '0.0 of 1.0 s'
-        at_the_start = page.evaluate(DRAWN)
-        page.mouse.move(300, 200)
-        page.mouse.down()
-        page.mouse.move(400, 230, steps=3)
-        page.mouse.up()
-        turned = page.evaluate(DRAWN)
-        assert len({at_the_end, at_the_start, turned}) == 3
-        page.get_by_role('button', name='play').click()
-        page.wait_for_function('document.getElementById("when").textContent === "1.0 of 1.0 s"')
-        chromium.close()
+    page = evidence.watch(browser.new_page(viewport={'width': 600, 'height': 400}))
+    page.set_default_timeout(lab.PATIENCE)
+    page.on('pageerror', lambda error: errors.append(error))
+    page.goto(recorded.as_uri())
+    page.wait_for_function('document.getElementById("when").textContent === "1.0 of 1.0 s"')  # it plays by itself
+    page.get_by_role('button', name='play').wait_for()
+    assert page.locator('#fixed').inner_text() == 'fixed frame: map'
+    assert page.evaluate('window.updates') == STEPS + 1
+    at_the_end = page.evaluate(DRAWN)
+    page.locator('#slider').fill('0')
+    assert page.locator('#when').inner_text() == '0.0 of 1.0 s'
+    at_the_start = page.evaluate(DRAWN)
+    page.mouse.move(300, 200)
+    page.mouse.down()
+    page.mouse.move(400, 230, steps=3)
+    page.mouse.up()
+    turned = page.evaluate(DRAWN)
+    assert len({at_the_end, at_the_start, turned}) == 3
+    page.get_by_role('button', name='play').click()
+    page.wait_for_function('document.getElementById("when").textContent === "1.0 of 1.0 s"')
+    page.close()
     assert errors == []

@@ -46,6 +46,8 @@ def test_pytest_is_counted(tmp_path, capfd):
                       '\n@pytest.fixture\ndef broken(): raise OSError\n\ndef test_d(broken): pass\n')
     step = command._pytest('sample', tmp_path, ['-q', '-p', 'no:cacheprovider', str(sample)])
     assert (step.passed, step.failed, step.skipped) == (1, 2, 1)
+    assert command._summary([step, step]) == 1
+    assert 'skipped: 2 tests: no\n' in capfd.readouterr().out
 
 
 @pytest.mark.parametrize('text', ['', 'import nothing_of_this_name\n', 'def broken(:\n'])

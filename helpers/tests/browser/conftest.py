@@ -1,0 +1,25 @@
+"""One headless Chromium for the tests here; what a failed test saw is kept and its place is told."""
+
+import pytest
+
+from helpers.tests.browser import evidence, lab
+
+
+@pytest.fixture(scope='session')
+def browser():
+    """A Playwright browser: Debian's Chromium, without a window."""
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(executable_path=lab.CHROMIUM, args=lab.FLAGS, timeout=lab.PATIENCE)
+        yield chromium
+        chromium.close()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item, call):
+    report = yield
+    # After pytest's own time limit Playwright is interrupted at an unknown place, and would not answer.
+    if report.failed and call.when != 'teardown' and not str(call.excinfo.value).startswith('Timeout (>'):
+        report.sections.append(('what the browser showed', '\n'.join(evidence.keep(item.name))))
+    return report
