@@ -53,7 +53,7 @@ def cluster(tmp_path):
         process.wait()
 
 
-@pytest.mark.timeout(180)
+@pytest.mark.timeout(300)
 def test_workers_that_die(cluster, tmp_path):
     """A unit whose worker dies is done again; one that kills each is a grader's fault; the others are as if local."""
     line = cluster('dask_scheduler', '--host', '127.0.0.1', '--port', '0', '--no-dashboard', awaited='Scheduler at:',

@@ -55,7 +55,7 @@ def run(course, output, *learners, works=None, jobs=2, **settings):
     return heard, {record.learner: record for record in records}
 
 
-@pytest.mark.timeout(120)
+@pytest.mark.timeout(300)
 def test_killed_at_any_moment(tmp_path):
     """Before and after each write: the next run grades what has no result, and all files are as undisturbed."""
     found = subprocess.run([sys.executable, '-m', 'grading.tests.runs', str(tmp_path)], capture_output=True, text=True,
