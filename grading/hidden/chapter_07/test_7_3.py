@@ -105,7 +105,7 @@ def test_it_hears(learner, fault):
     expect(arguments, f'graph_repairs has no repair for {expected[0]}.')
     with graphs.System(learner.context.get_domain_id()) as system:
         publisher, heard = system.add(other), graphs.restart(system, mine, arguments[0])
-        expect(heard.hears(publisher, 5.0), f'Started again with {" ".join(arguments[0])}, {deaf[0]} still hears '
+        expect(heard.hears(publisher, 10.0), f'Started again with {" ".join(arguments[0])}, {deaf[0]} still hears '
                                             'nothing.')
 
 

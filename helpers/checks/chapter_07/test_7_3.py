@@ -18,7 +18,7 @@ def test_read(learner):
            'reliability': 'BEST_EFFORT', 'durability': 'VOLATILE'}
     with graphs.System(learner.context.get_domain_id()) as system:
         system.add(ear)
-        seen = learner.call('endpoints_here', 1, 4.0)
+        seen = learner.call('endpoints_here', 1, 5.0)
     expect(seen == [ear], f'There is one endpoint, {ear}; read_topics and read_services gave {seen}.')
 
 
