@@ -44,6 +44,8 @@ def build(
         if html:
             from grading.edition import pages
 
+            if chapters:
+                raise Refusal('--html always writes the whole course: leave the chapters out')
             try:
                 written = pages.write(tree, html, scenes=scenes, timeout=timeout)
             except (pages.EditionError, OSError) as error:

@@ -5,6 +5,7 @@ Chapters that show a `TfView` are executed anew, because their saved notebooks h
 when somebody clicks.
 """
 
+import re
 import shutil
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -23,6 +24,7 @@ from helpers import start_page
 from helpers.views import recording
 
 TEMPLATES = Path(__file__).with_name('templates')
+_TO_A_CHAPTER = re.compile(r'\]\((\d\d_\w+)\.ipynb\b')
 SCENES = 'scenes'  # the folder of the views' pages, beside the chapters' pages
 
 
@@ -80,11 +82,13 @@ def write(tree: builder.Tree, output: Path, say: Callable[[str], None] = print, 
 def readable(chapter: Chapter, notebook: nbformat.NotebookNode) -> nbformat.NotebookNode:
     """Take the solutions out of a chapter's executed notebook; returns it.
 
-    Exercises are as the learner gets them; they and checks print nothing.
+    Exercises are as the learner gets them; they and checks print nothing. Links to other chapters lead to their pages.
     """
     for cell, stub in zip(notebook.cells, notebooks.learner(chapter).cells, strict=True):
         if 'exercise' in cell.metadata or cell.cell_type == 'code' and cell.source.startswith('check('):
             cell.source, cell.outputs, cell.execution_count = stub.source, [], None
+        elif cell.cell_type == 'markdown':
+            cell.source = _TO_A_CHAPTER.sub(r'](\1.html', cell.source)
     return notebook
 
 

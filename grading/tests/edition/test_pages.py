@@ -29,6 +29,9 @@ def test_no_solution_is_shown(source):
         elif cell.cell_type == 'code' and cell.source.startswith('check('):
             assert shown[cell.id].outputs == []
     assert any(cell.get('outputs') for cell in shown.values())  # but what the lesson prints is
+    links = [link for cell in shown.values() for link in re.findall(r'\]\((\d\d_[^)#]+)', cell.source)]
+    assert set(links) <= {f'{path.stem}.html' for path in chapters.sources(COURSE.solutions)}
+    assert links or source == chapters.sources(COURSE.solutions)[-1]  # each chapter leads to the next
 
 
 def test_pages_and_contents_are_linked(built, tmp_path):  # noqa: F811
@@ -36,6 +39,7 @@ def test_pages_and_contents_are_linked(built, tmp_path):  # noqa: F811
     assert re.search(rf'<a href="{page.name}">', index.read_text())
     text = page.read_text()
     assert '<a href="index.html">All chapters</a>' in text
+    assert 'prefers-color-scheme: dark' in text and '--jp-layout-color0: #111;' in text  # a theme of its own
     assert not re.search(r'<(script|link)[^>]+(src|href)="http', text)  # it can be read without a network
 
 
