@@ -3,9 +3,11 @@
 import pytest
 
 from helpers.checks.chapter_08.limits import PARTS, variant
-from helpers.checks.chapter_08.planted import accepts, rejects
+from helpers.checks.chapter_08.planted import NOTHING, accepts, rejects
 
 pytestmark = pytest.mark.exercise('8.4')
+RIGHT = {'the given one': variant()}
+NOTHINGS = {'that returns nothing': variant(result=NOTHING)}
 
 
 @pytest.mark.weight(3)
@@ -28,7 +30,7 @@ def test_right_functions(learner):
         'one that says more in its error': variant(check='''\
     if max_speed < 0 or isnan(max_speed):
         raise ValueError(f'max_speed is {max_speed}')
-''')})
+''')}, wrong=NOTHINGS)
 
 
 @pytest.mark.weight(2)
@@ -45,7 +47,7 @@ def test_limits(learner):
         'that drives forwards when told to drive backwards': variant(
             back='    if speed <= 0:\n        return min(-speed, max_speed)\n'),
         'for which max_speed is fixed': variant(
-            check='    if not max_speed >= 0:\n        raise ValueError\n    max_speed = 0.5\n')})
+            check='    if not max_speed >= 0:\n        raise ValueError\n    max_speed = 0.5\n')}, right=RIGHT)
 
 
 @pytest.mark.weight(3)
@@ -67,7 +69,8 @@ def test_obstacles(learner):
         'that drives backwards when an obstacle is too near': variant(
             share='    share = min(1.0, (distance - 0.2) / 0.8)\n'),
         'that slows down a speed that is slow enough': variant(result='    return min(speed, max_speed) * share\n'),
-        'whose slope is a curve': variant(share='    share = max(0.0, min(1.0, (distance - 0.2) / 0.8)) ** 2\n')})
+        'whose slope is a curve': variant(share='    share = max(0.0, min(1.0, (distance - 0.2) / 0.8)) ** 2\n')},
+            right=RIGHT)
 
 
 @pytest.mark.weight(2)
@@ -81,7 +84,7 @@ def test_backwards(learner):
             back='    if speed <= 0 and distance >= 1.0:\n        return max(speed, -max_speed)\n',
             result='    return max(-max_speed * share, min(speed, max_speed * share))\n'),
         'that does not drive backwards when the sensor has failed': variant(
-            back=PARTS['nan'], nan=PARTS['back'])})
+            back=PARTS['nan'], nan=PARTS['back'])}, right=RIGHT)
 
 
 @pytest.mark.weight(2)
@@ -98,4 +101,5 @@ def test_special_values(learner):
         'that accepts nan as max_speed': variant(
             check="    if max_speed < 0:\n        raise ValueError('max_speed must not be negative')\n"),
         'that refuses 0 as max_speed': variant(
-            check="    if not max_speed > 0:\n        raise ValueError('max_speed must not be negative')\n")})
+            check="    if not max_speed > 0:\n        raise ValueError('max_speed must not be negative')\n")},
+            right=RIGHT)

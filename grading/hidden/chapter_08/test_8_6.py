@@ -2,10 +2,12 @@
 
 import pytest
 
-from helpers.checks.chapter_08.planted import STEERING, accepts, rejects
+from helpers.checks.chapter_08.planted import NOTHING, STEERING, accepts, rejects
 from helpers.checks.chapter_08.steerings import variant
 
 pytestmark = pytest.mark.exercise('8.6')
+RIGHT = {"the course's": variant()}
+NOTHINGS = {'that returns nothing': variant(result=NOTHING)}
 
 
 @pytest.mark.weight(3)
@@ -21,7 +23,8 @@ def test_right_functions(learner):
         'one whose turn is limited first': variant(
             angular='    half = max_angular / 2\n    angular = 2 * max(-half, min(half, angle))\n'),
         'one that asks for the distance with **': variant(
-            way='    dx, dy = goal_x - x, goal_y - y\n    distance = (dx ** 2 + dy ** 2) ** 0.5\n')}, STEERING)
+            way='    dx, dy = goal_x - x, goal_y - y\n    distance = (dx ** 2 + dy ** 2) ** 0.5\n')},
+            STEERING, wrong=NOTHINGS)
 
 
 @pytest.mark.weight(3)
@@ -39,7 +42,8 @@ def test_turns(learner):
         'that has no limit to the left': variant(angular='    angular = max(-max_angular, 2 * angle)\n'),
         'that always turns as fast as it may': variant(
             angular='    angular = max_angular if angle > 0 else -max_angular if angle < 0 else 0.0\n'),
-        'for which max_angular is fixed': variant(angular='    angular = max(-1.0, min(1.0, 2 * angle))\n')}, STEERING)
+        'for which max_angular is fixed': variant(angular='    angular = max(-1.0, min(1.0, 2 * angle))\n')},
+            STEERING, right=RIGHT)
 
 
 @pytest.mark.weight(3)
@@ -57,7 +61,7 @@ def test_drives(learner):
         'that does not slow down': variant(linear='    linear = max_linear if abs(angle) <= 0.5 else 0.0\n'),
         'that has no limit of its speed': variant(linear='    linear = distance if abs(angle) <= 0.5 else 0.0\n'),
         'for which max_linear is fixed': variant(
-            linear='    linear = min(0.5, distance) if abs(angle) <= 0.5 else 0.0\n')}, STEERING)
+            linear='    linear = min(0.5, distance) if abs(angle) <= 0.5 else 0.0\n')}, STEERING, right=RIGHT)
 
 
 @pytest.mark.weight(2)
@@ -72,4 +76,4 @@ def test_places(learner):
             way='    dx, dy = goal_x - x, goal_y - y\n    distance = abs(dx)\n'),
         'whose distance goes round the corner': variant(
             way='    dx, dy = goal_x - x, goal_y - y\n    distance = abs(dx) + abs(dy)\n'),
-        'that turns at the goal': variant(goal='')}, STEERING)
+        'that turns at the goal': variant(goal='')}, STEERING, right=RIGHT)

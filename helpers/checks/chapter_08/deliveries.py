@@ -1,4 +1,4 @@
-"""What the tests of exercises 8.7 to 8.10 share: the robot that the learner's node drives, and the package, built."""
+"""What the tests of exercises 8.7 to 8.11 share: the robot that the learner's node drives, and the package, built."""
 
 import json
 import math
@@ -115,14 +115,21 @@ class Delivery:
 # The package
 
 
+def modules(learner) -> dict[str, str]:
+    """The modules of the package, with the learner's cells in them: path in the package → text."""
+    found = {}
+    for path in sorted((GIVEN / 'delivery_robot').glob('*.py')):
+        module = f'delivery_robot/{path.name}'
+        cells = [part['source'].strip() + '\n\n\n' for exercise in CELLS.get(module, ())
+                 for part in learner.program['cells'] if part['label'] == f'Exercise {exercise}']
+        found[module] = path.read_text() + ('\n\n' + ''.join(cells) if cells else '')
+    return found
+
+
 def files(learner) -> dict[str, str]:
     """The package with the learner's cells and texts, as `learner.workspace` wants it."""
-    found = package(GIVEN)
     top = 'src/delivery_robot'
-    for module, exercises in CELLS.items():
-        cells = [''.join(part['source'].strip() + '\n\n\n' for part in learner.program['cells']
-                         if part['label'] == f'Exercise {exercise}') for exercise in exercises]
-        found[f'{top}/{module}'] += '\n\n' + ''.join(cells)
+    found = {**package(GIVEN), **{f'{top}/{path}': text for path, text in modules(learner).items()}}
     return {**found, f'{top}/config/delivery.yaml': learner.text('DELIVERY_YAML'),
             f'{top}/launch/delivery.launch.py': learner.text('DELIVERY_LAUNCH'),
             'deliver.py': (HERE / 'deliver.py').read_text()}

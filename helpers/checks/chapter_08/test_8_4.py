@@ -5,11 +5,12 @@ from pathlib import Path
 import pytest
 
 from helpers.checks.chapter_08.limits import variant
-from helpers.checks.chapter_08.planted import accepts, rejects
+from helpers.checks.chapter_08.planted import NOTHING, accepts, rejects
 
 pytestmark = pytest.mark.exercise('8.4')
 
 GIVEN = Path(__file__).parent / 'given' / 'speed' / 'speed' / 'limit.py'
+RIGHT = {'the given one': GIVEN.read_text()}
 
 
 def test_right_function(learner):
@@ -17,7 +18,7 @@ def test_right_function(learner):
 
     Run them by hand and read what fails.
     """
-    accepts(learner, {'the given one': GIVEN.read_text()})
+    accepts(learner, RIGHT, wrong={'that returns nothing': variant(result=NOTHING)})
 
 
 def test_simple_bugs(learner):
@@ -28,4 +29,4 @@ def test_simple_bugs(learner):
     rejects(learner, {
         'that returns the speed as it is': variant(check='', back='', nan='', share='', result='    return speed\n'),
         'that never drives backwards': variant(back='    if speed <= 0:\n        return 0.0\n'),
-        'that ignores obstacles': variant(nan='', share='    share = 1.0\n')})
+        'that ignores obstacles': variant(nan='', share='    share = 1.0\n')}, right=RIGHT)

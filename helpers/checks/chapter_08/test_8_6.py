@@ -2,10 +2,11 @@
 
 import pytest
 
-from helpers.checks.chapter_08.planted import STEERING, accepts, rejects
+from helpers.checks.chapter_08.planted import NOTHING, STEERING, accepts, rejects
 from helpers.checks.chapter_08.steerings import variant
 
 pytestmark = pytest.mark.exercise('8.6')
+RIGHT = {"the course's": variant()}
 
 
 def test_right_function(learner):
@@ -13,7 +14,7 @@ def test_right_function(learner):
 
     Look at the specification again: what does it say, and what do you ask for?
     """
-    accepts(learner, {'the course\'s': variant()}, STEERING)
+    accepts(learner, RIGHT, STEERING, wrong={'that returns nothing': variant(result=NOTHING)})
 
 
 def test_simple_bugs(learner):
@@ -23,4 +24,5 @@ def test_simple_bugs(learner):
     """
     rejects(learner, {
         'that turns the long way round': variant(angle='    angle = atan2(dy, dx) - yaw\n'),
-        'that mixes up left and right': variant(result='    return distance, linear, -angular\n')}, STEERING)
+        'that mixes up left and right': variant(result='    return distance, linear, -angular\n')},
+            STEERING, right=RIGHT)
