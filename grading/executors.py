@@ -30,6 +30,7 @@ class Local:
         self._pool = concurrent.futures.ThreadPoolExecutor(jobs)
 
     def submit(self, unit: Unit, say: Callable[[str], None]) -> concurrent.futures.Future:
+        """Have a unit graded; `say` is told, in the unit's thread, of each test that has finished."""
         return self._pool.submit(units.perform, unit, say)
 
     def capacity(self) -> int:
@@ -37,6 +38,7 @@ class Local:
         return self.jobs
 
     def close(self) -> None:
+        """Take no more units, and drop those that have not begun."""
         self._pool.shutdown(wait=False, cancel_futures=True)  # an interrupted run does not wait for the rest
 
 
@@ -60,6 +62,7 @@ class Cluster:
         self._executor = self._client.get_executor(pure=False)
 
     def submit(self, unit: Unit, say: Callable[[str], None]) -> concurrent.futures.Future:
+        """Have a unit graded by a worker. `say` is told nothing: the tests finish on another machine."""
         return self._executor.submit(units.perform, unit)
 
     def capacity(self) -> int:

@@ -28,11 +28,13 @@ class Shown(Listener):
         self._all.stop()
 
     def begun(self, todo: int, all_of_them: int) -> None:
+        """Grading begins: so many submissions of all are new or changed."""
         self.console.print(f'{todo} of {all_of_them} submissions to grade', markup=False)
         if todo:
             self._total = self._all.add_task('submissions', total=todo)
 
     def tested(self, learner: str, test: str) -> None:
+        """A test of a learner's submission has finished; from any thread."""
         with self._lock:
             task, count = self._lines.get(learner, (None, 0))
             if task is None:
@@ -41,6 +43,7 @@ class Shown(Listener):
             self._all.update(task, completed=count + 1, description=f'{learner}: {_exercise(test)}')
 
     def finished(self, record: Record, fresh: bool, changes: list[str]) -> None:
+        """A learner's submission is done; `fresh`: it was graded now. `changes`: what is not as it was, in words."""
         with self._lock:
             task, _ = self._lines.pop(record.learner, (None, 0))
             if task is not None:

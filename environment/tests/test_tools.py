@@ -214,6 +214,13 @@ def test_start_up_gives_defaults_and_respects_what_is_set(tmp_path):
     assert env == before
 
 
+def test_other_installations_of_ros_get_the_same_defaults():
+    """There, the start-up file does not run, and helpers gives them."""
+    import helpers
+
+    assert helpers._DEFAULTS == startup.DEFAULTS
+
+
 def test_start_up_names_the_profile_of_fast_dds_where_it_is_installed(tmp_path):
     env = {}
     startup.activate(env, str(tmp_path))

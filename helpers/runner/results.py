@@ -57,10 +57,12 @@ class ExerciseResult:
         return sum(test.passed for test in mine), len(mine)
 
     def as_dict(self) -> dict:
+        """The result as JSON takes it; `from_dict` reads it again."""
         return asdict(self)
 
     @classmethod
     def from_dict(cls, data: dict) -> 'ExerciseResult':
+        """The result that `as_dict` has written. Raises KeyError or TypeError if fields are missing, or unknown."""
         return cls(**{**data, 'tests': [TestResult(**test) for test in data['tests']]})
 
 

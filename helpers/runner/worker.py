@@ -361,6 +361,7 @@ class Worker(Commands):
         self._sending = threading.Lock()
 
     def serve(self) -> None:
+        """Answer one request after the other, `stop` as the last one; the process ends if the tests' side has gone."""
         threading.Thread(target=self._read, daemon=True).start()
         while (request := self.requests.get()) is not None:
             try:
