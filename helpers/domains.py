@@ -5,6 +5,9 @@ anybody, so ids above 101 may collide with them; 0 is everybody's default. That 
 
 A claimed id is a locked file in ``/tmp/ros-domains`` (``COURSE_DOMAINS_DIR`` names another folder). The lock ends with
 the process that holds it, however it ends. The folder is writable for every user and sticky, as /tmp itself is.
+
+Programs that claim nothing speak in a domain, too: one that a terminal was given, or a child that has not ended yet. So
+the ids in which somebody of this machine has a port open come last.
 """
 
 import os
@@ -16,6 +19,8 @@ from pathlib import Path
 from filelock import FileLock, Timeout
 
 FIRST, LAST = 1, 101
+# DDSI-RTPS 9.6.2.3: where the ports of a domain are.
+_PORT_BASE, _PORTS_PER_DOMAIN = 7400, 250
 _held: list[FileLock] = []  # by `hold`
 
 
@@ -23,13 +28,14 @@ _held: list[FileLock] = []  # by `hold`
 def claim() -> Iterator[int]:
     """Hold a free ROS domain id from 1 to 101 for the duration of the block, and return it.
 
-    It is nobody else's who asks here, in any process of any user. The environment is not changed:
+    It is nobody else's who asks here, in any process of any user, and nobody speaks in it as long as there is such a
+    one. The environment is not changed:
     set ``ROS_DOMAIN_ID`` or pass the id to ``helpers.ros.start``.
 
     :raises RuntimeError: all ids are claimed.
     """
-    folder = _folder()
-    for domain_id in range(FIRST, LAST + 1):
+    folder, taken = _folder(), _spoken_in()
+    for domain_id in sorted(range(FIRST, LAST + 1), key=taken.__contains__):
         lock = FileLock(folder / f'{domain_id}.lock', mode=0o666, timeout=0, thread_local=False)
         try:
             lock.acquire()
@@ -52,6 +58,15 @@ def hold(domain_id: int) -> None:
     with suppress(Timeout, PermissionError):
         lock.acquire()
         _held.append(lock)
+
+
+def _spoken_in() -> set[int]:
+    """The domains of which some process of this machine has bound a UDP port; empty if the system does not tell."""
+    ports = set()
+    for table in ('/proc/net/udp', '/proc/net/udp6'):
+        with suppress(OSError):
+            ports |= {int(line.split()[1].rpartition(':')[2], 16) for line in Path(table).read_text().splitlines()[1:]}
+    return {(port - _PORT_BASE) // _PORTS_PER_DOMAIN for port in ports if port >= _PORT_BASE}
 
 
 def _folder() -> Path:
