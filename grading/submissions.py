@@ -12,6 +12,7 @@ inside a zip is the learner's own word: it counts only where no other submission
 """
 
 import re
+import zipfile
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -47,6 +48,8 @@ def find(paths: Iterable[Path], skipped: list[Path] | None = None) -> list[Submi
 
 def _at(path: Path, skipped: list[Path]) -> list[Submission]:
     if path.is_file():
+        if _of_a_class(path):
+            raise Unusable(f'{path} holds the submissions of several learners: unpack it, and give the folder')
         return [_read(path)]
     chapters = [child for child in _children(path) if child.is_file() and _CHAPTER.match(child.name)]
     archives = [child for child in _children(path) if child.is_file() and child.suffix == '.zip']
@@ -57,6 +60,16 @@ def _at(path: Path, skipped: list[Path]) -> list[Submission]:
     if not found:
         raise Unusable(f'{path} holds no submission: expected notebooks, or zip files and folders of learners')
     return found
+
+
+def _of_a_class(path: Path) -> bool:
+    """Whether this file, which the instructor named, is the zip in which a platform delivers all submissions."""
+    try:
+        with zipfile.ZipFile(path) as archive:
+            names = {name.partition('/')[0] for name in archive.namelist()}
+    except (OSError, zipfile.BadZipFile):
+        return False  # reading it says what is wrong
+    return sum(bool(_MOODLE.fullmatch(name) or _CANVAS.fullmatch(name)) for name in names) > 1
 
 
 def _below(folder: Path, owner: str, skipped: list[Path], depth: int) -> Iterator[Submission]:

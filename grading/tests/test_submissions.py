@@ -55,6 +55,16 @@ def test_notebooks_named_after_learners_are_one_submission_each(tmp_path):
     assert [found.learner for found in submissions.find([tmp_path])] == ['ada', 'bob', 'eve']
 
 
+@pytest.mark.parametrize('names', [
+    [f'Jane Doe_{number}_assignsubmission_file/{small.NOTEBOOK}' for number in (1, 2)],
+    [f'{name}_7_{number}_{small.NOTEBOOK}' for number, name in enumerate(('bob', 'doejane'))]])
+def test_the_zip_of_a_whole_class_is_to_be_unpacked(tmp_path, names):
+    path = zipped(tmp_path / 'class.zip', *((name, small.solved()) for name in names))
+    with pytest.raises(Unusable, match='several learners: unpack it'):
+        submissions.find([path])
+    assert submissions.find([zipped(tmp_path / 'one.zip', (names[0], small.solved()))])
+
+
 def test_a_chapter_beside_a_zip_is_refused_not_lost(tmp_path):
     (tmp_path / small.NOTEBOOK).write_bytes(small.solved())
     zipped(tmp_path / 'x.zip', (small.NOTEBOOK, small.solved()))
