@@ -3,12 +3,17 @@
 The same results give the same text: no times, no addresses, no order by chance. Colours suit light and dark themes.
 """
 
+import re
+
 from jinja2 import Environment
+from markupsafe import Markup, escape
 
 from helpers.runner import results, verdicts
 from helpers.runner.results import ExerciseResult, TestResult
 
 GOOD, BAD, OPEN = '#2e9d4e', '#d6453d', '#c98a00'
+
+_STYLES = {GOOD: 'green', BAD: 'red', OPEN: 'yellow'}  # of rich's, for a terminal
 
 # How a verdict is put into words, after the name of the exercise.
 _WORDS = {
@@ -24,19 +29,19 @@ _TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).f
 {% for exercise in exercises %}
 <div style="border-left: 4px solid {{ colour(exercise) }}; padding: 0.2em 0 0.2em 0.9em; margin: 0.3em 0">
 <div style="font-weight: 600">{{ heading(exercise) }}</div>
-<div>{{ summary(exercise) }}</div>
+<div>{{ code(summary(exercise)) }}</div>
 {% set again = repeated(exercise) %}
 {% for test in exercise.tests if not exercise.passed %}
-<div style="margin-top: 0.5em"><span style="color: {{ good if test.passed else bad }}; font-weight: 700">\
-{{ '✓' if test.passed else '✗' }}</span> {{ expected(test) }}</div>
+<div style="margin-top: 0.5em"><span style="color: {{ mark(test)[1] }}; font-weight: 700">\
+{{ mark(test)[0] }}</span> {{ code(expected(test)) }}</div>
 {% if test.test in again %}
 <div style="margin-left: 1.4em">The same as above.</div>
 {% elif not test.passed %}
 {% for line in happened(test) %}
-<div style="margin-left: 1.4em">{{ line }}</div>
+<div style="margin-left: 1.4em">{{ code(line) }}</div>
 {% endfor %}
 {% if hint(test) %}
-<div style="margin-left: 1.4em; font-style: italic; opacity: 0.8">{{ hint(test) }}</div>
+<div style="margin-left: 1.4em; font-style: italic; opacity: 0.8">{{ code(hint(test)) }}</div>
 {% endif %}
 {% if test.details %}
 <details style="margin-left: 1.4em"><summary>Where in your code</summary><pre>{{ test.details }}</pre></details>
@@ -108,21 +113,34 @@ def colour(exercise: ExerciseResult) -> str:
     return OPEN if exercise.verdict in (results.NOT_ATTEMPTED, verdicts.GRADER_ERROR) else BAD
 
 
+def mark(test: TestResult) -> tuple[str, str]:
+    """A sign before a test, and its colour. A test that itself failed says nothing about the learner's code."""
+    if test.passed:
+        return '✓', GOOD
+    return ('?', OPEN) if test.verdict == verdicts.GRADER_ERROR else ('✗', BAD)
+
+
+def code(text: str) -> Markup:
+    """The text for a page: what stands between backticks is code."""
+    return Markup(re.sub('`([^`\n]+)`', r'<code>\1</code>', str(escape(text))))
+
+
 def html(exercises: list[ExerciseResult]) -> str:
     """The results for a notebook."""
     return _TEMPLATE.render(exercises=exercises, heading=heading, summary=summary, colour=colour, hint=hint,
-                            expected=expected, happened=happened, repeated=repeated, good=GOOD, bad=BAD)
+                            expected=expected, happened=happened, repeated=repeated, mark=mark, code=code)
 
 
 def lines(exercises: list[ExerciseResult]) -> list[tuple[str, str]]:
     """The results for a terminal: pairs of a style of rich's ('' for plain) and one line of text."""
     found = []
     for exercise in exercises:
-        style = {GOOD: 'green', BAD: 'red', OPEN: 'yellow'}[colour(exercise)]
+        style = _STYLES[colour(exercise)]
         found += [(f'bold {style}', heading(exercise)), ('', f'  {summary(exercise)}')]
         again = repeated(exercise)
         for test in exercise.tests if not exercise.passed else ():
-            found.append(('green' if test.passed else 'red', f'  {"✓" if test.passed else "✗"} {expected(test)}'))
+            sign, shade = mark(test)
+            found.append((_STYLES[shade], f'  {sign} {expected(test)}'))
             if test.test in again:
                 found.append(('', '      The same as above.'))
             elif not test.passed:

@@ -44,6 +44,12 @@ def test_what_a_failure_looks_like():
     assert not re.search(r'[^-]color: (black|white|#000|#fff)|background', page)
 
 
+def test_code_is_set_as_code_and_a_faulty_test_is_no_cross():
+    assert display.code('Use `a < b`, not <c>.') == 'Use <code>a &lt; b</code>, not &lt;c&gt;.'
+    failed, faulty = result().tests[1], result('grader_error').tests[1]
+    assert [display.mark(test)[0] for test in (failed, faulty)] == ['✗', '?']
+
+
 def test_the_same_error_is_told_once():
     test = result('learner_crashed').tests[1]
     both = [dataclasses.replace(test, test=name) for name in 'ab']

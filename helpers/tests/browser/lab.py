@@ -26,7 +26,7 @@ CHROMIUM = _found.text if _found.ok else None
 NEEDED = [
     pytest.mark.skipif(not CHROMIUM, reason=f'no Chromium for the tests in a browser; {_found.remedy}'),
     pytest.mark.skipif(not find_spec('playwright'), reason='no Playwright for the tests in a browser; run: '
-                       '.venv/bin/uv pip install --python .venv/bin/python -r environment/browser.lock'),
+                       '.venv/bin/pip install -r environment/browser.lock'),
 ]
 # No display, no GPU; and no connections of the browser's own.
 FLAGS = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic',

@@ -46,7 +46,8 @@ def failed(outputs, notebook):
     """The errors in a notebook's outputs, without those that its author wants."""
     cells = json.loads(notebook.read_text())['cells']
     wanted = {cell['id'] for cell in cells if 'raises-exception' in cell['metadata'].get('tags', [])}
-    return [output for cell in outputs.keys() - wanted for output in outputs[cell] if output['output_type'] == 'error']
+    return [f'cell {cell}: {output["ename"]}: {output["evalue"]}' for cell in outputs.keys() - wanted
+            for output in outputs[cell] if output['output_type'] == 'error']
 
 
 @pytest.mark.skipif(not SOLUTION.is_file(), reason='the learner\'s edition has no solutions')
