@@ -299,13 +299,13 @@ def namespace_remedy(kernel: Path = Path('/proc/sys')) -> str:
 
 
 def browser(which: Callable[[str], str | None] = shutil.which) -> Fact:
-    """A browser draws meshcat's pictures in tests; without one those tests are left out."""
+    """Tests open the notebooks in a browser; without one those tests are left out."""
     names = ('chromium', 'chromium-browser', 'google-chrome', 'chrome')
     found = next(filter(None, map(which, names)), None)
     if found:
-        return Fact('browser for pictures', True, found)
-    text = 'no chromium: tests of the 3-D view are left out'
-    return Fact('browser for pictures', False, text, 'run: sudo apt install chromium', required=False)
+        return Fact('browser for tests', True, found)
+    text = 'no chromium: the tests in a browser are left out'
+    return Fact('browser for tests', False, text, 'run: sudo apt install chromium', required=False)
 
 
 def graphics() -> Fact:
