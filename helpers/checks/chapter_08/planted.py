@@ -7,6 +7,7 @@ side, each in a domain of its own.
 
 import hashlib
 import json
+import re
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
@@ -17,11 +18,13 @@ from helpers.runner.workspaces import package
 
 MARK = 'OUTCOMES '
 LIMIT_SECONDS = 40  # for the tests with one program that needs ROS
+OWN = 'your own'  # the name of the learner's program, which may be wrong itself
 ENDED = -14  # the status, if the alarm ended them
 SIDE_BY_SIDE = 3  # as many of these at a time
 # pytest's exit status: 0 all passed, 1 some failed, 2 interrupted (as by an error of import), 5 no tests.
 _RUN = f'''\
 import json
+import re
 import os
 import signal
 import sys
@@ -132,8 +135,7 @@ def judge(learner, functions: dict[str, str | dict[str, str]], subject: Subject 
     expect(subject.ros or "No module named 'rclpy" not in said and 'import of rclpy' not in said,
            'Your tests import rclpy. The function needs no ROS, and its tests need none.')
     expect(5 not in statuses, 'pytest found no test: the functions must begin with test_.')
-    bad = next((line for line in map(str.strip, said.splitlines()) if line.startswith('E ') or 'Error' in line), '')
-    expect(not statuses - {0, 1, ENDED}, f'pytest could not run your tests: {bad}')
+    expect(not statuses - {0, 1, ENDED}, f'pytest could not run your tests: {_unreadable(said)}')
     return outcomes
 
 
@@ -155,6 +157,15 @@ def _run(learner, functions, subject: Subject, tests: str) -> dict[str, Outcome]
     expect(done.last_line.startswith(MARK.strip()), f'The run of your tests ended with: {done.last_line}')
     found = json.loads(done.lines[-1].removeprefix(MARK))
     return {name: Outcome(*found[f'{number:02}']) for number, name in enumerate(names)}
+
+
+def _unreadable(said: str) -> str:
+    """Why pytest could not even begin, from what it said: the error, and the line of the tests where that is known."""
+    errors = (re.findall(r'^E +(\w*(?:Error|Exception)\b.*)$', said, re.MULTILINE)
+              or re.findall(r'^.*Error.*$', said, re.MULTILINE))
+    place = re.search(r'test_\w+\.py", line \d+|test_\w+\.py:\d+', said)
+    where = re.sub(r'", line ', ':', place[0]) if place else ''
+    return ' '.join([(errors or [''])[0].strip()[:200], *([f'({where})'] if where else [])])
 
 
 def accepts(learner, functions: dict, subject: Subject = LIMIT, *, wrong: dict, among: dict | None = None) -> None:
@@ -189,6 +200,8 @@ def _passes(outcome: Outcome, name: str, subject: Subject) -> None:
     """Fail unless the learner's tests pass with a right program."""
     expect(outcome.status != ENDED, f'Your tests did not end in {LIMIT_SECONDS} s with a right {subject.what} ({name}).'
                                     ' Give each wait a bound.')
+    expect(outcome.status == 0 or name != OWN, f'A test of yours fails with your own {subject.what}. '
+                                               f'pytest says: {outcome.reason}')
     why = (f'pytest says: {outcome.reason}' if subject.ros else 'Compare computed numbers with pytest.approx, and ask '
            f'for nothing that is not in the {subject.said}.')
     expect(outcome.status == 0, f'A test of yours fails with a {subject.what} that does what its {subject.said} says '

@@ -3,7 +3,7 @@
 import pytest
 
 from helpers.checks.chapter_08 import deliveries
-from helpers.checks.chapter_08.planted import ROBOT, accepts, rejects
+from helpers.checks.chapter_08.planted import OWN, ROBOT, accepts, rejects
 
 pytestmark = pytest.mark.exercise('8.11')
 SILENT = '''
@@ -17,7 +17,7 @@ class DeliveryRobot(DeliveryRobot):
 def robots(learner) -> tuple[dict, dict]:
     """The learner's own robot, and the same without a status."""
     own = deliveries.modules(learner)
-    return {'your own': own}, {'whose status never comes': {**own, deliveries.NODE: own[deliveries.NODE] + SILENT}}
+    return {OWN: own}, {'whose status never comes': {**own, deliveries.NODE: own[deliveries.NODE] + SILENT}}
 
 
 def test_own_robot(learner):
