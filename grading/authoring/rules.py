@@ -93,6 +93,10 @@ def _exercise(chapter: Chapter, cell: Cell, following: tuple[Cell, ...]):
         yield cell.line, f'{label} has an unknown field {key!r}', 'use id, points and names'
     if isinstance(points, bool) or not isinstance(points, (int, float)) or points <= 0:
         yield cell.line, f'{label} without points', 'add "points": N, more than 0, to its metadata'
+    said = re.search(rf'^#+ Exercise {identifier}: .*\(([\d.]+) points?\)$', '\n'.join(
+        other.source for other in chapter.cells if other.kind == 'markdown'), re.MULTILINE)
+    if said and str(points) != said[1]:
+        yield cell.line, f'{label} has {points} points, and {said[1]} in the heading of its card', 'write the same'
     if not isinstance(names, list) or not names or not all(str(name).isidentifier() for name in names):
         yield cell.line, f'{label} without names', 'add "names": [what the cell must define] to its metadata'
         names = []

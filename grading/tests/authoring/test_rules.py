@@ -22,6 +22,8 @@ def test_the_tiny_chapter_has_no_mistake(tree):
     ('    # BEGIN SOLUTION\n    # STUB: return None\n', '', '# END SOLUTION', 'END SOLUTION without', 'write # BEGIN'),
     ('"points": 10, ', '', FIRST, 'exercise 7.1 without points', 'add "points"'),
     ('"points": 10', '"points": 0', FIRST, 'exercise 7.1 without points', 'add "points"'),
+    ('```{code-cell} ipython3\n:exercise',
+     '### Exercise 7.1: double (5 points)\n\n```{code-cell} ipython3\n:exercise', FIRST, '10 points, and 5 in the heading', 'write the same'),
     (', "names": ["double"]', '', FIRST, 'exercise 7.1 without names', 'add "names"'),
     ('"id": "7.1"', '"id": 7.1', FIRST, 'exercise id 7.1', 'quoted "7.N"'),
     ('"id": "7.1"', '"id": "8.1"', FIRST, "exercise id '8.1'", 'quoted "7.N"'),
