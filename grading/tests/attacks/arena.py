@@ -224,10 +224,11 @@ def choose() -> str:
 
 
 def grade_batch(folder: Path, works: dict[str, bytes], cookie: str | None = None, *, jobs: int = 2,
-                used: str | None = None, more: Callable[[Path], None] = lambda incoming: None) -> Batch:
+                used: str | None = None, patience: str = PATIENCE,
+                more: Callable[[Path], None] = lambda incoming: None) -> Batch:
     """Grade files by name, and the honest learner's notebook, with secrets all around them that nobody may read.
 
-    `more` may put other things among the submissions.
+    `patience` begins each file of tests. `more` may put other things among the submissions.
     """
     used = used or choose()
     batch = Batch(folder, cookie or new_cookie(), f'CANARY-{secrets.token_hex(8)}')
@@ -248,7 +249,7 @@ def grade_batch(folder: Path, works: dict[str, bytes], cookie: str | None = None
     os.environ |= {'HOME': str(home), 'GRADER_TOKEN': batch.canary}
     begin = time.monotonic()
     try:
-        course = _course(folder, batch.canary, used)
+        course = _course(folder, batch.canary, used, patience)
         graded = grade.grade(submissions.find([incoming]), course, batch.output, jobs)
     finally:
         for name, value in saved.items():
@@ -270,10 +271,10 @@ def new_cookie() -> str:
     return f'ck{secrets.token_hex(6)}'
 
 
-def _course(folder: Path, canary: str, used: str) -> grade.Course:
+def _course(folder: Path, canary: str, used: str, patience: str) -> grade.Course:
     for number, id in enumerate(TITLES, 1):
-        small.write_tests(folder, PATIENCE + VISIBLE[id], number)
-        small.write_tests(folder, f'{PATIENCE}CANARY = {canary!r}\n{HIDDEN[id]}', number, kind='hidden')
+        small.write_tests(folder, patience + VISIBLE[id], number)
+        small.write_tests(folder, f'{patience}CANARY = {canary!r}\n{HIDDEN[id]}', number, kind='hidden')
     return grade.Course(exercises(), folder / 'checks', folder / 'hidden', used)
 
 

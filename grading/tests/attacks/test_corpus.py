@@ -85,7 +85,8 @@ def test_the_search_finds_what_is_not_hidden(tmp_path):
     """Without the sandbox an attack does find the secrets: the tests above could fail."""
     thieves = [attack for attack in ATTACKS if attack.family == 'theft' and attack.name == 'processes']
     works = {f'{learner(attack)}.ipynb': arena.notebook({attack.aim: attack.source}) for attack in thieves}
-    batch = arena.grade_batch(tmp_path, works, used='none')
+    patience = arena.PATIENCE.replace('3.0', '60.0')  # it searches every process of the machine
+    batch = arena.grade_batch(tmp_path, works, used='none', patience=patience)
     told = '\n'.join(test.output for attack in thieves for test in batch.exercise(learner(attack), attack.aim).tests)
     assert f'FOUND {batch.canary}' in told
 
