@@ -72,7 +72,7 @@ def test_the_script_names_a_missing_python(tmp_path):
     script.write_text((ROOT / 'course').read_text().replace('/usr/bin/python3', '/no/python3'))
     answer = subprocess.run(['/bin/sh', script], env={'PATH': str(tmp_path)}, capture_output=True, text=True)
     assert answer.returncode == 2
-    assert 'apt install python3' in answer.stderr
+    assert 'sudo apt-get install g++ python3-dev python3-venv' in answer.stderr
     assert len(answer.stderr.splitlines()) == 1
 
 

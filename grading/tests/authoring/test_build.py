@@ -166,7 +166,8 @@ def test_sanitizers_leave_alone_what_they_made(tmp_path):
                    'duration': 'Finished <<< a [1min 1.28s]', 'email': 'by <root@todo.todo>',
                    'ipykernel_file': '/tmp/ipykernel_71/8.py', 'address': '0x7f0011aabb',
                    'temporary': '/tmp/tmpc3i2_xnc/a',
-                   'port': 'localhost:4242', 'pid': 'pid=12'}[name]
+                   'port': 'localhost:4242', 'pid': 'pid=12',
+                   'ros_log': 'below /home/ada/.ros/log/2026-11-21-09-59-04-704598-lab-23551'}[name]
         once = re.sub(regex, replace, example)
         assert once != example
         assert re.sub(regex, replace, once) == once

@@ -1,13 +1,16 @@
-"""One headless Chromium for the tests here; what a failed test saw is kept and its place is told."""
+"""A headless Chromium for the tests here; what a failed test saw is kept and its place is told."""
 
 import pytest
 
 from helpers.tests.browser import evidence, lab
 
 
-@pytest.fixture(scope='session')
+@pytest.fixture(scope='module')
 def browser():
-    """A Playwright browser: Debian's Chromium, without a window."""
+    """A Playwright browser: Debian's Chromium, without a window.
+
+    Not for longer than a module: while Playwright runs, its thread has an event loop, and other tests start their own.
+    """
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as playwright:

@@ -17,7 +17,8 @@ GUIDES = [path for path in (paths.ROOT / 'README.md', *sorted(paths.ROOT.glob('[
                             paths.ROOT / 'environment' / 'containers' / 'README.md') if path.is_file()]
 FULL = (paths.ROOT / 'grading').is_dir()
 # Named in the guides, but made by what they tell: grade, build, submit, release --classroom, migrate; by JupyterLab.
-MADE = {'.github/workflows/classroom.yml', 'notebooks/backup-…', 'notebooks/.ipynb_checkpoints', 'gradescope/NAME.json'}
+MADE = {'.github/workflows/classroom.yml', 'notebooks/backup-…', 'notebooks/.ipynb_checkpoints', 'gradescope/NAME.json',
+        'build/bench.json'}
 # Placeholders of the guides. In a command one value stands for them, in a path any text.
 VALUES = {'NN': '03', 'N': '2', 'N.M': '3.1'}
 ANY = re.compile(r'NN|N_M|NAME|\w+-ID\b|(?<=_)name|misconception|style|…|\*')
