@@ -6,13 +6,15 @@ import nbformat
 from nbformat import NotebookNode
 
 RUNS = ('first', 'second')
+SKIP = 'nbval-skip'
 IGNORE = {'tags': ['nbval-ignore-output']}
 
 
 def repeated(notebook: NotebookNode, folder: Path, runs: tuple[str, ...] = RUNS) -> NotebookNode:
     """Return ``notebook`` with all of its cells twice, to be run in ``folder`` wherever the result is kept.
 
-    Outputs are kept, so all runs are compared with them; a cell that was never executed is not compared.
+    Outputs are kept, so all runs are compared with them; a cell that was never executed is not compared. What is tagged
+    nbval-skip takes long: a solved notebook runs it, and compares it, the first time only.
     """
     cells = [_cell('note', f'''\
 import os
@@ -23,7 +25,10 @@ leftovers.note()''')]
     for run in runs:
         for cell in notebook.cells:
             if cell.cell_type == 'code':
-                cells.append(nbformat.from_dict({**cell, 'id': f'{cell.id}-{run}'}))
+                copy = nbformat.from_dict({**cell, 'id': f'{cell.id}-{run}'})
+                if run == runs[0] and cell.outputs:
+                    copy.metadata['tags'] = [tag for tag in cell.metadata.get('tags', []) if tag != SKIP]
+                cells.append(copy)
     cells.append(_cell('leftovers', 'from grading.authoring import leftovers\nleftovers.check()'))
     return nbformat.from_dict({**notebook, 'cells': cells})
 

@@ -102,3 +102,13 @@ def test_a_file_that_is_no_notebook_is_named(tmp_path):
     (tmp_path / 'odd.ipynb').write_text('{')
     with pytest.raises(ValueError, match='odd.ipynb is no notebook'):
         repeated.write([tmp_path / 'odd.ipynb'], tmp_path / 'out')
+
+
+def test_what_takes_long_runs_once_in_a_solved_notebook_and_never_in_an_unsolved_one():
+    def skipped(text):
+        long = notebook([('print(1)', text)])
+        long.cells[0].metadata['tags'] = ['nbval-skip', 'other']
+        return {cell.id: 'nbval-skip' in cell.metadata.tags for cell in repeated.repeated(long, paths.ROOT).cells
+                if cell.id.startswith('cell-')}
+    assert skipped('1\n') == {'cell-0-first': False, 'cell-0-second': True}
+    assert skipped(None) == {'cell-0-first': True, 'cell-0-second': True}
