@@ -36,7 +36,7 @@ def test_scan_robot_and_marker_are_in_the_picture(ros):
         scans.publish(scan())
         markers.publish(marker(MarkerMsg.TEXT_VIEW_FACING, text='the dock'))
         shown = ('RobotModel/base/0', 'LaserScan/message', 'Marker/n/0/0')
-        wait_for(lambda: set(shown) <= {item.path for item in view.scene.items()})
+        wait_for(lambda: set(shown) <= {item.path for item in view.scene.items()}, timeout=30.0)  # trimesh is imported
         problem(view, 'RobotModel: link [wheel]: /nowhere.stl: there is no file')
     svg = view.picture().svg
     for drawn in ('<polygon', '<circle', 'stroke="#d42b2b"', '>the dock<', 'there is no file /nowhere.stl'):
