@@ -5,6 +5,7 @@ import json
 import re
 import shlex
 import shutil
+import subprocess
 
 import pytest
 import typer
@@ -66,6 +67,30 @@ def test_a_quoted_command_is_one(guide, command):
     if not FULL and words and words[0] in app.INSTRUCTOR:
         pytest.skip('the learner\'s edition has no commands for instructors')
     assert not problem(words), f'{guide}: ./course {command}: {problem(words)}'
+
+
+# Which tests run the commands that take longer, or need a place of their own.
+ELSEWHERE = {
+    'lab': 'helpers/tests/browser', 'migrate': 'helpers/tests/cli', 'submit': 'helpers/tests/cli',
+    'test': 'helpers/tests/cli/test_test.py', 'grade': 'grading/tests/cli', 'release': 'grading/tests/test_release.py',
+    'build': 'grading/tests/authoring/test_build.py', 'bench': 'grading/tests/cli/test_benchmarks.py',
+    'dask': 'grading/tests/test_cluster.py',
+}
+
+
+@pytest.mark.parametrize('command', sorted({command for _, command in QUOTED}))
+def test_a_quoted_command_runs(command):
+    """As it is quoted, in the course's own folder; in the shell that `shell` opens, a program of ROS is there."""
+    words = shlex.split(command) or ['--help']
+    elsewhere = [ELSEWHERE[word] for word in words if word in ELSEWHERE and '--help' not in words]
+    if elsewhere:
+        assert not FULL or (paths.ROOT / elsewhere[0]).exists()
+        return
+    done = subprocess.run([paths.ROOT / 'course', *words], input='command -v ros2\nexit\n', cwd=paths.ROOT, timeout=100,
+                          capture_output=True, text=True)
+    # 1 from a check: not all is solved
+    assert done.returncode in ((0, 1) if words[0] == 'check' else (0,)), done.stdout + done.stderr
+    assert words[0] != 'shell' or '/bin/ros2' in done.stdout
 
 
 def test_commands_are_found():
@@ -162,4 +187,6 @@ def test_the_way_from_a_release_to_the_grade_book(tmp_path, monkeypatch, capsys)
         row, = csv.DictReader(file)
     assert row['learner'] == 'ada' and float(row['3.1']) == 10
     assert (tmp_path / 'results' / 'feedback' / 'ada.html').is_file()
+    assert course(f'grade submissions -o results --only ada/3.2 --regrade{protected}')[0] == 0
+    assert course(f'grade submissions -o results-3 --chapter 3{protected}')[0] == 0
     shutil.rmtree(notebooks.parent)
