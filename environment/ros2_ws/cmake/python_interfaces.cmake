@@ -1,13 +1,29 @@
-# Included by project() of each package (CMAKE_PROJECT_INCLUDE) when interfaces are built for Python programs only:
-# leave out the generators and type supports for C++. rclpy works on those for C (rmw_fastrtps_cpp reads the
-# introspection of C, too, when it registers a type). For code that others use from C++, build without this file.
-find_package(ament_cmake_core QUIET)
-
-macro(ament_register_extension point package file)
-  if(NOT ("${point}" STREQUAL "rosidl_generate_idl_interfaces" AND "${package}" MATCHES "_cpp$"))
-    # The macro's own definition: CMake keeps an overridden command under its name with an underscore.
-    _ament_register_extension("${point}" "${package}" "${file}")
-  endif()
-endmacro()
+# Included by project() of each package (CMAKE_PROJECT_INCLUDE) when interfaces are built for Python programs only. For
+# code that others use from C++, build without this file.
+include(${CMAKE_CURRENT_LIST_DIR}/for_python_only.cmake)
+file(GLOB _interfaces ${PROJECT_SOURCE_DIR}/msg/*.msg ${PROJECT_SOURCE_DIR}/srv/*.srv
+  ${PROJECT_SOURCE_DIR}/action/*.action)
+if(_interfaces)
+  list(APPEND ${PROJECT_NAME}_CONFIG_EXTRAS "${CMAKE_CURRENT_LIST_DIR}/for_python_only.cmake")
+endif()
 
 include(${CMAKE_CURRENT_LIST_DIR}/faster_interfaces.cmake)
+
+# While the set-up builds (environment/builder): one server runs the generators of all packages, and no library names
+# the folder that it was built in, so that another copy of the course can use it.
+if(DEFINED ENV{COURSE_RULE_LAUNCHER})
+  set_property(GLOBAL PROPERTY RULE_LAUNCH_CUSTOM "$ENV{COURSE_RULE_LAUNCHER}")
+  foreach(language C CXX)  # not by add_compile_options(): rosidl sets the options of its targets anew
+    string(APPEND CMAKE_${language}_FLAGS " \"-fmacro-prefix-map=${CMAKE_BINARY_DIR}=${PROJECT_NAME}\"")
+  endforeach()
+  cmake_language(DEFER CALL _share_headers_of_python_code)
+endif()
+
+function(_share_headers_of_python_code)
+  foreach(kind generator_py typesupport_introspection_c)
+    set(target ${PROJECT_NAME}__rosidl_${kind})
+    if(TARGET ${target})
+      set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+    endif()
+  endforeach()
+endfunction()

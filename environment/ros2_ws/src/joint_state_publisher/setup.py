@@ -16,6 +16,7 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description='Publishes positions for all joints of a robot description.',
     license='Apache-2.0',
+    extras_require={'test': ['pytest']},
     entry_points={
         'console_scripts': [
             'joint_state_publisher = joint_state_publisher.node:main',

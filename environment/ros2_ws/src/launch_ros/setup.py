@@ -9,9 +9,11 @@ setup(
         ('share/launch_ros', ['package.xml']),
     ],
     install_requires=['setuptools'],
+    extras_require={'test': ['pytest']},
     zip_safe=True,
     maintainer='ROS 2 course maintainers',
     maintainer_email='maintainers@ros2-course.example.org',
     description='ROS for launch files.',
     license='Apache-2.0',
+    entry_points={'launch.frontend.launch_extension': ['launch_ros = launch_ros']},
 )

@@ -20,4 +20,5 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description="The URDF of the course's delivery robot, and two faulty ones to repair.",
     license='Apache-2.0',
+    extras_require={'test': ['pytest']},
 )

@@ -20,6 +20,7 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description="A simulated robot in a simulated world: MuJoCo's physics on ROS topics.",
     license='Apache-2.0',
+    extras_require={'test': ['pytest']},
     entry_points={
         'console_scripts': [
             'world = mujoco_world.node:main',

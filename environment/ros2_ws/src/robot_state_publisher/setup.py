@@ -16,6 +16,7 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description='From a robot description and the positions of its joints to the transforms of its links.',
     license='Apache-2.0',
+    extras_require={'test': ['pytest']},
     entry_points={
         'console_scripts': [
             'robot_state_publisher = robot_state_publisher.node:main',

@@ -16,6 +16,7 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description='The doctor command of ros2 (also wtf): check the set-up and report what is there.',
     license='Apache-2.0',
+    extras_require={'test': ['pytest']},
     entry_points={
         'ros2cli.command': [
             'doctor = ros2doctor.command.doctor:DoctorCommand',

@@ -16,6 +16,7 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description='The interface command of ros2: show message, service and action definitions.',
     license='Apache-2.0',
+    extras_require={'test': ['pytest']},
     entry_points={
         'ros2cli.command': [
             'interface = ros2interface.command.interface:InterfaceCommand',

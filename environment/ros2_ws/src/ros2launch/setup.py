@@ -9,6 +9,7 @@ setup(
         ('share/ros2launch', ['package.xml']),
     ],
     install_requires=['setuptools'],
+    extras_require={'test': ['pytest']},
     zip_safe=True,
     maintainer='ROS 2 course maintainers',
     maintainer_email='maintainers@ros2-course.example.org',

@@ -16,6 +16,7 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description='The lifecycle command of ros2: read and change the state of managed nodes.',
     license='Apache-2.0',
+    extras_require={'test': ['pytest']},
     entry_points={
         'ros2cli.command': [
             'lifecycle = ros2lifecycle.command.lifecycle:LifecycleCommand',

@@ -17,6 +17,7 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description='The pkg command of ros2: create packages and look them up.',
     license='Apache-2.0',
+    extras_require={'test': ['pytest']},
     entry_points={
         'ros2cli.command': [
             'pkg = ros2pkg.command.pkg:PkgCommand',

@@ -16,6 +16,7 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description='The service command of ros2: list, inspect and call services.',
     license='Apache-2.0',
+    extras_require={'test': ['pytest']},
     entry_points={
         'ros2cli.command': [
             'service = ros2service.command.service:ServiceCommand',
@@ -25,6 +26,7 @@ setup(
         ],
         'ros2service.verb': [
             'call = ros2service.verb.call:CallVerb',
+            'echo = ros2service.verb.echo:EchoVerb',
             'find = ros2service.verb.find:FindVerb',
             'info = ros2service.verb.info:InfoVerb',
             'list = ros2service.verb.list:ListVerb',

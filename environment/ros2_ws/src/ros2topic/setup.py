@@ -16,6 +16,7 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description='The topic command of ros2: list, inspect, listen to, measure and publish topics.',
     license='Apache-2.0',
+    extras_require={'test': ['pytest']},
     entry_points={
         'ros2cli.command': [
             'topic = ros2topic.command.topic:TopicCommand',

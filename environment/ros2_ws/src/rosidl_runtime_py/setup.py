@@ -16,4 +16,5 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description='Convert between ROS messages, dictionaries, YAML and CSV, and look interfaces up by name.',
     license='Apache-2.0',
+    extras_require={'test': ['pytest']},
 )

@@ -16,4 +16,5 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description='Reads robot descriptions (URDF).',
     license='Apache-2.0',
+    extras_require={'test': ['pytest']},
 )

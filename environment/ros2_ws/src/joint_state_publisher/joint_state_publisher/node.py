@@ -89,7 +89,7 @@ class JointStatePublisher(Node):
                 for joint, given in found.items()}
 
     def _read(self, text: str) -> Joints:
-        return Joints(read(text), self._options)
+        return Joints(read(text, nested=True), self._options)  # as upstream, which looks for any <robot>
 
     def _on_description(self, message: String) -> None:
         try:

@@ -5,7 +5,16 @@ The names and their behaviour are those of upstream's package ``launch``; the pa
 and what is left out.
 """
 
-from launch import actions, conditions, event_handlers, events, launch_description_sources, logging, substitutions
+from launch import (
+    actions,
+    conditions,
+    event_handlers,
+    events,
+    frontend,
+    launch_description_sources,
+    logging,
+    substitutions,
+)
 from launch.action import Action
 from launch.condition import Condition
 from launch.event import Event
@@ -38,6 +47,7 @@ __all__ = [
     'conditions',
     'event_handlers',
     'events',
+    'frontend',
     'launch_description_sources',
     'logging',
     'substitutions',

@@ -1,4 +1,4 @@
-"""One operating system process with its children, and the lines that it writes."""
+"""One operating system process with its children, and what it writes."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from collections.abc import Callable
 
 STDOUT, STDERR = 0, 1
 _GRACE_FOR_OUTPUT = 1.0  # seconds; a grandchild may keep the pipe open for ever
-_CHUNK = 8192  # bytes to read at a time: a talkative process must not keep the others waiting
+_CHUNK = 65536  # bytes to read at a time: all that a pipe holds
 _LOOK_AGAIN = 0.02  # seconds between two looks at a group: no one tells of the end of a grandchild
 
 
@@ -20,7 +20,7 @@ class ChildProcess:
     """
     A running process. Make one with ``start``.
 
-    ``on_output`` is called with STDOUT or STDERR and one line as bytes; the last may lack its end of line.
+    ``on_output`` is called with STDOUT or STDERR and the bytes read at once, which need not be whole lines.
     """
 
     def __init__(self, process: asyncio.subprocess.Process, readers: list[asyncio.Task]):
@@ -63,7 +63,7 @@ class ChildProcess:
         finally:
             for _, write_end in pipes:
                 os.close(write_end)
-        readers = [asyncio.create_task(_read_lines(pipes[i][0], i, on_output)) for i in (STDOUT, STDERR)]
+        readers = [asyncio.create_task(_read(pipes[i][0], i, on_output)) for i in (STDOUT, STDERR)]
         return cls(process, readers)
 
     @property
@@ -108,13 +108,12 @@ def _group_lives(group: int) -> bool:
     return True
 
 
-async def _read_lines(descriptor: int, source: int, on_output: Callable[[int, bytes], None]) -> None:
-    """Pass lines on until the other end is closed."""
+async def _read(descriptor: int, source: int, on_output: Callable[[int, bytes], None]) -> None:
+    """Pass on what comes until the other end is closed."""
     loop = asyncio.get_running_loop()
     os.set_blocking(descriptor, False)
     readable = asyncio.Event()
     loop.add_reader(descriptor, readable.set)
-    rest = b''
     try:
         while True:
             await readable.wait()
@@ -127,11 +126,7 @@ async def _read_lines(descriptor: int, source: int, on_output: Callable[[int, by
                 break
             if not data:
                 break
-            *lines, rest = (rest + data).split(b'\n')
-            for line in lines:
-                on_output(source, line + b'\n')
+            on_output(source, data)
     finally:
         loop.remove_reader(descriptor)
         os.close(descriptor)
-        if rest:
-            on_output(source, rest)

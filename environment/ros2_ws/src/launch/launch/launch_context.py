@@ -6,7 +6,7 @@ import asyncio
 import contextlib
 import os
 from collections import deque
-from collections.abc import Iterable, MutableMapping
+from collections.abc import Callable, Iterable, MutableMapping
 from types import SimpleNamespace
 from typing import Any
 
@@ -34,8 +34,10 @@ class LaunchContext:
         self._wakeup = asyncio.Event()
         self._futures: list[asyncio.Future] = []
         self._locals: list[dict[str, Any]] = [{}]
+        self._globals: dict[str, Any] = {}
         self._configuration_stack: list[dict[str, Any]] = []
-        self._temporary_files: list[str] = []
+        self._first_environment = dict(os.environ)
+        self._at_end: list[Callable[[], None]] = []
         self._environment_stack: list[dict[str, str]] = []
 
     @property
@@ -43,15 +45,14 @@ class LaunchContext:
         """The environment that processes inherit."""
         return os.environ
 
-    def remove_at_end(self, path: str) -> None:
-        """Remove a file when the launch has ended and no process can want it any more."""
-        self._temporary_files.append(path)
+    def call_at_end(self, function: Callable[[], None]) -> None:
+        """Call a function when the launch has ended and no process runs any more; the last one given comes first."""
+        self._at_end.append(function)
 
-    def remove_temporary_files(self) -> None:
-        """Remove the files of ``remove_at_end``."""
-        while self._temporary_files:
-            with contextlib.suppress(OSError):
-                os.remove(self._temporary_files.pop())
+    def close(self) -> None:
+        """Call the functions of ``call_at_end``."""
+        while self._at_end:
+            self._at_end.pop()()
 
     # --- texts ------------------------------------------------------------------------------------------------
 
@@ -67,8 +68,12 @@ class LaunchContext:
         return SimpleNamespace(**self.get_locals_as_dict())
 
     def get_locals_as_dict(self) -> dict[str, Any]:
-        """Return a copy of the local variables."""
-        return dict(self._locals[-1])
+        """Return a copy of the local variables, the global ones among them."""
+        return {**self._globals, **self._locals[-1]}
+
+    def extend_globals(self, extensions: dict[str, Any]) -> None:
+        """Set variables that last to the end of the launch."""
+        self._globals.update(extensions)
 
     def extend_locals(self, extensions: dict[str, Any]) -> None:
         """Set local variables; they last until ``pop_locals``."""
@@ -94,19 +99,31 @@ class LaunchContext:
 
     # --- scopes of GroupAction --------------------------------------------------------------------------------
 
-    def push_scope(self, *, forwarding: bool = True) -> None:
-        """Save configurations and environment; without forwarding begin with no configuration."""
+    def push_launch_configurations(self) -> None:
+        """Save the configurations; later changes last until ``pop_launch_configurations``."""
         self._configuration_stack.append(self.launch_configurations)
-        self.launch_configurations = dict(self.launch_configurations) if forwarding else {}
+        self.launch_configurations = dict(self.launch_configurations)
+
+    def pop_launch_configurations(self) -> None:
+        """Go back to the configurations saved last."""
+        self.launch_configurations = self._configuration_stack.pop()
+
+    def push_environment(self) -> None:
+        """Save the environment; later changes last until ``pop_environment``."""
         self._environment_stack.append(dict(self.environment))
 
-    def pop_scope(self) -> None:
-        """Go back to the configurations and the environment saved last."""
-        self.launch_configurations = self._configuration_stack.pop()
-        saved = self._environment_stack.pop()
-        for name in [name for name in self.environment if name not in saved]:
+    def pop_environment(self) -> None:
+        """Go back to the environment saved last."""
+        self._set_environment(self._environment_stack.pop())
+
+    def reset_environment(self) -> None:
+        """Go back to the environment that the launch began with."""
+        self._set_environment(self._first_environment)
+
+    def _set_environment(self, variables: dict[str, str]) -> None:
+        for name in [name for name in self.environment if name not in variables]:
             del self.environment[name]
-        self.environment.update(saved)
+        self.environment.update(variables)
 
     # --- events -----------------------------------------------------------------------------------------------
 
@@ -115,17 +132,17 @@ class LaunchContext:
         """The registered handlers; the newest comes first."""
         return tuple(self._handlers)
 
-    def register_event_handler(self, handler) -> None:
-        """Let a handler see events from now on."""
-        self._handlers.insert(0, handler)
+    def register_event_handler(self, event_handler, append: bool = False) -> None:
+        """Let a handler see events from now on, before the others or, with ``append``, after them."""
+        self._handlers.insert(len(self._handlers) if append else 0, event_handler)
 
-    def unregister_event_handler(self, handler) -> None:
+    def unregister_event_handler(self, event_handler) -> None:
         """
         Let a handler see no more events.
 
         :raises ValueError: if it is not registered
         """
-        self._handlers.remove(handler)
+        self._handlers.remove(event_handler)
 
     def emit_event_sync(self, event: Event, *, urgent: bool = False) -> None:
         """
@@ -139,7 +156,7 @@ class LaunchContext:
             self._queue.append(event)
         self._wakeup.set()
 
-    def is_awaited(self, event: Event) -> bool:
+    def would_handle_event(self, event: Event) -> bool:
         """Return True if a handler wants the event."""
         return any(handler.matches(event) for handler in self._handlers)
 

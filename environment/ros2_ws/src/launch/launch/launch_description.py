@@ -4,15 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+import launch.logging
 from launch.launch_context import LaunchContext
 from launch.launch_description_entity import LaunchDescriptionEntity
 
 
 class LaunchDescription(LaunchDescriptionEntity):
-    """A list of entities, visited in order."""
+    """
+    A list of entities, visited in order.
 
-    def __init__(self, initial_entities: Iterable[LaunchDescriptionEntity] | None = None):
+    :param deprecated_reason: warn with this text whenever the description is launched
+    """
+
+    def __init__(
+        self,
+        initial_entities: Iterable[LaunchDescriptionEntity] | None = None,
+        *,
+        deprecated_reason: str | None = None,
+    ):
         self._entities = list(initial_entities or [])
+        self._deprecated_reason = deprecated_reason
         for entity in self._entities:
             _check(entity)
 
@@ -20,6 +31,16 @@ class LaunchDescription(LaunchDescriptionEntity):
     def entities(self) -> list[LaunchDescriptionEntity]:
         """The entities, in order."""
         return self._entities
+
+    @property
+    def deprecated(self) -> bool:
+        """True if there is a reason not to use the description any more."""
+        return self._deprecated_reason is not None
+
+    @property
+    def deprecated_reason(self) -> str | None:
+        """Why not to use the description any more."""
+        return self._deprecated_reason
 
     def add_action(self, action: LaunchDescriptionEntity) -> None:
         """Add an action at the end."""
@@ -31,6 +52,10 @@ class LaunchDescription(LaunchDescriptionEntity):
         self._entities.append(entity)
 
     def visit(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
+        if self._deprecated_reason is not None:
+            path = context.get_locals_as_dict().get('current_launch_file_path')
+            what = 'deprecated launch description' if path is None else f'launch file [{path}] is deprecated'
+            launch.logging.get_logger().warning(f'{what}: {self._deprecated_reason}')
         return self._entities
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
@@ -40,7 +65,7 @@ class LaunchDescription(LaunchDescriptionEntity):
         """
         Return the DeclareLaunchArgument actions that can be found without launching, each name once.
 
-        Those behind a condition get ``conditional = True``; those that an include provides are left out.
+        Those behind a condition are marked as such; those that an include provides are left out.
         """
         found: dict = {}
         _collect(self._entities, conditional=False, provided=frozenset(), found=found)
@@ -59,7 +84,7 @@ def _collect(entities, *, conditional: bool, provided: frozenset, found: dict) -
     for entity in entities:
         if isinstance(entity, DeclareLaunchArgument):
             if entity.name not in provided and entity.name not in found:
-                entity.conditional = conditional or entity.condition is not None
+                entity._conditionally_included = conditional or entity.condition is not None
                 found[entity.name] = entity
             continue
         given = provided

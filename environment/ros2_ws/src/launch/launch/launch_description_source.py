@@ -11,10 +11,25 @@ from launch.utilities import describe_substitutions, normalize_to_list_of_substi
 
 
 class LaunchDescriptionSource:
-    """A launch file whose path may be known only while launching. Subclasses write ``_load``."""
+    """
+    A launch description that is there already, or a launch file whose path may be known only while launching.
 
-    def __init__(self, location: SomeSubstitutionsType):
-        self._location = normalize_to_list_of_substitutions(location)
+    Subclasses for files write ``_load``.
+
+    :param launch_description: the description
+    :param location: the path, or what the description is called
+    :param method: how the description came to be, for messages
+    """
+
+    def __init__(
+        self,
+        launch_description: LaunchDescription | None = None,
+        location: SomeSubstitutionsType | None = None,
+        method: str = 'unspecified mechanism from a script',
+    ):
+        self._description = launch_description
+        self._location = normalize_to_list_of_substitutions('<script>' if location is None else location)
+        self.method = method
         self._path: str | None = None
 
     @property
@@ -22,13 +37,19 @@ class LaunchDescriptionSource:
         """The path if it is known, otherwise how it will be found."""
         return self._path or describe_substitutions(self._location)
 
+    @property
+    def path(self) -> str | None:
+        """The path of the file, once it is known; None for a description that comes from no file."""
+        return self._path
+
     def get_launch_description(self, context: LaunchContext) -> LaunchDescription:
         """
-        Load the file.
+        Return the description, or load the file. What is wrong with it is raised as it comes.
 
-        :raises InvalidLaunchFileError: if it has a fault
         :raises OSError: if it cannot be read
         """
+        if self._description is not None:
+            return self._description
         self._path = os.path.abspath(to_text(context, self._location))
         return self._load(self._path)
 

@@ -35,6 +35,7 @@ class LaunchService:
         self._context = LaunchContext(argv=argv, noninteractive=noninteractive)
         self._lock = threading.Lock()
         self._loop: asyncio.AbstractEventLoop | None = None
+        self._task: asyncio.Task | None = None
         self._return_code = 0
         self._interrupted = False
 
@@ -42,6 +43,16 @@ class LaunchService:
     def context(self) -> LaunchContext:
         """The state of the launch."""
         return self._context
+
+    @property
+    def event_loop(self) -> asyncio.AbstractEventLoop | None:
+        """The loop that launches; None while nothing is launched."""
+        return self._loop
+
+    @property
+    def task(self) -> asyncio.Task | None:
+        """The task that launches; None while nothing is launched."""
+        return self._task
 
     def include_launch_description(self, launch_description: LaunchDescription) -> None:
         """Visit a launch description, now if the service runs, otherwise when it does. Thread-safe."""
@@ -55,11 +66,17 @@ class LaunchService:
             else:
                 self._loop.call_soon_threadsafe(self._context.emit_event_sync, event)
 
-    def shutdown(self) -> None:
-        """End a running launch; ``run`` returns when every process has ended. Thread-safe."""
+    def shutdown(self, force_sync: bool = False) -> asyncio.Task | None:
+        """
+        End a running launch; ``run`` returns when every process has ended. Thread-safe.
+
+        :return: the task that launches, to be awaited in its loop; None if nothing is launched
+        :param force_sync: accepted as upstream's
+        """
         with self._lock:
             if self._loop is not None:
                 self._loop.call_soon_threadsafe(self._begin_shutdown, 'LaunchService.shutdown() called')
+            return self._task
 
     def run(self, *, shutdown_when_idle: bool = True) -> int:
         """
@@ -76,6 +93,7 @@ class LaunchService:
             if self._loop is not None:
                 raise RuntimeError('this LaunchService runs already')
             self._loop = loop
+            self._task = asyncio.current_task()
         self._return_code = 0
         self._context.is_shutdown = False
         self._context.asyncio_loop = loop
@@ -86,14 +104,14 @@ class LaunchService:
             await self._run_loop(shutdown_when_idle)
         finally:
             await self._kill_rest()
-            self._context.remove_temporary_files()
+            self._context.close()
             for number, handler in signals.items():
                 loop.remove_signal_handler(number)
                 signal.signal(number, handler)
             os.environ.clear()
             os.environ.update(environment)
             with self._lock:
-                self._loop = None
+                self._loop = self._task = None
         return self._return_code
 
     # --- the loop ---------------------------------------------------------------------------------------------
@@ -103,7 +121,9 @@ class LaunchService:
         while True:
             # Every turn of the loop clears the flag before it looks, so nothing that comes later is missed.
             context._wakeup.clear()
-            self._collect_futures()
+            if self._collect_futures():
+                await asyncio.sleep(0)  # whoever waits for the end of a future emits an event about it only now
+                continue
             if context._queue:
                 for _ in range(len(context._queue)):
                     self._handle(context._queue.popleft())
@@ -116,12 +136,14 @@ class LaunchService:
                 continue
             await asyncio.sleep(0)  # let processes and timers have their turn
 
-    def _collect_futures(self) -> None:
+    def _collect_futures(self) -> bool:
+        """Forget the futures that are done; return whether there were any."""
         done = [future for future in self._context._futures if future.done()]
         self._context._futures = [future for future in self._context._futures if not future.done()]
         for future in done:
             if not future.cancelled() and future.exception() is not None:
                 self._fail(future.exception())
+        return bool(done)
 
     def _handle(self, event: Event) -> None:
         self._logger.debug(f"processing event: '{event}'")

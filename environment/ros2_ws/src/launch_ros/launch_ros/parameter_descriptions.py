@@ -1,14 +1,19 @@
-"""Parameters whose type is said on purpose."""
+"""Parameters whose type is said on purpose, and parameter files."""
 
 from __future__ import annotations
 
+import tempfile
+from pathlib import Path
 from typing import Any
 
 import yaml
+from launch.frontend import Parser, parse_substitution
 from launch.launch_context import LaunchContext
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
-from launch.utilities import to_text
+from launch.substitutions import SubstitutionFailure
+from launch.utilities import perform_substitutions, to_text
+from launch.utilities.type_utils import coerce_to_type, is_typing_list, to_bool
 
 
 class ParameterValue:
@@ -16,7 +21,8 @@ class ParameterValue:
     A parameter value with its type.
 
     :param value: a plain value, or substitutions
-    :param value_type: bool, int, float, str, or None to let YAML decide. With str a text stays a text.
+    :param value_type: bool, int, float, str, a List of one of them, or None to let YAML decide. With str a text stays
+        a text.
     """
 
     def __init__(self, value: Any, *, value_type: type | None = None):
@@ -32,11 +38,14 @@ class ParameterValue:
         substitutes = isinstance(value, Substitution) or (
             isinstance(value, (list, tuple)) and any(isinstance(item, Substitution) for item in value)
         )
+        is_list = is_typing_list(self.value_type)
         if not substitutes:
-            return value if self.value_type is None else self.value_type(value)
+            return value if self.value_type is None or is_list else self.value_type(value)
         text = to_text(context, value)
         if self.value_type is str:
             return text
+        if is_list:
+            return coerce_to_type(text, self.value_type)
         loaded = yaml.safe_load(text)
         if self.value_type is float and isinstance(loaded, int) and not isinstance(loaded, bool):
             return float(loaded)
@@ -50,10 +59,35 @@ class ParameterFile:
     A parameter file.
 
     :param param_file: its path
-    :param allow_substs: not supported: substitutions inside the file
+    :param allow_substs: replace the substitutions inside the file, e.g. ``$(var name)``
     """
 
-    def __init__(self, param_file: SomeSubstitutionsType, *, allow_substs: bool = False):
-        if allow_substs:
-            raise NotImplementedError('substitutions inside a parameter file (allow_substs) are not supported')
-        self.param_file = param_file
+    def __init__(self, param_file: SomeSubstitutionsType, *, allow_substs: bool | SomeSubstitutionsType = False):
+        self.param_file, self.allow_substs = param_file, allow_substs
+
+    def evaluate(self, context: LaunchContext) -> Path:
+        """
+        Return the path of the file to use: with substitutions, of a copy that is removed when the launch ends.
+
+        :raises SubstitutionFailure: if a substitution has no text, or the result is no YAML
+        :raises OSError: if the file cannot be read
+        """
+        path = Path(to_text(context, self.param_file))
+        if not to_bool(context, self.allow_substs):
+            return path
+        Parser.load_launch_extensions()
+        text = perform_substitutions(context, parse_substitution(path.read_text(encoding='utf-8')))
+        try:
+            yaml.safe_load(text)
+        except yaml.YAMLError as error:
+            raise SubstitutionFailure(f'The substituted parameter file is not a valid yaml file: {error}') from error
+        return write_temporary_file(context, text)
+
+
+def write_temporary_file(context: LaunchContext, text: str) -> Path:
+    """Write a parameter file that is removed when the launch ends; return its path."""
+    with tempfile.NamedTemporaryFile('w', prefix='launch_params_', suffix='.yaml', delete=False) as file:
+        file.write(text)
+    path = Path(file.name)
+    context.call_at_end(lambda: path.unlink(missing_ok=True))
+    return path

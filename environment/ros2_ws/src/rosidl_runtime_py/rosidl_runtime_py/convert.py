@@ -18,7 +18,7 @@ class _Dumper(yaml.Dumper):
 
 _Dumper.add_representer(
     OrderedDict,
-    lambda dumper, data: dumper.represent_mapping('tag:yaml.org,2002:map', data.items(), flow_style=None))
+    lambda dumper, data: dumper.represent_mapping('tag:yaml.org,2002:map', data.items(), flow_style=False))
 
 
 def get_message_slot_types(msg: Any) -> 'OrderedDict[str, Any]':
@@ -31,13 +31,18 @@ def message_to_yaml(
     flow_style: bool = False,
 ) -> str:
     """
-    Return the message as YAML, one field a line, or all on one line with `flow_style`.
+    Return the message as YAML, one field a line; with `flow_style` a list stands on one line.
 
     :param truncate_length: keep only so many elements of arrays, bytes and strings, then `...`.
     :param no_arr: name type and length of arrays instead of their elements.
     :param no_str: name the length of strings instead of their text.
     """
     fields = message_to_ordereddict(msg, truncate_length=truncate_length, no_arr=no_arr, no_str=no_str)
+    return dump_yaml(fields, flow_style)
+
+
+def dump_yaml(fields: 'OrderedDict[str, Any]', flow_style: bool = False) -> str:
+    """Return what message_to_ordereddict returns as YAML; with `flow_style` a list stands on one line."""
     return yaml.dump(fields, Dumper=_Dumper, allow_unicode=True, width=sys.maxsize, default_flow_style=flow_style)
 
 

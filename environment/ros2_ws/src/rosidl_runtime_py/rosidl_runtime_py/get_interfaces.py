@@ -19,14 +19,14 @@ def get_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
     Return the names (`msg/String`, `srv/Empty` …) of the interfaces of some packages.
 
     :param package_names: the packages; none means all.
-    :raises LookupError: if a package is not installed, or defines no interface.
+    :raises LookupError: if a package is not installed.
     """
     names = list(package_names)
     known = get_interface_packages()
-    unknown = set(names) - set(known)
-    if unknown:
-        raise LookupError(f'Unknown package {", ".join(sorted(unknown))!r}')
-    return {name: _interfaces_of(name) for name in (names or known)}
+    for name in names:
+        if not has_resource('packages', name):
+            raise LookupError(f"Unknown package '{name}'")
+    return {name: _interfaces_of(name) if name in known else [] for name in (names or known)}
 
 
 def _interfaces_of(package_name: str) -> list[str]:

@@ -21,6 +21,8 @@ def set_message_fields(
     """
     Set fields of a message in place; the ones not named keep their defaults.
 
+    A value may also be a message, where the field holds one.
+
     :param expand_header_auto: `auto` as the value of a std_msgs/Header means a stamp to be set later.
     :param expand_time_now: `now` as the value of a builtin_interfaces/Time means the same.
     :return: functions to call with a builtin_interfaces/Time before each publishing, one per such stamp.
@@ -33,7 +35,10 @@ def set_message_fields(
     slot_types = get_message_slot_types(msg)
     stamps: list[Callable[[Any], None]] = []
 
-    def nested(target: Any, content: Any) -> Any:
+    def nested(kind: type, content: Any) -> Any:
+        if isinstance(content, kind):  # a message already
+            return content
+        target = kind()
         stamps.extend(set_message_fields(target, content, expand_header_auto, expand_time_now))
         return target
 
@@ -47,12 +52,12 @@ def set_message_fields(
         elif expand_time_now and slot_type == _TIME and content == 'now':
             stamps.append(partial(setattr, msg, name))
         elif isinstance(slot_type, NamespacedType):
-            setattr(msg, name, nested(type(field)(), content))
+            setattr(msg, name, nested(type(field), content))
         elif isinstance(slot_type, AbstractNestedType) and isinstance(slot_type.value_type, NamespacedType):
             if not isinstance(content, (list, tuple)):
                 raise TypeError(f"Value '{content}' is expected to be a list but is a {type(content).__name__}")
             element = import_message_from_namespaced_type(slot_type.value_type)
-            setattr(msg, name, [nested(element(), item) for item in content])
+            setattr(msg, name, [nested(element, item) for item in content])
         else:
             setattr(msg, name, _converted(field, content))
     return stamps

@@ -61,3 +61,18 @@ def get_service(identifier: str) -> Any:
 def get_action(identifier: str) -> Any:
     """Return an action class (ValueError, ModuleNotFoundError, AttributeError)."""
     return _get(identifier, 'action', is_action, 'an action')
+
+
+def get_message_namespaced_type(identifier: str) -> NamespacedType:
+    """Split the name of a message, `package/msg/Name` or `package/Name`; raises ValueError as get_namespaced_type."""
+    return get_namespaced_type(identifier, default_namespace='msg')
+
+
+def get_service_namespaced_type(identifier: str) -> NamespacedType:
+    """Split the name of a service, `package/srv/Name` or `package/Name`; raises ValueError as get_namespaced_type."""
+    return get_namespaced_type(identifier, default_namespace='srv')
+
+
+def get_action_namespaced_type(identifier: str) -> NamespacedType:
+    """Split the name of an action, `package/action/Name` or `package/Name`; raises as get_namespaced_type."""
+    return get_namespaced_type(identifier, default_namespace='action')

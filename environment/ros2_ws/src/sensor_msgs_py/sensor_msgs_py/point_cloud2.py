@@ -150,8 +150,7 @@ def create_cloud(
             'All fields need to have the same datatype. Pass a structured NumPy array with multiple dtypes otherwise.'
         points = unstructured_to_structured(points, dtype=dtype_from_fields(fields, point_step))
     else:
-        step = points.dtype.itemsize if point_step is None else point_step
-        assert points.dtype == dtype_from_fields(fields, step), \
+        assert points.dtype == dtype_from_fields(fields, point_step), \
             'PointFields and structured NumPy array dtype do not match for all fields! ' \
             'Check their field order, names and types.'
     assert points.ndim <= 2, \

@@ -61,6 +61,10 @@ class BufferClient(BufferInterface):
         self.check_frequency = check_frequency
         self.timeout_padding = timeout_padding
 
+    def destroy(self) -> None:
+        """Take the action client off the node; the client is of no use afterwards."""
+        self.action_client.destroy()
+
     def lookup_transform(
         self,
         target_frame: str,

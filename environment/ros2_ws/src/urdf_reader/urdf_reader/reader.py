@@ -27,14 +27,17 @@ NEED_LIMITS = ('revolute', 'prismatic')
 INERTIA = ('ixx', 'ixy', 'ixz', 'iyy', 'iyz', 'izz')
 
 
-def read(text: str) -> Robot:
+def read(text: str, nested: bool = False) -> Robot:
     """
     Return the robot that a URDF describes.
 
     :param text: the XML text (not a file's name).
+    :param nested: if the text begins with another element, take the first `<robot>` within it.
     :raises UrdfError: the text is no URDF, or its links are no tree; one line, with the line in the text.
     """
     root, lines = parse(text)
+    if nested and root.tag != 'robot':
+        root = next(root.iter('robot'), root)
     return _Reader(lines).robot(root)
 
 

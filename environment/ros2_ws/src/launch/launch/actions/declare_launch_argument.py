@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from launch.action import Action
+from launch.frontend import Entity, Parser, expose_action
 from launch.launch_context import LaunchContext
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
 
 
+@expose_action('arg')
 class DeclareLaunchArgument(Action):
     """
     An argument that may be given to the launch file; its value is the launch configuration of the same name.
@@ -39,7 +41,25 @@ class DeclareLaunchArgument(Action):
         if default_value is not None:
             self.default_value = normalize_to_list_of_substitutions(default_value)
         self.description = _describe(description, choices)
-        self.conditional = False  # set by LaunchDescription.get_launch_arguments
+        self._conditionally_included = False  # set by LaunchDescription.get_launch_arguments; read by ros2launch
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser):
+        """Read ``arg``, with a ``choice`` for each value that is allowed."""
+        _, kwargs = super().parse(entity, parser)
+        kwargs['name'] = parser.escape_characters(entity.get_attr('name'))
+        default = entity.get_attr('default', optional=True)
+        if default is not None:
+            kwargs['default_value'] = parser.parse_substitution(default)
+        description = entity.get_attr('description', optional=True)
+        if description is not None:
+            kwargs['description'] = parser.escape_characters(description)
+        choices = entity.get_attr('choice', data_type=list[Entity], optional=True)
+        if choices is not None:
+            kwargs['choices'] = [parser.escape_characters(choice.get_attr('value')) for choice in choices]
+            for choice in choices:
+                choice.assert_entity_completely_parsed()
+        return cls, kwargs
 
     def describe(self) -> str:
         return f"DeclareLaunchArgument('{self.name}')"

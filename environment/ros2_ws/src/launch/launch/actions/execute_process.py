@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import itertools
 import os
+import re
 import shlex
 import signal
 from collections.abc import Iterable
@@ -12,26 +13,24 @@ from typing import Any
 
 import launch.logging
 from launch.action import Action
-from launch.child_process import ChildProcess
+from launch.actions.shutdown_action import Shutdown
+from launch.child_process import STDERR, STDOUT, ChildProcess
+from launch.event_handlers import OnProcessExit
 from launch.events.process import ProcessExited, ProcessStarted, ProcessStderr, ProcessStdout
+from launch.frontend import Entity, Parser, expose_action
 from launch.launch_context import LaunchContext
 from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.substitutions import LaunchConfiguration
-from launch.utilities import (
-    describe_substitutions,
-    normalize_to_list_of_substitutions,
-    to_bool,
-    to_entities,
-    to_number,
-    to_text,
-)
+from launch.substitutions import LaunchConfiguration, TextSubstitution
+from launch.utilities import describe_substitutions, normalize_to_list_of_substitutions, to_entities, to_text
+from launch.utilities.type_utils import to_bool, to_number
 
 _SIGTERM_TIMEOUT = LaunchConfiguration('sigterm_timeout', default=5)
 _SIGKILL_TIMEOUT = LaunchConfiguration('sigkill_timeout', default=5)
 _numbers = itertools.count(1)
 
 
+@expose_action('executable')
 class ExecuteProcess(Action):
     """
     Runs a program until it ends, or until the system shuts down.
@@ -40,7 +39,8 @@ class ExecuteProcess(Action):
     shutdown it gets SIGINT, after ``sigterm_timeout`` seconds SIGTERM, after ``sigkill_timeout`` more SIGKILL.
 
     :param cmd: the program and its arguments
-    :param prefix: words to put before the command, e.g. ``gdb -ex run --args``
+    :param prefix: words to put before the command, e.g. ``gdb -ex run --args``; by default the launch configuration
+        ``launch-prefix``, if the program's name matches the pattern ``launch-prefix-filter``
     :param name: what the log calls the process, instead of the program's name
     :param cwd: the directory to run in
     :param env: the whole environment, instead of the launch's
@@ -49,6 +49,7 @@ class ExecuteProcess(Action):
     :param emulate_tty: give the program a terminal to write to, so that it does not hold its output back
     :param output: screen, log or both, see ``launch.logging.get_output_loggers``
     :param output_format: how a line is shown; ``{line}`` and ``{this}`` are filled in
+    :param cached_output: keep the output for ``get_stdout`` and ``get_stderr``
     :param log_cmd: log the command before it runs
     :param on_exit: actions, or a function of (event, context) that returns some, for when the process has ended
     :param respawn: start the program again whenever it ends
@@ -71,6 +72,7 @@ class ExecuteProcess(Action):
         emulate_tty: bool = False,
         output: SomeSubstitutionsType | dict = 'log',
         output_format: str = '[{this.process_name}] {line}',
+        cached_output: bool = False,
         log_cmd: bool = False,
         on_exit=None,
         respawn: bool | SomeSubstitutionsType = False,
@@ -81,10 +83,12 @@ class ExecuteProcess(Action):
         super().__init__(**kwargs)
         self._cmd = [normalize_to_list_of_substitutions(part) for part in cmd]
         self._prefix, self._name, self._cwd = prefix, name, cwd
-        self._env, self._additional_env = env, additional_env
+        self._env, self._additional_env = _pairs(env), _pairs(additional_env)
         self._shell, self._emulate_tty = shell, emulate_tty
         self._timeouts = (sigterm_timeout, sigkill_timeout)
         self._output, self._output_format, self._log_cmd = output, output_format, log_cmd
+        self._cached: list[bytearray] | None = [bytearray(), bytearray()] if cached_output else None
+        self._unfinished = [b'', b'']
         self._on_exit = on_exit
         self._respawn, self._respawn_delay, self._respawn_retries = respawn, respawn_delay, respawn_max_retries
         self._details: dict[str, Any] = {}
@@ -94,10 +98,159 @@ class ExecuteProcess(Action):
         self._shutdown_quiet = False
         self.return_code: int | None = None
 
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser, ignore: Iterable[str] = ()):
+        """
+        Read ``executable``.
+
+        :param ignore: attributes that a derived action reads itself
+        """
+        _, kwargs = super().parse(entity, parser)
+        if 'cmd' not in ignore:
+            kwargs['cmd'] = cls._parse_cmdline(entity.get_attr('cmd'), parser)
+        attributes = [('cwd', 'cwd', str), ('name', 'name', str), ('launch-prefix', 'prefix', str),
+                      ('output', 'output', str), ('sigterm_timeout', 'sigterm_timeout', float),
+                      ('sigkill_timeout', 'sigkill_timeout', float), ('respawn', 'respawn', bool),
+                      ('respawn_delay', 'respawn_delay', float), ('respawn_max_retries', 'respawn_max_retries', int),
+                      ('shell', 'shell', bool), ('emulate_tty', 'emulate_tty', bool), ('log_cmd', 'log_cmd', bool)]
+        for attribute, argument, kind in attributes:
+            if argument in ignore:
+                continue
+            may_be_text = kind is not int and argument not in ('respawn_delay', 'shell', 'log_cmd')
+            value = entity.get_attr(attribute, data_type=kind, optional=True, can_be_str=may_be_text)
+            if value is not None:
+                kwargs[argument] = parser.parse_substitution(value) if isinstance(value, str) else value
+        for timeout in kwargs.keys() & {'sigterm_timeout', 'sigkill_timeout'}:
+            if isinstance(kwargs[timeout], float):
+                kwargs[timeout] = str(kwargs[timeout])
+        if kwargs.get('respawn_delay', 0.0) < 0.0:
+            raise ValueError('Attribute respawn_delay of Entity node expected to be a non-negative value but got '
+                             f'`{kwargs["respawn_delay"]}`')
+        if 'on_exit' not in ignore:
+            cls._parse_on_exit(entity, kwargs)
+        if 'additional_env' not in ignore:
+            cls._parse_env(entity, parser, kwargs)
+        return cls, kwargs
+
+    @staticmethod
+    def _parse_on_exit(entity: Entity, kwargs: dict[str, Any]) -> None:
+        on_exit = entity.get_attr('on_exit', optional=True)
+        if on_exit == 'shutdown':
+            kwargs['on_exit'] = [Shutdown()]
+        elif on_exit is not None:
+            raise ValueError(f'Attribute on_exit of Entity node expected to be shutdown but got `{on_exit}`'
+                             'Other on_exit actions not yet supported')
+
+    @staticmethod
+    def _parse_env(entity: Entity, parser: Parser, kwargs: dict[str, Any]) -> None:
+        variables = entity.get_attr('env', data_type=list[Entity], optional=True)
+        if variables is not None:
+            kwargs['additional_env'] = {
+                tuple(parser.parse_substitution(item.get_attr('name'))):
+                    parser.parse_substitution(item.get_attr('value')) for item in variables
+            }
+            for item in variables:
+                item.assert_entity_completely_parsed()
+
+    @staticmethod
+    def _parse_cmdline(cmd: str, parser: Parser) -> list[list]:
+        """Return the words of a command line; a space inside what a substitution gives does not divide words."""
+        substitutions = []
+
+        def keep(substitution) -> str:
+            substitutions.append(substitution)
+            return f'\0{len(substitutions) - 1}\0'
+
+        line = ''.join(part.text if isinstance(part, TextSubstitution) else keep(part)
+                       for part in parser.parse_substitution(cmd))
+        words = []
+        for word in shlex.split(line):
+            pieces = [TextSubstitution(text=piece) if i % 2 == 0 else substitutions[int(piece)]
+                      for i, piece in enumerate(word.split('\0'))]
+            words.append([piece for piece in pieces if not isinstance(piece, TextSubstitution) or piece.text]
+                         or [TextSubstitution(text='')])
+        return words
+
     @property
     def cmd(self) -> list:
-        """The command, as lists of substitutions."""
-        return self._cmd
+        """The command: lists of substitutions, or, once it is executed, texts."""
+        return self._details.get('cmd', self._cmd)
+
+    @property
+    def name(self):
+        """What the log calls the process: substitutions or None, or, once it is executed, a text such as talker-1."""
+        if self._details:
+            return self._details['name']
+        return None if self._name is None else normalize_to_list_of_substitutions(self._name)
+
+    @property
+    def cwd(self):
+        """The directory to run in: substitutions, or, once it is executed, a text; None if it is the launch's."""
+        if self._details:
+            return self._details['cwd']
+        return None if self._cwd is None else normalize_to_list_of_substitutions(self._cwd)
+
+    @property
+    def env(self):
+        """The whole environment: pairs of substitutions, or, once it is executed, texts; None for the launch's."""
+        return self._details['env'] if self._details else self._env
+
+    @property
+    def additional_env(self):
+        """The variables added to the environment, as pairs of substitutions; None if there are none."""
+        return self._additional_env
+
+    @property
+    def prefix(self):
+        """What is put before the command, as substitutions."""
+        default = LaunchConfiguration('launch-prefix', default='')
+        return normalize_to_list_of_substitutions(default if self._prefix is None else self._prefix)
+
+    @property
+    def shell(self) -> bool:
+        """True if a shell reads the command."""
+        return self._shell
+
+    @property
+    def emulate_tty(self) -> bool:
+        """True if the program gets a terminal to write to."""
+        return self._emulate_tty
+
+    @property
+    def output(self):
+        """Where the output goes."""
+        return self._output
+
+    @property
+    def sigterm_timeout(self):
+        """Seconds from SIGINT to SIGTERM, as substitutions."""
+        return normalize_to_list_of_substitutions(self._timeouts[0])
+
+    @property
+    def sigkill_timeout(self):
+        """Seconds from SIGTERM to SIGKILL, as substitutions."""
+        return normalize_to_list_of_substitutions(self._timeouts[1])
+
+    def get_stdout(self) -> str:
+        """
+        Return what the process has written to its standard output.
+
+        :raises RuntimeError: if the output is not kept
+        """
+        return self._kept(STDOUT)
+
+    def get_stderr(self) -> str:
+        """
+        Return what the process has written to its standard error.
+
+        :raises RuntimeError: if the output is not kept
+        """
+        return self._kept(STDERR)
+
+    def _kept(self, source: int) -> str:
+        if self._cached is None:
+            raise RuntimeError("the output of this process is not kept: give the action 'cached_output=True'")
+        return self._cached[source].decode(errors='replace')
 
     @property
     def process_name(self) -> str:
@@ -112,7 +265,8 @@ class ExecuteProcess(Action):
     def describe(self) -> str:
         cwd = None if self._cwd is None else f"'{describe_substitutions(self._cwd)}'"
         parts = ', '.join(describe_substitutions(part) for part in self._cmd)
-        return f'ExecuteProcess(cmd=[{parts}], cwd={cwd}, env={self._env}, shell={self._shell})'
+        env = self._env and '{' + ', '.join(': '.join(map(describe_substitutions, pair)) for pair in self._env) + '}'
+        return f'ExecuteProcess(cmd=[{parts}], cwd={cwd}, env={env}, shell={self._shell})'
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
         return [] if callable(self._on_exit) else to_entities(self._on_exit)
@@ -125,13 +279,12 @@ class ExecuteProcess(Action):
     def execute(self, context: LaunchContext) -> None:
         if self._details:
             raise RuntimeError(f"ExecuteProcess action '{self.process_name}': executed more than once")
-        cmd = self.get_command(context)
-        prefix = shlex.split(to_text(context, self._prefix or LaunchConfiguration('launch-prefix', default='')))
+        cmd = self._with_prefix(context, self.get_command(context))
         name = os.path.basename(cmd[0]) if self._name is None else to_text(context, self._name)
         self._details = {
             'action': self,
             'name': f'{name}-{next(_numbers)}',
-            'cmd': [*prefix, *cmd],
+            'cmd': cmd,
             'cwd': None if self._cwd is None else to_text(context, self._cwd),
             'env': self._expand_environment(context),
         }
@@ -148,6 +301,13 @@ class ExecuteProcess(Action):
         self._shutdown_requested = asyncio.Event()
         context.running_processes.append(self)
         self._task = context.asyncio_loop.create_task(self._live(context))
+
+    def _with_prefix(self, context: LaunchContext, cmd: list[str]) -> list[str]:
+        if self._prefix is None:
+            pattern = to_text(context, LaunchConfiguration('launch-prefix-filter', default=''))
+            if re.match(pattern, os.path.basename(cmd[0])) is None:
+                return cmd
+        return [*shlex.split(to_text(context, self.prefix)), *cmd]
 
     def get_command(self, context: LaunchContext) -> list[str]:
         """Return the program and its arguments as texts."""
@@ -178,6 +338,7 @@ class ExecuteProcess(Action):
                     return
                 stopper = asyncio.create_task(self._stop_when_asked())
                 self.return_code = await self._child.wait()
+                self._log_unfinished_lines()
                 self._report_end(context)
                 if self._shutdown_requested.is_set():
                     await stopper
@@ -215,12 +376,25 @@ class ExecuteProcess(Action):
         return True
 
     def _on_output(self, context: LaunchContext, source: int, data: bytes) -> None:
-        """Log a line (with its end of line, unless it is an unfinished last one) and tell the handlers."""
-        line = data.decode(errors='replace').rstrip('\r\n')
-        self._outputs[source].info(self._output_format.format(line=line, this=self))
+        """Log the lines that are complete now, keep the rest, and tell the handlers what was read."""
+        *lines, self._unfinished[source] = (self._unfinished[source] + data).split(b'\n')
+        for line in lines:
+            self._log_line(source, line)
+        if self._cached is not None:
+            self._cached[source] += data
         event = (ProcessStdout, ProcessStderr)[source](text=data, **self._details)
-        if context.is_awaited(event):  # or else a talkative process would fill the queue for nothing
+        if context.would_handle_event(event):  # or else a talkative process would fill the queue for nothing
             context.emit_event_sync(event)
+
+    def _log_unfinished_lines(self) -> None:
+        for source, line in enumerate(self._unfinished):
+            if line:
+                self._log_line(source, line)
+        self._unfinished = [b'', b'']
+
+    def _log_line(self, source: int, line: bytes) -> None:
+        text = line.decode(errors='replace').rstrip('\r')
+        self._outputs[source].info(self._output_format.format(line=text, this=self))
 
     def _report_end(self, context: LaunchContext) -> None:
         pid, code = self._child.pid, self.return_code
@@ -235,8 +409,6 @@ class ExecuteProcess(Action):
             self._register_on_exit(context)
 
     def _register_on_exit(self, context: LaunchContext) -> None:
-        from launch.event_handlers import OnProcessExit
-
         # Registered only now, it is still in time for the event just queued.
         context.register_event_handler(
             OnProcessExit(target_action=self, on_exit=self._on_exit, handle_once=True)
@@ -274,6 +446,13 @@ class ExecuteProcess(Action):
         if self._env is None and self._additional_env is None:
             return None
         result = dict(context.environment) if self._env is None else {}
-        for name, value in {**(self._env or {}), **(self._additional_env or {})}.items():
+        for name, value in [*(self._env or []), *(self._additional_env or [])]:
             result[to_text(context, name)] = to_text(context, value)
         return result
+
+
+def _pairs(variables: dict | None) -> list[tuple] | None:
+    """Return the names and values of environment variables as substitutions."""
+    if variables is None:
+        return None
+    return [tuple(map(normalize_to_list_of_substitutions, pair)) for pair in variables.items()]

@@ -2,32 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from launch.action import Action
+from launch.actions.pop_environment import PopEnvironment
+from launch.actions.pop_launch_configurations import PopLaunchConfigurations
+from launch.actions.push_environment import PushEnvironment
+from launch.actions.push_launch_configurations import PushLaunchConfigurations
+from launch.actions.reset_environment import ResetEnvironment
+from launch.actions.reset_launch_configurations import ResetLaunchConfigurations, parse_keeps
+from launch.actions.set_launch_configuration import SetLaunchConfiguration
+from launch.frontend import Entity, Parser, expose_action
 from launch.launch_context import LaunchContext
 from launch.launch_description_entity import LaunchDescriptionEntity
-from launch.utilities import to_text
 
 
-class PushLaunchConfigurations(Action):
-    """Begins a scope: later changes of configurations and environment last until it ends."""
-
-    def __init__(self, *, forwarding: bool = True, **kwargs):
-        super().__init__(**kwargs)
-        self._forwarding = forwarding
-
-    def execute(self, context: LaunchContext) -> None:
-        context.push_scope(forwarding=self._forwarding)
-
-
-class PopLaunchConfigurations(Action):
-    """Ends the scope begun last."""
-
-    def execute(self, context: LaunchContext) -> None:
-        context.pop_scope()
-
-
+@expose_action('group')
 class GroupAction(Action):
     """
     Actions that share a condition and a scope.
@@ -43,15 +33,29 @@ class GroupAction(Action):
         *,
         scoped: bool = True,
         forwarding: bool = True,
-        launch_configurations: dict | None = None,
+        launch_configurations: Mapping | None = None,
         **kwargs,
     ):
         super().__init__(**kwargs)
         if not scoped and not forwarding:
-            raise RuntimeError("GroupAction with scoped=False cannot have forwarding=False")
+            raise RuntimeError('GroupAction with scoped=False cannot have forwarding=False')
         self._actions = list(actions)
         self._scoped, self._forwarding = scoped, forwarding
-        self._configurations = launch_configurations or {}
+        self._configurations = dict(launch_configurations or {})
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser):
+        """Read ``group``."""
+        _, kwargs = super().parse(entity, parser)
+        for attribute in ('scoped', 'forwarding'):
+            value = entity.get_attr(attribute, data_type=bool, optional=True, can_be_str=False)
+            if value is not None:
+                kwargs[attribute] = value
+        keeps = parse_keeps(entity, parser)
+        if keeps:
+            kwargs['launch_configurations'] = keeps
+        kwargs['actions'] = [parser.parse_action(child) for child in entity.children if child.type_name != 'keep']
+        return cls, kwargs
 
     def describe(self) -> str:
         return 'GroupAction'
@@ -60,9 +64,10 @@ class GroupAction(Action):
         return self._actions
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
-        # The values are taken from outside, before a scope without forwarding hides them.
-        given = {to_text(context, name): to_text(context, value) for name, value in self._configurations.items()}
-        if self._scoped:
-            context.push_scope(forwarding=self._forwarding)
-        context.launch_configurations.update(given)
-        return [*self._actions, PopLaunchConfigurations()] if self._scoped else self._actions
+        begin: list[Action] = [PushLaunchConfigurations(), PushEnvironment()] if self._scoped else []
+        if self._forwarding:
+            begin += [SetLaunchConfiguration(name, value) for name, value in self._configurations.items()]
+        else:
+            begin += [ResetEnvironment(), ResetLaunchConfigurations(self._configurations)]
+        end = [PopEnvironment(), PopLaunchConfigurations()] if self._scoped else []
+        return [*begin, *self._actions, *end]

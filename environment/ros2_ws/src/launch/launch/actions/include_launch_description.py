@@ -6,15 +6,18 @@ import os
 from collections.abc import Iterable
 
 from launch.action import Action
-from launch.actions.opaque import OpaqueFunction
+from launch.actions.opaque_function import OpaqueFunction
+from launch.frontend import Entity, Parser, expose_action
 from launch.launch_context import LaunchContext
 from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.launch_description_source import LaunchDescriptionSource
+from launch.launch_description_sources import AnyLaunchDescriptionSource
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitutions.text_substitution import TextSubstitution
 from launch.utilities import normalize_to_list_of_substitutions, to_text
 
 
+@expose_action('include')
 class IncludeLaunchDescription(Action):
     """
     Visits the launch description of another file.
@@ -32,11 +35,23 @@ class IncludeLaunchDescription(Action):
     ):
         super().__init__(**kwargs)
         if not isinstance(launch_description_source, LaunchDescriptionSource):
-            from launch.launch_description_sources import AnyLaunchDescriptionSource
-
             launch_description_source = AnyLaunchDescriptionSource(launch_description_source)
         self.launch_description_source = launch_description_source
         self.launch_arguments = list(launch_arguments or [])
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser):
+        """Read ``include``, with a ``let`` or ``arg`` for each argument."""
+        _, kwargs = super().parse(entity, parser)
+        kwargs['launch_description_source'] = parser.parse_substitution(entity.get_attr('file'))
+        arguments = []
+        for tag in ('let', 'arg'):
+            for argument in entity.get_attr(tag, data_type=list[Entity], optional=True) or []:
+                name, value = (parser.parse_substitution(argument.get_attr(key)) for key in ('name', 'value'))
+                arguments.append((name, value))
+                argument.assert_entity_completely_parsed()
+        kwargs['launch_arguments'] = arguments
+        return cls, kwargs
 
     def provided_names(self) -> frozenset[str]:
         """Return the names of the arguments given here, as far as they are plain texts."""
@@ -58,14 +73,14 @@ class IncludeLaunchDescription(Action):
             given[to_text(context, name)] = to_text(context, value)
         for argument in description.get_launch_arguments():
             known = argument.name in given or argument.name in context.launch_configurations
-            if argument.default_value is None and not argument.conditional and not known:
+            if argument.default_value is None and not argument._conditionally_included and not known:
                 raise RuntimeError(
                     f"Included launch description missing required argument '{argument.name}' "
                     f"(description: '{argument.description}'), given: [{', '.join(given)}]"
                 )
-        path = self.launch_description_source.location
+        path = self.launch_description_source.path
         context.launch_configurations.update(given)
-        context.push_locals(
-            {'current_launch_file_path': path, 'current_launch_file_directory': os.path.dirname(path)}
-        )
+        context.push_locals({} if path is None else {
+            'current_launch_file_path': path, 'current_launch_file_directory': os.path.dirname(path)
+        })
         return [description, OpaqueFunction(function=lambda context: context.pop_locals())]

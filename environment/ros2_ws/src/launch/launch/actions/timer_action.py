@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from launch.action import Action
-from launch.events import Shutdown, TimerEvent
+from launch.event_handlers import OnShutdown
+from launch.events import TimerEvent
+from launch.frontend import Entity, Parser, expose_action
 from launch.launch_context import LaunchContext
 from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.utilities import to_number
+from launch.utilities.type_utils import to_number
 
 
+@expose_action('timer')
 class TimerAction(Action):
     """
     Visits actions after a time. They see the configurations of that moment, as in upstream.
@@ -35,6 +38,20 @@ class TimerAction(Action):
         self._cancel_on_shutdown = cancel_on_shutdown
         self._future: asyncio.Future | None = None
 
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser):
+        """Read ``timer``."""
+        _, kwargs = super().parse(entity, parser)
+        period = entity.get_attr('period', data_type=float, can_be_str=True)
+        kwargs['period'] = parser.parse_if_substitutions(period)
+        kwargs['actions'] = [parser.parse_action(child) for child in entity.children]
+        return cls, kwargs
+
+    @property
+    def period(self) -> float | SomeSubstitutionsType:
+        """Seconds, as given."""
+        return self._period
+
     def describe(self) -> str:
         return 'TimerAction'
 
@@ -53,8 +70,6 @@ class TimerAction(Action):
             self._future.cancel()
 
     def execute(self, context: LaunchContext) -> None:
-        from launch.event_handler import EventHandler
-
         self._future = future = context.asyncio_loop.create_future()
         local_variables = context.get_locals_as_dict()
 
@@ -63,12 +78,14 @@ class TimerAction(Action):
                 context.emit_event_sync(TimerEvent(self, local_variables))
                 future.set_result(None)
 
-        handle = context.asyncio_loop.call_later(to_number(context, self._period), fire)
-        future.add_done_callback(lambda _: handle.cancel())
+        stop_waiting = self._call_later(context, to_number(context, self._period), fire)
+        future.add_done_callback(lambda _: stop_waiting())
         if self._cancel_on_shutdown:
-            context.register_event_handler(
-                EventHandler(matcher=lambda event: isinstance(event, Shutdown), entities=lambda *_: self.cancel())
-            )
+            context.register_event_handler(OnShutdown(on_shutdown=lambda *_: self.cancel()))
+
+    def _call_later(self, context: LaunchContext, seconds: float, function: Callable[[], None]) -> Callable[[], None]:
+        """Call a function in the launch's loop after a time; return what makes it not be called any more."""
+        return context.asyncio_loop.call_later(seconds, function).cancel
 
     def get_asyncio_future(self) -> asyncio.Future | None:
         return self._future

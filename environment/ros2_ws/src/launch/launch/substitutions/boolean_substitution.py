@@ -1,89 +1,108 @@
-"""Comparisons, as the texts ``true`` and ``false``."""
+"""Truth values combined, as the texts ``true`` and ``false``."""
 
+from launch.frontend.expose import expose_substitution
 from launch.launch_context import LaunchContext
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
-from launch.utilities import describe_substitutions, to_bool, to_text
+from launch.substitutions.arguments import counted
+from launch.substitutions.substitution_failure import SubstitutionFailure
+from launch.utilities import describe_substitutions
+from launch.utilities.type_utils import to_bool
 
 
-class _Pair(Substitution):
-    def __init__(self, left: SomeSubstitutionsType, right: SomeSubstitutionsType):
-        self._left, self._right = left, right
+def decide(context: LaunchContext, value: SomeSubstitutionsType) -> bool:
+    """
+    Return the truth value of a text.
+
+    :raises SubstitutionFailure: if it has none
+    """
+    try:
+        return to_bool(context, value)
+    except ValueError as error:
+        raise SubstitutionFailure(str(error)) from error
+
+
+class _Several(Substitution):
+    """Some truth values, made one."""
+
+    def __init__(self, *args: SomeSubstitutionsType):
+        self.args = list(args)
 
     def describe(self) -> str:
-        return f'{type(self).__name__}({describe_substitutions(self._left)} {describe_substitutions(self._right)})'
+        return f'{type(self).__name__}({" ".join(describe_substitutions(arg) for arg in self.args)})'
 
     def perform(self, context: LaunchContext) -> str:
-        return str(self._decide(context)).lower()
+        return str(self._combine([decide(context, arg) for arg in self.args])).lower()
 
-    def _decide(self, context: LaunchContext) -> bool:
+    def _combine(self, values: list[bool]) -> bool:
         raise NotImplementedError
 
 
-class AndSubstitution(_Pair):
+@expose_substitution('any')
+class AnySubstitution(_Several):
+    """True if at least one is."""
+
+    @classmethod
+    def parse(cls, data):
+        """Read ``$(any value …)``."""
+        return cls, {'args': data}
+
+    def _combine(self, values: list[bool]) -> bool:
+        return any(values)
+
+
+@expose_substitution('all')
+class AllSubstitution(_Several):
+    """True if all are."""
+
+    @classmethod
+    def parse(cls, data):
+        """Read ``$(all value …)``."""
+        return cls, {'args': data}
+
+    def _combine(self, values: list[bool]) -> bool:
+        return all(values)
+
+
+@expose_substitution('and')
+class AndSubstitution(AllSubstitution):
     """True if both are."""
 
-    def _decide(self, context: LaunchContext) -> bool:
-        return to_bool(context, self._left) and to_bool(context, self._right)
+    def __init__(self, left: SomeSubstitutionsType, right: SomeSubstitutionsType):
+        super().__init__(left, right)
+
+    @classmethod
+    def parse(cls, data):
+        """Read ``$(and left right)``."""
+        left, right = counted('and', data, 2)
+        return cls, {'left': left, 'right': right}
 
 
-class OrSubstitution(_Pair):
+@expose_substitution('or')
+class OrSubstitution(AnySubstitution):
     """True if one is."""
 
-    def _decide(self, context: LaunchContext) -> bool:
-        return to_bool(context, self._left) or to_bool(context, self._right)
+    def __init__(self, left: SomeSubstitutionsType, right: SomeSubstitutionsType):
+        super().__init__(left, right)
+
+    @classmethod
+    def parse(cls, data):
+        """Read ``$(or left right)``."""
+        left, right = counted('or', data, 2)
+        return cls, {'left': left, 'right': right}
 
 
-class EqualsSubstitution(_Pair):
-    """True if the two are the same text, truth value or number."""
-
-    def _decide(self, context: LaunchContext) -> bool:
-        left, right = to_text(context, self._left), to_text(context, self._right)
-        return _value(left) == _value(right)
-
-
-class NotEqualsSubstitution(EqualsSubstitution):
-    """True if the two differ."""
-
-    def _decide(self, context: LaunchContext) -> bool:
-        return not super()._decide(context)
-
-
-class NotSubstitution(Substitution):
+@expose_substitution('not')
+class NotSubstitution(_Several):
     """True if the other is false."""
 
     def __init__(self, value: SomeSubstitutionsType):
-        self._value = value
+        super().__init__(value)
 
-    def describe(self) -> str:
-        return f'NotSubstitution({describe_substitutions(self._value)})'
+    @classmethod
+    def parse(cls, data):
+        """Read ``$(not value)``."""
+        return cls, {'value': counted('not', data, 1)[0]}
 
-    def perform(self, context: LaunchContext) -> str:
-        return str(not to_bool(context, self._value)).lower()
-
-
-class IfElseSubstitution(Substitution):
-    """One of two texts."""
-
-    def __init__(
-        self,
-        condition: SomeSubstitutionsType,
-        if_value: SomeSubstitutionsType = '',
-        else_value: SomeSubstitutionsType = '',
-    ):
-        self._condition, self._if, self._else = condition, if_value, else_value
-
-    def describe(self) -> str:
-        return f'IfElseSubstitution({describe_substitutions(self._condition)})'
-
-    def perform(self, context: LaunchContext) -> str:
-        return to_text(context, self._if if to_bool(context, self._condition) else self._else)
-
-
-def _value(text: str):
-    if text.strip().lower() in ('true', 'false'):
-        return text.strip().lower()
-    try:
-        return float(text)
-    except ValueError:
-        return text
+    def _combine(self, values: list[bool]) -> bool:
+        return not values[0]

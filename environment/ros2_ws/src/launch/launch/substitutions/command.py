@@ -4,13 +4,16 @@ import shlex
 import subprocess
 
 import launch.logging
+from launch.frontend.expose import expose_substitution
 from launch.launch_context import LaunchContext
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
+from launch.substitutions.arguments import counted
 from launch.substitutions.substitution_failure import SubstitutionFailure
 from launch.utilities import describe_substitutions, normalize_to_list_of_substitutions, perform_substitutions, to_text
 
 
+@expose_substitution('command')
 class Command(Substitution):
     """
     What a command prints. It is run once, without a shell, and must succeed.
@@ -21,6 +24,12 @@ class Command(Substitution):
     def __init__(self, command: SomeSubstitutionsType, *, on_stderr: SomeSubstitutionsType = 'fail'):
         self._command = normalize_to_list_of_substitutions(command)
         self._on_stderr = on_stderr
+
+    @classmethod
+    def parse(cls, data):
+        """Read ``$(command 'command' [on_stderr])``."""
+        command, *on_stderr = counted('command', data, 1, 2)
+        return cls, {'command': command, **({'on_stderr': on_stderr[0]} if on_stderr else {})}
 
     def describe(self) -> str:
         return f'Command({describe_substitutions(self._command)})'

@@ -2,27 +2,42 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 import launch.logging
 import yaml
 from launch.actions import ExecuteProcess
+from launch.frontend import Entity, Parser, expose_action
 from launch.launch_context import LaunchContext
 from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.utilities import describe_substitutions, to_text
+from launch.substitution import Substitution
+from launch.utilities import to_text
 
-from launch_ros.actions.set_parameter import GLOBAL_PARAMETERS, GlobalParameter
 from launch_ros.actions.set_remap import REMAPPINGS
+from launch_ros.global_parameters import GLOBAL_PARAMETERS, GlobalParameter
 from launch_ros.namespaces import join_namespace
-from launch_ros.parameter_descriptions import ParameterFile
+from launch_ros.parameter_descriptions import ParameterFile, ParameterValue, write_temporary_file
 from launch_ros.parameters import evaluate_parameters
 from launch_ros.substitutions import ExecutableInPackage
 
 UNSPECIFIED_NAME = '<node_name_unspecified>'
 
 
+class _NodeName(Substitution):
+    """The remapping that gives a node its name; it is known once the name is."""
+
+    def __init__(self, name: SomeSubstitutionsType):
+        self._name = name
+
+    def describe(self) -> str:
+        return "LocalVar('node name')"
+
+    def perform(self, context: LaunchContext) -> str:
+        return f'__node:={to_text(context, self._name)}'
+
+
+@expose_action('node')
 class Node(ExecuteProcess):
     """
     Runs a program of a package with a node's name, namespace, parameters and remappings.
@@ -59,12 +74,39 @@ class Node(ExecuteProcess):
             if value is not None and not isinstance(value, (list, tuple)):
                 raise TypeError(f"'{label}' of Node must be a list, got {type(value).__name__}")
         program = executable if package is None else ExecutableInPackage(package=package, executable=executable)
-        super().__init__(cmd=[program, *(arguments or [])], name=exec_name, **kwargs)
+        cmd = [program, *(arguments or []), '--ros-args', *(ros_arguments or [])]
+        cmd += [] if name is None else ['-r', _NodeName(name)]
+        super().__init__(cmd=cmd, name=exec_name, **kwargs)
         self.node_package, self.node_executable = package, executable
         self._node_name, self._node_namespace = name, namespace
         self._parameters, self._remappings = list(parameters or []), list(remappings or [])
-        self._ros_arguments = list(ros_arguments or [])
         self._final_name: str | None = None
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser):
+        """Read ``node``."""
+        _, kwargs = super().parse(entity, parser, ignore=('cmd', 'name'))
+        for attribute, argument in (('pkg', 'package'), ('exec', 'executable')):
+            kwargs[argument] = parser.parse_substitution(entity.get_attr(attribute))
+        for attribute in ('name', 'exec_name', 'namespace'):
+            value = entity.get_attr(attribute, optional=True)
+            if value is not None:
+                kwargs[attribute] = parser.parse_substitution(value)
+        for attribute, argument in (('args', 'arguments'), ('ros_args', 'ros_arguments')):
+            value = entity.get_attr(attribute, optional=True)
+            if value is not None:
+                kwargs[argument] = cls._parse_cmdline(value, parser)
+        remappings = entity.get_attr('remap', data_type=list[Entity], optional=True)
+        if remappings is not None:
+            kwargs['remappings'] = [
+                tuple(parser.parse_substitution(remap.get_attr(key)) for key in ('from', 'to')) for remap in remappings
+            ]
+            for remap in remappings:
+                remap.assert_entity_completely_parsed()
+        parameters = entity.get_attr('param', data_type=list[Entity], optional=True)
+        if parameters is not None:
+            kwargs['parameters'] = [_parse_parameter(parameter, parser) for parameter in parameters]
+        return cls, kwargs
 
     @property
     def node_name(self) -> str:
@@ -77,28 +119,30 @@ class Node(ExecuteProcess):
             raise RuntimeError("cannot access 'node_name' before executing action")
         return self._final_name
 
-    def describe(self) -> str:
-        package = '' if self.node_package is None else f'package={describe_substitutions(self.node_package)}, '
-        return f'Node({package}executable={describe_substitutions(self.node_executable)})'
+    @property
+    def expanded_node_namespace(self) -> str:
+        """The node's namespace; / if it is known only to the node's program."""
+        return self.node_name.rpartition('/')[0] or '/'
 
     def get_command(self, context: LaunchContext) -> list[str]:
-        return [*super().get_command(context), '--ros-args', *self._ros_words(context)]
+        self._expand_name(context)
+        return [*super().get_command(context), *self._ros_words(context)]
 
-    def _ros_words(self, context: LaunchContext) -> list[str]:
-        words = [to_text(context, argument) for argument in self._ros_arguments]
-        name = '' if self._node_name is None else to_text(context, self._node_name)
+    def _expand_name(self, context: LaunchContext) -> None:
+        """Find out the full name, which may have parts that are known only now."""
+        name = None if self._node_name is None else to_text(context, self._node_name)
         base = context.launch_configurations.get('ros_namespace', '')
         given = '' if self._node_namespace is None else to_text(context, self._node_namespace)
-        namespace = join_namespace(base, given)
-        _validate(name, namespace)
-        self._final_name = f'{namespace.rstrip("/")}/{name or UNSPECIFIED_NAME}'
-        if name:
-            words += ['-r', f'__node:={name}']
-        if namespace:
-            words += ['-r', f'__ns:={namespace}']
+        self._final_namespace = join_namespace(base, given)
+        _validate(name, self._final_namespace)
+        self._final_name = f'{self._final_namespace.rstrip("/")}/{name or UNSPECIFIED_NAME}'
+
+    def _ros_words(self, context: LaunchContext) -> list[str]:
+        words = ['-r', f'__ns:={self._final_namespace}'] if self._final_namespace else []
+        node = '/**' if self._node_name is None else self._final_name
         parameters = [*context.launch_configurations.get(GLOBAL_PARAMETERS, []), *self._parameters]
         for item in parameters:
-            words += self._parameter_words(context, item, self._final_name if name else '/**')
+            words += self._parameter_words(context, item, node)
         remappings = [(to_text(context, old), to_text(context, new)) for old, new in self._remappings]
         for old, new in [*context.launch_configurations.get(REMAPPINGS, []), *remappings]:
             words += ['-r', f'{old}:={new}']
@@ -109,27 +153,60 @@ class Node(ExecuteProcess):
         if isinstance(item, GlobalParameter):
             return ['-p', f'{item.name}:={item.as_yaml()}']
         if isinstance(item, Mapping):
-            return ['--params-file', _write_parameters(context, node, evaluate_parameters(context, item))]
-        path = to_text(context, item.param_file if isinstance(item, ParameterFile) else item)
-        if not Path(path).is_file():
+            parameters = {node: {'ros__parameters': evaluate_parameters(context, item)}}
+            text = yaml.safe_dump(parameters, default_flow_style=False)
+            return ['--params-file', str(write_temporary_file(context, text))]
+        path = item.evaluate(context) if isinstance(item, ParameterFile) else Path(to_text(context, item))
+        if not path.is_file():
             launch.logging.get_logger('launch_ros.actions.node').warning(f'Parameter file path is not a file: {path}')
-        return ['--params-file', path]
+        return ['--params-file', str(path)]
 
 
-def _validate(name: str, namespace: str) -> None:
+_TYPES = {'bool': bool, 'int': int, 'float': float, 'str': str}
+
+
+def _parse_parameter(entity: Entity, parser: Parser) -> ParameterFile | dict:
+    """Return the file or the value that a ``param`` of a node names."""
+    path = entity.get_attr('from', optional=True)
+    if path is None:
+        if entity.get_attr('name', optional=True) is None:
+            raise ValueError('param Entity should have name or from attribute')
+        return _parse_value(entity, parser)
+    if entity.get_attr('name', optional=True) is not None:
+        raise RuntimeError('name and from attributes are mutually exclusive')
+    allow = entity.get_attr('allow_substs', data_type=bool, optional=True)
+    entity.assert_entity_completely_parsed()
+    return ParameterFile(parser.parse_substitution(path), allow_substs=parser.parse_if_substitutions(allow or False))
+
+
+def _parse_value(entity: Entity, parser: Parser) -> dict:
+    """Return the value of a ``param`` with a name, or those of the ``param`` in it, below that name."""
+    name = tuple(parser.parse_substitution(entity.get_attr('name')))
+    kind = entity.get_attr('type', optional=True)
+    if kind is not None and kind not in _TYPES:
+        raise ValueError(f"type of param expected to be one of {', '.join(_TYPES)}, got '{kind}'")
+    value = entity.get_attr('value', data_type=str if kind == 'str' else None, optional=True)
+    nested = entity.get_attr('param', data_type=list[Entity], optional=True)
+    entity.assert_entity_completely_parsed()
+    if value is not None and nested:
+        raise RuntimeError('param and value attributes are mutually exclusive')
+    if nested:
+        below: dict = {}
+        for part in nested:
+            below.update(_parse_value(part, parser))
+        return {name: below}
+    if value is None:
+        raise RuntimeError('either a value attribute or nested params are needed')
+    parsed = parser.parse_if_substitutions(value)
+    return {name: parsed if kind is None else ParameterValue(parsed, value_type=_TYPES[kind])}
+
+
+def _validate(name: str | None, namespace: str) -> None:
     """Refuse bad names here, where the message is clear."""
     from rclpy.validate_namespace import validate_namespace
     from rclpy.validate_node_name import validate_node_name
 
-    if name:
+    if name is not None:
         validate_node_name(name)
     if namespace:
         validate_namespace(namespace)
-
-
-def _write_parameters(context: LaunchContext, node: str, parameters: Mapping) -> str:
-    """Write a parameter file that is removed when the launch ends; return its path."""
-    with tempfile.NamedTemporaryFile('w', prefix='launch_params_', suffix='.yaml', delete=False) as file:
-        yaml.safe_dump({node: {'ros__parameters': dict(parameters)}}, file, default_flow_style=False)
-    context.remove_at_end(file.name)
-    return file.name

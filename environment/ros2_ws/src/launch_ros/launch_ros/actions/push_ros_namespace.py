@@ -1,6 +1,7 @@
 """A namespace for the nodes that follow."""
 
 from launch.action import Action
+from launch.frontend import Entity, Parser, expose_action
 from launch.launch_context import LaunchContext
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.utilities import describe_substitutions, to_text
@@ -8,6 +9,8 @@ from launch.utilities import describe_substitutions, to_text
 from launch_ros.namespaces import join_namespace
 
 
+@expose_action('push_ros_namespace')
+@expose_action('push-ros-namespace')
 class PushROSNamespace(Action):
     """
     Puts the nodes that follow into a namespace, below the one that is in force.
@@ -18,6 +21,13 @@ class PushROSNamespace(Action):
     def __init__(self, namespace: SomeSubstitutionsType, **kwargs):
         super().__init__(**kwargs)
         self.namespace = namespace
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser):
+        """Read ``push_ros_namespace``."""
+        _, kwargs = super().parse(entity, parser)
+        kwargs['namespace'] = parser.parse_substitution(entity.get_attr('namespace'))
+        return cls, kwargs
 
     def describe(self) -> str:
         return f'PushROSNamespace({describe_substitutions(self.namespace)})'

@@ -1,40 +1,16 @@
-"""Parameters for all nodes that follow."""
+"""Sets a parameter of all nodes that follow."""
 
-import math
-from dataclasses import dataclass
-from pathlib import Path
-from typing import Any
-
-import yaml
 from launch.action import Action
+from launch.frontend import Entity, Parser, expose_action
 from launch.launch_context import LaunchContext
 from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.utilities import to_bool, to_text
+from launch.utilities import to_text
 
+from launch_ros.global_parameters import GlobalParameter, add_global_parameter
 from launch_ros.parameters import evaluate_parameters
 
-GLOBAL_PARAMETERS = 'global_params'
 
-
-@dataclass(frozen=True)
-class GlobalParameter:
-    """A parameter of every node. It goes on the command line: in a file it would beat the node's own files."""
-
-    name: str
-    value: Any
-
-    def as_yaml(self) -> str:
-        """Return the value as one line of YAML."""
-        text = yaml.safe_dump(self.value, default_flow_style=True, width=math.inf)
-        return text.removesuffix('...\n').strip()
-
-
-def _add(context: LaunchContext, item) -> None:
-    # A new list: the old one belongs to the scope outside.
-    old = context.launch_configurations.get(GLOBAL_PARAMETERS, [])
-    context.launch_configurations[GLOBAL_PARAMETERS] = [*old, item]
-
-
+@expose_action('set_parameter')
 class SetParameter(Action):
     """Sets one parameter of all nodes that follow, to the end of the GroupAction around it."""
 
@@ -42,27 +18,14 @@ class SetParameter(Action):
         super().__init__(**kwargs)
         self.name, self.value = name, value
 
-    def execute(self, context: LaunchContext) -> None:
-        for name, value in evaluate_parameters(context, {self.name: self.value}).items():
-            _add(context, GlobalParameter(name, value))
-
-
-class SetUseSimTime(SetParameter):
-    """Lets all nodes that follow take their time from /clock, or not."""
-
-    def __init__(self, value, **kwargs):
-        super().__init__('use_sim_time', value, **kwargs)
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser):
+        """Read ``set_parameter``."""
+        _, kwargs = super().parse(entity, parser)
+        kwargs['name'] = parser.parse_substitution(entity.get_attr('name'))
+        kwargs['value'] = parser.parse_if_substitutions(entity.get_attr('value', data_type=None))
+        return cls, kwargs
 
     def execute(self, context: LaunchContext) -> None:
-        _add(context, GlobalParameter('use_sim_time', to_bool(context, self.value)))
-
-
-class SetParametersFromFile(Action):
-    """Gives a parameter file to all nodes that follow, to the end of the GroupAction around it."""
-
-    def __init__(self, filename: SomeSubstitutionsType, **kwargs):
-        super().__init__(**kwargs)
-        self.filename = filename
-
-    def execute(self, context: LaunchContext) -> None:
-        _add(context, Path(to_text(context, self.filename)))
+        for name, value in evaluate_parameters(context, {to_text(context, self.name): self.value}).items():
+            add_global_parameter(context, GlobalParameter(name, value))

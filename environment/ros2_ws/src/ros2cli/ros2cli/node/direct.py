@@ -3,6 +3,7 @@
 import argparse
 import os
 import signal
+import threading
 import time
 from collections.abc import Callable
 from typing import Any
@@ -49,7 +50,9 @@ class DirectNode:
         rclpy.init(args=[], signal_handler_options=SignalHandlerOptions.NO)
         self._spinning = False
         self._pending: BaseException | None = None
-        self._old_handlers = {number: signal.signal(number, self._stop) for number in (signal.SIGINT, signal.SIGTERM)}
+        # Python lets only the main thread handle signals. In another one, who started it has to end it.
+        handled = (signal.SIGINT, signal.SIGTERM) if threading.current_thread() is threading.main_thread() else ()
+        self._old_handlers = {number: signal.signal(number, self._stop) for number in handled}
         self.node = rclpy.create_node(
             node_name or f'{NODE_NAME_PREFIX}_{os.getpid()}',
             start_parameter_services=False,

@@ -69,7 +69,9 @@ def _nested_type(line, package):
 
 
 def _without_comment(line):
-    """Return the line up to a # that is not part of a string."""
+    """Return the line up to a # that is not part of a string. A lone # stays, as with stock: it has no text."""
+    if line.strip() == '#':
+        return line.rstrip()
     quote = ''
     for position, character in enumerate(line):
         if quote:

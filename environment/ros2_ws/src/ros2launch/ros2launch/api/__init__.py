@@ -7,8 +7,8 @@ import pathlib
 
 import launch
 from ament_index_python.packages import PackageNotFoundError, get_package_share_directory
+from launch.frontend import Parser
 from launch.launch_description_sources import AnyLaunchDescriptionSource, get_launch_description_from_any_launch_file
-from launch.utilities import describe_substitutions
 
 
 class MultipleLaunchFilesError(Exception):
@@ -45,12 +45,17 @@ def get_share_file_path_from_package(*, package_name: str, file_name: str) -> st
 
 def is_launch_file(path: str | os.PathLike) -> bool:
     """Return True for a file whose name ends as that of a launch file."""
-    return str(path).endswith('launch.py') and os.path.isfile(path)
+    return str(path).endswith(_endings()) and os.path.isfile(path)
 
 
 def get_launch_file_paths(*, path: str) -> list[str]:
     """Return the launch files in a directory and below."""
-    return sorted(str(found) for found in pathlib.Path(path).rglob('*launch.py') if found.is_file())
+    return sorted(str(found) for found in pathlib.Path(path).rglob('*launch.*') if is_launch_file(found))
+
+
+def _endings() -> tuple[str, ...]:
+    """Return what the names of launch files end with."""
+    return ('launch.py', *sorted(Parser.get_file_extensions_from_parsers()))
 
 
 def parse_launch_arguments(launch_arguments: list[str]) -> list[tuple[str, str]]:
@@ -80,13 +85,15 @@ def print_arguments_of_launch_file(*, launch_file_path: str) -> None:
     arguments = get_launch_description_from_any_launch_file(launch_file_path).get_launch_arguments()
     print("Arguments (pass arguments as '<name>:=<value>'):")
     for argument in arguments:
-        star = '*' if argument.conditional else ''
+        # Not public, but the same in upstream's launch, whose own command reads it, too.
+        star = '*' if argument._conditionally_included else ''
         print(f"\n    '{argument.name}':{star}\n        {argument.description}")
         if argument.default_value is not None:
-            print(f'        (default: {describe_substitutions(argument.default_value)})')
+            default = ' + '.join(part.describe() for part in argument.default_value)
+            print(f'        (default: {default})')
     if not arguments:
         print('\n  No arguments.')
-    elif any(argument.conditional for argument in arguments):
+    elif any(argument._conditionally_included for argument in arguments):
         print('\n* argument(s) which are only used if specific conditions occur')
 
 

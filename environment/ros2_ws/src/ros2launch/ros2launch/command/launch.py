@@ -25,7 +25,7 @@ def package_name_or_launch_file_completer(prefix: str, parsed_args, **kwargs) ->
         path = os.path.join(directory, name)
         if name.startswith(start) and os.path.isdir(path):
             completions.append(path + os.sep)
-        elif name.endswith('launch.py'):
+        elif name.endswith(('launch.py', 'launch.xml', 'launch.yaml', 'launch.yml')):
             completions.append(path)
     return completions
 
@@ -68,6 +68,10 @@ class LaunchCommand(CommandExtension):
                  'Command must be wrapped in quotes if it contains spaces '
                  "(e.g. --launch-prefix 'xterm -e gdb -ex run --args').")
         parser.add_argument(
+            '--launch-prefix-filter', default=None,
+            help='Regex pattern for filtering which executables the --launch-prefix is applied to '
+                 'by matching the executable name.')
+        parser.add_argument(
             'package_name', help='Name of the ROS package which contains the launch file'
         ).completer = package_name_or_launch_file_completer
         parser.add_argument(
@@ -88,6 +92,8 @@ class LaunchCommand(CommandExtension):
                 os.environ['OVERRIDE_LAUNCH_PROCESS_OUTPUT'] = 'both'
             if args.launch_prefix:
                 arguments = [f'launch-prefix:={args.launch_prefix}', *arguments]
+            if args.launch_prefix_filter:
+                arguments = [f'launch-prefix-filter:={args.launch_prefix_filter}', *arguments]
             if args.print:
                 return api.print_a_launch_file(launch_file_path=path)
             if args.show_args:

@@ -26,7 +26,8 @@ class InfoVerb(VerbExtension):
         argument = parser.add_argument('node_name', help='Full name of the node, for example /talker')
         argument.completer = api.NodeNameCompleter(include_hidden_nodes_key='include_hidden')
         parser.add_argument(
-            '--include-hidden', action='store_true', help='Show hidden topics, services and actions as well')
+            '--include-hidden', action='store_true',
+            help='Consider hidden nodes, and show hidden topics, services and actions as well')
 
     def main(self, *, args):
         """Print what the node publishes, subscribes to, offers and uses."""
@@ -34,7 +35,7 @@ class InfoVerb(VerbExtension):
 
         full_name = api.get_absolute_node_name(args.node_name)
         with NodeStrategy(args) as node:
-            names = api.get_node_names(node=node, include_hidden_nodes=True)
+            names = api.get_node_names(node=node, include_hidden_nodes=args.include_hidden)
             count = [name.full_name for name in names].count(full_name)
             if count == 0:
                 return f"Unable to find node '{args.node_name}'"

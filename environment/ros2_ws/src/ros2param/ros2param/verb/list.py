@@ -59,7 +59,7 @@ class ListVerb(VerbExtension):
         except RuntimeError as e:
             print(f"Exception while calling service of node '{name}': {e}", file=sys.stderr)
             return
-        if not args.node_name:
+        if not args.node_name and (parameters or not args.param_prefixes):
             print(f'{name}:')
         for each in parameters:
             print(f'  {each} (type: {types[each]})' if each in types else f'  {each}')

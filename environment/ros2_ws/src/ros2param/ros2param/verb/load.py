@@ -25,10 +25,10 @@ class LoadVerb(VerbExtension):
         from ros2cli.node.strategy import NodeStrategy
 
         name = get_absolute_node_name(args.node_name)
-        parameters = _read(args.parameter_file, name, not args.no_use_wildcard)
         with NodeStrategy(args) as node:
             if not node_is_there(node, name, args.include_hidden_nodes, args.timeout):
                 return 'Node not found'
+            parameters = _read(args.parameter_file, name, not args.no_use_wildcard)
             response = call_set_parameters(node=node, node_name=name, parameters=parameters)
         for parameter, result in zip(parameters, response.results, strict=True):
             reason = f': {result.reason}' if result.reason else ''

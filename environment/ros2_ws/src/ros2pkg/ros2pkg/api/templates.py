@@ -54,11 +54,7 @@ def setup_py(
         f'    maintainer_email={email!r},',
         f'    description={description!r},',
         f'    license={license_name!r},',
-        '    extras_require={',
-        "        'test': [",
-        "            'pytest',",
-        '        ],',
-        '    },',
+        "    tests_require=['pytest'],",
         '    entry_points={',
         "        'console_scripts': [",
         *scripts,
@@ -78,9 +74,24 @@ def python_main(name: str) -> str:
     return _text(['def main():', f"    print('Hi from {name}.')", '', '', "if __name__ == '__main__':", '    main()'])
 
 
-# Without ament's linters these are skipped; stock files import them at the top and fail.
+_HEADER = '''# Copyright 2026 ROS 2 course maintainers
+#
+# Licensed under the Apache License, Version 2.0 (the "License");
+# you may not use this file except in compliance with the License.
+# You may obtain a copy of the License at
+#
+#     http://www.apache.org/licenses/LICENSE-2.0
+#
+# Unless required by applicable law or agreed to in writing, software
+# distributed under the License is distributed on an "AS IS" BASIS,
+# WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+# See the License for the specific language governing permissions and
+# limitations under the License.
+
+'''
 TESTS = {
-    'test_copyright.py': '''import pytest
+    'test_copyright.py': _HEADER + '''from ament_copyright.main import main
+import pytest
 
 
 # Remove the `skip` decorator once the source file(s) have a copyright header
@@ -88,28 +99,27 @@ TESTS = {
 @pytest.mark.copyright
 @pytest.mark.linter
 def test_copyright():
-    ament_copyright = pytest.importorskip('ament_copyright.main')
-    rc = ament_copyright.main(argv=['.', 'test'])
+    rc = main(argv=['.', 'test'])
     assert rc == 0, 'Found errors'
 ''',
-    'test_flake8.py': '''import pytest
+    'test_flake8.py': _HEADER + '''from ament_flake8.main import main_with_errors
+import pytest
 
 
 @pytest.mark.flake8
 @pytest.mark.linter
 def test_flake8():
-    ament_flake8 = pytest.importorskip('ament_flake8.main')
-    rc, errors = ament_flake8.main_with_errors(argv=[])
+    rc, errors = main_with_errors(argv=[])
     assert rc == 0, f'Found {len(errors)} code style errors / warnings:\\n' + '\\n'.join(errors)
 ''',
-    'test_pep257.py': '''import pytest
+    'test_pep257.py': _HEADER + '''from ament_pep257.main import main
+import pytest
 
 
 @pytest.mark.linter
 @pytest.mark.pep257
 def test_pep257():
-    ament_pep257 = pytest.importorskip('ament_pep257.main')
-    rc = ament_pep257.main(argv=['.', 'test'])
+    rc = main(argv=['.', 'test'])
     assert rc == 0, 'Found code style errors / warnings'
 ''',
 }
@@ -167,6 +177,129 @@ def cmake_lists(*, name: str, depends: list[str], node_name: str | None, library
             ')',
         ]
     return _text([*lines, '', 'ament_package()'])
+
+
+def plain_cmake_lists(*, name: str, depends: list[str], node_name: str | None, library_name: str | None) -> str:
+    """Return CMakeLists.txt of a package that is built without ament."""
+    lines = [
+        'cmake_minimum_required(VERSION 3.8)',
+        f'project({name})',
+        '',
+        *(f'set({name}_{part}_VERSION 0)' for part in ('MAJOR', 'MINOR', 'PATCH')),
+        f'set({name}_VERSION',
+        f'  ${{{name}_MAJOR_VERSION}}.${{{name}_MINOR_VERSION}}.${{{name}_PATCH_VERSION}})',
+        '',
+        'if(CMAKE_COMPILER_IS_GNUCXX OR CMAKE_CXX_COMPILER_ID MATCHES "Clang")',
+        '  add_compile_options(-Wall -Wextra -Wpedantic)',
+        'endif()',
+        '',
+        '# find dependencies',
+    ]
+    lines += [f'find_package({each} REQUIRED)' for each in depends] or [
+        '# uncomment the following section in order to fill in',
+        '# further dependencies manually.',
+        '# find_package(<dependency> REQUIRED)',
+    ]
+    targets = [each for each in (library_name, node_name) if each]
+    if library_name:
+        lines += [
+            '',
+            f'add_library({library_name} SHARED src/{library_name}.cpp)',
+            f'add_library({name}::{library_name} ALIAS {library_name})',
+            f'target_compile_features({library_name} PUBLIC c_std_99 cxx_std_17)  # Require C99 and C++17',
+            *_plain_include(library_name, depends),
+            '',
+            '# Causes the visibility macros to use dllexport rather than dllimport,',
+            '# which is appropriate when building the dll but not consuming it.',
+            f'target_compile_definitions({library_name} PRIVATE "{name.upper()}_BUILDING_LIBRARY")',
+            '',
+            'install(DIRECTORY include/ DESTINATION include)',
+            f'install(TARGETS {library_name}',
+            f'  EXPORT export_{name}',
+            '  ARCHIVE DESTINATION lib',
+            '  LIBRARY DESTINATION lib',
+            '  RUNTIME DESTINATION bin)',
+        ]
+    if node_name:
+        lines += [
+            '',
+            f'add_executable({node_name} src/{node_name}.cpp)',
+            f'target_compile_features({node_name} PUBLIC c_std_99 cxx_std_17)  # Require C99 and C++17',
+            *_plain_include(node_name, depends),
+            *([f'target_link_libraries({node_name} {library_name})'] if library_name else []),
+            '',
+            f'install(TARGETS {node_name}',
+            f'  EXPORT export_{name}',
+            '  DESTINATION lib/${PROJECT_NAME})',
+        ]
+    return _text(lines + (_plain_export(name) if targets else []))
+
+
+def _plain_include(target: str, depends: list[str]) -> list[str]:
+    directories = [f'  ${{{each}_INCLUDE_DIRS}}' for each in depends]
+    libraries = [f'target_link_libraries({target}', *(f'  ${{{each}_LIBRARIES}}' for each in depends), ')']
+    return [
+        f'target_include_directories({target} PUBLIC',
+        '  $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>',
+        '  $<INSTALL_INTERFACE:include>',
+        *directories,
+        ')',
+        *(libraries if depends else []),
+    ]
+
+
+def _plain_export(name: str) -> list[str]:
+    return [
+        '',
+        '# export targets',
+        f'export(EXPORT export_{name}',
+        f'  FILE "${{PROJECT_BINARY_DIR}}/export_{name}.cmake")',
+        '',
+        f'# Create the {name}Config.cmake',
+        'set(CONF_INCLUDE_DIRS "${CMAKE_INSTALL_PREFIX}/include")',
+        f'configure_file({name}Config.cmake.in',
+        f'  "${{PROJECT_BINARY_DIR}}/${{CMAKE_FILES_DIRECTORY}}/{name}Config.cmake" @ONLY)',
+        '',
+        f'# Create the {name}ConfigVersion.cmake',
+        f'configure_file({name}ConfigVersion.cmake.in',
+        f'  "${{PROJECT_BINARY_DIR}}/{name}ConfigVersion.cmake" @ONLY)',
+        '',
+        'install(FILES',
+        f'  "${{PROJECT_BINARY_DIR}}/${{CMAKE_FILES_DIRECTORY}}/{name}Config.cmake"',
+        f'  "${{PROJECT_BINARY_DIR}}/{name}ConfigVersion.cmake"',
+        '  DESTINATION "share/${PROJECT_NAME}/cmake" COMPONENT dev)',
+        f'install(EXPORT export_{name}',
+        '  DESTINATION "share/${PROJECT_NAME}/cmake"',
+        f'  FILE export_{name}.cmake',
+        '  COMPONENT dev)',
+    ]
+
+
+def plain_cmake_config(name: str, library_name: str | None) -> str:
+    """Return the template of the file that find_package() reads."""
+    lines = [
+        f'get_filename_component({name}_CMAKE_DIR "${{CMAKE_CURRENT_LIST_FILE}}" PATH)',
+        f'set({name}_INCLUDE_DIRS "@CONF_INCLUDE_DIRS@")',
+        '',
+        f'include("${{{name}_CMAKE_DIR}}/export_{name}.cmake")',
+    ]
+    return _text(lines + ([f'set({name}_LIBRARIES {library_name})'] if library_name else []))
+
+
+def plain_cmake_config_version(name: str) -> str:
+    """Return the template of the file that says to find_package() whether the version fits."""
+    return _text([
+        f'set(PACKAGE_VERSION "@{name}_VERSION@")',
+        '',
+        'if("${PACKAGE_VERSION}" VERSION_LESS "${PACKAGE_FIND_VERSION}")',
+        '  set(PACKAGE_VERSION_COMPATIBLE FALSE)',
+        'else()',
+        '  set(PACKAGE_VERSION_COMPATIBLE TRUE)',
+        '  if("${PACKAGE_VERSION}" VERSION_EQUAL "${PACKAGE_FIND_VERSION}")',
+        '    set(PACKAGE_VERSION_EXACT TRUE)',
+        '  endif()',
+        'endif()',
+    ])
 
 
 def _target_depends(target: str, depends: list[str]) -> list[str]:

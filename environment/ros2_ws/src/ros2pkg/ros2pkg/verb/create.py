@@ -28,7 +28,7 @@ class CreateVerb(VerbExtension):
         parser.add_argument(
             '--destination-directory', default=os.curdir, help='Where to create the directory of the package')
         parser.add_argument(
-            '--build-type', default='ament_cmake', choices=['ament_cmake', 'ament_python'],
+            '--build-type', default='ament_cmake', choices=['cmake', 'ament_cmake', 'ament_python'],
             help='How the package is built (default: ament_cmake)')
         parser.add_argument('--dependencies', nargs='+', default=[], help='Packages that it depends on')
         parser.add_argument(
@@ -60,7 +60,7 @@ class CreateVerb(VerbExtension):
             if args.build_type == 'ament_python':
                 _create_ament_python(root, args, email, node_name)
             else:
-                _create_ament_cmake(root, args, email, node_name)
+                _create_cmake(root, args, email, node_name)
             text = get_license_text(args.license, args.maintainer_name)
             if text is not None:
                 root.silent_file('LICENSE', text)
@@ -151,18 +151,25 @@ def _create_ament_python(root, args, email, node_name):
         source.folder(args.library_name).file('__init__.py', '')
 
 
-def _create_ament_cmake(root, args, email, node_name):
+def _create_cmake(root, args, email, node_name):
+    """Create a package of C++, built with ament or with CMake alone."""
     from ros2pkg.api import templates
 
     name, library_name = args.package_name, args.library_name
-    _create_manifest(
-        root, args, email, ['ament_cmake_ros' if library_name else 'ament_cmake'],
-        ['ament_lint_auto', 'ament_lint_common'])
+    texts = {'name': name, 'depends': args.dependencies, 'node_name': node_name, 'library_name': library_name}
+    ament = args.build_type == 'ament_cmake'
+    tool = ('ament_cmake_ros' if library_name else 'ament_cmake') if ament else 'cmake'
+    _create_manifest(root, args, email, [tool], ['ament_lint_auto', 'ament_lint_common'] if ament else [])
     print('creating source and include folder')
     source = root.folder('src')
     include = root.folder(os.path.join('include', name))
-    root.file('CMakeLists.txt', templates.cmake_lists(
-        name=name, depends=args.dependencies, node_name=node_name, library_name=library_name))
+    if ament:
+        root.file('CMakeLists.txt', templates.cmake_lists(**texts))
+    else:
+        root.file('CMakeLists.txt', templates.plain_cmake_lists(**texts))
+        if node_name or library_name:
+            root.file(f'{name}Config.cmake.in', templates.plain_cmake_config(name, library_name))
+            root.file(f'{name}ConfigVersion.cmake.in', templates.plain_cmake_config_version(name))
     if node_name:
         source.file(f'{node_name}.cpp', templates.cpp_main(name))
     if library_name:

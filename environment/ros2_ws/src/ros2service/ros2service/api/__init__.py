@@ -5,12 +5,14 @@ from typing import Any
 
 
 def get_service_names_and_types(*, node: Any, include_hidden_services: bool = False) -> list[tuple[str, list[str]]]:
-    """Return the services of the graph with their types, hidden ones only if asked for."""
+    """Return the services of the graph with their types, hidden ones only if asked for, none of the node itself."""
     from rclpy.topic_or_service_is_hidden import topic_or_service_is_hidden
 
+    own = f'{node.get_namespace().rstrip("/")}/{node.get_name()}/'
     return [
         (name, types) for name, types in node.get_service_names_and_types()
-        if include_hidden_services or not topic_or_service_is_hidden(name)
+        if not name.startswith(own)
+        and (include_hidden_services or not topic_or_service_is_hidden(name))
     ]
 
 
@@ -18,6 +20,30 @@ def get_service_names(*, node: Any, include_hidden_services: bool = False) -> li
     """Return the services of the graph, hidden ones only if asked for."""
     services = get_service_names_and_types(node=node, include_hidden_services=include_hidden_services)
     return [name for name, _ in services]
+
+
+def get_service_class(node: Any, service: str, blocking: bool = False, include_hidden_services: bool = False) -> Any:
+    """
+    Return the class of a service, or None if nobody offers it.
+
+    :param node: a ros2cli DirectNode.
+    :param blocking: wait until somebody does.
+    :raises RuntimeError: if the service has several types, or one that is not installed.
+    """
+    from rclpy.expand_topic_name import expand_topic_name
+
+    full_name = expand_topic_name(service, node.get_name(), node.get_namespace())
+
+    def types() -> list[str]:
+        return dict(get_service_names_and_types(node=node, include_hidden_services=include_hidden_services)).get(
+            full_name, [])
+
+    if blocking:
+        node.spin(until=types)
+    found = types()
+    if len(found) > 1:
+        raise RuntimeError(f"Cannot echo service '{service}', as it contains more than one type: [{', '.join(found)}]")
+    return load_service_class(found[0]) if found else None
 
 
 def load_service_class(name: str) -> Any:

@@ -3,6 +3,18 @@
 from argparse import Namespace
 from typing import Any
 
+# Upstream has these here. They need rclpy, which a help text must not load.
+_OF_QOS = ('add_qos_arguments', 'choose_qos', 'profile_configure_short_keys', 'qos_profile_from_short_keys')
+
+
+def __getattr__(name: str) -> Any:
+    """Return what is defined in ros2topic.api.qos."""
+    if name not in _OF_QOS:
+        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+    from ros2topic.api import qos
+
+    return getattr(qos, name)
+
 
 def get_topic_names_and_types(*, node: Any, include_hidden_topics: bool = False) -> list[tuple[str, list[str]]]:
     """Return the topics of the graph with their types, hidden ones only if asked for."""

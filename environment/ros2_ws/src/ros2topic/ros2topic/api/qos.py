@@ -57,6 +57,17 @@ def qos_profile_from_short_keys(
 ) -> QoSProfile:
     """Return a preset with some of its policies replaced."""
     profile = QoSPresetProfiles.get_from_short_key(preset_profile)
+    profile_configure_short_keys(
+        profile, reliability, durability, depth, history, liveliness, liveliness_lease_duration_s)
+    return profile
+
+
+def profile_configure_short_keys(
+    profile: QoSProfile, reliability: str | None = None, durability: str | None = None,
+    depth: int | None = None, history: str | None = None, liveliness: str | None = None,
+    liveliness_lease_duration_s: float | None = None,
+) -> None:
+    """Replace some policies of a profile."""
     if history:
         profile.history = QoSHistoryPolicy.get_from_short_key(history)
     if durability:
@@ -71,7 +82,6 @@ def qos_profile_from_short_keys(
         profile.depth = depth
     elif profile.durability == QoSDurabilityPolicy.TRANSIENT_LOCAL and profile.depth == 0:
         profile.depth = 1  # with none kept there is nothing for late joiners
-    return profile
 
 
 def qos_profile_from_arguments(args: Namespace) -> QoSProfile:

@@ -37,7 +37,7 @@ class EchoVerb(VerbExtension):
         parser.add_argument('--no-arr', action='store_true', help='Print type and length of arrays, not their elements')
         parser.add_argument('--no-str', action='store_true', help='Print the length of strings, not their text')
         parser.add_argument(
-            '--flow-style', action='store_true', help='Print each message in one line (not with --csv)')
+            '--flow-style', action='store_true', help='Print each list in one line (not with --csv)')
         parser.add_argument('--lost-messages', action='store_true', help='Does nothing: lost messages are reported')
         parser.add_argument('--no-lost-messages', action='store_true', help='Do not report lost messages')
         parser.add_argument('--raw', action='store_true', help='Print the messages as they are on the wire')

@@ -59,8 +59,10 @@ class PubVerb(VerbExtension):
         from rclpy.validate_node_name import validate_node_name
         from ros2cli.node.direct import DirectNode
 
-        if args.max_wait_time_secs is not None and args.wait_matching_subscriptions is None:
-            return '--max-wait-time-secs option is only effective with --wait-matching-subscriptions'
+        if args.wait_matching_subscriptions is None:
+            args.wait_matching_subscriptions = int(args.once or args.times > 0)
+        if args.max_wait_time_secs is not None and not args.wait_matching_subscriptions:
+            return '--max-wait-time-secs option is only effective with --wait-matching-subscriptions, --once or --times'
         message_class = load_message_class(args.message_type)
         values = parse_yaml_dictionary(
             collect_stdin() if args.stdin else args.values,
@@ -87,7 +89,7 @@ class PubVerb(VerbExtension):
         times = 1 if args.once else args.times
         publisher = node.create_publisher(message_class, args.topic_name, qos_profile_from_arguments(args))
         wanted = args.wait_matching_subscriptions
-        if not self._wait(node, publisher, int(times > 0) if wanted is None else wanted, args.max_wait_time_secs):
+        if not self._wait(node, publisher, wanted, args.max_wait_time_secs):
             return (f'Timed out waiting for subscribers: Expected {wanted} subcribers but only got '
                     f'{publisher.get_subscription_count()} subscribers')
 

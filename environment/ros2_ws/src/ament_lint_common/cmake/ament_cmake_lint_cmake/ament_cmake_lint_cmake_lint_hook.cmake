@@ -1,0 +1,5 @@
+file(GLOB_RECURSE _cmake_files FOLLOW_SYMLINKS "*.cmake" "CMakeLists.txt")
+if(_cmake_files)
+  message(STATUS "Added test 'lint_cmake' to check CMake code style")
+  ament_lint_cmake()
+endif()

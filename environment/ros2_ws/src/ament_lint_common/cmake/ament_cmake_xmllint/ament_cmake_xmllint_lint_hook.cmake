@@ -1,0 +1,5 @@
+file(GLOB_RECURSE _xml_files FOLLOW_SYMLINKS "*.xml")
+if(_xml_files)
+  message(STATUS "Added test 'xmllint' to check XML markup files")
+  ament_xmllint()
+endif()

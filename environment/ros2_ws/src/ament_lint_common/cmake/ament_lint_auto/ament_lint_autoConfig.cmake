@@ -1,0 +1,25 @@
+# Finds the linters that a package names among its test dependencies; each of them adds its tests in ament_package().
+set(ament_lint_auto_FOUND_AMENT_PACKAGE TRUE)
+set(ament_lint_auto_VERSION "0.17.3")
+
+find_package(ament_cmake_core QUIET REQUIRED)
+find_package(ament_cmake_test QUIET REQUIRED)
+ament_register_extension("ament_package" "ament_lint_auto" "ament_lint_auto_package_hook.cmake")
+
+# A macro: what find_package() sets has to reach the caller.
+macro(ament_lint_auto_find_test_dependencies)
+  if(NOT "${ARGN}" STREQUAL "")
+    message(FATAL_ERROR "ament_lint_auto_find_test_dependencies() takes no arguments, but got: ${ARGN}")
+  endif()
+  if(NOT _AMENT_PACKAGE_NAME)
+    ament_package_xml()
+  endif()
+  foreach(_ament_lint_auto_dependency ${${PROJECT_NAME}_TEST_DEPENDS})
+    if(NOT ${_ament_lint_auto_dependency}_FOUND)
+      find_package(${_ament_lint_auto_dependency} QUIET)
+    endif()
+    if(${_ament_lint_auto_dependency}_FOUND)
+      list(APPEND ${PROJECT_NAME}_FOUND_TEST_DEPENDS ${_ament_lint_auto_dependency})
+    endif()
+  endforeach()
+endmacro()

@@ -1,0 +1,30 @@
+"""Sets a variable of the environment."""
+
+from launch.action import Action
+from launch.frontend import Entity, Parser, expose_action
+from launch.launch_context import LaunchContext
+from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.utilities import describe_substitutions, to_text
+
+
+@expose_action('set_env')
+class SetEnvironmentVariable(Action):
+    """Sets a variable of the environment of the processes that are started later."""
+
+    def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType, **kwargs):
+        super().__init__(**kwargs)
+        self.name, self.value = name, value
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser):
+        """Read ``set_env``."""
+        _, kwargs = super().parse(entity, parser)
+        for attribute in ('name', 'value'):
+            kwargs[attribute] = parser.parse_substitution(entity.get_attr(attribute))
+        return cls, kwargs
+
+    def describe(self) -> str:
+        return f'{type(self).__name__}({describe_substitutions(self.name)}, {describe_substitutions(self.value)})'
+
+    def execute(self, context: LaunchContext) -> None:
+        context.environment[to_text(context, self.name)] = to_text(context, self.value)

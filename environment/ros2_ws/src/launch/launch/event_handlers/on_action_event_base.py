@@ -1,0 +1,37 @@
+"""What the handlers of events of actions have in common."""
+
+from __future__ import annotations
+
+from launch.event import Event
+from launch.event_handler import EventHandler
+from launch.launch_description_entity import LaunchDescriptionEntity
+
+
+class OnActionEventBase(EventHandler):
+    """
+    Handles the events of one kind, of one action or of all.
+
+    :param action_matcher: an action, a function that says for an action whether it is meant, or None for all
+    :param on_event: entities, or a function of (event, context) that returns some
+    :param target_event_cls: the kind of event
+    """
+
+    _argument = 'on_event'
+
+    def __init__(self, *, action_matcher, on_event, target_event_cls: type[Event], **kwargs):
+        self._target, self._kind = action_matcher, target_event_cls
+        super().__init__(matcher=self._accepts, entities=on_event, **kwargs)
+
+    def _accepts(self, event: Event) -> bool:
+        if not isinstance(event, self._kind):
+            return False
+        if self._target is None or event.action is self._target:
+            return True
+        # An action is no function, although a class of them may be callable.
+        is_function = callable(self._target) and not isinstance(self._target, LaunchDescriptionEntity)
+        return is_function and bool(self._target(event.action))
+
+    def describe(self) -> tuple[str, list[LaunchDescriptionEntity]]:
+        text, entities = super().describe()
+        shown = '<callable>' if callable(self._entities) else '<actions>'
+        return text.replace('()', f"(matcher='{self._kind.__name__}', {self._argument}={shown})"), entities

@@ -1,0 +1,10 @@
+"""What a process writes to its standard output."""
+
+from launch.events.process.process_io import ProcessIO
+
+
+class ProcessStdout(ProcessIO):
+    """A process has written to its standard output."""
+
+    name = 'launch.events.process.ProcessStdout'
+    from_stdout = True

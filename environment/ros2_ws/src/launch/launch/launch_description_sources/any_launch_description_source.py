@@ -1,0 +1,20 @@
+"""A launch file of any format that is known here."""
+
+from launch.frontend import Parser
+from launch.launch_description import LaunchDescription
+from launch.launch_description_source import LaunchDescriptionSource
+from launch.launch_description_sources.any_launch_file_utilities import (
+    get_launch_description_from_any_launch_file,
+)
+from launch.some_substitutions_type import SomeSubstitutionsType
+
+
+class AnyLaunchDescriptionSource(LaunchDescriptionSource):
+    """A launch file of any format that is known here."""
+
+    def __init__(self, launch_file_path: SomeSubstitutionsType, *, parser: type[Parser] = Parser):
+        super().__init__(location=launch_file_path)
+        self._parser = parser
+
+    def _load(self, path: str) -> LaunchDescription:
+        return get_launch_description_from_any_launch_file(path, parser=self._parser)

@@ -1,0 +1,27 @@
+"""The directory of the launch file."""
+
+from launch.frontend.expose import expose_substitution
+from launch.launch_context import LaunchContext
+from launch.substitution import Substitution
+from launch.substitutions.arguments import counted
+from launch.substitutions.substitution_failure import SubstitutionFailure
+
+
+@expose_substitution('dirname')
+class ThisLaunchFileDir(Substitution):
+    """The directory of the launch file."""
+
+    @classmethod
+    def parse(cls, data):
+        """Read ``$(dirname)``."""
+        counted('dirname', data, 0)
+        return cls, {}
+
+    def describe(self) -> str:
+        return 'ThisLaunchFileDir()'
+
+    def perform(self, context: LaunchContext) -> str:
+        path = context.get_locals_as_dict().get('current_launch_file_directory')
+        if path is None:
+            raise SubstitutionFailure('ThisLaunchFileDir used outside of a launch file (in a script)')
+        return path

@@ -1,0 +1,203 @@
+"""The actions and substitutions of ``launch_ros``."""
+
+import io
+import os
+import threading
+from pathlib import Path
+
+import launch.logging
+import pytest
+import yaml
+from builtin_interfaces.msg import Time
+from launch import LaunchContext, LaunchDescription, LaunchService
+from launch.actions import LogInfo
+from launch.frontend import Parser, parse_substitution
+from launch.substitutions import LaunchConfiguration, SubstitutionFailure, TextSubstitution
+from launch.utilities import perform_substitutions
+from launch_ros.actions import (
+    Node,
+    PushRosNamespace,
+    RosTimer,
+    SetParameter,
+    SetRemap,
+    SetROSLogDir,
+    SetUseSimTime,
+)
+from launch_ros.parameter_descriptions import ParameterFile, ParameterValue
+from launch_ros.parameters import evaluate_parameters
+from launch_ros.substitutions import FindPackageShare
+from rclpy.exceptions import InvalidNodeNameException
+from rosgraph_msgs.msg import Clock
+
+
+def test_parameters_are_evaluated_as_upstream_does():
+    context = LaunchContext()
+    context.launch_configurations.update({'n': '5', 't': 'text', 'l': '[1, 2]', 'q': "'5'"})
+    given = {
+        'number': LaunchConfiguration('n'), 'text': LaunchConfiguration('t'), 'list': LaunchConfiguration('l'),
+        'quoted': LaunchConfiguration('q'), 'forced': ParameterValue(LaunchConfiguration('n'), value_type=str),
+        'real': ParameterValue(LaunchConfiguration('n'), value_type=float), 'plain': 1.5,
+        'nested': {'a': True, 'b': {'c': 'x'}}, 'joined': [TextSubstitution(text='1'), LaunchConfiguration('n')],
+        'mixed': [1, 2.5], LaunchConfiguration('t'): ['a', 'b'],
+    }  # fmt: skip
+    assert evaluate_parameters(context, given) == {
+        'number': 5, 'text': ['a', 'b'], 'list': [1, 2], 'quoted': '5', 'forced': '5', 'real': 5.0, 'plain': 1.5,
+        'nested.a': True, 'nested.b.c': 'x', 'joined': 15, 'mixed': [1.0, 2.5],
+    } and evaluate_parameters(context, {'x': LaunchConfiguration('t')}) == {'x': 'text'}  # fmt: skip
+    for bad in ([1, 'a'], None, object()):
+        with pytest.raises(TypeError, match="parameter 'x'"):
+            evaluate_parameters(context, {'x': bad})
+
+
+def test_the_command_of_a_node():
+    context = LaunchContext()
+    for action in (PushRosNamespace('a'), PushRosNamespace('b'), SetRemap('x', 'y'), SetParameter('p', 1)):
+        action.visit(context)
+    node = Node(
+        package='turtlesim', executable='mimic', name='n', namespace='c', arguments=['--flag'],
+        ros_arguments=['--log-level', 'debug'], remappings=[('input/pose', 'pose')], parameters=[{'q': '5'}],
+    )  # fmt: skip
+    command = node.get_command(context)
+    assert command[0].endswith('/lib/turtlesim/mimic')
+    file = command[command.index('--params-file') + 1]
+    command[command.index(file)] = 'FILE'
+    assert command[1:] == [
+        '--flag', '--ros-args', '--log-level', 'debug', '-r', '__node:=n', '-r', '__ns:=/a/b/c', '-p', 'p:=1',
+        '--params-file', 'FILE', '-r', 'x:=y', '-r', 'input/pose:=pose',
+    ]  # fmt: skip
+    assert Path(file).read_text() == '/a/b/c/n:\n  ros__parameters:\n    q: \'5\'\n'
+    assert node.node_name == '/a/b/c/n'
+    context.close()
+    assert not Path(file).exists()
+    absolute = Node(package='turtlesim', executable='mimic', namespace='/d').get_command(context)
+    assert '__ns:=/d' in absolute
+    with pytest.raises(TypeError, match="'parameters' of Node must be a list"):
+        Node(package='turtlesim', executable='mimic', parameters={'a': 1})
+    with pytest.raises(InvalidNodeNameException):
+        Node(package='turtlesim', executable='mimic', name='a b').get_command(context)
+
+
+def test_find_package_share():
+    share = FindPackageShare('turtlesim').perform(LaunchContext())
+    assert os.path.isfile(os.path.join(share, 'package.xml'))
+
+
+# --- what XML and YAML files say of nodes -------------------------------------------------------------------------
+
+
+def node_of(text):
+    """Return the command of the one node of an XML file, without the program, and the texts of its parameter files."""
+    entity, parser = Parser.load(io.StringIO(f'<launch>{text}</launch>'))
+    context = LaunchContext()
+    context.launch_configurations.update({'x': '5', 'word': 'a b'})
+    *before, node = parser.parse_description(entity).entities
+    for action in before:
+        action.visit(context)
+    words = node.get_command(context)[1:]
+    files = [Path(word).read_text() for option, word in zip(words, words[1:], strict=False)
+             if option == '--params-file' and Path(word).is_file()]
+    context.close()
+    return words, files
+
+
+def test_a_node_of_an_xml_file():
+    words, files = node_of("""
+        <push-ros-namespace namespace="top"/>
+        <set_use_sim_time value="true"/>
+        <set_parameter name="$(var word)" value="$(var x)"/>
+        <node pkg="turtlesim" exec="mimic" name="n$(var x)" namespace="low" args="--flag '$(var word)' x$(var x)"
+              ros_args="--log-level debug" output="screen" respawn="$(var x)" launch-prefix="nice">
+          <param name="i" value="$(var x)"/>
+          <param name="s" value="$(var x)" type="str"/>
+          <param name="f" value="5" type="float"/>
+          <param name="l" value="1.5, 2.5" value-sep=", "/>
+          <param name="group"><param name="inner" value="true"/></param>
+          <param from="/no/such.yaml"/>
+          <remap from="a" to="$(var x)/b"/>
+        </node>
+    """)
+    assert words[:8] == ['--flag', 'a b', 'x5', '--ros-args', '--log-level', 'debug', '-r', '__node:=n5']
+    assert words[8:14] == ['-r', '__ns:=/top/low', '-p', 'use_sim_time:=true', '-p', 'a b:=5']
+    assert words[-2:] == ['-r', 'a:=5/b'] and words[-4:-2] == ['--params-file', '/no/such.yaml']
+    values = [yaml.safe_load(file)['/top/low/n5']['ros__parameters'] for file in files]
+    assert values == [{'i': 5}, {'s': '5'}, {'f': 5.0}, {'l': [1.5, 2.5]}, {'group.inner': True}]
+
+
+@pytest.mark.parametrize(
+    'text, kind, message',
+    [
+        ('<node pkg="p" exec="e"><param value="1"/></node>', ValueError, 'param Entity should have name or from'),
+        ('<node pkg="p" exec="e"><param name="a" from="b"/></node>', RuntimeError, 'mutually exclusive'),
+        ('<node pkg="p" exec="e"><param name="a"/></node>', RuntimeError, 'either a value attribute or nested params'),
+        ('<node pkg="p" exec="e"><param name="a" value="1" type="int8"/></node>', ValueError, 'one of bool, int'),
+        ('<node pkg="p" exec="e"><param name="a" values="1"/></node>', ValueError, "found in `param`: {'values'}"),
+        ('<node pkg="p" exec="e"><remap from="a" too="b"/></node>', AttributeError, "Attribute 'to'"),
+        ('<node pkg="p"/>', AttributeError, "Attribute 'exec' of type '<class 'str'>' not found in Entity 'node'"),
+        ('<node pkg="p" exec="e" nmae="x"/>', ValueError, "Unexpected attribute"),
+        ('<log message="$(find-pkg-share)"/>', TypeError, 'find-pkg-share substitution expects 1 argument, got 0'),
+    ],
+)  # fmt: skip
+def test_faults_of_a_node_in_an_xml_file(text, kind, message):
+    with pytest.raises(kind, match=message):
+        node_of(text)
+
+
+def test_substitutions_of_packages_and_parameters():
+    context = LaunchContext()
+    for action in (SetParameter('speed', 2), SetROSLogDir('/logs')):
+        action.visit(context)
+    try:
+        assert context.environment['ROS_LOG_DIR'] == '/logs'
+    finally:
+        context.environment.pop('ROS_LOG_DIR')
+    Parser.load_launch_extensions()
+
+    def perform(text):
+        return perform_substitutions(context, parse_substitution(text))
+
+    assert perform('$(param speed) $(param none 5)') == '2 5'
+    assert perform('$(find-pkg-share turtlesim)') == f"{perform('$(find-pkg-prefix turtlesim)')}/share/turtlesim"
+    assert perform('$(exec-in-pkg mimic turtlesim)').endswith('/lib/turtlesim/mimic')
+    with pytest.raises(SubstitutionFailure, match="parameter 'nope' not found"):
+        perform('$(param nope)')
+
+
+def test_a_parameter_file_with_substitutions(tmp_path):
+    (tmp_path / 'p.yaml').write_text('/**:\n  ros__parameters:\n    a: $(var x)\n    b: "$(var word)"\n')
+    context = LaunchContext()
+    context.launch_configurations.update({'x': '5', 'word': 'a b'})
+    path = ParameterFile([str(tmp_path), '/p.yaml'], allow_substs=True).evaluate(context)
+    assert yaml.safe_load(path.read_text()) == {'/**': {'ros__parameters': {'a': 5, 'b': 'a b'}}}
+    assert ParameterFile(str(tmp_path / 'p.yaml')).evaluate(context) == tmp_path / 'p.yaml'
+    context.close()
+    assert not path.exists()
+    context.launch_configurations['x'] = '['
+    with pytest.raises(SubstitutionFailure, match='The substituted parameter file is not a valid yaml file'):
+        ParameterFile(tmp_path / 'p.yaml', allow_substs=TextSubstitution(text='true')).evaluate(context)
+    words, files = node_of(f'<node pkg="turtlesim" exec="mimic"><param from="{tmp_path}/p.yaml" allow_substs="true"/>'
+                           '</node>')
+    assert 'a: 5' in files[0] and '$(var' not in files[0]
+
+
+def test_a_ros_timer_waits_in_the_time_of_the_clock(peer, capsys):
+    launch.logging.reset()
+    service = LaunchService()
+    service.include_launch_description(LaunchDescription([
+        SetUseSimTime(True),
+        RosTimer(period=10.0, actions=[LogInfo(msg='ten seconds later')]),
+    ]))  # fmt: skip
+    thread = threading.Thread(target=service.run)
+    thread.start()
+    clock = peer.publisher(Clock, '/clock')
+    now = 0
+
+    def done():
+        nonlocal now
+        now += 1
+        clock.publish(Clock(clock=Time(sec=now)))
+        return not thread.is_alive()
+
+    peer.until(done, 'the end of the launch')
+    thread.join()
+    assert 'ten seconds later' in capsys.readouterr().out and now >= 10
+    launch.logging.reset()

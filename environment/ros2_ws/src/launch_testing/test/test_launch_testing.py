@@ -1,0 +1,319 @@
+"""Launch tests, run as a user runs them: by pytest and by ``launch_test``."""
+
+import os
+import re
+import subprocess
+import sys
+import textwrap
+from types import SimpleNamespace
+from xml.etree import ElementTree
+
+import pytest
+from launch.actions import ExecuteProcess
+from launch_testing import ActiveIoHandler, ProcInfoHandler, markers
+from launch_testing.asserts import (
+    NO_CMD_ARGS,
+    SequentialTextChecker,
+    assertExitCodes,
+    assertInStderr,
+    assertInStdout,
+    assertSequentialStdout,
+)
+from launch_testing.util import NoMatchingProcessException, resolveProcesses
+
+pytestmark = pytest.mark.timeout(120)
+
+HEADER = """\
+import sys
+import unittest
+
+import launch
+import launch_testing
+import launch_testing.actions
+import launch_testing.asserts
+import launch_testing.markers
+import launch_testing.util
+import pytest
+from launch.actions import DeclareLaunchArgument, ExecuteProcess, TimerAction
+from launch.substitutions import LaunchConfiguration
+
+LOOP = 'import time; print("tick", flush=True); print("warn", file=sys.stderr, flush=True); time.sleep(100)'
+"""
+
+WHOLE = """
+@pytest.mark.launch_test
+def generate_test_description():
+    process = ExecuteProcess(cmd=[sys.executable, '-c', 'import sys, signal\\n'
+                                  'signal.signal(signal.SIGINT, lambda *_: sys.exit(0))\\n' + LOOP])
+    ready = TimerAction(period=0.1, actions=[launch_testing.actions.ReadyToTest()])
+    return launch.LaunchDescription([process, ready]), {'dut': process, 'number': 5}
+
+
+class TestWhileItRuns(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls, number):
+        cls.number_of_class = number
+
+    def setUp(self, dut):
+        self.dut = dut
+
+    def test_output(self, proc_output, proc_info, dut, number):
+        proc_info.assertWaitForStartup(process=dut, timeout=30)
+        proc_output.assertWaitFor('tick', process=dut, timeout=30, stream='stdout')
+        proc_output.assertWaitFor('warn', timeout=30)
+        launch_testing.asserts.assertInStderr(proc_output, 'warn', dut)
+        self.assertEqual((number, self.number_of_class, self.dut), (5, 5, dut))
+
+    @unittest.skip('not now')
+    def test_skipped(self, dut):
+        raise AssertionError
+
+
+@launch_testing.post_shutdown_test()
+class TestAfterTheEnd(unittest.TestCase):
+    def test_exit(self, proc_info, dut):
+        launch_testing.asserts.assertExitCodes(proc_info, process=dut)
+        self.assertEqual(proc_info[dut].returncode, 0)
+"""
+
+
+@pytest.fixture
+def write(tmp_path):
+    """Write a launch test; return its path."""
+
+    def write_one(body, name='test_it.py'):
+        path = tmp_path / name
+        path.write_text(HEADER + textwrap.dedent(body))
+        return path
+
+    return write_one
+
+
+def run(path, *arguments):
+    options = ['-p', 'no:cacheprovider', '-q', '--rootdir', str(path.parent)]
+    return _run([sys.executable, '-m', 'pytest', *options, *arguments, str(path)], path)
+
+
+def _run(command, path):
+    return subprocess.run(command, capture_output=True, text=True, timeout=100, cwd=path.parent,
+                          stdin=subprocess.DEVNULL, env={**os.environ, 'ROS_LOG_DIR': str(path.parent / 'log')})
+
+
+def launch_test(path, *arguments):
+    command = [sys.executable, '-m', 'launch_testing.launch_test', str(path), *arguments]
+    return _run(command, path)
+
+
+def test_a_launch_test_passes_under_pytest_and_by_launch_test(write, tmp_path):
+    path = write(WHOLE)
+    result = run(path)
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert '1 passed' in result.stdout
+    report = tmp_path / 'report.xml'
+    result = launch_test(path, '--junit-xml', str(report), '--package-name', 'mine')
+    assert result.returncode == 0, result.stdout + result.stderr
+    suite = ElementTree.parse(report).getroot()[0]
+    assert {key: suite.get(key) for key in ('name', 'tests', 'failures', 'errors', 'skipped')} == {
+        'name': 'mine.test_it.launch_tests', 'tests': '3', 'failures': '0', 'errors': '0', 'skipped': '1'}
+    assert {case.get('name') for case in suite} == {'test_output', 'test_skipped', 'test_exit'}
+
+
+FAILING = [
+    ("proc_output.assertWaitFor('tick', timeout=30, stream='stdout')", 'self.fail("before")',
+     'TestAfterTheEnd.test_exit failed', 'AssertionError: before'),
+    ("proc_output.assertWaitFor('never', process=dut, timeout=0.2)", 'pass', 'TestWhileItRuns.test_output failed',
+     'AssertionError: Waiting for output timed out'),
+    ("launch_testing.asserts.assertInStdout(proc_output, 'x', 'nobody')", 'pass', 'TestWhileItRuns.test_output failed',
+     'NoMatchingProcessException'),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize('before, after, where, message', FAILING)
+def test_a_case_that_fails_fails_the_test_and_is_named(write, before, after, where, message):
+    body = WHOLE.replace('self.assertEqual((number, self.number_of_class, self.dut), (5, 5, dut))', before)
+    path = write(body.replace('self.assertEqual(proc_info[dut].returncode, 0)', after))
+    result = run(path)
+    assert result.returncode == 1
+    assert where in result.stdout and message in result.stdout and '1 failed' in result.stdout
+
+
+def test_launch_test_tells_a_failure_by_its_status_and_in_the_report(write, tmp_path):
+    path = write(WHOLE.replace('self.assertEqual(proc_info[dut].returncode, 0)', 'self.fail("no")'))
+    report = tmp_path / 'report.xml'
+    result = launch_test(path, '--junit-xml', str(report))
+    assert result.returncode == 1 and 'FAILED (failures=1)' in result.stderr
+    suite = ElementTree.parse(report).getroot()[0]
+    failure, = suite.iter('failure')
+    assert failure.get('message') == 'AssertionError: no' and suite.get('failures') == '1'
+
+
+@pytest.mark.parametrize(
+    'body, message',
+    [
+        ("def generate_test_description():\n    return launch.LaunchDescription([])\n",
+         'must return a LaunchDescription containing a ReadyToTest action'),
+        ("def generate_test_description():\n    return 5\n", 'must return a LaunchDescription, or a tuple of one'),
+    ],
+)  # fmt: skip
+def test_a_wrong_description_says_what_is_wrong(write, body, message):
+    path = write('@pytest.mark.launch_test\n' + body)
+    result = run(path)
+    assert result.returncode == 1 and message in result.stdout
+    result = launch_test(path)
+    assert result.returncode == 2 and message in result.stderr and 'Traceback' not in result.stderr
+
+
+def test_processes_that_end_too_early_fail_the_test(write):
+    path = write("""
+        @pytest.mark.launch_test
+        def generate_test_description():
+            dies = ExecuteProcess(cmd=['sh', '-c', 'echo gone; exit 3'])
+            never = TimerAction(period=100.0, actions=[launch_testing.actions.ReadyToTest()])
+            end = launch.actions.RegisterEventHandler(launch.event_handlers.OnProcessExit(
+                target_action=dies, on_exit=[launch.actions.Shutdown()]))
+            return launch.LaunchDescription([end, dies, never])
+
+
+        class TestNothing(unittest.TestCase):
+            def test_it(self):
+                pass
+    """)
+    result = run(path)
+    assert result.returncode == 1
+    assert 'Processes under test stopped before tests completed' in result.stdout
+    assert "exited with 3\n##### 'sh-1' output #####\ngone" in result.stdout
+
+
+def test_a_system_that_does_not_become_ready_fails_the_test(write):
+    path = write("""
+        @pytest.mark.launch_test
+        @launch_testing.ready_to_test_action_timeout(0.2)
+        def generate_test_description():
+            return launch.LaunchDescription([
+                launch_testing.util.KeepAliveProc(),
+                TimerAction(period=100.0, actions=[launch_testing.actions.ReadyToTest()]),
+            ])
+    """)
+    result = run(path)
+    assert result.returncode == 1 and 'Timed out waiting for processes to start up' in result.stdout
+
+
+def test_keep_alive_parameters_arguments_and_retries(write):
+    path = write("""
+        @pytest.mark.launch_test
+        @launch_testing.parametrize('word, times', [('one', 1), ('two', 2)])
+        @launch_testing.markers.keep_alive
+        def generate_test_description(word, times):
+            return launch.LaunchDescription([
+                DeclareLaunchArgument('suffix', default_value='!'),
+                ExecuteProcess(cmd=['echo', [word, LaunchConfiguration('suffix')]]),
+                launch_testing.actions.ReadyToTest(),
+            ])
+
+
+        TRIES = []
+
+
+        class TestEcho(unittest.TestCase):
+            def test_word(self, proc_output, word, test_args):
+                proc_output.assertWaitFor(word + test_args.get('suffix', '!'), timeout=30, stream='stdout')
+
+            @launch_testing.markers.retry_on_failure(times=3)
+            def test_third_time(self, word):
+                TRIES.append(word)
+                self.assertGreaterEqual(TRIES.count(word), 3)
+    """)
+    result = run(path, '--launch-args', 'suffix:=?', '--')
+    assert result.returncode == 0, result.stdout + result.stderr
+    result = launch_test(path, 'suffix:=.')
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert 'Starting test run 2' in result.stdout and 'test_word[two, 2]' in result.stderr
+    shown = launch_test(path, '--show-args')
+    assert shown.returncode == 0 and "'suffix':" in shown.stdout and "(default: '!')" in shown.stdout
+    assert launch_test(path.with_name('none.py')).returncode == 2
+
+
+def test_a_module_without_the_mark_is_one_like_any_other(write):
+    path = write("""
+        def generate_test_description():
+            return launch.LaunchDescription([launch_testing.actions.ReadyToTest()])
+
+
+        def test_plain():
+            assert generate_test_description()
+    """)
+    assert '1 passed' in run(path).stdout
+
+
+def test_a_skipped_description_skips_the_test(write):
+    path = write("""
+        @pytest.mark.launch_test
+        @unittest.skip('no robot here')
+        def generate_test_description():
+            return launch.LaunchDescription([launch_testing.actions.ReadyToTest()])
+    """)
+    assert '1 skipped' in run(path).stdout
+
+
+# --- assertions --------------------------------------------------------------------------------------------------
+
+
+class _Process(ExecuteProcess):
+    """A process that has run already."""
+
+    def __init__(self, name, *arguments):
+        super().__init__(cmd=['x'])
+        self._details = {'name': name, 'cmd': ['x', *arguments]}
+
+
+def _wrote(process, text, stream='stdout'):
+    return SimpleNamespace(action=process, process_name=process.process_name, text=text.encode(),
+                           from_stdout=stream == 'stdout', from_stderr=stream == 'stderr')
+
+
+def test_outputs_are_found_as_text_pattern_and_lines():
+    output, process = ActiveIoHandler(), _Process('talker-1')
+    for text in ('one\ntw', 'o\nthree\n', '\x1b[32mgreen\x1b[0m\n'):
+        output.append(_wrote(process, text))
+    output.append(_wrote(process, 'bad\n', 'stderr'))
+    two, green = re.compile('t.o\nthree'), re.compile('gr..n')
+    for expected in ('two', two, ['one', 'three'], [re.compile('one'), green], 'green'):
+        assertInStdout(output, expected, process)
+    assertInStderr(output, 'bad', 'talker')
+    for wrong in ('four', 'bad', ['three', 'one'], ['tw'], [re.compile('three'), re.compile('one')]):
+        with pytest.raises(AssertionError, match='for any of the matching processes: talker-1'):
+            assertInStdout(output, wrong, process)
+    with pytest.raises(ValueError, match='Unknown format'):
+        assertInStdout(output, 5, process)
+    with assertSequentialStdout(output, 'talker') as checker:
+        checker.assertInStdout('one')
+        checker.assertInStdout('three')
+        with pytest.raises(AssertionError, match="'two' not found in sequence"):
+            checker.assertInStdout('two')
+    assert output.waitFor('green', timeout=0.0, stream='stdout') and not output.waitFor('blue', timeout=0.0)
+    with pytest.raises(RuntimeError, match="no processes matching 'nobody'"):
+        output.waitFor('x', process='nobody', timeout=0.0)
+    assert SequentialTextChecker(['a\nb']).get_nearby_lines() == 'a\nb'
+
+
+def test_processes_are_found_by_name_and_arguments():
+    infos = ProcInfoHandler()
+    one, two = _Process('node-1', '--a'), _Process('node-2')
+    for process, code in ((one, 0), (two, 3)):
+        infos.append(SimpleNamespace(action=process, process_name=process.process_name, returncode=code))
+    assert resolveProcesses(infos) == [one, two]
+    assert resolveProcesses(infos, process='node', cmd_args='--a') == [one]
+    assert resolveProcesses(infos, process='node', cmd_args=NO_CMD_ARGS) == [two]
+    assert resolveProcesses(infos, process=two) == [two] and infos['node-2'].returncode == 3
+    with pytest.raises(RuntimeError, match="Found multiple processes matching name 'node'"):
+        resolveProcesses(infos, process='node')
+    with pytest.raises(NoMatchingProcessException, match="Did not find any processes matching name 'x'"):
+        resolveProcesses(infos, process='x')
+    with pytest.raises(TypeError):
+        resolveProcesses(infos, process=5)
+    assertExitCodes(infos, process=one)
+    assertExitCodes(infos, [0, 3])
+    with pytest.raises(AssertionError, match='Proc node-2 exited with code 3'):
+        assertExitCodes(infos)
+    with pytest.raises(ValueError, match='at least 1'):
+        markers.retry_on_failure(times=0)

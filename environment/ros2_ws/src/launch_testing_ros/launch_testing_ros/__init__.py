@@ -1,0 +1,5 @@
+"""What tests of launched ROS nodes need beside ``launch_testing``."""
+
+from launch_testing_ros.wait_for_topics import WaitForTopics
+
+__all__ = ['WaitForTopics']

@@ -1,0 +1,21 @@
+from setuptools import find_packages, setup
+
+setup(
+    name='launch_xml',
+    version='3.4.5',
+    packages=find_packages(),
+    data_files=[
+        ('share/ament_index/resource_index/packages', ['resource/launch_xml']),
+        ('share/launch_xml', ['package.xml']),
+    ],
+    install_requires=['setuptools'],
+    extras_require={'test': ['pytest']},
+    zip_safe=True,
+    maintainer='ROS 2 course maintainers',
+    maintainer_email='maintainers@ros2-course.example.org',
+    description='Launch files in XML.',
+    license='Apache-2.0',
+    entry_points={
+        'launch.frontend.parser': ['xml = launch_xml:Parser'],
+    },
+)

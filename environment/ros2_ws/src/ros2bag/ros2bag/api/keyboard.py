@@ -1,0 +1,33 @@
+"""Single keys from a terminal, without waiting."""
+
+import os
+import select
+import sys
+from contextlib import contextmanager
+
+_ARROWS = {b'\x1b[A': 'up', b'\x1b[B': 'down', b'\x1b[C': 'right', b'\x1b[D': 'left'}
+
+
+@contextmanager
+def keys(enabled: bool = True):
+    """Give a function that returns the next key pressed (`' '`, `'up'` …) or None; without a terminal always None."""
+    if not enabled or not sys.stdin.isatty():
+        yield lambda: None
+        return
+    import termios
+    import tty
+
+    descriptor = sys.stdin.fileno()
+    before = termios.tcgetattr(descriptor)
+    try:
+        tty.setcbreak(descriptor)
+        yield lambda: _pressed(descriptor)
+    finally:
+        termios.tcsetattr(descriptor, termios.TCSADRAIN, before)
+
+
+def _pressed(descriptor: int) -> str | None:
+    if not select.select([descriptor], [], [], 0)[0]:
+        return None
+    data = os.read(descriptor, 3)
+    return _ARROWS.get(data) or data[:1].decode(errors='replace')

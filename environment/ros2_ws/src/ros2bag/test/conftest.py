@@ -1,0 +1,1 @@
+from environment.tests.commands import ros2  # noqa: F401

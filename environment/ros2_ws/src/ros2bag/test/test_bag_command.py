@@ -1,0 +1,229 @@
+"""The command `ros2 bag`: what is recorded is played, and what is printed is what stock prints."""
+
+import ast
+import os
+import signal
+import time
+from pathlib import Path
+
+import pytest
+import rclpy
+import yaml
+from rclpy.executors import SingleThreadedExecutor
+from rosbag2_py import SequentialReader, SequentialWriter, StorageOptions, TopicMetadata
+from rosgraph_msgs.msg import Clock
+from std_msgs.msg import Int32, String
+
+from environment.tests.running import PATIENCE
+
+
+class Listener:
+    """A node that hears topics, with the times at which their messages came."""
+
+    def __init__(self, ros2):
+        self.context = rclpy.Context()
+        rclpy.init(context=self.context, domain_id=int(ros2.environ['ROS_DOMAIN_ID']))
+        self.node = rclpy.create_node('listener', context=self.context)
+        self.executor = SingleThreadedExecutor(context=self.context)
+        self.executor.add_node(self.node)
+
+    def hear(self, kind, topic):
+        """Return a list of (time, message)."""
+        heard = []
+        self.node.create_subscription(kind, topic, lambda m: heard.append((time.monotonic(), m)), 100)
+        return heard
+
+    def until(self, condition, what, timeout=PATIENCE):
+        """Spin until the condition holds."""
+        end = time.monotonic() + timeout
+        while not condition():
+            assert time.monotonic() < end, f'waited {timeout} s in vain: {what}'
+            self.executor.spin_once(timeout_sec=0.05)
+
+    def close(self):
+        """Leave the graph."""
+        self.executor.shutdown()
+        self.node.destroy_node()
+        self.context.try_shutdown()
+
+
+@pytest.fixture
+def listener(ros2):
+    """A :class:`Listener` in the domain of the command."""
+    one = Listener(ros2)
+    yield one
+    one.close()
+
+
+@pytest.fixture
+def numbers(ros2):
+    """A bag with the numbers 0 to 9 on /number, a tenth of a second apart, and a word after 0.55 s."""
+    from rclpy.serialization import serialize_message
+
+    path = ros2.directory / 'numbers'
+    if not path.exists():
+        writer = SequentialWriter()
+        writer.open(StorageOptions(str(path), 'mcap'))
+        writer.create_topic(TopicMetadata(0, '/number', 'std_msgs/msg/Int32', 'cdr'))
+        writer.create_topic(TopicMetadata(1, '/word', 'std_msgs/msg/String', 'cdr'))
+        start = 1_700_000_000_000_000_000
+        for n in range(10):
+            writer.write('/number', serialize_message(Int32(data=n)), start + n * 100_000_000)
+            if n == 5:
+                writer.write('/word', serialize_message(String(data='half')), start + 550_000_000)
+        writer.close()
+    return str(path)
+
+
+def ended(process):
+    """Wait for the end of a process; its status."""
+    end = time.monotonic() + PATIENCE
+    while process.running:
+        assert time.monotonic() < end, 'the process goes on'
+        time.sleep(0.02)
+    return process.returncode
+
+
+def topics_of(bag):
+    """The number of messages by topic."""
+    reader = SequentialReader()
+    reader.open_uri(str(bag))
+    counts = {each.topic_metadata.name: each.message_count for each in
+              reader.get_metadata().topics_with_message_count}
+    reader.close()
+    return counts
+
+
+@pytest.mark.parametrize('storage', ['mcap', 'sqlite3'])
+def test_record_and_info(ros2, storage):
+    with ros2.start('topic', 'pub', '-r', '50', '/chatter', 'std_msgs/msg/String', '{data: hello}'):
+        with ros2.start('bag', 'record', '-o', f'talk_{storage}', '-s', storage, '--topics', '/chatter') as recorder:
+            recorder.wait_for_output("Subscribed to topic '/chatter'", PATIENCE)
+            file = ros2.directory / f'talk_{storage}' / f'talk_{storage}_0.{"mcap" if storage == "mcap" else "db3"}'
+            small = file.stat().st_size
+            end = time.monotonic() + PATIENCE
+            while file.stat().st_size <= small:  # a second's messages have been written
+                assert time.monotonic() < end, 'nothing was written'
+                time.sleep(0.05)
+            assert recorder.stop(PATIENCE) == 0
+            printed = [line.partition(': ')[2] for line in recorder.lines]
+    assert printed[:3] == ['Press SPACE for pausing/resuming', 'Listening for topics...', 'Recording...']
+    assert printed[3:] == ["Subscribed to topic '/chatter'",
+                           'All requested topics are subscribed. Stopping discovery...', 'Recording stopped']
+    lines = ros2.lines('bag', 'info', f'talk_{storage}')
+    names = ['Files', 'Bag size', 'Storage id', 'ROS Distro', 'Duration', 'Start', 'End', 'Messages',
+             'Topic information', 'Services', 'Service information']
+    assert [line.partition(':')[0] for line in lines if line] == names
+    assert lines[3] == f'Storage id:        {storage}'
+    count = topics_of(ros2.directory / f'talk_{storage}')['/chatter']
+    assert count > 10
+    assert lines[9] == (f'Topic information: Topic: /chatter | Type: std_msgs/msg/String | Count: {count} | '
+                        'Serialization Format: cdr')
+
+
+def test_record_all_but_some(ros2):
+    with ros2.start('topic', 'pub', '-r', '50', '/one', 'std_msgs/msg/String', '{}'), \
+            ros2.start('topic', 'pub', '-r', '50', '/two', 'std_msgs/msg/String', '{}'), \
+            ros2.start('topic', 'pub', '-r', '50', '/_hidden', 'std_msgs/msg/String', '{}'):
+        for name, options in {'all': ['-a', '-x', 'rosout|parameter'], 'regex': ['-e', '^/(one|two)$',
+                              '--exclude-topics', '/two'], 'type': ['--topic-types', 'std_msgs/msg/String']}.items():
+            with ros2.start('bag', 'record', '-o', f'some_{name}', '--disable-keyboard-controls', *options) as recorder:
+                recorder.wait_for_output("Subscribed to topic '/one'", PATIENCE)
+                if name != 'regex':
+                    recorder.wait_for_output("Subscribed to topic '/two'", PATIENCE)
+                assert recorder.stop(PATIENCE) == 0
+    assert set(topics_of(ros2.directory / 'some_all')) == {'/one', '/two'}
+    assert set(topics_of(ros2.directory / 'some_regex')) == {'/one'}
+    assert set(topics_of(ros2.directory / 'some_type')) == {'/one', '/two'}
+
+
+def test_a_killed_recording_is_reindexed(ros2):
+    with ros2.start('topic', 'pub', '-r', '50', '/chatter', 'std_msgs/msg/String', '{data: hello}'):
+        with ros2.start('bag', 'record', '-o', 'killed', '-a') as recorder:
+            recorder.wait_for_output("Subscribed to topic '/chatter'", PATIENCE)
+            file = ros2.directory / 'killed' / 'killed_0.mcap'
+            small, end = file.stat().st_size, time.monotonic() + PATIENCE
+            while file.stat().st_size < small + 1000:
+                assert time.monotonic() < end, 'nothing was written'
+                time.sleep(0.05)
+            os.kill(recorder.pid, signal.SIGKILL)
+            ended(recorder)
+    assert 'run: ros2 bag reindex killed' in ros2.error('bag', 'info', 'killed')
+    done = ros2.run('bag', 'reindex', 'killed')
+    assert done.returncode == 0 and 'Reindexing complete.' in done.stderr
+    assert topics_of(ros2.directory / 'killed')['/chatter'] > 0
+
+
+def test_play_keeps_the_pace(ros2, listener, numbers):
+    heard = listener.hear(Int32, '/number')
+    with ros2.start('bag', 'play', numbers, '-d', '1', '-r', '0.5') as player:
+        listener.until(lambda: len(heard) == 10, 'ten numbers')
+        assert ended(player) == 0
+        assert [line.partition(': ')[2] for line in player.lines][:3] == [
+            'Set rate to 0.5', 'Adding keyboard callbacks.', 'Press SPACE for Pause/Resume']
+    assert [message.data for _, message in heard] == list(range(10))
+    assert heard[-1][0] - heard[0][0] == pytest.approx(1.8, abs=0.7)  # 0.9 s at half the pace
+
+
+def test_play_a_part_under_another_name_with_a_clock(ros2, listener, numbers):
+    other, old, words = (listener.hear(*each) for each in ((Int32, '/other'), (Int32, '/number'), (String, '/word')))
+    clock = listener.hear(Clock, '/clock')
+    with ros2.start('bag', 'play', numbers, '-d', '1', '--start-offset', '0.45', '--remap', '/number:=/other',
+                    '--topics', '/number', '--clock', '50', '--disable-keyboard-controls') as player:
+        listener.until(lambda: len(other) == 5, 'five numbers')
+        assert ended(player) == 0
+    assert [message.data for _, message in other] == [5, 6, 7, 8, 9]
+    assert (old, words) == ([], [])
+    times = [message.clock.sec * 10**9 + message.clock.nanosec - 1_700_000_000_000_000_000 for _, message in clock]
+    assert len(times) > 5 and times == sorted(times)
+    assert times[0] == pytest.approx(450_000_000, abs=100_000_000)
+
+
+def test_play_in_a_loop_until_interrupted(ros2, listener, numbers):
+    heard = listener.hear(Int32, '/number')
+    with ros2.start('bag', 'play', numbers, '-l', '-r', '10', '--playback-duration', '0.25') as player:
+        listener.until(lambda: len(heard) >= 9, 'three rounds')
+        assert player.stop(PATIENCE) == 0
+    data = [message.data for _, message in heard]
+    assert set(data) == {0, 1, 2} and data.count(0) >= 2
+
+
+def test_a_latched_topic_is_played_latched(ros2, listener, tmp_path):
+    overrides = tmp_path / 'qos.yaml'
+    overrides.write_text(yaml.safe_dump({'/latched': {'durability': 'transient_local', 'depth': 1}}))
+    with ros2.start('topic', 'pub', '--qos-durability', 'transient_local', '-r', '20', '/latched',
+                    'std_msgs/msg/String', '{data: kept}'):
+        with ros2.start('bag', 'record', '-o', 'latched', '--topics', '/latched', '--qos-profile-overrides-path',
+                        str(overrides)) as recorder:
+            recorder.wait_for_output("Subscribed to topic '/latched'", PATIENCE)
+            assert recorder.stop(PATIENCE) == 0
+    content = yaml.safe_load((ros2.directory / 'latched' / 'metadata.yaml').read_text())
+    topic = content['rosbag2_bagfile_information']['topics_with_message_count'][0]['topic_metadata']
+    assert topic['offered_qos_profiles'][0]['durability'] == 'transient_local'
+
+
+def test_wrong_usage_is_said(ros2, numbers, tmp_path):
+    assert ros2.error('bag', 'record').startswith('[ERROR] [ros2bag]: Need to specify at least one option out of')
+    assert ros2.error('bag', 'record', '-a', '-o', numbers) == (
+        f"[ERROR] [ros2bag]: Output folder '{numbers}' already exists.")
+    assert 'not a valid regular expression' in ros2.error('bag', 'record', '-e', '[')
+    for verb in ('info', 'play', 'reindex'):
+        assert "Bag path 'nothing' does not exist!" in ros2.error('bag', verb, 'nothing', status=2)
+    assert 'no remapping' in ros2.error('bag', 'play', numbers, '--remap', 'x')
+    assert ros2.error('bag', 'play', numbers, '-r', '0', status=2).endswith('Value 0 is less than or equal to zero.')
+    wrong = tmp_path / 'qos.yaml'
+    wrong.write_text('/chatter: {reliability: perhaps}')
+    assert "the QoS of '/chatter', reliability: 'perhaps'" in ros2.error(
+        'bag', 'record', '-a', '--qos-profile-overrides-path', str(wrong))
+    (ros2.directory / 'empty').mkdir(exist_ok=True)
+    assert 'has no .mcap or .db3 file' in ros2.run('bag', 'reindex', 'empty').stderr
+
+
+def test_it_needs_of_ros2cli_only_what_upstreams_has():
+    """Upstream's ros2cli may be overlaid from a workspace, without ros2bag."""
+    import ros2bag
+
+    names = {(node.module, name.name) for file in Path(ros2bag.__file__).parent.rglob('*.py')
+             for node in ast.walk(ast.parse(file.read_text())) if isinstance(node, ast.ImportFrom)
+             for name in node.names if node.module.startswith('ros2cli')}
+    assert names == {('ros2cli.command', 'CommandExtension'), ('ros2cli.command', 'add_subparsers_on_demand')}

@@ -1,0 +1,59 @@
+"""The commands daemon, component and multicast, and the node that commands use."""
+
+import subprocess
+import sys
+import threading
+
+from environment.tests.running import PATIENCE
+
+
+def test_there_is_no_daemon(ros2):
+    for verb in ('status', 'stop'):
+        assert ros2.output('daemon', verb) == 'The daemon is not running\n'
+    assert ros2.output('daemon', 'start').startswith('No daemon is started')
+
+
+def test_without_containers_there_are_no_components(ros2):
+    assert ros2.output('component', 'list') == ''
+    for argv in (['list', '/box'], ['load', '/box', 'composition', 'composition::Talker'], ['unload', '/box', '1']):
+        assert ros2.error('component', *argv) == "Unable to find container node '/box'"
+    assert ros2.error('component', 'types', 'no_such') == "Package 'no_such' not found"
+
+
+def test_types_of_components_come_from_the_index(ros2, tmp_path):
+    index = tmp_path / 'share' / 'ament_index' / 'resource_index' / 'rclcpp_components'
+    index.mkdir(parents=True)
+    (index / 'parts').write_text('parts::Wheel;lib/libparts.so\nparts::Axle;lib/libparts.so\n')
+    environ = {**ros2.environ, 'AMENT_PREFIX_PATH': f'{tmp_path}:{ros2.environ.get("AMENT_PREFIX_PATH", sys.prefix)}'}
+    assert type(ros2)(environ, tmp_path).lines('component', 'types', 'parts') == [
+        'parts', '  parts::Wheel', '  parts::Axle']
+
+
+def test_a_datagram_is_sent_and_received(ros2):
+    port = ['--port', '49153']
+    with ros2.start('multicast', 'receive', *port, '--timeout', str(PATIENCE)) as receiver:
+        receiver.wait_for_output('Waiting for UDP multicast datagram...', PATIENCE)
+        done = ros2.run('multicast', 'send', *port)
+        if done.returncode:  # a machine without a network has no way for multicast
+            assert 'The datagram was not sent' in done.stderr
+            return
+        assert done.stdout == 'Sending one UDP multicast datagram...\n'
+        receiver.wait_for_output("'Hello World!'", PATIENCE)
+    assert ros2.error('multicast', 'receive', *port, '--timeout', '0.1') == 'No datagram came within 0.1 s'
+
+
+def test_a_node_of_a_command_lives_in_any_thread(ros2):
+    code = """
+import threading
+from ros2cli.node.strategy import NodeStrategy
+names = []
+def look():
+    with NodeStrategy(None) as node:
+        names.append(node.get_name())
+thread = threading.Thread(target=look)
+thread.start()
+thread.join()
+assert names[0].startswith('_ros2cli'), names
+"""
+    subprocess.run([sys.executable, '-c', code], check=True, env=ros2.environ, timeout=2 * PATIENCE)
+    assert threading.current_thread() is threading.main_thread()

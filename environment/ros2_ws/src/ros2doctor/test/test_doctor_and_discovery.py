@@ -1,0 +1,88 @@
+"""`ros2 doctor`, and that a command knows the whole graph on a busy machine."""
+
+import re
+import socket
+import subprocess
+import sys
+
+import pytest
+
+from helpers.kernel import domains
+
+REPORTS = ['NETWORK CONFIGURATION', 'PACKAGE VERSIONS', 'PLATFORM INFORMATION', 'QOS COMPATIBILITY LIST',
+           'RMW MIDDLEWARE', 'ROS 2 INFORMATION', 'TOPIC LIST']
+
+
+def test_doctor_on_an_empty_graph(ros2):
+    done = ros2.run('doctor')
+    assert (done.returncode, done.stdout) == (0, '\nAll 5 checks passed\n')
+    assert ros2.run('wtf').stdout == done.stdout
+
+
+def test_doctor_report(ros2):
+    text = ros2.output('doctor', '--report')
+    assert re.findall(r'^   (\S.*)$', text, re.MULTILINE) == REPORTS
+    for line in ('system           : Linux', 'middleware name    : rmw_fastrtps_cpp', 'distribution name      : jazzy',
+                 'compatibility status    : No publisher/subscriber pairs found',
+                 'topic               : none', 'publisher count     : 0', 'subscriber count    : 0'):
+        assert line in text.splitlines()
+    assert re.search(r'^ros2doctor +: latest=N/A, local=\d+\.\d+\.\d+$', text, re.MULTILINE)
+
+
+def test_doctor_says_what_is_wrong(ros2):
+    bad = type(ros2)({**ros2.environ, 'ROS_DISTRO': ''}, ros2.directory)
+    done = bad.run('doctor', '-rf')
+    assert re.search(r'platform\.py: \d+: UserWarning: ERROR: ROS_DISTRO is not set\.\n', done.stderr)
+    assert done.stdout.startswith('\n1/5 check(s) failed\n\nFailed modules: platform\n\n   PLATFORM INFORMATION\n')
+    old = type(ros2)({**ros2.environ, 'ROS_DISTRO': 'foxy'}, ros2.directory)
+    assert 'Distribution foxy is no longer supported or deprecated.' in old.run('doctor').stderr
+    assert old.run('doctor', '--include-warnings').stdout.startswith('\n1/5 check(s) failed\n')
+
+
+def test_doctor_finds_the_mismatch(ros2, node):
+    node('deaf')
+    done = ros2.run('doctor')
+    assert re.search(r"UserWarning: ERROR: QoS compatibility error found on topic '/mismatch': .*reliab",
+                     done.stderr, re.IGNORECASE)
+    assert done.stdout == '\n1/5 check(s) failed\n\nFailed modules: middleware\n'
+    assert 'topic [type]            : /mismatch [std_msgs/msg/String]' in ros2.lines('doctor', '-r')
+
+
+def test_every_node_of_several_processes_is_listed_at_once(ros2, node):
+    for name in ('robot', 'worker', 'managed', 'adder'):
+        node(name)
+    expected = {'/adder', '/managed', '/plain', '/robot', '/worker'}
+    for _ in range(3):
+        assert expected <= set(ros2.lines('node', 'list'))
+
+
+def test_a_participant_that_never_answers_costs_a_bounded_time(ros2):
+    """A foreign program on one of the domain's ports looks like a participant."""
+    with domains.claim() as domain_id, socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as foreign:
+        foreign.bind(('127.0.0.1', 7400 + 250 * domain_id + 10 + 2 * 100))
+        lonely = type(ros2)({**ros2.environ, 'ROS_DOMAIN_ID': str(domain_id)}, ros2.directory)
+        assert lonely.lines('topic', 'list') == ['/parameter_events', '/rosout']
+
+
+def test_the_ports_are_those_of_real_participants(ros2, node):
+    code = ('import sys; from ros2cli.node.direct import DirectNode; from ros2cli.node import discovery\n'
+            'with DirectNode(None) as node:\n'
+            '    ports = discovery._local_ports(node.context.get_domain_id())\n'
+            '    heard = node.get_publishers_info_by_topic("ros_discovery_info", no_mangle=True)\n'
+            '    print(len(ports), len(heard))\n')
+    done = subprocess.run([sys.executable, '-c', code], capture_output=True, text=True, env=ros2.environ)
+    ports, heard = map(int, done.stdout.split())
+    assert ports == heard >= 2
+
+
+@pytest.mark.parametrize('version,wanted,fits', [
+    ('0.1', '^0.1', True), ('0.1.3', '^0.1', True), ('0.2', '^0.1', False), ('1.4', '^1.2', True),
+    ('1.1', '^1.2', False), ('2.0', '^1.2', False)])
+def test_versions_of_the_plug_in_interface(version, wanted, fits):
+    from ros2cli.plugin_system import PluginException, satisfies_version
+
+    if fits:
+        satisfies_version(version, wanted)
+    else:
+        with pytest.raises(PluginException):
+            satisfies_version(version, wanted)

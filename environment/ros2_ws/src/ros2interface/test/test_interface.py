@@ -1,0 +1,74 @@
+"""The command `ros2 interface`, which needs no node."""
+
+import sys
+
+import pytest
+
+
+def test_interface_show_indents_nested_fields(ros2):
+    assert ros2.output('interface', 'show', 'geometry_msgs/msg/TwistStamped') == (
+        '# A twist with reference coordinate frame and timestamp\n'
+        '\n'
+        'std_msgs/Header header\n'
+        '\tbuiltin_interfaces/Time stamp\n'
+        '\t\tint32 sec\n'
+        '\t\tuint32 nanosec\n'
+        '\tstring frame_id\n'
+        'Twist twist\n'
+        '\tVector3  linear\n'
+        '\t\tfloat64 x\n'
+        '\t\tfloat64 y\n'
+        '\t\tfloat64 z\n'
+        '\tVector3  angular\n'
+        '\t\tfloat64 x\n'
+        '\t\tfloat64 y\n'
+        '\t\tfloat64 z\n')
+    expected = 'bool data\n---\nbool success\nstring message\n'
+    assert ros2.output('interface', 'show', 'std_srvs/srv/SetBool', '--no-comments') == expected
+    assert ros2.output('interface', 'show', '-', '--no-comments', stdin='std_srvs/srv/SetBool\n') == expected
+    assert '\t# ' not in ros2.output('interface', 'show', 'std_msgs/msg/Header')
+    assert '\t# ' in ros2.output('interface', 'show', 'std_msgs/msg/Header', '--all-comments')
+
+
+def test_interface_names_what_is_wrong(ros2):
+    assert ros2.error('interface', 'show', 'std_msgs/String') == (
+        "Invalid name 'std_msgs/String'. Expected three parts separated by '/'")
+    assert ros2.error('interface', 'show', 'no_such/msg/String') == "Unknown package 'no_such'"
+    assert ros2.error('interface', 'show', 'std_msgs/msg/Nothing').startswith('Could not find the interface ')
+    assert ros2.error('interface', 'package', 'no_such') == "Unknown package 'no_such'"
+    assert ros2.error('interface', 'proto', 'std_msgs/msg/Nothing') == (
+        "Could not find the interface 'std_msgs/msg/Nothing'")
+
+
+def test_interface_lists(ros2):
+    everything = ros2.lines('interface', 'list')
+    assert everything[0] == 'Messages:'
+    assert everything.index('Services:') < everything.index('Actions:')
+    assert '    std_msgs/msg/String' in everything
+    assert ros2.lines('interface', 'list', '--only-srvs')[0] == 'Services:'
+    assert ros2.lines('interface', 'package', 'std_srvs') == [
+        'std_srvs/srv/Empty', 'std_srvs/srv/SetBool', 'std_srvs/srv/Trigger']
+    assert ros2.lines('interface', 'package', 'std_srvs', '-m') == []
+    assert 'std_srvs' in ros2.lines('interface', 'packages', '-s')
+    assert 'std_srvs' not in ros2.lines('interface', 'packages', '-m')
+    assert ros2.output('interface', 'proto', 'std_srvs/srv/SetBool') == '"data: false\n"\n'
+    assert ros2.output('interface', 'proto', 'geometry_msgs/msg/Point', '--no-quotes') == 'x: 0.0\ny: 0.0\nz: 0.0\n\n'
+
+
+def test_a_lone_hash_is_no_comment(overlay_of_messages):
+    assert overlay_of_messages('# a comment\n#\nint32 x  # trailing\n').output(
+        'interface', 'show', '--no-comments', 'made_up/msg/Thing') == '#\nint32 x\n'
+
+
+@pytest.fixture
+def overlay_of_messages(ros2, tmp_path):
+    """A function that makes the message made_up/msg/Thing, and returns the command that sees it."""
+    def make(definition):
+        for folder in ('share/ament_index/resource_index/packages', 'share/made_up/msg'):
+            (tmp_path / folder).mkdir(parents=True)
+        (tmp_path / 'share/ament_index/resource_index/packages/made_up').touch()
+        (tmp_path / 'share/made_up/msg/Thing.msg').write_text(definition)
+        prefixes = f'{tmp_path}:{ros2.environ.get("AMENT_PREFIX_PATH", sys.prefix)}'
+        return type(ros2)({**ros2.environ, 'AMENT_PREFIX_PATH': prefixes}, tmp_path)
+
+    return make

@@ -1,0 +1,1 @@
+from environment.tests.commands import node, robot, ros2, several_nodes  # noqa: F401

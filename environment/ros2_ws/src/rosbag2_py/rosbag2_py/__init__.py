@@ -1,0 +1,56 @@
+"""
+Read, write and reindex bags of messages: MCAP and SQLite, in the format of Jazzy's rosbag2.
+
+The names are upstream's, as far as its tutorials use them. The files are written and read by the library rosbags.
+"""
+
+from rosbag2_py.metadata import BagError
+from rosbag2_py.options import (
+    BagMetadata,
+    ConverterOptions,
+    FileInformation,
+    ReadOrder,
+    ReadOrderSortBy,
+    StorageFilter,
+    StorageOptions,
+    TopicInformation,
+    TopicMetadata,
+)
+from rosbag2_py.reader import Info, SequentialReader
+from rosbag2_py.reindex import Reindexer
+from rosbag2_py.writer import DEFAULT_STORAGE, SequentialWriter
+
+__all__ = [
+    'BagError',
+    'BagMetadata',
+    'ConverterOptions',
+    'FileInformation',
+    'Info',
+    'ReadOrder',
+    'ReadOrderSortBy',
+    'Reindexer',
+    'SequentialReader',
+    'SequentialWriter',
+    'StorageFilter',
+    'StorageOptions',
+    'TopicInformation',
+    'TopicMetadata',
+    'get_default_storage_id',
+    'get_registered_readers',
+    'get_registered_writers',
+]
+
+
+def get_default_storage_id() -> str:
+    """Return the storage that a bag gets if none is named."""
+    return DEFAULT_STORAGE
+
+
+def get_registered_readers() -> set[str]:
+    """Return the storages that can be read."""
+    return {'mcap', 'sqlite3'}
+
+
+def get_registered_writers() -> set[str]:
+    """Return the storages that can be written."""
+    return {'mcap', 'sqlite3'}

@@ -1,0 +1,185 @@
+"""Plays a bag: publishes its messages at the pace at which they were recorded."""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from rclpy.duration import Duration
+from rclpy.expand_topic_name import expand_topic_name
+from rclpy.node import Node
+from rclpy.qos import QoSProfile
+from rclpy.time import Time
+
+from rosbag2_py.definitions import message_class
+from rosbag2_py.options import StorageFilter
+from rosbag2_py.qos import to_publish
+from rosbag2_py.reader import SequentialReader
+
+_SECOND = 1_000_000_000
+_STEP = 0.05  # seconds after which a wait looks at the keyboard
+RATE_STEP = 0.1
+
+
+@dataclass
+class PlayOptions:
+    """How to play; names as upstream. Times in seconds, `-1` for "to the end"."""
+
+    rate: float = 1.0
+    topics_to_filter: list[str] = field(default_factory=list)
+    exclude_topics_to_filter: list[str] = field(default_factory=list)
+    regex_to_filter: str = ''
+    exclude_regex_to_filter: str = ''
+    topic_qos_profile_overrides: dict[str, QoSProfile] = field(default_factory=dict)
+    loop: bool = False
+    remap: dict[str, str] = field(default_factory=dict)
+    clock_publish_frequency: float = 0.0
+    delay: float = 0.0
+    start_paused: bool = False
+    start_offset: float = 0.0
+    playback_duration: float = -1.0
+    playback_until: int = -1  # nanoseconds since 1970
+    wait_acked_timeout: int = -1  # milliseconds; 0: for ever
+
+
+class Player:
+    """Publishes the messages of a bag with a node of the caller's, who spins it by way of `wait`."""
+
+    def __init__(self, node: Node, reader: SequentialReader, options: PlayOptions, wait: Callable[[float], Any]):
+        """
+        Create the publishers.
+
+        :param wait: spins the node for so many seconds, and handles the keyboard.
+        """
+        self.node, self.reader, self.options, self.rate = node, reader, options, options.rate
+        self.paused, self.skip = options.start_paused, False
+        self._wait = wait
+        metadata = reader.get_metadata()
+        self._start = metadata.starting_time + round(options.start_offset * _SECOND)
+        self._end = metadata.starting_time + metadata.duration
+        if options.playback_duration >= 0:
+            self._end = min(self._end, self._start + round(options.playback_duration * _SECOND))
+        if options.playback_until >= 0:
+            self._end = min(self._end, options.playback_until)
+        self._now, self._since = self._start, time.monotonic()  # the bag's time, and when it was that
+        self._clock: Any = None
+        self._next_clock = 0.0
+        if options.clock_publish_frequency:
+            from rosgraph_msgs.msg import Clock
+
+            self._clock = node.create_publisher(Clock, '/clock', 10)
+        reader.set_filter(StorageFilter(
+            topics=options.topics_to_filter, regex=options.regex_to_filter,
+            exclude_topics=options.exclude_topics_to_filter, exclude_regex=options.exclude_regex_to_filter))
+        self.publishers: dict[str, Any] = {}
+        self._create_publishers()
+
+    def _create_publishers(self) -> None:
+        for topic in self.reader.get_all_topics_and_types():
+            name = topic.name
+            if not self.reader.passes(name):
+                continue
+            profile = self.options.topic_qos_profile_overrides.get(name) or to_publish(topic.offered_qos_profiles)
+            try:
+                kind = message_class(topic.type)
+            except RuntimeError as error:
+                self.node.get_logger().warning(f"Ignoring a topic '{name}', reason: {error}")
+                continue
+            self.publishers[name] = self.node.create_publisher(kind, self.options.remap.get(name, name), profile)
+
+    def play(self) -> int:
+        """Play to the end, again and again with `loop`; returns how many messages were published."""
+        published = 0
+        while True:
+            if self.options.delay:
+                self.node.get_logger().info(f'Sleep {round(self.options.delay * _SECOND)} ns')
+                self._wait(self.options.delay)
+            published += self._play_once()
+            if not self.options.loop:
+                break
+        self._deliver()
+        return published
+
+    def _play_once(self) -> int:
+        published = 0
+        self.reader.seek(self._start)
+        self._set_time(self._start)
+        while self.reader.has_next():
+            topic, data, timestamp = self.reader.read_next()
+            if timestamp > self._end:
+                break
+            self._wait_until(timestamp)
+            if topic in self.publishers:
+                self.publishers[topic].publish(data)
+                published += 1
+        return published
+
+    def time(self) -> int:
+        """Return the bag's time, in nanoseconds."""
+        if self.paused:
+            return self._now
+        return self._now + round((time.monotonic() - self._since) * self.rate * _SECOND)
+
+    def _set_time(self, now: int) -> None:
+        self._now, self._since = now, time.monotonic()
+
+    def pause(self, paused: bool) -> None:
+        """Stop the bag's time, or let it go on."""
+        self._set_time(self.time())
+        self.paused = paused
+
+    def set_rate(self, rate: float) -> None:
+        """Play at another pace from now on."""
+        self._set_time(self.time())
+        self.rate = rate
+
+    def _wait_until(self, timestamp: int) -> None:
+        while True:
+            now = self.time()
+            self._tell_time(now)
+            if self.skip:  # play the next message although it is not due
+                self.skip = False
+                self._set_time(timestamp)
+                return
+            missing = (timestamp - now) / _SECOND / self.rate
+            if not self.paused and missing <= 0:
+                return
+            longest = _STEP if self.paused else min(_STEP, missing)
+            if self._clock is not None:
+                longest = min(longest, max(0.0, self._next_clock - time.monotonic()))
+            self._wait(longest)
+
+    def _tell_time(self, now: int) -> None:
+        """Publish /clock, as often as asked."""
+        if self._clock is None or time.monotonic() < self._next_clock:
+            return
+        from rosgraph_msgs.msg import Clock
+
+        self._next_clock = time.monotonic() + 1.0 / self.options.clock_publish_frequency
+        self._clock.publish(Clock(clock=Time(nanoseconds=now).to_msg()))
+
+    def _deliver(self) -> None:
+        """Wait until reliable readers have everything: a second, or what the options say."""
+        timeout = self.options.wait_acked_timeout
+        duration = Duration(seconds=1.0 if timeout < 0 else 2**31 if timeout == 0 else timeout / 1000)
+        for publisher in self.publishers.values():
+            try:
+                publisher.wait_for_all_acked(duration)
+            except Exception:  # not every middleware can
+                pass
+
+
+def parse_remappings(rules: list[str], node: Node) -> dict[str, str]:
+    """
+    Return the new names by the old ones, both full, of rules `old:=new`.
+
+    :raises ValueError: if a rule is none.
+    """
+    remappings = {}
+    for rule in rules:
+        old, separator, new = rule.partition(':=')
+        if not (old and separator and new):
+            raise ValueError(f"'{rule}' is no remapping; expected old_topic:=new_topic")
+        full = [expand_topic_name(each, node.get_name(), node.get_namespace()) for each in (old, new)]
+        remappings[full[0]] = full[1]
+    return remappings

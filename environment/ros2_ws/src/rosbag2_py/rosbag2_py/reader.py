@@ -1,0 +1,171 @@
+"""Reads bags."""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from rosbags.interfaces import Connection
+from rosbags.rosbag2 import Reader, ReaderError
+
+from rosbag2_py import metadata as metadata_file
+from rosbag2_py.definitions import type_hash
+from rosbag2_py.files import SUFFIXES
+from rosbag2_py.metadata import BagError
+from rosbag2_py.options import (
+    BagMetadata,
+    ConverterOptions,
+    FileInformation,
+    ReadOrder,
+    ReadOrderSortBy,
+    StorageFilter,
+    StorageOptions,
+    TopicInformation,
+    TopicMetadata,
+)
+from rosbag2_py.qos import to_rclpy
+
+
+class SequentialReader:
+    """Reads the messages of a bag, a folder or a single .mcap or .db3 file, in the order of their time."""
+
+    def __init__(self) -> None:
+        """Begin without a bag."""
+        self._reader: Reader | None = None
+
+    def open(self, storage_options: StorageOptions, converter_options: ConverterOptions | None = None) -> None:
+        """
+        Open a bag.
+
+        :raises BagError: if there is none, or it cannot be read; the text says what to do.
+        """
+        self.close()
+        self._path = Path(storage_options.uri)
+        self._reader = open_reader(self._path)
+        self._filter = StorageFilter()
+        self.seek(0)
+
+    def open_uri(self, uri: str) -> None:
+        """Open the bag of a path."""
+        self.open(StorageOptions(uri))
+
+    def close(self) -> None:
+        """Close the bag."""
+        if self._reader is not None:
+            self._reader.close()
+            self._reader = None
+
+    def has_next(self) -> bool:
+        """Return whether there is another message."""
+        if self._next is None:
+            self._next = next(self._messages, None)
+        return self._next is not None
+
+    def read_next(self) -> tuple[str, bytes, int]:
+        """
+        Return the next message: topic, serialized message, time of its reception in nanoseconds.
+
+        :raises BagError: if there is none.
+        """
+        if not self.has_next():
+            raise BagError('Bag is at end. No next message.')
+        connection, timestamp, data = self._next
+        self._next = None
+        return connection.topic, bytes(data), timestamp
+
+    def seek(self, timestamp: int) -> None:
+        """Go on with the first message at or after a time in nanoseconds."""
+        chosen = [each for each in self._open().connections if self.passes(each.topic)]
+        self._next: tuple[Connection, int, bytes] | None = None
+        self._messages: Iterator = self._open().messages(chosen, start=timestamp) if chosen else iter(())
+
+    def set_filter(self, storage_filter: StorageFilter) -> None:
+        """Read only what the filter lets through, from here on."""
+        resume = self._next[1] if self.has_next() else None
+        self._filter = storage_filter
+        if resume is not None:
+            self.seek(resume)
+
+    def reset_filter(self) -> None:
+        """Read all topics again."""
+        self.set_filter(StorageFilter())
+
+    def set_read_order(self, order: ReadOrder) -> None:
+        """Take the order of the messages' times; BagError for another one."""
+        if order.reverse or order.sort_by != ReadOrderSortBy.ReceivedTimestamp:
+            raise BagError('a bag is read forwards, in the order of reception; there is no other order here')
+
+    def get_all_topics_and_types(self) -> list[TopicMetadata]:
+        """Return the topics of the bag."""
+        return [each.topic_metadata for each in self.get_metadata().topics_with_message_count]
+
+    def get_metadata(self) -> BagMetadata:
+        """Return what is known of the bag."""
+        return read_metadata(self._path, self._open())
+
+    def _open(self) -> Reader:
+        if self._reader is None:
+            raise BagError('Bag is not open. Call open() before reading.')
+        return self._reader
+
+    def passes(self, topic: str) -> bool:
+        """Return whether the filter lets a topic through."""
+        chosen = self._filter
+        if topic in chosen.exclude_topics or chosen.exclude_regex and re.fullmatch(chosen.exclude_regex, topic):
+            return False
+        if not (chosen.topics or chosen.regex):
+            return True
+        return topic in chosen.topics or bool(chosen.regex and re.fullmatch(chosen.regex, topic))
+
+
+class Info:
+    """What `ros2 bag info` asks."""
+
+    def read_metadata(self, uri: str, storage_id: str = '') -> BagMetadata:
+        """Return what is known of a bag; raises BagError as :meth:`SequentialReader.open`."""
+        path = Path(uri)
+        if path.is_dir():
+            return metadata_file.read(path)
+        reader = open_reader(path)
+        try:
+            return read_metadata(path, reader)
+        finally:
+            reader.close()
+
+
+def open_reader(path: Path) -> Reader:
+    """Return the library's reader of a bag or a file, opened; raises BagError."""
+    if not path.exists():
+        raise BagError(f"Bag path '{path}' does not exist!")
+    if path.is_dir():
+        metadata_file.read(path)  # for its messages
+    elif path.suffix not in SUFFIXES.values():
+        raise BagError(f"'{path}' is no bag: it is neither a folder nor a .mcap or .db3 file")
+    try:
+        reader = Reader(path)
+        reader.open()
+    except (ReaderError, OSError) as error:
+        folder = path if path.is_dir() else path.parent
+        raise BagError(f"'{path}' cannot be read: {error} If the recording did not end in order, "
+                       f'run: ros2 bag reindex {folder}') from None
+    return reader
+
+
+def read_metadata(path: Path, reader: Reader) -> BagMetadata:
+    """Return the metadata of a bag, or what a single file says of itself."""
+    if path.is_dir():
+        return metadata_file.read(path)
+    storage = next(name for name, suffix in SUFFIXES.items() if suffix == path.suffix)
+    count = reader.message_count
+    start, duration = (reader.start_time, reader.duration - 1) if count else (0, 0)
+    topics = [TopicInformation(_topic(index, each), each.msgcount) for index, each in enumerate(reader.connections)]
+    return BagMetadata(
+        bag_size=path.stat().st_size, storage_identifier=storage, relative_file_paths=[path.name],
+        files=[FileInformation(path.name, start, duration, count)], starting_time=start, duration=duration,
+        message_count=count, topics_with_message_count=topics)
+
+
+def _topic(index: int, connection: Connection) -> TopicMetadata:
+    return TopicMetadata(
+        index, connection.topic, connection.msgtype, connection.ext.serialization_format,
+        [to_rclpy(each) for each in connection.ext.offered_qos_profiles],
+        connection.digest or type_hash(connection.msgtype))

@@ -1,0 +1,199 @@
+"""Writes bags."""
+
+import os
+import shutil
+import threading
+import weakref
+from pathlib import Path
+
+from rosbags.interfaces import Connection, ConnectionExtRosbag2, MessageDefinition, MessageDefinitionFormat
+
+from rosbag2_py import metadata as metadata_file
+from rosbag2_py.definitions import definition, type_hash
+from rosbag2_py.files import SUFFIXES, DataFile
+from rosbag2_py.metadata import BagError
+from rosbag2_py.options import (
+    BagMetadata,
+    ConverterOptions,
+    FileInformation,
+    StorageOptions,
+    TopicInformation,
+    TopicMetadata,
+)
+from rosbag2_py.qos import to_rosbags
+
+DEFAULT_STORAGE = 'mcap'
+SPACE_KEPT = 10 * 2**20  # bytes that a recording leaves free on the disk
+
+
+class SequentialWriter:
+    """Writes a bag, message by message; it is closed with :meth:`close`, or when the program ends."""
+
+    def __init__(self) -> None:
+        """Begin without a bag."""
+        self._bag: _Bag | None = None
+
+    def open(self, storage_options: StorageOptions, converter_options: ConverterOptions | None = None) -> None:
+        """
+        Create a bag: a folder of the name `storage_options.uri`.
+
+        :raises BagError: if it is there already, or the storage or the serialization format is not known.
+        """
+        for given in (converter_options or ConverterOptions()).__dict__.values():
+            if given not in ('', 'cdr'):
+                raise BagError(f"the serialization format '{given}' is not known; there is 'cdr'")
+        self.close()
+        self._bag = _Bag(storage_options)
+        # Tutorials leave it to the end of the program.
+        self._close = weakref.finalize(self, self._bag.close)
+
+    def create_topic(self, topic: TopicMetadata) -> None:
+        """Add a topic; one that is there already stays as it is."""
+        self._opened().create_topic(topic)
+
+    def remove_topic(self, topic: TopicMetadata) -> None:
+        """Take no more messages of a topic."""
+        self._opened().remove_topic(topic.name)
+
+    def write(self, topic_name: str, message: bytes, time_stamp: int) -> None:
+        """
+        Write a serialized message; `time_stamp` in nanoseconds.
+
+        :raises BagError: if the topic was not created, or the disk is full.
+        """
+        self._opened().write(topic_name, message, time_stamp)
+
+    def flush(self) -> None:
+        """Hand the messages so far to the operating system."""
+        self._opened().flush()
+
+    def split_bagfile(self) -> None:
+        """Go on in a new file."""
+        self._opened().split()
+
+    def take_snapshot(self) -> bool:
+        """Return False: there is no snapshot mode."""
+        return False
+
+    def close(self) -> None:
+        """Write the end of the file, and metadata.yaml. A second call does nothing."""
+        if self._bag is not None:
+            self._bag = None
+            self._close()
+
+    def _opened(self) -> '_Bag':
+        if self._bag is None:
+            raise BagError('Bag is not open. Call open() before writing.')
+        return self._bag
+
+
+class _Bag:
+    """A bag that is being written."""
+
+    def __init__(self, options: StorageOptions):
+        self.storage_id = options.storage_id or DEFAULT_STORAGE
+        if self.storage_id not in SUFFIXES:
+            raise BagError(f"the storage '{self.storage_id}' is not known; there are {', '.join(SUFFIXES)}")
+        self.folder = Path(options.uri)
+        try:
+            self.folder.mkdir(parents=True)
+        except FileExistsError:
+            raise BagError(f"the folder '{self.folder}' exists already; a bag is written into a new one") from None
+        except OSError as error:
+            raise BagError(f"the folder '{self.folder}' cannot be created: {error.strerror}") from None
+        self.options = options
+        self._lock = threading.Lock()
+        self._connections: dict[str, Connection] = {}
+        self._topics: dict[str, TopicMetadata] = {}
+        self._counts: dict[str, int] = {}
+        self._files: list[DataFile] = []
+        self._unchecked = 0
+        self._begin_file()
+
+    def _begin_file(self) -> None:
+        compressed = self.options.storage_preset_profile.startswith('zstd')
+        stem = f'{self.folder.resolve().name}_{len(self._files)}'
+        self._files.append(DataFile(self.folder, stem, self.storage_id, compressed))
+        for connection in self._connections.values():
+            self._files[-1].add(connection)
+
+    def create_topic(self, topic: TopicMetadata) -> None:
+        with self._lock:
+            if topic.name in self._connections:
+                return
+            known = topic.type_description_hash or type_hash(topic.type)
+            extension = ConnectionExtRosbag2('cdr', [to_rosbags(each) for each in topic.offered_qos_profiles])
+            text = definition(topic.type)
+            form = MessageDefinitionFormat.MSG if text else MessageDefinitionFormat.NONE
+            connection = Connection(
+                len(self._topics) + 1, topic.name, topic.type, MessageDefinition(form, text), known, 0, extension, self)
+            self._connections[topic.name] = connection
+            self._topics[topic.name] = TopicMetadata(
+                topic.id, topic.name, topic.type, 'cdr', topic.offered_qos_profiles, known)
+            self._counts.setdefault(topic.name, 0)
+            self._files[-1].add(connection)
+
+    def remove_topic(self, name: str) -> None:
+        with self._lock:
+            self._connections.pop(name, None)
+
+    def write(self, name: str, data: bytes, timestamp: int) -> None:
+        with self._lock:
+            if name not in self._connections:
+                raise BagError(f"the topic '{name}' was not created in this bag; call create_topic() before write()")
+            if self._full(timestamp):
+                self._split()
+            self._check_disk(len(data))
+            self._files[-1].write(self._connections[name], timestamp, data)
+            self._counts[name] += 1
+
+    def _full(self, timestamp: int) -> bool:
+        file, options = self._files[-1], self.options
+        if not file.message_count:
+            return False
+        if options.max_bagfile_size and file.size >= options.max_bagfile_size:
+            return True
+        return bool(options.max_bagfile_duration and timestamp - file.first >= options.max_bagfile_duration * 10**9)
+
+    def _check_disk(self, size: int) -> None:
+        """Stop in time: a full disk would leave a file without an end."""
+        self._unchecked += size
+        if self._unchecked > SPACE_KEPT // 10:
+            self._unchecked = 0
+            if shutil.disk_usage(self.folder).free < SPACE_KEPT:
+                raise BagError(f"the disk of '{self.folder}' is full; the recording ends here")
+
+    def split(self) -> None:
+        with self._lock:
+            self._split()
+
+    def _split(self) -> None:
+        self._end_file()
+        self._begin_file()
+
+    def flush(self) -> None:
+        with self._lock:
+            self._files[-1].flush()
+
+    def _end_file(self) -> None:
+        self._files[-1].close(9, metadata_file.dump(metadata_file.inner(self._metadata())))
+
+    def _metadata(self) -> BagMetadata:
+        """What metadata.yaml says of the files so far."""
+        filled = [file for file in self._files if file.message_count]
+        first = min((file.first for file in filled), default=0)
+        return BagMetadata(
+            storage_identifier=self.storage_id,
+            relative_file_paths=[file.path.name for file in self._files],
+            files=[FileInformation(file.path.name, file.first if file.message_count else 0,
+                                   max(0, file.last - file.first), file.message_count) for file in self._files],
+            duration=max((file.last for file in filled), default=0) - first, starting_time=first,
+            message_count=sum(self._counts.values()),
+            topics_with_message_count=[
+                TopicInformation(topic, self._counts[name]) for name, topic in self._topics.items()],
+            custom_data=self.options.custom_data, ros_distro=os.environ.get('ROS_DISTRO', 'jazzy'))
+
+    def close(self) -> None:
+        with self._lock:
+            self._end_file()
+            metadata_file.write(self.folder, self._metadata())

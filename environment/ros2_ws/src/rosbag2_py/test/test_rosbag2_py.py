@@ -1,0 +1,193 @@
+"""Bags written and read by program, and read by the library that other tools use."""
+
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+
+import pytest
+import yaml
+from geometry_msgs.msg import PointStamped
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.serialization import deserialize_message, serialize_message
+from rosbag2_py import (
+    BagError,
+    ConverterOptions,
+    Info,
+    Reindexer,
+    SequentialReader,
+    SequentialWriter,
+    StorageFilter,
+    StorageOptions,
+    TopicMetadata,
+)
+from rosbags.highlevel import AnyReader
+from std_msgs.msg import String
+
+STORAGES = ['mcap', 'sqlite3']
+
+
+def write(path, storage, count=5, **options):
+    """Write a bag with `count` words and one point; returns its folder."""
+    writer = SequentialWriter()
+    writer.open(StorageOptions(str(path), storage, **options), ConverterOptions('cdr', 'cdr'))
+    latched = QoSProfile(depth=3, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    writer.create_topic(TopicMetadata(0, '/words', 'std_msgs/msg/String', 'cdr', [latched]))
+    writer.create_topic(TopicMetadata(id=1, name='/point', type='geometry_msgs/msg/PointStamped'))
+    point = PointStamped()
+    point.point.x = 1.5
+    writer.write('/point', serialize_message(point), 1_000_000_000)
+    for number in range(count):
+        writer.write('/words', serialize_message(String(data=str(number))), (2 + number) * 1_000_000_000)
+    writer.close()
+    return path
+
+
+def read(path):
+    """(topic, time in seconds, text) of each message."""
+    reader = SequentialReader()
+    reader.open_uri(str(path))
+    found = []
+    while reader.has_next():
+        topic, data, timestamp = reader.read_next()
+        found.append((topic, timestamp / 1e9, deserialize_message(data, String).data if topic == '/words' else ''))
+    reader.close()
+    return found
+
+
+@pytest.mark.parametrize('storage', STORAGES)
+def test_what_was_written_is_read(tmp_path, storage):
+    bag = write(tmp_path / 'bag', storage)
+    suffix = {'mcap': 'mcap', 'sqlite3': 'db3'}[storage]
+    assert sorted(os.listdir(bag)) == [f'bag_0.{suffix}', 'metadata.yaml']
+    expected = [('/point', 1.0, ''), *(('/words', 2.0 + n, str(n)) for n in range(5))]
+    assert read(bag) == expected
+    assert read(bag / f'bag_0.{suffix}') == expected
+    reader = SequentialReader()
+    reader.open(StorageOptions(str(bag), storage), ConverterOptions('', ''))
+    topics = {each.name: each for each in reader.get_all_topics_and_types()}
+    assert topics['/words'].type == 'std_msgs/msg/String'
+    profile, = topics['/words'].offered_qos_profiles
+    assert (profile.durability, profile.reliability, profile.depth) == (
+        DurabilityPolicy.TRANSIENT_LOCAL, ReliabilityPolicy.RELIABLE, 3)
+    assert topics['/point'].type_description_hash.startswith('RIHS01_')
+    reader.set_filter(StorageFilter(topics=['/words']))
+    reader.seek(5 * 10**9)
+    assert [reader.read_next()[2] for _ in range(2)] == [5 * 10**9, 6 * 10**9]
+    assert not reader.has_next()
+    with pytest.raises(BagError, match='at end'):
+        reader.read_next()
+
+
+@pytest.mark.parametrize('storage', STORAGES)
+def test_other_tools_read_it_without_the_packages(tmp_path, storage):
+    with AnyReader([write(tmp_path / 'bag', storage)]) as reader:
+        connection, = (each for each in reader.connections if each.topic == '/point')
+        assert 'std_msgs/Header' in connection.msgdef.data and 'MSG: builtin_interfaces/Time' in connection.msgdef.data
+        points = [reader.deserialize(raw, each.msgtype).point for each, _, raw in reader.messages([connection])]
+        assert [point.x for point in points] == [1.5]
+
+
+def test_metadata_is_that_of_jazzy(tmp_path):
+    content = yaml.safe_load((write(tmp_path / 'bag', 'mcap') / 'metadata.yaml').read_text())
+    inner = content['rosbag2_bagfile_information']
+    assert (inner['version'], inner['storage_identifier'], inner['ros_distro']) == (9, 'mcap', 'jazzy')
+    assert inner['duration'] == {'nanoseconds': 5_000_000_000}
+    assert inner['relative_file_paths'] == ['bag_0.mcap'] == [each['path'] for each in inner['files']]
+    assert [each['message_count'] for each in inner['topics_with_message_count']] == [5, 1]
+    lines = str(Info().read_metadata(str(tmp_path / 'bag'), '')).splitlines()
+    assert lines[1] == 'Files:             bag_0.mcap'
+    assert lines[5] == 'Duration:          5.000000000s'
+    assert lines[9].startswith('Topic information: Topic: /words | Type: std_msgs/msg/String | Count: 5 | Serial')
+    assert lines[10].startswith('                   Topic: /point')
+
+
+@pytest.mark.parametrize('storage', STORAGES)
+def test_a_bag_is_split(tmp_path, storage):
+    bag = write(tmp_path / 'bag', storage, count=6, max_bagfile_duration=3)
+    metadata = Info().read_metadata(str(bag), storage)
+    assert [each.message_count for each in metadata.files] == [3, 3, 1]
+    assert [text for topic, _, text in read(bag) if topic == '/words'] == list('012345')
+
+
+def test_a_bag_is_compressed(tmp_path):
+    plain = write(tmp_path / 'plain', 'mcap', count=2000)
+    small = write(tmp_path / 'small', 'mcap', count=2000, storage_preset_profile='zstd_fast')
+    assert (small / 'small_0.mcap').stat().st_size < (plain / 'plain_0.mcap').stat().st_size
+    assert read(small) == read(plain)
+
+
+# Writes without end, as a recorder does, and says when the first messages have been flushed.
+ENDLESS = """
+    import sys, time
+    from rclpy.serialization import serialize_message
+    from rosbag2_py import SequentialWriter, StorageOptions, TopicMetadata
+    from std_msgs.msg import String
+    writer = SequentialWriter()
+    writer.open(StorageOptions(sys.argv[1], sys.argv[2]))
+    writer.create_topic(TopicMetadata(0, '/words', 'std_msgs/msg/String', 'cdr'))
+    for number in range(1_000_000):
+        writer.write('/words', serialize_message(String(data=str(number))), number)
+        if number == 99:
+            writer.flush()
+            print('flushed', flush=True)
+        if number >= int(sys.argv[3]):
+            sys.exit()
+"""
+
+
+@pytest.mark.parametrize('storage', STORAGES)
+@pytest.mark.parametrize('number', [signal.SIGKILL, signal.SIGTERM])
+def test_a_killed_recording_can_be_reindexed(tmp_path, storage, number):
+    bag = tmp_path / 'bag'
+    process = subprocess.Popen([sys.executable, '-c', textwrap.dedent(ENDLESS), bag, storage, '10000000'],
+                               stdout=subprocess.PIPE, text=True)
+    assert process.stdout.readline() == 'flushed\n'
+    process.send_signal(number)
+    process.wait(30)
+    with pytest.raises(BagError, match='ros2 bag reindex'):
+        SequentialReader().open_uri(str(bag))
+    metadata = Reindexer().reindex(StorageOptions(str(bag)))
+    assert metadata.message_count >= 100
+    assert [text for _, _, text in read(bag)] == [str(n) for n in range(metadata.message_count)]
+    with AnyReader([bag]) as reader:
+        assert reader.message_count == metadata.message_count
+    assert Reindexer().reindex(StorageOptions(str(bag))).message_count == metadata.message_count  # again: the same
+
+
+@pytest.mark.parametrize('cut', [1, 9, 40, 400])
+def test_a_file_that_was_cut_off_keeps_what_is_whole(tmp_path, cut):
+    bag = write(tmp_path / 'bag', 'mcap', count=50)
+    file = bag / 'bag_0.mcap'
+    os.truncate(file, file.stat().st_size - cut)
+    with pytest.raises(BagError, match='reindex'):
+        SequentialReader().open_uri(str(file))
+    assert Reindexer().reindex(StorageOptions(str(bag))).message_count == 51
+    assert len(read(bag)) == 51
+
+
+def test_a_program_that_ends_without_close_leaves_a_whole_bag(tmp_path):
+    subprocess.run([sys.executable, '-c', textwrap.dedent(ENDLESS), tmp_path / 'bag', 'mcap', '200'], check=True,
+                   capture_output=True)
+    assert len(read(tmp_path / 'bag')) == 201
+
+
+def test_what_cannot_be_is_said(tmp_path):
+    writer = SequentialWriter()
+    with pytest.raises(BagError, match='not open'):
+        writer.write('/words', b'', 0)
+    with pytest.raises(BagError, match="the storage 'tape' is not known; there are mcap, sqlite3"):
+        writer.open(StorageOptions(str(tmp_path / 'bag'), 'tape'))
+    writer.open(StorageOptions(str(tmp_path / 'bag')))
+    with pytest.raises(BagError, match='create_topic'):
+        writer.write('/words', b'', 0)
+    with pytest.raises(BagError, match='exists already'):
+        SequentialWriter().open(StorageOptions(str(tmp_path / 'bag')))
+    with pytest.raises(BagError, match='does not exist'):
+        SequentialReader().open_uri(str(tmp_path / 'nothing'))
+    (tmp_path / 'text.txt').touch()
+    with pytest.raises(BagError, match='is no bag'):
+        SequentialReader().open_uri(str(tmp_path / 'text.txt'))
+    with pytest.raises(BagError, match='has no .mcap or .db3 file'):
+        Reindexer().reindex(StorageOptions(str(tmp_path)))
