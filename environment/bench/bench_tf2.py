@@ -13,7 +13,7 @@ import time
 from rclpy.time import Time
 from tf2_py import BufferCore
 
-from environment.tests.tf2.messages import transform
+from environment.tests.tf2_messages import transform
 
 DEPTHS = (5, 20, 100)
 RATE, DURATION = 100, 10        # Hz, seconds

@@ -1,30 +1,64 @@
-"""Mends of upstream's that came after the ROS wheels were made, put into the installed packages."""
+"""Patches of installed packages: corrections of upstream's that are newer than the ROS wheels, and of the test tools.
+
+Each patch is a module that is put beside the packages, and a few lines that put it to use.
+"""
 
 from pathlib import Path
 
-from environment.setup import action_client
+from environment.setup import action_client, cppcheck, python_tests
 from environment.setup.relocation import replace
 
-MODULE = '_course_action_client'
-_TAIL = f'\n\nfrom {MODULE} import mend  # noqa: E402 - ros2/rclpy#1123\n\nmend(ActionClient)\n'
+# For each patched module its patch, what marks a version that needs none, and the lines at its end.
+_PATCHES = {
+    'rclpy/action/client.py': (
+        action_client, 'Lock()', '\n\nfrom {name} import mend  # noqa: E402 - ros2/rclpy#1123\n\nmend(ActionClient)\n'),
+    'ament_cppcheck/main.py': (
+        cppcheck, None,
+        '\n\nfrom {name} import skip_without_cppcheck  # noqa: E402\n\nmain = skip_without_cppcheck(main)\n'),
+}
+_TESTS = '_course_python_tests'
+# What tells setuptools and colcon of the entry points: the record of an installed distribution.
+_DISTRIBUTION = {
+    'METADATA': 'Metadata-Version: 2.1\nName: course-python-tests\nVersion: 1\n'
+                'Summary: Lets colcon test run the tests of each Python package with pytest.\n',
+    'INSTALLER': 'course\n',
+    'entry_points.txt': f'[distutils.setup_keywords]\ntests_require = {_TESTS}:accept\n\n'
+                        f'[colcon_core.python_testing]\npytest_by_default = {_TESTS}:PytestByDefault\n',
+}
 
 
 def text() -> str:
-    """All that these mends are made of: when it changes, they are due again."""
-    return Path(action_client.__file__).read_text() + _TAIL
+    """All that the patches are made of: when it changes, they are due again."""
+    sources = [Path(module.__file__).read_text() for module in (action_client, cppcheck, python_tests)]
+    return ''.join([*sources, *(tail for _, _, tail in _PATCHES.values()), *_DISTRIBUTION.values()])
 
 
-def apply(site: Path) -> bool:
-    """Mend rclpy's action client in `site` (site-packages), unless it has a lock of its own; whether it did.
+def apply(site: Path) -> list[str]:
+    """Patch the packages in `site` (site-packages); returns the modules that were. A second call writes the same."""
+    install_python_tests(site)
+    return [path for path, patch in _PATCHES.items() if _patch(site, path, *patch)]
 
-    A second call writes the same again.
-    """
-    client = site / 'rclpy' / 'action' / 'client.py'
-    if not client.is_file():
+
+def _patch(site: Path, path: str, patch, mark: str | None, tail: str) -> bool:
+    module = site / path
+    if not module.is_file():
         return False
-    old = client.read_text()
-    if 'Lock()' in old:
+    name = f'_course_{patch.__name__.rpartition(".")[2]}'
+    tail = tail.format(name=name)
+    old = module.read_text().partition(tail)[0]
+    if mark and mark in old:
         return False
-    (site / f'{MODULE}.py').write_text(Path(action_client.__file__).read_text())
-    replace(client, (old.partition(_TAIL)[0] + _TAIL).encode())
+    (site / f'{name}.py').write_text(Path(patch.__file__).read_text())
+    replace(module, (old + tail).encode())
     return True
+
+
+def install_python_tests(site: Path) -> None:
+    """Give setuptools the keyword `tests_require` again, and colcon pytest for packages that name no framework."""
+    (site / f'{_TESTS}.py').write_text(Path(python_tests.__file__).read_text())
+    folder = site / 'course_python_tests-1.dist-info'
+    folder.mkdir(exist_ok=True)
+    for name, content in _DISTRIBUTION.items():
+        (folder / name).write_text(content)
+    installed = [f'{_TESTS}.py', *(f'{folder.name}/{name}' for name in (*_DISTRIBUTION, 'RECORD'))]
+    (folder / 'RECORD').write_text(''.join(f'{name},,\n' for name in installed))

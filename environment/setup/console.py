@@ -36,8 +36,9 @@ class Console:
         width = max(shutil.get_terminal_size().columns - 1, 20)
         print('\r\x1b[K' + text[:width], end='', file=self.stream, flush=True)
 
-    def end(self) -> None:
-        self.line(f'{self._label}: {time.monotonic() - self._started:.1f} s')
+    def end(self, result: str = '') -> None:
+        took = f'{time.monotonic() - self._started:.1f} s'
+        self.line(f'{self._label}: {result}, {took}' if result else f'{self._label}: {took}')
 
     def _clear(self) -> None:
         if self.live:

@@ -1,4 +1,4 @@
-"""What this machine has and lacks, each lack with its remedy: what `./course doctor` prints.
+"""What this machine has, what is missing, and which command mends that: what `./course doctor` prints.
 
 Standard library only. `facts(root)` runs all probes; each probe is a function of its own that returns one `Fact`.
 """
@@ -13,8 +13,10 @@ from ctypes.util import find_library
 from dataclasses import dataclass
 from pathlib import Path
 
-from environment.setup import interpreter, preflight
-from environment.setup.lack import Lack
+from environment.setup import interpreter, preflight, startup
+from environment.setup.cache import Cache
+from environment.setup.cache import folder as cache_folder
+from environment.setup.errors import PreflightError
 from environment.setup.layout import Layout
 from environment.setup.steps import Setup
 from environment.setup.underlay import Underlay, parse
@@ -28,8 +30,8 @@ HIGHEST_DOMAIN = 101  # above it DDS ports fall into the range that Linux gives 
 class Fact:
     """One line of the report.
 
-    `ok` is whether it is as it should be; if not, `remedy` says what to do. A lack of something `required` stops the
-    course, any other one costs only what `text` says.
+    `ok` is whether it is as it should be; if not, `remedy` says what to do. If something `required` is missing, the
+    course does not work; otherwise only what `text` names does not. `instructors`: nobody else needs it.
     """
 
     name: str
@@ -37,27 +39,31 @@ class Fact:
     text: str
     remedy: str = ''
     required: bool = True
+    instructors: bool = False
 
 
 def facts(root: Path, environ: Mapping[str, str] = os.environ) -> Iterator[Fact]:
-    """All facts, in the order of the report; a probe that fails itself becomes a lack, never an exception."""
+    """All facts, in the order of the report, those for instructors last.
+
+    A probe that fails itself becomes a fact that is not as it should be, never an exception.
+    """
     layout = Layout(root)
     probes: tuple[Callable[[], Fact], ...] = (
         lambda: python(layout),
-        lambda: readable_by_others(layout),
         lambda: underlay(layout, environ),
         lambda: overlay(layout, environ),
         lambda: compiler(environ),
         lambda: disk(root),
+        lambda: cache(layout, environ),
         lambda: shared_memory(),
-        lambda: domain(environ),
+        lambda: domain(environ, layout),
         lambda: discovery(environ),
         lambda: wire(layout, environ),
         lambda: port('JupyterLab', 8888),
-        lambda: port('meshcat', 7000),
+        lambda: graphics(),
+        lambda: readable_by_others(layout),
         lambda: sandbox(attempt=lambda: try_grading(layout)),
         lambda: browser(),
-        lambda: graphics(),
     )
     for probe in probes:
         try:
@@ -74,8 +80,8 @@ def python(layout: Layout) -> Fact:
     text = f'{".".join(map(str, found.version))} ({found.path})'
     try:
         interpreter.demand(found)
-    except Lack as lack:
-        return Fact('Python', False, lack.what, lack.remedy)
+    except PreflightError as error:
+        return Fact('Python', False, error.what, error.remedy)
     return Fact('Python', True, text)
 
 
@@ -100,12 +106,13 @@ def readable_by_others(layout: Layout) -> Fact:
     if closed:
         text = f'{closed} is private, so that a sandbox under another user cannot run {_base(layout)}'
         remedy = 'to grade in a sandbox: COURSE_PYTHON=/usr/bin/python3 ./course doctor (makes the environment anew)'
-        return Fact(name, False, text, remedy, required=False)
+        return Fact(name, False, text, remedy, required=False, instructors=True)
     closed = closed_to_others(layout.prefix)
     if closed:
         text = f'{closed} is private, so that a sandbox under another user cannot read the environment'
-        return Fact(name, False, text, f'to grade in a sandbox: chmod o+rx {closed}', required=False)
-    return Fact(name, True, 'readable')
+        return Fact(name, False, text, f'to grade in a sandbox: chmod o+rx {closed}', required=False,
+                    instructors=True)
+    return Fact(name, True, 'readable', instructors=True)
 
 
 def recorded_underlay(layout: Layout) -> Underlay:
@@ -138,8 +145,8 @@ def overlay(layout: Layout, environ: Mapping[str, str]) -> Fact:
 def compiler(environ: Mapping[str, str]) -> Fact:
     try:
         preflight.check_compiler(environ)
-    except Lack as lack:
-        return Fact('C++ compiler', False, lack.what, lack.remedy)
+    except PreflightError as error:
+        return Fact('C++ compiler', False, error.what, error.remedy)
     return Fact('C++ compiler', True, 'compiles and links')
 
 
@@ -147,6 +154,17 @@ def disk(root: Path) -> Fact:
     free = shutil.disk_usage(root).free
     text = f'{free / 1e9:.1f} GB free at {root}'
     return Fact('disk', free >= SPACE_WANTED, text, f'free at least {SPACE_WANTED / 1e9:.0f} GB (see: df -h {root})')
+
+
+def cache(layout: Layout, environ: Mapping[str, str]) -> Fact:
+    """Where built ROS packages are kept for another copy of the course on this machine."""
+    found = Cache(cache_folder(environ), layout.prefix)
+    name, problem = 'built packages', found.problem()
+    if problem:
+        remedy = 'nothing needs to be done: a second copy builds for itself'
+        return Fact(name, False, f'not kept for other copies: {problem}', remedy, required=False)
+    count, size = found.size()
+    return Fact(name, True, f'{count} kept for other copies in {found.directory} ({size / 1e6:.0f} MB)')
 
 
 def shared_memory(directory: Path = Path('/dev/shm')) -> Fact:
@@ -158,8 +176,12 @@ def shared_memory(directory: Path = Path('/dev/shm')) -> Fact:
     return Fact('shared memory', free >= 32_000_000, f'{free / 1e6:.0f} MB free in {directory}', remedy, False)
 
 
-def domain(environ: Mapping[str, str]) -> Fact:
+def domain(environ: Mapping[str, str], layout: Layout | None = None) -> Fact:
+    """Which ROS domain the programs of this terminal are in; `layout` tells which one is this copy's own."""
     text = environ.get('ROS_DOMAIN_ID', '')
+    memory = layout.prefix / startup.DOMAIN if layout else None
+    if text and memory and memory.is_file() and memory.read_text().strip() == text:
+        return Fact('ROS domain', True, f"{text} (this copy's own)")
     remedy = f'run: export ROS_DOMAIN_ID=N, with N from 0 to {HIGHEST_DOMAIN}, or unset ROS_DOMAIN_ID'
     if not text:
         return Fact('ROS domain', True, '0 (ROS_DOMAIN_ID is not set)')
@@ -268,12 +290,13 @@ def sandbox(
     """Whether submissions can be graded in a sandbox; learners do not need it."""
     name = 'sandbox for grading'
     if which('bwrap') is None:
-        return Fact(name, False, 'bubblewrap is missing', 'run: sudo apt install bubblewrap', required=False)
+        remedy = 'run: sudo apt install bubblewrap'
+        return Fact(name, False, 'bubblewrap is missing', remedy, required=False, instructors=True)
     failure = attempt()
     if not failure:
-        return Fact(name, True, 'bubblewrap works')
+        return Fact(name, True, 'bubblewrap works', instructors=True)
     text = f'bubblewrap does not work: {failure}'
-    return Fact(name, False, text, namespace_remedy(kernel), required=False)
+    return Fact(name, False, text, namespace_remedy(kernel), required=False, instructors=True)
 
 
 def namespace_remedy(kernel: Path = Path('/proc/sys')) -> str:
@@ -303,9 +326,9 @@ def browser(which: Callable[[str], str | None] = shutil.which) -> Fact:
     names = ('chromium', 'chromium-browser', 'google-chrome', 'chrome')
     found = next(filter(None, map(which, names)), None)
     if found:
-        return Fact('browser for tests', True, found)
+        return Fact('browser for tests', True, found, instructors=True)
     text = 'no chromium: the tests in a browser are left out'
-    return Fact('browser for tests', False, text, 'run: sudo apt install chromium', required=False)
+    return Fact('browser for tests', False, text, 'run: sudo apt install chromium', required=False, instructors=True)
 
 
 def graphics() -> Fact:

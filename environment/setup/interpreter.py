@@ -7,7 +7,7 @@ import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from environment.setup.lack import Lack
+from environment.setup.errors import PreflightError
 from environment.setup.underlay import Underlay
 
 OLDEST, NEWEST = (3, 10), (3, 13)
@@ -75,20 +75,20 @@ def choose(environ: Mapping[str, str], underlay: Underlay, probe=probe) -> Inter
     """The interpreter for the environment: COURSE_PYTHON, else the one that fits.
 
     The system's comes first, as graders run it under another user, whom a private home would keep out.
-    Raises Lack with what is missing from the best candidate.
+    Raises PreflightError with what is missing from the best candidate.
     """
     wanted = environ.get('COURSE_PYTHON')
     if wanted:
         chosen = probe(wanted)
         if chosen is None:
-            raise Lack(f'COURSE_PYTHON={wanted} is no Python that runs', 'unset COURSE_PYTHON, or name another')
+            raise PreflightError(f'COURSE_PYTHON={wanted} is not a Python that can be run', 'unset COURSE_PYTHON')
         return demand(chosen)
     if underlay.stock:
         for command in underlay.interpreters():
             chosen = probe(command)
             if chosen and chosen.right_version:
                 return demand(chosen)
-        raise Lack(
+        raise PreflightError(
             f'the Python of the sourced ROS ({underlay}) was not found', 'set COURSE_PYTHON to the Python it uses'
         )
     others = [f'python3.{minor}' for minor in range(NEWEST[1], OLDEST[1] - 1, -1)]
@@ -105,28 +105,28 @@ def choose(environ: Mapping[str, str], underlay: Underlay, probe=probe) -> Inter
 
 
 def demand(candidate: Interpreter) -> Interpreter:
-    """The same interpreter; raises Lack when something is missing from it."""
+    """The same interpreter; raises PreflightError when something is missing from it."""
     if not candidate.right_version:
         raise _wrong_version(candidate)
     missing = [m for m, there in (('venv', candidate.venv), ('dev', candidate.headers)) if not there]
     if not missing:
         return candidate
-    names = {'venv': 'the venv module', 'dev': 'the headers (Python.h)'}
-    what = f'Python {candidate.short} ({candidate.path}) lacks ' + ' and '.join(names[m] for m in missing)
+    names = {'venv': 'venv module', 'dev': 'headers (Python.h)'}
+    what = f'Python {candidate.short} ({candidate.path}) has no ' + ' and no '.join(names[m] for m in missing)
     if candidate.path.startswith('/usr/bin/'):
         remedy = 'run: sudo apt install ' + ' '.join(f'python{candidate.short}-{m}' for m in missing) + ' g++'
     else:
-        remedy = 'install it whole, or name another Python: COURSE_PYTHON=/usr/bin/python3 ./course'
-    raise Lack(what, remedy)
+        remedy = 'install them, or use another Python: COURSE_PYTHON=/usr/bin/python3 ./course'
+    raise PreflightError(what, remedy)
 
 
-def _wrong_version(candidate: Interpreter | None) -> Lack:
+def _wrong_version(candidate: Interpreter | None) -> PreflightError:
     if candidate is None:
         what = 'no Python 3.10-3.13 found'
     elif not candidate.cpython or candidate.bits != 64:
         what = f'{candidate.path} is not the standard 64-bit CPython that the ROS wheels are for'
     else:
         what = f'{candidate.path} is Python {candidate.short}, the course needs 3.10-3.13'
-    return Lack(
+    return PreflightError(
         what, 'run: sudo apt install python3.12 python3.12-venv python3.12-dev, then COURSE_PYTHON=python3.12 ./course'
     )

@@ -21,7 +21,7 @@ def install(layout: Layout) -> None:
     # A copy, as a sandbox may show the environment without the repository.
     (site / f'{HOOK}.py').write_text(Path(startup.__file__).read_text())
     # Named so that it runs before ros_wheels_bootstrapper.pth, whose guard it looks after.
-    (site / 'course.pth').write_text(f'{layout.root}\nimport {HOOK}\n')
+    (site / 'course.pth').write_text(f'{layout.root}\nimport {HOOK}; {HOOK}.start()\n')
     copies = {PROFILE: startup.PROFILE, SETTINGS: 'share/jupyter/lab/settings/overrides.json'}
     for source, target in copies.items():
         (layout.prefix / target).parent.mkdir(parents=True, exist_ok=True)

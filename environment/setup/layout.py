@@ -30,6 +30,7 @@ class Layout:
 
     @property
     def build(self) -> Path:
+        """Where colcon works; removed when all packages are built."""
         return self.state / 'build'
 
     @property
@@ -41,9 +42,24 @@ class Layout:
         return self.root / 'environment' / 'ros2_ws' / 'src'
 
     @property
+    def cmake(self) -> Path:
+        """CMake code that makes the build of packages shorter."""
+        return self.root / 'environment' / 'ros2_ws' / 'cmake'
+
+    @property
     def cmake_include(self) -> Path:
-        """CMake code that every package's build includes."""
-        return self.root / 'environment' / 'ros2_ws' / 'cmake' / 'faster_interfaces.cmake'
+        """The part of it that every package's build includes."""
+        return self.cmake / 'python_interfaces.cmake'
+
+    @property
+    def builder(self) -> Path:
+        """The program that runs colcon."""
+        return self.root / 'environment' / 'builder'
+
+    @property
+    def installed(self) -> Path:
+        """For each of the course's packages, a list of what it has installed."""
+        return self.state / 'installed'
 
     @property
     def mutex(self) -> Path:

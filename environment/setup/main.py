@@ -7,13 +7,13 @@ import subprocess
 from collections.abc import Mapping
 from pathlib import Path
 
-from environment.setup import interpreter, mutex, preflight, startup, tools
+from environment.setup import interpreter, mutex, preflight, startup, tools, usage
 from environment.setup import underlay as underlays
 from environment.setup.console import Console
-from environment.setup.lack import BuildFailed, Lack
+from environment.setup.errors import BuildError, PreflightError
 from environment.setup.layout import Layout
 from environment.setup.stamps import Stamps
-from environment.setup.steps import Setup
+from environment.setup.steps import VERSION, Setup
 
 ROOT = Path(__file__).resolve().parents[2]
 FAILED, UNUSABLE = 1, 2
@@ -29,11 +29,14 @@ def main(arguments: list[str], root: Path = ROOT) -> int:
     signal.signal(signal.SIGTERM, _interrupt)
     signal.signal(signal.SIGHUP, _interrupt)
     try:
+        if usage.asked(arguments) and not _ready(layout, os.environ):
+            print(usage.text(root))
+            return 0
         underlay = ensure(layout, os.environ, console)
-    except Lack as lack:
-        console.line(f'course: {lack}')
+    except PreflightError as error:
+        console.line(f'course: {error}')
         return UNUSABLE
-    except BuildFailed as failure:
+    except BuildError as failure:
         console.line(failure.tail)
         console.line(f'course: {failure.what}; the whole output is in {failure.log}')
         return FAILED
@@ -46,6 +49,11 @@ def main(arguments: list[str], root: Path = ROOT) -> int:
     os.execve(python, [python, '-c', _START, str(root), *arguments], activated(layout, underlay, os.environ))
 
 
+def _ready(layout: Layout, environ: Mapping[str, str]) -> bool:
+    """Whether there is nothing to set up. Raises PreflightError, as `ensure` does."""
+    return not Setup(layout, _underlay(layout, environ), environ).stale()
+
+
 def _interrupt(number, frame):
     raise KeyboardInterrupt
 
@@ -53,14 +61,14 @@ def _interrupt(number, frame):
 def ensure(layout: Layout, environ: Mapping[str, str], console: Console) -> underlays.Underlay:
     """Make the environment fresh; returns the underlay it stands on. Quick when there is nothing to do.
 
-    Raises Lack, BuildFailed, KeyboardInterrupt.
+    Raises PreflightError, BuildError, KeyboardInterrupt.
     """
     underlay = _underlay(layout, environ)
     setup = Setup(layout, underlay, environ, console)
     if not setup.stale():
         return underlay
     if underlay != underlays.find(environ):
-        raise Lack(
+        raise PreflightError(
             f'the course has to be built anew upon the ROS in {underlay}, which this terminal has not sourced',
             f'run: source {underlay.prefixes[-1]}/setup.bash && ./course (or, for the wheels from PyPI: rm -rf .venv)',
         )
@@ -90,7 +98,7 @@ def _underlay(layout: Layout, environ: Mapping[str, str]) -> underlays.Underlay:
 
 
 def refresh(setup: Setup, stale: list[str]) -> None:
-    """Do the steps that are due. A lack during the first set-up leaves nothing behind."""
+    """Do the steps that are due. If the first set-up cannot go on, it leaves nothing behind."""
     layout, environ = setup.layout, setup.environ
     anew = 'venv' in stale
     builds = anew or any(name.startswith('package.') or name == 'relocation' for name in stale)
@@ -112,7 +120,7 @@ def refresh(setup: Setup, stale: list[str]) -> None:
         setup.build_overlay()
         if 'kernel' in setup.stale():
             setup.install_kernel()
-    except Lack:
+    except PreflightError:
         if anew:
             shutil.rmtree(layout.prefix, ignore_errors=True)
         raise
@@ -136,6 +144,8 @@ def _reason(setup: Setup) -> str:
     facts = setup.venv_facts()
     if not facts:
         return 'the last set-up was interrupted early'
+    if facts.get('setup') != VERSION:
+        return 'the set-up itself has changed'
     if facts['prefix'] != str(setup.layout.prefix):
         return f'the course was at {Path(facts["prefix"]).parent}'
     if facts['underlay'] != str(setup.underlay):
@@ -162,4 +172,6 @@ def activated(layout: Layout, underlay: underlays.Underlay, environ: Mapping[str
     first = str(layout.prefix / 'bin')
     env['PATH'] = os.pathsep.join([first, *(p for p in env.get('PATH', os.defpath).split(os.pathsep) if p != first)])
     env['VIRTUAL_ENV'] = str(layout.prefix)
+    if not environ.get('ROS_DOMAIN_ID'):
+        env['COURSE_DOMAIN_UNCHOSEN'] = '1'
     return env

@@ -1,13 +1,15 @@
-"""The course's own ROS packages: which there are, which are stale, what to remove before a rebuild."""
+"""The course's own ROS packages: which there are, which are stale, how they are built."""
 
 import os
-import shutil
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from xml.etree import ElementTree
 
 from environment.setup.stamps import digest, digest_tree
+
+# Folders of a package of which nothing is installed: a change in them is no reason to build it anew.
+NOT_INSTALLED = frozenset({'test'})
 
 
 @dataclass(frozen=True)
@@ -48,34 +50,10 @@ def keys(packages: dict[str, Package], foundation: str) -> dict[str, str]:
         if name not in done:
             package = packages[name]
             below = [key(n, (*path, name)) for n in sorted(package.needs & packages.keys())]
-            done[name] = digest(foundation, digest_tree(package.directory), *below)
+            done[name] = digest(foundation, digest_tree(package.directory, NOT_INSTALLED), *below)
         return done[name]
 
     return {name: key(name, ()) for name in packages}
-
-
-def uninstall(name: str, build: Path, prefix: Path) -> None:
-    """Remove what the last build of a package installed, so that a file it no longer has does not stay behind."""
-    manifests = (build / name / 'install_manifest.txt', build / name / 'install.log')
-    listed = [line for m in manifests if m.is_file() for line in m.read_text().splitlines() if line.strip()]
-    ours = [path for path in map(Path, listed) if path.is_absolute() and prefix in path.parents]
-    directories = {parent for path in ours for parent in path.parents}
-    for path in ours:
-        if path.is_dir() and not path.is_symlink():  # setup.py lists a directory where it had no file for it
-            directories.add(path)
-        else:
-            path.unlink(missing_ok=True)
-    for directory in sorted(directories, key=lambda d: -len(d.parts)):
-        if prefix in directory.parents and directory.is_dir() and not any(directory.iterdir()):
-            directory.rmdir()
-
-
-def forget(name: str, build: Path, prefix: Path) -> None:
-    """Remove a package whose sources are gone."""
-    uninstall(name, build, prefix)
-    shutil.rmtree(build / name, ignore_errors=True)
-    shutil.rmtree(prefix / 'share' / name, ignore_errors=True)
-    (prefix / 'share' / 'colcon-core' / 'packages' / name).unlink(missing_ok=True)
 
 
 def succeeded(name: str, build: Path) -> bool:
@@ -86,10 +64,15 @@ def succeeded(name: str, build: Path) -> bool:
         return False
 
 
+# Not `python -m`, for the reason given in `main`.
+_BUILDER = 'import sys; sys.path[0] = sys.argv.pop(1); from environment.builder.__main__ import main; ' \
+           'sys.exit(main(sys.argv[1:]))'
+
+
 def colcon(layout, selected: Iterable[str], workers: int | None = None) -> list[str]:
     """The command that builds the selected packages into the environment."""
     return [
-        str(layout.prefix / "bin" / "colcon"),
+        str(layout.python), "-c", _BUILDER, str(layout.root),
         "--log-base", str(layout.logs / "colcon"),
         "build",
         "--merge-install",
@@ -98,7 +81,8 @@ def colcon(layout, selected: Iterable[str], workers: int | None = None) -> list[
         "--install-base", str(layout.prefix),
         "--packages-select", *selected,
         "--event-handlers", "console_cohesion+", "console_start_end+", "status-", "desktop_notification-",
-        *(["--parallel-workers", str(workers)] if workers else []),
+        # One more than processors: a package that is only copied should not wait for two that are compiled.
+        "--parallel-workers", str(workers or len(os.sched_getaffinity(0)) + 1),
         "--cmake-args", "-G", "Ninja", "-DBUILD_TESTING=OFF", f"-DPython3_EXECUTABLE={layout.python}",
         f"-DCMAKE_PROJECT_INCLUDE={layout.cmake_include}",
         "--no-warn-unused-cli",

@@ -1,4 +1,4 @@
-"""What must be true of a machine before the set-up starts; each lack in one line with its remedy."""
+"""What the set-up needs of a machine, checked before it starts; what is missing is told in one line with a remedy."""
 
 import os
 import platform
@@ -8,7 +8,7 @@ import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
-from environment.setup.lack import Lack
+from environment.setup.errors import PreflightError
 from environment.setup.underlay import Underlay
 
 OLDEST_GLIBC = (2, 28)  # the wheels are manylinux_2_28
@@ -20,18 +20,18 @@ ROBOSTACK = (
 
 
 def check_platform(system: str | None = None, machine: str | None = None, libc: tuple[str, str] | None = None) -> None:
-    """Raise Lack unless the ROS wheels run here: Linux, x86-64, glibc 2.28 or newer."""
+    """Raise PreflightError unless the ROS wheels run here: Linux, x86-64, glibc 2.28 or newer."""
     system, machine = system or platform.system(), machine or platform.machine()
     if system != 'Linux' or machine not in ('x86_64', 'AMD64'):
-        raise Lack(f'PyPI has ROS for x86-64 Linux only, this is {machine} {system}', ROBOSTACK)
+        raise PreflightError(f'PyPI has ROS for x86-64 Linux only, this is {machine} {system}', ROBOSTACK)
     name, version = libc or platform.libc_ver()
     if name != 'glibc' or tuple(int(n) for n in version.split('.')[:2]) < OLDEST_GLIBC:
         has = f'{name} {version}'.strip() or 'another C library'
-        raise Lack(f'the ROS wheels need glibc 2.28 or newer, this system has {has}', ROBOSTACK)
+        raise PreflightError(f'the ROS wheels need glibc 2.28 or newer, this system has {has}', ROBOSTACK)
 
 
 def check_compiler(environ: Mapping[str, str]) -> None:
-    """Raise Lack unless C and C++ compile and link."""
+    """Raise PreflightError unless C and C++ compile and link."""
     path = environ.get('PATH', os.defpath)
     for variable, names, suffix, language, text in (
         ('CC', ('cc', 'gcc', 'clang'), 'c', 'C', '#include <stdio.h>\nint main(void){return 0;}\n'),
@@ -41,7 +41,7 @@ def check_compiler(environ: Mapping[str, str]) -> None:
         command = next(filter(None, (shutil.which(name, path=path) for name in names)), None)
         remedy = 'run: sudo apt install g++'
         if command is None:
-            raise Lack(f'no {language} compiler ({", ".join(names)}) on PATH', remedy)
+            raise PreflightError(f'no {language} compiler ({", ".join(names)}) on PATH', remedy)
         with tempfile.TemporaryDirectory() as scratch:
             source = Path(scratch, f'probe.{suffix}')
             source.write_text(text)
@@ -55,23 +55,23 @@ def check_compiler(environ: Mapping[str, str]) -> None:
             )
         if trial.returncode:
             reason = next((line for line in trial.stderr.splitlines() if 'error' in line), '').strip()[:120]
-            raise Lack(f'the {language} compiler {command} does not work ({reason})', remedy)
+            raise PreflightError(f'the {language} compiler {command} does not work ({reason})', remedy)
 
 
 def check_space(directory: Path, needed: int = SPACE_NEEDED) -> None:
-    """Raise Lack unless `directory` has room for `needed` bytes."""
+    """Raise PreflightError unless `directory` has room for `needed` bytes."""
     free = shutil.disk_usage(directory).free
     if free < needed:
-        raise Lack(
+        raise PreflightError(
             f'no room: {directory} has {free / 1e9:.1f} GB free, the course needs {needed / 1e9:.1f} GB',
             f'free some space (see: df -h {directory}), or move the course to a larger disk',
         )
 
 
 def check_writable(root: Path) -> None:
-    """Raise Lack unless the checkout can be written to."""
+    """Raise PreflightError unless the checkout can be written to."""
     if not os.access(root, os.W_OK) or not os.access(root / 'environment', os.W_OK):
-        raise Lack(f'{root} is not writable for you', f'run: sudo chown -R $(id -un) {root}')
+        raise PreflightError(f'{root} is not writable for you', f'run: sudo chown -R $(id -un) {root}')
 
 
 def check(root: Path, environ: Mapping[str, str], underlay: Underlay, needed: int = SPACE_NEEDED) -> None:

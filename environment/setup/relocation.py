@@ -58,6 +58,13 @@ def repair(places: Places) -> int:
     return changed
 
 
+def link_vendored_programs(prefix: Path) -> None:
+    """Put uncrustify, which its wheel installs below opt/, where ament_uncrustify looks for it: on the PATH."""
+    program, link = prefix / 'opt' / 'uncrustify_vendor' / 'bin' / 'uncrustify', prefix / 'bin' / 'uncrustify'
+    if program.exists() and not link.exists():
+        link.symlink_to(os.path.relpath(program, link.parent))
+
+
 def setup_scripts(prefix: Path) -> list[Path]:
     """colcon's scripts that ask a Python which variables to set."""
     return sorted(prefix.glob('local_setup.*'))

@@ -24,19 +24,19 @@ def digest(*parts: str | bytes) -> str:
 IGNORED = {'__pycache__', '.pytest_cache', '.ruff_cache', '.git', 'build', 'install', 'log'}
 
 
-def source_files(directory: Path) -> Iterable[Path]:
-    """The files below `directory` that count, in a fixed order."""
+def source_files(directory: Path, without: frozenset[str] = frozenset()) -> Iterable[Path]:
+    """The files below `directory` that count, in a fixed order; `without`: folders directly in it that do not."""
     for parent, directories, files in os.walk(directory):
-        directories[:] = sorted(set(directories) - IGNORED)
+        directories[:] = sorted(set(directories) - IGNORED - (without if Path(parent) == directory else set()))
         for name in sorted(files):
             if not name.endswith(('.pyc', '~', '.swp')):
                 yield Path(parent, name)
 
 
-def digest_tree(directory: Path) -> str:
-    """Digest of the names, contents and execute bits of all files below `directory`."""
+def digest_tree(directory: Path, without: frozenset[str] = frozenset()) -> str:
+    """Digest of the names, contents and execute bits of the source files below `directory`."""
     parts: list[str | bytes] = []
-    for path in source_files(directory):
+    for path in source_files(directory, without):
         parts += [str(path.relative_to(directory)), str(os.access(path, os.X_OK)), path.read_bytes()]
     return digest(*parts)
 

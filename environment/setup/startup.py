@@ -1,4 +1,4 @@
-"""Runs when a Python of the course's environment starts (`course.pth` imports a copy of this file).
+"""Runs when a Python of the course's environment starts (`course.pth` calls `start` in a copy of this file).
 
 It makes every program that is started with `.venv/bin/python` see ROS as if `.venv/setup.bash` had been sourced, and
 gives the variables below their defaults. Standard library only, and quick: every process pays for it.
@@ -7,6 +7,7 @@ gives the variables below their defaults. Standard library only, and quick: ever
 import os
 import sys
 
+# Of every process of the course: `helpers` gives them where this file has not run, the runner gives them to tests.
 DEFAULTS = {
     # Hear and be heard on this machine only: a classroom shares one network.
     'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST',
@@ -21,24 +22,59 @@ DEFAULTS = {
 OF_ROS = {'ROS_DISTRO': 'jazzy', 'ROS_VERSION': '2', 'ROS_PYTHON_VERSION': '3'}
 # Announcements that come often: how Fast DDS finds others quickly. `kernel.install` puts the file there.
 PROFILE = os.path.join('share', 'course', 'fastdds.xml')
+# Beside the environment: what programs would write into the home of their user, where other copies find it. Those of
+# Jupyter are for `./course lab` and `./course shell` only: another server has its own.
+HOME = '.home'
+FOLDERS = {'ROS_HOME': 'ros', 'IPYTHONDIR': 'ipython', 'MPLCONFIGDIR': 'matplotlib'}
+JUPYTER = {'JUPYTER_CONFIG_DIR': 'jupyter/config', 'JUPYTER_DATA_DIR': 'jupyter/data',
+           'JUPYTER_RUNTIME_DIR': 'jupyter/runtime', 'JUPYTERLAB_SETTINGS_DIR': 'jupyter/settings',
+           'JUPYTERLAB_WORKSPACES_DIR': 'jupyter/workspaces',
+           'npm_config_cache': 'npm'}  # a part of JupyterLab asks npm, where there is one, and that writes a log
+DOMAIN = os.path.join('.course', 'domain')  # the ROS domain of this copy, which `helpers.kernel.domains` chooses
+STOCK = 'COURSE_STOCK'  # set by `./course shell --stock`: ROS with its own defaults
 
 
 def activate(environ=os.environ, prefix=sys.prefix):
     """Complete `environ` for the ROS installation `prefix`."""
-    for name, value in DEFAULTS.items():
-        environ.setdefault(name, value)
-    profile = os.path.join(prefix, PROFILE)
-    if os.path.exists(profile):
-        environ.setdefault('FASTRTPS_DEFAULT_PROFILES_FILE', profile)
+    if not environ.get(STOCK):
+        give_defaults(environ, prefix)
+    keep_to_the_folder(environ, prefix, FOLDERS)
     prefixes = [p for p in environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep) if p]
     if prefix not in prefixes:
         # Others are workspaces that stand on this prefix, unless it stands on a stock ROS itself.
         underlay = os.path.isdir(os.path.join(prefix, 'share', 'rclpy'))
         environ['AMENT_PREFIX_PATH'] = os.pathsep.join([*prefixes, prefix] if underlay else [prefix, *prefixes])
-    share_the_machine(environ)
     drop_foreign_guard(environ, prefix)
     if 'ipykernel_launcher' in sys.orig_argv:
         complete_kernel(environ, prefix)
+
+
+def give_defaults(environ, prefix):
+    """What differs from a stock ROS; README has it as a table."""
+    for name, value in DEFAULTS.items():
+        environ.setdefault(name, value)
+    profile = os.path.join(prefix, PROFILE)
+    if os.path.exists(profile):
+        environ.setdefault('FASTRTPS_DEFAULT_PROFILES_FILE', profile)
+    share_the_machine(environ)
+    try:
+        with open(os.path.join(prefix, DOMAIN)) as file:
+            environ.setdefault('ROS_DOMAIN_ID', file.read().strip())
+    except OSError:  # none yet: 0, as everywhere
+        pass
+
+
+def keep_to_the_folder(environ, prefix, folders):
+    """Let programs write into the course's folder what they would write into the user's home.
+
+    Not where that folder is somebody else's, as with one installation for many users, and not for a learner's program
+    that a check or a grader runs: it has a home of its own.
+    """
+    root = os.path.dirname(prefix)
+    if environ.get('COURSE_RUNNER') or not os.access(os.path.join(root, 'course'), os.W_OK):
+        return
+    for name, folder in folders.items():
+        environ.setdefault(name, os.path.join(root, HOME, folder))
 
 
 def complete_kernel(environ, prefix):
@@ -87,5 +123,7 @@ def of_wheels(directory):
     return tail == 'lib' and os.path.exists(os.path.join(head, 'pyvenv.cfg'))
 
 
-if sys.prefix != sys.base_prefix:
-    activate()
+def start():
+    """Complete the environment of this process, if its Python is that of a virtual environment."""
+    if sys.prefix != sys.base_prefix:
+        activate()

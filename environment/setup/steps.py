@@ -9,14 +9,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from environment.setup import backports, kernel, overlay, processes, relocation, requirements, startup, tools
+from environment.setup.building import Building
 from environment.setup.console import Console
 from environment.setup.interpreter import Interpreter
-from environment.setup.lack import BuildFailed
 from environment.setup.layout import Layout
-from environment.setup.stamps import Stamps, digest
+from environment.setup.stamps import Stamps, digest, digest_tree
 from environment.setup.underlay import Underlay, without_ros_wheels
 
-VERSION = '1'  # raise it when a step changes so that what it made before is no longer right
+VERSION = '2'  # raise it when a step changes so that what it made before is no longer right
 
 # Requirements that shape what colcon generates; a change of any other one leaves the built packages as they are.
 OF_THE_BUILD = r'(ros-|empy=|lark=|numpy=|setuptools=)'
@@ -41,15 +41,14 @@ class Setup:
         text = self.layout.requirements.read_text()
         return without_ros_wheels(text) if self.underlay.stock else text
 
+    def recipe(self, lock: str) -> str:
+        """How the packages are built, and with which tools."""
+        parts = (digest_tree(folder) for folder in (self.layout.cmake, self.layout.builder))
+        return digest(VERSION, str(self.underlay), requirements.entries(lock, OF_THE_BUILD), *parts)
+
     def foundation(self, lock: str) -> str:
         """What the packages are built upon."""
-        return digest(
-            VERSION,
-            str(self.underlay),
-            self.stamps.read('venv'),
-            requirements.entries(lock, OF_THE_BUILD),
-            self.layout.cmake_include.read_bytes(),
-        )
+        return digest(self.recipe(lock), self.stamps.read('venv'))
 
     def packages(self) -> dict[str, overlay.Package]:
         found = overlay.discover(self.layout.sources)
@@ -118,7 +117,7 @@ class Setup:
             shutil.rmtree(prefix)
             self.console.end()
         options = ['--system-site-packages'] if self.underlay.stock else []
-        self._run(
+        self.run(
             f'Making a virtual environment with Python {interpreter.short}',
             [interpreter.command, '-m', 'venv', *options, prefix],
             'venv',
@@ -127,7 +126,7 @@ class Setup:
         uv.write_text(requirements.entry(self.layout.requirements.read_text(), 'uv'))
         pip = [self.layout.python, '-m', 'pip', '--disable-pip-version-check']
         patience = [] if 'PIP_DEFAULT_TIMEOUT' in self.environ else ['--timeout', '15']
-        self._run(
+        self.run(
             'Fetching uv, the installer',
             [*pip, 'install', '--retries', '1', *patience, '--no-deps', '-I', '--require-hashes', '-r', uv],
             'uv',
@@ -167,7 +166,7 @@ class Setup:
         uv = [self.layout.prefix / 'bin' / 'uv', 'pip']
         gone = sorted(before - requirements.names(lock))
         if gone:
-            self._run(
+            self.run(
                 'Removing packages that are no longer needed',
                 [*uv, 'uninstall', '--python', self.layout.python, *gone],
                 'uninstall',
@@ -175,7 +174,7 @@ class Setup:
             )
         wanted = self.layout.state / 'requirements.new.txt'
         wanted.write_text(lock)
-        self._run(
+        self.run(
             f"Installing {len(requirements.names(lock))} locked packages",
             # Several indexes may hold different versions of one package; the hashes say which file is right.
             [
@@ -200,6 +199,7 @@ class Setup:
             numpy = self.layout.site_packages() / 'numpy' / '_core' / 'include'
             self.console.begin('Repairing paths in the ROS packages')
             relocation.repair(relocation.Places(self.layout.prefix, Path(asked.stdout.strip()), numpy))
+            relocation.link_vendored_programs(self.layout.prefix)
             self.console.end()
         self.stamps.write('relocation', foundation)
 
@@ -211,57 +211,7 @@ class Setup:
     # The course's own packages.
 
     def build_overlay(self) -> None:
-        packages = self.packages()
-        keys = overlay.keys(packages, self.foundation(self.lock()))
-        prefix, build = self.layout.prefix, self.layout.build
-        for stamp in self.stamps.names('package.'):
-            if stamp.removeprefix('package.') not in packages:
-                overlay.forget(stamp.removeprefix('package.'), build, prefix)
-                self.stamps.remove(stamp)
-        selected = [name for name, p in packages.items() if self.stamps.read(p.stamp) != keys[name]]
-        # A killed run's build may have gone on to its end: what it finished from these very sources counts.
-        for name in list(selected):
-            if self.stamps.read(f'started.{name}') == keys[name] and overlay.succeeded(name, build):
-                self._finish(packages[name], keys[name])
-                selected.remove(name)
-        if not selected and relocation.scripts_ask(prefix, self.base_python()):
-            return
-        for name in selected:
-            self.stamps.remove(packages[name].stamp)
-            interrupted = bool(self.stamps.read(f'started.{name}'))
-            overlay.uninstall(name, build, prefix)
-            if interrupted or (packages[name].directory / 'setup.py').exists():
-                # Half-written files would look up to date; setuptools' build tree keeps files that are gone.
-                shutil.rmtree(build / name, ignore_errors=True)
-            (build / name / 'colcon_build.rc').unlink(missing_ok=True)
-            self.stamps.write(f'started.{name}', keys[name])
-        finished = 0
-
-        def watch(line: str) -> None:
-            nonlocal finished
-            finished += line.startswith('Finished <<<')
-            self.console.update(f'{finished} of {len(selected)} done')
-
-        try:
-            self._run(
-                f'Building {_counted(selected)}',
-                overlay.colcon(self.layout, selected),
-                'colcon',
-                tools.environment(self.environ, self.layout, self.underlay),
-                on_line=watch,
-            )
-        finally:
-            relocation.let_scripts_ask(prefix, self.base_python())
-            for name in selected:
-                if overlay.succeeded(name, build):
-                    self._finish(packages[name], keys[name])
-        missing = [name for name in selected if self.stamps.read(packages[name].stamp) != keys[name]]
-        if missing:
-            raise BuildFailed(f'colcon did not build {", ".join(missing)}', '', str(self.layout.logs / 'colcon.log'))
-
-    def _finish(self, package: overlay.Package, key: str) -> None:
-        self.stamps.write(package.stamp, key)
-        self.stamps.remove(f'started.{package.name}')
+        Building(self).run()
 
     def install_kernel(self) -> None:
         self.stamps.remove('kernel')
@@ -274,7 +224,11 @@ class Setup:
         """For the installers: a stock ROS on PYTHONPATH would make them find packages installed that are not."""
         return tools.environment(self.environ, self.layout, Underlay())
 
-    def _run(self, label: str, argv: list, log: str, env: dict | None = None, on_line=None) -> None:
+    def run(self, label: str, argv: list, log: str, env: dict | None = None, on_line=None) -> None:
+        """Run a tool under the heading `label`; what it prints goes to the file `log`, and line by line to `on_line`.
+
+        Raises what `tools.explain` makes of a failure.
+        """
         env = self._env() if env is None else env
         file = self.layout.logs / f'{log}.log'
         self.console.begin(label)
@@ -282,9 +236,3 @@ class Setup:
         if status:
             raise tools.explain(label[0].lower() + label[1:], output, str(file), env)
         self.console.end()
-
-
-def _counted(packages: list[str], named: int = 5) -> str:
-    """'2 ROS packages (a, b)'; of many only the number, as the line would be longer than a terminal."""
-    names = f' ({", ".join(packages)})' if len(packages) <= named else ''
-    return f'{len(packages)} ROS package{"s" * (len(packages) != 1)}{names}'

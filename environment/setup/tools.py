@@ -4,7 +4,7 @@ import os
 import re
 from collections.abc import Mapping
 
-from environment.setup.lack import BuildFailed, Lack
+from environment.setup.errors import BuildError, PreflightError
 from environment.setup.layout import Layout
 from environment.setup.startup import drop_foreign_guard
 from environment.setup.underlay import Underlay
@@ -15,6 +15,8 @@ FOREIGN = (
     "PIP_REQUIRE_HASHES", "UV_PYTHON", "UV_SYSTEM_PYTHON", "UV_TARGET", "UV_PREFIX", "DESTDIR", "MAKEFLAGS",
     "CMAKE_GENERATOR", "COLCON_DEFAULTS_FILE", "COLCON_EXTENSION_BLOCKLIST", "AMENT_CURRENT_PREFIX",
     "COLCON_CURRENT_PREFIX", "_ROS_WHEELS_BOOTSTRAP_COMPLETE",
+    # The tools start one Python after the other: without compiled files each would compile all its modules anew.
+    "PYTHONDONTWRITEBYTECODE",
 )  # fmt: skip
 OF_ROS = ('PYTHONPATH', 'AMENT_PREFIX_PATH', 'CMAKE_PREFIX_PATH', 'COLCON_PREFIX_PATH', 'ROS_PACKAGE_PATH')
 
@@ -52,24 +54,24 @@ _NO_INDEX = re.compile(
 def explain(what: str, output: str, log: str, environ: Mapping[str, str]) -> Exception:
     """The exception for a tool that failed with this output."""
     if _NO_SPACE.search(output):
-        return Lack(f'the disk filled up while {what}', 'free some space (see: df -h .), then run ./course again')
+        return PreflightError(f'the disk filled up while {what}', 'free some space (see: df -h .), then try again')
     if _NO_MEMORY.search(output):
-        return Lack(f'memory ran out while {what}', 'close other programs, then run ./course again')
+        return PreflightError(f'memory ran out while {what}', 'close other programs, then run ./course again')
     if closed := _NO_CACHE.search(output):
-        return Lack(f'uv, the installer, cannot write to {closed[1]}',
+        return PreflightError(f'uv, the installer, cannot write to {closed[1]}',
                     'run: export HOME=FOLDER, with a folder that you may write to, then ./course again')
     if _BAD_HASH.search(output):
-        return Lack(
+        return PreflightError(
             'the package index serves a file that differs from the lock',
             'check the mirror in use (pip config list), or use https://pypi.org/simple',
         )
     if _NO_INDEX.search(output):
         index = environ.get('UV_DEFAULT_INDEX') or environ.get('UV_INDEX_URL') or environ.get('PIP_INDEX_URL')
         shown = re.sub(r'//[^/@]*@', '//', index) if index else 'https://pypi.org/simple'
-        return Lack(
-            f'the package index {shown} cannot be reached, or lacks a package',
+        return PreflightError(
+            f'the package index {shown} cannot be reached, or does not have a package',
             f'see whether a browser on this machine opens {shown}/uv/ (behind a proxy set HTTPS_PROXY, for a mirror '
             'PIP_INDEX_URL), then run ./course again',
         )
     tail = '\n'.join(output.strip().splitlines()[-20:])
-    return BuildFailed(f'failed: {what}', tail, log)
+    return BuildError(f'failed: {what}', tail, log)

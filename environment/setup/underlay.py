@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from environment.setup.lack import Lack
+from environment.setup.errors import PreflightError
 
 DISTRO = 'jazzy'
 
@@ -48,7 +48,7 @@ def _stock(prefix: Path) -> bool:
 def find(environ: Mapping[str, str]) -> Underlay:
     """The underlay that this shell's environment asks for.
 
-    Raises Lack when another distribution is sourced: its libraries would be mixed with Jazzy's.
+    Raises PreflightError when another distribution is sourced: its libraries would be mixed with Jazzy's.
     """
     conda = environ.get('CONDA_PREFIX', '')
     listed = [p for p in environ.get('AMENT_PREFIX_PATH', '').split(':') if p]
@@ -56,7 +56,7 @@ def find(environ: Mapping[str, str]) -> Underlay:
     distro = environ.get('ROS_DISTRO', '')
     ros1 = [p for p in environ.get('ROS_PACKAGE_PATH', '').split(':') if p and Path(p).is_dir()]
     if distro not in ('', DISTRO) and (prefixes or ros1):
-        raise Lack(
+        raise PreflightError(
             f'this terminal has ROS {distro} sourced, the course is for {DISTRO}',
             f'open a terminal without it (look for /opt/ros/{distro} in ~/.bashrc), then run ./course again',
         )

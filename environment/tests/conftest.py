@@ -9,18 +9,6 @@ import pytest
 from environment.setup.layout import Layout
 
 
-def pytest_configure(config):
-    config.addinivalue_line('markers', 'slow: makes whole environments; runs only with `-m slow`')
-
-
-def pytest_collection_modifyitems(config, items):
-    if 'slow' in (config.option.markexpr or ''):
-        return
-    for item in items:
-        if item.get_closest_marker('slow'):
-            item.add_marker(pytest.mark.skip(reason='makes a whole environment; run it with `-m slow`'))
-
-
 @pytest.fixture
 def tool(tmp_path):
     """Make a fake program: `tool('cc', 'exit 1')` returns its directory, fit for PATH."""

@@ -17,8 +17,8 @@ from rclpy.action import ActionClient
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 
-from helpers import domains
-from helpers.processes import Process, background
+from helpers.kernel import domains
+from helpers.programs.processes import BackgroundProcess, background
 
 ROS2 = str(Path(sys.executable).with_name('ros2'))
 PATIENCE = 30.0  # seconds for what takes well below one on an idle machine
@@ -40,11 +40,11 @@ def domain(monkeypatch, tmp_path) -> Iterator[int]:
 
 
 @pytest.fixture
-def start(domain) -> Iterator[Callable[..., Process]]:
+def start(domain) -> Iterator[Callable[..., BackgroundProcess]]:
     """Start programs that end with the test: ``start('ros2', 'launch', …)``."""
-    processes: list[Process] = []
+    processes: list[BackgroundProcess] = []
 
-    def start_one(*argv: str, **kwargs) -> Process:
+    def start_one(*argv: str, **kwargs) -> BackgroundProcess:
         processes.append(background(list(argv), **kwargs))
         return processes[-1]
 

@@ -21,10 +21,10 @@ def site(tmp_path):
 def test_a_client_without_a_lock_is_mended_once(site):
     cached = site / 'cached'
     os.link(site / 'rclpy' / 'action' / 'client.py', cached)
-    assert backports.apply(site)
+    assert backports.apply(site) == ['rclpy/action/client.py']
     once = (site / 'rclpy' / 'action' / 'client.py').read_text()
     assert once.count('mend(ActionClient)') == 1
-    assert backports.apply(site)
+    assert backports.apply(site) == ['rclpy/action/client.py']
     assert (site / 'rclpy' / 'action' / 'client.py').read_text() == once
     assert 'mend' not in cached.read_text()  # the installer's own copy
 
@@ -32,17 +32,17 @@ def test_a_client_without_a_lock_is_mended_once(site):
 def test_a_client_with_a_lock_is_left_alone(site):
     client = site / 'rclpy' / 'action' / 'client.py'
     client.write_text('lock = threading.Lock()\n')
-    assert not backports.apply(site)
+    assert backports.apply(site) == []
     assert client.read_text() == 'lock = threading.Lock()\n'
 
 
 def test_without_rclpy_there_is_nothing_to_mend(tmp_path):
-    assert not backports.apply(tmp_path)
+    assert backports.apply(tmp_path) == []
 
 
 def test_another_mend_is_due_again(monkeypatch):
     before = digest(backports.text())
-    monkeypatch.setattr(backports, '_TAIL', 'other')
+    monkeypatch.setitem(backports._DISTRIBUTION, 'METADATA', 'other')
     assert digest(backports.text()) != before
 
 

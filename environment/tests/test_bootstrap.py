@@ -1,4 +1,4 @@
-"""A fresh clone, for real: minutes of building, so it runs only with `-m slow`."""
+"""A fresh clone, for real: minutes of building, so it runs only with COURSE_ALL_TESTS=1."""
 
 import signal
 import subprocess
@@ -8,7 +8,7 @@ import pytest
 
 from environment.setup.main import ROOT
 
-pytestmark = [pytest.mark.slow, pytest.mark.timeout(3600)]
+pytestmark = [pytest.mark.thorough, pytest.mark.timeout(3600)]
 
 
 def start(clone, environ, *arguments):

@@ -82,6 +82,6 @@ def test_a_probe_that_fails_does_not_end_the_report(monkeypatch):
 
 
 def test_this_machine_runs_the_course():
-    lacks = [fact for fact in facts.facts(ROOT) if not fact.ok]
-    assert not [fact for fact in lacks if fact.required]
-    assert all(fact.remedy for fact in lacks)
+    missing = [fact for fact in facts.facts(ROOT) if not fact.ok]
+    assert not [fact for fact in missing if fact.required]
+    assert all(fact.remedy for fact in missing)

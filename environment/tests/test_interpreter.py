@@ -5,8 +5,8 @@ import sys
 import pytest
 
 from environment.setup import interpreter
+from environment.setup.errors import PreflightError
 from environment.setup.interpreter import Interpreter, choose
-from environment.setup.lack import Lack
 from environment.setup.underlay import Underlay
 
 
@@ -42,24 +42,24 @@ def test_an_unfit_system_python_is_passed_over(unfit):
     assert choose({}, Underlay(), machine(unfit, python('python3.10', (3, 10, 0)))).command == 'python3.10'
 
 
-def test_course_python_wins_and_its_lack_is_told():
+def test_course_python_wins_and_what_is_wrong_with_it_is_told():
     both = machine(python('/usr/bin/python3'), python('/my/python', headers=False))
-    with pytest.raises(Lack, match='headers'):
+    with pytest.raises(PreflightError, match='headers'):
         choose({'COURSE_PYTHON': '/my/python'}, Underlay(), both)
-    with pytest.raises(Lack, match='no Python that runs'):
+    with pytest.raises(PreflightError, match='not a Python that can be run'):
         choose({'COURSE_PYTHON': '/no/python'}, Underlay(), both)
 
 
 def test_the_remedy_for_the_systems_python_is_an_apt_line():
-    with pytest.raises(Lack) as lack:
+    with pytest.raises(PreflightError) as error:
         choose({}, Underlay(), machine(python('/usr/bin/python3', venv=False, headers=False)))
-    assert 'apt install python3.12-venv python3.12-dev' in lack.value.remedy
+    assert 'apt install python3.12-venv python3.12-dev' in error.value.remedy
 
 
 def test_only_wrong_versions():
-    with pytest.raises(Lack, match=r'Python 3\.9, the course needs 3\.10-3\.13'):
+    with pytest.raises(PreflightError, match=r'Python 3\.9, the course needs 3\.10-3\.13'):
         choose({}, Underlay(), machine(python('/usr/bin/python3', (3, 9, 2))))
-    with pytest.raises(Lack, match='no Python'):
+    with pytest.raises(PreflightError, match='no Python'):
         choose({}, Underlay(), machine())
 
 
@@ -67,7 +67,7 @@ def test_a_stock_ros_decides(stock):
     ros = Underlay((stock('jazzy', 'rclpy', python='python3.12'),))
     chosen = choose({}, ros, machine(python('/usr/bin/python3', (3, 11, 2)), python('/usr/bin/python3.12')))
     assert chosen.command == '/usr/bin/python3.12'
-    with pytest.raises(Lack, match='was not found'):
+    with pytest.raises(PreflightError, match='was not found'):
         choose({}, ros, machine(python('/usr/bin/python3', (3, 11, 2))))
 
 

@@ -1,4 +1,4 @@
-"""Each lack of a machine: one line, its remedy, and status 2 before anything is made."""
+"""What a machine does not have: one line, its remedy, and status 2 before anything is made."""
 
 import json
 import os
@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from environment.setup import preflight
-from environment.setup.lack import Lack
+from environment.setup.errors import PreflightError
 from environment.setup.layout import Layout
 from environment.setup.main import ROOT
 from environment.setup.stamps import Stamps
@@ -25,9 +25,9 @@ from environment.setup.steps import VERSION
     ],
 )
 def test_platforms_without_wheels(system, machine, libc, named):
-    with pytest.raises(Lack, match=named) as lack:
+    with pytest.raises(PreflightError, match=named) as error:
         preflight.check_platform(system, machine, libc)
-    assert 'conda create' in lack.value.remedy
+    assert 'conda create' in error.value.remedy
 
 
 def test_platform_with_wheels():
@@ -35,21 +35,21 @@ def test_platform_with_wheels():
 
 
 def test_no_compiler(tmp_path):
-    with pytest.raises(Lack, match='no C compiler') as lack:
+    with pytest.raises(PreflightError, match='no C compiler') as error:
         preflight.check_compiler({'PATH': str(tmp_path)})
-    assert lack.value.remedy == 'run: sudo apt install g++'
+    assert error.value.remedy == 'run: sudo apt install g++'
 
 
 def test_no_cpp_compiler(tool):
     path = tool('cc', 'exit 0')
-    with pytest.raises(Lack, match=r'no C\+\+ compiler'):
+    with pytest.raises(PreflightError, match=r'no C\+\+ compiler'):
         preflight.check_compiler({'PATH': str(path)})
 
 
 def test_a_compiler_that_does_not_work(tool):
     path = tool('cc', 'exit 0')
     tool('c++', 'echo "probe.cpp:1:10: fatal error: string: No such file" >&2; exit 1')
-    with pytest.raises(Lack, match='string: No such file'):
+    with pytest.raises(PreflightError, match='string: No such file'):
         preflight.check_compiler({'PATH': f'{path}:{os.environ["PATH"]}'})
 
 
@@ -60,7 +60,7 @@ def test_compiler_named_by_the_user(tool):
 
 def test_no_room(tmp_path):
     preflight.check_space(tmp_path, 0)
-    with pytest.raises(Lack, match='no room'):
+    with pytest.raises(PreflightError, match='no room'):
         preflight.check_space(tmp_path, 10**18)
 
 

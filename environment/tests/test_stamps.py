@@ -7,6 +7,7 @@ import shutil
 import pytest
 
 from environment.setup import kernel, overlay
+from environment.setup.installed import Installed
 from environment.setup.layout import Layout
 from environment.setup.stamps import Stamps, digest, digest_tree
 from environment.setup.steps import VERSION, Setup
@@ -72,19 +73,27 @@ def test_ignored_directories_hold_no_packages(checkout: Layout):
 
 def test_uninstall_removes_what_was_installed_and_nothing_else(tmp_path):
     prefix, build = tmp_path / 'prefix', tmp_path / 'build'
-    for name in ('share/p/gone.txt', 'share/other/kept.txt', 'lib/shared.so'):
+    ours = ('share/p/gone.txt', 'share/p/hook/path.sh', 'share/colcon-core/packages/p', 'lib/p-1.egg-info/PKG-INFO',
+            'lib/p/code.py', 'lib/p/__pycache__/code.cpython-311.pyc')
+    for name in (*ours, 'share/other/kept.txt', 'lib/shared.so'):
         (prefix / name).parent.mkdir(parents=True, exist_ok=True)
         (prefix / name).touch()
     outside = tmp_path / 'outside.txt'
     outside.touch()
-    (build / 'p').mkdir(parents=True)
+    build.mkdir()
     (prefix / 'share' / 'p' / 'empty').mkdir()  # what setup.py lists of a glob that found nothing
-    (build / 'p' / 'install_manifest.txt').write_text(f'{prefix}/share/p/empty\n{prefix}/share/p/gone.txt\n{outside}\n')
-    overlay.uninstall('p', build, prefix)
-    assert not (prefix / 'share' / 'p').exists()
-    assert (prefix / 'share' / 'other' / 'kept.txt').exists()
-    assert (prefix / 'lib' / 'shared.so').exists()
+    (build / 'install_manifest.txt').write_text(f'{prefix}/share/p/empty\n{prefix}/share/p/gone.txt\n{outside}\n')
+    (build / 'install.log').write_text(f'{prefix}/lib/p/code.py\n{prefix}/lib/p-1.egg-info\n{prefix}/lib/never.py\n')
+    installed = Installed(tmp_path / 'lists', prefix)
+    installed.write('p', installed.of_build('p', build))
+    assert set(installed.read('p')) == set(ours[:-1])
+    installed.uninstall('p')
+    (prefix / 'share' / 'p' / 'empty').rmdir()
+    assert sorted(str(path.relative_to(prefix)) for path in prefix.rglob('*') if path.is_file()) == [
+        'lib/shared.so', 'share/other/kept.txt']
+    assert not (prefix / 'lib' / 'p').exists()
     assert outside.exists()
+    assert installed.names() == []
 
 
 @pytest.fixture

@@ -15,7 +15,7 @@ import pytest
 
 from environment.setup import mutex, processes, requirements, startup, tools
 from environment.setup.console import Console
-from environment.setup.lack import BuildFailed, Lack
+from environment.setup.errors import BuildError, PreflightError
 from environment.setup.layout import Layout
 from environment.setup.main import ROOT
 from environment.setup.underlay import Underlay
@@ -36,7 +36,7 @@ LOCK = Layout(ROOT).requirements.read_text()
 )
 def test_known_failures_become_one_line(output, named):
     failure = tools.explain('working', output, 'a.log', {})
-    assert isinstance(failure, Lack)
+    assert isinstance(failure, PreflightError)
     assert named in str(failure)
     assert '\n' not in str(failure)
 
@@ -49,7 +49,7 @@ def test_a_password_in_the_index_is_not_shown():
 
 def test_any_other_failure_keeps_the_end_of_its_output():
     failure = tools.explain('building', '\n'.join(map(str, range(50))), 'a.log', {})
-    assert isinstance(failure, BuildFailed)
+    assert isinstance(failure, BuildError)
     assert failure.tail.splitlines() == [str(n) for n in range(30, 50)]
 
 
@@ -214,11 +214,12 @@ def test_start_up_gives_defaults_and_respects_what_is_set(tmp_path):
     assert env == before
 
 
-def test_other_installations_of_ros_get_the_same_defaults():
-    """There, the start-up file does not run, and helpers gives them."""
-    import helpers
-
-    assert helpers._DEFAULTS == startup.DEFAULTS
+def test_the_readme_lists_what_differs_from_a_stock_ros():
+    rows = re.findall(r'^\| `(\w+)` \| (.*) \| `?([^|`]+)`? \| .* \|$', (ROOT / 'README.md').read_text(), re.MULTILINE)
+    told = {name: here for name, _, here in rows}
+    assert startup.DEFAULTS.items() <= told.items()
+    assert {'ROS_DOMAIN_ID', 'ROS_HOME', 'FASTRTPS_DEFAULT_PROFILES_FILE'} <= set(told)
+    assert told['FASTRTPS_DEFAULT_PROFILES_FILE'] == f'.venv/{startup.PROFILE}'
 
 
 def test_start_up_names_the_profile_of_fast_dds_where_it_is_installed(tmp_path):
@@ -288,3 +289,24 @@ def test_a_kernel_that_another_server_starts_finds_ros_and_its_programs():
     assert plain['PATH'] == '/usr/bin'
     assert kernel['PATH'] == f'{sys.prefix}/bin:/usr/bin'
     assert kernel['ROS_DISTRO'] == 'jazzy'
+
+
+def test_programs_write_into_the_courses_folder_unless_it_is_another_users(tmp_path):
+    prefix, own, foreign = tmp_path / '.venv', {'ROS_HOME': '/mine'}, {}
+    startup.keep_to_the_folder(foreign, str(prefix), startup.FOLDERS)
+    assert foreign == {}, 'no course that is ours'
+    (tmp_path / 'course').touch()
+    startup.keep_to_the_folder(own, str(prefix), startup.FOLDERS)
+    assert own['ROS_HOME'] == '/mine' and own['IPYTHONDIR'] == str(tmp_path / '.home' / 'ipython')
+    learners = {'COURSE_RUNNER': '1'}
+    startup.keep_to_the_folder(learners, str(prefix), startup.FOLDERS)
+    assert learners == {'COURSE_RUNNER': '1'}
+
+
+def test_programs_of_a_copy_speak_in_its_domain(tmp_path):
+    (tmp_path / '.course').mkdir()
+    (tmp_path / startup.DOMAIN).write_text('17\n')
+    for before, expected in (({}, '17'), ({'ROS_DOMAIN_ID': '3'}, '3'), ({startup.STOCK: '1'}, None),
+                             ({'JUPYTERHUB_USER': 'ada'}, str(1 + os.getuid() % 100))):
+        startup.activate(before, str(tmp_path))
+        assert before.get('ROS_DOMAIN_ID') == expected

@@ -3,7 +3,7 @@
 import pytest
 
 from environment.setup import underlay
-from environment.setup.lack import Lack
+from environment.setup.errors import PreflightError
 
 
 def sourced(prefix, distro='jazzy'):
@@ -55,14 +55,14 @@ def test_conda_without_ros_is_not_used(stock):
 
 
 def test_another_distribution_is_refused_in_one_line(stock):
-    with pytest.raises(Lack) as refusal:
+    with pytest.raises(PreflightError) as refusal:
         underlay.find(sourced(stock('humble', 'rclpy'), 'humble'))
     assert 'humble' in refusal.value.what
     assert '\n' not in str(refusal.value)
 
 
 def test_ros_1_is_refused(tmp_path):
-    with pytest.raises(Lack, match='noetic'):
+    with pytest.raises(PreflightError, match='noetic'):
         underlay.find({'ROS_DISTRO': 'noetic', 'ROS_PACKAGE_PATH': str(tmp_path)})
 
 

@@ -1,1 +1,0 @@
-from environment.tests.running import domain, peer, start  # noqa: F401
