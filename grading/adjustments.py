@@ -35,7 +35,10 @@ class Adjustment:
 
     def applied(self, mark: float | None, points: float) -> float | None:
         """The mark with this change, from 0 to the exercise's points. An unknown mark stays so, unless it is set."""
-        mark = self.points if self.points is not None else None if mark is None else mark + self.delta
+        if self.points is not None:
+            mark = self.points
+        elif mark is not None:
+            mark += self.delta or 0.0
         return None if mark is None else round(min(points, max(0.0, mark)), 2)
 
 

@@ -59,6 +59,11 @@ def pseudonyms(learners: Iterable[str], output: Path) -> dict[str, str]:
     return known
 
 
+def sealed(text: str, output: Path) -> str:
+    """The pseudonym of a learner or of another text; `pseudonyms` has made the salt."""
+    return pseudonym(text, bytes.fromhex((private(output) / 'salt').read_text().strip()))
+
+
 def pseudonym(learner: str, salt: bytes) -> str:
     """The pseudonym of one learner: 10 hexadecimal digits."""
     return 'learner-' + hmac.new(salt, learner.encode(), hashlib.sha256).hexdigest()[:10]

@@ -10,7 +10,7 @@ the folder is made from these files, at the end of each run.
 """
 
 import contextlib
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -23,7 +23,7 @@ from grading.folder import Folder
 from grading.late import Policy, PolicyError
 from grading.record import Record
 from grading.reports.output import write_all
-from grading.submission import Submission
+from grading.submission import Submission, apart, identity
 from grading.unit import Outcome, judge
 
 __all__ = ['HIDDEN', 'Course', 'Listener', 'Settings', 'finish', 'grade', 'judge']
@@ -70,8 +70,7 @@ def grade(submissions: list[Submission], course: Course, output: Path, jobs: int
         course = replace(course)  # whose digests are those of now
         run = _Run(submissions, course, Folder(output), log, listener or Listener(), settings)
         run.grade(cluster or executors.Local(max(1, jobs)), jobs)
-        finish(run.everybody(), course, output,
-               {run.ids[submission.learner]: submission.files for submission in submissions})
+        finish(run.everybody(), course, output, run.files)
         log.info('done: %d records', len(run.records))
         return run.everybody()
 
@@ -80,7 +79,7 @@ def finish(records: Iterable[Record], course: Course, output: Path,
            files: Mapping[str, Mapping[str, bytes]] | None = None) -> None:
     """Write all that is made from the records. `files`: by learner, the notebooks, which are compared."""
     write_all(records, course.exercises, output,
-              {learner: similarity.cells_of(own, course.exercises) for learner, own in (files or {}).items()})
+              {learner: similarity.of_submission(own, course.exercises) for learner, own in (files or {}).items()})
 
 
 class _Run:
@@ -90,9 +89,8 @@ class _Run:
         self.course, self.folder, self.log, self.listener, self.settings = course, folder, log, listener, settings
         self.seed = folder.settle(settings.seed, settings.anonymous, settings.chapters)
         self.records = folder.records()
-        self.ids = {submission.learner: submission.learner for submission in submissions}
-        if settings.anonymous:
-            self.ids = anonymous.pseudonyms(self.ids, folder.path)
+        submissions = self._told_apart(submissions)
+        self.ids = self._ids(submissions)
         known = {**{record: record for record in self.records if not settings.anonymous}, **self.ids}
         exercises = [exercise.id for exercise in course.exercises]
         self.choice = Choice.parse(settings.only, known, exercises)
@@ -106,7 +104,49 @@ class _Run:
             identity = self.ids[submission.learner]
             self.plans[identity] = plan.make(
                 identity, submission, course, self.seed, self.records.get(identity),
-                lambda exercise, learner=submission.learner: (learner, exercise) in self.choice, settings.regrade)
+                self._chosen_of(submission.learner), settings.regrade)
+            self.plans[identity].own = self._own(submission)
+        self.files = {self.ids[submission.learner]: submission.files for submission in submissions}
+
+    def _chosen_of(self, learner: str) -> Callable[[str], bool]:
+        return lambda exercise: (learner, exercise) in self.choice
+
+    def _ids(self, submissions) -> dict[str, str]:
+        """By learner: the id, or the pseudonym."""
+        ids = {submission.learner: submission.learner for submission in submissions}
+        return anonymous.pseudonyms(ids, self.folder.path) if self.settings.anonymous else ids
+
+    def _own(self, submission: Submission) -> str:
+        return anonymous.sealed(f'name {submission.own}', self.folder.path) if self.settings.anonymous else (
+            submission.own)
+
+    def _record(self, learner: str) -> Record | None:
+        return self.records.get(anonymous.sealed(learner, self.folder.path) if self.settings.anonymous else learner)
+
+    def _told_apart(self, submissions: list[Submission]) -> list[Submission]:
+        """Submissions of which none takes the place of another learner's record.
+
+        An id that a zip says, or that two names give, is not enough for that: the record knows under which name it was
+        handed in.
+        """
+        if self.settings.anonymous:
+            self._ids(submissions)  # makes the salt
+        taken, told = {submission.learner for submission in submissions}, []
+        for submission in submissions:
+            own, record = self._own(submission), self._record(submission.learner)
+            plain, other = identity(submission.own), apart(submission.own)
+            earlier = self._record(plain)
+            if record is None and submission.learner == other and earlier is not None and earlier.own == own:
+                submission = replace(submission, learner=plain)  # it had the id before somebody else gave the same one
+            elif record is not None and record.own not in ('', own):
+                free = plain not in taken and (earlier is None or earlier.own in ('', own))
+                learner = plain if free else other
+                note = (f'{submission.learner} is the id of a learner whose work is on record under another name than '
+                        f'{submission.own}: taken as {learner}\'s')
+                submission = replace(submission, learner=learner, notes=[*submission.notes, note])
+            taken.add(submission.learner)
+            told.append(submission)
+        return list({submission.learner: submission for submission in told}.values())
 
     def everybody(self) -> list[Record]:
         """All records, sorted."""

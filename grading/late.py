@@ -69,6 +69,14 @@ def stamp(when: datetime) -> str:
     return when.astimezone(timezone.utc).strftime('%Y-%m-%dT%H:%M:%SZ')
 
 
+def is_stamp(text: str) -> bool:
+    """Whether this is a time as `stamp` writes it, of a day that there is."""
+    try:
+        return len(text) == 20 and bool(datetime.strptime(text, '%Y-%m-%dT%H:%M:%SZ'))
+    except (ValueError, TypeError):
+        return False
+
+
 def load(path: Path) -> Policy:
     """Read a policy.
 

@@ -25,6 +25,7 @@ class Plan:
     todo: list[str]
     previous: Record | None = None
     why: list[str] = field(default_factory=list)  # it is graded again, or not at all
+    own: str = ''  # the name under which it was handed in, or its pseudonym
 
     def unit(self, course: Course, processes: int) -> Unit:
         """The work."""
@@ -42,19 +43,20 @@ def make(learner: str, submission: Submission, course: Course, seed: str, previo
     sha256 = submission.digest()
     keys = {identity: _hash(digest, seed, sha256) for identity, digest in course.digests.items()}
     plan = Plan(learner, submission, seed, keys, {}, [], previous)
-    same = previous is not None and previous.sha256 == sha256
-    old = {result.id: result for result in previous.exercises} if same else {}
+    kept = previous if previous is not None and previous.sha256 == sha256 else None  # of the same submission
+    old = {result.id: result for result in kept.exercises} if kept else {}
+    old_keys = kept.keys if kept else {}
     for exercise in course.exercises:
         result = old.get(exercise.id)
         valid = (result is not None and result.verdict != verdicts.GRADER_ERROR
-                 and previous.keys.get(exercise.id) == keys[exercise.id])
+                 and old_keys.get(exercise.id) == keys[exercise.id])
         if chosen(exercise.id) and (regrade or not valid):
             plan.todo.append(exercise.id)
         elif result is not None:
             plan.kept[exercise.id] = result
             if not valid:
-                plan.keys[exercise.id] = previous.keys.get(exercise.id, '')
-    plan.why = _why(plan, course, old, same, regrade)
+                plan.keys[exercise.id] = old_keys.get(exercise.id, '')
+    plan.why = _why(plan, course, old, kept is not None, regrade)
     return plan
 
 
@@ -81,17 +83,17 @@ def record(plan: Plan, course: Course, outcome: Outcome, source: Callable[[str],
     submission, previous = plan.submission, plan.previous
     ordered = [exercise.id for exercise in course.exercises]
     keys = {identity: plan.keys[identity] for identity in ordered if identity in results}
-    fresh = bool(plan.todo) or previous is None
+    kept = None if plan.todo else previous  # nothing was graded now
     return Record(
         learner=plan.learner, source=source(submission.source.name), key=_hash(*keys.values()),
-        sandbox=outcome.sandbox if fresh else previous.sandbox,
+        sandbox=kept.sandbox if kept else outcome.sandbox,
         exercises=[results[identity] for identity in ordered if identity in results],
-        log=outcome.log if fresh else previous.log,
-        seed=plan.seed if fresh else previous.seed, sha256=submission.digest(), handed_in=submission.handed_in,
-        course=course.digest if fresh else previous.course, keys=keys,
+        log=kept.log if kept else outcome.log,
+        seed=kept.seed if kept else plan.seed, sha256=submission.digest(), handed_in=submission.handed_in,
+        course=kept.course if kept else course.digest, keys=keys,
         ungraded=[identity for identity in ordered if identity not in results],
         attempts=_attempts(plan, source), notes=list(submission.notes),
-        seconds=outcome.seconds if fresh else previous.seconds)
+        seconds=kept.seconds if kept else outcome.seconds, own=plan.own)
 
 
 def _attempts(plan: Plan, source: Callable[[str], str]) -> list[Attempt]:

@@ -3,7 +3,7 @@
 import threading
 
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, SpinnerColumn, TaskID, TextColumn, TimeElapsedColumn
 
 from grading.grade import Listener
 from grading.record import Record
@@ -14,11 +14,11 @@ class Shown(Listener):
 
     def __init__(self, console: Console):
         self.console = console
-        self._lines: dict[str, tuple[int, int]] = {}  # by learner: task, tests that have finished
+        self._lines: dict[str, tuple[TaskID, int]] = {}  # by learner: task, tests that have finished
         self._lock = threading.Lock()
         self._all = Progress(SpinnerColumn(), TextColumn('{task.description}', markup=False), BarColumn(),
                              MofNCompleteColumn(), TimeElapsedColumn(), console=console)
-        self._total = None
+        self._total: TaskID | None = None
 
     def __enter__(self) -> 'Shown':
         self._all.start()
@@ -36,19 +36,18 @@ class Shown(Listener):
     def tested(self, learner: str, test: str) -> None:
         """A test of a learner's submission has finished; from any thread."""
         with self._lock:
-            task, count = self._lines.get(learner, (None, 0))
-            if task is None:
-                task = self._all.add_task(learner, total=None)
+            known = self._lines.get(learner)
+            task, count = known or (self._all.add_task(learner, total=None), 0)
             self._lines[learner] = task, count + 1
             self._all.update(task, completed=count + 1, description=f'{learner}: {_exercise(test)}')
 
     def finished(self, record: Record, fresh: bool, changes: list[str]) -> None:
         """A learner's submission is done; `fresh`: it was graded now. `changes`: what is not as it was, in words."""
         with self._lock:
-            task, _ = self._lines.pop(record.learner, (None, 0))
-            if task is not None:
-                self._all.remove_task(task)
-            if fresh:
+            known = self._lines.pop(record.learner, None)
+            if known is not None:
+                self._all.remove_task(known[0])
+            if fresh and self._total is not None:
                 self._all.advance(self._total)
         if fresh or changes:
             score = 'open' if record.score is None else f'{record.score:g}'
@@ -58,5 +57,6 @@ class Shown(Listener):
 
 
 def _exercise(test: str) -> str:
-    """`test_3_2` of `hidden/chapter_03/test_3_2::test_name`."""
-    return test.rpartition('/')[2].partition('::')[0]
+    """`3_2` of `exercises/3_2/hidden::test_name`, `test_3_2` of `checks/chapter_03/test_3_2::test_name`."""
+    *_, folder, file = test.partition('::')[0].split('/')
+    return folder if file == 'hidden' else file

@@ -4,16 +4,18 @@ The file's format has a number, SCHEMA. A file of another number is not read: it
 """
 
 import json
+import math
 import os
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 from grading.adjustments import Adjustment
-from grading.late import Late
+from grading.late import Late, is_stamp
 from helpers.runner import verdicts
 from helpers.runner.results import ExerciseResult
 
 SCHEMA = 2
+MAX_BYTES = 64 * 2**20  # of a record: no grader writes so much
 TEMPORARY = '.part'  # the end of the name of a file that is not whole yet
 
 
@@ -48,6 +50,7 @@ class Record:
     adjustments: list[Adjustment] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)  # about the submission as a whole, for the instructor
     seconds: float = field(default=0.0, compare=False)  # wall time of the grading
+    own: str = ''  # the name under which it was handed in; another name that gives the same id is another learner
 
     @property
     def points(self) -> float:
@@ -102,24 +105,42 @@ class Record:
 
     @classmethod
     def load(cls, path: Path) -> 'Record | None':
-        """Read a record; None if there is none that can be used."""
+        """Read a record; None if there is none that can be used: it is then graded again, and harms nobody else."""
         try:
+            if path.stat().st_size > MAX_BYTES:
+                return None
             data = json.loads(path.read_text(encoding='utf-8'))
             if data['schema'] != SCHEMA:
                 return None
             for derived in ('schema', 'status', 'score', 'earned', 'points', 'marks'):
                 del data[derived]
-            return cls(**{**data,
-                          'exercises': [ExerciseResult.from_dict(row) for row in data['exercises']],
-                          'attempts': [Attempt(**row) for row in data['attempts']],
-                          'late': None if data['late'] is None else Late(**data['late']),
-                          'adjustments': [Adjustment(**row) for row in data['adjustments']]})
-        except (OSError, ValueError, KeyError, TypeError, AttributeError):
+            found = cls(**{**data,
+                           'exercises': [ExerciseResult.from_dict(row) for row in data['exercises']],
+                           'attempts': [Attempt(**row) for row in data['attempts']],
+                           'late': None if data['late'] is None else Late(**data['late']),
+                           'adjustments': [Adjustment(**row) for row in data['adjustments']]})
+            return found if found.learner == path.stem and found.sound() else None
+        except Exception:  # noqa: BLE001 - whatever is wrong with it, it cannot be used
             return None
+
+    def sound(self) -> bool:
+        """Whether what is derived from it, and shown, can be made. May raise what a wrong type raises."""
+        texts = [self.learner, self.source, self.key, self.sandbox, self.seed, self.sha256, self.handed_in, self.course,
+                 self.own, *self.log, *self.notes, *self.ungraded, *self.keys, *self.keys.values(),
+                 *(text for one in self.attempts for text in (one.source, one.sha256, one.handed_in)),
+                 *(text for one in self.exercises for text in (one.id, one.title, one.verdict, one.message)),
+                 *(text for one in self.exercises for test in one.tests
+                   for text in (test.test, test.verdict, test.expected, test.message, test.details, test.output,
+                                test.fault))]
+        numbers = [number for one in self.exercises for number in (one.points, one.score or 0.0)]
+        return (all(isinstance(text, str) for text in texts) and (not self.handed_in or is_stamp(self.handed_in))
+                and all(isinstance(number, (int, float)) and math.isfinite(number) for number in numbers)
+                and isinstance(self.score, (float, int, type(None))) and bool(self.status))
 
 
 def _total(marks: list[float | None]) -> float | None:
-    return None if None in marks else round(sum(marks), 2)
+    known = [mark for mark in marks if mark is not None]
+    return round(sum(known), 2) if len(known) == len(marks) else None
 
 
 def write(path: Path, text: str, sync: bool = False) -> None:

@@ -1,8 +1,10 @@
 """Near-duplicates between submissions: a hint for a talk, never a verdict.
 
 Answers are compared exercise by exercise, as programs and not as text. A cell is parsed; comments, layout, docstrings,
-annotations and the contents of texts and numbers are dropped, and every name that the learner chose becomes the same
-sign. Names of others (rclpy's methods, modules, keyword arguments) stay: they are what tells programs apart. The rest
+annotations and the contents of short texts and of numbers are dropped, and every name that the learner chose becomes
+the same sign. A text of several lines, and one that is executed, is an answer in itself: it is compared as the program
+that it is, or else, as for XML, YAML and CMake, by its words and signs, without comments and numbers.
+Names of others (rclpy's methods, modules, keyword arguments) stay: they are what tells programs apart. The rest
 is a sequence of tokens, of which every `GRAM` neighbours are hashed, and of these hashes a part is kept, by the
 winnowing of Schleimer, Wilkerson and Aiken ("Winnowing: local algorithms for document fingerprinting", 2003), so that
 equal stretches keep equal hashes wherever they stand.
@@ -21,22 +23,26 @@ full, and needs a compiler; what is needed here is shorter than the code around 
 
 import ast
 import json
+import re
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
 from hashlib import blake2b
 from itertools import combinations
 
+from grading import reader
 from helpers import paths
 from helpers.exercises import program
 from helpers.exercises.manifest import Exercise
-from helpers.exercises.notebooks import Cell
+from helpers.exercises.notebooks import NotebookCell
 
 GRAM = 12  # tokens of one hash: about one statement
 WINDOW = 6  # of so many neighbouring hashes one is kept: a shared stretch of GRAM + WINDOW - 1 tokens is always seen
 ENOUGH = 25  # hashes of its own, below which an answer says nothing
 ALIKE = 0.8  # the share of the smaller answer's own hashes that both have, from which on a pair is reported
 USUAL = 0.2  # the share of all learners from which on a hash belongs to the exercise's usual answer,
+_COMMENT = re.compile(r'<!--(?:(?!-->).){0,10000}-->|(?:^|(?<=\s))#[^\n]*', re.DOTALL)
+_WORDS = re.compile(r'[A-Za-z_][\w.-]*|\d[\w.]*|[^\s\w]')
 USUAL_LEAST = 5  # but at least so many learners
 
 
@@ -51,18 +57,17 @@ class Pair:
     hashes: int  # how many these are
 
 
-def find(answers: Mapping[str, Mapping[str, str]], stubs: Mapping[str, str]) -> list[Pair]:
+def find(prints: Mapping[str, Mapping[str, Iterable[int]]], stubs: Mapping[str, Iterable[int]]) -> list[Pair]:
     """The pairs of learners with answers that are alike, the most alike first.
 
-    :param answers: by learner, then by the exercise's id: the text of the cell.
-    :param stubs: by the exercise's id: the cell as it was given.
+    :param prints: by learner, then by the exercise's id: the fingerprints of the cell.
+    :param stubs: by the exercise's id: those of the cell as it was given.
     """
     found = []
-    for exercise in sorted({exercise for cells in answers.values() for exercise in cells}):
-        given = fingerprints(stubs.get(exercise, ''))
-        prints = {learner: fingerprints(cells[exercise]) - given for learner, cells in sorted(answers.items())
-                  if exercise in cells}
-        found += _pairs(exercise, prints)
+    for exercise in sorted({exercise for cells in prints.values() for exercise in cells}):
+        given = set(stubs.get(exercise, ()))
+        own = {learner: set(cells[exercise]) - given for learner, cells in sorted(prints.items()) if exercise in cells}
+        found += _pairs(exercise, own)
     return sorted(found, key=lambda pair: (-pair.share, -pair.hashes, pair.exercise, pair.first, pair.second))
 
 
@@ -84,8 +89,9 @@ def _pairs(exercise: str, prints: dict[str, set[int]]) -> list[Pair]:
 def fingerprints(source: str) -> set[int]:
     """The hashes of a cell; none if it is not Python."""
     try:
-        tokens = _Tokens(ast.parse(source)).tokens
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        tree = program.syntax_tree(source)
+        tokens = _Tokens(tree).tokens if tree is not None else []
+    except RecursionError:
         return set()
     hashes = [int.from_bytes(blake2b('\0'.join(tokens[start:start + GRAM]).encode('utf-8', 'replace'),
                                      digest_size=8).digest(), 'big') for start in range(len(tokens) - GRAM + 1)]
@@ -106,6 +112,11 @@ class _Tokens:
                 return
             case ast.Expr(value=ast.Constant()):  # a docstring, or a text in place of a comment
                 return
+            case ast.Call(func=ast.Name(id='exec' | 'eval' | 'compile'), args=[ast.Constant(value=str(text)), *_]):
+                self._text(text)
+            case ast.Constant(value=str(text)) if '\n' in text.strip():
+                self._text(text)
+                return
             case ast.Constant(value=value):
                 self.tokens.append('text' if isinstance(value, (str, bytes)) else
                                    'number' if type(value) in (int, float, complex) else repr(value))
@@ -123,6 +134,17 @@ class _Tokens:
                     self.tokens.append('own' if part in self._own else part)
         if hasattr(node, 'body'):
             self.tokens.append('end')
+
+
+    def _text(self, text: str) -> None:
+        """The tokens of a text that is an answer, or a part of one: a program, or something that is none."""
+        if (tree := program.syntax_tree(text)) is not None:
+            outer, self._own = self._own, self._own | set(_names(tree))
+            self._node(tree)
+            self._own = outer
+        else:
+            words = _WORDS.findall(_COMMENT.sub('', text))
+            self.tokens += ['number' if word[0].isdigit() else word for word in words]
 
 
 def _names(tree: ast.AST) -> Iterable[str]:
@@ -151,20 +173,33 @@ def cells_of(files: Mapping[str, bytes], exercises: Iterable[Exercise]) -> dict[
     return {exercise: texts[0] for exercise, texts in found.items() if len(texts) == 1}
 
 
-def stubs_of(exercises: Iterable[Exercise]) -> dict[str, str]:
-    """The cells as they were given, from the course's notebooks."""
+def prints_of(files: Mapping[str, bytes], exercises: Iterable[Exercise]):
+    """The fingerprints of each exercise's cell in a submission's notebooks, as JSON values; in a child process."""
+    return {exercise: sorted(fingerprints(text)) for exercise, text in cells_of(files, exercises).items()}, ()
+
+
+def of_submission(files: Mapping[str, bytes], exercises: Iterable[Exercise]) -> dict[str, list[int]]:
+    """The same, without the risk of reading it here; nothing of a submission that cannot be read in time."""
+    try:
+        return reader.ask('grading.similarity:prints_of', dict(files), list(exercises))[0]
+    except reader.TooMuch:
+        return {}
+
+
+def stubs_of(exercises: Iterable[Exercise]) -> dict[str, set[int]]:
+    """The fingerprints of the cells as they were given, from the course's notebooks."""
     exercises = list(exercises)
     files = {name: path.read_bytes() for name in {exercise.notebook for exercise in exercises}
              if (path := paths.NOTEBOOKS / name).is_file()}
-    return cells_of(files, exercises)
+    return {exercise: fingerprints(text) for exercise, text in cells_of(files, exercises).items()}
 
 
-def _code(data: bytes) -> Iterable[Cell]:
+def _code(data: bytes) -> Iterable[NotebookCell]:
     try:
         for number, cell in enumerate(json.loads(data)['cells'], 1):
             if cell['cell_type'] == 'code':
                 source = cell['source']
-                yield Cell(source if isinstance(source, str) else ''.join(source), number)
+                yield NotebookCell(source if isinstance(source, str) else ''.join(source), number)
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return
 

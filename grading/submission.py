@@ -1,38 +1,52 @@
-"""Reads what one learner hands in: a zip made by `submit`, a folder of notebooks, or one notebook.
+"""What one learner hands in: a zip made by `submit`, a folder of notebooks, or one notebook.
 
-`grading.submissions` finds them.
+`grading.submissions` finds them. What looks into them runs in a child process with bounds: see `grading.reader`.
 
 Nothing of a submission is written to disk, and no name from it is used as a path: a zip is read member by member, into
 memory, within bounds.
 """
 
+import contextlib
 import hashlib
 import json
 import re
 import stat
 import zipfile
 import zlib
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from datetime import datetime, timezone
 from pathlib import Path
+from typing import NamedTuple
 from unicodedata import normalize
 
-from grading.late import stamp
+from grading import reader
+from grading.late import is_stamp, stamp
 from grading.record import Attempt
 from helpers.exercises import notebooks, program
 from helpers.exercises.manifest import Exercise
-from helpers.exercises.notebooks import Cell, InvalidSubmission
-from helpers.submit import LEARNER
+from helpers.exercises.notebooks import InvalidSubmission, NotebookCell
+from helpers.exercises.submit import LEARNER
+from helpers.runner import results, verdicts
 
 MAX_ARCHIVE = 50 * 2**20  # bytes of a zip
 MAX_MEMBERS = 200
 MAX_TOTAL = 60 * 2**20  # bytes of all members that are read
-_STAMP = re.compile(r'\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ')
 _COPY = re.compile(r'( ?\(\d+\)| - Copy)$')  # what browsers and desktops add to the name of a second file
+
+
+_LATEST = 253402300799  # the end of the year 9999, in seconds since 1970
 
 
 class Unusable(Exception):
     """A path that holds no submission; the message says what was expected."""
+
+
+class Programs(NamedTuple):
+    """What a submission holds for some exercises, by the exercise's id."""
+
+    programs: dict[str, dict]  # what the learner's process loads, see `helpers.exercises.program`
+    without: dict[str, tuple[str, str]]  # why there is none: a verdict, and a message for the learner
 
 
 @dataclass
@@ -48,6 +62,7 @@ class Submission:
     platform: bool = False  # whether `learner` comes from a learning platform
     notes: list[str] = field(default_factory=list)  # for the instructor
     earlier: list[Attempt] = field(default_factory=list)  # the learner's other submissions that were found
+    own: str = ''  # the name that file or folder has, without what copies add to it; not made fit to be an id
 
     def digest(self) -> str:
         """SHA-256 of what was handed in."""
@@ -56,35 +71,92 @@ class Submission:
             digest.update(f'{name}\0{len(data)}\0'.encode(errors='backslashreplace') + data)  # not all names are text
         return digest.hexdigest()
 
-    def cells(self, notebook: str, exercises: list[Exercise]) -> list[Cell] | None:
-        """The code cells of a chapter's notebook; None if it was not handed in.
-
-        Without a file of that name, the one that has the chapter's exercises is taken ("… (1).ipynb").
-
-        :raises InvalidSubmission: it cannot be read, or several could be it.
-        """
+    def programs(self, exercises: Iterable[Exercise], course: Iterable[Exercise]) -> Programs:
+        """The programs for some exercises of the course. Read in a child process."""
+        exercises = list(exercises)
         if self.problem:
-            raise InvalidSubmission(self.problem)
-        if notebook in self.files:
-            return notebooks.parse(self.files[notebook], notebook)
-        wanted = {exercise.id for exercise in exercises}
-        found, unread = [], []
-        for name, data in sorted(self.files.items()):
+            return Programs({}, dict.fromkeys((one.id for one in exercises),
+                                              (verdicts.INVALID_SUBMISSION, self.problem)))
+        found: dict[str, dict] = {}
+        without: dict[str, tuple[str, str]] = {}
+        for notebook in dict.fromkeys(exercise.notebook for exercise in exercises):
+            mine = [exercise for exercise in exercises if exercise.notebook == notebook]
+            known = [exercise for exercise in course if exercise.notebook == notebook]
             try:
-                cells = notebooks.parse(data, name)
-            except InvalidSubmission as error:
-                unread.append(error)
-                continue
-            if any(program.exercise_id(cell) in wanted for cell in cells):
-                found.append((name, cells))
-        if len(found) > 1:
-            names = ' and '.join(name for name, _ in found)
-            raise InvalidSubmission(f'{names} both hold exercises of {notebook}: hand in one of them.')
-        if found:
-            return found[0][1]
-        if unread and len(unread) == len(self.files):
-            raise unread[0]
-        return None
+                value, _ = reader.ask('grading.submission:programs', self.files, notebook, mine, known)
+                found |= value['programs']
+                without |= {identity: tuple(why) for identity, why in value['without'].items()}
+            except reader.TooMuch as problem:
+                without |= dict.fromkeys((one.id for one in mine),
+                                         (verdicts.INVALID_SUBMISSION, f'{notebook}: {problem}'))
+        return Programs(found, without)
+
+
+# In a child process
+
+
+def programs(files: dict[str, bytes], notebook: str, exercises: list[Exercise], known: list[Exercise]):
+    """What `Submission.programs` says of one notebook; as JSON values."""
+    without = results.NOT_ATTEMPTED, f'{notebook} was not handed in.'
+    found: dict[str, dict] = {}
+    whys: dict[str, tuple[str, str]] = {}
+    try:
+        cells = cells_of(files, notebook, known)
+    except InvalidSubmission as problem:
+        cells, without = None, (verdicts.INVALID_SUBMISSION, str(problem))
+    for exercise in exercises:
+        if cells is None:
+            whys[exercise.id] = without
+            continue
+        try:
+            found[exercise.id] = program.build(cells, exercise).as_dict()
+        except program.NotAttempted as reason:
+            whys[exercise.id] = results.NOT_ATTEMPTED, str(reason)
+        except program.InvalidExercise as reason:
+            whys[exercise.id] = verdicts.INVALID_SUBMISSION, str(reason)
+    return {'programs': found, 'without': whys}, ()
+
+
+def cells_of(files: dict[str, bytes], notebook: str, exercises: list[Exercise]) -> list[NotebookCell] | None:
+    """The code cells of a chapter's notebook; None if it was not handed in.
+
+    Without a file of that name, the one that has the chapter's exercises is taken ("… (1).ipynb").
+
+    :raises InvalidSubmission: it cannot be read, or several could be it.
+    """
+    if notebook in files:
+        return notebooks.parse(files[notebook], notebook)
+    wanted = {exercise.id for exercise in exercises}
+    found, unread = [], []
+    for name, data in sorted(files.items()):
+        try:
+            cells = notebooks.parse(data, name)
+        except InvalidSubmission as error:
+            unread.append(error)
+            continue
+        if any(program.exercise_id(cell) in wanted for cell in cells):
+            found.append((name, cells))
+    if len(found) > 1:
+        names = ' and '.join(name for name, _ in found)
+        raise InvalidSubmission(f'{names} both hold exercises of {notebook}: hand in one of them.')
+    if found:
+        return found[0][1]
+    if unread and len(unread) == len(files):
+        raise unread[0]
+    return None
+
+
+def read_data(path: Path):
+    """What `read` says, as a JSON value, and the bytes of the notebooks."""
+    try:
+        found = _read(path)
+    except Unusable as problem:
+        return {'unusable': str(problem)}, ()
+    return {'problem': found.problem, 'handed_in': found.handed_in, 'label': found.label, 'notes': found.notes,
+            'files': list(found.files)}, found.files.values()
+
+
+# In the grader's process
 
 
 def read(path: Path) -> Submission:
@@ -95,9 +167,29 @@ def read(path: Path) -> Submission:
 
     :raises Unusable: the path is neither a zip, a folder nor a notebook.
     """
-    submission = Submission(identity(path.name if path.is_dir() else path.stem), path)
+    submission = Submission(identity(path.name if path.is_dir() else path.stem), path, own=own_name(path))
+    try:
+        value, blobs = reader.ask('grading.submission:read_data', path)
+    except reader.TooMuch as problem:
+        submission.problem = str(problem)
+        with contextlib.suppress(OSError):
+            submission.handed_in = _time(path.stat().st_mtime)
+        return submission
+    if 'unusable' in value:
+        raise Unusable(value['unusable'])
+    submission.files = dict(zip(value.pop('files'), blobs, strict=True))
+    for name, said in value.items():
+        setattr(submission, name, said)
+    return submission
+
+
+def _read(path: Path) -> Submission:
+    """Read one submission, in the child."""
+    submission = Submission('', path)
     try:
         submission.handed_in = _time(path.stat().st_mtime)
+        if not path.is_dir() and not path.is_file():
+            raise Unusable(f'{path} is neither a file nor a folder')
         if path.is_dir():
             own = [child for child in sorted(path.iterdir())
                    if is_notebook(child.name) and child.is_file() and not child.is_symlink()]
@@ -164,8 +256,10 @@ def _read_label(data: bytes, submission: Submission) -> None:
     if not isinstance(learner, str) or not LEARNER.fullmatch(learner):
         raise InvalidSubmission('The learner\'s id in submission.json is unusable: make the zip again with submit.')
     submission.label = learner
-    if isinstance(saved, str) and _STAMP.fullmatch(saved):
+    if isinstance(saved, str) and is_stamp(saved):
         submission.handed_in = saved
+    elif saved is not None:
+        submission.notes.append(f'submission.json says that it was saved at {str(saved)[:40]!r}, which is no time')
 
 
 def _add(submission: Submission, name: str, size: int, content) -> None:
@@ -183,9 +277,21 @@ def is_notebook(name: str) -> bool:
     return name.endswith('.ipynb') and not name.startswith('.')
 
 
+def own_name(path: Path) -> str:
+    """The name of a file or folder, without what `submit`, browsers and desktops add to a learner's."""
+    name = path.name if path.is_dir() else path.stem
+    return normalize('NFC', _COPY.sub('', name.removeprefix('submission-')))
+
+
+def apart(own: str) -> str:
+    """An id for a name whose plain id is another learner's."""
+    digest = hashlib.sha256(own.encode(errors='replace')).hexdigest()[:6]
+    return f'{identity(own)[:57]}-{digest}'
+
+
 def identity(name: str) -> str:
     """A learner's id from a file's name: also a name for the files of their results."""
-    name = _COPY.sub('', name.removeprefix('submission-'))
+    name = normalize('NFC', _COPY.sub('', name.removeprefix('submission-')))
     plain = normalize('NFKD', name).encode('ascii', 'ignore').decode()
     plain = re.sub(r'[^A-Za-z0-9._@-]+', '_', plain).lstrip('._@-')
     if len(plain) > 64 or any(ord(sign) > 127 and not normalize('NFKD', sign)[0].isascii() for sign in name):
@@ -195,7 +301,8 @@ def identity(name: str) -> str:
 
 
 def _time(seconds: float) -> str:
-    return stamp(datetime.fromtimestamp(int(seconds), timezone.utc))
+    """The time of a file; one of no year that there is counts as the nearest that is."""
+    return stamp(datetime.fromtimestamp(min(max(int(seconds), 0), _LATEST), timezone.utc))
 
 
 def _newest(members: list[zipfile.ZipInfo]) -> str:

@@ -16,9 +16,11 @@ import zipfile
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from pathlib import Path
+from unicodedata import normalize
 
+from grading import reader
 from grading.record import Attempt
-from grading.submission import Submission, Unusable, identity, is_notebook, read
+from grading.submission import Submission, Unusable, apart, identity, is_notebook, own_name, read
 
 _CHAPTER = re.compile(r'\d\d_.*\.ipynb')  # a file name; downloads add words such as " (1)" behind the number
 _MOODLE = re.compile(r'(?P<who>.+_\d+)_assignsubmission_(file|onlinetext)(_(?P<file>.*))?')
@@ -30,7 +32,7 @@ def find(paths: Iterable[Path], skipped: list[Path] | None = None) -> list[Submi
     """Read the submissions at `paths`: the latest of each learner, sorted by learner, with the earlier ones on record.
 
     :param skipped: is given the files and folders that hold no submission.
-    :raises Unusable: a path does not exist or holds no submission, or two learners cannot be told apart.
+    :raises Unusable: a path does not exist or holds no submission.
     """
     found: dict[Path, Submission] = {}
     for path in paths:
@@ -48,7 +50,7 @@ def find(paths: Iterable[Path], skipped: list[Path] | None = None) -> list[Submi
 
 def _at(path: Path, skipped: list[Path]) -> list[Submission]:
     if path.is_file():
-        if _of_a_class(path):
+        if path.suffix == '.zip' and _of_a_class(path):
             raise Unusable(f'{path} holds the submissions of several learners: unpack it, and give the folder')
         return [_read(path)]
     chapters = [child for child in _children(path) if child.is_file() and _CHAPTER.match(child.name)]
@@ -65,11 +67,19 @@ def _at(path: Path, skipped: list[Path]) -> list[Submission]:
 def _of_a_class(path: Path) -> bool:
     """Whether this file, which the instructor named, is the zip in which a platform delivers all submissions."""
     try:
+        return bool(reader.ask('grading.submissions:of_a_class', path)[0])
+    except reader.TooMuch:
+        return False  # reading it says what is wrong
+
+
+def of_a_class(path: Path):
+    """What `_of_a_class` says; in a child process."""
+    try:
         with zipfile.ZipFile(path) as archive:
             names = {name.partition('/')[0] for name in archive.namelist()}
-    except (OSError, zipfile.BadZipFile):
-        return False  # reading it says what is wrong
-    return sum(bool(_MOODLE.fullmatch(name) or _CANVAS.fullmatch(name)) for name in names) > 1
+    except Exception:  # noqa: BLE001 - zipfile raises many types
+        names = set()
+    return sum(bool(_MOODLE.fullmatch(name) or _CANVAS.fullmatch(name)) for name in names) > 1, ()
 
 
 def _below(folder: Path, owner: str, skipped: list[Path], depth: int) -> Iterator[Submission]:
@@ -83,7 +93,7 @@ def _below(folder: Path, owner: str, skipped: list[Path], depth: int) -> Iterato
         if child.is_dir():
             work = next((place for place in (child, child / 'notebooks') if _has_notebooks(place)), None)
             if work is not None and not (mine and _archives(child)):
-                yield _read(work, mine or identity(child.name))
+                yield _read(work, mine or own_name(child))
             elif depth < _DEEPEST:
                 inner = list(_below(child, mine, skipped, depth + 1))
                 if mine and not owner and not inner:
@@ -99,8 +109,8 @@ def _below(folder: Path, owner: str, skipped: list[Path], depth: int) -> Iterato
             skipped.append(child)
             continue
         empty = False
-    for learner, notebooks in loose.items():
-        yield _together(learner, notebooks)
+    for mine, notebooks in loose.items():
+        yield _together(mine, notebooks)
     if empty and not owner:
         skipped.append(folder)
 
@@ -119,14 +129,14 @@ def _archives(folder: Path) -> bool:
 
 
 def _owner(path: Path) -> str:
-    """The learner whom a learning platform names in the name of a file or folder; empty if none does."""
+    """The learner whom a learning platform names in the name of a file or folder, as written; empty if none does."""
     if match := _MOODLE.fullmatch(path.name):
-        return identity(match['who'])
+        return normalize('NFC', match['who'])
     if (match := _CANVAS.fullmatch(path.name)) and not path.is_dir():
-        return identity(f'{match["name"]}_{match["number"]}')
+        return normalize('NFC', f'{match["name"]}_{match["number"]}')
     task = path.parent.name.removesuffix('-submissions')
     if path.is_dir() and task != path.parent.name and path.name.startswith(f'{task}-'):
-        return identity(path.name[len(task) + 1:])
+        return normalize('NFC', path.name[len(task) + 1:])
     return ''
 
 
@@ -134,16 +144,16 @@ def _read(path: Path, owner: str = '') -> Submission:
     submission = read(path)
     owner = owner or _owner(path)
     if owner:
-        submission.learner, submission.platform = owner, True
+        submission.learner, submission.own, submission.platform = identity(owner), owner, True
     return submission
 
 
-def _together(learner: str, notebooks: list[Path]) -> Submission:
+def _together(owner: str, notebooks: list[Path]) -> Submission:
     """One submission of notebooks that the platform delivered one by one."""
     if len(notebooks) == 1:
-        return _read(notebooks[0], learner)
+        return _read(notebooks[0], owner)
     parts = [read(path) for path in notebooks]
-    made = Submission(learner, notebooks[0], handed_in=max(part.handed_in for part in parts))
+    made = Submission(identity(owner), notebooks[0], own=owner, handed_in=max(part.handed_in for part in parts))
     for path, part in zip(notebooks, parts, strict=True):
         match = _CANVAS.fullmatch(path.name) or _MOODLE.fullmatch(path.name)
         name = match and match['file'] or path.name
@@ -156,13 +166,13 @@ def _together(learner: str, notebooks: list[Path]) -> Submission:
 
 
 def _name(found: list[Submission]) -> None:
-    """Let the ids inside zips count, where nobody else has a claim to them.
-
-    :raises Unusable: two zips of different names claim one id.
-    """
+    """Let the ids inside zips count where nobody else has a claim to them, and tell learners apart."""
     named = {submission.learner for submission in found
              if submission.platform or submission.label in ('', submission.learner)}
-    claims: dict[str, tuple[str, Submission]] = {}
+    claims: dict[str, set[str]] = defaultdict(set)
+    for submission in found:
+        if not submission.platform and submission.label not in ('', submission.learner):
+            claims[submission.label].add(submission.own)
     for submission in found:
         name, label = submission.learner, submission.label
         if label in ('', name) or submission.platform:
@@ -170,12 +180,30 @@ def _name(found: list[Submission]) -> None:
         if label in named:
             submission.notes.append(f'submission.json says that it is {label}\'s, whose own submission is there, too: '
                                     f'taken as {name}\'s, by the name of the file')
+        elif len(claims[label]) > 1:
+            submission.notes.append(f'{", ".join(sorted(claims[label]))} all say that they are {label}\'s: taken as '
+                                    f'{name}\'s, by the name of the file. If they are of one learner, give the files '
+                                    'one name, in folders of their own')
+        else:
+            submission.learner = label
+    _tell_apart(found)
+
+
+def _tell_apart(found: list[Submission]) -> None:
+    """Different names that give the same id, such as José and Jose, are different learners."""
+    owners: dict[str, list[Submission]] = defaultdict(list)
+    for submission in found:
+        owners[submission.learner].append(submission)
+    for learner, theirs in owners.items():
+        names = {submission.own for submission in theirs}
+        if len(names) < 2:
             continue
-        if label in claims and claims[label][0] != name:
-            raise Unusable(f'{claims[label][1].source} and {submission.source} are both of the learner {label}: name '
-                           f'both {label}.zip, in two folders, if they are, or give one of them')
-        claims[label] = name, submission
-        submission.learner = label
+        for submission in theirs:
+            others = ', '.join(sorted(names - {submission.own}))
+            if submission.own != learner:
+                submission.learner = apart(submission.own)
+            submission.notes.append(f'{submission.own} and {others} give the same id, {learner}, and are taken for '
+                                    f'different learners: this one is {submission.learner}')
 
 
 def _note_copies(found: list[Submission]) -> None:

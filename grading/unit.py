@@ -6,17 +6,15 @@ A unit may be done in a thread of the grader or on another machine of a cluster.
 import socket
 import time
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from grading import sandbox
 from grading.course import Course
 from grading.submission import Submission
 from helpers import paths
-from helpers.exercises.notebooks import InvalidSubmission
-from helpers.runner import results, session, verdicts
+from helpers.runner import session, verdicts
 from helpers.runner.results import ExerciseResult
-from helpers.runner.text import clean
 
 
 class Mismatch(Exception):
@@ -69,28 +67,11 @@ def fault(unit: Unit, text: str) -> Outcome:
 
 
 def judge(submission: Submission, course: Course, processes: int = 1, *, only: Iterable[str] | None = None,
-          seed: str = '', say: Callable[[str], None] = lambda test: None) -> session.Report:
+          seed: str = '', say: Callable[[str], None] = lambda test: None) -> session.SessionReport:
     """Run all tests, visible and hidden, of one submission, or of the exercises `only`."""
     options = session.Options(hidden=course.hidden, visible=course.visible, processes=processes, seed=seed,
                               launcher=sandbox.launcher(course.sandbox), test_timeout=course.test_timeout)
     wanted = [exercise for exercise in course.exercises if only is None or exercise.id in only]
-    judged: dict[str, ExerciseResult] = {}
-    log = []
-    used = course.sandbox
-    for notebook in dict.fromkeys(exercise.notebook for exercise in wanted):
-        mine = [exercise for exercise in wanted if exercise.notebook == notebook]
-        try:
-            cells = submission.cells(notebook, [e for e in course.exercises if e.notebook == notebook])
-        except InvalidSubmission as problem:
-            judged |= {exercise.id: results.without_tests(exercise, verdicts.INVALID_SUBMISSION, clean(problem))
-                       for exercise in mine}
-            continue
-        if cells is None:
-            judged |= {exercise.id: results.without_tests(exercise, results.NOT_ATTEMPTED,
-                                                          f'{notebook} was not handed in.') for exercise in mine}
-            continue
-        report = session.run(cells, mine, options, say)
-        used = report.sandbox or used
-        log += report.log
-        judged |= {result.id: result for result in report.exercises}
-    return session.Report([judged[exercise.id] for exercise in wanted], used, log, seed)
+    found = submission.programs(wanted, course.exercises)
+    report = session.judge(found.programs, found.without, wanted, options, say)
+    return replace(report, sandbox=report.sandbox or course.sandbox)

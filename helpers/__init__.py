@@ -8,68 +8,61 @@ where nothing is set), because rclpy and Fast DDS read them once, at their start
 import importlib
 import os
 import sys
-from types import ModuleType
 
-_DEFAULTS = {
-    'ROS_PYTHON_CHECK_FIELDS': '1',  # String(data=3) fails where it is written, not later in publish()
-    'RCUTILS_COLORIZED_OUTPUT': '0',  # log lines that read the same in a terminal, a notebook and CI
-    'RCUTILS_CONSOLE_OUTPUT_FORMAT': '[{severity}] [{name}]: {message}',
-    'ROS_AUTOMATIC_DISCOVERY_RANGE': 'LOCALHOST',  # neighbours in the same network do not drive each other's robots
-    'OPENBLAS_NUM_THREADS': '1',
-}
+from environment.setup.startup import DEFAULTS as _DEFAULTS
+
+# Already set in the course's own environment; another installation of ROS has no start-up file.
 for _name, _value in _DEFAULTS.items():
     os.environ.setdefault(_name, _value)
 
-# Public name -> module that defines it; None where the name is the module itself.
+# Public name -> module that defines it. README.md says the same for readers.
 _HOME = {
-    'CallbackError': 'errors',
-    'GraphView': 'graph',
-    'PhysicsWorld': 'physics',
-    'ProgressBar': 'progress',
-    'TfView': 'views.tf_view',
-    'TurtleView': 'turtle',
-    'Workspace': 'workspace',
-    'background': 'processes',
-    'check': 'check',
-    'collect': 'waiting',
-    'ros': None,
-    'routes': 'routes',
-    'show_frames': 'views.frames_diagram',
-    'show_graph': 'graph',
-    'show_turtle': 'turtle',
-    'spin_for': 'waiting',
-    'spinning': 'spinning',
-    'submit': 'submit',
-    'timeline': 'timeline',
-    'wait_for': 'waiting',
+    'CallbackError': 'kernel.errors',
+    'GraphView': 'show.graph.view',
+    'PhysicsWorld': 'programs.physics_world',
+    'ProgressBar': 'show.progress_bar',
+    'TfView': 'show.views.tf_view',
+    'TurtleView': 'show.turtle_view',
+    'Workspace': 'programs.workspace',
+    'background': 'programs.processes',
+    'cell_text': 'exercises.cell_text',
+    'check': 'exercises.check',
+    'collect': 'kernel.waiting',
+    'routes': 'show.routes_table',
+    'show_frames': 'show.views.frames_diagram',
+    'show_graph': 'show.graph.view',
+    'show_turtle': 'show.turtle_view',
+    'spin_for': 'kernel.waiting',
+    'spinning': 'kernel.spinning',
+    'submit': 'exercises.submit',
+    'timeline': 'show.timeline',
+    'wait_for': 'kernel.waiting',
+}
+# Public names that are modules themselves.
+_MODULES = {
+    'domains': 'kernel.domains',
+    'faults': 'programs.faults',
+    'paths': 'paths',
+    'ros': 'kernel.ros',
+    'views': 'show.views',
 }
 
 
-class _Package(ModuleType):
-    """The type of this package: where a function and its module share a name (``spinning``), it shows the function."""
-
-    def __setattr__(self, name, value):
-        if isinstance(value, ModuleType) and _HOME.get(name) == name:
-            value = getattr(value, name)
-        super().__setattr__(name, value)
-
-
-sys.modules[__name__].__class__ = _Package
-
-
 def __getattr__(name):
-    if name not in _HOME:
+    if name in _MODULES:
+        value = importlib.import_module(f'{__name__}.{_MODULES[name]}')
+    elif name in _HOME:
+        value = getattr(importlib.import_module(f'{__name__}.{_HOME[name]}'), name)
+    else:
         raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
-    module = importlib.import_module(f'{__name__}.{_HOME[name] or name}')
-    value = module if _HOME[name] is None else getattr(module, name)
-    setattr(sys.modules[__name__], name, value)
+    globals()[name] = value
     return value
 
 
 def __dir__():
-    return sorted({*globals(), *_HOME})
+    return sorted({*globals(), *_HOME, *_MODULES})
 
 
 if 'IPython' in sys.modules:  # in a kernel: note the executed cells from here on
-    importlib.import_module(f'{__name__}.journal').start()
-    importlib.import_module(f'{__name__}.kernel_exit').register()
+    importlib.import_module(f'{__name__}.kernel.journal').start()
+    importlib.import_module(f'{__name__}.kernel.kernel_exit').register()

@@ -8,13 +8,14 @@ two cells. A code cell is a fence; its metadata stand in its first lines, each a
     print(total)
     ```
 
-An exercise is a code cell with the metadata ``exercise``: the quoted id, the points, the names that the cell must
-define. jupytext reads the one-line form with braces; its own writer would make a block between ``---`` lines, which it
-reads too::
+An exercise is declared by a directive in the Markdown; its answer cell is the next code cell with a solution region::
+
+    ```{exercise} 3.1 first talker
+    :points: 10
+    :names: Talker
+    ```
 
     ```{code-cell} ipython3
-    :exercise: {"id": "3.1", "points": 10, "names": ["Talker"]}
-    # Exercise 3.1: first talker
     class Talker(Node):
         def __init__(self):
             super().__init__('talker')
@@ -25,13 +26,14 @@ reads too::
     ```
 
 In the learner's notebook each region between BEGIN and END SOLUTION becomes ``# Your code here.`` followed by what its
-STUB lines hold; in the solved notebook only the markers and STUB lines go. A cell ``check("3.1")`` comes after it.
+STUB lines hold; in the solved notebook only the markers and STUB lines go. The
+directive gives heading, first line and metadata of the answer cell, and the cell ``check("3.1")`` (see `cards`).
 
 The tags are nbval's (``nbval-check-output``, ``nbval-ignore-output``, ``nbval-skip``) and ``raises-exception``. nbval
 compares the output of every cell of the solved notebook that is not tagged ``nbval-ignore-output``. The learner's
 notebook loses the nbval tags: it must run, its output is not compared.
 
-Modules: `chapter` reads, `regions` splits an exercise, `rules` names an author's mistakes, `notebooks` makes both
-notebooks, `execution` runs one, `outputs` says what is kept of its outputs, `build` writes all, `in_step` proves it,
-`repeated` makes the notebooks that CI gives to nbval.
+Modules: `chapter` reads, `cards` reads the card of an exercise, `regions` splits an exercise, `rules` names an author's
+mistakes, `notebooks` makes both notebooks, `execution` runs one, `outputs` says what is kept of its outputs, `build`
+writes all, `in_step` proves it, `repeated` makes the notebooks that CI gives to nbval.
 """

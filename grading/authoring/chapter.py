@@ -8,7 +8,8 @@ import yaml
 from jupytext.myst import MystMetadataParsingError, myst_to_notebook
 from nbformat import ValidationError
 
-from grading.authoring import regions
+from grading.authoring import cards, regions
+from grading.authoring.cards import Card
 from grading.authoring.errors import AuthoringError
 from helpers.exercises import cell_ids, manifest
 
@@ -16,19 +17,26 @@ FILE_NAME = re.compile(r'(\d\d)_[a-z0-9_]+\.md')
 
 
 @dataclass(frozen=True)
-class Cell:
-    """One cell of the source. ``line`` is the 1-based line of its first line of text."""
+class SourceCell:
+    """One cell of the notebooks. ``line`` is the 1-based line of its first line of text in the source."""
 
     kind: str  # 'code', 'markdown' or 'raw'
-    source: str
-    metadata: dict
+    source: str  # as the author wrote it; empty if the build makes the cell
+    author_metadata: dict
     line: int
     split: regions.Split
+    card: Card | None = None  # of the exercise of which this is the answer cell
+    rules: tuple[manifest.Rule, ...] = ()  # of that card
 
     @property
     def exercise(self) -> dict | None:
-        """The exercise's metadata, as the author wrote it."""
-        return self.metadata.get('exercise')
+        """The exercise's metadata."""
+        return self.card.metadata if self.card else None
+
+    @property
+    def metadata(self) -> dict:
+        """The cell's metadata in the solved notebook."""
+        return ({'exercise': self.exercise} if self.card else {}) | self.author_metadata
 
     @property
     def tags(self) -> list[str]:
@@ -47,7 +55,7 @@ class Chapter:
 
     path: Path
     number: int
-    cells: tuple[Cell, ...]
+    cells: tuple[SourceCell, ...]
 
     @property
     def name(self) -> str:
@@ -58,16 +66,17 @@ class Chapter:
         """Return the chapter's rows of exercises.json; the source must be free of mistakes (rules.check)."""
         return [
             manifest.Exercise(
-                id=cell.exercise['id'],
+                id=cell.card.id,
                 chapter=self.number,
                 notebook=f'{self.name}.ipynb',
-                title=cell.source.splitlines()[0].split(':', 1)[1].strip(),
-                points=cell.exercise['points'],
-                names=tuple(cell.exercise['names']),
-                cell_id=cell_ids.of_exercise(cell.exercise['id']),
+                title=cell.card.title,
+                points=cell.card.points,
+                names=cell.card.names,
+                cell_id=cell_ids.of_exercise(cell.card.id),
                 stub=manifest.stub_digest(cell.split.stub),
+                rules=cell.rules,
             )
-            for cell in self.cells if cell.exercise is not None
+            for cell in self.cells if cell.card is not None
         ]
 
 
@@ -88,29 +97,94 @@ def read(path: Path) -> Chapter:
     try:
         notebook = myst_to_notebook(text, add_source_map=True)
     except (MystMetadataParsingError, yaml.YAMLError) as error:
-        line = re.search(r'at line (\d+)', str(error))
+        found = re.search(r'at line (\d+)', str(error))
         problem = ' '.join(str(error).split())
-        raise AuthoringError(path, int(line[1]) if line else 1, problem, 'mend the YAML of the metadata') from None
+        raise AuthoringError(path, int(found[1]) if found else 1, problem, 'mend the YAML of the metadata') from None
     except ValidationError as error:
         lines = text.splitlines()
         line = next((number for number, line in enumerate(lines, start=1) if str(error.instance) in line), 1)
         raise AuthoringError(path, line, f'metadata: {error.message}', 'write tags as :tags: [name, …]') from None
     lines = text.splitlines()
     starts = notebook.metadata.source_map
-    cells = [_cell(path, cell, lines, start) for cell, start in zip(notebook.cells, starts, strict=True)]
-    return Chapter(path, int(match[1]), tuple(cells))
+    reader = _Reader(path, int(match[1]))
+    for cell, start in zip(notebook.cells, starts, strict=True):
+        line = _first_line(cell.source.splitlines(), lines, start) + 1
+        try:
+            reader.add(cell, line)
+        except (regions.MarkerError, cards.CardError) as error:
+            raise AuthoringError(path, line + error.offset, error.problem, error.remedy) from None
+    reader.end()
+    return Chapter(path, reader.number, tuple(reader.cells))
 
 
-def _cell(path, node, lines, start):
-    line = _first_line(node.source.splitlines(), lines, start) + 1
-    try:
-        if node.cell_type == 'code':
-            split = regions.split(node.source)
+class _Reader:
+    """Takes the cells of a source one after the other, and adds what the build makes for exercises."""
+
+    def __init__(self, path: Path, number: int):
+        self.path, self.number = path, number
+        self.cells: list[SourceCell] = []
+        self._card: Card | None = None  # an exercise that has no answer cell yet
+        self._card_line = 0
+        self._rules: dict[str, manifest.Rule] = {}
+        self._answered: Card | None = None  # an exercise that has no check cell yet
+        self._after_answer = 0  # where its check cell goes if no cell asks for it
+
+    def add(self, node, line: int) -> None:
+        """Take the next cell, which begins in `line` (1-based)."""
+        if node.cell_type == 'markdown':
+            self._markdown(node.source, _plain(node.metadata), line)
+        elif node.cell_type == 'code':
+            self._code(node.source, _plain(node.metadata), line)
         else:
-            split = regions.Split(node.source, node.source, (), 0)
-    except regions.MarkerError as error:
-        raise AuthoringError(path, line + error.offset, error.problem, error.remedy) from None
-    return Cell(node.cell_type, node.source, _plain(node.metadata), line, split)
+            self.cells.append(SourceCell(node.cell_type, node.source, _plain(node.metadata), line, _given(node.source)))
+
+    def end(self) -> None:
+        """Finish what the last exercise wants."""
+        if self._card:
+            raise AuthoringError(self.path, self._card_line, f'exercise {self._card.id} has no solution region',
+                                 f'mark it in its answer cell with {regions.BEGIN} and {regions.END}')
+        self._place_check()
+
+    def _markdown(self, source: str, metadata: dict, line: int) -> None:
+        part = cards.read(source, self.number, self._card is not None)
+        if part.card:
+            self.end()
+            self._card, self._card_line, self._rules = part.card, line + part.begin, {}
+        for offset, rule in part.rules:
+            if rule.name in self._rules:
+                problem = f'the card has the rule {rule.name!r} twice'
+                raise AuthoringError(self.path, line + offset, problem, 'give each rule its own name')
+            self._rules[rule.name] = rule
+        self.cells.append(SourceCell('markdown', source, metadata, line, _given(part.text)))
+
+    def _code(self, source: str, metadata: dict, line: int) -> None:
+        if 'check' in metadata and not source.strip():
+            if not self._answered:
+                raise AuthoringError(self.path, line, 'a check cell without an exercise that it could check',
+                                     'put it after the answer cell, once')
+            self._place_check(line)
+            return
+        split = regions.split(source)
+        if not self._card or not split.regions:
+            self.cells.append(SourceCell('code', source, metadata, line, split))
+            return
+        first = f'{self._card.first_line}\n'
+        split = regions.Split(first + split.solved, first + split.stub, (0, *split.solved_lines), split.regions)
+        self.cells.append(SourceCell('code', source, metadata, line, split, self._card, tuple(self._rules.values())))
+        self._answered, self._card, self._after_answer = self._card, None, len(self.cells)
+
+    def _place_check(self, line: int | None = None) -> None:
+        """Add the check cell here, or, without a line, directly after the answer cell."""
+        if self._answered:
+            place = self._after_answer if line is None else len(self.cells)
+            cell = SourceCell('code', '', {'tags': list(self._answered.check_tags)}, line or self.cells[place - 1].line,
+                        _given(self._answered.check))
+            self.cells.insert(place, cell)
+            self._answered = None
+
+
+def _given(text: str) -> regions.Split:
+    return regions.Split(text, text, (), 0)
 
 
 def _first_line(body, lines, start):

@@ -12,7 +12,7 @@ from nbformat import NotebookNode
 
 from grading.authoring.chapter import Chapter
 from grading.authoring.errors import AuthoringError
-from helpers import domains
+from helpers.kernel import domains
 
 KERNEL = 'course'  # the kernelspec of the set-up; also what nbval uses
 CELL_TIMEOUT = 60  # seconds

@@ -29,6 +29,8 @@ def check() -> None:
 
     :raises AssertionError: naming what is left.
     """
+    if tests_process := sys.modules.get('helpers.runner.tests_process'):
+        tests_process.close()  # it waits for a next check
     end = time.monotonic() + PATIENCE
     while (left := _left()) and time.monotonic() < end:
         time.sleep(0.05)
@@ -73,8 +75,9 @@ def _new_children():
             continue
         try:
             command = child.cmdline()
-            guardian = any(part.endswith('helpers/guardian.py') for part in command)  # lives as long as the kernel
-            if child.status() != psutil.STATUS_ZOMBIE and not guardian:
+            # the reaper lives as long as the kernel
+            reaper = any(part.endswith('helpers/programs/reaper.py') for part in command)
+            if child.status() != psutil.STATUS_ZOMBIE and not reaper:
                 yield f'process {" ".join(command)[:80]}'
         except psutil.NoSuchProcess:
             continue

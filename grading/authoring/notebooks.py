@@ -5,7 +5,7 @@ from collections import Counter
 import nbformat
 from nbformat import NotebookNode
 
-from grading.authoring.chapter import Cell, Chapter
+from grading.authoring.chapter import Chapter, SourceCell
 from helpers.exercises import cell_ids
 
 # Fixed, so that neither the author's machine nor the kernel's version shows.
@@ -60,14 +60,15 @@ def _learner_metadata(metadata: dict) -> dict:
     return kept
 
 
-def _ids(cells: tuple[Cell, ...]) -> list[str]:
+def _ids(cells: tuple[SourceCell, ...]) -> list[str]:
     """Return the cells' ids, see helpers.exercises.cell_ids."""
-    seen = Counter()
+    seen: Counter[tuple[str, str]] = Counter()
     ids = []
     for cell in cells:
         if cell.exercise is not None:
             ids.append(cell_ids.of_exercise(cell.exercise['id']))
             continue
-        seen[cell.kind, cell.source] += 1
-        ids.append(cell_ids.of_given(cell.kind, cell.source, seen[cell.kind, cell.source]))
+        text = cell.split.solved
+        seen[cell.kind, text] += 1
+        ids.append(cell_ids.of_given(cell.kind, text, seen[cell.kind, text]))
     return ids

@@ -66,7 +66,8 @@ def _merged(found: list[NotebookNode]) -> list[NotebookNode]:
 
     nbclient could do it, but takes minutes for a long line.
     """
-    merged, streams = [], {}
+    merged: list[NotebookNode] = []
+    streams: dict[str, NotebookNode] = {}
     for output in found:
         if output.output_type != 'stream':
             merged += [streams[name] for name in sorted(streams, reverse=True)]

@@ -1,17 +1,22 @@
-"""The notebooks that CI gives to nbval: all cells twice in one kernel, then a check that nothing is left over."""
+"""The notebooks that CI gives to nbval, each with a check at its end that nothing is left over.
 
+A solved notebook runs twice in one kernel. The learner's has the same cells with stubs in them, so that its second run
+would prove what that of the solved one proves: it runs once.
+"""
+
+from collections.abc import Mapping
 from pathlib import Path
 
 import nbformat
 from nbformat import NotebookNode
 
-RUNS = ('first', 'second')
+RUNS = {'solutions': ('first', 'second'), 'notebooks': ('first',)}  # by the folder of a notebook
 SKIP = 'nbval-skip'
 IGNORE = {'tags': ['nbval-ignore-output']}
 
 
-def repeated(notebook: NotebookNode, folder: Path, runs: tuple[str, ...] = RUNS) -> NotebookNode:
-    """Return ``notebook`` with all of its cells twice, to be run in ``folder`` wherever the result is kept.
+def repeated(notebook: NotebookNode, folder: Path, runs: tuple[str, ...]) -> NotebookNode:
+    """Return ``notebook`` with all of its cells once for each of ``runs``; they run in ``folder``, wherever it is kept.
 
     Outputs are kept, so all runs are compared with them; a cell that was never executed is not compared. What is tagged
     nbval-skip takes long: a solved notebook runs it, and compares it, the first time only.
@@ -33,7 +38,7 @@ leftovers.note()''')]
     return nbformat.from_dict({**notebook, 'cells': cells})
 
 
-def write(notebooks: list[Path], target: Path, runs: tuple[str, ...] = RUNS) -> list[Path]:
+def write(notebooks: list[Path], target: Path, runs: Mapping[str, tuple[str, ...]] = RUNS) -> list[Path]:
     """Write the repeated form of each notebook below ``target``, in a folder named as its own; return the paths.
 
     :raises ValueError: a notebook cannot be read; the message names it.
@@ -46,7 +51,7 @@ def write(notebooks: list[Path], target: Path, runs: tuple[str, ...] = RUNS) -> 
             raise ValueError(f'{path.name} is no notebook: {error}') from None
         copy = target / path.parent.name / path.name
         copy.parent.mkdir(parents=True, exist_ok=True)
-        nbformat.write(repeated(notebook, path.parent, runs), copy)
+        nbformat.write(repeated(notebook, path.parent, runs.get(path.parent.name, RUNS['solutions'])), copy)
         written.append(copy)
     return written
 

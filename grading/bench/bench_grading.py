@@ -23,7 +23,7 @@ from grading.sandbox import station
 from grading.submission import Submission
 from helpers import paths
 from helpers.exercises.manifest import Exercise
-from helpers.exercises.notebooks import Cell, parse
+from helpers.exercises.notebooks import NotebookCell, parse
 from helpers.runner import session
 
 COUNTS = (1, 10, 50)
@@ -74,7 +74,7 @@ def _program(count: int) -> float:
 def _course(folder: Path) -> Course:
     exercises = []
     for number, name in enumerate(sheet.NAMES, 1):
-        path = folder / 'hidden' / 'chapter_91' / f'test_91_{number}.py'
+        path = folder / 'exercises' / f'91_{number}' / 'hidden.py'
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(f"""\
 import pytest
@@ -90,7 +90,7 @@ def test_{name.lower()}(learner):
 """)
         exercises.append(Exercise(f'91.{number}', 91, NOTEBOOK, name, 1, (name,), f'ex-91-{number}', ''))
     (folder / 'checks').mkdir()
-    return Course(tuple(exercises), folder / 'checks', folder / 'hidden')
+    return Course(tuple(exercises), folder / 'checks', folder / 'exercises')
 
 
 def _notebook(variant: int) -> bytes:
@@ -118,7 +118,7 @@ def _run(course: Course, count: int, output: Path, jobs: int = JOBS) -> tuple[fl
 
 def _parts(course: Course) -> Iterator[Figure]:
     """Where the time of one session goes, best of five on warm servers."""
-    cells: list[Cell] = parse(_notebook(0), NOTEBOOK)
+    cells: list[NotebookCell] = parse(_notebook(0), NOTEBOOK)
     options = session.Options(hidden=course.hidden, visible=course.visible,
                               launcher=sandbox.launcher(course.sandbox))
     begin = time.perf_counter()

@@ -30,7 +30,7 @@ def _seconds(path: Path) -> float:
     with tempfile.TemporaryDirectory(prefix='bench-', dir=paths.ROOT / 'build') as folder:
         config = Path(folder) / 'sanitize.cfg'
         config.write_text(outputs.nbval_config(paths.ROOT), encoding='utf-8')
-        copy = repeated.write([path], Path(folder), runs=('once',))
+        copy = repeated.write([path], Path(folder), runs={path.parent.name: ('once',)})
         command = [sys.executable, '-m', 'pytest', '-q', *repeated.nbval_arguments(config, execution.kernel_name()),
                    *map(str, copy)]
         begin = time.perf_counter()

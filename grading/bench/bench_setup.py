@@ -1,7 +1,8 @@
-"""Set-up of a fresh clone: the first one without any cache, a second one with the installers' caches, and bytes.
+"""Set-up of a fresh clone: without any cache, with the installers' caches, with that of built packages, and bytes.
 
-Cold: no `.venv`, empty caches of uv and pip; what the machine's disk cache holds stays. Warm: `.venv` deleted, the
-caches that the cold one filled. Nothing to do: the next `./course`. Both build all ROS packages. The bytes are what all
+Cold: no `.venv`, empty caches; what the machine's disk cache holds stays. Warm: `.venv` deleted, the caches of uv and
+pip that the cold one filled. Both build all ROS packages. Second copy: `.venv` deleted, and all caches, as another copy
+of the course on this machine finds them. Nothing to do: the next `./course`. The bytes are what all
 network interfaces but the loopback received meanwhile, so nothing else should download; an index on this machine's own
 disk (pip's configuration counts, as it does for a learner) adds nothing to them.
 """
@@ -36,8 +37,11 @@ def measure() -> Iterator[tuple[str, float, str]]:
         environ = {name: value for name, value in os.environ.items() if not _FOREIGN.match(name)}
         own = str(paths.ROOT / '.venv' / 'bin')
         environ['PATH'] = os.pathsep.join(part for part in os.environ['PATH'].split(os.pathsep) if part != own)
-        environ |= {'UV_CACHE_DIR': str(caches / 'uv'), 'PIP_CACHE_DIR': str(caches / 'pip')}
-        for kind in ('cold', 'warm'):
+        environ |= {'UV_CACHE_DIR': str(caches / 'uv'), 'PIP_CACHE_DIR': str(caches / 'pip'),
+                    'XDG_CACHE_HOME': str(caches / 'others')}
+        for kind in ('cold', 'warm', 'second copy'):
+            if kind == 'warm':
+                shutil.rmtree(caches / 'others', ignore_errors=True)
             shutil.rmtree(clone / '.venv', ignore_errors=True)
             received = _received()
             seconds, steps = _course(clone, environ)
@@ -51,9 +55,9 @@ def measure() -> Iterator[tuple[str, float, str]]:
 
 
 def _course(clone: Path, environ: dict[str, str]) -> tuple[float, list[tuple[str, float]]]:
-    """Seconds of ``./course --help``, and of the steps that it tells of."""
+    """Seconds of ``./course setup``, and of the steps that it tells of."""
     begin = time.perf_counter()
-    told = _run([str(clone / 'course'), '--help'], environ)
+    told = _run([str(clone / 'course'), 'setup'], environ)
     seconds = time.perf_counter() - begin
     return seconds, [(step, float(spent)) for step, spent in re.findall(r'^(.+): ([\d.]+) s$', told, re.MULTILINE)]
 

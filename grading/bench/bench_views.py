@@ -13,7 +13,8 @@ from collections.abc import Callable, Iterator
 import psutil
 
 from grading.bench import physics
-from helpers import domains, paths
+from helpers import paths
+from helpers.kernel import domains
 
 COUNTS = (10, 50, 100)
 SECONDS = 5.0
@@ -164,7 +165,7 @@ def tree(count: int, together: bool = True) -> Iterator[tuple[str, float, str]]:
 
 def sensors() -> Iterator[tuple[str, float, str]]:
     """Yield the rows of a robot's sensors: odometry at 50 Hz, 360 beams at 10 Hz, 20,000 points at 5 Hz."""
-    from helpers.views import LaserScan, Odometry, PointCloud2
+    from helpers.show.views import LaserScan, Odometry, PointCloud2
 
     for name, sends, displays in (
             ('odometry', (), [Odometry]),
@@ -183,7 +184,7 @@ def view(name: str, domain_id: int, is_there: Callable, *displays) -> Iterator[t
     :param displays: for the view.
     """
     from helpers import ros, wait_for
-    from helpers.views import TfView
+    from helpers.show.views import TfView
 
     ros.start(domain_id)
     try:

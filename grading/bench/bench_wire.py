@@ -7,7 +7,7 @@ import sys
 import time
 from collections.abc import Iterator
 
-from helpers import domains
+from helpers.kernel import domains
 
 STARTS = 8
 MESSAGES = 500

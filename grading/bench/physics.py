@@ -7,7 +7,7 @@ import sys
 import time
 from collections.abc import Iterator
 
-from helpers import domains
+from helpers.kernel import domains
 
 SECONDS = 5.0
 BUDGET = 1.0  # seconds of processor time for each figure

@@ -10,8 +10,9 @@ from typing import Annotated
 
 import typer
 
-from helpers import domains, paths
+from helpers import paths
 from helpers.cli import Refusal
+from helpers.kernel import domains
 
 JSON = paths.ROOT / 'build' / 'bench.json'
 WIDTH = 130  # of a table that goes into a file

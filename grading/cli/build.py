@@ -14,6 +14,8 @@ from helpers.cli import Refusal
 def build(
     chapters: Annotated[list[str] | None, typer.Argument(metavar='[NN …]', help='Chapters; all if none.')] = None,
     check: Annotated[bool, typer.Option('--check', help='Run nothing: prove that all fits its source.')] = False,
+    rules: Annotated[bool, typer.Option('--rules', help='Run nothing: show which tests look at which rule of a card, '
+                                                        'and which wrong answers break it.')] = False,
     force: Annotated[bool, typer.Option('--force', help='Execute unchanged chapters too.')] = False,
     html: Annotated[Path | None, typer.Option(metavar='DIR', help='Only write the course as web pages, without '
                                                                   'solutions, from what is built.')] = None,
@@ -41,6 +43,8 @@ def build(
             print(f'{len(lines)} generated files are out of step; run ./course build' if lines
                   else f'{len(known)} chapters are in step with their sources')
             raise typer.Exit(1 if lines else 0)
+        if rules:
+            raise typer.Exit(_rules(builder.read_all(tree), selected, tree))
         if html:
             from grading.edition import pages
 
@@ -56,6 +60,21 @@ def build(
     except ChapterErrors as errors:
         print(errors, file=sys.stderr)
         raise typer.Exit(1) from None
+
+
+def _rules(chapters, selected: set[int], tree) -> int:
+    """Print the table of rules; returns the exit status."""
+    from grading import variants
+    from grading.authoring import coverage
+
+    rows = [row for chapter in chapters if not selected or chapter.number in selected for row in chapter.exercises()]
+    try:
+        table = coverage.table(rows, tree.manifest.parent)
+    except variants.VariantError as error:
+        raise Refusal(str(error)) from None
+    for line in table.lines():
+        print(line)
+    return 0 if table.complete else 1
 
 
 def _number(text: str) -> int:

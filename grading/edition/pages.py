@@ -1,7 +1,7 @@
 """Writes the pages of the edition.
 
 Chapters that show a `TfView` are executed anew, because their saved notebooks hold only pictures.
-`helpers.views.recording` then writes a page for each view, and the chapter's page opens it in place of the picture
+`helpers.show.views.recording` then writes a page for each view, and the chapter's page opens it in place of the picture
 when somebody clicks.
 """
 
@@ -20,8 +20,8 @@ from grading.authoring import build as builder
 from grading.authoring import execution, notebooks, outputs
 from grading.authoring.chapter import Chapter
 from grading.authoring.errors import AuthoringError, ChapterErrors
-from helpers import start_page
-from helpers.views import recording
+from helpers.exercises import start_page
+from helpers.show.views import recording
 
 TEMPLATES = Path(__file__).with_name('templates')
 _TO_A_CHAPTER = re.compile(r'\]\((\d\d_\w+)\.ipynb\b')

@@ -3,8 +3,10 @@
 import io
 import json
 import os
+import re
 import zipfile
 from collections.abc import Iterable
+from contextlib import suppress
 from pathlib import Path
 
 from grading import release, sandbox
@@ -15,8 +17,9 @@ from helpers import paths
 
 SCRIPTS = ('setup.sh', 'run_autograder')
 # Neither answers nor what only the authors of the course need.
-LEFT_OUT = ('solutions', 'build', 'log', '.ci', '.github', 'grading/mutants', 'grading/alternatives', 'grading/tests',
+LEFT_OUT = ('solutions', 'build', 'log', '.ci', '.github', 'grading/tests',
             'grading/bench', 'grading/authoring', 'helpers/tests', 'environment/tests')
+ANSWERS = re.compile(r'grading/exercises/\w+/(mutants|alternatives)\.py')
 DATE = (2000, 1, 1, 0, 0, 0)  # the same files give the same zip
 
 
@@ -49,8 +52,11 @@ def bundle(output: Path, chosen: str, hidden: str = gradescope.HIDDEN, root: Pat
             _add(archive, name, (Path(__file__).parent / name).read_bytes(), True)
         _add(archive, CONFIG, (json.dumps(settings, indent=2) + '\n').encode(), False)
         for name in release.files(root, LEFT_OUT):
+            if ANSWERS.fullmatch(name):
+                continue
             path = root / name
-            _add(archive, f'course/{name}', path.read_bytes(), os.access(path, os.X_OK))
+            with suppress(FileNotFoundError):  # a scratch file of a program that runs at the same time
+                _add(archive, f'course/{name}', path.read_bytes(), os.access(path, os.X_OK))
     try:
         output.parent.mkdir(parents=True, exist_ok=True)
         output.write_bytes(data.getvalue())

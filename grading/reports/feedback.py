@@ -7,7 +7,7 @@ by screen reader, on paper, on a small screen, in light and in dark; it loads no
 from grading.record import Record
 from grading.reports import page, reading
 from grading.reports.safe import line
-from helpers import display
+from helpers.exercises import result_display
 from helpers.runner import results, verdicts
 from helpers.runner.results import ExerciseResult, TestResult
 
@@ -118,11 +118,10 @@ def _chapters(record: Record) -> list[dict]:
 
 def _how(record: Record, exercise: ExerciseResult) -> list[str]:
     """How the mark comes about, where it is not the tests' alone."""
-    late = record.late is not None and record.late.percent and exercise.score
-    steps = [f'By the tests: {page.points(exercise.score)} points.'] if late else []
-    if late:
-        steps.append(f'Late, less {page.points(record.late.percent)} %: '
-                     f'{page.points(record.late.applied(exercise.score))} points.')
+    late, steps = record.late, []
+    if late is not None and late.percent and exercise.score:
+        steps = [f'By the tests: {page.points(exercise.score)} points.',
+                 f'Late, less {page.points(late.percent)} %: {page.points(late.applied(exercise.score))} points.']
     for adjustment in record.adjustments:
         if adjustment.exercise == exercise.id:
             change = (f'set to {page.points(adjustment.points)} points' if adjustment.points is not None
@@ -132,7 +131,7 @@ def _how(record: Record, exercise: ExerciseResult) -> list[str]:
 
 
 def _exercise(exercise: ExerciseResult, mark: float | None) -> dict:
-    again = display.repeated(exercise)
+    again = result_display.repeated(exercise)
     weight = sum(test.weight for test in exercise.tests)
     return {
         'id': line(exercise.id), 'title': line(exercise.title),
@@ -140,7 +139,7 @@ def _exercise(exercise: ExerciseResult, mark: float | None) -> dict:
         'score': mark, 'points': exercise.points, 'share': _share(mark, exercise.points),
         'tone': tone(exercise.verdict), 'state': STATES[exercise.verdict], 'summary': _summary(exercise),
         'message': '' if exercise.verdict == results.NOT_ATTEMPTED else exercise.message,
-        'tests': [_test(test, test.test in again, exercise.points * test.weight / weight if weight else 0.0)
+        'tests': [_test(exercise, test, test.test in again, exercise.points * test.weight / weight if weight else 0.0)
                   for test in exercise.tests if test.expected],
         'place': reading.place(exercise.id),
     }
@@ -154,18 +153,22 @@ def _summary(exercise: ExerciseResult) -> str:
                 'mark stays open until then.')
     if not exercise.tests:
         return ''
+    if exercise.rules:
+        return f'{exercise.count_rules(results.KEPT)} of {page.plural(len(exercise.rules), "rule")} kept.'
     passed = sum(test.passed for test in exercise.tests)
     if passed == len(exercise.tests):
         return {1: 'The test passed.', 2: 'Both tests passed.'}.get(passed, f'All {passed} tests passed.')
     return f'{passed} of {page.plural(len(exercise.tests), "test")} passed.'
 
 
-def _test(test: TestResult, same: bool, points: float) -> dict:
+def _test(exercise: ExerciseResult, test: TestResult, same: bool, points: float) -> dict:
     return {
-        'tone': tone(test.verdict), 'state': _TESTS[test.verdict], 'expected': display.expected(test),
+        'rule': result_display.broken(exercise, test) if test.rule and not test.passed else '',
+        'tone': tone(test.verdict), 'state': _TESTS[test.verdict], 'expected': result_display.expected(test),
         'kind': f'{"hidden" if test.hidden else "check"} · {page.points(points)} point{"" if points == 1 else "s"}',
         'same': same and not test.passed,
-        'happened': [] if test.passed else display.happened(test), 'hint': '' if test.passed else display.hint(test),
+        'happened': [] if test.passed else result_display.happened(test),
+        'hint': '' if test.passed else result_display.hint(test),
         'details': '' if same or test.passed else test.details, 'output': '' if same or test.passed else test.output,
     }
 

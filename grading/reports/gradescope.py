@@ -15,7 +15,7 @@ import json
 from grading.record import Record
 from grading.reports import page
 from grading.reports.safe import line, visible
-from helpers import display
+from helpers.exercises import result_display
 from helpers.runner import results, verdicts
 from helpers.runner.results import ExerciseResult, TestResult
 
@@ -79,13 +79,13 @@ def _entries(exercise: ExerciseResult, hidden: str) -> list[dict]:
     return [
         _entry(exercise, public, ' (public tests)', share, reached if known else None, 'visible'),
         _entry(exercise, secret, ' (hidden tests)', round(exercise.points - share, 2),
-               round(exercise.score - reached, 2) if known else None, hidden),
+               None if exercise.score is None else round(exercise.score - reached, 2), hidden),
     ]
 
 
 def _entry(exercise: ExerciseResult, tests: list[TestResult], what: str, points: float, score: float | None,
            visibility: str) -> dict:
-    entry = {'number': line(exercise.id), 'name': line(display.heading(exercise)) + what, 'max_score': points,
+    entry = {'number': line(exercise.id), 'name': line(result_display.heading(exercise)) + what, 'max_score': points,
              'output': _clip(_text(exercise, tests)), 'output_format': 'text', 'visibility': visibility}
     if score is not None:
         passed = all(test.passed for test in tests) if tests else exercise.passed
@@ -97,17 +97,17 @@ def _text(exercise: ExerciseResult, tests: list[TestResult]) -> str:
     lines = [exercise.message] if exercise.message else []
     if exercise.verdict == verdicts.GRADER_ERROR:
         lines.append('This exercise must be graded again because of a fault of the grader.')
-    again = display.repeated(ExerciseResult(exercise.id, exercise.title, exercise.points, exercise.verdict, None,
+    again = result_display.repeated(ExerciseResult(exercise.id, exercise.title, exercise.points, exercise.verdict, None,
                                             tests=tests))
     for test in tests:
         if test.expected:
-            lines.append(f'{"passed" if test.passed else "FAILED"}: {display.expected(test)}')
+            lines.append(f'{"passed" if test.passed else "FAILED"}: {result_display.expected(test)}')
         if test.test in again:
             lines.append('    The same as above.')
         elif not test.passed:
-            lines += [f'    {text}' for text in display.happened(test)]
-            if display.hint(test):
-                lines.append(f'    {display.hint(test)}')
+            lines += [f'    {text}' for text in result_display.happened(test)]
+            if result_display.hint(test):
+                lines.append(f'    {result_display.hint(test)}')
     if exercise.verdict == results.NOT_ATTEMPTED and not lines:
         lines.append('Not begun.')
     return '\n'.join(lines)

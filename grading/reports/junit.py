@@ -25,8 +25,8 @@ def dumps(record: Record) -> str:
     for name, value in (('source', record.source), ('sandbox', record.sandbox), ('key', record.key),
                         ('seed', record.seed), ('status', record.status)):
         ElementTree.SubElement(properties, 'property', name=name, value=line(value))
-    for (exercise, name, verdict, message, seconds), kind in zip(cases, kinds, strict=True):
-        case = ElementTree.SubElement(suite, 'testcase', classname=line(exercise), name=line(name),
+    for (identity, name, verdict, message, seconds), kind in zip(cases, kinds, strict=True):
+        case = ElementTree.SubElement(suite, 'testcase', classname=line(identity), name=line(name),
                                       time=f'{seconds:.3f}')
         if kind:
             # What CI systems show first is the attribute; a `skipped` has no type.

@@ -12,17 +12,18 @@ from helpers.exercises.manifest import Exercise
 
 
 def write_all(records: Iterable[Record], exercises: Iterable[Exercise], output: Path,
-              answers: Mapping[str, Mapping[str, str]] | None = None) -> None:
+              prints: Mapping[str, Mapping[str, Iterable[int]]] | None = None) -> None:
     """Write the files into `output`.
 
-    :param answers: by learner, the text of each exercise's cell (`similarity.cells_of`), to find those that are alike.
+    :param prints: by learner, the fingerprints of each exercise's cell (`similarity.of_submission`), to find those that
+        are alike.
     """
     records, exercises = list(records), list(exercises)
     for record in records:
         for folder, suffix, make in reports.KINDS:
             write(output / folder / f'{record.learner}{suffix}', make(record))
     write(output / 'gradebook.csv', gradebook.dumps(records, exercises))
-    alike = similarity.find(answers or {}, similarity.stubs_of(exercises))
+    alike = similarity.find(prints or {}, similarity.stubs_of(exercises))
     seen = summary.data(records, exercises, alike)
     write(output / 'summary.json', summary.dumps(seen))
     write(output / 'summary.html', summary.html(seen))

@@ -15,7 +15,7 @@ from grading.record import Record
 from grading.reports import feedback, page
 from grading.reports.safe import line
 from grading.similarity import Pair
-from helpers import display
+from helpers.exercises import result_display
 from helpers.exercises.manifest import Exercise
 from helpers.runner import results, verdicts
 
@@ -81,7 +81,7 @@ def _exercise(exercise: Exercise, records: list[Record]) -> dict:
     tests: dict[str, dict] = {}
     for test in (test for result in mine for test in result.tests if test.expected):
         row = tests.setdefault(test.test, {'test': test.test, 'hidden': test.hidden,
-                                           'expected': display.expected(test), 'ran': 0, 'passed': 0})
+                                           'expected': result_display.expected(test), 'ran': 0, 'passed': 0})
         row['ran'] += 1
         row['passed'] += test.passed
     seconds = [sum(test.seconds for test in result.tests) for result in mine if result.tests]
@@ -110,11 +110,11 @@ def _misconceptions(records: list[Record]) -> list[dict]:
             for test in result.tests:
                 if test.passed or test.verdict == verdicts.GRADER_ERROR:
                     continue
-                text = test.message.partition('\n')[0] or display.expected(test)
+                text = test.message.partition('\n')[0] or result_display.expected(test)
                 key = (result.id, pattern(text))
                 who[key].add(record.learner)
                 said[key][text] += 1
-                tests[key][display.expected(test)] += 1
+                tests[key][result_display.expected(test)] += 1
     rows = [{'exercise': key[0], 'message': _first(said[key]), 'expected': _first(tests[key]),
              'learners': sorted(learners)} for key, learners in who.items()]
     return sorted(rows, key=lambda row: (-len(row['learners']), row['exercise'], row['message']))
@@ -126,7 +126,7 @@ def _first(counted: Counter[str]) -> str:
 
 
 def _slowest(records: list[Record]) -> list[dict]:
-    rows = [{'learner': record.learner, 'exercise': result.id,
+    rows: list[dict] = [{'learner': record.learner, 'exercise': result.id,
              'seconds': round(sum(test.seconds for test in result.tests), 2)}
             for record in records for result in record.exercises if result.tests]
     return sorted(rows, key=lambda row: (-row['seconds'], row['learner'], row['exercise']))[:MOST]

@@ -10,16 +10,16 @@ it for submissions that you trust with your machine. The name of the one that wa
     unprivileged    how root gives up being root first
     warm            the servers: fork for each submission
     tests_side      the tests of one submission, in a sandbox with a network of their own
-    learners_side   the learner's programs, in a sandbox within that network
+    learners_side   the learner's programs, in sandboxes within that network: one for cells, one for each workspace
     namespaces, seccomp    system calls, and which of them a learner's program may use
 
-A sandbox is a launcher, `module:function`, with the signature of `helpers.runner.launch.start`; its module may have a
-`start_tests`, too.
+A sandbox is a launcher, `module:function`, with the signature of `helpers.runner.start_processes.start`; its
+module may have a `start_tests`, too.
 """
 
 from functools import cache
 
-LAUNCHERS = {'bubblewrap': 'grading.sandbox.bubblewrap:start', 'none': 'helpers.runner.launch:start'}
+LAUNCHERS = {'bubblewrap': 'grading.sandbox.bubblewrap:start', 'none': 'helpers.runner.start_processes:start'}
 DEFAULT = 'bubblewrap'
 WARNING = ('WARNING: --sandbox none. Submissions run as plain processes with limits, and can read and change whatever '
            'you can. Grade only what you trust.')

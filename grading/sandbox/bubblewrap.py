@@ -5,17 +5,19 @@ import os
 import socket
 from dataclasses import asdict, dataclass
 
-from helpers.runner.launch import LIMITS, Limits
+from grading.sandbox import layout
+from helpers.runner.start_processes import LIMITS, Limits
 
 control: socket.socket | None = None  # in a process of tests: to its submission's server of programs
 
 
 @dataclass
-class Started:
+class SandboxedForkServer:
     """The server of a submission's programs, as the tests see it."""
 
     control: socket.socket
     sandbox: str = 'bubblewrap'
+    home_folder: str = str(layout.HOME)
 
     def close(self) -> None:
         """End the programs and their sandbox. Idempotent."""
@@ -30,17 +32,17 @@ class Started:
             self.control.close()
 
 
-def start(domain_id: int, limits: Limits = LIMITS) -> Started:
+def start(domain_id: int, limits: Limits = LIMITS) -> SandboxedForkServer:
     """Get the server of programs that the grader has prepared ready for this process, and for its network."""
     if control is None:
         raise RuntimeError('this launcher works in a process that start_tests has started')
     descriptor = os.pidfd_open(os.getpid())
     socket.send_fds(control, [json.dumps(asdict(limits)).encode()], [descriptor])
     os.close(descriptor)
-    return Started(control)
+    return SandboxedForkServer(control)
 
 
 def start_tests(job, events: int, printed, *, cwd: str, environment: dict[str, str], folders):
-    """Start the tests of one submission in a sandbox; see `helpers.runner.launch.start_tests`."""
+    """Start the tests of one submission in a sandbox; see `helpers.runner.start_processes.start_tests`."""
     from grading.sandbox import station
     return station.start_tests(job, events, printed, int(environment['ROS_DOMAIN_ID']), folders)

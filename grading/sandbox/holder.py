@@ -24,22 +24,32 @@ class SandboxError(Exception):
 class Holder:
     """The sandbox that `arguments` describe. Raises SandboxError."""
 
-    def __init__(self, arguments: list[str], inside: int | None = None):
-        """`inside`: a pidfd; the sandbox is made within the user and network namespaces of that process."""
+    def __init__(self, arguments: list[str], inside: int | None = None, filter_: bytes = b''):
+        """`inside`: a pidfd; the sandbox is made within the user and network namespaces of that process.
+
+        `filter_`: of system calls, for process 1.
+        """
         def enter() -> None:
             if inside is not None:
                 namespaces.join(inside, namespaces.NEWUSER | namespaces.NEWNET)
 
         read, write = os.pipe()
+        passed, words = [write], [arguments[0], '--info-fd', str(write)]
+        if filter_:
+            passed.append(os.memfd_create('filter'))
+            os.write(passed[1], filter_)
+            os.lseek(passed[1], 0, os.SEEK_SET)
+            words += ['--seccomp', str(passed[1])]
         try:
             self.process = subprocess.Popen(
-                [arguments[0], '--info-fd', str(write), *arguments[1:]], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                stderr=subprocess.PIPE, pass_fds=[write], preexec_fn=enter, start_new_session=True)
+                [*words, *arguments[1:]], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE, pass_fds=passed, preexec_fn=enter, start_new_session=True)
         except (OSError, subprocess.SubprocessError) as error:
             os.close(read)
             raise SandboxError(f'{arguments[0]}: {error}') from None
         finally:
-            os.close(write)
+            for descriptor in passed:
+                os.close(descriptor)
         try:
             self.pid = self._ready(read)
             self.pidfd = os.pidfd_open(self.pid)
@@ -61,6 +71,7 @@ class Holder:
             if not chunk:
                 raise OSError('it ended')
             text += chunk
+        assert self.process.stdin is not None and self.process.stdout is not None  # both are pipes
         # All is mounted before the program starts, which sends back what it gets.
         try:
             os.write(self.process.stdin.fileno(), b'\n')

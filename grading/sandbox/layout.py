@@ -5,21 +5,25 @@ loopback. The inner one is the learner's: it shares that network and nothing els
 `environment/` and `helpers/`, all read-only. Only the tests' one sees tests.
 """
 
+import atexit
 import os
 import shutil
 import sys
+import tempfile
 from collections.abc import Iterable
+from functools import cache
 from pathlib import Path
 
 from helpers.paths import ROOT
-from helpers.runner.launch import Limits
+from helpers.runner.start_processes import Limits
 
 HOME = Path('/home/learner')
 UID = 1000  # inside; outside it is whoever grades, or an unprivileged user in place of root
 # Keeps a sandbox alive until its standard input closes. It is the first process, and parent of what others leave
 # behind: as it ignores the end of children, none of them stays as a zombie, which would count as a process of the
 # learner's.
-HOLDER = ('/usr/bin/env', '--ignore-signal=CHLD', '/usr/bin/cat')
+KEEPER = '/keep'  # a copy of cat that nobody can read: so the kernel lets nobody write into the process that runs it
+HOLDER = ('/usr/bin/env', '--ignore-signal=CHLD', KEEPER)
 
 # Of /etc: shared libraries, the compiler's links, fonts and time zone. Nothing that tells about the machine's users.
 _ETC = ('ld.so.cache', 'ld.so.conf', 'ld.so.conf.d', 'alternatives', 'fonts', 'glvnd', 'localtime', 'nsswitch.conf',
@@ -30,6 +34,16 @@ _HELD_BACK = ROOT / 'helpers' / 'checks'  # the visible tests
 def bwrap() -> str | None:
     """The bubblewrap program; None if there is none."""
     return shutil.which('bwrap')
+
+
+@cache
+def keeper() -> Path:
+    """The program of process 1, made once for this process's sandboxes."""
+    folder = Path(tempfile.mkdtemp(prefix='course-keep-'))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    shutil.copyfile('/usr/bin/cat', folder / 'keep')
+    (folder / 'keep').chmod(0o111)
+    return folder / 'keep'
 
 
 def readable() -> list[Path]:
@@ -59,7 +73,7 @@ def _system() -> list[str]:
 
 def _own(*, tmp: int, shared: int) -> list[str]:
     return ['--proc', '/proc', '--dev', '/dev', '--size', str(shared), '--tmpfs', '/dev/shm',
-            '--size', str(tmp), '--tmpfs', '/tmp']
+            '--size', str(tmp), '--tmpfs', '/tmp', '--ro-bind', str(keeper()), KEEPER]
 
 
 def _apart() -> list[str]:

@@ -14,12 +14,12 @@ from pathlib import Path
 
 from grading.sandbox import layout, namespaces, seccomp
 from grading.sandbox.holder import Holder
-from helpers.runner import zygote
-from helpers.runner.launch import Limits
+from helpers.runner import fork_server
 from helpers.runner.lifetime import die_with_parent
+from helpers.runner.start_processes import Limits
 
 INODES = 20_000  # files and folders in each place that can be written
-_PAGE = os.sysconf('SC_PAGESIZE')
+_BUFFERS = 2 * 212_992  # bytes: what one socket sends and receives, by the kernel's usual settings
 
 
 def warm_up() -> None:
@@ -38,64 +38,31 @@ def run(request: dict, control: int, printed: int) -> None:
         return
     programs = Sandboxed(descriptors[0])
     tests.send(b'{"event": "ready"}')
-    zygote.serve(tests, programs)
+    fork_server.serve(tests, programs)
 
 
-class Sandboxed(zygote.Programs):
-    """Programs in a sandbox, which is made for the first one and stays for the submission's other ones."""
+class Sandboxed(fork_server.ProgramProcesses):
+    """Programs in a sandbox, which is made for the first one and stays for the submission's other ones.
+
+    Each place of tasks is a sandbox of its own.
+    """
 
     patience = 0.1
 
     def __init__(self, tests: int):
         """`tests`: a pidfd of the process of tests, whose network the programs share."""
         self._tests = tests
-        self._holder: Holder | None = None
-        self._places: tuple | None = None  # the sizes of the places that can be written
-        self._limits = Limits()
+        self._cells = Sandbox(tests)
+        self._places: dict[str, Sandbox] = {}
 
     def fork(self, limits: Limits, channel: int, output: int) -> int:
-        if self._holder is None or self._holder.process.poll() is not None:
-            self.close()
-            self._holder = Holder(layout.programs(limits), self._tests)
-        self._limits = limits
-        places = (limits.tmp, limits.home, limits.shared)
-        if places != self._places:
-            self._inside(lambda: _resize(limits), namespaces.NEWNS)
-            self._places = places
-        pid = os.fork()
-        if pid == 0:
-            zygote.leave_server()
-            self._enter(limits, channel, output)
-        return pid
+        return self._cells.start(limits, [channel, output], lambda: fork_server.become_program(channel, output))
 
-    def _enter(self, limits: Limits, channel: int, output: int) -> None:
-        """In a forked child: start the program's process inside and end as it does. Never returns."""
-        try:
-            die_with_parent()
-            namespaces.join(self._holder.pidfd, namespaces.ALL)
-            namespaces.close_all_but([channel, output])
-            pid = os.fork()
-            if pid:
-                namespaces.give_up_privileges()
-                die_with_parent()  # a change of privileges has undone it
-                os.close(channel)
-                os.close(output)
-                namespaces.mirror(pid)
-            namespaces.give_up_privileges()
-            die_with_parent()
-            os.chdir(layout.HOME)
-            with open('/dev/null') as null:
-                os.dup2(null.fileno(), 0)
-            os.dup2(output, 1)
-            os.dup2(output, 2)
-            limits.apply(sandboxed=True)
-            seccomp.install()
-            zygote.become_program(channel, output)
-        except BaseException:  # noqa: BLE001 - the child must not return into the server's loop
-            import traceback
-            traceback.print_exc()
-        finally:
-            os._exit(1)
+    def task(self, limits: Limits, place: str, output: int, given: list[int], act: Callable[[], int]) -> int:
+        if place not in self._places:
+            self._places[place] = Sandbox(self._tests)
+        return self._places[place].start(limits, [output, *given],
+                                         lambda: fork_server.become_task(output, given, act))
 
     def kill(self, pid: int) -> None:
         with suppress(ProcessLookupError):
@@ -104,22 +71,121 @@ class Sandboxed(zygote.Programs):
     def ended(self, pid: int) -> None:
         """Its group has been killed already."""
 
-    def clear(self) -> None:
-        if self._holder is not None:
-            self._inside(_kill_all, namespaces.ALL)
+    def clear(self, place: str | None = None) -> None:
+        for sandbox in self._all() if place is None else self._named(place):
+            sandbox.clear()
+
+    def forget(self, place: str) -> None:
+        for sandbox in self._named(place):
+            sandbox.close()
+        self._places.pop(place, None)
 
     def look(self) -> str:
+        return next((why for sandbox in self._all() if (why := sandbox.look())), '')
+
+    def close(self) -> None:
+        for sandbox in self._all():
+            sandbox.close()
+
+    def _all(self) -> list['Sandbox']:
+        return [self._cells, *self._places.values()]
+
+    def _named(self, place: str) -> list['Sandbox']:
+        return [self._places[place]] if place in self._places else []
+
+
+class Sandbox:
+    """One sandbox within the network of the tests; made when the first process is started in it."""
+
+    def __init__(self, tests: int):
+        self._tests = tests
+        self._holder: Holder | None = None
+        self._processes = -1  # its /proc, open
+        self._sizes: tuple | None = None  # of the places that can be written
+        self._limits = Limits()
+        self._used = False  # since the last `clear`
+
+    def start(self, limits: Limits, kept: list[int], act: Callable[[], None]) -> int:
+        """Start a process inside that acts, with these open files; returns the pid of one outside that mirrors it."""
+        if self._holder is None or self._holder.process.poll() is not None:
+            self.close()
+            self._holder = Holder(layout.programs(limits), self._tests, seccomp.program())
+            # Opened before anything of the learner's runs: what these mean cannot be changed from inside.
+            self._processes = os.open(f'/proc/{self._holder.pid}/root/proc', os.O_PATH | os.O_DIRECTORY)
+            self._mounts = os.open(f'/proc/{self._holder.pid}/ns/mnt', os.O_RDONLY)
+            self._sizes = None
+        self._limits, self._used = limits, True
+        sizes = (limits.tmp, limits.home, limits.shared)
+        if sizes != self._sizes:
+            self._inside(lambda: _resize(limits), namespaces.NEWNS)
+            self._sizes = sizes
+        pid = os.fork()
+        if pid == 0:
+            fork_server.leave_server()
+            self._enter(limits, kept, act)
+        return pid
+
+    def _enter(self, limits: Limits, kept: list[int], act: Callable[[], None]) -> None:
+        """In a forked child: start the process inside and end as it does. Never returns."""
+        try:
+            die_with_parent()
+            assert self._holder is not None  # `start` has made it
+            namespaces.join(self._holder.pidfd, namespaces.ALL)
+            namespaces.close_all_but(kept)
+            pid = os.fork()
+            if pid:
+                namespaces.give_up_privileges()
+                die_with_parent()  # a change of privileges has undone it
+                for descriptor in kept:
+                    os.close(descriptor)
+                namespaces.mirror(pid)
+            namespaces.give_up_privileges()
+            die_with_parent()
+            os.chdir(layout.HOME)
+            limits.apply(sandboxed=True)
+            seccomp.install()
+            act()
+        except BaseException:  # noqa: BLE001 - the child must not return into the server's loop
+            import traceback
+            traceback.print_exc()
+        finally:
+            os._exit(1)
+
+    def clear(self) -> None:
+        """Kill all that runs inside."""
+        if self._holder is not None and self._used:
+            self._inside(_kill_all, namespaces.ALL)
+            self._used = False
+
+    def look(self) -> str:
+        """Kill all that runs inside if it uses too much memory; returns why, or nothing."""
         most = self._limits.total_memory
+        if self._holder is None or not self._used:
+            return ''
         # What forked processes still share counts once, but that takes longer to find out.
-        if self._holder is None or _memory(self._holder.pid, _own) < most or _memory(self._holder.pid, _share) < most:
+        buffers = _socket_buffers(self._holder.pid)
+        if self._memory(_own) + buffers < most or self._memory(_share) + buffers < most:
             return ''
         self._inside(_kill_all, namespaces.ALL)
         return 'memory'
 
     def close(self) -> None:
+        """End it. Idempotent."""
         if self._holder is not None:
             self._holder.close()
-            self._holder = self._places = None
+            os.close(self._processes)
+            os.close(self._mounts)
+            self._holder = self._sizes = None
+
+    def _memory(self, measure: Callable[[str], int]) -> int:
+        """The sum of a measure over the processes inside."""
+        total = 0
+        with suppress(OSError):
+            for name in os.listdir(f'/proc/self/fd/{self._processes}'):
+                if name.isdecimal() and name != '1':
+                    with suppress(OSError, LookupError, ValueError):
+                        total += measure(f'/proc/self/fd/{self._processes}/{name}')
+        return total
 
     def _inside(self, act, kinds: int) -> None:
         """Have a child enter these namespaces, with all privileges there, and act."""
@@ -127,13 +193,13 @@ class Sandboxed(zygote.Programs):
         if pid == 0:
             code = 1
             try:
-                zygote.leave_server()
+                fork_server.leave_server()
                 if kinds == namespaces.ALL:
+                    assert self._holder is not None  # who calls this has looked
                     namespaces.join(self._holder.pidfd, kinds)
                 else:
-                    opened = os.open(f'/proc/{self._holder.pid}/ns/mnt', os.O_RDONLY)
-                    namespaces.join(namespaces.owner(opened), namespaces.NEWUSER)
-                    namespaces.join(opened, kinds)
+                    namespaces.join(namespaces.owner(self._mounts), namespaces.NEWUSER)
+                    namespaces.join(self._mounts, kinds)
                 act()
                 code = 0
             except BaseException:  # noqa: BLE001 - the child must not return into the server's loop
@@ -162,26 +228,24 @@ def _kill_all() -> None:
     os.waitpid(pid, 0)
 
 
-def _memory(pid: int, measure: Callable[[str], int]) -> int:
-    """Bytes of RAM of the processes in the sandbox whose first process is `pid`."""
-    total = 0
-    with suppress(OSError):
-        for entry in os.scandir(f'/proc/{pid}/root/proc'):
-            if entry.name.isdecimal() and entry.name != '1':
-                with suppress(OSError, ValueError, IndexError):
-                    total += measure(entry.path)
-    return total
-
-
 def _own(process: str) -> int:
-    """What is not a file's, and may still be shared with a process that was forked."""
-    _, resident, shared, *_ = Path(process, 'statm').read_text().split()
-    return (int(resident) - int(shared)) * _PAGE
+    """What is not a file's that is only mapped, and may still be shared with a process that was forked."""
+    values = dict(line.split(':', 1) for line in Path(process, 'status').read_text().splitlines() if 'Rss' in line)
+    return sum(int(values[name].split()[0]) * 1024 for name in ('RssAnon', 'RssShmem'))
 
 
 def _share(process: str) -> int:
-    """Its part of what it shares, and all that it does not share."""
+    """Its part of what it shares, shared memory included, and all that it does not share."""
+    total = 0
     for line in Path(process, 'smaps_rollup').read_text().splitlines():
-        if line.startswith('Pss_Anon:'):
-            return int(line.split()[1]) * 1024
-    raise ValueError('no Pss_Anon')
+        if line.startswith(('Pss_Anon:', 'Pss_Shmem:')):
+            total += int(line.split()[1]) * 1024
+    return total
+
+
+def _socket_buffers(pid: int) -> int:
+    """The most bytes that the sockets in the network of a process can hold."""
+    with suppress(OSError, LookupError, ValueError):
+        first = Path(f'/proc/{pid}/net/sockstat').read_text().splitlines()[0]
+        return int(first.split()[2]) * _BUFFERS
+    return 0

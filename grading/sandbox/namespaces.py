@@ -76,14 +76,22 @@ def close_all_but(kept: Iterable[int]) -> None:
 
 
 def mirror(pid: int) -> None:
-    """Wait for a child and end as it does; SIGTERM kills its whole process group. Never returns."""
+    """Wait for a child and end as it does. Never returns.
+
+    SIGTERM kills the whole process group of the child; SIGINT is passed on to it.
+    """
     def kill(*_) -> None:
         with contextlib.suppress(ProcessLookupError):
             os.killpg(pid, signal.SIGKILL)
         with contextlib.suppress(ProcessLookupError):
             os.kill(pid, signal.SIGKILL)
 
+    def interrupt(*_) -> None:
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(pid, signal.SIGINT)
+
     signal.signal(signal.SIGTERM, kill)
+    signal.signal(signal.SIGINT, interrupt)
     _, status = os.waitpid(pid, 0)
     kill_group = contextlib.suppress(ProcessLookupError)
     with kill_group:

@@ -14,7 +14,7 @@ from environment.setup.facts import namespace_remedy
 from grading.sandbox import layout, namespaces, seccomp, unprivileged
 from grading.sandbox.holder import Holder, SandboxError
 from helpers.paths import ROOT
-from helpers.runner.launch import Limits
+from helpers.runner.start_processes import Limits
 
 INSTALL = 'sudo apt-get install bubblewrap'
 

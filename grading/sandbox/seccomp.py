@@ -20,6 +20,8 @@ DENIED = {
     'move_mount': 429, 'fsopen': 430, 'fsconfig': 431, 'fsmount': 432, 'fspick': 433, 'mount_setattr': 442,
     'unshare': 272, 'setns': 308, 'name_to_handle_at': 303, 'open_by_handle_at': 304, 'quotactl': 179,
     'quotactl_fd': 443, 'fanotify_init': 300, 'lookup_dcookie': 212,
+    # Memory that no process shows as its own: without these, what a sandbox holds can be counted.
+    'memfd_create': 319, 'memfd_secret': 447, 'shmget': 29,
     'keyctl': 250, 'add_key': 248, 'request_key': 249,
     'io_uring_setup': 425, 'io_uring_enter': 426, 'io_uring_register': 427,
     'kexec_load': 246, 'kexec_file_load': 320, 'init_module': 175, 'finit_module': 313, 'delete_module': 176,
@@ -27,7 +29,8 @@ DENIED = {
     'setdomainname': 171, 'iopl': 172, 'ioperm': 173, 'modify_ldt': 154, 'settimeofday': 164, 'clock_settime': 227,
     'adjtimex': 159, 'clock_adjtime': 305, 'nfsservctl': 180, 'uselib': 134, '_sysctl': 156, 'ustat': 136, 'sysfs': 139,
 }
-_CLONE, _CLONE3, _SOCKET, _IOCTL = 56, 435, 41, 16
+_CLONE, _CLONE3, _SOCKET, _IOCTL, _MMAP = 56, 435, 41, 16, 9
+_SHARED, _ANONYMOUS = 1, 0x20
 _NEW_NAMESPACES = namespaces.ALL | 0x00000080  # NEWTIME
 _TERMINAL_INPUT = (0x5412, 0x541C)  # TIOCSTI, TIOCLINUX
 _FAMILIES = (1, 2, 10)  # unix, IPv4, IPv6
@@ -60,6 +63,9 @@ def program() -> bytes:
     lines += _guarded(_CLONE, [_argument(0), (_ANY_BIT, 0, 1, _NEW_NAMESPACES), no])
     lines += _guarded(_IOCTL, [_argument(1), *[line for request in _TERMINAL_INPUT
                                                for line in ((_EQUAL, 0, 1, request), no)]])
+    # Shared memory without a file stays when it is not mapped any more; /dev/shm has files for it, with a bound.
+    lines += _guarded(_MMAP, [_argument(3), (_ANY_BIT, 1, 0, _SHARED), (_RETURN, 0, 0, _ALLOW),
+                              (_ANY_BIT, 0, 1, _ANONYMOUS), _refuse(errno.ENOMEM)])
     socket = [_argument(0)]
     for family in _FAMILIES:
         socket += [(_EQUAL, 0, 1, family), (_RETURN, 0, 0, _ALLOW)]

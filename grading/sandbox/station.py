@@ -13,7 +13,7 @@ from pathlib import Path
 
 from grading.sandbox import layout, unprivileged
 from helpers.paths import ROOT
-from helpers.runner import launch
+from helpers.runner import start_processes
 
 
 class Station:
@@ -65,6 +65,7 @@ class Tests:
             deadline = None if timeout is None else time.monotonic() + timeout
             left = None if deadline is None else max(0.0, deadline - time.monotonic())
             if not select.select([self._life], [], [], left)[0]:
+                assert timeout is not None  # without one, select waits for the end
                 raise subprocess.TimeoutExpired('tests', timeout)
             try:
                 answer = self._life.recv(64)
@@ -77,7 +78,7 @@ class Tests:
 
 def environment() -> dict[str, str]:
     """What the servers and all that they fork have: nothing of the caller's but what Python and ROS need."""
-    kept = launch.environment(0, str(layout.HOME))
+    kept = start_processes.environment(0, str(layout.HOME))
     return {**kept, 'PATH': f'{Path(sys.prefix, "bin")}:/usr/bin:/bin', 'LANG': 'C.UTF-8', 'TMPDIR': '/tmp',
             'ROS_LOG_DIR': '/tmp/log'}
 

@@ -50,7 +50,8 @@ def run(request: dict, job: int, events: int, printed: int, control: int, life: 
     for descriptor in (job, events, control):
         os.close(descriptor)
     ended = os.pidfd_open(pid)
-    ready, _, _ = select.select([ended, watched], [], [])
+    sources: list[socket.socket | int] = [ended, watched]
+    ready, _, _ = select.select(sources, [], [])
     if ended not in ready:
         os.kill(pid, signal.SIGKILL)
     _, status = os.waitpid(pid, 0)  # first: a sandbox does not end before all in it are buried
@@ -70,7 +71,7 @@ def _become_tests(request: dict, job: int, events: int, control: int) -> None:
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         os.environ |= {'ROS_DOMAIN_ID': str(request['domain']), 'PYTEST_DISABLE_PLUGIN_AUTOLOAD': '1'}
         bubblewrap.control = socket.socket(fileno=control)
-        from helpers import domains
+        from helpers.kernel import domains
         from helpers.runner import tester
         domains.hold(request['domain'])  # no test may take it for a domain of its own
         with open(job) as file:

@@ -12,20 +12,26 @@ import os
 import signal
 import socket
 import sys
+from types import ModuleType
 
-from helpers.runner import zygote
+from grading.sandbox import layout
+from helpers.runner import preloading
 
 
 def main() -> None:
     kind, descriptor = sys.argv[1], int(sys.argv[2])
     os.set_inheritable(descriptor, False)
     os.umask(0o077)
-    zygote.warm_up()
+    preloading.warm_up()
+    side: ModuleType
     if kind == 'tests':
-        from grading.sandbox import tests_side as side
+        from grading.sandbox import tests_side
+        side = tests_side
     else:
-        from grading.sandbox import learners_side as side
+        from grading.sandbox import learners_side
+        side = learners_side
     side.warm_up()
+    layout.keeper()  # for all that it forks
     serve(socket.socket(fileno=descriptor), side.run)
 
 

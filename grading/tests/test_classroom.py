@@ -5,8 +5,8 @@ import re
 import yaml
 
 from grading import classroom, release
-from grading.tests import small
 from helpers.exercises import manifest
+from helpers.tests import small
 
 EXERCISES = [small.exercise(1, chapter=4, points=10), small.exercise(2, chapter=3, points=2.5),
              small.exercise(3, chapter=4, points=5)]

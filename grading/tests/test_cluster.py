@@ -9,8 +9,8 @@ import pytest
 
 from grading import executors, grade
 from grading.submission import Submission
-from grading.tests import small
 from helpers import paths
+from helpers.tests import small
 
 # The tests' process kills the Dask worker that started it: once for bob, always for eve.
 DEADLY = '''
@@ -63,9 +63,9 @@ def test_workers_that_die(cluster, tmp_path):
         executors.Cluster(address)
     cluster('dask_worker', address, '--host', '127.0.0.1', '--nthreads', '1', '--no-dashboard', '--no-nanny',
             '--death-timeout', '60', awaited='Registered to:', count=4, COURSE_TEST='worker')  # three will die
-    small.write_tests(tmp_path, 'import psutil\n' + DEADLY.format(flag=tmp_path / 'flag'), kind='hidden')
+    small.write_tests(tmp_path, 'import psutil\n' + DEADLY.format(flag=tmp_path / 'flag'), kind='exercises')
     (tmp_path / 'checks').mkdir()
-    course = grade.Course((small.exercise(),), tmp_path / 'checks', tmp_path / 'hidden', 'none')
+    course = grade.Course((small.exercise(),), tmp_path / 'checks', tmp_path / 'exercises', 'none')
     works = [Submission(name, tmp_path / name, {small.NOTEBOOK: small.solved(f'def Talker():\n    return {name!r}\n')},
                         handed_in='2026-11-01T10:00:00Z') for name in ('ada', 'bob', 'eve')]
     records = grade.grade(works, course, tmp_path / 'far', settings=grade.Settings(seed='s', cluster=address))

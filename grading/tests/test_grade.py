@@ -7,6 +7,8 @@ import os
 import re
 import subprocess
 import sys
+import zipfile
+from datetime import datetime, timezone
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -15,13 +17,13 @@ import pytest
 
 from grading import grade, gradebook, reports, submissions
 from grading.adjustments import Adjustment
-from grading.late import Late
+from grading.late import Late, Policy
 from grading.record import Attempt, Record, write
-from grading.tests import small
 from grading.tests.test_reports import validate
 from helpers import paths
 from helpers.runner import results
 from helpers.runner.results import ExerciseResult, TestResult
+from helpers.tests import small
 
 HURT = '<script>alert(1)</script>'
 WORKS = {
@@ -60,8 +62,8 @@ def contents(folder):
 def course(tmp_path):
     """A course with one exercise, one visible and one hidden test."""
     small.write_tests(tmp_path, small.VISIBLE)
-    small.write_tests(tmp_path, small.HIDDEN, kind='hidden')
-    return grade.Course((small.exercise(),), tmp_path / 'checks', tmp_path / 'hidden', 'none')
+    small.write_tests(tmp_path, small.HIDDEN, kind='exercises')
+    return grade.Course((small.exercise(),), tmp_path / 'checks', tmp_path / 'exercises', 'none')
 
 
 @pytest.fixture
@@ -144,7 +146,7 @@ SCRIPT = """
 import sys
 from pathlib import Path
 from grading import grade, submissions
-from grading.tests import small
+from helpers.tests import small
 
 class Told(grade.Listener):
     def tested(self, learner, test):
@@ -154,7 +156,7 @@ class Told(grade.Listener):
         print('fresh' if fresh else 'kept', flush=True)
 
 folder = Path(sys.argv[1])
-course = grade.Course((small.exercise(),), folder / 'checks', folder / 'hidden', 'none')
+course = grade.Course((small.exercise(),), folder / 'checks', folder / 'exercises', 'none')
 works = [work for work in submissions.find([folder / 'works']) if work.learner in ('ada', 'bob', 'fay')]
 grade.grade(works, course, folder / 'out', 2, Told(), grade.Settings(seed='s'))
 """
@@ -188,7 +190,7 @@ def test_killed_while_tests_run(course, works, tmp_path):
 
 
 def test_a_fault_of_the_graders_is_no_zero(course, tmp_path):
-    (course.hidden / 'chapter_90' / 'test_90_1.py').write_text('nonsense(')
+    (course.hidden / '90_1' / 'hidden.py').write_text('nonsense(')
     (tmp_path / 'ada.ipynb').write_bytes(WORKS['ada'])
     work = submissions.find([tmp_path / 'ada.ipynb'])
     record, = grade.grade(work, course, tmp_path / 'out')
@@ -199,13 +201,13 @@ def test_a_fault_of_the_graders_is_no_zero(course, tmp_path):
     assert 'SyntaxError' in (tmp_path / 'out' / 'run.log').read_text()
     assert 'score' not in json.loads((tmp_path / 'out' / 'gradescope' / 'ada.json').read_text())
     # Mended, it is graded in the next run.
-    small.write_tests(tmp_path, small.HIDDEN, kind='hidden')
+    small.write_tests(tmp_path, small.HIDDEN, kind='exercises')
     record, = grade.grade(work, course, tmp_path / 'out')
     assert (record.status, record.score) == ('graded', 10)
 
 
 def record(**changes):
-    test = TestResult('hidden/chapter_90/test_90_1::test_it', '90.1', True, 1, 'failed', f'{HURT}\n\n{HURT}', HURT,
+    test = TestResult('exercises/90_1/hidden::test_it', '90.1', True, 1, 'failed', f'{HURT}\n\n{HURT}', HURT,
                       HURT, HURT)
     exercise = ExerciseResult('90.1', HURT, 10, 'failed', 0.0, HURT, [test])
     return Record(**{'learner': 'ada', 'source': 'x.zip', 'key': 'k', 'sandbox': 'none', 'exercises': [exercise],
@@ -244,6 +246,63 @@ def test_record_round_trip(tmp_path):
     assert Record.load(tmp_path / 'ada.json') == full
     assert sorted(path.name for path in tmp_path.iterdir()) == ['ada.json']
     assert Record.load(tmp_path / 'none.json') is None
+
+
+def _zip(folder: Path, name: str, learner: str, data: bytes, **label) -> Path:
+    folder.mkdir(exist_ok=True)
+    with zipfile.ZipFile(folder / name, 'w') as archive:
+        archive.writestr(small.NOTEBOOK, data)
+        archive.writestr('submission.json', json.dumps({'learner': learner, **label}))
+    return folder / name
+
+
+@pytest.mark.parametrize('anonymous', [False, True])
+@pytest.mark.parametrize('name', ['eve.zip', 'submission-eve.zip', 'x (1).zip'])
+def test_an_id_in_a_zip_replaces_nobodys_record(course, tmp_path, name, anonymous):
+    """Not even in a later run, in which the other one's work is not there. Who had the id keeps it."""
+    output, settings = tmp_path / 'out', grade.Settings(anonymous=anonymous)
+    mine = [_zip(tmp_path / 'a', 'submission-ada.zip', 'ada', WORKS['ada'])]
+    grade.grade(submissions.find(mine), course, output, settings=settings)
+    hers = [_zip(tmp_path / 'b', name, 'ada', WORKS['eve'], saved='2030-01-01T00:00:00Z')]
+    records = grade.grade(submissions.find(hers), course, output, settings=settings)
+    assert sorted(record.score for record in records) == [0, 10]
+    assert ('there is a note' if anonymous else 'on record under another name') in (output / 'run.log').read_text()
+    later = [_zip(tmp_path / 'c', 'ada.zip', 'ada', WORKS['bob'], saved='2030-01-01T00:00:00Z')]
+    records = grade.grade(submissions.find(later), course, output, settings=settings)
+    assert sorted(record.score for record in records) == [0, 2.5]
+
+
+def test_names_that_give_the_same_id_in_two_runs(course, tmp_path):
+    for name, work in (('José', 'ada'), ('Jose', 'eve'), ('José', 'bob')):
+        for old in tmp_path.glob('*.ipynb'):
+            old.unlink()
+        (tmp_path / f'{name}.ipynb').write_bytes(WORKS[work])
+        records = grade.grade(submissions.find([tmp_path / f'{name}.ipynb']), course, tmp_path / 'out')
+    assert {record.own: record.score for record in records} == {'José': 2.5, 'Jose': 0}
+    (tmp_path / 'Jose.ipynb').write_bytes(WORKS['ada'])
+    records = grade.grade(submissions.find(sorted(tmp_path.glob('*.ipynb'))), course, tmp_path / 'out')
+    assert {record.own: record.score for record in records} == {'José': 2.5, 'Jose': 10}
+
+
+@pytest.mark.parametrize('harm', [
+    lambda data: {**data, 'handed_in': '2026-13-45T00:00:00Z'}, lambda data: {**data, 'handed_in': 5},
+    lambda data: {**data, 'learner': 'bob'}, lambda data: {**data, 'exercises': [{}]}, lambda data: [data],
+    lambda data: {**data, 'exercises': [{**data['exercises'][0], 'score': 'ten'}]}, lambda data: {**data, 'log': [[]]},
+    lambda data: {**data, 'keys': {'90.1': []}}, lambda data: {**data, 'notes': 7}, lambda data: '[' * 99_999])
+def test_a_record_that_cannot_be_read_harms_nobody(course, tmp_path, harm):
+    """Its submission is graded again, or left out, and all others are as they were."""
+    policy = Policy(datetime(2030, 1, 1, tzinfo=timezone.utc))
+    for learner in ('ada', 'bob'):
+        _work(tmp_path, f'{learner}.ipynb').write_bytes(WORKS[learner])
+    settings = grade.Settings(late=policy)
+    grade.grade(submissions.find(tmp_path.glob('*.ipynb')), course, tmp_path / 'out', settings=settings)
+    path = tmp_path / 'out' / 'results' / 'ada.json'
+    harmed = harm(json.loads(path.read_text()))
+    path.write_text(harmed if isinstance(harmed, str) else json.dumps(harmed))
+    records = grade.grade(submissions.find([tmp_path / 'bob.ipynb']), course, tmp_path / 'out', settings=settings)
+    assert [(record.learner, record.score) for record in records] == [('bob', 2.5)]
+    records = grade.grade(submissions.find(tmp_path.glob('*.ipynb')), course, tmp_path / 'out', settings=settings)
+    assert [(record.learner, record.score) for record in records] == [('ada', 10), ('bob', 2.5)]
 
 
 def test_totals():

@@ -8,14 +8,14 @@ from pathlib import Path
 
 import pytest
 
-from grading import similarity
+from grading import release, similarity
 from grading.gradescope import bundle, harness
 from grading.reports import gradescope
-from grading.tests import small
 from grading.tests.test_reports import validate
 from grading.tests.test_similarity import ANSWERS
 from helpers import paths
 from helpers.exercises import manifest
+from helpers.tests import small
 
 EXERCISES = list(manifest.load().values())
 CHAPTER = '03_nodes_and_topics.ipynb'
@@ -113,7 +113,7 @@ def test_set_up(root, tmp_path):
     environment = {'PATH': f'{tools}:{os.environ["PATH"]}', 'AUTOGRADER_ROOT': str(tmp_path / 'autograder')}
     assert subprocess.run([root / 'source' / 'setup.sh'], env=environment).returncode == 0
     lines = calls.read_text().splitlines()
-    assert lines[0].startswith('apt-get update') and lines[-1] == 'course --help'
+    assert lines[0].startswith('apt-get update') and lines[-1] == 'course setup'
     assert {'g++', 'python3', 'python3-dev', 'python3-venv', 'bubblewrap'} <= set(lines[1].split())
     for tool in ('apt-get', 'course'):
         assert subprocess.run([root / 'source' / 'setup.sh'], env={**environment, 'FAIL': tool}).returncode != 0
@@ -130,8 +130,9 @@ def test_the_zip_has_the_tests_but_no_answer(root):
     names = {path.relative_to(root / 'source').as_posix() for path in (root / 'source').rglob('*')
              if path.is_file() and '.venv' not in path.parts}
     assert {'setup.sh', 'run_autograder', 'autograder.json', 'course/course'} <= names
-    assert 'course/grading/hidden/chapter_03/test_3_1.py' in names and f'course/notebooks/{CHAPTER}' in names
-    assert not [name for name in names if name.startswith(('course/solutions/', 'course/grading/mutants/'))
+    assert 'course/grading/exercises/3_1/hidden.py' in names and f'course/notebooks/{CHAPTER}' in names
+    assert not [name for name in names if name.startswith('course/solutions/')
+                or name.endswith(('/mutants.py', '/alternatives.py'))
                 or '/tests/' in name and not name.startswith('course/environment/ros2_ws/')]
     bodies = ['\n'.join(answer.splitlines()[1:]) for found in ANSWERS.values() for answer in found.values()]
     texts = [(root / 'source' / name).read_text(errors='replace') for name in names]
@@ -146,7 +147,7 @@ def test_the_same_course_gives_the_same_zip(root, tmp_path):
         bundle.bundle(path, 'none', root=root / 'source' / 'course')
     assert zips[0].read_bytes() == zips[1].read_bytes()
     with zipfile.ZipFile(zips[0]) as archive:
-        assert 'course/grading/hidden/chapter_03/test_3_1.py' in archive.namelist()
+        assert 'course/grading/exercises/3_1/hidden.py' in archive.namelist()
 
 
 def test_refusals(tmp_path):
@@ -159,6 +160,15 @@ def test_refusals(tmp_path):
     (tmp_path / 'file').write_text('')
     with pytest.raises(bundle.BundleError, match='cannot be written'):
         bundle.bundle(tmp_path / 'file' / 'a.zip', 'none')
+
+
+def test_a_file_that_vanishes_meanwhile_is_left_out(tmp_path, monkeypatch):
+    """Another program's scratch file, which git lists and which is gone when it is read."""
+    real = release.files
+    monkeypatch.setattr(release, 'files', lambda *given: [*real(*given), 'notebooks/gone.tmp'])
+    names = bundle.bundle(tmp_path / 'a.zip', 'none')
+    assert 'course/README.md' in names and 'course/notebooks/gone.tmp' not in names
+    assert 'README.md' in release.release(tmp_path / 'edition')
 
 
 @pytest.mark.parametrize(('files', 'packed'), [

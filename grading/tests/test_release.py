@@ -27,7 +27,8 @@ def test_what_is_in_it(edition):
 
 
 def test_no_solution_and_no_hidden_test(edition):
-    hidden = [path.read_text() for path in (paths.ROOT / 'grading' / 'hidden').rglob('test_*.py')]
+    hidden = [path.read_text() for path in (paths.ROOT / 'grading' / 'exercises').glob('*/hidden.py')]
+    assert hidden
     for path in edition.rglob('*'):
         if path.is_file() and path.suffix in ('.py', '.ipynb', '.md', '.json'):
             text = path.read_text()
@@ -67,7 +68,7 @@ def test_refusals(tmp_path):
 def test_leaks(tmp_path, name, text):
     root = tmp_path / 'course'
     for path, content in (('notebooks/a.ipynb', '{}'), (name, text),
-                          ('grading/hidden/test_1.py', 'def test_secret(learner):\n    assert 1\n')):
+                          ('grading/exercises/1_1/hidden.py', 'def test_secret(learner):\n    assert 1\n')):
         (root / path).parent.mkdir(parents=True, exist_ok=True)
         (root / path).write_text(content)
     with pytest.raises(release.Leak, match=name):

@@ -9,7 +9,7 @@ import pytest
 
 from grading import grade
 from grading.submission import Submission
-from grading.tests import small
+from helpers.tests import small
 
 REPEATS = 25
 # Half right: the rate is as asked, the texts are not.
@@ -29,7 +29,7 @@ def busy_cores():
 
 @pytest.mark.timeout(400)
 def test_repeated_gradings_are_identical(tmp_path, busy_cores):
-    hidden = small.write_tests(tmp_path, small.HIDDEN, kind='hidden')
+    hidden = small.write_tests(tmp_path, small.HIDDEN, kind='exercises')
     course = grade.Course((small.exercise(),), small.write_tests(tmp_path, small.VISIBLE), hidden)
     content = {small.NOTEBOOK: small.solved(WRONG_TEXTS)}
     works = [Submission(f'learner{number:02}', Path('work.ipynb'), content) for number in range(REPEATS)]

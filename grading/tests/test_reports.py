@@ -18,9 +18,9 @@ from grading.late import Late
 from grading.record import Attempt, Record
 from grading.reports import feedback, gradescope, junit, reading, safe, summary
 from grading.similarity import Pair
-from grading.tests import small
 from helpers.runner import results, verdicts
 from helpers.runner.results import ExerciseResult, TestResult
+from helpers.tests import small
 
 HURT = ('<script>alert(1)</script><img src=x onerror="alert(1)">\x1b[31m\u202e\ufffe\x00]]>--></style></title>'
         "{{ 7 * 7 }} {% raw %} ` & &amp; '\" `<b>`")
@@ -30,9 +30,10 @@ EXERCISES = [small.exercise(1), small.exercise(2, points=15), small.exercise(3, 
 
 def test(verdict: str, hidden: bool = False, number: int = 0, exercise: str = '90.1', **changes) -> TestResult:
     """A test's result."""
-    return TestResult(**{'test': f'{"hidden" if hidden else "checks"}/chapter_90/test_90_1::test_{number}',
+    file = 'exercises/90_1/hidden' if hidden else 'checks/chapter_90/test_90_1'
+    return TestResult(**{'test': f'{file}::test_{number}',
                          'exercise': exercise, 'hidden': hidden, 'weight': 1, 'verdict': verdict,
-                         'expected': 'It speaks.\n\nLook at the timer.', 'seconds': 0.25,
+                         'expected': 'It speaks.\n\nLook at the timer.', 'seconds': 0.25, 'hint': True,
                          'message': '' if verdict == 'passed' else 'It said 3 words.', **changes})
 
 
@@ -45,7 +46,7 @@ def record(learner: str = 'ada', first: list[TestResult] | None = None, **change
     return Record(**{
         'learner': learner, 'source': 'x.zip', 'key': 'k' * 64, 'sandbox': 'none', 'sha256': 's' * 64,
         'handed_in': '2026-11-20T10:00:00Z', 'exercises': [
-            results.judge(EXERCISES[0], tests),
+            results.scored(EXERCISES[0], tests),
             results.without_tests(EXERCISES[1], results.NOT_ATTEMPTED, 'Exercise 90.2 is not solved yet.'),
             results.without_tests(EXERCISES[2], verdicts.INVALID_SUBMISSION, 'The cell is there twice.')], **changes})
 
@@ -55,7 +56,7 @@ LATE = record(late=Late('2026-11-19T10:00:00Z', '2026-11-20T10:00:00Z', 1, 10.0)
               adjustments=[Adjustment('ada', '90.2', 8.0, None, 'right on paper'),
                            Adjustment('ada', '90.1', None, -1.0, 'copied a line')],
               attempts=[Attempt('old.zip', 's' * 64, '2026-11-18T10:00:00Z', 1.0)])
-PASSED = record(exercises=[results.judge(EXERCISES[0], [test('passed'), test('passed', True, 1)])])
+PASSED = record(exercises=[results.scored(EXERCISES[0], [test('passed'), test('passed', True, 1)])])
 RECORDS = {
     'plain': record(), 'fault': FAULT, 'late': LATE, 'passed': PASSED,
     'crashed': record(first=[test('learner_crashed', details='Exercise 90.1, line 3', output='hello'),

@@ -16,11 +16,12 @@ from grading.adjustments import Adjustment, AdjustmentError
 from grading.choice import ChoiceError
 from grading.record import Record
 from grading.submission import Submission
-from grading.tests import runs, small
+from grading.tests import runs
 from grading.tests.test_grade import Heard
 from helpers import paths
 from helpers.cli import Refusal
 from helpers.cli.app import make_app
+from helpers.tests import small
 
 SETTINGS = runs.SETTINGS
 
@@ -29,10 +30,10 @@ SETTINGS = runs.SETTINGS
 def course(tmp_path):
     """Two exercises with a test file each, and one that both share."""
     for number in (1, 2):
-        small.write_tests(tmp_path, small.HIDDEN, number, 'hidden')
-    (tmp_path / 'hidden' / 'chapter_90' / 'shared.py').write_text('')
-    (tmp_path / 'checks').mkdir()
-    return replace(runs.COURSE, visible=tmp_path / 'checks', hidden=tmp_path / 'hidden')
+        small.write_tests(tmp_path, small.HIDDEN, number, 'exercises')
+    (tmp_path / 'checks' / 'chapter_90').mkdir(parents=True)
+    (tmp_path / 'checks' / 'chapter_90' / 'shared.py').write_text('')
+    return replace(runs.COURSE, visible=tmp_path / 'checks', hidden=tmp_path / 'exercises')
 
 
 @pytest.fixture(autouse=True)
@@ -85,11 +86,11 @@ def test_neither_order_nor_jobs_matter(course, tmp_path, monkeypatch):
 def test_only_what_has_changed(course, tmp_path, done):
     run(course, tmp_path / 'out', 'ada', 'bob')
     assert len(done) == 4
-    chapter = course.hidden / 'chapter_90'
+    shared = course.visible / 'chapter_90' / 'shared.py'
     for change, expected in (
             (lambda: None, []),
-            (lambda: (chapter / 'test_90_2.py').write_text('# new'), [('ada', '90.2'), ('bob', '90.2')]),
-            (lambda: (chapter / 'shared.py').write_text('# new'),
+            (lambda: (course.hidden / '90_2' / 'hidden.py').write_text('# new'), [('ada', '90.2'), ('bob', '90.2')]),
+            (lambda: shared.write_text('# new'),
              [('ada', '90.1'), ('ada', '90.2'), ('bob', '90.1'), ('bob', '90.2')]),
             (lambda: (tmp_path / 'out' / 'results' / 'bob.json').write_text('{"schema": 2'),
              [('bob', '90.1'), ('bob', '90.2')])):

@@ -3,14 +3,13 @@
 import json
 import re
 from itertools import combinations
-from pathlib import Path
 
 import pytest
 
-from grading import similarity
-from grading.tests import small
+from grading import similarity, variants
 from helpers import paths
 from helpers.exercises import manifest
+from helpers.tests import small
 
 EXERCISES = list(manifest.load().values())
 STUBS = similarity.stubs_of(EXERCISES)
@@ -20,9 +19,10 @@ def answers() -> dict[str, dict[str, str]]:
     """The right answers of the course, by exercise and author: the solution's and the alternatives."""
     solutions = {path.name: path.read_bytes() for path in (paths.ROOT / 'solutions').glob('*.ipynb')}
     found = {exercise: {'solution': text} for exercise, text in similarity.cells_of(solutions, EXERCISES).items()}
-    for path in sorted((paths.ROOT / 'grading' / 'alternatives').rglob('*.py')):
-        number = re.match(r'(\d+)_(\d+)_', path.name)
-        found.get(f'{number[1]}.{number[2]}', {})[path.stem] = path.read_text()
+    solved = variants.solved_cells(paths.ROOT / 'solutions')
+    for exercise, texts in found.items():
+        texts |= {one.name: one.applied(solved[exercise], exercise) for one in variants.alternatives(exercise)
+                  if one.source is not None}  # an edit of the solution is a copy of the rest
     return found
 
 
@@ -40,8 +40,9 @@ def disguise(source: str) -> str:
 
 
 def pairs(*sources: str, exercise: str = '3.6', stub: str | None = None) -> list[similarity.Pair]:
-    given = {exercise: STUBS[exercise] if stub is None else stub}
-    return similarity.find({f'l{number:03}': {exercise: source} for number, source in enumerate(sources)}, given)
+    given = {exercise: STUBS[exercise] if stub is None else similarity.fingerprints(stub)}
+    return similarity.find({f'l{number:03}': {exercise: similarity.fingerprints(source)}
+                            for number, source in enumerate(sources)}, given)
 
 
 @pytest.mark.parametrize('exercise', ['3.3', '3.4', '3.6'])
@@ -71,14 +72,14 @@ def test_independent_answers_share_little():
     assert len(independent) >= 6
     for exercise, texts in independent.items():
         for first, second in combinations(texts, 2):
-            own = [similarity.fingerprints(texts[name]) - similarity.fingerprints(STUBS[exercise])
+            own = [similarity.fingerprints(texts[name]) - STUBS[exercise]
                    for name in (first, second)]
             assert len(own[0] & own[1]) <= 0.5 * max(1, min(map(len, own))), (exercise, first, second)
 
 
 def test_short_answers_and_stubs_say_nothing():
     assert not pairs(small.TALKER, small.TALKER, stub=small.STUB)
-    assert not pairs(*[STUBS['3.6']] * 3)
+    assert not similarity.find({f'l{number}': {'3.6': STUBS['3.6']} for number in range(3)}, STUBS)
     assert not pairs('nonsense(', 'nonsense(', stub='')
     assert not pairs('(' * 5000, '(' * 5000, stub='')
 
@@ -86,7 +87,7 @@ def test_short_answers_and_stubs_say_nothing():
 def test_what_many_wrote_is_the_usual_answer():
     usual = ANSWERS['3.6']['solution']
     assert not pairs(*[usual] * 20)
-    found = pairs(*[usual] * 20, *[ANSWERS['3.6']['3_6_helper_object']] * 2)
+    found = pairs(*[usual] * 20, *[ANSWERS['3.6']['helper_object']] * 2)
     assert [(pair.first, pair.second) for pair in found] == [('l020', 'l021')]
 
 
@@ -95,9 +96,46 @@ def test_large_classes():
     usual = ANSWERS['3.6']['solution']
     mixed = [usual + '\n'.join(f'\n\ndef own_{n}(a):\n    return {"+" if number >> n & 1 else "-"}a * {number}.5 // a'
                                for n in range(9)) for number in range(300)]
-    own = ANSWERS['3.6']['3_6_nanoseconds']
+    own = ANSWERS['3.6']['nanoseconds']
     found = pairs(*mixed, own, disguise(own))
     assert ('l300', 'l301') in {(pair.first, pair.second) for pair in found}
+
+
+YAML = '''\
+/**:
+  ros__parameters:
+    rate: 20.0
+    max_linear: 0.4
+    mode: "careful"
+    limits: [0.1, 0.2, 0.3]
+    frames: {base: base_link, laser: laser_frame, camera: camera_frame}
+''' + ''.join(f'robot{n}:\n  {kind}:\n    ros__parameters: {{slow_{n}: 0.1, fast_{kind}: 0.9, behind: true}}\n'
+            for n, kind in enumerate(('governor', 'camera', 'laser', 'arm', 'map', 'wheel')))
+TEXTS = {
+    'Python': ANSWERS['3.6']['solution'],
+    'YAML': YAML,
+    'XML': '<robot name="r">\n' + ''.join(f'  <link name="{name}"><visual><geometry><{shape}/></geometry></visual>\n'
+                                          for name, shape in zip('abcdefgh', ('box', 'sphere') * 4, strict=True)),
+    'CMake': '\n'.join(f'{word}({"REQUIRED" if n % 2 else "DEPENDS"} {word}_thing part_{word}_{n})' for n, word in
+                       enumerate(('find_package', 'install', 'ament_export', 'rosidl_generate', 'add_library',
+                                  'target_link', 'enable_testing', 'project', 'include', 'macro') * 3)),
+}
+
+
+@pytest.mark.parametrize('kind', TEXTS)
+@pytest.mark.parametrize('form', ['ANSWER = {!r}', 'exec({!r})', 'def make():\n    return {!r}'])
+def test_answers_that_are_texts_are_looked_into(kind, form):
+    """A copy of a text, with other numbers and comments, is found; two texts that have nothing in common are not."""
+    text = TEXTS[kind]
+    copy = '# my own idea\n' + re.sub(r'\b\d\.\d', '0.77', text)
+    pair, = pairs(form.format(text), form.format(copy), stub='')
+    assert (pair.first, pair.second) == ('l000', 'l001')
+    other = TEXTS['XML' if kind == 'YAML' else 'YAML']
+    assert not pairs(form.format(text), form.format(other), stub='')
+
+
+def test_what_was_given_does_not_count_in_texts():
+    assert not pairs(*[f'ANSWER = {YAML!r}'] * 2, stub=f'ANSWER = {YAML!r}')
 
 
 def test_cells_of_a_submission():
@@ -108,4 +146,4 @@ def test_cells_of_a_submission():
     assert similarity.cells_of(files, [small.exercise(), other]) == {'90.1': '# Exercise 90.1: a talker\na = 1'}
     assert similarity.stubs_of([small.exercise()]) == {}
     assert set(STUBS) == {exercise.id for exercise in EXERCISES}
-    assert Path(paths.NOTEBOOKS).is_dir()
+    assert paths.NOTEBOOKS.is_dir()

@@ -2,109 +2,62 @@
 
 Variants of different exercises share a notebook, so that there are as many runs as the richest exercise has variants.
 Of a wrong solution's exercise only the test that must reject it runs, and the one that says the expected words where
-that is another. Only some wrong answers to each exercise run, and no alternatives. So the whole suite keeps within its
-time; after each change of an exercise or of its tests run this file with COURSE_ALL_TESTS=1 in the environment, which
-leaves nothing out.
+that is another. Only some answers to each exercise run, drawn by the seed that pytest prints (COURSE_SAMPLE), so that
+ten runs see nearly all of them. COURSE_ALL_TESTS=1 in the environment leaves nothing out. After a change of one
+exercise `./course answers 3.1` tries all of its answers.
 """
 
 import os
-import re
-from dataclasses import dataclass
+import random
 from itertools import zip_longest
-from pathlib import Path
 
 import pytest
 
-from grading import grade, sandbox
+from grading import grade, trial, variants
 from grading.authoring import chapter as chapters
-from grading.authoring import notebooks as authored
 from grading.submissions import Submission
 from helpers import paths
 from helpers.exercises import manifest, notebooks, program
-from helpers.runner import session
 
 pytestmark = pytest.mark.timeout(600)
-SEED = os.environ.get('COURSE_SEED', 'validity')  # another one tries the tests with other inputs
 ALL_TESTS = bool(os.environ.get('COURSE_ALL_TESTS'))
-SOME = 3  # so many wrong answers of each exercise run by default, the first by name,
+SOME = {'mutants': 3, 'alternatives': 1}  # so many answers to each exercise run by default, drawn anew each time,
 SOME_ALONE = 1  # or so many, where each needs a notebook of its own
 EXERCISES = manifest.load()
 CHAPTERS = {chapters.read(path).number: path for path in chapters.sources(paths.ROOT / 'solutions')}
-VARIANTS = {kind: sorted((paths.ROOT / 'grading' / kind).glob('chapter_*/*.py'))
-            for kind in ('mutants', 'alternatives')}
+VARIANTS = {'mutants': {identity: variants.mutants(identity) for identity in EXERCISES},
+            'alternatives': {identity: variants.alternatives(identity) for identity in EXERCISES}}
 
 
-@dataclass(frozen=True)
-class Variant:
-    """A text for an exercise's cell.
-
-    A mutant says what the learner must read (`# expect:`), which hidden test rejects it (`# rejected by:`), and which
-    test says those words if that is another (`# told by:`). A line `# alone: REASON` gives a variant a notebook of its
-    own: its exercise uses the answers of others, which must be right then.
-    """
-
-    name: str
-    exercise: str
-    source: str
-    expected: tuple[str, ...]
-    rejected_by: str
-    told_by: tuple[str, ...]
-    alone: bool
-
-    @classmethod
-    def read(cls, path: Path) -> 'Variant':
-        text = path.read_text()
-        chapter, number, _ = path.stem.split('_', 2)
-        source = re.sub(r'^# (expect|rejected by|told by|alone):.*\n', '', text, flags=re.MULTILINE)
-        return cls(path.stem, f'{chapter}.{number}', source, tuple(re.findall(r'^# expect: (.+)$', text, re.MULTILINE)),
-                   ''.join(re.findall(r'^# rejected by: (.+)$', text, re.MULTILINE)),
-                   tuple(re.findall(r'^# told by: (.+)$', text, re.MULTILINE)),
-                   bool(re.search(r'^# alone: ', text, re.MULTILINE)))
+ANSWERS = {kind: [trial.Answer(identity, variant) for identity, found in by_exercise.items() for variant in found]
+           for kind, by_exercise in VARIANTS.items()}
 
 
 def layers(kind, number):
     """Variants of different exercises of a chapter, side by side: one notebook each. Some want one of their own."""
-    mine = [variant for path in VARIANTS[kind] if (variant := Variant.read(path)).exercise.startswith(f'{number}.')]
-    if kind == 'mutants' and not ALL_TESTS:
-        mine = [variant for identity in EXERCISES for variant in _some(identity, mine)]
-    columns = [[variant for variant in mine if variant.exercise == identity and not variant.alone]
+    mine = [answer for answer in ANSWERS[kind] if EXERCISES[answer.exercise].chapter == number]
+    if not ALL_TESTS:
+        mine = [answer for identity in EXERCISES for answer in _some(kind, identity, mine)]
+    columns = [[answer for answer in mine if answer.exercise == identity and not answer.variant.alone]
                for identity in EXERCISES]
-    rows = [*zip_longest(*columns), *([variant] for variant in mine if variant.alone)]
-    return [pytest.param([variant for variant in row if variant], id=str(index)) for index, row in enumerate(rows)]
+    rows = [*zip_longest(*columns), *([answer] for answer in mine if answer.variant.alone)]
+    return [pytest.param([answer for answer in row if answer], id=str(index)) for index, row in enumerate(rows)]
 
 
-def _some(identity, variants):
-    """The wrong answers to an exercise that run by default."""
-    mine = [variant for variant in variants if variant.exercise == identity]
-    return mine[:SOME_ALONE if any(variant.alone for variant in mine) else SOME]
-
-
-def solved(number):
-    text = authored.dumps(authored.solved(chapters.read(CHAPTERS[number])))
-    return notebooks.parse(text.encode(), CHAPTERS[number].name)
+def _some(kind, identity, answers):
+    """The answers to an exercise that run by default."""
+    mine = [answer for answer in answers if answer.exercise == identity]
+    count = SOME_ALONE if any(answer.variant.alone for answer in mine) else SOME[kind]
+    drawn = random.Random(f'{os.environ.get("COURSE_SAMPLE")} {kind} {identity}')
+    return drawn.sample(mine, min(count, len(mine)))
 
 
 def judge(number, cells, only=None, tests=None):
     chosen = [exercise for exercise in EXERCISES.values() if exercise.chapter == number
               and (only is None or exercise.id in only)]
-    launcher = sandbox.launcher('none' if sandbox.problem() else sandbox.DEFAULT)  # as grade does, where it can
-    report = session.run(cells, chosen, session.Options(hidden=grade.HIDDEN, processes=2, seed=SEED, launcher=launcher,
-                                                        tests=tests or {}))
+    report = trial.judge(cells, chosen, tests, processes=2)
     assert not report.log
     return {result.id: result for result in report.exercises}
-
-
-def varied(number, variants):
-    """The solved notebook with the variants in place of their exercises."""
-    cells = solved(number)
-    texts = {variant.exercise: variant.source for variant in variants}
-    return [notebooks.Cell(texts.get(program.exercise_id(cell), cell.source), cell.number, cell.id) for cell in cells]
-
-
-def told(result):
-    """What the learner reads about the tests that did not pass."""
-    return '\n'.join([result.message, *(f'{test.message}\n{test.expected}' for test in result.tests
-                                        if not test.passed)])
 
 
 class Validity:
@@ -113,8 +66,8 @@ class Validity:
     number: int
 
     def test_solution_gets_full_marks(self):
-        for result in judge(self.number, solved(self.number)).values():
-            assert (result.verdict, result.score) == ('passed', result.points), told(result)
+        for result in judge(self.number, trial.solved(self.number)).values():
+            assert not trial.faults_of_right(result), result.id
 
     def test_unsolved_notebook_gets_nothing_kindly(self):
         path = paths.NOTEBOOKS / f'{CHAPTERS[self.number].stem}.ipynb'
@@ -125,23 +78,21 @@ class Validity:
             assert result.message == f'Exercise {result.id} is not solved yet.'
 
     def test_wrong_solutions_are_rejected_with_the_right_words(self, mutants):
-        named = {variant.exercise: (variant.rejected_by, *variant.told_by) for variant in mutants}
-        results = judge(self.number, varied(self.number, mutants), named.keys(), {} if ALL_TESTS else named)
-        for variant in mutants:
-            result = results[variant.exercise]
-            assert variant.expected, f'{variant.name} has no line "# expect: …"'
-            assert result.score is not None and result.score < result.points, f'{variant.name} gets full marks'
-            rejecting = {test.test.rpartition('::')[2] for test in result.tests if test.hidden and not test.passed}
-            assert variant.rejected_by in rejecting, (variant.name, rejecting)
-            for fragment in variant.expected:
-                assert fragment in told(result), (variant.name, told(result))
+        named = {} if ALL_TESTS else {
+            answer.exercise: {answer.variant.rejected_by, answer.variant.seen_by, *answer.variant.told_by} - {''}
+            for answer in mutants}
+        results = judge(self.number, trial.varied(self.number, mutants), {answer.exercise for answer in mutants}, named)
+        self._all_as_they_must_be(mutants, results, named)
 
-    @pytest.mark.thorough
     def test_alternatives_get_full_marks(self, alternatives):
-        results = judge(self.number, varied(self.number, alternatives), {variant.exercise for variant in alternatives})
-        for variant in alternatives:
-            result = results[variant.exercise]
-            assert (result.verdict, result.score) == ('passed', result.points), (variant.name, told(result))
+        results = judge(self.number, trial.varied(self.number, alternatives),
+                        {answer.exercise for answer in alternatives})
+        self._all_as_they_must_be(alternatives, results, {})
+
+    def _all_as_they_must_be(self, answers, results, named):
+        faults = {str(answer): found for answer in answers if (found := answer.faults(
+            results[answer.exercise], EXERCISES[answer.exercise], named.get(answer.exercise, ())))}
+        assert not faults
 
 
 # A class for each chapter: pytest-xdist's loadscope gives each to a process of its own.
@@ -188,17 +139,16 @@ def test_every_chapter_has_its_class():
 
 
 def test_there_are_enough_of_them():
-    """At least four mutants and one alternative per exercise, and none without an exercise."""
+    """At least four mutants and one alternative per exercise, and no folder without an exercise."""
     for kind, least in (('mutants', 4), ('alternatives', 1)):
-        exercises = [Variant.read(path).exercise for path in VARIANTS[kind]]
-        assert set(exercises) == set(EXERCISES)
-        assert all(exercises.count(identity) >= least for identity in EXERCISES), kind
+        assert all(len(found) >= least for found in VARIANTS[kind].values()), kind
+    folders = {path.name for path in variants.FOLDER.iterdir() if path.name != '__pycache__'}
+    assert folders == {identity.replace('.', '_') for identity in EXERCISES}
 
 
-@pytest.mark.parametrize('path', VARIANTS['mutants'] + VARIANTS['alternatives'], ids=lambda path: path.stem)
-def test_variants_are_cells(path):
-    """Each is recognised as the exercise that its file's name says, and is no stub."""
-    variant = Variant.read(path)
-    cell = notebooks.Cell(variant.source.lstrip('\n'), 1)
-    assert program.exercise_id(cell) == variant.exercise
-    assert program.build([cell], EXERCISES[variant.exercise]).cells
+@pytest.mark.parametrize('answer', ANSWERS['mutants'] + ANSWERS['alternatives'], ids=str)
+def test_variants_are_cells(answer):
+    """Each fits the solution, is recognised as its exercise, and is no stub."""
+    cell = notebooks.NotebookCell(answer.source, 1)
+    assert program.exercise_id(cell) == answer.exercise
+    assert program.build([cell], EXERCISES[answer.exercise]).cells

@@ -11,4 +11,4 @@ the instructor. A command's module
 
 
 class Refusal(Exception):
-    """The input or the machine is unusable: one line that names the lack and the remedy. Ends with status 2."""
+    """The input or the machine is unusable: one line that says what is wrong and what to do. Ends with status 2."""

@@ -9,8 +9,8 @@ import typer
 from helpers.cli import Refusal
 
 # In the order of --help. The instructor's commands exist only where the instructor's half is.
-LEARNER = ('lab', 'test', 'doctor', 'shell', 'check', 'submit', 'migrate')
-INSTRUCTOR = ('release', 'grade', 'build', 'bench')
+LEARNER = ('lab', 'test', 'setup', 'doctor', 'shell', 'check', 'submit', 'migrate')
+INSTRUCTOR = ('release', 'grade', 'build', 'answers', 'bench')
 
 
 def make_app() -> typer.Typer:

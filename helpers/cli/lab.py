@@ -10,9 +10,9 @@ from typing import Annotated
 
 import typer
 
-from helpers import paths, start_page
-from helpers.cli import Refusal
-from helpers.exercises import manifest
+from helpers import paths
+from helpers.cli import Refusal, own
+from helpers.exercises import manifest, start_page
 
 DEFAULT_PORT = 8888
 TRIES = 50  # ports from DEFAULT_PORT on, if no port is asked for
@@ -27,6 +27,7 @@ def lab(
     """Open JupyterLab on notebooks/."""
     if not paths.NOTEBOOKS.is_dir():
         raise Refusal(f'{paths.NOTEBOOKS} is missing: get a complete copy of the course, or run ./course build')
+    own.enter()
     check_private_folders()
     chosen = choose_port(port, host)
     if port is None and chosen != DEFAULT_PORT:
@@ -46,7 +47,7 @@ def say(text: str) -> None:
 
 
 def make_start_page() -> bool:
-    """Make the start page anew, if that can be; returns whether there is one. All else works without it."""
+    """Write the start page again if the folder allows it; returns whether there is one. JupyterLab works without it."""
     try:
         start_page.write()
     except manifest.ManifestError as error:
@@ -92,7 +93,7 @@ def arguments(port: int, no_browser: bool, root_user: bool, start: str = '/lab',
         # All versions are locked: no questions about news and newer versions.
         '--LabApp.news_url=None',
         '--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate',
-        '--Application.log_level=WARN',  # the address, and what goes wrong; not thirty lines on its parts
+        '--Application.log_level=WARN',  # shows the address and errors, not a line for each of the server's extensions
     ]
     if no_browser:
         result.append('--no-browser')

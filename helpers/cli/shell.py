@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from helpers.cli import Refusal
+from helpers.cli import Refusal, own
 
 ROOT = Path(__file__).resolve().parents[2]
 SETTINGS = {'context_settings': {'ignore_unknown_options': True, 'allow_interspersed_args': False}}
@@ -18,10 +18,15 @@ BASHRC = Path(__file__).with_name('shell.bashrc')
 
 def shell(
     command: Annotated[list[str] | None, typer.Argument(metavar='[-- COMMAND ...]', help='Instead of a shell.')] = None,
+    stock: Annotated[bool, typer.Option('--stock', help="ROS with its own defaults instead of the course's.")] = False,
 ) -> None:
     """Open a shell in which .venv/setup.bash is sourced, or run one command so; ends with its exit status."""
     setup = ROOT / '.venv' / 'setup.bash'
     environ = {name: value for name, value in os.environ.items() if name != '_ROS_WHEELS_BOOTSTRAP_COMPLETE'}
+    if stock:
+        own.leave(environ)
+    else:
+        own.enter(environ)
     environ['COURSE_SETUP'] = str(setup)
     login = os.path.basename(environ.get('SHELL', 'bash'))
     if command:

@@ -17,16 +17,15 @@ def submit(
     """Pack the saved notebooks into one file to hand in, and print what passes."""
     from rich.console import Console
 
-    from helpers import display
-    from helpers.exercises import manifest
-    from helpers.submit import SubmissionError, pack
+    from helpers.exercises import manifest, result_display
+    from helpers.exercises.submit import SubmissionError, pack
 
     try:
         packed = pack(learner, output, notebooks_folder=notebooks_folder)
     except (SubmissionError, manifest.ManifestError) as error:
         raise Refusal(str(error)) from None
     console = Console(highlight=False, soft_wrap=True)
-    for style, text in display.lines(packed.exercises):
+    for style, text in result_display.lines(packed.exercises):
         console.print(text, style=style or None, markup=False)
     passed = sum(exercise.passed for exercise in packed.exercises)
     console.print(f'\n{passed} of {len(packed.exercises)} exercises pass their visible tests; hidden tests '

@@ -16,7 +16,7 @@ import typer
 from helpers import paths
 
 SETTINGS = {'context_settings': {'ignore_unknown_options': True, 'help_option_names': ['--help']}}
-FEW = 8  # so many failed tests may be a busy machine's; they run once more, one at a time
+FEW = 8  # up to so many failed tests run once more, one at a time: a busy machine may be the cause
 NO_TESTS = 5  # pytest's status if nothing was collected
 Arguments = Annotated[list[str] | None, typer.Argument(metavar='[PYTEST ARGS]', help='Run pytest with these only.')]
 
@@ -36,7 +36,7 @@ class Step:
 
 
 def test(arguments: Arguments = None):
-    """Run all tests: style, unit tests, notebooks in step with their sources, every notebook twice.
+    """Run all tests: style, types, unit tests, notebooks in step with their sources, every notebook (solved twice).
 
     With arguments, only pytest runs, with these.
     """
@@ -51,10 +51,14 @@ def test(arguments: Arguments = None):
 
 
 def _plan():
+    complete = find_spec('grading') is not None  # the learner's edition has neither sources nor reference outputs
     yield _style
+    if complete:
+        yield _types
     yield _unit_tests
-    if find_spec('grading'):  # the learner's edition has neither sources nor reference outputs
+    if complete:
         yield _in_step
+        yield _rules
         yield _notebooks
 
 
@@ -62,12 +66,16 @@ def _style(scratch: Path) -> Step:
     return _command('style', ['-m', 'ruff', 'check', '.'])
 
 
+def _types(scratch: Path) -> Step:
+    return _command('types', ['-m', 'mypy'])
+
+
 def _unit_tests(scratch: Path) -> Step:
     step = _pytest('unit tests', scratch, ['-q', f'-n{_workers()}', '--dist=loadscope',
                                           '--no-loadscope-reorder'])
     if not 0 < step.failed <= FEW:
         return step
-    # What failed beside others may have been starved by them. It has to pass alone, and it is told.
+    # A test may fail because others took the processor. It must pass alone, and is reported as unstable.
     again = _pytest('unit tests again, one at a time', scratch,
                     ['-q', '--last-failed', '--last-failed-no-failures=none'])
     unstable = [name for name in step.failures if name not in again.failures]
@@ -79,10 +87,14 @@ def _in_step(scratch: Path) -> Step:
     return _command('build --check', ['-m', 'helpers.cli', 'build', '--check'])
 
 
+def _rules(scratch: Path) -> Step:
+    return _command('build --rules', ['-m', 'helpers.cli', 'build', '--rules'])
+
+
 def _notebooks(scratch: Path) -> Step:
     from grading.authoring import execution, outputs, repeated
 
-    name = 'notebooks, each twice'
+    name = 'notebooks'
     found = [*sorted((paths.ROOT / 'solutions').glob('*.ipynb')), *sorted(paths.NOTEBOOKS.glob('*.ipynb'))]
     try:
         copies = repeated.write(found, scratch)
@@ -153,10 +165,12 @@ def _summary(steps: list[Step]) -> int:
         verdict = 'FAILED' if step.failed else 'passed'
         counts = f'{step.passed:5} passed {step.failed:4} failed {step.skipped:4} skipped'
         print(f'{verdict}  {step.name:24} {counts} {step.seconds:7.1f} s')
-    for name in (name for step in steps for name in step.unstable):
+    unstable = [name for step in steps for name in step.unstable]
+    for name in unstable:
         print(f'unstable: {name} failed beside other tests and passed alone')
     for reason, count in Counter(reason for step in steps for reason in step.left_out).items():
         print(f'skipped: {count} test{"s" * (count > 1)}: {reason}')
     passed, failed, skipped = (sum(getattr(step, key) for step in steps) for key in ('passed', 'failed', 'skipped'))
+    print(f'{len(unstable)} unstable')
     print(f'{passed} passed, {failed} failed, {skipped} skipped in {sum(step.seconds for step in steps):.0f} s')
     return int(failed > 0)

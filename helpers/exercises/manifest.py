@@ -1,4 +1,4 @@
-"""The list of all exercises, ``helpers/checks/exercises.json``; what recognises an untouched stub, and a file of tests.
+"""The list of all exercises, ``helpers/checks/exercises.json``; how a stub and a file of tests are recognised.
 
 ``./course build`` (grading.authoring) writes the list from the sources of the chapters; ``check``, ``submit`` and
 ``grade`` read it. Both sides take the format and the digest from here.
@@ -13,7 +13,15 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 MANIFEST = Path(__file__).resolve().parents[1] / 'checks' / 'exercises.json'
-_TESTS = re.compile(r'test_(\d+)_(\d+)\b.*\.py')
+_TESTS = re.compile(r'(?:.*/)?(?:test_(\d+_\d+)|(\d+_\d+)/hidden)\.py')
+
+
+@dataclass(frozen=True)
+class Rule:
+    """One sentence of an exercise's card that an answer can keep or break."""
+
+    name: str  # 'rate'
+    text: str  # 'It publishes 4 times a second, the first time one period after its start.'
 
 
 @dataclass(frozen=True)
@@ -28,6 +36,7 @@ class Exercise:
     names: tuple[str, ...]  # what the cell must define
     cell_id: str  # 'ex-3-2'
     stub: str  # stub_digest of the cell as the learner gets it
+    rules: tuple[Rule, ...] = ()  # in the order of the card
 
 
 class ManifestError(Exception):
@@ -35,20 +44,28 @@ class ManifestError(Exception):
 
 
 def stub_digest(source: str) -> str:
-    """Return the SHA-256 of the program in ``source``, blind to comments, blank lines and layout.
+    """Return the SHA-256 of the program in ``source``, the same for other comments, blank lines and layout.
 
     It hashes the syntax tree as ``ast.dump`` would show it, less the empty fields: which of those exist and which are
-    printed differs between Python versions, and one list must serve them all.
+    printed differs between Python versions, and the digest must be the same in all of them.
 
     :raises SyntaxError: ``source`` does not parse.
     """
     return hashlib.sha256(_dump(ast.parse(source)).encode()).hexdigest()
 
 
-def tested_in(name: str) -> str | None:
-    """Return the exercise that a file's tests belong to: '3.1' for 'test_3_1.py'; None if its name does not say."""
-    found = _TESTS.fullmatch(name)
-    return f'{found[1]}.{found[2]}' if found else None
+def tested_in(path: Path) -> str | None:
+    """Return the exercise that a file's tests belong to; None if its path does not say.
+
+    It is '3.1' for the visible tests, test_3_1.py, and for the hidden ones, 3_1/hidden.py.
+    """
+    found = _TESTS.fullmatch(path.as_posix())
+    return (found[1] or found[2]).replace('_', '.') if found else None
+
+
+def hidden_tests(folder: Path, exercise: str) -> Path:
+    """Return where the hidden tests of `exercise`, such as '3.1', are; `folder` holds the exercises' folders."""
+    return folder / exercise.replace('.', '_') / 'hidden.py'
 
 
 def load(path: Path = MANIFEST) -> dict[str, Exercise]:
@@ -58,7 +75,8 @@ def load(path: Path = MANIFEST) -> dict[str, Exercise]:
     """
     try:
         rows = json.loads(path.read_text(encoding='utf-8'))['exercises']
-        exercises = [Exercise(**{**row, 'names': tuple(row['names'])}) for row in rows]
+        exercises = [Exercise(**{**row, 'names': tuple(row['names']),
+                                 'rules': tuple(Rule(**rule) for rule in row.get('rules', ()))}) for row in rows]
     except FileNotFoundError:
         raise ManifestError(f'{path} is missing: get a complete copy of the course, or run ./course build') from None
     except (ValueError, KeyError, TypeError, AttributeError) as error:

@@ -1,10 +1,10 @@
 """Takes a learner's work from the notebooks of an older version of the course into those of this one.
 
-What is the learner's is told from the notebooks alone: an exercise's cell has its heading and its id, a given cell
-that is untouched has the id of its text (`cell_ids`), and what remains the learner wrote or changed. With the older
-version's list of exercises beside its notebooks, untouched stubs and changed ones are told, too.
+What the learner wrote is found from the notebooks alone: an exercise's cell has its heading and its id, a given cell
+that is untouched has the id of its text (`cell_ids`), and all other cells the learner wrote or changed. With the older
+version's list of exercises beside its notebooks, untouched stubs are told from changed ones, too.
 
-Nothing of the learner's is dropped: an answer for which there is no place becomes a raw cell, which does not run.
+Nothing that the learner wrote is lost: an answer without a place becomes a raw cell, which does not run.
 """
 
 import copy
@@ -27,7 +27,7 @@ class MigrationError(Exception):
 
 
 @dataclass(frozen=True)
-class Outcome:
+class CarriedOver:
     """What became of one exercise."""
 
     exercise: str  # its id in this version; in the old one if it is gone
@@ -36,10 +36,10 @@ class Outcome:
 
 
 @dataclass
-class Report:
+class MigrationReport:
     """What was carried over."""
 
-    exercises: list[Outcome] = field(default_factory=list)
+    exercises: list[CarriedOver] = field(default_factory=list)
     own: dict[str, int] = field(default_factory=dict)  # cells of the learner's own, by notebook
     notes: list[str] = field(default_factory=list)
     written: list[Path] = field(default_factory=list)
@@ -60,7 +60,7 @@ class _Answer:
 
 
 def migrate(old: Path, folder: Path = paths.NOTEBOOKS, *, dry_run: bool = False,
-            known: dict[str, manifest.Exercise] | None = None) -> Report:
+            known: dict[str, manifest.Exercise] | None = None) -> MigrationReport:
     """Carry answers and own cells over from `old` into the notebooks in `folder`.
 
     :param old: the older version's folder, or its folder of notebooks.
@@ -92,9 +92,9 @@ def migrate(old: Path, folder: Path = paths.NOTEBOOKS, *, dry_run: bool = False,
 class _Migration:
     def __init__(self, before: dict, target: dict, known: dict, stubs: dict[str, str]):
         self.before, self.target, self.known, self.stubs = before, target, known, stubs
-        self.report = Report()
+        self.report = MigrationReport()
 
-    def run(self) -> Report:
+    def run(self) -> MigrationReport:
         answers = [answer for name in self.before for answer in self._answers(name)]
         times = {answer.exercise: sum(one.exercise == answer.exercise for one in answers) for answer in answers}
         for exercise, number in times.items():
@@ -110,7 +110,7 @@ class _Migration:
         return self.report
 
     def _say(self, exercise: str, said: str, lost: bool = False) -> None:
-        self.report.exercises.append(Outcome(exercise, said, lost))
+        self.report.exercises.append(CarriedOver(exercise, said, lost))
 
     # Answers
 
@@ -165,7 +165,7 @@ class _Migration:
         self._say(exercise.id, f'carried over{moved}' + (f'; changed since: {"; ".join(changes)}' if changes else ''))
 
     def _successor(self, answer: _Answer) -> manifest.Exercise | None:
-        """The exercise of this version that the answer belongs to. A number may now be another exercise's."""
+        """The exercise of this version that the answer belongs to. Its number may now belong to another exercise."""
         here = {key: one for key, one in self.known.items() if one.notebook in self.target}
         same = here.get(answer.exercise)
         if same and answer.title in (None, same.title):
@@ -221,7 +221,7 @@ class _Migration:
                 count += self._add(self.target[new]['cells'], cell, anchor)
             if new and any(one.get('id') == identity for one in self.target[new]['cells']):
                 anchor = identity
-        if count:
+        if count and new is not None:
             self.report.own[new] = count
 
     def _add(self, cells: list[dict], cell: dict, anchor: str | None) -> bool:
@@ -248,7 +248,7 @@ def _exercise(cell: dict) -> str | None:
     """The id of the exercise whose cell this is, by heading or by the cell's id."""
     if cell['cell_type'] != 'code':
         return None
-    heading = program.exercise_id(notebooks.Cell(cell['source'], 0))
+    heading = program.exercise_id(notebooks.NotebookCell(cell['source'], 0))
     match = re.fullmatch(r'ex-(\d+)-(\d+)', cell.get('id') or '')
     return heading or (f'{match[1]}.{match[2]}' if match else None)
 
@@ -266,7 +266,7 @@ def _declared(metadata: dict) -> dict:
 def _digest(source: str) -> str | None:
     try:
         return manifest.stub_digest(source)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):  # no program: certainly not the stub
+    except (SyntaxError, ValueError, RecursionError, MemoryError):  # not Python, so it cannot be the stub
         return None
 
 
@@ -329,19 +329,25 @@ def _notebooks_of(old: Path) -> Path:
 
 def _stubs(folder: Path) -> dict[str, str]:
     """Digests of the old version's stubs, by exercise; empty if its list of exercises is not beside the notebooks."""
+    path = folder.resolve().parent / manifest.MANIFEST.relative_to(paths.ROOT)
     try:
-        exercises = manifest.load(folder.resolve().parent / manifest.MANIFEST.relative_to(paths.ROOT))
-    except manifest.ManifestError:
+        if not path.is_file() or path.stat().st_size > notebooks.MAX_BYTES:
+            return {}
+        exercises = manifest.load(path)
+    except (manifest.ManifestError, OSError):
         return {}
     return {key: exercise.stub for key, exercise in exercises.items()}
 
 
 def _read(path: Path) -> dict:
     try:
-        notebooks.read(path)  # within bounds, and a notebook
+        if path.is_symlink():  # the old folder may be anybody's, and this one's contents are copied
+            raise notebooks.InvalidSubmission(f'{path.name} is a link to another place: put the file itself there.')
+        data = notebooks.read_bytes(path)
+        notebooks.parse(data, path.name)  # it is a notebook
     except notebooks.InvalidSubmission as error:
         raise MigrationError(f'{path.parent}: {error}') from None
-    notebook = json.loads(path.read_text(encoding='utf-8-sig'))
+    notebook = json.loads(data.decode('utf-8-sig'))
     for cell in notebook['cells']:
         if not isinstance(cell['source'], str):
             cell['source'] = ''.join(cell['source'])
@@ -353,7 +359,7 @@ def _read(path: Path) -> dict:
     return notebook
 
 
-def _write(report: Report, folder: Path, changed: dict[str, dict]) -> None:
+def _write(report: MigrationReport, folder: Path, changed: dict[str, dict]) -> None:
     """Copy the notebooks that change into a new folder, then replace each as a whole."""
     import nbformat
 

@@ -1,6 +1,8 @@
-"""Reads notebooks that may come from anywhere: within bounds, and with one typed error for whatever is wrong."""
+"""Reads notebooks that are not trusted: with limits on their size, and one type of error for all that is wrong."""
 
 import json
+import os
+import stat
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,7 +19,7 @@ class InvalidSubmission(Exception):
 
 
 @dataclass(frozen=True)
-class Cell:
+class NotebookCell:
     """One cell of code, as the learner saved or executed it."""
 
     source: str
@@ -33,23 +35,34 @@ class Cell:
         return f'cell {self.number}' if self.number else f'the cell "{first[:40]}"'
 
 
-def read(path: Path) -> list[Cell]:
+def read(path: Path) -> list[NotebookCell]:
     """Return the code cells of the notebook at ``path``.
 
-    :raises InvalidSubmission: it is missing, too big, or no notebook of format 4.
+    :raises InvalidSubmission: it is missing, no regular file, too big, or no notebook of format 4.
+    """
+    return parse(read_bytes(path), path.name)
+
+
+def read_bytes(path: Path) -> bytes:
+    """The bytes of a notebook's file, which is read once and within bounds.
+
+    :raises InvalidSubmission: it is missing, no regular file, or too big.
     """
     try:
-        size = path.stat().st_size
-        if size > MAX_BYTES:
-            raise InvalidSubmission(f'{path.name} has {size / 2**20:.0f} MB, more than {MAX_BYTES // 2**20} MB: '
-                                    'clear its outputs and save it again.')
-        data = path.read_bytes()
+        # Without waiting for somebody at the other end of a pipe.
+        with open(os.open(path, os.O_RDONLY | getattr(os, 'O_NONBLOCK', 0)), 'rb') as file:
+            if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+                raise InvalidSubmission(f'{path.name} is no regular file.')
+            size = os.fstat(file.fileno()).st_size
+            if size > MAX_BYTES:
+                raise InvalidSubmission(f'{path.name} has {size / 2**20:.0f} MB, more than {MAX_BYTES // 2**20} MB: '
+                                        'clear its outputs and save it again.')
+            return file.read(MAX_BYTES + 1)
     except OSError as error:
         raise InvalidSubmission(f'{path.name} cannot be read: {error.strerror}.') from None
-    return parse(data, path.name)
 
 
-def parse(data: bytes, name: str) -> list[Cell]:
+def parse(data: bytes, name: str) -> list[NotebookCell]:
     """Return the code cells of a notebook's text. ``name`` stands for it in messages.
 
     :raises InvalidSubmission: it is too big, or no notebook of format 4.
@@ -69,7 +82,7 @@ def parse(data: bytes, name: str) -> list[Cell]:
     for number, cell in enumerate(notebook['cells'], 1):
         if cell['cell_type'] == 'code':
             source = cell['source'] if isinstance(cell['source'], str) else ''.join(cell['source'])
-            cells.append(Cell(_text(source, name, number), number, cell.get('id')))
+            cells.append(NotebookCell(_text(source, name, number), number, cell.get('id')))
     if sum(len(cell.source) for cell in cells) > MAX_CODE:
         raise InvalidSubmission(f'{name} has more than {MAX_CODE} characters of code.')
     return cells
@@ -98,8 +111,8 @@ def _no_constant(text: str):
 
 
 def _validate(notebook: dict, name: str) -> None:
-    """Check the form of all but the outputs, which nobody reads."""
-    bare = {'nbformat': 4, 'nbformat_minor': 5, 'metadata': {}, 'cells': []}
+    """Check the form of all but the outputs, which are not read."""
+    bare: dict = {'nbformat': 4, 'nbformat_minor': 5, 'metadata': {}, 'cells': []}
     for number, cell in enumerate(notebook['cells'], 1):
         if not isinstance(cell, dict):
             raise InvalidSubmission(f'{name}: cell {number} is not a cell. Save the notebook with JupyterLab again.')

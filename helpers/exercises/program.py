@@ -1,21 +1,23 @@
 """From cells to the program that is run for one exercise.
 
 The exercise's cell is taken whole. From the cells before it come only imports, functions, classes and constant
-assignments: what demonstrates something never runs. The names that the exercise asks for must be defined by its own
-cell. Nothing is executed here.
+assignments: statements that only demonstrate something never run. The exercise's own cell must define the names that
+the exercise asks for. Nothing is executed here.
 """
 
 import ast
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import lru_cache
 
 from helpers.exercises.manifest import Exercise, stub_digest
-from helpers.exercises.notebooks import Cell
+from helpers.exercises.notebooks import NotebookCell
 
 HEADING = re.compile(r'#\s*Exercise\s+(\d+\.\d+)\b', re.IGNORECASE)
-# Of a line without blanks at its ends, so that the time it takes grows with the line's length and no faster.
+# For a stripped line, so that matching takes time in proportion to the line's length.
 _MAGIC = re.compile(r'[%!?]|[\w., ()\[\]]+=\s*(%\w|!)|.*\?$')
+_LINE = re.compile(r'[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+')  # as Python counts lines
 MAX_NESTING = 120  # of a program's syntax tree: what walks it recursively must not run out of stack
 # Calls that make a constant when their arguments are constant.
 _VALUE_TYPES = {'QoSProfile', 'Duration', 'Time'}
@@ -34,7 +36,8 @@ class Program:
     """What the learner's process loads for one exercise."""
 
     exercise: Exercise
-    cells: list[dict] = field(default_factory=list)  # label, source, required
+    cells: list[dict] = field(default_factory=list)  # label, source, line (of its beginning in the cell), required
+    elsewhere: dict[str, str] = field(default_factory=dict)  # names that cells define which are not among them
 
     @property
     def title(self) -> str:
@@ -43,24 +46,26 @@ class Program:
 
     def as_dict(self) -> dict:
         """The program as a JSON value."""
-        return {'title': self.title, 'cells': self.cells}
+        return {'title': self.title, 'cells': self.cells, 'elsewhere': self.elsewhere}
 
 
-def exercise_id(cell: Cell) -> str | None:
+def exercise_id(cell: NotebookCell) -> str | None:
     """The id in the cell's first line, `# Exercise 3.2: …`, or None."""
     first = next((line for line in cell.source.splitlines() if line.strip()), '')
     match = HEADING.match(first.strip())
     return match[1] if match else None
 
 
-def of_exercise(cells: list[Cell], exercise: Exercise) -> list[Cell]:
+def of_exercise(cells: list[NotebookCell], exercise: Exercise) -> list[NotebookCell]:
     """The cells that claim to be this exercise's, by heading or by id."""
     return [cell for cell in cells if exercise_id(cell) == exercise.id
             or (cell.id == exercise.cell_id and exercise_id(cell) is None)]
 
 
-def build(cells: list[Cell], exercise: Exercise) -> Program:
+def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[NotebookCell] = ()) -> Program:
     """Return the program for ``exercise`` from a notebook's code cells, in their order.
+
+    ``notebook``: all cells of the notebook where ``cells`` are only those that were run: messages name what is missing.
 
     :raises InvalidExercise: its cell is missing, doubled, not Python, uses magics, or lacks a required name.
     :raises NotAttempted: its cell is the unchanged stub.
@@ -79,19 +84,30 @@ def build(cells: list[Cell], exercise: Exercise) -> Program:
     tree = _parse_exercise(cell, exercise)
     if stub_digest(cell.source) == exercise.stub:
         raise NotAttempted(f'Exercise {exercise.id} is not solved yet.')
-    missing = [name for name in exercise.names if name not in _defined(tree.body)]
+    missing = [name for name in exercise.names if name not in defined(tree.body)]
     if missing:
-        there = sorted(name for name in _defined(tree.body) if not name.startswith('_'))
+        there = sorted(name for name in defined(tree.body) if not name.startswith('_'))
         raise InvalidExercise(f'The cell of exercise {exercise.id} must define `{missing[0]}`'
                               + (f'; it defines {", ".join(f"`{name}`" for name in there[:5])}.' if there else '.'))
     program = Program(exercise)
     for other in cells[:cells.index(cell)]:
-        program.cells += [{'label': other.label, 'source': text, 'required': False} for text in definitions(other)]
-    program.cells.append({'label': cell.label, 'source': cell.source, 'required': True})
+        program.cells += [{'label': other.label, 'source': text, 'line': line, 'required': False}
+                          for line, text in definitions(other)]
+    program.cells.append({'label': cell.label, 'source': cell.source, 'line': 1, 'required': True})
+    have = {name for part in program.cells for name in names_in(part['source'])}
+    for other in notebook:
+        for name in {name for _, text in definitions(other) for name in names_in(text)} - have:
+            program.elsewhere.setdefault(name, other.label)
     return program
 
 
-def _parse_exercise(cell: Cell, exercise: Exercise) -> ast.Module:
+def names_in(text: str) -> set[str]:
+    """The names that a text binds; none if it is not Python."""
+    tree = syntax_tree(text)
+    return defined(tree.body) if tree is not None else set()
+
+
+def _parse_exercise(cell: NotebookCell, exercise: Exercise) -> ast.Module:
     try:
         tree = ast.parse(cell.source)
         if _nesting(tree) > MAX_NESTING:
@@ -106,41 +122,40 @@ def _parse_exercise(cell: Cell, exercise: Exercise) -> ast.Module:
         text = lines[error.lineno - 1].strip()[:80] if error.lineno and error.lineno <= len(lines) else ''
         raise InvalidExercise(f'Exercise {exercise.id}, line {error.lineno}: Python cannot read `{text}` '
                               f'({error.msg}).') from None
-    except (ValueError, RecursionError, MemoryError):  # null bytes, nesting beyond all measure
+    except (ValueError, RecursionError, MemoryError):  # null bytes, very deep nesting
         raise InvalidExercise(f'Exercise {exercise.id}: Python cannot read the cell.') from None
 
 
 @lru_cache(maxsize=512)
-def definitions(cell: Cell) -> tuple[str, ...]:
-    """Imports, functions, classes and constant assignments of a cell, each as source text; none if it is not Python.
+def definitions(cell: NotebookCell) -> tuple[tuple[int, str], ...]:
+    """Imports, functions, classes and constant assignments of a cell; none if it is not Python.
 
-    Each text keeps its place in the cell, so that line numbers in messages are the learner's.
+    Each is its first line's number in the cell, so that line numbers in messages are the learner's, and its text.
     """
     if cell.source.lstrip().startswith('%%'):
         return ()
-    text, tree = cell.source, _tree(cell.source)
+    text, tree = cell.source, syntax_tree(cell.source)
     if tree is None:
         # A notebook's command lines are not Python; they leave an empty line.
-        text = '\n'.join('' if _MAGIC.match(line.strip()) and _tree(line.strip()) is None else line
+        text = '\n'.join('' if _MAGIC.match(line.strip()) and syntax_tree(line.strip()) is None else line
                          for line in cell.source.splitlines())
-        tree = _tree(text)
+        tree = syntax_tree(text)
     if tree is None:
         return ()
-    lines = text.splitlines()
+    lines = _LINE.findall(text)
     found = []
     for node in tree.body:
         if _is_definition(node):
             first = min([node.lineno, *(d.lineno for d in getattr(node, 'decorator_list', ()))])
-            # Blank lines before it, so that its line numbers stay; a neighbour on the same line is cut off.
             part = lines[first - 1:node.end_lineno]
-            if len(part) == 1:
-                part = [ast.get_source_segment(text, node) or part[0]]
-            found.append('\n' * (first - 1) + '\n'.join(part) + '\n')
+            if len(part) == 1:  # a neighbour on the same line is cut off
+                part = [part[0].encode()[node.col_offset:node.end_col_offset].decode()]
+            found.append((first, ''.join(part).rstrip('\r\n') + '\n'))
     return tuple(found)
 
 
-def _tree(text: str) -> ast.Module | None:
-    """The syntax tree of a text; None if it is not Python, or nested beyond all measure."""
+def syntax_tree(text: str) -> ast.Module | None:
+    """The syntax tree of a text; None if it is not Python, or nested too deeply."""
     try:
         tree = ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
@@ -190,8 +205,8 @@ def _is_constant(node: ast.expr) -> bool:
     return False
 
 
-def _defined(body: list[ast.stmt]) -> set[str]:
-    """The names that these statements bind at module level."""
+def defined(body: list[ast.stmt]) -> set[str]:
+    """The names that these statements bind at module level, in blocks such as `if` and `try` too."""
     names: set[str] = set()
     for node in body:
         match node:
@@ -204,7 +219,7 @@ def _defined(body: list[ast.stmt]) -> set[str]:
                 names |= {part.id for target in targets for part in ast.walk(target) if isinstance(part, ast.Name)}
             case ast.If() | ast.For() | ast.While() | ast.With() | ast.Try():
                 for part in ('body', 'orelse', 'finalbody'):
-                    names |= _defined(getattr(node, part, []))
+                    names |= defined(getattr(node, part, []))
                 for handler in getattr(node, 'handlers', []):
-                    names |= _defined(handler.body)
+                    names |= defined(handler.body)
     return names

@@ -5,13 +5,13 @@ that follows a test's plan, for a client of the learner's.
 """
 import time
 import uuid
-from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from action_msgs.msg import GoalStatus, GoalStatusArray
 from action_msgs.srv import CancelGoal
 from rclpy.action import ActionServer, CancelResponse, GoalResponse
 from rclpy.action import graph as action_graph
+from rclpy.action.server import ServerGoalHandle
 from rclpy.qos import QoSProfile
 from unique_identifier_msgs.msg import UUID
 
@@ -198,7 +198,7 @@ class Served:
 
     request: object
     arrived: float
-    handle: object = field(default=None, repr=False)  # None: rejected
+    handle: ServerGoalHandle | None = field(default=None, repr=False)  # None: rejected
     plan: list = field(default_factory=list, repr=False)  # what is still to come: (due in ns, message)
     cancelled: float | None = None  # when the (first) cancel request came
     finished: float | None = None
@@ -221,7 +221,10 @@ class _Canceled(Aborted):
 
 
 class Server(Named):
-    """An action server of the test's for a client of the learner's; made by `learner.action_server`."""
+    """An action server of the test's for a client of the learner's; made by `learner.action_server`.
+
+    `late` may name seconds of simulated time by which it accepts ('goal') or answers cancel requests ('cancel') late.
+    """
 
     kind, preposition = 'action client', 'for'
 
@@ -232,6 +235,8 @@ class Server(Named):
         self.cancel, self.cancel_delay, self.partial = cancel, cancel_delay, partial
         self.goals: list[Served] = []
         self.cancel_stamps: list[float] = []  # of all cancel requests, also those for goals that have ended
+        self.late: dict[str, float] = {}  # seconds until a request of this kind ('goal', 'cancel') is looked at
+        self._held: list[tuple[int, dict]] = []  # due (ns), the request as rclpy gives it
         self._server: _PlannedServer | None = None
         self.said = False  # something was sent while the learner's side was idle
         self.start()
@@ -252,6 +257,7 @@ class Server(Named):
     def close(self) -> None:
         for served in self.goals:
             served.plan = []
+        self._held.clear()
         if self._server is not None:
             self._server.destroy()
             self._server = None
@@ -270,7 +276,7 @@ class Server(Named):
         served = next(served for served in self.goals if served.handle is None and served.status is None)
         served.handle = handle
         when = self.learner.now
-        for delay, message in self.plan(handle.request) if isinstance(self.plan, Callable) else self.plan:
+        for delay, message in self.plan(handle.request) if callable(self.plan) else self.plan:
             when += round(delay * SECOND)
             served.plan.append((when, message))
 
@@ -286,10 +292,21 @@ class Server(Named):
     def due(self) -> int | None:
         if self.said:
             return self.learner.now
-        return min((served.plan[0][0] for served in self.goals if served.plan), default=None)
+        return min([served.plan[0][0] for served in self.goals if served.plan] + [due for due, _ in self._held],
+                   default=None)
+
+    def hold(self, taken: dict) -> dict:
+        """Keep the requests that are looked at later; return the others, for which it is time now."""
+        self._held += [(self.learner.now + round(self.late[kind] * SECOND), {kind: request})
+                       for kind, request in taken.items() if self.late.get(kind)]
+        return {kind: request for kind, request in taken.items() if not self.late.get(kind)}
 
     def act(self) -> None:
         self.said = False
+        for due, taken in self._held[:]:
+            if due <= self.learner.now and self._server is not None:
+                self._held.remove((due, taken))
+                self._server.look_at(taken)
         while ready := [served for served in self.goals if served.plan and served.plan[0][0] <= self.learner.now]:
             for served in sorted(ready, key=lambda served: served.plan[0][0]):
                 self._do(served, served.plan.pop(0)[1])
@@ -297,6 +314,7 @@ class Server(Named):
             self.said = False
 
     def _do(self, served: Served, message) -> None:
+        assert served.handle is not None and self._server is not None  # only then has a goal a plan
         if isinstance(message, self.action_type.Feedback):
             served.handle.publish_feedback(message)
             return
@@ -327,6 +345,14 @@ class _PlannedServer(ActionServer):
     def end(self, goal_handle, finish) -> None:
         """End the goal: `finish` sets its state and gives the result."""
         super().notify_execute(goal_handle, finish)
+
+    async def execute(self, taken_data):
+        await super().execute(self.server.hold(taken_data))
+
+    def look_at(self, taken: dict) -> None:
+        """Answer a request that was held."""
+        for _ in super().execute(taken).__await__():  # the callbacks are plain functions: there is nothing to wait for
+            pass
 
     def take_data(self):
         self.server.said = True  # each request is answered at once

@@ -1,4 +1,4 @@
-"""What the learner's side may answer. Whatever else comes is its own doing, and never the tests' fault."""
+"""What the learner's side may answer. Anything else is the learner's program's doing, never an error of the tests."""
 
 from helpers.runner.channel import ChannelError
 
@@ -22,8 +22,13 @@ def _texts(value) -> bool:
     return isinstance(value, list) and len(value) <= _MAX_ITEMS and all(isinstance(item, str) for item in value)
 
 
-def _names(value) -> bool:
-    return isinstance(value, list) and all(isinstance(item, str) for item in value)
+def _seconds(value) -> bool:
+    return type(value) in (int, float) and 0 <= value < _TIME
+
+
+def _queues(value) -> bool:
+    return isinstance(value, list) and len(value) <= _MAX_ITEMS and all(
+        isinstance(queue, list) and len(queue) == 3 and _texts(queue[:2]) and _count(queue[2]) for queue in value)
 
 
 def _rows(value) -> bool:
@@ -40,8 +45,9 @@ _ANSWERS = {
     'start': {'index': _count, 'endpoints': _count, 'nodes': _texts},
     'call': {'result': _anything},
     'value': {'result': _anything},
-    'listing': {'files': _names},
-    'step': {'count': _count, 'reached': _truth, 'next': _moment, 'endpoints': _count, 'waiting': _rows},
+    'habits': {'queues': _queues, 'slept': _seconds},
+    'step': {'count': _count, 'reached': _truth, 'next': _moment, 'endpoints': _count, 'waiting': _rows,
+             'remarks': _texts},
 }
 
 
@@ -50,12 +56,12 @@ def check(op: str, answer: dict) -> dict:
 
     :raises ChannelError: something is missing in it, or is of another kind.
     """
-    if 'fault' in answer:
-        if not isinstance(answer['fault'], dict) or not isinstance(answer['fault'].get('kind'), str):
-            raise ChannelError('a fault without a kind')
+    if 'error' in answer:
+        if not isinstance(answer['error'], dict) or not isinstance(answer['error'].get('kind'), str):
+            raise ChannelError('an error without a kind')
         return answer
     if answer.get('ok') is not True:
-        raise ChannelError('an answer that is none')
+        raise ChannelError('a reply without a result')
     for key, right in _ANSWERS.get(op, {}).items():
         if key not in answer or not right(answer[key]):
             raise ChannelError(f'an answer to {op} without a usable {key}')

@@ -1,4 +1,4 @@
-"""The tests' side of the learner's process: starts it, asks it, and turns what goes wrong into a LearnerFault."""
+"""The tests' side of the learner's process: starts it, asks it, and turns what goes wrong into a LearnerError."""
 import itertools
 import json
 import os
@@ -8,17 +8,19 @@ import signal
 import socket
 import threading
 import time
+from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import asdict
 
-from helpers.runner import answers, launch, spent, values
+from helpers.runner import answers, explanations, preloading, spent, start_processes, values
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
+from helpers.runner.load import busy
 from helpers.runner.text import LEFT_OUT
-from helpers.runner.verdicts import InvalidProgram, LearnerCrashed, LearnerFault, LearnerTimeout
-from helpers.runner.zygote import ON_DEMAND
+from helpers.runner.verdicts import InvalidProgram, LearnerCrashed, LearnerError, LearnerTimeout, Unheard
 
 # rcl's own remark on two nodes of one name: tests make them on purpose.
 _NOISE = re.compile(r'^\[WARN\] \[rcl\.logging_rosout\]: Publisher already registered .*\n?', re.MULTILINE)
-# What a callback of a deadlock is found at: waits for the answer of a service or an action.
+# Functions in which the callback of a deadlock waits for the answer of a service or an action.
 _WAITS_FOR_ANSWER = ('.call(', 'until_future_complete', '.done()', '.send_goal(', '.get_result(', 'spin_once(')
 MAX_EARLY = 100  # answers that are kept for later
 WHERE_TIMEOUT = 3.0  # seconds; a program that cannot tell where it is holds the interpreter's lock
@@ -26,17 +28,23 @@ START_TIMEOUT = 30.0  # seconds until the fork server has imported ROS, on a mac
 
 
 class RunnerError(Exception):
-    """The runner itself does not work: a fault of the grader's side."""
+    """The runner itself does not work: an error of the grader's side."""
+
+
+class ServerEnded(RunnerError):
+    """The fork server has gone."""
 
 
 class ForkServer:
     """The learner's side, ready to start programs."""
 
-    def __init__(self, started: launch.Started, limits: launch.Limits = launch.LIMITS):
-        """`started` comes from a launcher: `launch.start`, or a sandbox's. Waits until it is ready."""
+    def __init__(self, started: start_processes.StartedForkServer,
+                 limits: start_processes.Limits = start_processes.LIMITS):
+        """`started` comes from a launcher: `start_processes.start`, or a sandbox's. Waits until it is ready."""
         self.limits = limits
         self._started = started
         self.sandbox = self._started.sandbox
+        self.home = self._started.home_folder  # of what runs there, as that sees it
         self._control = self._started.control
         self._keys = itertools.count(1)
         self._ended: dict[str, int] = {}
@@ -48,15 +56,18 @@ class ForkServer:
     def _event(self, timeout: float) -> dict:
         if not select.select([self._control], [], [], timeout)[0]:
             raise RunnerError(f"the learner's side did not answer in {timeout:g} s")
-        data = self._control.recv(65536)
+        try:
+            data = self._control.recv(65536)
+        except OSError:
+            data = b''
         if not data:
-            raise RunnerError("the learner's side has ended")
+            raise ServerEnded("the learner's side has ended")
         return json.loads(data)
 
-    def fork(self, modules: list[str] = ()) -> tuple[str, socket.socket, int]:
+    def fork(self, modules: Sequence[str] = ()) -> tuple[str, socket.socket, int]:
         """Start a process for one program, within `limits`: (its key, its channel, the read end of its output).
 
-        `modules`: what it imports, as far as the server may import it for all (`zygote.ON_DEMAND`).
+        `modules`: what it imports, as far as the server may import it for all (`preloading.ON_DEMAND`).
         """
         key = str(next(self._keys))
         ours, theirs = socket.socketpair()
@@ -79,32 +90,83 @@ class ForkServer:
             if wanted(event):
                 return
 
+    def task(self, op: str, place: str, *given: int, keep: int, **arguments) -> 'Task':
+        """Start a task of `helpers.runner.commands` in a place; the last `keep` bytes that it prints are kept."""
+        key = str(next(self._keys))
+        output_read, output_write = os.pipe()
+        request = {'op': op, 'key': key, 'limits': asdict(self.limits), 'place': place, **arguments}
+        socket.send_fds(self._control, [json.dumps(request).encode()], [output_write, *given])
+        os.close(output_write)
+        self._until(lambda event: event.get('event') == 'forked' and event.get('key') == key, START_TIMEOUT)
+        return Task(self, key, place, Output(output_read, keep, last=True))
+
     def kill(self, key: str) -> None:
         self._control.send(json.dumps({'op': 'kill', 'key': key}).encode())
+
+    def signal(self, key: str, number: int) -> None:
+        """Send a signal to the process of a task."""
+        self._control.send(json.dumps({'op': 'signal', 'key': key, 'number': number}).encode())
 
     def wait(self, key: str, timeout: float) -> int | None:
         """The wait status of a program's process once it has ended; None if it still runs after `timeout` s."""
         try:
             if key not in self._ended:
                 self._until(lambda event: key in self._ended, timeout)
+        except ServerEnded:
+            raise
         except RunnerError:
             return None
         return self._ended[key]
 
-    def clear(self) -> None:
-        """End all that programs have left behind."""
-        self._control.send(b'{"op": "clear"}')
-        self._until(lambda event: event.get('event') == 'cleared', 10)
+    def clear(self, place: str | None = None) -> None:
+        """End all that programs and tasks have left behind; or those in a place."""
+        self._control.send(json.dumps({'op': 'clear', 'place': place}).encode())
+        self._until(lambda event: event.get('event') == 'cleared', START_TIMEOUT)
+
+    def forget(self, place: str) -> None:
+        """Remove a place and all that is in it."""
+        self._control.send(json.dumps({'op': 'forget', 'place': place}).encode())
+        self._until(lambda event: event.get('event') == 'cleared', START_TIMEOUT)
 
     def close(self) -> None:
         self._started.close()
 
 
-class Output:
-    """What a program prints: read in the background, kept up to a bound, drained for ever."""
+class Task:
+    """A command that runs in a place of its own. Status and output are taken outside of it."""
 
-    def __init__(self, descriptor: int, limit: int):
-        self.limit = limit
+    def __init__(self, server: ForkServer, key: str, place: str, output: 'Output'):
+        self._server, self.key, self.place, self._output = server, key, place, output
+
+    @property
+    def output(self) -> str:
+        """What it has printed so far, or the end of that."""
+        return self._output.text
+
+    def wait(self, timeout: float) -> int | None:
+        """Its exit status, negative for a signal; None if it still runs after `timeout` seconds."""
+        status = self._server.wait(self.key, timeout)
+        if status is None:
+            return None
+        self._output.finish()
+        return os.waitstatus_to_exitcode(status)
+
+    def signal(self, number: int) -> None:
+        """Send a signal to it."""
+        self._server.signal(self.key, number)
+
+    def end(self) -> None:
+        """Kill it, and all that runs in its place."""
+        self._server.clear(self.place)
+        self.wait(5.0)
+
+
+class Output:
+    """What a program prints: read in the background until it ends, and kept up to a limit."""
+
+    def __init__(self, descriptor: int, limit: int, last: bool = False):
+        """`last`: the end is kept, not the beginning."""
+        self.limit, self.last = limit, last
         self._descriptor = descriptor
         self._kept = bytearray()
         self.truncated = False
@@ -113,6 +175,10 @@ class Output:
 
     def _drain(self) -> None:
         while chunk := os.read(self._descriptor, 65536):
+            if self.last:
+                self._kept += chunk
+                del self._kept[:-self.limit]
+                continue
             room = self.limit - len(self._kept)
             self._kept += chunk[:room]
             self.truncated |= len(chunk) > room
@@ -128,21 +194,16 @@ class Output:
         self._thread.join(timeout)
 
 
-def _modules(cells: list[dict]) -> list[str]:
-    """Those of `zygote.ON_DEMAND` that the cells seem to import."""
-    text = '\n'.join(cell['source'] for cell in cells)
-    return [name for name in ON_DEMAND if re.search(rf'^\s*(import|from)\s+{re.escape(name)}\b', text, re.MULTILINE)]
-
-
-class Process:
+class ProgramProcess:
     """One process of the learner's with their program loaded."""
 
     @spent.part('load')
     def __init__(self, server: ForkServer, program: dict, *, ros_args=(), token: str, now: int, timeout: float):
-        """Load `program` (see `helpers.exercises.program`). Raises LearnerFault if it cannot be loaded."""
+        """Load `program` (see `helpers.exercises.program`). Raises LearnerError if it cannot be loaded."""
         self.server = server
         self.title = program['title']
-        self.key, sock, output = server.fork(_modules(program['cells']))
+        self.elsewhere = program.get('elsewhere', {})
+        self.key, sock, output = server.fork(preloading.on_demand(program['cells']))
         self.channel = Channel(sock)
         self.output = Output(output, server.limits.output)
         self._ids = itertools.count(1)
@@ -155,7 +216,7 @@ class Process:
             raise
 
     def ask(self, op: str, limit: float, **arguments) -> dict:
-        """Ask and wait at most `limit` seconds for the answer. Raises LearnerFault for what the learner's code did."""
+        """Ask and wait at most `limit` seconds for the answer. Raises LearnerError for what the learner's code did."""
         number = next(self._ids)
         lines: list[dict] | None = []
         try:
@@ -163,10 +224,15 @@ class Process:
             try:
                 answer = self._answer(number, limit)
             except ChannelTimeout:
+                if busy():  # a right program may be late: judged are those that get the processor
+                    with suppress(ChannelTimeout):
+                        answer = self._answer(number, 3 * limit)
+                        answers.check(op, answer)
+                        return self._unless_at_fault(answer, arguments)
                 lines = self._where()
                 if lines != []:
                     raise
-                # It is in none of the learner's lines: the machine is slow, not the program.
+                # No line of the learner's is running: the machine is slow, not the program.
                 answer = self._answer(number, 3 * limit)
             answers.check(op, answer)
         except ChannelTimeout:
@@ -176,8 +242,11 @@ class Process:
         except ChannelError as error:
             self.kill()
             raise LearnerCrashed(f'Your program disturbed its connection to the tests ({error}).') from None
-        if 'fault' in answer:
-            raise self._fault(answer['fault'], arguments)
+        return self._unless_at_fault(answer, arguments)
+
+    def _unless_at_fault(self, answer: dict, arguments: dict) -> dict:
+        if 'error' in answer:
+            raise self._error(answer['error'], arguments)
         return answer
 
     def _answer(self, number: int, timeout: float) -> dict:
@@ -204,7 +273,7 @@ class Process:
         except (ChannelTimeout, ChannelClosed, ChannelError):
             return None
 
-    def _hanging(self, op: str, limit: float, arguments: dict, lines: list[dict]) -> LearnerFault:
+    def _hanging(self, op: str, limit: float, arguments: dict, lines: list[dict]) -> LearnerError:
         self.kill()
         doing = {'load': 'The cell', 'start': f"`{arguments.get('name')}(…)`",
                  'call': f"`{arguments.get('name')}(…)`"}.get(op, 'A callback')
@@ -221,7 +290,7 @@ class Process:
                 if op in ('start', 'load') else '')
         return LearnerTimeout(f'{doing} did not return within {limit:g} s.{where}{hint}', _stack(lines))
 
-    def _gone(self, op: str) -> LearnerFault:
+    def _gone(self, op: str) -> LearnerError:
         status = self.server.wait(self.key, 5.0)
         self.ended = True
         self.output.finish()
@@ -238,52 +307,67 @@ class Process:
         return LearnerCrashed(f'The process of your program {how}. A node must not end its process: do not call '
                               'exit().')
 
-    def _fault(self, fault: dict, arguments: dict) -> LearnerFault:
-        name = str(fault.get('name', arguments.get('name', '')))[:200]
-        match fault.get('kind'):
+    def _error(self, problem: dict, arguments: dict) -> LearnerError:
+        name = str(problem.get('name', arguments.get('name', '')))[:200]
+        match problem.get('kind'):
             case 'missing':
-                return InvalidProgram(f'{self.title} does not define `{name}`.')
+                where = explanations.not_run(name, self.elsewhere)
+                return InvalidProgram(where or f'{self.title} does not define `{name}`.')
+            case 'waits':
+                return self._waits(problem)
             case 'no_node':
-                return LearnerFault(f"`{name}(…)` gives {_a(str(fault.get('got'))[:100])}, not a node. "
+                return LearnerError(f"`{name}(…)` gives {_a(str(problem.get('got'))[:100])}, not a node. "
                                     'A class must inherit from `Node`; a function must return the node.')
             case 'no_super':
-                return LearnerFault(f"`{name}` is not initialised as a node: call `super().__init__('…')` first in "
+                return LearnerError(f"`{name}` is not initialised as a node: call `super().__init__('…')` first in "
                                     '`__init__`.')
             case 'not_callable':
-                return LearnerFault(f"`{name}` is {_a(str(fault.get('got'))[:100])}, not a function.")
+                return LearnerError(f"`{name}` is {_a(str(problem.get('got'))[:100])}, not a function.")
             case 'busy':
-                return LearnerFault(f"Your node never comes to rest: {fault.get('count')} callbacks ran at one moment "
-                                    'of simulated time. Has a timer the period 0, or does a node answer its own '
+                return LearnerError(f"Your node never comes to rest: {problem.get('count')} callbacks ran at one "
+                                    'moment of simulated time. Has a timer the period 0, or does a node answer its own '
                                     'messages?')
             case 'too_long':
-                return LearnerFault(f'What `{name}(…)` returns is too long to be read.')
+                return LearnerError(f'What `{name}(…)` returns is too long to be read.')
             case 'sleeps':
-                return LearnerFault(f'A callback sleeps with time.sleep{_at(fault)}: that is the clock on the wall. '
+                return LearnerError(f'A callback sleeps with time.sleep{_at(problem)}: that is the clock on the wall. '
                                     "While it sleeps, no time passes for the robot. Wait on the node's clock: "
-                                    'self.get_clock().sleep_for(…), a rate, or a timer.', _stack(_lines(fault)))
+                                    'self.get_clock().sleep_for(…), a rate, or a timer.', _stack(_lines(problem)))
             case 'exception':
-                return self._exception(fault, name)
+                return self._exception(problem, name)
             case 'deaf':
-                raise RunnerError("the learner's process did not hear the tests in time")
-        return LearnerCrashed('Your program disturbed its connection to the tests (a fault of an unknown kind).')
+                return Unheard('Your program did not hear in time what was sent to it. Does it do something else '
+                               'meanwhile, in a thread of its own?')
+        return LearnerCrashed('Your program disturbed its connection to the tests (an error of an unknown kind).')
 
-    def _exception(self, fault: dict, name: str) -> LearnerFault:
-        where = {'load': 'While the cell was run', 'constructor': f'While `{name}(…)` was made',
-                 'call': f'While `{name}(…)` ran', 'execute': 'In an execute callback',
-                 'callback': f"In a callback ({fault.get('callback')} of node `{fault.get('node')}`)"}
-        lines = _lines(fault)
-        kind, text = str(fault.get('type'))[:100], str(fault.get('text'))[:1000]
+    def _waits(self, problem: dict) -> LearnerError:
+        """A callback waits for another callback."""
+        call, lines = str(problem.get('call'))[:100], _lines(problem)
+        what = 'spins' if 'spin' in call else 'waits for an answer'
+        return LearnerTimeout(
+            f'A callback {what}{_at(problem)}. Only another callback can receive what it waits for, and none runs '
+            'before this one has returned: a deadlock, with or without a timeout. Use call_async (or send_goal_async), '
+            'and go on in a done-callback or after `await`.', _stack(lines))
+
+    def _exception(self, problem: dict, name: str) -> LearnerError:
+        where: dict[str | None, str] = {
+            'load': 'While the cell was run', 'constructor': f'While `{name}(…)` was made',
+            'call': f'While `{name}(…)` ran', 'execute': 'In an execute callback',
+            'callback': f"In a callback ({problem.get('callback')} of node `{problem.get('node')}`)"}
+        lines = _lines(problem)
+        kind, text = str(problem.get('type'))[:100], str(problem.get('text'))[:1000]
         at = f" at {lines[-1]['cell']}, line {lines[-1]['line']}" if lines else ''
         if kind == 'SystemExit':
-            return LearnerCrashed(f"{where.get(fault.get('where'), 'Then')} your code called exit(){at}. "
+            return LearnerCrashed(f"{where.get(problem.get('where'), 'Then')} your code called exit(){at}. "
                                   'A node must not end its process.', _stack(lines))
         if kind == 'EOFError' and 'reading a line' in text:
             return LearnerCrashed(f'Your code called input(){at}. Nobody is at a keyboard while it is tested: take '
                                   'what you need as an argument or a parameter.', _stack(lines))
         error = f'{kind}: {text}' if text else kind
-        notes = fault.get('notes')
+        notes = problem.get('notes')
         notes = notes[:5] if isinstance(notes, list) and kind in ('NameError', 'ImportError') else []
-        return LearnerCrashed(f"{where.get(fault.get('where'), 'Then')} your code raised {error}{at}.",
+        more = explanations.explain(kind, text, str(problem.get('early', ''))[:200], self.elsewhere)
+        return LearnerCrashed(f"{where.get(problem.get('where'), 'Then')} your code raised {error}{at}. {more}".strip(),
                               '\n'.join([_stack(lines), error, *(f'Not loaded: {note}' for note in notes)]))
 
     def call(self, name: str, args, kwargs, timeout: float, index: int | None = None):
@@ -296,13 +380,13 @@ class Process:
             raise LearnerCrashed(f'`{name}(…)` returned {error}.') from None
 
     def stop(self, timeout: float = 2.0) -> None:
-        """Let the program leave the graph politely; kill it if it does not. Idempotent."""
+        """Ask the program to leave the graph and end; kill it if it does not. Idempotent."""
         if not self.ended:
             try:
                 self.ask('stop', timeout)
                 if self.server.wait(self.key, timeout) is None:
                     self.kill()
-            except LearnerFault:
+            except LearnerError:
                 self.kill()
             self.ended = True
         self.output.finish()
@@ -328,9 +412,9 @@ def _lines(message: dict) -> list[dict]:
             for line in found[:20] if isinstance(line, dict)] if isinstance(found, list) else []
 
 
-def _at(fault: dict) -> str:
+def _at(problem: dict) -> str:
     """Where the innermost of the learner's lines is, to be put into a sentence."""
-    lines = _lines(fault)
+    lines = _lines(problem)
     return f" at {lines[-1]['cell']}, line {lines[-1]['line']}: `{lines[-1]['code']}`" if lines else ''
 
 

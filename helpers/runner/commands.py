@@ -1,72 +1,74 @@
-"""The learner's side of workspaces: files are written and commands run here, where only the learner's code can suffer.
+"""Tasks beside the learner's cells: files are written and commands run, each in a process that no cell has run in.
 
-Requests, beside those of `helpers.runner.worker`: value, files, run, listing. Tests use `helpers.runner.workspaces`.
+The fork server starts them for the tests' side, with texts of the learner's as data, in a place of their own: a folder,
+and in a sandbox a home, a /tmp and processes that nobody else sees. Status and output are taken by the fork server and
+the tests, outside of that place. Requests: see `helpers.runner.fork_server`; tests use `helpers.runner.workspaces`.
 """
 
+import base64
+import json
 import os
-import subprocess
-import threading
+import sys
 from pathlib import Path
+from typing import Any
 
-import psutil
+from helpers.programs import terminals
 
-from helpers import terminals
-from helpers.runner import values
-
-HOME = Path(os.environ.get('HOME', '/'))  # of the whole learner's side: workspaces outlive one of its processes
 MAX_FILES = 2000  # names in a listing
 
 
-class Commands:
-    """The requests; a base of `worker.Worker`."""
+def perform(request: dict, given: list[int]) -> int:
+    """Do a task in the calling process, whose output the tests have; returns the exit status.
 
-    def do_value(self, name: str):
-        """What the learner's program binds to a name."""
-        return {'result': values.encode(self.program.find(name))}
-
-    def do_files(self, folder: str, files: dict[str, str]):
-        """Write text files below a folder of HOME, and colcon's defaults with them."""
-        root = HOME / folder
-        for name, text in {terminals.DEFAULTS: terminals.colcon_defaults(), **files}.items():
-            path = root / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
-        return {}
-
-    def do_listing(self, folder: str):
-        """The files and links below a folder, without caches."""
-        root = HOME / folder
-        found = [path.relative_to(root).as_posix() for path in root.rglob('*') if not path.is_dir()]
-        return {'files': sorted(name for name in found if '__pycache__' not in name)[:MAX_FILES]}
-
-    def do_run(self, argv: list[str], folder: str, timeout: float, keep: int):
-        """Run a command in a new terminal: the ROS installation is sourced, then the folder's own `install`, if any.
-
-        Gives its exit status (None: it was ended after `timeout` seconds) and the last `keep` bytes of its output.
-        """
-        script = '[ ! -f install/setup.bash ] || source install/setup.bash\nexec "$@"'
-        process = subprocess.Popen([*terminals.shell(script), 'bash', *argv], cwd=HOME / folder,
-                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                   env={**os.environ, 'COLCON_DEFAULTS_FILE': str(HOME / folder / terminals.DEFAULTS)})
-        output = bytearray()
-        reader = threading.Thread(target=_keep_last, args=(process.stdout, output, keep), daemon=True)
-        reader.start()
-        try:
-            status = process.wait(timeout)
-        except subprocess.TimeoutExpired:
-            status = None
-        # It stays in this process's group, so that it ends with this one however that comes; here, what it left.
-        for child in psutil.Process().children(recursive=True):
-            try:
-                child.kill()
-            except psutil.NoSuchProcess:
-                pass
-        process.wait()
-        reader.join(2.0)
-        return {'status': status, 'output': bytes(output).decode(errors='replace')}
+    write     the files in the open file given[0] (JSON: path -> text, or base64) below `folder`, with colcon's defaults
+    listing   print the names of the files and links below `folder`, without caches, as JSON
+    command   run `argv` in a new terminal: the ROS installation is sourced, then the folder's own `install`, if any
+    pytest    run pytest with `argv`, in this process, which has imported it
+    """
+    root = Path(os.environ.get('HOME', '/'), request['folder'])
+    match request['op']:
+        case 'write':
+            with open(given[0], encoding='utf-8') as file:
+                _write(root, json.load(file))
+        case 'listing':
+            print(json.dumps(_listing(root)))
+        case 'command':
+            os.chdir(root)
+            script = '[ ! -f install/setup.bash ] || source install/setup.bash\nexec "$@"'
+            argv = [*terminals.shell(script), 'bash', *request['argv']]
+            os.execvpe(argv[0], argv, {**os.environ, **request['environment'],
+                                       'COLCON_DEFAULTS_FILE': str(root / terminals.DEFAULTS)})
+        case 'pytest':
+            os.chdir(root)
+            return _pytest(request, given)
+    return 0
 
 
-def _keep_last(stream, kept: bytearray, limit: int) -> None:
-    while chunk := stream.read1(65536):
-        kept += chunk
-        del kept[:-limit]
+def _write(root: Path, files: dict[str, str | dict]) -> None:
+    for name, text in {terminals.DEFAULTS: terminals.colcon_defaults(), **files}.items():
+        path = root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        content = text.encode() if isinstance(text, str) else base64.b64decode(text['base64'])
+        path.write_bytes(content)
+        if content.startswith(b'#!'):
+            path.chmod(0o755)
+
+
+def _listing(root: Path) -> list[str]:
+    found = [path.relative_to(root).as_posix() for path in root.rglob('*') if path.is_symlink() or not path.is_dir()]
+    return sorted(name for name in found if '__pycache__' not in name)[:MAX_FILES]
+
+
+def _pytest(request: dict, given: list[int]) -> int:
+    """pytest's status. given[0], if it is there, is a socket to functions on the tests' side."""
+    import pytest
+
+    os.environ.update(request['environment'])
+    os.environ['PYTEST_DISABLE_PLUGIN_AUTOLOAD'] = '1'
+    missing: Any = None  # in place of a module: importing it is an ImportError
+    for name in request.get('without', ()):
+        sys.modules[name] = missing
+    if given:
+        os.environ['FUNCTIONS'] = str(given[0])
+    sys.path.insert(0, os.getcwd())
+    return int(pytest.main(request['argv']))

@@ -1,4 +1,4 @@
-"""A test's own node in another ROS domain than the learner's program: hears, speaks and relays there."""
+"""A test's own node in another ROS domain than the learner's program: it subscribes, publishes and relays there."""
 import secrets
 import threading
 import time
@@ -25,7 +25,11 @@ class Elsewhere:
     def listen(self, topic: str, msg_type) -> list:
         """The list in which messages of `topic` appear while this node spins."""
         heard: list = []
-        events = SubscriptionEventCallbacks(matched=lambda info: self._matched.update({topic: info.total_count}))
+
+        def matched(info) -> None:
+            self._matched[topic] = info.total_count
+
+        events = SubscriptionEventCallbacks(matched=matched)
         self.node.create_subscription(msg_type, topic, heard.append, 100, event_callbacks=events)
         return heard
 

@@ -12,15 +12,16 @@ from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.executors import SingleThreadedExecutor, TimeoutException
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.subscription import Subscription
 from rclpy.time import Time
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import UInt64
 
-from helpers.nodes import UNKNOWN
+from helpers.kernel.nodes import UNKNOWN
 from helpers.runner import actions, services, spent, values, wiring
-from helpers.runner.client import ForkServer, Process, RunnerError
+from helpers.runner.client import ForkServer, ProgramProcess
 from helpers.runner.peers import SECOND, Peer
-from helpers.runner.verdicts import LearnerFault
+from helpers.runner.verdicts import LearnerError, Unheard
 from helpers.runner.workspaces import Workspaces
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ MAX_MESSAGES = 5000  # at one moment of simulated time, on all topics that a tes
 
 @dataclass(frozen=True)
 class Timeouts:
-    """Bounds on waiting, in seconds of wall time. They only end what would never end."""
+    """Bounds on waiting, in seconds of wall time. They only end programs that would never end by themselves."""
 
     load: float = 6.0
     start: float = 6.0
@@ -55,7 +56,7 @@ class Recording:
     topic: str
     messages: list = field(default_factory=list)
     stamps: list[float] = field(default_factory=list)
-    subscription: object = field(default=None, repr=False)
+    subscription: Subscription = field(init=False, repr=False)
     strict: bool = field(default=True, repr=False)
     optional: bool = field(default=False, repr=False)  # no hint if the learner has no publisher there
     matched: int = field(default=0, repr=False)  # publishers that were ever connected
@@ -95,10 +96,10 @@ class Talker:
         self.learner.unsettled = True
 
 
-class Started:
+class StartedNodes:
     """What `learner.start` gives: one process with the learner's node in it."""
 
-    def __init__(self, learner: 'Learner', process: Process, index: int, nodes: list[str]):
+    def __init__(self, learner: 'Learner', process: ProgramProcess, index: int, nodes: list[str]):
         self.learner, self.process, self.index = learner, process, index
         self.nodes = nodes  # fully qualified names
 
@@ -117,7 +118,7 @@ class Started:
         return self.process.call(method, args, kwargs, self.learner.timeouts.call, self.index)
 
     def stop(self) -> None:
-        """End this process politely: its nodes leave the graph."""
+        """End this process; its nodes leave the graph."""
         self.learner.settle()
         self.process.stop()
         self.learner.forget(self.process)
@@ -133,12 +134,12 @@ class Learner(Workspaces):
     def __init__(self, server: ForkServer, program: dict, domain_id: int, timeouts: Timeouts = TIMEOUTS, *,
                  random: Random):
         self.server, self.program, self.timeouts, self.random = server, program, timeouts, random
-        self.token = secrets.token_hex(6)  # names that nobody else uses, and that tell nothing about the test
+        self.token = secrets.token_hex(6)  # makes names unique without naming the test
         self.now = 0  # simulated time, ns
         self.unsettled = False
-        self.processes: list[Process] = []
+        self.processes: list[ProgramProcess] = []
         self._stepped: set[str] = set()  # keys of processes that have a conductor
-        self._calls: Process | None = None
+        self._calls: ProgramProcess | None = None
         self._numbers = itertools.count(1)
         self._recordings: list[Recording] = []
         self._participant = b''  # of the test's node
@@ -164,7 +165,7 @@ class Learner(Workspaces):
     # What the learner's program is asked to do
 
     def start(self, name: str, *args, parameters: dict | None = None, remap: dict | None = None,
-              beside: Started | None = None, threads: bool = False, **kwargs) -> Started:
+              beside: StartedNodes | None = None, threads: bool = False, **kwargs) -> StartedNodes:
         """Make the learner's node in a process of its own, in simulated time.
 
         `name` is their class, or a function that returns a node or a list of nodes. `parameters` and `remap` act as
@@ -185,7 +186,7 @@ class Learner(Workspaces):
         self._stepped.add(process.key)
         self._endpoints[process.key] = answer['endpoints']
         self._connected = False
-        return Started(self, process, answer['index'], [str(node) for node in answer['nodes']])
+        return StartedNodes(self, process, answer['index'], [str(node) for node in answer['nodes']])
 
     def call(self, name: str, *args, **kwargs):
         """Call a function of the learner's and return its result.
@@ -195,19 +196,31 @@ class Learner(Workspaces):
         """
         return self.command_process().call(name, args, kwargs, self.timeouts.call)
 
-    def command_process(self) -> Process:
+    def command_process(self) -> ProgramProcess:
         """The process in which functions are called and commands run: one for a test."""
         if self._calls is None:
             self._calls = self._process([])
         return self._calls
 
-    def _process(self, ros_args: list[str]) -> Process:
-        process = Process(self.server, self.program, ros_args=ros_args, token=self.token, now=self.now,
+    def end_calls(self) -> None:
+        """End the process of `call` and all that it has left: commands run where no cell does.
+
+        The next call gets another one. A test that has started nodes wants them to go on.
+        """
+        if self._calls is not None:
+            process, self._calls = self._calls, None
+            process.stop()
+            self.forget(process)
+            if not self.processes:
+                self.server.clear()
+
+    def _process(self, ros_args: list[str]) -> ProgramProcess:
+        process = ProgramProcess(self.server, self.program, ros_args=ros_args, token=self.token, now=self.now,
                           timeout=self.timeouts.load)
         self.processes.append(process)
         return process
 
-    def forget(self, process: Process) -> None:
+    def forget(self, process: ProgramProcess) -> None:
         """Drop a process that has ended; its output stays."""
         self.processes.remove(process)
         self._stepped.discard(process.key)
@@ -276,7 +289,7 @@ class Learner(Workspaces):
 
     def tf_broadcaster(self) -> 'frames.Broadcaster':
         """Transforms for the learner's listener: `send` for `/tf`, `fix` for `/tf_static`."""
-        from helpers.runner import frames  # with numpy and tf2: only tests about frames pay for it
+        from helpers.runner import frames  # imports numpy and tf2, which only tests about frames need
         return frames.Broadcaster(self)
 
     def tf_listener(self) -> 'frames.Listener':
@@ -305,8 +318,23 @@ class Learner(Workspaces):
         topic = topic if topic.startswith('/') else '/' + topic
         return wiring.endpoints(self.node, topic, self._is_foreign)
 
+    def depths(self, kind: str, topic: str) -> list[int]:
+        """The queue depths of the learner's endpoints of this kind ('publisher', 'subscription') on `topic`.
+
+        The graph does not tell depths, so the learner's processes are asked. What a late joiner or a burst can show
+        should be judged by that.
+        """
+        return [depth for process in self._conducted()
+                for found, name, depth in process.ask('habits', self.timeouts.call)['queues']
+                if (found, name) == (kind, topic)]
+
+    @property
+    def slept(self) -> float:
+        """For how many seconds the learner's lines have called `time.sleep` so far, outside of `threads=True`."""
+        return sum(process.ask('habits', self.timeouts.call)['slept'] for process in self._conducted())
+
     def _is_foreign(self, info) -> bool:
-        # By participant: a name may be anybody's. The conductor is the learner's participant's, too.
+        # By participant, as any program may use a name. The conductor belongs to the learner's participant, too.
         return (_participant(info) != self._participant and info.node_name != f'_{self.token}')
 
     # Time and order
@@ -326,7 +354,7 @@ class Learner(Workspaces):
             if self.now - begin >= SECOND // 10:
                 begin, moments, since = self.now, 0, time.monotonic()
             if moments > MAX_MOMENTS or moments > 20 and time.monotonic() - since > self.timeouts.discovery:
-                raise LearnerFault('Your program has something to do at far too many moments of simulated time. Has a '
+                raise LearnerError('Your program has something to do at far too many moments of simulated time. Has a '
                                    'timer a very small period? It is in seconds.')
             due = [time_due for time_due in (*self._due, *(peer.due() for peer in self._peers)) if time_due is not None]
             self._step_to(max(self.now + 1, min([end, self.now + largest, *due])))
@@ -356,6 +384,7 @@ class Learner(Workspaces):
     _heard: tuple[int, int] = (0, 0)  # the moment of the last message, and how many came at it
     _due: tuple = ()
     _waiting: list = []  # the learner's lines at which callbacks waited after the last step
+    _remarks: list = []  # sentences on mistakes that the learner's processes have noticed
 
     def _step_to(self, now: int) -> None:
         """Bring every process to `now`, until a round in which nothing happened."""
@@ -371,6 +400,7 @@ class Learner(Workspaces):
             self._drain(number, len(answers))
             self._due = tuple(answer.get('next') for answer in answers)
             self._waiting = [line for answer in answers for line in answer.get('waiting', ())]
+            self._remarks = [text[:300] for answer in answers for text in answer.get('remarks', ())[:10]]
             # A callback may have made or destroyed endpoints: these are connected before the next step.
             endpoints = {process.key: answer.get('endpoints')
                          for process, answer in zip(self._conducted(), answers, strict=True)}
@@ -386,10 +416,10 @@ class Learner(Workspaces):
             for process in self._conducted():  # what they have sent to each other arrives before the next round
                 process.ask('ack', self.timeouts.step, timeout=5.0)
         if active:
-            raise LearnerFault('Your nodes never come to rest: they answer each other\'s messages without end.')
-        raise RunnerError('/clock does not reach the learner\'s processes')
+            raise LearnerError('Your nodes never come to rest: they answer each other\'s messages without end.')
+        raise Unheard('Your program does not take the time from /clock.')
 
-    def _conducted(self) -> list[Process]:
+    def _conducted(self) -> list[ProgramProcess]:
         return [process for process in self.processes if process.key in self._stepped]
 
     def _on_done(self, message: UInt64) -> None:
@@ -400,7 +430,7 @@ class Learner(Workspaces):
         count = count + 1 if moment == self.now else 1
         self._heard = (self.now, count)
         if count > MAX_MESSAGES:
-            raise LearnerFault(f'More than {MAX_MESSAGES} messages came on {recording.topic} at one moment of '
+            raise LearnerError(f'More than {MAX_MESSAGES} messages came on {recording.topic} at one moment of '
                                'simulated time: your program publishes without a pause. Publish in a timer\'s '
                                'callback.')
         recording.messages.append(message)
@@ -410,7 +440,7 @@ class Learner(Workspaces):
         recording.matched = max(recording.matched, event.total_count)
 
     def _check_origin(self) -> None:
-        """Raise LearnerFault if somebody else than the test's and the learner's programs publishes to a recording.
+        """Raise LearnerError if a program besides the test's and the learner's publishes to a recording.
 
         A program of the learner's has one participant. Another process, or another context, is another participant.
         """
@@ -422,7 +452,7 @@ class Learner(Workspaces):
                                 if _participant(info) in self._participants}
             strangers = any(_participant(info) not in self._participants for info in infos)
             if strangers or recording.matched > len(recording.known):
-                raise LearnerFault(f'What came on {recording.topic} is from another program, not from the node that '
+                raise LearnerError(f'What came on {recording.topic} is from another program, not from the node that '
                                    'your cell defines: publish with that node, in its own process and context.')
 
     def _drain(self, number: int, processes: int) -> None:
@@ -430,7 +460,7 @@ class Learner(Workspaces):
         deadline = time.monotonic() + self.timeouts.discovery
         while self._done.get(number, 0) < processes:
             if time.monotonic() > deadline:
-                raise RunnerError("the learner's side was not heard in time")
+                raise Unheard('Your program was not heard in time: it said that it had reacted, and nothing came.')
             self._spin_once(0.05)
         self._done.pop(number, None)
         self.receive()
@@ -447,7 +477,7 @@ class Learner(Workspaces):
             while self._spin_once(0):
                 found = True
                 if time.monotonic() > deadline:
-                    raise LearnerFault('Your program publishes without a pause: its messages come faster than they can '
+                    raise LearnerError('Your program publishes without a pause: its messages come faster than they can '
                                        'be read. Publish in a timer\'s callback.')
         self._check_origin()
 
@@ -474,7 +504,7 @@ class Learner(Workspaces):
     def connect(self) -> None:
         """Wait until every endpoint made so far, here and in the learner's processes, is matched.
 
-        Raises WiringFault for a wrong type or incompatible QoS.
+        Raises WiringError for a wrong type or incompatible QoS.
         """
         if self._connected:
             return
@@ -490,7 +520,7 @@ class Learner(Workspaces):
         deadline = time.monotonic() + self.timeouts.discovery
         while not self._known(f'{mark}/worker', len(processes)):
             if time.monotonic() > deadline:
-                raise RunnerError("the learner's process was not found in time")
+                raise Unheard('The process of your program was not found in time.')
             time.sleep(0.001)  # a bounded poll, as in the worker
         self._meet(f'{mark}', len(processes))
         for process in processes:
@@ -515,7 +545,7 @@ class Learner(Workspaces):
         own, = self.node.get_publishers_info_by_topic(f'{mark}/tests')[:1]
         theirs = {_participant(info) for info in self.node.get_publishers_info_by_topic(f'{mark}/worker')}
         if len(theirs) > processes:
-            raise LearnerFault('Another program speaks in the name of yours to the tests.')
+            raise LearnerError('Another program speaks in the name of yours to the tests.')
         self._participant = _participant(own)
         self._participants |= {self._participant, *theirs}
 
@@ -545,6 +575,7 @@ class Learner(Workspaces):
                 found.append(f'Your program has no {kind} on {topic}{instead}.')
         found += [hint for peer in self._peers for hint in peer.hints()]
         stuck = [line for line in self._waiting if 'sleep' not in line['code']]
+        found += self._remarks
         return found + [f"A callback of your program was waiting at {line['cell']}, line {line['line']}: "
                         f"`{line['code']}`." for line in stuck[:3]]
 

@@ -1,5 +1,5 @@
-"""What a test has besides plain topics: endpoints that act by themselves while simulated time passes."""
-from helpers.runner.verdicts import WiringFault
+"""Services, actions and models for tests: endpoints that act by themselves while simulated time passes."""
+from helpers.runner.verdicts import WiringError
 
 SECOND = 1_000_000_000
 # What every node brings, and the tests' own nodes: not the learner's.
@@ -22,7 +22,7 @@ class Peer:
         """Do what is due by now; afterwards `due` is later than now, or None."""
 
     def check(self) -> None:
-        """Raise WiringFault if the learner's counterpart is there and can never be connected."""
+        """Raise WiringError if the learner's counterpart is there and can never be connected."""
 
     def hints(self) -> list[str]:
         """What a failed test may add: sentences on a counterpart that is missing."""
@@ -65,8 +65,8 @@ class Named(Peer):
     def check(self) -> None:
         types = self.theirs().get(self.name, [])
         if self.strict and types and self.type not in types:
-            raise WiringFault(f'{self.name} must have the type {self.type}; your {self.kind} there has the type '
-                              f'{types[0]}. Two sides of different types are never connected.')
+            raise WiringError(f'{self.name} must have the type {self.type}; your {self.kind} there has the type '
+                              f'{types[0]}. Two sides of different types are never connected.', 'type')
 
     def hints(self) -> list[str]:
         theirs = self.theirs()

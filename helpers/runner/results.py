@@ -1,9 +1,10 @@
 """Results of tests and exercises, and the score: pure data and pure functions.
 
-Scores fail closed: only an explicit pass counts. A grader's fault leaves the score unknown (None), so that it is never
-mistaken for a learner's zero.
+Scores fail closed: only an explicit pass counts. An error of the grader's leaves the score unknown (None), so
+that it is never mistaken for a learner's zero.
 """
 import math
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 
 from helpers.exercises.manifest import Exercise
@@ -29,10 +30,28 @@ class TestResult:
     output: str = ''  # what their program printed
     fault: str = ''  # the grader's own traceback: for the instructor only
     seconds: float = field(default=0.0, compare=False)  # wall time of its last run, which says nothing about the mark
+    rules: list[str] = field(default_factory=list)  # the rules of the card that the test looks at
+    rule: str = ''  # the one that is broken, where the test knows it
+    so_far: list[str] = field(default_factory=list)  # rules that nothing had broken before the test failed
+    hint: bool = False  # whether the rest of `expected`, a general hint, fits beside the message
 
     @property
     def passed(self) -> bool:
         return self.verdict == verdicts.PASSED
+
+
+KEPT, BROKEN, NOT_LOOKED_AT = 'kept', 'broken', 'not_looked_at'
+SO_FAR = 'right so far'  # why a rule is not looked at: only a part of its test has run
+
+
+@dataclass
+class RuleResult:
+    """What the tests say of one rule of the card."""
+
+    name: str
+    text: str  # the sentence of the card
+    state: str  # KEPT, BROKEN or NOT_LOOKED_AT
+    why: str = ''  # it is not looked at
 
 
 @dataclass
@@ -43,13 +62,18 @@ class ExerciseResult:
     title: str
     points: float
     verdict: str
-    score: float | None  # None: unknown, because of a grader's fault
+    score: float | None  # None: unknown, because of an error of the grader's
     message: str = ''  # about the exercise as a whole: not attempted, invalid
     tests: list[TestResult] = field(default_factory=list)
+    rules: list[RuleResult] = field(default_factory=list)  # in the order of the card
 
     @property
     def passed(self) -> bool:
         return self.verdict == verdicts.PASSED
+
+    def count_rules(self, state: str) -> int:
+        """How many rules of the card are in this state."""
+        return sum(rule.state == state for rule in self.rules)
 
     def count(self, hidden: bool) -> tuple[int, int]:
         """(passed tests, all tests) of the hidden or of the visible ones."""
@@ -63,7 +87,8 @@ class ExerciseResult:
     @classmethod
     def from_dict(cls, data: dict) -> 'ExerciseResult':
         """The result that `as_dict` has written. Raises KeyError or TypeError if fields are missing, or unknown."""
-        return cls(**{**data, 'tests': [TestResult(**test) for test in data['tests']]})
+        return cls(**{**data, 'tests': [TestResult(**test) for test in data['tests']],
+                      'rules': [RuleResult(**rule) for rule in data.get('rules', ())]})
 
 
 # From the worst to the best: what an exercise with several verdicts is called.
@@ -71,10 +96,14 @@ _ORDER = (verdicts.GRADER_ERROR, verdicts.INVALID_SUBMISSION, verdicts.TIMEOUT, 
           verdicts.FAILED, verdicts.PASSED)
 
 
-def judge(exercise: Exercise, tests: list[TestResult]) -> ExerciseResult:
-    """Score an exercise: points times passed weight over total weight, rounded to two decimals."""
+def scored(exercise: Exercise, tests: list[TestResult], unseen: Mapping[str, str] | None = None) -> ExerciseResult:
+    """Score an exercise: points times passed weight over total weight, rounded to two decimals.
+
+    `unseen`: why no visible test looks at a rule, by its name.
+    """
     def result(verdict: str, score: float | None) -> ExerciseResult:
-        return ExerciseResult(exercise.id, exercise.title, exercise.points, verdict, score, tests=tests)
+        return ExerciseResult(exercise.id, exercise.title, exercise.points, verdict, score, tests=tests,
+                              rules=_rules(exercise, tests, unseen or {}))
 
     names = [test.test for test in tests]
     weights = [test.weight for test in tests]
@@ -86,6 +115,26 @@ def judge(exercise: Exercise, tests: list[TestResult]) -> ExerciseResult:
     verdict = next(kind for kind in _ORDER if any(test.verdict == kind for test in tests))
     share = sum(test.weight for test in tests if test.passed) / sum(weights)
     return result(verdict, round(exercise.points * share, 2))
+
+
+def _rules(exercise: Exercise, tests: list[TestResult], unseen: Mapping[str, str]) -> list[RuleResult]:
+    """What the tests say of each rule of the card."""
+    broken = {test.rule for test in tests if not test.passed}
+    kept = {rule for test in tests if test.passed for rule in test.rules}
+    found = []
+    for rule in exercise.rules:
+        looking = [test for test in tests if rule.name in test.rules]
+        if rule.name in broken:
+            found.append(RuleResult(rule.name, rule.text, BROKEN))
+        elif rule.name in kept:
+            found.append(RuleResult(rule.name, rule.text, KEPT))
+        else:
+            first = next((test.rule for test in looking if test.rule), '')
+            why = (SO_FAR if any(rule.name in test.so_far for test in looking) else
+                   f'what breaks “{first}” hides it' if first else
+                   'the program did not come so far' if looking else unseen.get(rule.name, 'no test has run'))
+            found.append(RuleResult(rule.name, rule.text, NOT_LOOKED_AT, why))
+    return found
 
 
 def without_tests(exercise: Exercise, verdict: str, message: str) -> ExerciseResult:

@@ -6,6 +6,8 @@ import itertools
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
+from rclpy.service import Service
+
 from helpers.runner.peers import SECOND, Named
 from helpers.runner.values import type_name
 from helpers.runner.verdicts import ExpectationFailed
@@ -92,7 +94,7 @@ class Server(Named):
         self.stamps: list[float] = []
         self._numbers = itertools.count()
         self._waiting: list[tuple[int, int, object, object]] = []  # due (ns), number, response, header
-        self._service = None
+        self._service: Service | None = None
         self.start()
 
     def ask(self, node: str, namespace: str):
@@ -100,9 +102,10 @@ class Server(Named):
 
     def start(self) -> None:
         """Enter the graph, again after a `stop`."""
-        self._service = self.learner.node.create_service(self.srv_type, self.name, lambda request, response: request)
+        service = self.learner.node.create_service(self.srv_type, self.name, lambda request, response: request)
         # rclpy answers with what the callback returns: here the request, so that it can be answered at its time.
-        self._service.send_response = self._take
+        service.send_response = self._take
+        self._service = service
         self.learner.rewired()
 
     def stop(self) -> None:
@@ -139,4 +142,5 @@ class Server(Named):
         ready = sorted(entry for entry in self._waiting if entry[0] <= self.learner.now)
         self._waiting = [entry for entry in self._waiting if entry not in ready]
         for _, _, response, header in ready:
+            assert self._service is not None  # a server that leaves forgets what waits
             type(self._service).send_response(self._service, response, header)

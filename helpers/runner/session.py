@@ -2,48 +2,52 @@
 
 `check` in a notebook, `./course check`, `submit` and `grade` all come through `run`; grading adds the hidden tests.
 """
-import importlib
 import json
+import math
 import os
 import select
 import subprocess
-import tempfile
 import time
-from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
+from collections import Counter, defaultdict
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from helpers import domains
 from helpers.exercises import manifest, notebooks, program
 from helpers.exercises.manifest import Exercise
-from helpers.runner import launch, results, seeds, verdicts
+from helpers.runner import results, seeds, start_processes, tests_process, verdicts
 from helpers.runner.results import ExerciseResult, TestResult
 from helpers.runner.text import LEFT_OUT, MAX_OUTPUT, clean
 
 VISIBLE = Path(__file__).resolve().parents[1] / 'checks'
 TEST_TIMEOUT = 120.0  # seconds of wall time for one test; its own waits are shorter
+BUSY = 4  # so many times as long the tests' process may be silent: on a busy machine a test has more time
+_LONG = (2, 7, 8)  # chapters whose exercises build packages and launch systems
+TOTAL_TIMEOUT = 1800.0  # seconds of wall time for all tests of a session
 START_TIMEOUT = 60.0  # seconds until the tests are collected
 
 
 @dataclass(frozen=True)
 class Options:
-    """How a session runs. `hidden` is the folder of hidden tests, if these are to run."""
+    """How a session runs. `hidden` is the folder of the exercises' folders, if their hidden tests are to run."""
 
     hidden: Path | None = None
     visible: Path = VISIBLE
-    launcher: str = 'helpers.runner.launch:start'
-    limits: launch.Limits = launch.LIMITS
+    launcher: str = tests_process.PLAIN
+    limits: start_processes.Limits = start_processes.LIMITS
     test_timeout: float = TEST_TIMEOUT
-    retries: int = 1  # how often a test with a grader's fault runs again
+    total_timeout: float = TOTAL_TIMEOUT
+    retries: int = 1  # how often a test runs again after an error of the grader's
     processes: int = 1  # among how many processes of tests the exercises are shared out
     seed: str = ''  # what the tests draw is derived from it; a fresh one if empty
+    seeds: Mapping[str, str] = field(default_factory=dict)  # exercise -> a seed of its own
+    notebook: Sequence[notebooks.NotebookCell] = ()  # all cells, where only those that were run are judged
     tests: Mapping[str, Iterable[str]] = field(default_factory=dict)  # exercise -> names of the tests to run; else all
 
 
 @dataclass
-class Report:
+class SessionReport:
     """What a session found: a result per exercise, and the sandbox in which the learner's code ran."""
 
     exercises: list[ExerciseResult]
@@ -51,61 +55,97 @@ class Report:
     log: list[str] = field(default_factory=list)  # for the instructor
     seed: str = ''  # the session's: with it the tests draw the same inputs again
     spent: Counter[str] = field(default_factory=Counter, compare=False)  # seconds by part, see `helpers.runner.spent`
+    seeds: dict[str, str] = field(default_factory=dict)  # by exercise: with it the tests draw the same inputs again
 
 
-def run(cells: list[notebooks.Cell], exercises: Iterable[Exercise], options: Options | None = None,
-        say: Callable[[str], None] = lambda text: None) -> Report:
-    """Judge `exercises` with the learner's code cells (in their order). `say` is told of each test that has finished.
+def run(cells: list[notebooks.NotebookCell], exercises: Iterable[Exercise], options: Options | None = None,
+        say: Callable[[str], None] = lambda text: None) -> SessionReport:
+    """Test `exercises` with the learner's code cells (in their order). `say` is told of each test that has finished.
 
-    Never raises for anything in the learner's code; a fault of the runner's own is a grader_error in the results.
+    Never raises for anything in the learner's code; an error of the runner's own is a grader_error in the results.
+    """
+    options = options or Options()
+    programs: dict[str, dict] = {}
+    without: dict[str, tuple[str, str]] = {}
+    exercises = list(exercises)
+    for exercise in exercises:
+        try:
+            programs[exercise.id] = program.build(cells, exercise, options.notebook).as_dict()
+        except program.NotAttempted as reason:
+            without[exercise.id] = results.NOT_ATTEMPTED, str(reason)
+        except program.InvalidExercise as reason:
+            without[exercise.id] = verdicts.INVALID_SUBMISSION, str(reason)
+    return judge(programs, without, exercises, options, say)
+
+
+def judge(programs: dict[str, dict], without: Mapping[str, tuple[str, str]], exercises: Iterable[Exercise],
+          options: Options | None = None, say: Callable[[str], None] = lambda text: None) -> SessionReport:
+    """Judge `exercises`, whose programs are read already.
+
+    :param programs: by exercise, what the learner's process loads (`helpers.exercises.program`).
+    :param without: by exercise, why there is no program: a verdict, and a message for the learner.
     """
     options = options or Options()
     options = replace(options, seed=options.seed or seeds.fresh())
     exercises = list(exercises)
-    judged: dict[str, ExerciseResult] = {}
-    programs: dict[str, dict] = {}
-    for exercise in exercises:
-        try:
-            programs[exercise.id] = program.build(cells, exercise).as_dict()
-        except program.NotAttempted as reason:
-            judged[exercise.id] = results.without_tests(exercise, results.NOT_ATTEMPTED, clean(reason))
-        except program.InvalidExercise as reason:
-            judged[exercise.id] = results.without_tests(exercise, verdicts.INVALID_SUBMISSION, clean(reason))
+    judged = {exercise.id: results.without_tests(exercise, without[exercise.id][0], clean(without[exercise.id][1]))
+              for exercise in exercises if exercise.id not in programs}
     running = [exercise for exercise in exercises if exercise.id in programs]
-    shares = [share for share in (running[k::options.processes] for k in range(options.processes)) if share]
+    shares = _shares(running, options.processes)
+    deadline = time.monotonic() + options.total_timeout
 
     def collect(share: list[Exercise]) -> _Collection:
-        collection = _Collection(options)
-        chapters = sorted({exercise.chapter for exercise in share})
-        folders = [folder / f'chapter_{chapter:02}' for folder in (options.visible, options.hidden) if folder
-                   for chapter in chapters]
+        collection = _Collection(options, deadline)
+        places = [options.visible / f'chapter_{chapter:02}' for chapter in sorted({one.chapter for one in share})]
+        if options.hidden:
+            places += [manifest.hidden_tests(options.hidden, exercise.id) for exercise in share]
         collection.run({exercise.id: programs[exercise.id] for exercise in share},
-                       [folder for folder in folders if folder.is_dir()], say)
+                       [place for place in places if place.exists()], say)
         return collection
 
     if len(shares) <= 1:  # in the caller's thread, so that the stop button ends it at once
         collections = [collect(share) for share in shares]
     else:
-        with ThreadPoolExecutor(len(shares)) as pool:
+        with ThreadPoolExecutor(options.processes) as pool:
             collections = list(pool.map(collect, shares))
     for share, collection in zip(shares, collections, strict=True):
         for exercise in share:
-            judged[exercise.id] = results.judge(exercise, collection.of(exercise.id))
-    return Report([judged[exercise.id] for exercise in exercises],
+            judged[exercise.id] = results.scored(exercise, collection.of(exercise.id), collection.unseen[exercise.id])
+    return SessionReport([judged[exercise.id] for exercise in exercises],
                   next((collection.sandbox for collection in collections), ''),
                   [line for collection in collections for line in collection.log], options.seed,
-                  sum((collection.spent for collection in collections), Counter()))
+                  sum((collection.spent for collection in collections), Counter()),
+                  {exercise.id: options.seeds.get(exercise.id, options.seed) for exercise in exercises})
+
+
+def _shares(exercises: list[Exercise], processes: int) -> list[list[Exercise]]:
+    """The exercises by processes of tests: all together, or for some processes side by side, in parts of a chapter.
+
+    What builds and launches comes first, each exercise by itself: so no long part is left for the end.
+    """
+    if processes <= 1 or len(exercises) <= processes:
+        return [share for share in (exercises[k::max(1, processes)] for k in range(max(1, processes))) if share]
+    long, shares = [], []
+    for chapter in dict.fromkeys(exercise.chapter for exercise in exercises):
+        mine = [exercise for exercise in exercises if exercise.chapter == chapter]
+        if chapter in _LONG:
+            long += [[exercise] for exercise in mine]
+        else:
+            shares += [share for share in (mine[k::processes] for k in range(processes)) if share]
+    return long + shares
 
 
 class _Collection:
     """The tests of one session and what became of them."""
 
-    def __init__(self, options: Options):
-        self.options = options
+    def __init__(self, options: Options, deadline: float = math.inf):
+        """`deadline`: until when its tests may run, by the monotonic clock."""
+        self.options, self._deadline = options, deadline
         self.tests: dict[str, TestResult] = {}
         self.sandbox = ''
         self.log: list[str] = []
         self.spent: Counter[str] = Counter()
+        self.unseen: dict[str, dict[str, str]] = defaultdict(dict)  # exercise -> rule -> why no test looks at it
         self._begun: Counter[str] = Counter()  # how often each test was begun
         self._doubled: set[str] = set()
 
@@ -113,17 +153,20 @@ class _Collection:
         """The results of one exercise's tests."""
         return [test for test in self.tests.values() if test.exercise == exercise]
 
-    def run(self, programs: dict[str, dict], folders: list[Path], say) -> None:
-        """Run all tests; those that a dying process left behind, or that met a grader's fault, run again."""
+    def run(self, programs: dict[str, dict], places: list[Path], say) -> None:
+        """Run all tests; those that a dying process left behind, or that met an error of the grader's, run again."""
         only, idle = None, 0
         while idle <= self.options.retries:
             wanted, before = only, self._begun.copy()
-            self._round(programs, folders, only, say)
+            self._round(programs, places, [] if self._late() else only, say)
+            if self._late():
+                self._give_up()
+                break
             only = [name for name, test in self.tests.items() if test.verdict == verdicts.GRADER_ERROR
                     and name not in self._doubled and self._begun[name] <= self.options.retries]
             if self.tests and not only:
                 break
-            # Only what was asked for counts: so each test is progress a bounded number of times.
+            # Only tests that were asked for count: each is begun a bounded number of times, so this loop ends.
             progress = any(count > before[name] for name, count in self._begun.items()
                            if wanted is None or name in wanted)
             idle = 0 if progress else idle + 1
@@ -132,16 +175,27 @@ class _Collection:
                 if not any(test.hidden for test in self.of(exercise)):
                     self._owe(exercise, 'hidden tests', 'there are no hidden tests')
 
-    def _round(self, programs: dict[str, dict], folders: list[Path], only: list[str] | None, say) -> None:
+    def _late(self) -> bool:
+        return time.monotonic() > self._deadline
+
+    def _give_up(self) -> None:
+        """What has not run when the time for all tests is over will not run."""
+        for test in self.tests.values():
+            if test.verdict == verdicts.GRADER_ERROR and test.test not in self._doubled:
+                test.verdict, test.fault = verdicts.TIMEOUT, ''
+                test.message = (f'The tests of all your programs together took longer than '
+                                f'{self.options.total_timeout / 60:g} minutes. This one did not run any more.')
+
+    def _round(self, programs: dict[str, dict], places: list[Path], only: list[str] | None, say) -> None:
         """One process of tests, to its end."""
         seen: set[str] = set()
         judged: set[str] = set()
         running, begun = '', 0.0
-        with (domains.claim() as domain, tempfile.TemporaryDirectory(prefix='course-tests-') as cwd,
-              open(Path(cwd, 'printed'), 'w+b') as printed):
-            process, events = self._start(programs, folders, only, domain, cwd, printed)
+        folders = [folder for folder in (self.options.visible, self.options.hidden) if folder]
+        with tests_process.running(self._job(programs, places, only), self.options.launcher, self.options.limits,
+                                   folders) as tests:
             try:
-                for event in _events(process, events, self.options.test_timeout):
+                for event in _events(tests.process, tests.events, BUSY * self.options.test_timeout, self._deadline):
                     match event['event']:
                         case 'collected':
                             self._collected(event, seen)
@@ -166,35 +220,18 @@ class _Collection:
                         case 'garbled':
                             self.log.append(f"the tests' process sent what is no event after {running or 'its start'}")
             finally:
-                process.kill()
-                status = process.wait()
-                os.close(events)
-                printed.seek(0)
-                text = printed.read(100_000).decode(errors='replace')[-4000:]
+                status, text = tests.end()
         for name in seen:
             if self.tests[name].fault:
                 self.log.append(f'{name}: {self.tests[name].fault}')
         if status != 0 or not seen:
             self.log.append(f"the tests' process ended with status {status}: {text}")
 
-    def _start(self, programs, folders, only, domain: int, cwd: str, printed):
-        read, write = os.pipe()
-        job = {'programs': programs, 'tests': list(map(str, folders)), 'domain': domain, 'only': only,
-               'named': {exercise: list(names) for exercise, names in self.options.tests.items()},
-               'launcher': self.options.launcher, 'limits': asdict(self.options.limits), 'seed': self.options.seed}
-        environment = {**{k: v for k, v in os.environ.items() if not k.startswith(('PYTEST_', 'COV_'))},
-                       **launch.ros_environment(domain), 'PYTEST_DISABLE_PLUGIN_AUTOLOAD': '1',
-                       'ROS_LOG_DIR': cwd, 'PYTHONPATH': os.pathsep.join(
-                           filter(None, [str(launch.ROOT), os.environ.get('PYTHONPATH')]))}
-        with open(Path(cwd, 'job.json'), 'w+') as file:
-            json.dump(job, file)
-            file.seek(0)
-            starter = importlib.import_module(self.options.launcher.partition(':')[0])
-            process = getattr(starter, 'start_tests', launch.start_tests)(
-                file, write, printed, cwd=cwd, environment=environment,
-                folders=[folder for folder in (self.options.visible, self.options.hidden) if folder])
-        os.close(write)
-        return process, read
+    def _job(self, programs: dict[str, dict], places: list[Path], only: list[str] | None) -> dict:
+        """What the tests' process is to do (see `helpers.runner.tester`)."""
+        return {'programs': programs, 'tests': list(map(str, places)), 'only': only, 'seed': self.options.seed,
+                'named': {exercise: list(names) for exercise, names in self.options.tests.items()},
+                'seeds': dict(self.options.seeds), 'limit': self.options.test_timeout}
 
     def _collected(self, event: dict, seen: set[str]) -> None:
         name = event['test']
@@ -204,43 +241,52 @@ class _Collection:
         seen.add(name)
         if name not in self.tests:
             hidden = self.options.hidden is not None and Path(event['path']).is_relative_to(self.options.hidden)
-            # Until a result says otherwise, the grader owes one.
+            # Until its result comes, a test counts as an error of the grader's.
             self.tests[name] = TestResult(name, event['exercise'], hidden, event['weight'], verdicts.GRADER_ERROR,
-                                          event['expected'])
+                                          event['expected'], rules=event['rules'])
+        self.unseen[event['exercise']].update(event['unseen'])
 
     def _result(self, event: dict, seconds: float) -> None:
         test = self.tests[event['test']]
         test.seconds = round(seconds, 3)
-        if test.test not in self._doubled:
+        again = event.get('again') is True and self._begun[test.test] <= self.options.retries
+        if again and test.test not in self._doubled:
+            test.verdict, test.fault = verdicts.GRADER_ERROR, f"to be tried again: {clean(event['message'])}"
+            test.message = test.details = test.output = ''
+        elif test.test not in self._doubled:
             test.verdict = event['verdict'] if event['verdict'] in verdicts.VERDICTS else verdicts.GRADER_ERROR
+            test.rule, test.hint, test.so_far = event['rule'], event['hint'], event.get('so_far', [])
             test.message, test.details = clean(event['message']), clean(event['details'], MAX_OUTPUT)
             test.output, test.fault = clean(event['output'], MAX_OUTPUT), event['fault']
             if test.output.endswith(' …'):
                 test.output = f'{test.output[:-2]}\n{LEFT_OUT}'
 
     def _broken(self, event: dict, programs: dict[str, dict]) -> None:
-        """A test file that cannot be read: by its name, test_3_1.py, it belongs to one exercise; else to all."""
-        tested = manifest.tested_in(Path(event['where'].partition('::')[0]).name)
+        """A test file that cannot be read: its path tells to which exercise it belongs; if not, to all."""
+        tested = manifest.tested_in(Path(event['where']))
         for exercise in programs:
             if tested in (None, exercise):
                 self._owe(exercise, event['where'], event['text'])
 
-    def _owe(self, exercise: str, name: str, fault: str) -> None:
-        """Note a fault of the grader's: no score for this exercise."""
-        self.tests[name] = TestResult(name, exercise, True, 1.0, verdicts.GRADER_ERROR, fault=fault)
+    def _owe(self, exercise: str, name: str, error: str) -> None:
+        """Note an error of the grader's: no score for this exercise."""
+        self.tests[name] = TestResult(name, exercise, True, 1.0, verdicts.GRADER_ERROR, fault=error)
         self._doubled.add(name)
-        self.log.append(f'exercise {exercise}: {name}: {fault}')
+        self.log.append(f'exercise {exercise}: {name}: {error}')
 
 
 # What each kind of event must have.
-_FIELDS = {'collected': {'test': str, 'exercise': str, 'weight': (int, float), 'path': str, 'expected': str},
-           'running': {'test': str}, 'broken': {'where': str, 'text': str}, 'sandbox': {'name': str},
-           'spent': {'seconds': dict},
-           'result': {'test': str, 'verdict': str, 'message': str, 'details': str, 'output': str, 'fault': str}}
+_FIELDS: dict[str, dict[str, type | tuple[type, ...]]] = {
+    'collected': {'test': str, 'exercise': str, 'weight': (int, float), 'path': str, 'expected': str,
+                  'rules': list, 'unseen': dict},
+    'running': {'test': str}, 'broken': {'where': str, 'text': str}, 'sandbox': {'name': str},
+    'spent': {'seconds': dict},
+    'result': {'test': str, 'verdict': str, 'message': str, 'details': str, 'output': str, 'fault': str,
+               'rule': str, 'hint': bool}}
 
 
 def _event(line: bytes) -> dict | None:
-    """An event of the tests' process; None if it is none."""
+    """An event of the tests' process; None if the text is not one."""
     try:
         event = json.loads(line)
         fields = _FIELDS.get(event['event'], {})
@@ -249,7 +295,7 @@ def _event(line: bytes) -> dict | None:
     return event if all(isinstance(event.get(key), kind) for key, kind in fields.items()) else None
 
 
-def _events(process: subprocess.Popen, descriptor: int, test_timeout: float):
+def _events(process: subprocess.Popen, descriptor: int, test_timeout: float, end: float = math.inf):
     """The events of the tests' process; `timeout` and the end if none came in time.
 
     That is START_TIMEOUT for the first test to begin, then `test_timeout`.
@@ -271,7 +317,7 @@ def _events(process: subprocess.Popen, descriptor: int, test_timeout: float):
             yield {'event': 'garbled'}
             return
         if event['event'] == 'running':
-            limit = test_timeout
+            limit = max(1.0, min(test_timeout, end - time.monotonic()))
         yield event
         if event['event'] == 'end':
             try:

@@ -1,11 +1,11 @@
 """How long the parts of a session take, in the tests' process: for the benchmark."""
 
 import time
-from collections import Counter
+from collections import defaultdict
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-seconds: Counter[str] = Counter()
+seconds: defaultdict[str, float] = defaultdict(float)
 
 
 @contextmanager

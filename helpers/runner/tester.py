@@ -1,5 +1,8 @@
 """The tests' process: `python -m helpers.runner.tester FD`, its job as JSON on standard input, its events on FD.
 
+The job may come in two lines: first launcher, domain and limits, with which both sides prepare themselves; the rest
+later.
+
 A process of its own, so that neither a learner's kernel nor a grader that runs many submissions shares a participant,
 a Python state or a crash with the tests.
 """
@@ -13,23 +16,33 @@ from helpers.runner.lifetime import die_with_parent, leave
 
 
 def main() -> int:
-    # A grader that is killed leaves nobody behind who could disturb the next one on the same domain.
+    # After a killed grader no process is left that could disturb the next one on the same domain.
     die_with_parent()
     descriptor = int(sys.argv[1])
     os.set_inheritable(descriptor, False)
-    run(json.load(sys.stdin), descriptor)
+    job, prepared = json.loads(sys.stdin.readline()), None
+    if 'programs' not in job:
+        with spent.part('prepared'):
+            prepared = _prepare(job, descriptor)
+            import pytest  # noqa: F401 - for later
+        rest = sys.stdin.read()
+        if not rest:  # nobody needs it any more
+            prepared[0].close()
+            return 0
+        job |= json.loads(rest)
+    run(job, descriptor, prepared)
     return 0
 
 
-def run(job: dict, descriptor: int) -> None:
-    """Run the tests that `job` names and report to `descriptor`."""
+def run(job: dict, descriptor: int, prepared: tuple | None = None) -> None:
+    """Run the tests that `job` names and report to `descriptor`. `prepared`: what `_prepare` has given already."""
     with spent.part('start'):
-        server, report = _prepare(job, descriptor)
+        server, report = prepared or _prepare(job, descriptor)
     try:
         report({'event': 'sandbox', 'name': server.sandbox})
         only = None if job['only'] is None else set(job['only'])
         with spent.part('pytest'):
-            status = _judge(job, server, report, only)
+            status = _run_tests(job, server, report, only)
         report({'event': 'spent', 'seconds': dict(spent.seconds)})
         report({'event': 'end', 'status': int(status)})
     finally:
@@ -40,19 +53,19 @@ def _prepare(job: dict, descriptor: int):
     """Start the learner's side; returns its server, and the function that reports to the session."""
     module, _, name = job['launcher'].partition(':')
     start = getattr(importlib.import_module(module), name)
-    from helpers.runner import launch
+    from helpers.runner import start_processes
     # The learner's side imports ROS while this side does.
-    limits = launch.Limits(**job['limits'])
+    limits = start_processes.Limits(**job['limits'])
     started = start(job['domain'], limits)
     from helpers.runner import plugin
     from helpers.runner.client import ForkServer
     return ForkServer(started, limits), plugin.reporter(descriptor)
 
 
-def _judge(job: dict, server, report, only: set[str] | None) -> int:
+def _run_tests(job: dict, server, report, only: set[str] | None) -> int:
     """Run pytest; returns its status.
 
-    What it would do for a report that nobody sees is left out: to rewrite assertions, to collect garbage at its end.
+    Switched off is what only serves pytest's own report: rewritten assertions, the garbage collection at its end.
     """
     import pytest
 
@@ -63,7 +76,7 @@ def _judge(job: dict, server, report, only: set[str] | None) -> int:
          '--assert=plain', '-p', 'no:unraisableexception', '-p', 'no:cacheprovider', '--tb=no', '--no-header',
          *job['tests']],
         plugins=[plugin.Plugin(job['programs'], server, job['domain'], report, only, job['named'],
-                               seed=job['seed'])])
+                               limit=job['limit'], seed=job['seed'], seeds=job['seeds'])])
 
 
 if __name__ == '__main__':

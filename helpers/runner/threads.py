@@ -1,8 +1,8 @@
 """Callbacks in threads, one at a time, as a MultiThreadedExecutor runs them, but in an order that never changes.
 
 A callback may wait in its thread: on the node's clock, on a rate, on an event or a condition, or in a client's `call`.
-It then hands over to the main thread, which gives it its turn again once what it waits for has come. So the main thread
-knows when every callback has either returned or waits, which is when simulated time may go on.
+Then the main thread goes on, and lets the callback continue once what it waits for has come. So the main thread knows
+when every callback has either returned or waits; then simulated time may go on.
 
 Only these waits are known: `Clock.sleep_for` and `sleep_until` on simulated time, everything built on
 `threading.Condition` (Event, Semaphore, queue.Queue, rclpy's Rate and `Client.call`), `threading.Lock` in the learner's
@@ -28,12 +28,12 @@ class Sleeps(Exception):
         self.frame = frame
 
 
-class _Hand(threading.Thread):
-    """A thread of the crew: it works or waits only while the main thread stands still."""
+class _PoolThread(threading.Thread):
+    """A thread of the pool: it works or waits only while the main thread stands still."""
 
-    def __init__(self, crew: 'Crew'):
+    def __init__(self, pool: 'ThreadPool'):
         super().__init__(daemon=True)
-        self.crew = crew
+        self.pool = pool
         self.work: tuple | None = None  # (handler, entity, node)
         self.ready: Callable[[], bool] | None = None  # while it waits: whether it may go on
         self.due: int | None = None  # simulated time (ns) at which it goes on by itself
@@ -44,35 +44,36 @@ class _Hand(threading.Thread):
     def run(self) -> None:
         while True:
             self.turn.acquire()
+            assert self.work is not None  # who gives the turn has set it
             handler, *_ = self.work
             try:
                 handler()
             except BaseException as error:  # noqa: BLE001 - SystemExit passes through rclpy's own handling
-                self.crew.raised[id(handler)] = error
-            self.crew.ended.append(self.work)
+                self.pool.raised[id(handler)] = error
+            self.pool.ended.append(self.work)
             self.work = None
-            self.crew.idle.append(self)
-            self.crew.back.release()
+            self.pool.idle.append(self)
+            self.pool.back.release()
 
     def wait_for(self, ready: Callable[[], bool], due: int | None = None, awake_at: float | None = None) -> None:
-        """Hand over until `ready()`; called in this thread."""
+        """Let the main thread go on until `ready()`; called in this thread."""
         self.ready, self.due, self.awake_at = ready, due, awake_at
-        self.crew.waiting.append(self)
-        self.crew.back.release()
+        self.pool.waiting.append(self)
+        self.pool.back.release()
         self.turn.acquire()
         self.ready = self.due = self.awake_at = None
 
 
-class Crew:
+class ThreadPool:
     """The threads of a process. `now` gives the simulated time in nanoseconds."""
 
     def __init__(self, now: Callable[[], int]):
         self.now = now
-        self.idle: list[_Hand] = []
-        self.waiting: list[_Hand] = []
+        self.idle: list[_PoolThread] = []
+        self.waiting: list[_PoolThread] = []
         self.ended: list[tuple] = []  # work that has ended: (handler, entity, node)
         self.raised: dict[int, BaseException] = {}  # by the id of the handler: what left it
-        self.current: _Hand | None = None
+        self.current: _PoolThread | None = None
         self.back = _thread.allocate_lock()
         self.back.acquire()
         self._slept = (-1, 0.0)  # at which simulated time, for how long
@@ -80,56 +81,56 @@ class Crew:
 
     def run(self, handler, entity, node) -> bool:
         """Run a ready callback until it returns (then it is in `ended`) or waits; returns whether it waits."""
-        hand = self.idle.pop() if self.idle else self._new_hand()
-        hand.work = (handler, entity, node)
-        self._give_turn(hand)
-        return hand.work is not None
+        thread = self.idle.pop() if self.idle else self._new_thread()
+        thread.work = (handler, entity, node)
+        self._give_turn(thread)
+        return thread.work is not None
 
     def resume(self) -> bool:
-        """Let every thread go on whose wait is over; returns whether there was one. Sleeps out a `time.sleep`."""
-        ready = [hand for hand in self.waiting if hand.ready()]
+        """Let every thread go on whose wait is over; returns whether there was one. Waits until a `time.sleep` ends."""
+        ready = [thread for thread in self.waiting if thread.ready is not None and thread.ready()]
         if not ready:
-            sleepers = [hand for hand in self.waiting if hand.awake_at is not None]
+            sleepers = {thread: thread.awake_at for thread in self.waiting if thread.awake_at is not None}
             if sleepers:
-                hand = min(sleepers, key=lambda hand: hand.awake_at)
-                self._sleep(hand)
-                ready = [hand]
-        for hand in ready:
-            self.waiting.remove(hand)
-            self._give_turn(hand)
+                thread = min(sleepers, key=sleepers.__getitem__)
+                self._sleep(thread, sleepers[thread])
+                ready = [thread]
+        for thread in ready:
+            self.waiting.remove(thread)
+            self._give_turn(thread)
         return bool(ready)
 
     def next_due(self) -> int | None:
         """The simulated time (ns) at which the next wait is over by itself."""
-        return min((hand.due for hand in self.waiting if hand.due is not None), default=None)
+        return min((thread.due for thread in self.waiting if thread.due is not None), default=None)
 
-    def here(self) -> '_Hand | None':
-        """The thread of this crew in which the caller runs."""
-        hand = threading.current_thread()
-        return hand if isinstance(hand, _Hand) and hand.crew is self else None
+    def here(self) -> '_PoolThread | None':
+        """The thread of this pool in which the caller runs."""
+        thread = threading.current_thread()
+        return thread if isinstance(thread, _PoolThread) and thread.pool is self else None
 
-    def frame(self, hand: _Hand | None = None):
+    def frame(self, thread: _PoolThread | None = None):
         """The innermost frame of a thread; of the one that has its turn, if none is given. None if there is none."""
-        hand = hand or self.current
-        return sys._current_frames().get(hand.ident) if hand else None
+        thread = thread or self.current
+        return sys._current_frames().get(thread.ident) if thread and thread.ident is not None else None
 
-    def _new_hand(self) -> _Hand:
-        hand = _Hand(self)
-        hand.start()
-        return hand
+    def _new_thread(self) -> _PoolThread:
+        thread = _PoolThread(self)
+        thread.start()
+        return thread
 
-    def _give_turn(self, hand: _Hand) -> None:
-        self.current = hand
-        hand.turn.release()
+    def _give_turn(self, thread: _PoolThread) -> None:
+        self.current = thread
+        thread.turn.release()
         self.back.acquire()
         self.current = None
 
-    def _sleep(self, hand: _Hand) -> None:
-        left = max(0.0, hand.awake_at - time.monotonic())
+    def _sleep(self, thread: _PoolThread, awake_at: float) -> None:
+        left = max(0.0, awake_at - time.monotonic())
         moment, slept = self._slept
         slept = left + (slept if moment == self.now() else 0.0)
         if slept > SLEEP_LIMIT:
-            raise Sleeps(self.frame(hand))
+            raise Sleeps(self.frame(thread))
         self._slept = (self.now(), slept)
         _plain_sleep(left)
 
@@ -145,7 +146,7 @@ class _Waiter:
 
 
 class _Lock:
-    """A lock on which a thread of the crew may wait while another one holds it."""
+    """A lock on which a thread of the pool may wait while another one holds it."""
 
     def __init__(self):
         self._slots = threading.Semaphore(1)
@@ -169,22 +170,22 @@ class _Lock:
 _plain_sleep = time.sleep
 
 
-def _patch(crew: Crew) -> None:
-    """Make the waits that are known hand over, in threads of the crew; elsewhere they stay what they are."""
+def _patch(pool: ThreadPool) -> None:
+    """In threads of the pool, make the known waits give the turn back; elsewhere they stay what they are."""
     plain_wait, plain_sleep_until, plain_lock = threading.Condition.wait, Clock.sleep_until, threading.Lock
 
     def wait(self, timeout=None):
-        hand = crew.here()
-        if hand is None:
+        thread = pool.here()
+        if thread is None:
             return plain_wait(self, timeout)
         if not self._is_owned():
             raise RuntimeError('cannot wait on un-acquired lock')
         waiter = _Waiter()
         self._waiters.append(waiter)
         saved = self._release_save()
-        due = None if timeout is None else crew.now() + max(0, round(timeout * SECOND))
+        due = None if timeout is None else pool.now() + max(0, round(timeout * SECOND))
         try:
-            hand.wait_for(lambda: waiter.notified or (due is not None and crew.now() >= due), due)
+            thread.wait_for(lambda: waiter.notified or (due is not None and pool.now() >= due), due)
         finally:
             self._acquire_restore(saved)
             if not waiter.notified:
@@ -192,22 +193,24 @@ def _patch(crew: Crew) -> None:
         return waiter.notified
 
     def sleep_until(self, until, context=None):
-        hand = crew.here()
+        thread = pool.here()
         simulated = self.clock_type == ClockType.ROS_TIME and self.ros_time_is_active
-        if hand is None or not simulated or until.clock_type != self.clock_type:
+        if thread is None or not simulated or until.clock_type != self.clock_type:
             return plain_sleep_until(self, until, context)
         if self.now() < until:
-            hand.wait_for(lambda: self.now() >= until, until.nanoseconds)
+            thread.wait_for(lambda: self.now() >= until, until.nanoseconds)
         return True
 
     def sleep(seconds):
-        hand = crew.here()
-        if hand is None:
+        thread = pool.here()
+        if thread is None:
             return _plain_sleep(seconds)
         awake_at = time.monotonic() + seconds
-        hand.wait_for(lambda: time.monotonic() >= awake_at, awake_at=awake_at)
+        thread.wait_for(lambda: time.monotonic() >= awake_at, awake_at=awake_at)
 
     def lock():
         return _Lock() if sys._getframe(1).f_globals.get('__name__') == 'notebook' else plain_lock()
 
-    threading.Condition.wait, Clock.sleep_until, time.sleep, threading.Lock = wait, sleep_until, sleep, lock
+    # Replaced on purpose, which no type of theirs allows.
+    threading.Condition.wait, Clock.sleep_until = wait, sleep_until  # type: ignore[method-assign]
+    time.sleep, threading.Lock = sleep, lock  # type: ignore[assignment]

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from geometry_msgs.msg import Twist
 from turtlesim.msg import Pose
 
-from helpers.turtle import STEP, World
+from helpers.show.turtle_view import STEP, World
 
 # The simulator tells its pose after each step of 16 ms. Here it does so as often as the motion needs, which saves time:
 FAR, TURN = 0.05, 0.15  # metres and radians from one pose to the next, about

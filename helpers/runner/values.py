@@ -45,7 +45,7 @@ def encode(value, depth: int = 0):
     if isinstance(value, Enum):
         return value.name
     if value is None or isinstance(value, (bool, int, float, str)):
-        # A subclass of int or str may lie about itself: send the plain value.
+        # A subclass of int or str may behave differently: send the plain value.
         for plain in (bool, int, float, str):
             if isinstance(value, plain):
                 return plain(value)

@@ -1,11 +1,11 @@
 """Who is connected with whom, and why not: what the graph knows, in a learner's words."""
 from dataclasses import dataclass
 
-from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.qos import QoSProfile
 
-from helpers.qos import fit, mismatches
+from helpers.kernel.qos import fit, is_latched, is_reliable, mismatches
 from helpers.runner.values import type_name
-from helpers.runner.verdicts import WiringFault
+from helpers.runner.verdicts import WiringError
 
 
 @dataclass(frozen=True)
@@ -20,12 +20,12 @@ class Endpoint:
 
     @property
     def reliable(self) -> bool:
-        return self.qos.reliability == ReliabilityPolicy.RELIABLE
+        return is_reliable(self.qos)
 
     @property
     def latched(self) -> bool:
         """TRANSIENT_LOCAL durability: late joiners get the last messages."""
-        return self.qos.durability == DurabilityPolicy.TRANSIENT_LOCAL
+        return is_latched(self.qos)
 
 
 @dataclass(frozen=True)
@@ -47,19 +47,19 @@ def endpoints(node, topic: str, foreign) -> Endpoints:
 
 
 def check(ours, kind: str, learners: list[Endpoint]) -> None:
-    """Raise WiringFault if nothing can flow between our endpoint and the learner's opposite ones on its topic.
+    """Raise WiringError if nothing can flow between our endpoint and the learner's opposite ones on its topic.
 
     `ours` is the tests' subscription or publisher, `kind` what the learner's are: 'publisher' or 'subscription'.
     """
     expected = type_name(ours.msg_type)
     for endpoint in learners:
         if endpoint.type != expected:
-            raise WiringFault(f'{endpoint.topic} must carry {expected}; your {kind} there has the type '
-                              f'{endpoint.type}. Endpoints of different types are never connected.')
+            raise WiringError(f'{endpoint.topic} must carry {expected}; your {kind} there has the type '
+                              f'{endpoint.type}. Endpoints of different types are never connected.', 'type')
         offered, requested = (endpoint.qos, ours.qos_profile) if kind == 'publisher' else (ours.qos_profile,
                                                                                           endpoint.qos)
         if not fit(offered, requested):
-            raise WiringFault(_incompatible(endpoint, kind, offered, requested))
+            raise WiringError(_incompatible(endpoint, kind, offered, requested), 'qos')
 
 
 def _incompatible(endpoint: Endpoint, kind: str, offered: QoSProfile, requested: QoSProfile) -> str:

@@ -3,13 +3,15 @@
 Nothing spins between requests, so the order of things is the same on an idle and on a loaded machine. Requests
 and replies are JSON objects on a private socket (`helpers.runner.channel`); standard output is the learner's own.
 
-Requests: load, start, call, join, mark, sync, unsync, step, ack, stop; `where` is answered at once, by another thread,
-while the main thread is busy. Each reply has the request's `id` and either `ok: true` with results or `fault: {...}`.
+Each request is a method `do_…` of `Worker`. One more, `where`, is answered at once by another thread while the main
+thread is busy. Each reply has the request's `id` and either `ok: true` with results or `error: {...}`.
 """
+import ast
 import functools
 import linecache
 import os
 import queue
+import re
 import signal
 import socket
 import sys
@@ -17,14 +19,17 @@ import threading
 import time
 import traceback
 import types
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from typing import Any
 
 import rclpy
 import rclpy.node
 from rclpy.action import ActionServer
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
-from rclpy.clock import ClockType
+from rclpy.clock import ClockType, ROSClock
 from rclpy.duration import Duration
+from rclpy.exceptions import InvalidHandle
 from rclpy.executors import SingleThreadedExecutor, TimeoutException, await_or_execute
 from rclpy.node import Node
 from rclpy.qos import QoSProfile, ReliabilityPolicy
@@ -34,17 +39,17 @@ from rclpy.time_source import CLOCK_TOPIC, TimeSource
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import UInt64
 
-from helpers.nodes import destroy_actions
+from helpers.kernel.nodes import destroy_actions
 from helpers.runner import values
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
-from helpers.runner.commands import Commands
-from helpers.runner.threads import Crew, Sleeps
+from helpers.runner.mistakes import WaitsInCallback, Watch, watch
+from helpers.runner.threads import Sleeps, ThreadPool
 
 MAX_CALLBACKS = 5000  # in one step: more means that it never becomes idle
 _SPARE_ROUNDS = 3  # rounds in which only unfinished coroutines made progress: they wait for something else
 
 
-class Fault(Exception):
+class RequestError(Exception):
     """A request that the learner's code made fail; `kind` and fields go to the tests' side."""
 
     def __init__(self, kind: str, **fields):
@@ -67,7 +72,7 @@ class _SimulatedTimeSource(TimeSource):
         """Hear /clock in a callback group of its own.
 
         In the node's default group, as rclpy has it, a callback that awaits an answer would stop the node's clock. That
-        does not happen to the same program on the clock of the wall.
+        does not happen to the same program on the wall clock.
         """
         node = self._get_node()
         if self._clock_sub is None and node is not None:
@@ -94,7 +99,7 @@ def _note_errors_of_actions(note) -> None:
 
         plain(self, goal_handle, noting)
 
-    ActionServer.notify_execute = notify_execute
+    ActionServer.notify_execute = notify_execute  # type: ignore[method-assign]  # put around it on purpose
 
 
 def _for_other_contexts(function):
@@ -106,50 +111,85 @@ def _for_other_contexts(function):
     return wrapped
 
 
-class Program:
+class _Lines(Sequence):
+    """The lines of a source that stands further down in its cell: empty ones before it, which take no memory."""
+
+    def __init__(self, source: str, line: int):
+        """`line`: the number of the source's first line."""
+        self._before, self._lines = line - 1, source.splitlines(True)
+
+    def __len__(self) -> int:
+        return self._before + len(self._lines)
+
+    def __getitem__(self, index):
+        places = range(len(self))[index]
+        return [self[place] for place in places] if isinstance(places, range) else (
+            '\n' if places < self._before else self._lines[places - self._before])
+
+
+def _compiled(source: str, line: int, filename: str):
+    """The code of a source whose first line has this number."""
+    if line == 1:
+        return compile(source, filename, 'exec', dont_inherit=True)
+    return compile(ast.increment_lineno(ast.parse(source, filename), line - 1), filename, 'exec', dont_inherit=True)
+
+
+class LoadedProgram:
     """The learner's code, loaded into a module of its own."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         self.module = types.ModuleType('notebook')
-        self.notes: list[str] = []
+        self.notes: list[tuple[str, str]] = []  # cells that could not be run: their text, and what happened
+        self.watch: Watch | None = None
         self.labels: dict[str, str] = {}
         sys.modules['notebook'] = self.module
 
     def load(self, cells: list[dict]) -> None:
-        """Run the cells; they have `label`, `source` and `required`.
+        """Run the cells; they have `label`, `source`, `line` (of the source's beginning) and `required`.
 
-        An exception in a cell that is not required is remembered in `notes`; in the required one it is a Fault.
+        An exception in a cell that is not required is remembered in `notes`; in the required one it is a RequestError.
         """
         for number, cell in enumerate(cells):
             filename = f'<cell {number}>'
             self.labels[filename] = cell['label']
             # For tracebacks: the learner's own lines.
-            linecache.cache[filename] = (len(cell['source']), None, cell['source'].splitlines(True), filename)
+            lines: Any = _Lines(cell['source'], cell['line'])  # any sequence will do
+            linecache.cache[filename] = (len(cell['source']), None, lines, filename)
             try:
                 # Names are resolved when a function runs, so annotations and defaults behave as in the notebook.
-                exec(compile(cell['source'], filename, 'exec', dont_inherit=True), self.module.__dict__)
+                exec(_compiled(cell['source'], cell['line'], filename), self.module.__dict__)
             except BaseException as error:  # noqa: BLE001 - SystemExit in a cell, too
                 if cell['required']:
-                    raise self.fault('load', error) from None
-                self.notes.append(f"{cell['label']}: {type(error).__name__}: {_text(error)}")
+                    raise self.error('load', error) from None
+                self.notes.append((cell['source'], f"{cell['label']}: {type(error).__name__}: {_text(error)}"))
 
     def find(self, name: str):
-        """The learner's object of that name; Fault `missing` if there is none."""
+        """The learner's object of that name; RequestError `missing` if there is none."""
         try:
             return getattr(self.module, name)
         except AttributeError:
-            raise Fault('missing', name=name) from None
+            raise RequestError('missing', name=name) from None
 
-    def fault(self, where: str, error: BaseException, **fields) -> Fault:
-        """A Fault that tells of `error` with the learner's own lines only."""
-        if isinstance(error, Fault):
+    def error(self, where: str, error: BaseException, **fields) -> RequestError:
+        """A RequestError that tells of `error` with the learner's own lines only."""
+        if isinstance(error, RequestError):
             return error
         lines = self.lines(traceback.extract_tb(error.__traceback__))
+        if isinstance(error, WaitsInCallback):
+            return RequestError('waits', call=error.call, lines=lines)
         if isinstance(error, SyntaxError) and error.filename in self.labels:
             lines.append({'cell': self.labels[error.filename], 'line': error.lineno, 'function': '',
                           'code': (error.text or '').strip()})
-        return Fault('exception', where=where, type=type(error).__name__, text=_text(error), lines=lines,
-                     notes=self.notes[-5:], **fields)
+        if isinstance(error, AttributeError) and self.watch is not None and self.watch.early:
+            file, line = self.watch.early
+            fields['early'] = f'at {self.labels.get(file, "your cell")}, line {line}'
+        return RequestError('exception', where=where, type=type(error).__name__, text=_text(error), lines=lines,
+                            notes=self.notes_on(error), **fields)
+
+    def notes_on(self, error: BaseException) -> list[str]:
+        """What happened to the cells that could not be run and that hold the name that is missing."""
+        name = getattr(error, 'name', None) or _text(error)
+        return [note for source, note in self.notes if re.search(rf'\b{re.escape(name)}\b', source)][-5:]
 
     def lines(self, frames) -> list[dict]:
         """Those of the stack's frames (oldest first) that are the learner's."""
@@ -167,12 +207,13 @@ def _text(error: BaseException) -> str:
 
 
 class Conductor:
-    """The hidden node through which the tests' side conducts: it orders messages and tells when all is quiet."""
+    """The hidden node for the tests' side: it keeps messages in order and reports when no callback is left to run."""
 
-    def __init__(self, token: str, program: Program, executor: SingleThreadedExecutor):
+    def __init__(self, token: str, program: LoadedProgram, executor: SingleThreadedExecutor):
         self.program = program
         self.executor = executor
-        self.crew: Crew | None = None  # where callbacks run in threads
+        self.pool: ThreadPool | None = None  # where callbacks run in threads
+        self.in_callback = False  # one of the learner's runs in the main thread
         self.raised: list[Exception] = []  # by execute callbacks of actions
         _note_errors_of_actions(self.raised.append)
         self.node = Node(f'_{token}', start_parameter_services=False, enable_rosout=False, use_global_arguments=False)
@@ -195,7 +236,7 @@ class Conductor:
         """Run callbacks until step `number` has come and nothing more is ready.
 
         Returns the number of the learner's callbacks that ran, and whether the time `now` (ns) has come, too.
-        Faults: `busy` (never idle), `deaf` (a message needs more than `timeout` s), `exception` in a callback.
+        RequestErrors: `busy` (never idle), `deaf` (a message needs more than `timeout` s), `exception` in a callback.
         """
         # No callback of the learner's runs before all has arrived that was sent before the step.
         self._hear(lambda: self.step_seen >= number, timeout)
@@ -211,29 +252,31 @@ class Conductor:
                 self.echo_sent += 1
                 self.echo.publish(UInt64(data=self.echo_sent))
                 self._hear(lambda: self.echo_seen >= self.echo_sent, timeout)
-        reached = all(node.get_clock().now().nanoseconds >= now for node in nodes
-                      if node.get_clock().ros_time_is_active)
+        reached = all(clock.now().nanoseconds >= now for clock in (node.get_clock() for node in nodes)
+                      if isinstance(clock, ROSClock) and clock.ros_time_is_active)
         if self.raised:
-            raise self.program.fault('execute', self.raised.pop(0))
+            raise self.program.error('execute', self.raised.pop(0))
         self.done.publish(UInt64(data=number))
         return count, reached
 
     def waiting(self) -> list[dict]:
         """The learner's line at which each callback waits."""
-        found = []
-        for hand in self.crew.waiting if self.crew else ():
-            lines = self.program.lines(traceback.extract_stack(self.crew.frame(hand)))
+        found: list[dict] = []
+        if self.pool is None:
+            return found
+        for thread in self.pool.waiting:
+            lines = self.program.lines(traceback.extract_stack(self.pool.frame(thread)))
             found += lines[-1:]
         return found
 
     def _hear(self, came: Callable[[], bool], timeout: float) -> None:
-        """Receive messages to the conductor itself until `came()`; the Fault `deaf` after `timeout` seconds.
+        """Receive messages to the conductor itself until `came()`; the RequestError `deaf` after `timeout` seconds.
 
         The bound is on this one message's way: the time that callbacks have taken before does not count.
         """
         deadline = time.monotonic() + timeout
         while not came():
-            # Asked before the wait: a process that got no computing time until now still takes what has arrived.
+            # Looked at before the wait: a process that had no computing time still takes what has arrived.
             late = time.monotonic() > deadline
             try:
                 handler, _, node = self.executor.wait_for_ready_callbacks(timeout_sec=0.05, nodes=[self.node])
@@ -242,7 +285,7 @@ class Conductor:
             if node is self.node:  # tasks of the learner's are offered, too: their turn comes later
                 handler()
             elif late:
-                raise Fault('deaf')
+                raise RequestError('deaf')
 
     _sent_since_echo = True
 
@@ -253,7 +296,7 @@ class Conductor:
             ran, progressed = self._pass()
             total += ran
             if total + before > MAX_CALLBACKS:
-                raise Fault('busy', count=total + before)
+                raise RequestError('busy', count=total + before)
             if not ran and not progressed:
                 break
             spare = 0 if ran else spare + 1
@@ -261,6 +304,7 @@ class Conductor:
 
     def _pass(self) -> tuple[int, bool]:
         """One pass over all that is ready now: (finished callbacks of the learner's, anything at all)."""
+        entity: Any  # whose callback it is: a timer, a subscription, …
         ran, progressed = 0, False
         while True:
             try:
@@ -277,32 +321,33 @@ class Conductor:
 
     def _resume(self) -> bool:
         """Let callbacks go on that wait in threads, if what they wait for has come."""
-        if self.crew is None:
+        if self.pool is None:
             return False
         try:
-            went_on = self.crew.resume()
+            went_on = self.pool.resume()
         except Sleeps as sleeps:
             lines = self.program.lines(traceback.extract_stack(sleeps.frame))
-            raise Fault('sleeps', lines=lines) from None
+            raise RequestError('sleeps', lines=lines) from None
         self._sent_since_echo |= went_on
-        self._settle_accounts()
+        self._count_ended(self.pool)
         return went_on
 
-    def _settle_accounts(self) -> int:
+    def _count_ended(self, pool: ThreadPool) -> int:
         """Look at the callbacks that have ended in threads; returns how many were the learner's and have finished."""
         count = 0
-        while self.crew.ended:
-            handler, entity, node = self.crew.ended.pop(0)
-            error = self.crew.raised.pop(id(handler), None)
+        while pool.ended:
+            handler, entity, node = pool.ended.pop(0)
+            error = pool.raised.pop(id(handler), None)
             if error is not None or handler.done():
                 count += self._count(error or handler.exception(), entity, node)
         return count
 
     def _run(self, handler, entity, node) -> int:
         """Run one ready callback; returns 1 if it is the learner's and has finished, else 0."""
-        if self.crew and node is not self.node and getattr(entity, 'topic_name', None) != '/clock':
-            self._sent_since_echo |= self.crew.run(handler, entity, node)  # it may have sent something before it waits
-            return self._settle_accounts()
+        if self.pool and node is not self.node and getattr(entity, 'topic_name', None) != '/clock':
+            self._sent_since_echo |= self.pool.run(handler, entity, node)  # it may have sent something before it waits
+            return self._count_ended(self.pool)
+        self.in_callback = node is not self.node
         try:
             handler()
             if not handler.done():
@@ -310,12 +355,14 @@ class Conductor:
             error = handler.exception()
         except BaseException as raised:  # noqa: BLE001 - SystemExit passes through rclpy's own handling
             error = raised
+        finally:
+            self.in_callback = False
         return self._count(error, entity, node)
 
     def _count(self, error: BaseException | None, entity, node) -> int:
-        """1 for a callback of the learner's that has ended, 0 for another one; Fault if it has raised."""
+        """1 for a callback of the learner's that has ended, 0 for another one; RequestError if it has raised."""
         if error is not None:
-            raise self.program.fault('callback', _explained(error), node=node.get_name() if node else '',
+            raise self.program.error('callback', _explained(error), node=node.get_name() if node else '',
                                      callback=_describe(entity)) from None
         if node is self.node or getattr(entity, 'topic_name', None) == '/clock':
             return 0
@@ -328,7 +375,9 @@ def _explained(error: BaseException) -> BaseException:
     last = error.__traceback__
     while last is not None and last.tb_next is not None:
         last = last.tb_next
-    if not isinstance(error, TypeError) or str(error) or last.tb_frame.f_code.co_name != 'send_response':
+    if last is None or not isinstance(error, TypeError) or str(error):
+        return error
+    if last.tb_frame.f_code.co_name != 'send_response':
         return error
     response = last.tb_frame.f_locals.get('response')
     what = 'nothing (None)' if response is None else f'an object of type {type(response).__name__}'
@@ -345,19 +394,21 @@ def _describe(entity) -> str:
     return type(entity).__name__ if entity is not None else 'task'
 
 
-class Worker(Commands):
+class Worker:
     """Answers the requests of the tests' side."""
 
     def __init__(self, channel: Channel):
         self.channel = channel
         self.requests: queue.SimpleQueue = queue.SimpleQueue()
-        self.program: Program | None = None
+        self.program: LoadedProgram | None = None
         self.executor: SingleThreadedExecutor | None = None
         self.conductor: Conductor | None = None
         self.started: list = []  # what each `start` made
         self.nodes: list[Node] = []
         self.token = ''
-        self._main = threading.main_thread().ident
+        main = threading.main_thread().ident
+        assert main is not None  # it has begun
+        self._main = main
         self._sending = threading.Lock()
 
     def serve(self) -> None:
@@ -366,8 +417,8 @@ class Worker(Commands):
         while (request := self.requests.get()) is not None:
             try:
                 answer = {'ok': True, **(getattr(self, 'do_' + request['op'])(**request.get('with', {})) or {})}
-            except Fault as fault:
-                answer = {'fault': fault.fields}
+            except RequestError as error:
+                answer = {'error': error.fields}
             self._reply(request, answer)
             if request['op'] == 'stop':
                 return
@@ -378,10 +429,10 @@ class Worker(Commands):
             try:
                 request = self.channel.receive()
             except (ChannelClosed, ChannelError, ChannelTimeout):
-                os._exit(0)  # nobody is there any more
+                os._exit(0)  # the tests' side has ended
             if request['op'] == 'where':
-                crew = self.conductor.crew if self.conductor else None
-                frame = (crew.frame() if crew else None) or sys._current_frames().get(self._main)
+                pool = self.conductor.pool if self.conductor else None
+                frame = (pool.frame() if pool else None) or sys._current_frames().get(self._main)
                 lines = self.program.lines(traceback.extract_stack(frame)) if self.program and frame else []
                 self._reply(request, {'ok': True, 'lines': lines})
             else:
@@ -392,7 +443,7 @@ class Worker(Commands):
             try:
                 self.channel.send({'id': request['id'], **answer})
             except (ChannelError, ValueError) as error:  # also a number with thousands of digits
-                self.channel.send({'id': request['id'], 'fault': {'kind': 'too_long', 'text': str(error)}})
+                self.channel.send({'id': request['id'], 'error': {'kind': 'too_long', 'text': str(error)}})
 
     # The requests
 
@@ -400,36 +451,61 @@ class Worker(Commands):
         """Initialise ROS and run the learner's program."""
         self.token = token
         _SimulatedTimeSource.now = now
-        rclpy.node.TimeSource = _SimulatedTimeSource
+        rclpy.node.TimeSource = _SimulatedTimeSource  # type: ignore[misc]  # every node is to have this one
         rclpy.init(args=['--ros-args', '-p', 'use_sim_time:=true', *ros_args],
                    signal_handler_options=SignalHandlerOptions.NO)
-        # The notebook's own start and stop of ROS mean this context. Other contexts are the learner's business.
+        # The notebook's own start and stop of ROS mean this context. Other contexts are left as they are.
         for function in (rclpy.init, rclpy.shutdown, rclpy.try_shutdown):
             setattr(rclpy, function.__name__, _for_other_contexts(function))
-        self.program = Program()
-        self.program.load(cells)
-        return {'notes': self.program.notes}
+        program = self.program = LoadedProgram()
+        program.watch = Watch(self._in_callback, lambda: bool(self.conductor and self.conductor.pool),
+                              lambda frame: frame.f_code.co_filename in program.labels)
+        watch(program.watch)
+        program.load(cells)
+        return {'notes': [note for _, note in program.notes]}
+
+    def _in_callback(self) -> bool:
+        """Whether a callback of the learner's runs in the calling thread."""
+        conductor = self.conductor
+        if conductor is None:
+            return False
+        if threading.get_ident() == self._main:
+            return conductor.in_callback
+        return bool(conductor.pool and conductor.pool.here())
+
+    def _loaded(self) -> LoadedProgram:
+        """The learner's program; RuntimeError before `load`."""
+        if self.program is None:
+            raise RuntimeError('no program is loaded: `load` is the first request')
+        return self.program
+
+    def _joined(self) -> Conductor:
+        """The conductor; RuntimeError before `start` or `join`."""
+        if self.conductor is None:
+            raise RuntimeError('there is no conductor: `start` or `join` comes before this request')
+        return self.conductor
 
     def do_start(self, name: str, args: list, kwargs: dict, threads: bool = False):
         """Construct the learner's class (or call their function) and take the nodes that it gives."""
-        factory = self.program.find(name)
+        factory = self._loaded().find(name)
         try:
             made = factory(*map(values.decode, args), **{k: values.decode(v) for k, v in kwargs.items()})
         except BaseException as error:  # noqa: BLE001 - SystemExit in a constructor, too
-            raise self.program.fault('constructor', error, name=name) from None
+            raise self._loaded().error('constructor', error, name=name) from None
         nodes = list(made) if isinstance(made, (list, tuple)) else [made]
         for node in nodes:
             if not isinstance(node, Node):
-                raise Fault('no_node', name=name, got=type(node).__name__)
+                raise RequestError('no_node', name=name, got=type(node).__name__)
             try:
                 node.get_name()
             except Exception:  # noqa: BLE001 - super().__init__() was not called, or the node is destroyed
-                raise Fault('no_super', name=name) from None
+                raise RequestError('no_super', name=name) from None
         self.do_join()
-        if threads and self.conductor.crew is None:
-            self.conductor.crew = Crew(lambda: _SimulatedTimeSource.now)
+        conductor = self._joined()
+        if threads and conductor.pool is None:
+            conductor.pool = ThreadPool(lambda: _SimulatedTimeSource.now)
         for node in nodes:
-            self.executor.add_node(node)
+            conductor.executor.add_node(node)
         self.nodes += nodes
         self.started.append(made)
         return {'index': len(self.started) - 1, 'endpoints': self._endpoints(),
@@ -438,59 +514,65 @@ class Worker(Commands):
     def do_call(self, name: str, args: list, kwargs: dict, index: int | None = None):
         """Call the learner's function, or a method of what a `start` made."""
         if index is None:
-            function = self.program.find(name)
+            function = self._loaded().find(name)
         else:
             function = getattr(self.started[index], name, None)
             if function is None:
-                raise Fault('missing', name=f'{type(self.started[index]).__name__}.{name}')
+                raise RequestError('missing', name=f'{type(self.started[index]).__name__}.{name}')
         if not callable(function):
-            raise Fault('not_callable', name=name, got=type(function).__name__)
+            raise RequestError('not_callable', name=name, got=type(function).__name__)
         try:
             result = function(*map(values.decode, args), **{k: values.decode(v) for k, v in kwargs.items()})
             encoded = values.encode(result)
         except BaseException as error:  # noqa: BLE001 - SystemExit, too
-            raise self.program.fault('call', error, name=name) from None
+            raise self._loaded().error('call', error, name=name) from None
         return {'result': encoded}
+
+    def do_value(self, name: str):
+        """What the learner's program binds to a name."""
+        return {'result': values.encode(self._loaded().find(name))}
 
     def do_join(self):
         """Make the conductor, if there is none yet."""
         if self.conductor is None:
             self.executor = SingleThreadedExecutor()
-            self.conductor = Conductor(self.token, self.program, self.executor)
+            self.conductor = Conductor(self.token, self._loaded(), self.executor)
         return {}
 
     def do_mark(self, mark: str):
         """Announce a fresh publisher and subscription on `mark`/worker.
 
-        Discovery keeps order: who sees the mark has matched all that was made before it. Writers and readers are two
-        ordered streams, so there is a mark in each.
+        Discovery keeps order: a process that sees the mark has matched all endpoints that were made before it. Writers
+        and readers are two ordered streams, so there is a mark in each.
         """
-        node = self.conductor.node
+        node = self._joined().node
         publisher = node.create_publisher(UInt64, f'{mark}/worker', 1)
         self._marks = (publisher, node.create_subscription(UInt64, f'{mark}/worker', lambda message: None, 1))
 
     def do_sync(self, mark: str, workers: int, timeout: float):
         """Wait for the marks of the tests' side and of all `workers` processes of the learner's."""
-        node = self.conductor.node
+        node = self._joined().node
         wanted = ((f'{mark}/tests', 1), (f'{mark}/worker', workers))
         deadline = time.monotonic() + timeout
         while any(min(node.count_publishers(topic), node.count_subscribers(topic)) < count for topic, count in wanted):
             if time.monotonic() > deadline:
-                raise Fault('deaf')
+                raise RequestError('deaf')
             time.sleep(0.001)  # a bounded poll: the graph has no event to wait for without spinning
 
     def do_unsync(self):
         """Withdraw the marks of `sync`."""
         publisher, subscription = self._marks
-        self.conductor.node.destroy_publisher(publisher)
-        self.conductor.node.destroy_subscription(subscription)
+        node = self._joined().node
+        node.destroy_publisher(publisher)
+        node.destroy_subscription(subscription)
 
     def do_step(self, number: int, now: int, timeout: float):
         """Go to simulated time `now` (ns) with all that was sent before, and become idle."""
         _SimulatedTimeSource.now = now
-        count, reached = self.conductor.step(number, now, self.nodes, timeout)
+        conductor, seen = self._joined(), self._loaded().watch
+        count, reached = conductor.step(number, now, self.nodes, timeout)
         return {'count': count, 'reached': reached, 'next': self._next_timer(now), 'endpoints': self._endpoints(),
-                'waiting': self.conductor.waiting()}
+                'waiting': conductor.waiting(), 'remarks': seen.remarks if seen else []}
 
     def _endpoints(self) -> int:
         """How many endpoints the learner's nodes have: more or fewer than before means new discovery."""
@@ -502,12 +584,15 @@ class Worker(Commands):
         remaining = []
         for node in self.nodes:
             for timer in node.timers:
-                if timer.clock.clock_type == ClockType.ROS_TIME and not timer.is_canceled():
-                    left = timer.time_until_next_call()
-                    # What is overdue waits for its callback group, in which another callback still waits.
-                    if left is not None and left > 0:
-                        remaining.append(left)
-        if self.conductor.crew and (due := self.conductor.crew.next_due()) is not None:
+                # One that was destroyed, but not by its node, is still in the node's list.
+                with suppress(InvalidHandle):
+                    if timer.clock.clock_type == ClockType.ROS_TIME and not timer.is_canceled():
+                        left = timer.time_until_next_call()
+                        # What is overdue waits for its callback group, in which another callback still waits.
+                        if left is not None and left > 0:
+                            remaining.append(left)
+        pool = self._joined().pool
+        if pool and (due := pool.next_due()) is not None:
             remaining.append(due - now)
         return now + max(1, min(remaining)) if remaining else None
 
@@ -522,8 +607,16 @@ class Worker(Commands):
                 publisher.wait_for_all_acked(Duration(seconds=left))
         return {}
 
+    def do_habits(self):
+        """What only this process knows of its nodes: their queues, and how long their lines have slept."""
+        queues = [[kind, endpoint.topic_name, endpoint.qos_profile.depth]
+                  for node in self.nodes for kind, endpoints in (('publisher', node.publishers),
+                                                                 ('subscription', node.subscriptions))
+                  for endpoint in endpoints]
+        return {'queues': queues, 'slept': self.program.watch.slept}
+
     def do_stop(self):
-        """Leave the graph politely, so that nobody remembers this participant."""
+        """Leave the graph, so that other participants forget this one at once."""
         if self.executor is not None:
             self.executor.shutdown(timeout_sec=1)
         rclpy.get_default_context().try_shutdown()

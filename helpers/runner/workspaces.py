@@ -5,22 +5,35 @@
     done = ws.run('ros2', 'run', 'greeter', 'hello')
     expect(done.status == 0, done.output)
 
-Nothing of the learner's is built or run on the tests' side.
+Nothing of the learner's is built or run on the tests' side, and nothing where a cell of theirs has run: status and
+output of a command are what the fork server and the tests have seen.
 """
 
-import hashlib
+import ast
+import base64
 import json
+import os
 import re
+import secrets
 import shlex
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
+from typing import TYPE_CHECKING
 
 from helpers.runner import values
+from helpers.runner.client import ForkServer, ProgramProcess, Task
+from helpers.runner.load import busy
 from helpers.runner.text import clean
-from helpers.runner.verdicts import InvalidProgram, LearnerCrashed, LearnerFault, LearnerTimeout
+from helpers.runner.verdicts import InvalidProgram, LearnerCrashed, LearnerError, LearnerTimeout
+
+if TYPE_CHECKING:
+    from helpers.runner.learner import Timeouts
 
 BUILD_TIMEOUT = 90.0  # seconds
 RUN_TIMEOUT = 20.0
+PATIENCE = 4  # so many times its timeout is a command waited for while the machine is busy
+LISTING = 2**20  # bytes
+LISTING_TIMEOUT = WRITE_TIMEOUT = 60.0
 OUTPUT = 32 * 2**10  # bytes that are kept, the last ones
 MAX_TEXT = 64 * 2**10  # characters of a file of the learner's
 
@@ -51,55 +64,100 @@ def package(folder: Path) -> dict[str, str]:
             for path in sorted(folder.rglob('*')) if path.is_file() and '__pycache__' not in path.parts}
 
 
-class Workspace:
-    """A workspace on the learner's side. Made by `learner.workspace`."""
+class ExerciseWorkspace:
+    """A workspace in a place of its own, where no cell of the learner's has run. Made by `learner.workspace`."""
 
-    def __init__(self, process, title: str, name: str, cache: dict):
-        """`cache`: what was written and built in this session."""
-        self._process, self._title, self._name, self._cache = process, title, name, cache
+    def __init__(self, learner, name: str):
+        self._learner, self.name = learner, name
+        self._cache = learner.server.workspaces  # what was written and built in this session
         self.transcript: list[str] = []  # what a learner may read of it
+
+    @property
+    def path(self) -> str:
+        """Where it is, for those in its place."""
+        return f'{self._learner.server.home}/{self.name}'
 
     def build(self, *arguments: str, check: bool = True) -> Done:
         """`colcon build` with these arguments; the same build of the same files is done once in a session.
 
         :param check: fail the test if it does not succeed, with the reason in the message.
         """
-        key = (self._name, *arguments)
+        key = (self.name, *arguments)
         if key not in self._cache:
-            self._cache[key] = self._run(['colcon', 'build', '--event-handlers', 'console_cohesion+', *arguments],
-                                         BUILD_TIMEOUT)
+            self._cache[key] = self.run('colcon', 'build', '--event-handlers', 'console_cohesion+', *arguments,
+                                        timeout=BUILD_TIMEOUT)
         done = self._cache[key]
         if check and done.status != 0:
-            raise LearnerFault(f'colcon build failed: {reason(done.output)}', clean(done.output, 6000))
+            raise LearnerError(f'colcon build failed: {reason(done.output)}', clean(done.output, 6000))
         return done
 
     def run(self, *argv: str, timeout: float = RUN_TIMEOUT) -> Done:
         """A command in a new terminal in which the workspace is sourced, if it is built.
 
-        A command that does not end in `timeout` seconds fails the test with the verdict timeout.
+        One that does not end in `timeout` seconds fails the test with the verdict timeout; one that gets no computing
+        time is given more, so that the work of others costs nobody a mark. Whatever it leaves behind is ended.
         """
-        return self._run(list(argv), timeout)
+        shown = shlex.join(argv)
+        task = self.start(*argv)
+        status, waited = task.wait(timeout), timeout
+        while status is None and waited < PATIENCE * timeout and busy():
+            status, waited = task.wait(timeout), waited + timeout
+        task.end()
+        self.transcript.append(f'$ {shown}\n{task.output}')
+        if status is None:
+            raise LearnerTimeout(f'`{shown}` did not end within {timeout:g} s.', clean(task.output, 6000))
+        return Done(shown, status, task.output)
+
+    def start(self, *argv: str, environment: dict[str, str] | None = None) -> Task:
+        """Start a command as `run` does, and leave it running: `output`, `wait(timeout)`, `signal(number)`, `end()`.
+
+        What still runs when the test ends is ended then.
+        """
+        self._learner.end_calls()
+        return self._learner.server.task('command', self.name, keep=OUTPUT, argv=list(argv), folder=self.name,
+                                         environment=environment or {})
+
+    def pytest(self, *argv: str, functions: int | None = None, modules: tuple[str, ...] = (),
+               without: tuple[str, ...] = (), environment: dict[str, str] | None = None) -> Task:
+        """Start pytest with these arguments, in a process that has imported it, and `modules`, already.
+
+        :param functions: a socket that the tests in there may use, see `helpers.runner.functions`.
+        :param without: modules that cannot be imported.
+        """
+        self._learner.end_calls()
+        given = [functions] if functions is not None else []
+        return self._learner.server.task('pytest', self.name, *given, keep=OUTPUT, argv=list(argv), folder=self.name,
+                                         environment=environment or {}, modules=list(modules), without=list(without))
 
     def installed(self) -> list[str]:
         """The files below `install`, sorted."""
-        answer = self._process.ask('listing', 20.0, folder=f'{self._name}/install')
-        return [str(name) for name in answer.get('files') or ()]
+        task = self._learner.server.task('listing', self.name, keep=LISTING, folder=f'{self.name}/install')
+        if task.wait(LISTING_TIMEOUT) != 0:
+            return []
+        return [str(name) for name in json.loads(task.output)]
 
-    def _run(self, argv: list[str], timeout: float) -> Done:
-        shown = shlex.join(argv)
-        answer = self._process.ask('run', timeout + 20, argv=argv, folder=self._name, timeout=timeout, keep=OUTPUT)
-        output = str(answer.get('output', ''))
-        self.transcript.append(f'$ {shown}\n{output}')
-        status = answer.get('status')
-        if status is None:
-            raise LearnerTimeout(f'`{shown}` did not end within {timeout:g} s.', clean(output, 6000))
-        if not isinstance(status, int):
-            raise LearnerCrashed('Your program disturbed its connection to the tests (a status that is no number).')
-        return Done(shown, status, output)
+    def forget(self) -> None:
+        """Remove it: it is not needed any more."""
+        self._learner.server.forget(self.name)
+        for key in [key for key, value in self._cache.items() if self.name in (key[0], value)]:
+            del self._cache[key]
 
 
 class Workspaces:
-    """What `Learner` can do with files and commands; a base of it."""
+    """What `Learner` can do with files and commands; a base of it, which has what is declared first."""
+
+    server: ForkServer
+    program: dict
+    timeouts: 'Timeouts'
+    transcripts: list[list[str]]
+
+    def command_process(self) -> ProgramProcess:
+        """The process in which functions are called."""
+        raise NotImplementedError
+
+    def end_calls(self) -> None:
+        """End that process."""
+        raise NotImplementedError
 
     def value(self, name: str):
         """What the learner's cell binds to `name`; values as in `learner.call`."""
@@ -110,35 +168,72 @@ class Workspaces:
             raise LearnerCrashed(f'`{name}` is {error}.') from None
 
     def text(self, name: str) -> str:
-        """The text that the learner's cell binds to `name`, without empty lines at its beginning."""
-        found = self.value(name)
+        """The text that the learner's cell binds to `name`, without empty lines at its beginning.
+
+        One that stands there as it is is read, and the cell does not run. Else it comes from a process that is ended
+        before anything else is done with the text.
+        """
+        found = _constant(self.program['cells'], name)
+        if found is None:
+            found = self.value(name)
+            self.end_calls()
         if not isinstance(found, str):
             raise InvalidProgram(f'`{name}` must be a text, the contents of a file.')
         if len(found) > MAX_TEXT:
             raise InvalidProgram(f'`{name}` is longer than {MAX_TEXT} characters.')
-        return found.lstrip('\n')
+        return found.lstrip('\n').encode('utf-8', 'replace').decode()
 
-    def workspace(self, files: dict[str, str]) -> Workspace:
-        """A workspace with these text files (path below the workspace -> text) on the learner's side.
+    def workspace(self, files: dict[str, str | bytes], alone: bool = False) -> ExerciseWorkspace:
+        """A workspace with these files (path below the workspace -> content) in a place of its own.
 
-        The same files give the same workspace for all tests of a session, with what is built in it.
+        The same files give the same workspace for all tests of a session, with what is built in it, unless it is
+        `alone`. Its name tells nothing, and what another program has done is not in it.
         """
+        written = {name: content if isinstance(content, str) else {'base64': base64.b64encode(content).decode()}
+                   for name, content in files.items()}
         for name in files:
             if PurePosixPath(name).is_absolute() or '..' in PurePosixPath(name).parts:
                 raise ValueError(f'{name!r} is not inside of a workspace')
-        title = self.program['title']
-        digest = hashlib.sha256(json.dumps([title, files], sort_keys=True).encode()).hexdigest()
-        name, cache = f'ws_{digest[:16]}', self.server.workspaces
-        process = self.command_process()
-        if name not in cache:
-            process.ask('files', self.timeouts.call, folder=name, files=files)
-            cache[name] = True
-        found = Workspace(process, title, name, cache)
+        self.end_calls()
+        cache, key = self.server.workspaces, ('files', self.program['title'], json.dumps(written, sort_keys=True))
+        if alone or key not in cache:
+            name = f'ws_{secrets.token_hex(8)}'
+            given = os.memfd_create('files')
+            try:
+                os.write(given, json.dumps(written).encode())
+                os.lseek(given, 0, os.SEEK_SET)
+                task = self.server.task('write', name, given, keep=OUTPUT, folder=name)
+            finally:
+                os.close(given)
+            if (status := task.wait(WRITE_TIMEOUT)) != 0:
+                raise LearnerError('The files of your package could not be written: they are too large, or one has the '
+                                   f'name of a folder (status {status}).')
+            if alone:
+                return ExerciseWorkspace(self, name)
+            cache[key] = name
+        found = ExerciseWorkspace(self, cache[key])
         self.transcripts.append(found.transcript)
         return found
 
 
-_CMAKE = re.compile(r'CMake Error[^\n]*\n((?:\s*\n|  [^\n]*\n)+)')
+def _constant(cells: list[dict], name: str) -> str | None:
+    """The text that the exercise's cell assigns to a name, if it is plainly there and nothing else is done with it."""
+    try:
+        tree = ast.parse(cells[-1]['source'])
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return None
+    bound = sum(isinstance(node, ast.Name) and node.id == name and not isinstance(node.ctx, ast.Load)
+                or isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)) and node.name == name
+                or isinstance(node, ast.alias) and name in (node.asname, node.name, '*')
+                for node in ast.walk(tree))
+    for node in tree.body if bound == 1 else ():
+        match node:
+            case ast.Assign(targets=[ast.Name(id=found)], value=ast.Constant(value=str(text))) if found == name:
+                return text
+    return None
+
+
+_CMAKE = re.compile(r'CMake Error[^\n]*\n((?:[ \t]*\n|  [^\n]*\n){1,40})')
 _TELLING = re.compile(r'^.*(?:[Ee]rror\b|No such file|not found).*$', re.MULTILINE)
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from grading.bench.peers import sheets
 from grading.bench.peers.installed import program, run
-from helpers import domains
+from helpers.kernel import domains
 
 FULL = 3.0
 SHEET = 'sheet'

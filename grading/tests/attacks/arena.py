@@ -21,8 +21,8 @@ import pytest
 
 from grading import grade, sandbox, submissions
 from grading.record import Record
-from grading.tests import small
 from helpers.exercises.manifest import Exercise, stub_digest
+from helpers.tests import small
 
 HERE = Path(__file__).resolve().parent
 CORPUS = HERE / 'corpus'
@@ -274,8 +274,8 @@ def new_cookie() -> str:
 def _course(folder: Path, canary: str, used: str, patience: str) -> grade.Course:
     for number, id in enumerate(TITLES, 1):
         small.write_tests(folder, patience + VISIBLE[id], number)
-        small.write_tests(folder, f'{patience}CANARY = {canary!r}\n{HIDDEN[id]}', number, kind='hidden')
-    return grade.Course(exercises(), folder / 'checks', folder / 'hidden', used)
+        small.write_tests(folder, f'{patience}CANARY = {canary!r}\n{HIDDEN[id]}', number, kind='exercises')
+    return grade.Course(exercises(), folder / 'checks', folder / 'exercises', used)
 
 
 def _left(cookie: str, patience: float = 3.0) -> list[str]:
@@ -303,7 +303,7 @@ def _planted(batch: Batch) -> list[Path]:
     """Files that attacks have left, in places where they could lie; they are removed."""
     root = HERE.parents[2]
     places = [Path('/tmp'), Path('/var/tmp'), Path('/dev/shm'), Path.home(), root, root / 'helpers' / 'runner',
-              root / 'helpers' / 'checks', root / 'grading' / 'hidden', batch.folder, batch.folder / 'home',
+              root / 'helpers' / 'checks', root / 'grading' / 'exercises', batch.folder, batch.folder / 'home',
               batch.output, batch.output / 'results']
     found = [place / batch.cookie for place in places if (place / batch.cookie).exists()]
     for path in found:

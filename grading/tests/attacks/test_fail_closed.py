@@ -1,6 +1,6 @@
 """Scores fail closed: whatever becomes of the tests' process, only explicit passes count, and no fault is a zero.
 
-The logic of the score alone is in test_scores.py, faults of real tests are in test_session.py.
+The score by itself is tested in helpers/tests/runner/test_results.py, errors of real tests in test_session.py there.
 """
 
 import random
@@ -8,17 +8,17 @@ from pathlib import Path
 
 import pytest
 
-from grading.tests import small
 from grading.tests.attacks import fake_tests
 from helpers.runner import session, verdicts
+from helpers.tests import small
 
-TESTS = {'checks/chapter_90/test_90_1::test_a': 1.0, 'hidden/chapter_90/test_90_1::test_b': 3.0,
-         'hidden/chapter_90/test_90_1::test_c': 1.0}
+TESTS = {'checks/chapter_90/test_90_1::test_a': 1.0, 'exercises/90_1/hidden::test_b': 3.0,
+         'exercises/90_1/hidden::test_c': 1.0}
 
 
 def collected(test, weight=1.0, exercise='90.1'):
     return {'event': 'collected', 'test': test, 'exercise': exercise, 'weight': weight, 'expected': '',
-            'path': f'/{test.replace("::", ".py::")}'}
+            'path': f'/{test.replace("::", ".py::")}', 'rules': [], 'unseen': {}}
 
 
 def running(test):
@@ -27,7 +27,7 @@ def running(test):
 
 def result(test, verdict='passed'):
     return {'event': 'result', 'test': test, 'verdict': verdict, 'message': '', 'details': '', 'output': '',
-            'fault': ''}
+            'fault': '', 'rule': '', 'hint': False}
 
 
 def judged(tmp_path, *events, exit_status=0):
@@ -40,8 +40,8 @@ def judged(tmp_path, *events, exit_status=0):
 
 @pytest.fixture
 def folders(monkeypatch):
-    """The hidden tests are at /hidden."""
-    return Path('/hidden')
+    """The hidden tests are in /exercises."""
+    return Path('/exercises')
 
 
 def sound(order=TESTS):
@@ -54,7 +54,7 @@ def test_a_sound_run_is_full_marks(folders):
     assert judged(folders, *sound()).score == 10
 
 
-HIDDEN = 'hidden/chapter_90/test_90_1::test_b'
+HIDDEN = 'exercises/90_1/hidden::test_b'
 FAULTS = {
     'nothing': [],
     'nothing but the end': [{'event': 'end', 'status': 0}],
@@ -99,7 +99,7 @@ def test_an_exit_status_does_not_make_a_pass(folders):
 def test_never_more_than_the_explicit_passes(folders, seed):
     """Any mixture of events, in any order."""
     draw = random.Random(seed)
-    names = [*TESTS, 'hidden/chapter_90/test_90_1::extra']
+    names = [*TESTS, 'exercises/90_1/hidden::extra']
     pool = [make(name) for name in names for make in (collected, running)]
     pool += [result(draw.choice(names), draw.choice([*verdicts.VERDICTS, 'ok', ''])) for _ in range(6)]
     events = draw.sample(pool, draw.randint(4, len(pool)))

@@ -11,8 +11,8 @@ import zipfile
 
 import pytest
 
-from grading.tests import small
 from grading.tests.attacks import arena
+from helpers.tests import small
 
 NOTEBOOK = small.NOTEBOOK
 EMPTY = arena.notebook({})  # nothing in it is solved: no test runs for it
@@ -258,7 +258,7 @@ def test_around(batch):
     assert not batch.planted and not batch.left
     assert 'Traceback' not in '\n'.join(batch.log)
     outside = {path.name for path in batch.folder.iterdir()}
-    assert outside == {'incoming', 'home', 'victim.txt', 'out', 'checks', 'hidden'}
+    assert outside == {'incoming', 'home', 'victim.txt', 'out', 'checks', 'exercises'}
     assert len(batch.records) >= len(ARCHIVES) + len(NOTEBOOKS) + len(CELLS) + len(NAMES)
     for path in batch.output.rglob('*'):
         assert path.is_dir() or path.name.isascii() and path.name.isprintable()

@@ -21,9 +21,12 @@ def check(identifier):
 """
 EXERCISE = """Some prose.
 
+```{exercise} 7.1 twice as much
+:points: 10
+:names: double
+```
+
 ```{code-cell} ipython3
-:exercise: {"id": "7.1", "points": 10, "names": ["double"]}
-# Exercise 7.1: twice as much
 def double(number):
     # BEGIN SOLUTION
     # STUB: return None
@@ -32,8 +35,8 @@ def double(number):
 ```
 
 """
-CHECK = """```{code-cell} ipython3
-check("7.1")
+CHECK_HERE = """```{code-cell} ipython3
+:check: here
 ```
 
 """
@@ -43,7 +46,7 @@ print('before')
 1 / 0
 ```
 """
-TINY = FRONT + TITLE + DEMONSTRATION + EXERCISE + CHECK + OUTPUT
+TINY = FRONT + TITLE + DEMONSTRATION + EXERCISE + OUTPUT
 
 
 def line_of(text: str, source: str = TINY) -> int:

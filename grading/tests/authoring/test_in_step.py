@@ -77,6 +77,6 @@ def test_a_notebook_without_a_source_is_found(built):
 
 
 def test_mistakes_in_a_source_come_first(built):
-    write(built, TINY.replace('"points": 10, ', ''))
+    write(built, TINY.replace(':points: 10\n', ''))
     with pytest.raises(ChapterErrors, match='without points'):
         in_step.drift(built)

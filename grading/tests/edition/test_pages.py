@@ -13,7 +13,7 @@ from grading.edition import pages
 from grading.tests.authoring import sources
 from grading.tests.authoring.conftest import built, make_without_kernel, tree  # noqa: F401 - fixtures
 from helpers import paths
-from helpers.views import recording
+from helpers.show.views import recording
 
 COURSE = build.Tree(paths.ROOT)
 

@@ -12,9 +12,9 @@ import psutil
 import pytest
 
 from grading import sandbox
-from grading.tests import small
 from helpers import paths
-from helpers.runner import launch, session
+from helpers.runner import session, start_processes
+from helpers.tests import small
 
 LAUNCHER = sandbox.launcher('bubblewrap')
 
@@ -311,7 +311,7 @@ def test_own(learner):
 def test_usual(learner):
     """The session's."""
     expect(learner.call('Talker') == [9, 2**23], f"{learner.call('Talker')}")
-''', limits=launch.Limits(cpu=9, tmp=2**23))
+''', limits=start_processes.Limits(cpu=9, tmp=2**23))
     assert report.exercises[0].passed, (report.exercises[0].tests, report.log)
 
 

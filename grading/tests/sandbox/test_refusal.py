@@ -14,8 +14,8 @@ from grading import grade, sandbox
 from grading.sandbox import layout, probe, seccomp, unprivileged
 from grading.sandbox.holder import Holder, SandboxError
 from grading.submission import Submission
-from grading.tests import small
 from helpers import paths
+from helpers.tests import small
 
 WORK = small.notebook(small.IMPORTS, f'# Exercise 90.1: a talker\n{small.STUB}')  # untouched: nothing runs
 
@@ -48,7 +48,7 @@ def test_a_bubblewrap_that_fails_is_found_by_running_it(bin_folder):
 
 
 def test_no_sandbox_is_said_and_recorded(tmp_path):
-    course = grade.Course((small.exercise(),), tmp_path, tmp_path, 'none')
+    course = grade.Course((small.exercise(),), tmp_path / 'checks', tmp_path / 'hidden', 'none')
     grade.grade([Submission('ada', tmp_path / 'ada.ipynb', {small.NOTEBOOK: WORK})], course, tmp_path / 'out')
     assert json.loads((tmp_path / 'out' / 'results' / 'ada.json').read_text())['sandbox'] == 'none'
     assert sandbox.WARNING in (tmp_path / 'out' / 'run.log').read_text()

@@ -2,35 +2,19 @@
 
 import pytest
 
-from helpers.runner import expect
+from helpers.checks.chapter_01 import distributions
+from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('1.1')
 
 
-def ask(learner, ubuntu, today, wanted, hint=''):
-    got = learner.call('choose_distribution', ubuntu, today)
-    expect(got == list(wanted), f'Ubuntu {ubuntu} on {today} gives {got!r}, expected {wanted!r}. {hint}')
+@pytest.mark.rules('pair', 'ends-last', 'months', 'ended', 'to-come', 'unknown', 'table')
+def test_choice(learner):
+    """On every day, each Ubuntu gets the distribution whose support ends last, or the reason why there is none.
 
-
-def test_the_course_chooses_jazzy(learner):
-    """On 21 November 2026, Ubuntu 24.04 gets Jazzy: ('jazzy', 'supported').
-
-    Kilted is for 24.04, too, and newer. Which of the two ends last?
+    Collect the rows of this Ubuntu, then those that are supported in the month of today.
     """
-    ask(learner, '24.04', '2026-11-21', ('jazzy', 'supported'), 'Return the distribution whose support ends last.')
-
-
-def test_end_of_life(learner):
-    """For Ubuntu 20.04 nothing is supported any more: (None, 'end of life').
-
-    Compare the month of today with the last month of each distribution.
-    """
-    ask(learner, '20.04', '2026-11-21', (None, 'end of life'))
-
-
-def test_unknown_ubuntu(learner):
-    """The table has nothing for Ubuntu 23.10: (None, 'unknown Ubuntu').
-
-    Do not guess a neighbour.
-    """
-    ask(learner, '23.10', '2026-11-21', (None, 'unknown Ubuntu'))
+    with about('unknown'):
+        distributions.check(learner, distributions.cases(learner.random))
+    with about('table'):
+        distributions.check(learner, distributions.drawn_cases(learner.random))

@@ -1,26 +1,37 @@
 """Visible tests of exercise 1.4, drive the turtle to a goal."""
 
-import math
-
 import pytest
 
-from helpers.runner import expect
-from helpers.runner.turtlesim import TurtleSim
+from helpers.checks.chapter_01 import goals
 
-pytestmark = pytest.mark.exercise('1.4')
+pytestmark = [pytest.mark.exercise('1.4'), pytest.mark.wiring(type='topics', qos='topics')]
 
 
-def test_the_goal_of_the_card(learner):
-    """From the middle, looking along x, the turtle turns left by about 136° and reaches (2, 9).
+@pytest.mark.rules('node', 'topics', 'reach', 'stop')
+def test_any_goal(learner):
+    """From any place the turtle comes to its goal, stops and stays.
 
     math.atan2(dy, dx) is the direction to the goal; subtract the heading, and turn by the rest.
     """
-    sim = TurtleSim(learner, 5.544, 5.544, 0.0)
-    learner.start('GoToGoal', 2.0, 9.0)
-    reached = sim.run(20.0, until=lambda: (
-        sim.turned > 4 * math.pi or sim.distance(2.0, 9.0) < 0.1 and sim.turtle.linear < 0.01))
-    expect(sim.commands.messages, 'The simulator told its pose, and no command came on /turtle1/cmd_vel.')
-    expect(not sim.bumps, 'The turtle ran into a wall.')
-    expect(sim.turned < 4 * math.pi, 'The turtle turns and turns. Look at the error: radians, direction minus heading.')
-    expect(reached, f'After 20 s the turtle is {sim.distance(2.0, 9.0):.2f} m from (2, 9), '
-                    f'at ({sim.turtle.x:.1f}, {sim.turtle.y:.1f}), heading {math.degrees(sim.turtle.theta):.0f}°.')
+    drive = goals.any_goal(learner, f'/sim{learner.random.randint(2, 9)}')
+    drive.check_ends()
+    drive.to_the_goal()
+    drive.stays(2.0)
+
+
+@pytest.mark.rules('short-way')
+def test_short_way(learner):
+    """The turtle turns the short way, also where the angle jumps from π to −π.
+
+    math.remainder(error, 2 * math.pi) brings the error into −π … π.
+    """
+    goals.across_pi(learner, learner.random.choice((1, -1)))
+
+
+@pytest.mark.rules('walls')
+def test_goal_behind(learner):
+    """A goal behind a turtle that looks at a near wall is reached without touching the wall.
+
+    Turn first; drive when the direction is nearly right.
+    """
+    goals.goal_behind(learner).to_the_goal()

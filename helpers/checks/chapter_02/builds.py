@@ -1,6 +1,6 @@
 """What the tests of chapter 2 build: the learner's texts with the files that are given. Built once per session.
 
-Each function returns a `helpers.runner.workspaces.Workspace` in which the build has succeeded.
+Each function returns a `helpers.runner.workspaces.ExerciseWorkspace` in which the build has succeeded.
 """
 
 import json
@@ -8,58 +8,70 @@ import re
 from pathlib import Path
 from xml.etree import ElementTree
 
-from helpers.runner import expect
-from helpers.runner.workspaces import Workspace, package
+from helpers.checks.chapter_02 import interface_faults
+from helpers.runner import about, broken, expect
+from helpers.runner.workspaces import ExerciseWorkspace, package, reason
 
 GIVEN = Path(__file__).with_name('given')
 
 
-def greeter(learner) -> Workspace:
+def greeter(learner) -> ExerciseWorkspace:
     """Exercise 2.1's package."""
     text = learner.text('GREETER_SETUP')
-    for _, value in re.findall(r"""(['"])\s*[\w.-]+\s*=\s*([^'"]*)\1""", text):
-        expect('/' not in value and '.py' not in value,
-               f'The entry point `{value.strip()}` names a file. An entry point names a module as import does: with '
-               'dots, and without .py.')
-    expect(not re.search(r"""=\s*[\w.]+:\w+(['"])\s*\n\s*['"]""", text),
-           'A comma is missing between two entry points. Python joins two texts that follow each other to one.')
     workspace = learner.workspace({**package(GIVEN / 'greeter'), 'src/greeter/setup.py': text})
-    workspace.build()
+    with about('builds'):
+        if workspace.build(check=False).status != 0:
+            for _, value in re.findall(r"""(['"])\s*[\w.-]+\s*=\s*([^'"=]*)\1""", text):
+                expect('/' not in value and '-' not in value,
+                       f'The entry point `{value.strip()}` names a file. An entry point names a module as import does: '
+                       'with dots, and without .py.')
+            expect(not re.search(r"""=\s*[\w.]+:\w+(['"])\s*\n\s*['"]""", text),
+                   'A comma is missing between two entry points. Python joins two texts that follow each other to one.')
+        workspace.build()
     return workspace
 
 
-def line_follower(learner) -> Workspace:
+def line_follower(learner) -> ExerciseWorkspace:
     """Exercise 2.2's package."""
     workspace = learner.workspace({
         **package(GIVEN / 'line_follower'), 'src/line_follower/setup.py': learner.text('FOLLOWER_SETUP'),
         'src/line_follower/setup.cfg': learner.text('FOLLOWER_CFG'),
         'src/line_follower/package.xml': learner.text('FOLLOWER_XML')})
-    workspace.build()
+    with about('builds'):
+        workspace.build()
     return workspace
 
 
-def dock_interfaces(learner) -> Workspace:
+def dock_interfaces(learner) -> ExerciseWorkspace:
     """Exercise 2.3's package."""
     folder = 'src/dock_interfaces'
     workspace = learner.workspace({
         f'{folder}/msg/Charge.msg': learner.text('MSG'), f'{folder}/srv/Dock.srv': learner.text('SRV'),
         f'{folder}/CMakeLists.txt': learner.text('CMAKE'), f'{folder}/package.xml': learner.text('DOCK_XML'),
         'try_it.py': _TRY_IT})
-    workspace.build()
+    done = workspace.build(check=False)
+    if done.status != 0:
+        message, rule = interface_faults.cause(done.output, reason)
+        raise broken(f'colcon build failed: {message}', rule)
     return workspace
 
 
-def interface(learner) -> dict:
-    """The fields of exercise 2.3's types, its constant and its default value, as Python sees them."""
-    done = dock_interfaces(learner).run('python3', 'try_it.py')
+def interface(learner, *arguments: str) -> tuple[dict, list | None]:
+    """The fields of exercise 2.3's types, its constant and its default value, as Python sees them.
+
+    With the `arguments` station and percent also what came over the wire.
+    """
+    done = dock_interfaces(learner).run('python3', 'try_it.py', *arguments)
     absent = re.search(r"No module named 'dock_interfaces\.(msg|srv)'|cannot import name '(\w+)'", done.last_line)
     expect(not absent, f'Python does not find {absent and ("your ." + absent[1] if absent[1] else absent[2])}: is each '
-                       'file named in rosidl_generate_interfaces?')
-    expect(done.status == 0, f'A program that uses your types ended with: {done.last_line}')
-    return json.loads(done.lines[0])
+                       'file named in rosidl_generate_interfaces?', 'both')
+    found = next((json.loads(line) for line in done.lines if line.startswith('{')), None)
+    expect(found is not None, f'A program that uses your types ended with: {done.last_line}', 'both')
+    wire = json.loads(done.lines[-1]) if done.status == 0 and arguments else None
+    return {**found, 'last_line': done.last_line}, wire
 
 
-def odometry(learner) -> Workspace:
+def odometry(learner) -> ExerciseWorkspace:
     """Exercise 2.4's two packages, of which those are built that odometry declares to need."""
     workspace = learner.workspace({
         **package(GIVEN / 'wheel_math'), **package(GIVEN / 'odometry'),
@@ -69,23 +81,37 @@ def odometry(learner) -> Workspace:
     done = workspace.build('--packages-up-to', 'odometry', check=False)
     expect('Unable to order packages' not in done.output,
            'The two packages need each other in a circle, so neither can be built first. wheel_math needs nothing of '
-           'odometry.')
-    workspace.build('--packages-up-to', 'odometry')
+           'odometry.', 'order')
+    for name in ('WHEEL_MATH_XML', 'ODOMETRY_XML') if done.status else ():
+        found = build_type(learner, name)
+        expect(found == 'ament_python', f'The build type in {name} is {found or "not given"}, expected ament_python.',
+               'build-type')
+    with about('needs'):
+        workspace.build('--packages-up-to', 'odometry')
     return workspace
+
+
+def build_type(learner, name: str) -> str:
+    """The build type in the package.xml that is the learner's text `name`; '' if there is none."""
+    return (_manifest(learner, name).findtext('export/build_type') or '').strip()
 
 
 def dependencies(learner, name: str) -> dict[str, set[str]]:
     """What the package.xml in the learner's text `name` declares: tag -> packages."""
+    found: dict[str, set[str]] = {}
+    for element in _manifest(learner, name):
+        found.setdefault(element.tag, set()).add((element.text or '').strip())
+    return found
+
+
+def _manifest(learner, name: str) -> ElementTree.Element:
+    """The package.xml in the learner's text `name`."""
     text = learner.text(name)
     expect('<!DOCTYPE' not in text and '<!ENTITY' not in text, f'{name} needs no DOCTYPE.')
     try:
-        root = ElementTree.fromstring(text)
+        return ElementTree.fromstring(text)
     except ElementTree.ParseError as error:
-        expect(False, f'{name} is not XML: {error}.')
-    found: dict[str, set[str]] = {}
-    for element in root:
-        found.setdefault(element.tag, set()).add((element.text or '').strip())
-    return found
+        raise broken(f'{name} is not XML: {error}.') from None
 
 
 def to_run(declared: dict[str, set[str]]) -> set[str]:
@@ -113,6 +139,8 @@ print(json.dumps({
     'response': list(Dock.Response.get_fields_and_field_types().items()),
     'FULL': getattr(Charge, 'FULL', None),
     'speed': getattr(Dock.Request(), 'speed', None),
+    'others': [getattr(Dock.Request(), 'station', None), getattr(Dock.Response(), 'docked', None),
+               getattr(Dock.Response(), 'message', None)],
 }))
 if len(sys.argv) > 1:
     station, percent = sys.argv[1], int(sys.argv[2])

@@ -2,24 +2,42 @@
 
 import pytest
 
-from helpers.checks.chapter_02 import builds
-from helpers.runner import expect
+from helpers.checks.chapter_02 import docking
 
 pytestmark = pytest.mark.exercise('2.3')
 
 
-def test_fields(learner):
-    """The package builds, and Charge and Dock have the fields of the specification, in its order.
+@pytest.mark.rules('charge', 'full', 'std-msgs')
+def test_charge(learner):
+    """Charge has the fields of the specification, in its order, and the constant FULL with the value 100.
 
-    A field is a type, a space and a name. In a .srv file, `---` divides the request from the response.
+    A field is a type, a space and a name. A constant is written with capital letters and `=`.
     """
-    found = {key: [f'{kind} {name}' for name, kind in value] for key, value in builds.interface(learner).items()
-             if isinstance(value, list)}
-    station, answer = ['string station', 'float speed'], ['boolean docked', 'string message']
-    expect((found['request'], found['response']) != (answer, station),
-           'Request and response of Dock are exchanged: what stands above `---` is the request.')
-    for key, what, wanted in (
-        ('msg', 'Charge', ['std_msgs/Header header', 'uint8 percent', 'boolean charging']),
-        ('request', 'the request of Dock', station), ('response', 'the response of Dock', answer),
-    ):
-        expect(found[key] == wanted, f'The fields of {what} are {found[key]}, expected {wanted}.')
+    docking.judge_charge(learner)
+
+
+@pytest.mark.rules('request', 'response', 'default')
+def test_dock(learner):
+    """Dock has the fields of the specification; the speed of a request is 0.2 if nobody sets it.
+
+    In a .srv file, `---` divides the request from the response. A default value stands after the name.
+    """
+    docking.judge_dock(learner)
+
+
+@pytest.mark.rules('to-build', 'to-run', 'group')
+def test_declared(learner):
+    """package.xml declares everything that the package needs to be built and to be used.
+
+    std_msgs is needed for both; the generators to build, the runtime to run.
+    """
+    docking.judge_declared(learner)
+
+
+@pytest.mark.rules('both', 'std-msgs')
+def test_on_the_wire(learner):
+    """A node offers Dock and publishes Charge; the call is answered and the message arrives.
+
+    This uses the types as chapter 3 and 4 do.
+    """
+    docking.judge_use(learner)

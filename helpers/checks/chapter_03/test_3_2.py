@@ -1,48 +1,65 @@
 """Visible tests of exercise 3.2, from centimetres to metres."""
 
+import math
+
 import pytest
 from sensor_msgs.msg import Range
 
-from helpers.runner import expect
+from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic, robot
+from helpers.checks.chapter_03.ranges import check_reading, reading
+from helpers.runner import about, expect
 
-pytestmark = pytest.mark.exercise('3.2')
-
-
-def close(value, wanted):
-    return value == pytest.approx(wanted, rel=1e-4)
+pytestmark = [pytest.mark.exercise('3.2'), pytest.mark.wiring(type='topics', qos='qos')]
 
 
-def test_distance_in_metres(learner):
-    """A Range with range=150.0 on sonar_cm becomes a Range with range=1.5 on sonar.
+@pytest.mark.rules('node', 'topics', 'qos', 'one-each', 'at-once', 'distances', 'variance', 'header', 'others', 'inf')
+def test_relay(learner):
+    """Each Range in centimetres on sonar_cm becomes one Range in metres on sonar, at once.
 
-    Publish in the callback of the subscription; metres are centimetres divided by 100.
+    Publish in the callback of the subscription.
     """
-    heard = learner.listen('/sonar', Range)
-    sensor = learner.talk('/sonar_cm', Range)
-    learner.start('RangeToMetres')
-    sensor.send(Range(range=150.0))
+    random = learner.random
+    space = robot(random)
+    heard, sensor = learner.listen(f'{space}/sonar', Range), learner.talk(f'{space}/sonar_cm', Range)
+    node = learner.start('RangeToMetres', remap={'__ns': space})
+    check_name(node, 'range_to_metres', 'node')
+    check_topic(learner, 'subscription', space, 'sonar_cm', 'topics')
+    check_topic(learner, 'publisher', space, 'sonar', 'topics')
+    for kind, topic in (('subscription', 'sonar_cm'), ('publisher', 'sonar')):
+        check_queue(learner, kind, f'{space}/{topic}', 10, 'qos')
+    with about('one-each'):
+        learner.run(1.0, step=1.0)
+    expect(not heard.messages, 'Your node publishes before it has received anything: use no timer.', 'one-each')
+    echoes = [reading(random, variance=4.0), reading(random), reading(random, range=random.uniform(600, 900))]
+    silent = random.randint(1, 2)
+    echoes.insert(silent, reading(random, range=math.inf))
+    for number, message in enumerate(echoes):
+        sensor.send(message)
+        with about('inf' if number == silent else 'distances'):
+            learner.settle()
+        check_number(heard, number + 1, 'inf' if number == silent else 'one-each')
+        check_reading(heard.messages[number], message)
+    count = random.randint(5, 9)
+    burst = [reading(random) for _ in range(count)]
+    burst[2].range = burst[1].range  # an object that does not move: a message like any other
+    sensor.send(*burst)
     learner.settle()
-    expect(len(heard) == 1,
-           f'One message went in and {len(heard)} came out at once. Publish once in the callback of the '
-           'subscription, without a timer.')
-    got = heard.messages[0].range
-    expect(not close(got, 15000.0), '150 cm became 15000 m: divide by 100.')
-    expect(close(got, 1.5), f'150 cm became {got:g} m, expected 1.5 m.')
+    check_number(heard, len(echoes) + count, 'one-each')
+    for got, sent in zip(heard.messages[len(echoes):], burst, strict=True):
+        expect(got.header.stamp == sent.header.stamp, f'{count} messages came one shortly after the other, and yours '
+                                                      'came out in another order.', 'at-once')
+        check_reading(got, sent)
+    learner.run(2.1, step=1.0)
+    check_number(heard, len(echoes) + count, 'one-each')
 
 
-def test_limits_in_metres(learner):
-    """min_range and max_range become metres, too.
-
-    All three distances of the message have the same unit.
-    """
-    heard = learner.listen('/sonar', Range)
-    sensor = learner.talk('/sonar_cm', Range)
-    learner.start('RangeToMetres')
-    sensor.send(Range(range=80.0, min_range=2.0, max_range=400.0))
-    learner.settle()
-    expect(heard.messages, 'Nothing came out on /sonar.')
-    message = heard.messages[0]
-    expect(message.min_range or message.max_range, 'min_range and max_range are lost: copy all fields.')
-    expect(close(message.min_range, 0.02) and close(message.max_range, 4.0),
-           f'min_range is {message.min_range:g} and max_range {message.max_range:g}; expected 0.02 and 4. '
-           'Convert every distance, not only range.')
+def check_number(heard, wanted, rule):
+    if len(heard) < wanted and rule == 'inf':
+        expect(False, 'A message with range=inf went in, and none came out: do not drop messages.', 'inf')
+    expect(len(heard) > 0 or wanted == 0, 'A message went in, and none came out at once. Publish in the callback of '
+                                          'the subscription, without a timer.', 'at-once')
+    expect(len(heard) >= wanted, f'{wanted} messages went in, and only {len(heard)} came out by then. Publish each one '
+                                 'in the callback, at once.', 'one-each')
+    expect(len(heard) == wanted, f'{wanted} messages went in, and {len(heard)} came out. Publish exactly once for '
+                                 'each.',
+           'one-each')

@@ -3,47 +3,124 @@
 import pytest
 from std_msgs.msg import Bool, Empty, Int32
 
-from helpers.runner import expect
+from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic, robot
+from helpers.runner import about, expect
 
-pytestmark = pytest.mark.exercise('3.3')
+pytestmark = [pytest.mark.exercise('3.3'), pytest.mark.wiring(type='topics', qos='qos')]
+
+ENDS = (('publisher', 'led'), ('publisher', 'uptime'), ('subscription', 'reset'))
 
 
-def test_led(learner):
-    """The LED changes every 0.25 s: True, False, True, …
+@pytest.mark.rules('node', 'topics', 'qos', 'led', 'led-rate', 'uptime', 'uptime-rate', 'reset', 'reset-only',
+                   'no-wait', 'own-state')
+def test_heartbeat(learner):
+    """A Heartbeat blinks every 0.25 s, counts seconds, and counts anew after a reset.
 
-    One timer with the period 0.25; its callback flips the value and publishes it.
+    Two timers and one subscription. The callback of the reset sets the counter to 0, and nothing else.
     """
-    led = learner.listen('/led', Bool)
-    learner.start('Heartbeat')
-    learner.run(3.1)
-    expect(len(led) == 12, f'{len(led)} messages came on /led in 3.1 s; every 0.25 s gives 12.')
-    expect(led.data[0], 'The first LED message is False; it begins with True.')
-    expect(led.data == [True, False] * 6, 'The LED must change with every message: True, False, True, …')
+    random = learner.random
+    space = robot(random)
+    led, uptime = learner.listen(f'{space}/led', Bool), learner.listen(f'{space}/uptime', Int32)
+    button = learner.talk(f'{space}/reset', Empty)
+    with about('no-wait'):
+        node = learner.start('Heartbeat', remap={'__ns': space})
+    expect(not learner.slept, 'The constructor sleeps. The timers do the waiting.', 'no-wait')
+    check_name(node, 'heartbeat', 'node')
+    for kind, topic in ENDS:
+        check_topic(learner, kind, space, topic, 'topics')
+        check_queue(learner, kind, f'{space}/{topic}', 10, 'qos')
+    learner.settle()
+    seconds = random.randint(3, 5)
+    fraction = random.choice([0.1, 0.3, 0.4, 0.6, 0.9])
+    with about('no-wait'):
+        learner.run(seconds + fraction, step=0.5)
+    expect(not learner.slept, 'A callback sleeps, and the whole node stands still meanwhile. The timers do the '
+                              'waiting.',
+           'no-wait')
+    check_led(led, seconds + fraction)
+    check_uptime(uptime, seconds)
+    check_resets(learner, led, uptime, button)
+    check_second(learner, led, uptime, node)
 
 
-def test_uptime(learner):
-    """uptime counts whole seconds: 1, 2, 3, …
+def check_led(led, seconds):
+    expect(led.messages, f'Nothing came on led in {seconds:g} s.', 'led-rate')
+    wanted = [number / 4 for number in range(1, int(seconds * 4) + 1)]
+    expect(led.stamps == pytest.approx(wanted), f'In {seconds:g} s {len(led)} messages came on led, the first ones at '
+           f'{told(led.stamps)} s. Every 0.25 s gives {len(wanted)}, at 0.25, 0.5, 0.75 … s.', 'led-rate')
+    expect(led.data[0], 'The first LED message is False; it begins with True.', 'led')
+    expect(led.data == [number % 2 == 0 for number in range(len(led))],
+           f'The LED says {", ".join(map(str, led.data[:6]))} …; it must change with every message: True, False, '
+           'True …',
+           'led')
 
-    A second timer with the period 1.0. Do not sleep and do not derive it from the LED timer's calls by rounding.
-    """
-    uptime = learner.listen('/uptime', Int32)
-    learner.start('Heartbeat')
-    learner.run(3.1)
-    expect(uptime.data, 'Nothing came on /uptime in 3.1 s. Two jobs need two timers.')
-    expect(uptime.data == [1, 2, 3], f'/uptime says {uptime.data} in 3.1 s; expected [1, 2, 3].')
+
+def check_uptime(uptime, seconds):
+    expect(uptime.messages, f'Nothing came on uptime in {seconds} s. Two jobs need two timers.', 'uptime-rate')
+    expect(uptime.stamps == pytest.approx(range(1, seconds + 1)),
+           f'The uptimes came at {told(uptime.stamps)} s, expected 1, 2, 3 … s.', 'uptime-rate')
+    expect(uptime.data == list(range(1, seconds + 1)),
+           f'The uptimes of the first {seconds} s are {uptime.data}, expected 1, 2, 3 …', 'uptime')
 
 
-def test_reset(learner):
-    """After a reset, the next uptime is 1.
+def check_resets(learner, led, uptime, button):
+    """Three resets: two in a row, and one before the next second."""
+    for presses, rest in ((1, 2), (2, 1), (1, 3)):
+        counts, at = (len(led), len(uptime)), learner.now / 1e9
+        button.send(*presses * [Empty()])
+        with about('no-wait'):
+            learner.settle()
+        expect((len(led), len(uptime)) == counts, 'The reset itself published something: only the timers publish.',
+               'reset-only')
+        with about('no-wait'):
+            learner.run(rest, step=0.5)
+        begin = int(at) + 1
+        after = uptime.data[counts[1]:]
+        expect(uptime.stamps[counts[1]:] == pytest.approx(range(begin, begin + rest)),
+               f'After a reset at {at:g} s uptimes came at {told(uptime.stamps[counts[1]:])} s, expected '
+               f'{begin}, {begin + 1} … s: the reset must not restart or stop a timer.', 'reset-only')
+        lit = led.data[counts[0]:]
+        quarter = int(at * 4 + 1e-6)
+        expect(lit == [number % 2 == 0 for number in range(quarter, quarter + len(lit))],
+               f'After a reset at {at:g} s the LED lost its rhythm of True and False: the reset must not touch it.',
+               'reset-only')
+        expect(led.stamps[counts[0]:] == pytest.approx([number / 4 for number in range(quarter + 1,
+                                                                                       quarter + 1 + rest * 4)]),
+               f'After a reset at {at:g} s LED messages came at {told(led.stamps[counts[0]:])} s: its timer must go '
+               'on.',
+               'reset-only')
+        expect(after[0] != begin, f'A message on reset changes nothing: uptime counts on, {told(after)}.', 'reset')
+        expect(after == list(range(1, rest + 1)), f'After a reset at {at:g} s the uptimes are {told(after)}; the next '
+                                                  'one must be 1, then 2.', 'reset')
+    expect(not learner.slept, 'A callback sleeps. The timers do the waiting.', 'no-wait')
 
-    The callback of the subscription to reset sets the counter to 0, and nothing else.
-    """
-    uptime = learner.listen('/uptime', Int32)
-    button = learner.talk('/reset', Empty)
-    learner.start('Heartbeat')
-    learner.run(3.1)
-    button.send(Empty())
-    learner.run(2.0)
-    expect(uptime.data != [1, 2, 3, 4, 5], 'A message on /reset changes nothing: uptime counts on.')
-    expect(uptime.data == [1, 2, 3, 1, 2],
-           f'/uptime says {uptime.data} with a reset after 3.1 s; expected [1, 2, 3, 1, 2].')
+
+def check_second(learner, led, uptime, node):
+    """A second heartbeat in the same process, which begins between two beats of the first one."""
+    begin = learner.now / 1e9
+    counts = len(led), len(uptime)
+    with about('own-state'):
+        learner.start('Heartbeat', beside=node)
+        learner.settle()
+        learner.run(2.1, step=0.5)
+    beats = list(zip(led.stamps, led.data, strict=True))[counts[0]:]
+    own = [lit for stamp, lit in beats if (stamp * 4) % 1 > 1e-6]
+    others = [lit for stamp, lit in beats if (stamp * 4) % 1 <= 1e-6]
+    expect(own == 4 * [True, False], f'A second heartbeat in the same process says {told(own)} on led, expected True, '
+                                     'False, True …: they share state. It belongs to the object (self).', 'own-state')
+    quarter = int(begin * 4 + 1e-6)
+    expect(others == [number % 2 == 0 for number in range(quarter, quarter + len(others))],
+           'When a second heartbeat starts, the LED of the first one loses its rhythm: they share state.', 'own-state')
+    later = list(zip(uptime.stamps, uptime.data, strict=True))[counts[1]:]
+    seconds = [number for stamp, number in later if stamp % 1 > 1e-6]
+    expect(seconds == [1, 2], f'A second heartbeat in the same process says the uptimes {told(seconds)}, expected 1, '
+                              '2: they share state. It belongs to the object (self).', 'own-state')
+    first = [number for stamp, number in later if stamp % 1 <= 1e-6]
+    wanted = list(range(4, 4 + len(first)))  # after three seconds since the last reset
+    expect(first == wanted, f'When a second heartbeat starts, the first one says the uptimes {told(first)}, expected '
+                            f'{told(wanted)}: they share state. It belongs to the object (self).', 'own-state')
+
+
+def told(values) -> str:
+    """The first values, as a list in a sentence."""
+    return ', '.join(f'{value:g}' if isinstance(value, float) else str(value) for value in values[:4]) or 'nothing'

@@ -2,57 +2,76 @@
 
 import pytest
 from nav_msgs.msg import OccupancyGrid
-from rclpy.qos import DurabilityPolicy, QoSProfile
 from std_msgs.msg import Int32
 
-from helpers.runner import expect
+from helpers.checks.chapter_03.endpoints import check_latched, check_name, check_topic, robot
+from helpers.checks.chapter_03.maps import ALL_KEPT, LATCHED, check_answers, check_grid, grid_of, random_rows
+from helpers.runner import about, expect
 
-pytestmark = pytest.mark.exercise('3.4')
-
-LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+pytestmark = [pytest.mark.exercise('3.4'), pytest.mark.wiring(type='topics', qos='qos')]
 
 
-def test_map(learner):
-    """MapServer(['#..', '.?#']) publishes the data [100, 0, 0, 0, -1, 100], 3 columns wide and 2 rows high.
+@pytest.mark.rules('server-node', 'one-map', 'cells', 'order', 'size', 'resolution', 'frame', 'topics', 'qos')
+def test_server(learner):
+    """A MapServer publishes its map once, in the constructor, and late subscribers still get it.
 
-    Translate character by character, the first row first.
+    Translate character by character, the first row first. TRANSIENT_LOCAL keeps the map in the publisher.
     """
-    maps = learner.listen('/map', OccupancyGrid, LATCHED)
-    learner.start('MapServer', ['#..', '.?#'])
+    space = robot(learner.random)
+    rows, other = random_rows(learner.random), random_rows(learner.random)
+    with about('cells'):
+        server = learner.start('MapServer', rows, remap={'__ns': space})
+    check_name(server, 'map_server', 'server-node')
+    check_topic(learner, 'publisher', space, 'map', 'topics')
+    check_latched(learner, 'publisher', f'{space}/map', 1, 'qos')
+    maps = learner.late_listener(f'{space}/map', OccupancyGrid, ALL_KEPT)
+    expect(maps.messages, 'No map came on map when the server was there. Publish it in the constructor.', 'one-map')
+    check_grid(maps.messages[0], rows)
+    seconds = learner.random.randint(20, 90)
+    learner.run(seconds, step=10.0)
+    expect(len(maps) == 1, f'{len(maps)} maps came in {seconds} s, expected one. Nothing needs to be repeated: a '
+                           'latched map is kept.', 'one-map')
+    learner.start('MapServer', other, beside=server)
     learner.settle()
-    expect(maps.messages, 'No map came on /map. Publish it in the constructor.')
-    grid = maps.messages[0]
-    expect((grid.info.width, grid.info.height) != (2, 3), 'Width and height are exchanged: width counts the columns.')
-    expect((grid.info.width, grid.info.height) == (3, 2),
-           f'The map is {grid.info.width} wide and {grid.info.height} high, expected 3 and 2.')
-    expect(list(grid.data) == [100, 0, 0, 0, -1, 100], f'data is {list(grid.data)}, expected [100, 0, 0, 0, -1, 100].')
+    expect(len(maps) > 1, 'A second MapServer, started later in the same program, published no map in its constructor.',
+           'one-map')
+    check_grid(maps.messages[1], other)
+    expect(len(maps) == 2, f'A second MapServer published {len(maps) - 1} maps in its constructor, expected one.',
+           'one-map')
 
 
-def test_late_joiner(learner):
-    """A subscriber that starts a minute later still gets the map.
-
-    Durability TRANSIENT_LOCAL keeps it in the publisher.
-    """
-    learner.start('MapServer', ['#..', '.?#'])
-    learner.run(60.0, step=10.0)
-    late = learner.late_listener('/map', OccupancyGrid, LATCHED)
-    expect(len(late) == 1, f'A late subscriber got {len(late)} maps, expected 1. Which durability keeps old messages?')
-
-
+@pytest.mark.rules('reader-node', 'late', 'walls', 'topics', 'qos')
 def test_reader(learner):
-    """A MapReader that starts after the server counts the walls of the map.
+    """A MapReader that starts after the server counts the walls of the map, and of each map after it.
 
     The subscription must ask for TRANSIENT_LOCAL, too.
     """
-    answers = learner.listen('/walls', Int32, LATCHED)
-    server = learner.talk('/map', OccupancyGrid, LATCHED)
-    grid = OccupancyGrid(data=[100, 0, 0, 0, -1, 100])
-    grid.info.width, grid.info.height = 3, 2
-    server.send(grid)
-    learner.run(1.0)
-    learner.start('MapReader')
-    learner.run(1.0)
-    expect(answers.messages, 'MapReader said nothing about a map that was published before it started. '
-                             'A volatile subscription does not get old messages.')
-    expect(answers.data != [3], 'MapReader counts 3 walls in [100, 0, 0, 0, -1, 100]: unknown (-1) is no wall.')
-    expect(answers.data == [2], f'MapReader says {answers.data} for [100, 0, 0, 0, -1, 100], expected [2].')
+    random, space = learner.random, robot(learner.random)
+    answers = learner.listen(f'{space}/walls', Int32, ALL_KEPT)
+    server = learner.talk(f'{space}/map', OccupancyGrid, LATCHED)
+    maps = [random_rows(random)]
+    server.send(grid_of(maps[0]))
+    learner.run(random.randint(5, 60), step=10.0)
+    reader = learner.start('MapReader', remap={'__ns': space})
+    check_name(reader, 'map_reader', 'reader-node')
+    check_topic(learner, 'subscription', space, 'map', 'topics')
+    check_topic(learner, 'publisher', space, 'walls', 'topics')
+    there = learner.endpoints(f'{space}/map').subscriptions
+    expect(there[0].latched, 'Your subscription to map is VOLATILE: it does not get a map that was published before '
+                             'MapReader started.', 'late')
+    for kind, topic in (('subscription', 'map'), ('publisher', 'walls')):
+        check_latched(learner, kind, f'{space}/{topic}', 1, 'qos')
+    with about('walls'):
+        learner.settle()
+    expect(answers.messages, 'MapReader said nothing about a map that was published before it started.', 'late')
+    check_answers(answers.data, maps)
+    same = list(maps[0])
+    random.shuffle(same)  # another map with as many walls
+    maps += [same, ['.?.', '...'], random_rows(random)]
+    for number, rows in enumerate(maps[1:], start=2):
+        server.send(grid_of(rows))
+        with about('walls'):
+            learner.settle()
+        check_answers(answers.data, maps[:number])
+    learner.run(3.0, step=1.0)
+    check_answers(answers.data, maps)

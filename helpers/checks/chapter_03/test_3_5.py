@@ -1,63 +1,45 @@
 """Visible tests of exercise 3.5, why is there no data?"""
 
 import pytest
-from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
-from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Bool
 
-from helpers.runner import expect
+from helpers.checks.chapter_03 import stops
+from helpers.checks.chapter_03.connections import check_pairs, mixed_pairs, single_pairs
+from helpers.checks.chapter_03.endpoints import robot
+from helpers.runner import about, expect
 
-pytestmark = pytest.mark.exercise('3.5')
-
-LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-
-
-def endpoint(**changes):
-    return {'topic': '/scan', 'type': 'sensor_msgs/msg/LaserScan', 'reliability': 'RELIABLE', 'durability': 'VOLATILE',
-            'deadline': 0.0, 'depth': 5, **changes}
+pytestmark = [pytest.mark.exercise('3.5'), pytest.mark.wiring(type='rest', qos='stop')]
 
 
-def ask(learner, offered, requested, wanted, hint):
-    got = learner.call('why_no_data', endpoint(**offered), endpoint(**requested))
-    expect(got == wanted, f'An offer with {offered or "defaults"} and a request with {requested or "defaults"} gives '
-                          f'{got!r}, expected {wanted!r}. {hint}')
+@pytest.mark.rules('list', 'all', 'order', 'names', 'reliability', 'durability', 'deadline', 'no-deadline', 'depth')
+def test_why_no_data(learner):
+    """why_no_data names all keys that prevent a connection, in the order of the specification.
 
-
-def test_equal_endpoints_fit(learner):
-    """Two equal endpoints fit: the list is empty.
-
-    Return a list, also when there is no reason.
+    Go through the keys one after the other, and collect those that do not fit.
     """
-    ask(learner, {}, {}, [], '')
+    with about('list'):
+        check_pairs(learner, single_pairs(learner.random))
+        check_pairs(learner, mixed_pairs(learner.random, 5))
 
 
-def test_weak_offer(learner):
-    """A best-effort, volatile offer and a reliable, transient-local request give ['reliability', 'durability'].
-
-    An offer must be at least as strong as the request.
-    """
-    ask(learner, {'reliability': 'BEST_EFFORT'}, {'reliability': 'RELIABLE', 'durability': 'TRANSIENT_LOCAL'},
-        ['reliability', 'durability'], 'Name every policy that does not fit, in the order of the specification.')
-
-
-def test_strong_offer(learner):
-    """A reliable offer fits a best-effort request.
-
-    Different is not incompatible: compare strengths.
-    """
-    ask(learner, {'reliability': 'RELIABLE'}, {'reliability': 'BEST_EFFORT'}, [],
-        'A stronger offer fits: the rule is not "equal".')
-
-
+@pytest.mark.rules('scan', 'stop', 'rest')
 def test_safety_stop(learner):
-    """A scan with an object at 0.3 m makes SafetyStop say True, with the lidar's and the driver's QoS.
+    """SafetyStop answers each scan of the lidar, and a driver that starts later gets the last command.
 
     Compare the QoS of both topics with what lidar and driver use; they need two different profiles.
     """
-    stop = learner.listen('/stop', Bool, LATCHED)
-    lidar = learner.talk('/scan', LaserScan, qos_profile_sensor_data)
-    learner.start('SafetyStop')
-    lidar.send(LaserScan(ranges=[2.0, 0.3, 4.0]))
-    learner.run(0.1)
-    expect(stop.messages, 'A scan was published and SafetyStop said nothing on /stop.')
-    expect(stop.data == [True], f'An object at 0.3 m gave {stop.data} on /stop, expected [True].')
+    random, space = learner.random, robot(learner.random)
+    stop, lidar = stops.start(learner, space)
+    near = [True, False, True, True, False]
+    random.shuffle(near)
+    for scan in stops.scans(random, near):
+        lidar.send(scan)
+        with about('rest'):
+            learner.run(0.1)
+    expect(stop.messages, 'Scans were published and SafetyStop said nothing on stop.', 'scan')
+    expect(len(stop) == len(near), f'{len(near)} scans gave {len(stop)} commands on stop; each scan gives one.', 'scan')
+    expect(stop.data == near, f'Scans of which {near} have an object nearer than 0.5 m gave {stop.data} on stop. The '
+                              'callback was right: repair only the QoS.', 'rest')
+    late = learner.late_listener(f'{space}/stop', Bool)
+    expect(late.data == near[-1:], f'A driver that starts later gets {late.data}, expected only the last command, '
+                                   f'{near[-1:]}.', 'stop')

@@ -1,63 +1,94 @@
 """Visible tests of exercise 3.6, a rate and gap monitor."""
 
 import pytest
-from rclpy.qos import qos_profile_sensor_data
-from rclpy.time import Time
-from sensor_msgs.msg import LaserScan
-from std_msgs.msg import Float64
 
-from helpers.runner import expect
+from helpers.checks.chapter_03 import monitors
+from helpers.checks.chapter_03.endpoints import robot
+from helpers.runner import about, expect
 
-pytestmark = pytest.mark.exercise('3.6')
+pytestmark = [pytest.mark.exercise('3.6'), pytest.mark.wiring(type='topics', qos='qos')]
 
 
-def scan(seconds):
-    message = LaserScan()
-    message.header.stamp = Time(nanoseconds=round(seconds * 1e9)).to_msg()
-    return message
+@pytest.mark.rules('node', 'topics', 'any-lidar', 'qos', 'report', 'silent', 'gap', 'at-once', 'limit', 'first', 'old',
+                   'own-state')
+def test_monitor(learner):
+    """A RateMonitor reports every second how many scans have come, and each gap between their stamps at once.
 
-
-def test_rate(learner):
-    """A best-effort lidar at 10 Hz gives scan_rate 10.0 every second.
-
-    Subscribe so that best effort is enough; count in the callback, report in a timer.
+    Count in the callback, report in a timer of 1 s. Compare the stamps of the headers, not the times of arrival.
     """
-    rates = learner.listen('/scan_rate', Float64)
-    lidar = learner.talk('/scan', LaserScan, qos_profile_sensor_data)
-    learner.start('RateMonitor')
-    learner.run(0.05)
-    for number in range(30):
-        lidar.send(scan(100 + number / 10))
-        learner.run(0.1)
-    expect(rates.data, 'Nothing came on /scan_rate in 3 s. The report belongs into a timer of 1 s.')
-    expect(rates.data != [10.0, 20.0, 30.0], 'The rate grows, 10, 20, 30: count from zero again after each report.')
-    expect(rates.data == [10.0, 10.0, 10.0], f'A lidar at 10 Hz gave the reports {rates.data}, expected [10, 10, 10].')
+    random = learner.random
+    learner.run(random.randint(3, 9), step=10.0)  # its own time does not begin at 0
+    begin = learner.now / 1e9
+    max_gap = random.choice([0.75, 1.25, 1.5])
+    rates, gaps, lidar, node = monitors.start(learner, robot(random), max_gap)
+    learner.settle()
+    with about('silent'):
+        learner.run(2.05, step=1.0)
+    check_reports(rates, [0, 0], begin)
+    sent = [0, 0]
+    stamp = random.randint(100, 900) + 0.25
+    watched = monitors.Watched(learner, lidar, gaps, max_gap)
+    # The second scan follows at max_gap; one is late; after it comes one that is no gap from the newest.
+    steps = [0, max_gap, 0.25, max_gap + 0.625, 0.125, -max_gap - 0.5, max_gap, max_gap + 0.25, 0.125]
+    for count in (3, 6):
+        for _ in range(count):
+            stamp += steps.pop(0)
+            watched.send(stamp)
+            stamp = watched.newest
+            learner.run(0.05, step=1.0)
+        learner.run(1.0 - 0.05 * count, step=1.0)
+        watched.end()
+        sent.append(count)
+        check_reports(rates, sent, begin)
+    learner.run(2.0, step=1.0)
+    check_reports(rates, [*sent, 0, 0], begin)
+    check_second(learner, rates, gaps, lidar, node, stamp)
 
 
-def test_silence(learner):
-    """A silent sensor is reported as 0.0, every second.
+def check_reports(rates, sent, begin):
+    """One report for each second since the monitor's start, with the number of scans that were sent in it."""
+    expect(rates.messages, 'Nothing came on scan_rate in the first 2 s. A silent sensor calls no callback: report in a '
+                           'timer.', 'silent')
+    came = [round(stamp - begin, 6) for stamp in rates.stamps]
+    rule = 'report' if sent[-1] or len(rates) > len(sent) else 'silent'
+    expect(came == list(range(1, len(sent) + 1)),
+           f'Reports came {", ".join(f"{at:g}" for at in came)} s after the start, expected one every 1.0 s of the '
+           "node's time, also without scans.", rule)
+    totals = [sum(sent[:n + 1]) for n in range(len(sent))]
+    expect(rates.data == sent or rates.data != totals, f'{sent} scans came in these seconds and scan_rate says '
+           f'{rates.data}: count from zero again after each report.', 'report')
+    expect(sent[-1] != 6 or rates.data[-1] != 5, 'Of six scans in a second one was older than the newest; scan_rate '
+                                                 'says 5, expected 6: it counts, too.', 'old')
+    expect(rates.data == sent, f'{sent} scans came in these seconds, and scan_rate says {rates.data}.',
+           'report' if rates.data[-1] or sent[-1] else 'silent')
 
-    A callback that is never called cannot report: use a timer.
-    """
-    rates = learner.listen('/scan_rate', Float64)
-    learner.start('RateMonitor')
-    learner.run(3.5)
-    expect(rates.data, 'Without scans there is no report. A dead sensor must not look like a quiet one.')
-    expect(rates.data == [0.0, 0.0, 0.0], f'3.5 s without scans gave the reports {rates.data}, expected [0, 0, 0].')
 
-
-def test_gap(learner):
-    """The stamps 3.2 and 4.7 in a row make one message 1.5 on scan_gap.
-
-    Subtract the stamps of the headers; keep the newest one.
-    """
-    gaps = learner.listen('/scan_gap', Float64)
-    lidar = learner.talk('/scan', LaserScan, qos_profile_sensor_data)
-    learner.start('RateMonitor')
-    for stamp in (3.0, 3.2, 4.7, 4.9):
-        lidar.send(scan(stamp))
-        learner.run(0.1)
-    expect(gaps.data, 'The stamps 3.2 and 4.7 follow each other, and nothing came on /scan_gap. '
-                      'Compare the stamps, not the times of arrival.')
-    expect(gaps.data == pytest.approx([1.5]),
-           f'The stamps 3.0, 3.2, 4.7, 4.9 gave the gaps {gaps.data}, expected [1.5].')
+def check_second(learner, rates, gaps, lidar, node, stamp):
+    """A second monitor in the same program, with the default limit, between two reports of the first one."""
+    begin = learner.now / 1e9
+    before = len(gaps)
+    with about('own-state'):
+        learner.start('RateMonitor', beside=node)
+        learner.settle()
+        lidar.send(monitors.scan(stamp + 40.0))
+        learner.settle()
+        lidar.send(monitors.scan(stamp + 50.0))
+        learner.settle()
+    came = gaps.data[before:]
+    expect(came == pytest.approx([40.0, 10.0, 10.0]),
+           'A second monitor was started in the same program. Then a scan came 40 s after the last one, and another '
+           f'one 10 s later: for the second monitor the first of them has nothing before it. scan_gap says {came}, '
+           'expected 40, 10, 10. The newest stamp belongs to the object (self).', 'own-state')
+    with about('own-state'):
+        lidar.send(monitors.scan(stamp + 50.5), monitors.scan(stamp + 51.125))
+        learner.run(1.3, step=1.0)
+    own = [value for at, value in zip(rates.stamps, rates.data, strict=True) if abs(at - begin - 1.0) < 1e-6]
+    others = [value for at, value in zip(rates.stamps, rates.data, strict=True)
+              if at > begin and abs(at - begin - 1.0) > 1e-6]
+    expect(own == others == [4.0], f'Two monitors in the same program heard 4 scans each, and reported {others} and '
+                                   f'{own}. What they count belongs to the object (self).', 'own-state')
+    came = gaps.data[before + 3:]
+    expect(came != pytest.approx([0.625, 0.625]), 'When a second monitor with another max_gap is made in the same '
+                                                  'program, the first one takes over that max_gap.', 'own-state')
+    expect(came == pytest.approx([0.625]), 'A second RateMonitor(), without an argument, heard the differences 0.5 and '
+                                           f'0.625 s, and {came} came on scan_gap: max_gap is 0.5 then.', 'limit')

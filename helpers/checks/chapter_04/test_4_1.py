@@ -1,61 +1,211 @@
 """Visible tests of exercise 4.1, a patient client."""
 
+import time
+
 import pytest
 from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool
 
-from helpers.runner import expect
+from helpers.runner import about, expect
 
-pytestmark = pytest.mark.exercise('4.1')
+pytestmark = [pytest.mark.exercise('4.1'), pytest.mark.wiring(type='request', qos='request')]
 
 
-def gripper(learner, answer, **options):
-    states, close = learner.listen('/gripper_state', String), learner.talk('/close', Bool)
-    server = learner.serve('/set_gripper', SetBool, answer, **options)
-    learner.start('GripperClient')
+def gripper(learner, answer, *args, delay=0.0):
+    states, close = learner.listen('/gripper_state', String), learner.talk('/close', Bool, 100)
+    server = learner.serve('/set_gripper', SetBool, answer, delay)
+    learner.start('GripperClient', *args)
     return states, close, server
 
 
-def test_answered(learner):
-    """A command makes one request with the same data, and the answer is reported as ok.
-
-    Send the request in the callback of close, and report in a done-callback of its future.
-    """
-    states, close, server = gripper(learner, {'success': True})
-    learner.run(0.3)
-    close.send(Bool(data=True))
-    learner.run(0.5)
-    expect(server.requests, 'A command came on /close, and no request came to the service set_gripper.')
-    expect(server.requests[0].data is True, 'close said True, but the request says False: send the same data.')
-    expect(states.data == ['ok'], f'The server answered with success=True; gripper_state says {states.data}, expected '
-                                  "['ok'].")
-
-
+@pytest.mark.rules('request', 'timeout', 'tries')
+@about('request')
 def test_silent_server(learner):
-    """A silent server is asked 3 times, a second apart, and then the report is failed.
+    """A silent server is asked `tries` times, `timeout` seconds apart, and then the report is failed.
 
     A timer with the period `timeout` tells when an answer is overdue.
     """
-    states, close, server = gripper(learner, None)
-    learner.run(2.0)
-    close.send(Bool(data=True))
-    learner.run(4.5)
-    expect(server.stamps, 'A command came on /close, and no request came to the service set_gripper.')
-    expect(server.stamps[0] == 2.0, f'The first request came at {server.stamps[0]} s, the command at 2 s: send it at '
-                                    'once.')
-    expect(server.stamps == pytest.approx([2, 3, 4]),
-           f'A command at 2 s made requests at {server.stamps} s, expected at 2, 3 and 4 s.')
-    expect(states.data == ['failed'], f'Three requests without an answer gave {states.data}, expected [\'failed\'].')
-    expect(states.stamps == pytest.approx([5]), f'failed came at {states.stamps} s, expected at 5 s: the third request '
-                                                'has its second, too.')
+    draw = learner.random
+    timeout, tries, begin = draw.choice([0.3, 0.45, 1.7, 2.4]), draw.choice([4, 5]), draw.choice([0.7, 1.3, 2.2])
+    data = draw.choice([False, True])
+    states, close, server = gripper(learner, None, timeout, tries)
+    learner.run(begin)
+    close.send(Bool(data=data))
+    with about('request'):
+        learner.settle()
+    words = f'GripperClient({timeout}, {tries}), a silent server, a command at {begin} s: '
+    expect(server.stamps, 'A command came on /close, and no request came to the service set_gripper at once.',
+           'request', hint=True)
+    expect(server.requests[0].data is data, f'close said {data}, but the request says {not data}: send the same data.',
+           'request')
+    expect(len(server.stamps) == 1, f'{words}{len(server.stamps)} requests at once. The next one comes after the '
+                                    'timeout of the first.', 'timeout')
+    expect(not states.messages, f'{words}{states.data} was reported at once: a request has {timeout} s.', 'tries')
+    with about('timeout'):
+        learner.run(timeout * (tries + 2), step=1.0)
+    expect(len(server.stamps) > 1, f'{words}no second request came. When the timeout is over, send the next one. It is '
+                                   "in seconds of the node's clock.", 'timeout')
+    wanted = [round(begin + n * timeout, 3) for n in range(tries)]
+    seen = [round(stamp, 3) for stamp in server.stamps]
+    expect(seen[:tries] == wanted[:len(seen)], f'{words}requests at {seen} s, expected at {wanted} s.', 'timeout')
+    expect(len(seen) == tries, f'{words}{len(seen)} requests. `tries` is the number of all requests, the first one '
+                               'included.', 'tries')
+    end = round(begin + tries * timeout, 3)
+    expect(set(states.data) == {'failed'}, f'{words}gripper_state says {states.data}, expected [\'failed\'].', 'tries')
+    expect([round(stamp, 3) for stamp in states.stamps] == [end],
+           f'{words}failed came at {[round(stamp, 3) for stamp in states.stamps]} s, expected once, at {end} s: the '
+           f'last request has its {timeout} s, too.', 'tries')
 
 
-def test_refused(learner):
-    """An answer without success is reported as refused.
+@pytest.mark.rules('request', 'answer', 'once', 'refusal', 'late')
+@about('request')
+def test_answers(learner):
+    """Each command is reported once, with what the answer says; refusals are not tried again, late answers ignored.
 
-    Look at future.result().success.
+    Report in a done-callback of the future. There, compare the future with the current one.
     """
-    states, close, _ = gripper(learner, {'success': False, 'message': 'too hot'})
-    close.send(Bool(data=True))
+    draw = learner.random
+    delay = draw.choice([0.2, 0.5, 0.75])
+    states, close, server = gripper(learner, {'success': True, 'message': draw.choice(['', 'refused'])}, delay=delay)
+
+    def command(data, seconds, rule):
+        states.clear()
+        server.stamps.clear()
+        close.send(Bool(data=data))
+        with about(rule):
+            learner.run(seconds, step=1.0)
+        expect(server.stamps, f'After {done} commands the next one made no request.' if done else
+               'A command came on /close, and no request came to the service set_gripper.', 'request', hint=True)
+        expect(server.requests[-1].data is data, f'close said {data}, the request says {not data}: send the same data.',
+               'request')
+        return len(server.stamps)
+
+    done = 0
+    learner.run(draw.choice([0.4, 1.1]), step=1.0)
+    for data in (False, True):
+        count = command(data, 0.9, 'answer')
+        expect(states.data, f'The server answered with success=True after {delay} s; nothing came on gripper_state.',
+               'answer', hint=True)
+        expect(states.data[0] == 'ok', f'The server answered with success=True; gripper_state says {states.data}, '
+                                       "expected ['ok'].", 'answer')
+        learner.run(3.5, step=1.0)
+        expect(states.data == ['ok'] and len(server.stamps) == count == 1,
+               f'One command was answered after {delay} s. It made {len(server.stamps)} requests and the reports '
+               f'{states.data}, expected one of each: stop the timer when the answer has come.', 'once')
+        done += 1
+    server.answer = {'success': False, 'message': draw.choice(['too hot', 'ok'])}
+    count = command(True, 4.5, 'refusal')
+    expect(count == 1, f'The server refused, and was asked {count} times: a refusal is an answer, do not try again.',
+           'refusal')
+    expect(states.data == ['refused'], f'The server answered with success=False; gripper_state says {states.data}, '
+                                       "expected ['refused'].", 'answer')
+    done += 1
+    late = draw.choice([1.1, 1.4])
+    server.answer, delays = iter([{'success': True}, {'success': False}]), iter([late, 0.8])
+    server.delay = lambda request: next(delays)
+    command(False, 4.5, 'late')
+    expect(states.data == ['refused'],
+           f'With the timeout 1 s, the first answer (success=True) came after {late} s, the second (success=False) in '
+           f"time; gripper_state says {states.data}, expected ['refused']: what comes after its timeout is ignored.",
+           'late')
+    done += 1
+    server.answer, server.delay = {'success': True}, 3.4
+    command(True, 7.0, 'late')
+    expect(states.data == ['failed'], f'All answers came 3.4 s after their requests; gripper_state says {states.data}, '
+                                      "expected ['failed']: what comes after its timeout is ignored.", 'late')
+    done += 1
+    server.delay = 0.0
+    command(True, 0.5, 'request')
+    expect(states.data == ['ok'], f'A command that came after a failed one was answered; gripper_state says '
+                                  f"{states.data}, expected ['ok'].", 'answer')
+
+
+@pytest.mark.rules('newest', 'queue')
+@about('newest')
+def test_new_command(learner):
+    """A new command drops the old one, without a report, and begins with all its tries.
+
+    The new request becomes the current future; timer and counter start anew.
+    """
+    draw = learner.random
+    first, pause, delay = draw.choice([False, True]), draw.choice([0.3, 0.5]), draw.choice([0.65, 0.8])
+    states, close, server = gripper(learner, lambda request: {'success': request.data}, delay=delay)
+    close.send(Bool(data=first))
+    learner.run(pause)
+    close.send(Bool(data=not first))
+    learner.settle()
+    asked = [request.data for request in server.requests]
+    words = f'Commands {first} at 0 s and {not first} at {pause} s, answers after {delay} s: '
+    expect(asked == [first, not first], f'{words}the requests by then are {asked}. Send a new command at once, also if '
+                                        'an old one is open.', 'newest')
+    learner.run(5.0, step=1.0)
+    told = list(zip(states.data, (round(stamp, 3) for stamp in states.stamps), strict=True))
+    wanted = [('refused' if first else 'ok', round(pause + delay, 3))]
+    expect([text for text, _ in told] != [wanted[0][0]] or told == wanted,
+           f'{words}gripper_state says {told}, expected {wanted}. A new request has its whole timeout: start the timer '
+           'anew.', 'newest')
+    expect(told == wanted, f'{words}gripper_state says {told}, expected {wanted}: nothing is reported for the old '
+                           'command.', 'newest')
+    server.answer = None
+    states.clear()
+    server.stamps.clear()
+    for _ in range(2):  # the second in the middle of the tries of the first
+        close.send(Bool(data=first))
+        learner.run(1.0 + pause, step=1.0)
+    learner.run(5.0, step=1.0)
+    seen, begin = [round(stamp - server.stamps[0], 3) for stamp in server.stamps], round(1.0 + pause, 3)
+    expect(seen == [0.0, 1.0, begin, begin + 1.0, begin + 2.0],
+           f'A silent server, two commands {begin} s apart: requests went out {seen} s after the first. A new command '
+           'has all its tries, and its timer starts anew.', 'newest')
+    expect(states.data == ['failed'], f'Two commands, one {begin} s after the other, to a silent server gave '
+                                      f'{states.data}, expected one failed, for the second.', 'newest')
+    server.answer, server.delay = {'success': True}, 0.0
+    server.stamps.clear()
+    close.send(*[Bool(data=first)] * 10)
     learner.run(0.5)
-    expect(states.data == ['refused'], f'The server refused; gripper_state says {states.data}, expected [\'refused\'].')
+    expect(len(server.stamps) == 10, f'10 commands came at one moment, before your node could look; '
+                                     f'{len(server.stamps)} of them became requests, expected 10: the depth of a '
+                                     'subscription says how many it keeps.', 'queue')
+
+
+@pytest.mark.rules('names', 'no-server')
+@about('names')
+def test_no_server(learner):
+    """In a namespace all names move; the node starts without a server, and finds one that comes between two tries.
+
+    A request to nobody is like one without an answer: do not wait for the service.
+    """
+    space, begin = learner.random.choice(['/left', '/arm_2', '/cell/north']), learner.random.choice([0.2, 0.6])
+    states, close = learner.listen(f'{space}/gripper_state', String), learner.talk(f'{space}/close', Bool)
+    with about('no-server'):
+        node = learner.start('GripperClient', remap={'__ns': space})
+    expect(node.name == f'{space}/gripper_client',
+           f'In the namespace {space} your node is called {node.name}, expected {space}/gripper_client.', 'names')
+    expect(learner.endpoints(f'{space}/close').subscriptions and learner.endpoints(f'{space}/gripper_state').publishers,
+           f'In the namespace {space} your node has not both {space}/close and {space}/gripper_state: write the names '
+           'without a leading slash.', 'names')
+    learner.run(begin)
+    close.send(Bool(data=True))
+    with about('no-server'):
+        learner.run(0.4)
+        expect(not states.messages, f'No server is there; 0.4 s after a command gripper_state says {states.data}. The '
+                                    'request has its timeout all the same.')
+        server = learner.serve(f'{space}/set_gripper', SetBool, {'success': True})
+        learner.run(3.5, step=1.0)
+    expect(f'{space}/set_gripper' in server.theirs(), f'In the namespace {space} your node has no client for '
+                                                      f'{space}/set_gripper: leave out the leading slash.', 'names')
+    expect(states.data == ['ok'] and states.stamps == pytest.approx([begin + 1.0]),
+           f'A command at {begin} s, a server from {begin + 0.4:.1f} s on: gripper_state says {states.data} at '
+           f'{states.stamps} s, expected ok at {begin + 1.0:.1f} s, with the second request.', 'no-server')
+    server.stop()
+    learner.settle()
+    with about('no-server'):
+        expect(any(_seconds(lambda: learner.start('GripperClient', beside=node)) < 0.35 for _ in range(4)),
+               'Without a server, your constructor takes a long time: it must not wait for the service.')
+
+
+def _seconds(function) -> float:
+    """The wall time that a call takes."""
+    begin = time.monotonic()
+    function()
+    return time.monotonic() - begin

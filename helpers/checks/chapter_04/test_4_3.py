@@ -1,43 +1,92 @@
 """Visible tests of exercise 4.3, one question, two sources."""
 
+import itertools
+
 import pytest
 from std_srvs.srv import Trigger
 
-from helpers.runner import expect
+from helpers.runner import about, expect
 
-pytestmark = pytest.mark.exercise('4.3')
+pytestmark = [pytest.mark.exercise('4.3'), pytest.mark.wiring(type='same-time')]
+
+NEVER = ('The answer of a part waits in a callback group in which your callback still runs, so it is never taken: give '
+         'the clients a callback group of their own.')
 
 
-def test_example(learner):
-    """Both parts are asked, and the status holds both answers.
+@pytest.mark.rules('same-time', 'success', 'message', 'one-thread', 'fresh')
+@about('one-thread')
+def test_status(learner):
+    """Each call asks both parts at the same time, and puts their answers together.
 
-    An async callback may await an answer, if the client has a callback group of its own.
+    An async callback may await an answer, if the client has a callback group of its own. Send both requests first.
     """
-    battery = learner.serve('/battery/check', Trigger, {'success': True, 'message': '81 %'})
-    lidar = learner.serve('/lidar/check', Trigger, {'success': False, 'message': 'blocked'})
+    draw = learner.random
+    battery, lidar = (learner.serve(f'/{part}/check', Trigger, None) for part in ('battery', 'lidar'))
     status = learner.client('/status', Trigger)
     learner.start('StatusPanel')
-    call = status.send()
-    learner.settle()
-    expect(battery.requests, 'status was called, and battery/check was not asked.')
-    expect(call.done or lidar.requests,
-           'battery/check has answered; then nothing happened any more: the answer is never taken. It waits in a '
-           'callback group in which your callback still runs.')
-    expect(lidar.requests, 'status was answered, and lidar/check was not asked.')
-    expect(call.done, 'Both parts have answered, and status has not: the answers are never taken. They wait in a '
-                      'callback group in which your callback still runs.')
-    expect(not call.response.success, 'The lidar has no success, but the status has.')
-    expect(call.response.message == 'battery: 81 %; lidar: blocked',
-           f"The message is {call.response.message!r}, expected 'battery: 81 %; lidar: blocked'.")
+    cases = list(itertools.product((True, False), repeat=2))
+    draw.shuffle(cases)
+    cases.sort(key=lambda good: good != (False, True))  # first one who may think that a second question is needless
+    for number, good in enumerate(cases, 1):
+        said = [f'{draw.randint(1, 99)} %', draw.choice(['blocked', 'clean', 'no signal; 3 tries', 'größer'])]
+        slow, quick = draw.choice([0.6, 0.9]), draw.choice([0.2, 0.4])
+        battery.delay, lidar.delay = (slow, quick) if number % 2 else (quick, slow)
+        battery.answer, lidar.answer = ({'success': ok, 'message': text} for ok, text in zip(good, said, strict=True))
+        words = (f'The battery answers after {battery.delay} s with {good[0]}, {said[0]!r}, the lidar after '
+                 f'{lidar.delay} s with {good[1]}, {said[1]!r}. ')
+        begin = learner.now / 1e9
+        call = status.send()
+        learner.run(2.0, step=1.0)
+        expect(call.done or battery.requests or lidar.requests, 'status was called; neither battery/check nor '
+                                                                'lidar/check was asked.', 'same-time', hint=True)
+        expect(call.done, f'{words}status was never answered. {NEVER}', 'one-thread')
+        for part, server in (('battery', battery), ('lidar', lidar)):
+            count = len(server.requests)
+            expect(count == number, f'After {number} call{"s" * (number > 1)} of status {part}/check was asked {count} '
+                                    f'time{"s" * (count != 1)}, expected {number}.', 'fresh' if count else 'same-time')
+        asked = [round(server.stamps[-1] - begin, 3) for server in (battery, lidar)]
+        expect(asked == [0.0, 0.0], f'{words}They were asked {asked[0]} and {asked[1]} s after the call. Ask both at '
+                                    'the same time: first two call_async, then two await.', 'same-time')
+        expect(call.received - begin == pytest.approx(slow),
+               f'{words}The status came after {call.received - begin:g} s, expected {slow} s.', 'same-time')
+        wanted = f'battery: {said[0]}; lidar: {said[1]}'
+        expect(call.response.message == wanted, f'{words}The message of the status is {call.response.message!r}, '
+                                                f'expected {wanted!r}.', 'message')
+        expect(call.response.success is all(good), f'{words}success of the status is {call.response.success}, expected '
+                                                   f'{all(good)}.', 'success')
+    expect(len(battery.requests) == 4, 'The battery was asked although nobody had called status.', 'fresh')
 
 
-def test_all_well(learner):
-    """If both parts have success, the status has it, too.
+@pytest.mark.rules('names', 'callers')
+@about('callers')
+def test_two_callers(learner):
+    """In a namespace all names move with the node; two callers at the same time get an answer each.
 
-    success is a field of the response.
+    Relative names. What belongs to one call stays in local variables.
     """
-    for part in ('battery', 'lidar'):
-        learner.serve(f'/{part}/check', Trigger, {'success': True, 'message': 'fine'})
-    learner.start('StatusPanel')
-    answer = learner.client('/status', Trigger).call(timeout=1.0)
-    expect(answer.success, 'Both parts have success, the status has not.')
+    draw = learner.random
+    space, words = draw.choice(['/robot_3', '/north/panel']), draw.sample(['low', 'full', 'warm', 'old', 'new'], 2)
+    node = learner.start('StatusPanel', remap={'__ns': space})
+    expect(node.name == f'{space}/status_panel', f'In the namespace {space} your node is called {node.name}, expected '
+                                                 f'{space}/status_panel.', 'names')
+    battery = learner.serve(f'{space}/battery/check', Trigger,
+                            iter([{'success': ok, 'message': word} for ok, word in zip((True, False), words,
+                                                                                      strict=True)]), 0.3)
+    lidar = learner.serve(f'{space}/lidar/check', Trigger, {'success': True}, 0.2)
+    clients = [learner.client(f'{space}/status', Trigger) for _ in range(2)]
+    learner.settle()
+    expect(f'{space}/status' in clients[0].theirs() and {battery.name, lidar.name} <= set(battery.theirs()),
+           f'In the namespace {space} your node has not all of {space}/status, {space}/battery/check and '
+           f'{space}/lidar/check: write the names without a leading slash.', 'names')
+    calls = [client.send() for client in clients]
+    learner.run(2.0, step=1.0)
+    expect(all(call.done for call in calls), f'Two callers asked at the same time, and not both got an answer. {NEVER}',
+           'callers')
+    expect([len(battery.requests), len(lidar.requests)] == [2, 2],
+           f'Two callers asked at the same time: the battery was asked {len(battery.requests)} times, the lidar '
+           f'{len(lidar.requests)} times, expected 2 and 2.', 'callers')
+    told = sorted((call.response.message.partition(';')[0], call.response.success) for call in calls)
+    wanted = sorted((f'battery: {word}', ok) for ok, word in zip((True, False), words, strict=True))
+    expect(told == wanted, f'Two callers asked at the same time. The battery answered {words[0]!r} (success) and '
+                           f'{words[1]!r} (no success); they were told {told}. What belongs to one call must stay in '
+                           'local variables.', 'callers')

@@ -3,39 +3,118 @@
 import pytest
 from std_srvs.srv import SetBool, Trigger
 
-from helpers.runner import expect
+from helpers.runner import about, expect
 
-pytestmark = pytest.mark.exercise('4.4')
+pytestmark = [pytest.mark.exercise('4.4'), pytest.mark.wiring(type='open')]
+
+NEVER = ('enter was never answered: the answer of the lock waits in a callback group in which your callback still '
+         'runs. Give the client of the lock a group of its own.')
 
 
-def test_welcome_and_full(learner):
-    """Two people come in, the third is told that the room is full.
+def people(count):
+    return f'{count} person' if count == 1 else f'{count} people'
 
-    Who never gets an answer: the guard, or the client of the lock?
-    """
-    lock = learner.serve('/lock', SetBool, {'success': True})
-    learner.start('DoorGuard')
-    enter = learner.client('/enter', Trigger)
-    for number, wanted in enumerate([(True, 'welcome'), (True, 'welcome'), (False, 'full')], 1):
-        call = enter.send()
-        learner.run(0.2)
-        expect(lock.requests, 'enter was called, and the lock was not asked.')
-        expect(call.done, 'The lock has opened, and enter was never answered: the answer of the lock waits in a '
-                          'callback group in which your callback still runs.')
+
+class Room:
+    """One guard, his lock and his visitors, one after the other."""
+
+    def __init__(self, learner, capacity):
+        self.learner, self.capacity, self.inside = learner, capacity, 0
+        self.delay = learner.random.choice([0.2, 0.5])
+        self.lock = learner.serve('/lock', SetBool, {'success': True}, self.delay)
+        learner.start('DoorGuard', capacity)
+        self.doors = {name: learner.client(f'/{name}', Trigger) for name in ('enter', 'leave')}
+
+    def enter(self, wanted, rule, story):
+        """One person enters; `wanted` is the message, `story` what has happened before."""
+        before = len(self.lock.requests)
+        call = self.doors['enter'].send()
+        with about(rule):
+            self.learner.run(self.delay + 0.3, step=1.0)
+        asked = self.lock.requests[before:]
+        story = f'Capacity {self.capacity}, {story}: '
+        if wanted != 'full':
+            expect(asked or call.done, f'{story}enter was called, and the lock was not asked.', 'open')
+            expect(call.done, NEVER, 'one-thread')
+        expect(call.done, f'{story}enter was not answered.', rule)
         got = (call.response.success, call.response.message)
-        expect(got == wanted, f'Person {number} gets {got}, expected {wanted}.')
+        expect(got == (wanted == 'welcome', wanted),
+               f'{story}enter gives {got}, expected {(wanted == "welcome", wanted)}.', rule)
+        if wanted == 'full':
+            expect(not asked, f'{story}the lock was asked although the room is full.', rule)
+            expect(call.received == call.sent, f'{story}enter was answered {call.received - call.sent:g} s later: if '
+                                               'the room is full, answer at once.', rule)
+        else:
+            expect([request.data for request in asked] == [False],
+                   f'{story}the lock got requests with data = {[request.data for request in asked]}, expected one '
+                   'with False, which means open.', 'open')
+            expect(call.received - call.sent == pytest.approx(self.delay),
+                   f'{story}the lock answers after {self.delay} s, enter after {call.received - call.sent:g} s.', rule)
+
+    def leave(self, story):
+        """One person leaves."""
+        with about('leave'):
+            answer = self.doors['leave'].call()
+        expect(answer.success, f'Capacity {self.capacity}, {story}: leave gives success=False.', 'leave')
 
 
-def test_leave(learner):
-    """Who leaves makes room for another one.
+@pytest.mark.rules('full', 'open', 'welcome', 'locked', 'leave', 'one-thread')
+@about('one-thread')
+def test_one_after_the_other(learner):
+    """Each one gets the answer that is right: welcome, full or locked.
 
-    leave is not broken; its callback group matters.
+    Who never gets an answer: the guard, or the client of the lock? When does somebody count as inside?
     """
-    learner.serve('/lock', SetBool, {'success': True})
-    learner.start('DoorGuard', 1)
-    enter, leave = learner.client('/enter', Trigger), learner.client('/leave', Trigger)
-    told = []
-    for client in (enter, enter, leave, enter):
-        told.append(client.call(timeout=0.5).success)
-    expect(told == [True, False, True, True],
-           f'With the capacity 1, enter, enter, leave, enter gave {told}, expected [True, False, True, True].')
+    capacity = learner.random.choice([1, 3])
+    room = Room(learner, capacity)
+    for number in range(capacity):
+        room.enter('welcome', 'welcome', f'{people(number)} inside')
+    for _ in range(2):
+        room.enter('full', 'full', f'{people(capacity)} inside')
+    room.lock.answer = {'success': False, 'message': learner.random.choice(['jammed', 'welcome'])}
+    room.enter('full', 'full', f'{people(capacity)} inside')
+    room.leave('one leaves')
+    for number in range(capacity + 1):
+        room.enter('locked', 'locked', f'{people(capacity - 1)} inside, the lock refuses, and has refused {number} '
+                                       'times before')
+    room.lock.answer = {'success': True}
+    room.enter('welcome', 'locked', f'{people(capacity - 1)} inside, and some whom the lock refused, who have not come '
+                                    'in')
+    room.enter('full', 'full', f'{people(capacity)} inside')
+    for _ in range(capacity + 2):
+        room.leave('all leave, and leave is called twice more')
+    for number in range(capacity):
+        room.enter('welcome', 'leave', f'after more calls of leave than people were inside, {people(number)} inside')
+    room.enter('full', 'leave', f'after more calls of leave than people were inside, {people(capacity)} came in. An '
+                                'empty room stays at 0')
+
+
+@pytest.mark.rules('names', 'open', 'capacity')
+@about('capacity')
+def test_all_at_once(learner):
+    """In a namespace all names move with the guard; of many who come at the same time, no more than 2 get in.
+
+    Between the look at self.inside and its change there is an await: no second enter may run there.
+    """
+    draw = learner.random
+    space, visitors, delay = draw.choice(['/room_1', '/room_2', '/house/hall']), draw.randint(4, 6), 1.0
+    node = learner.start('DoorGuard', remap={'__ns': space})
+    expect(node.name == f'{space}/door_guard', f'In the namespace {space} your node is called {node.name}, expected '
+                                               f'{space}/door_guard.', 'names')
+    lock = learner.serve(f'{space}/lock', SetBool, iter([{'success': False}] + [{'success': True}] * visitors), delay)
+    enter = learner.client(f'{space}/enter', Trigger)
+    learner.settle()
+    expect(f'{space}/enter' in enter.theirs() and lock.name in lock.theirs(),
+           f'In the namespace {space} your node has not both a service {space}/enter and a client for {space}/lock: '
+           'write the names without a leading slash.', 'names')
+    calls = [enter.send() for _ in range(visitors)]
+    learner.run(visitors * delay + 1.0, step=1.0)
+    words = [call.response.message if call.done else 'no answer' for call in calls]
+    story = (f'{visitors} people called enter at the same time, with the capacity 2, and the lock refused the first; '
+             f'they were told {words}. ')
+    expect(words.count('welcome') <= 2, f'{story}While one enter awaits the lock, the next one looks at the same '
+                                        'count: enter must stay in a mutually exclusive group.', 'capacity')
+    expect(words.count('welcome') == 2, f'{story}Somebody was told that the room is full when nobody was inside, or '
+                                        'one: count who has come in, after the answer of the lock.', 'open')
+    expect(words == ['locked', 'welcome', 'welcome'] + ['full'] * (visitors - 3),
+           f'{story}Expected locked, two times welcome, then full.', 'capacity')

@@ -3,62 +3,123 @@
 import pytest
 from example_interfaces.action import Fibonacci
 
-from helpers.runner import expect
+from helpers.runner import about, expect
 
-pytestmark = pytest.mark.exercise('5.1')
+pytestmark = [pytest.mark.exercise('5.1'), pytest.mark.wiring(type='names')]
+SERIES = [0, 1]
+while len(SERIES) < 47:
+    SERIES.append(SERIES[-1] + SERIES[-2])
 
 
+def numbers(goal) -> list[int]:
+    return list(goal.result.sequence) if goal.result else []
+
+
+def seconds(stamps, begin) -> list[float]:
+    return [round(stamp - begin, 3) for stamp in stamps]
+
+
+def check_goal(goal, rule='') -> None:
+    """Expect that a goal that nobody has cancelled has done its work; `rule`: what is broken, if not the obvious."""
+    order = goal.request.order
+    expect(goal.accepted, f'The goal of order {order} was rejected.', 'orders')
+    expect(goal.done, f'The goal of order {order} did not end within {order / 2 + 1} s.', rule or 'rate')
+    expect(goal.status == 'succeeded', f'The goal of order {order} ended as {goal.status}, expected succeeded. Call '
+                                       'succeed() before you return the result.', rule or 'end')
+    expect(numbers(goal) == SERIES[:order], f'Order {order} gave {numbers(goal)}, expected the first {order} numbers, '
+                                            f'{SERIES[:order]}.', rule or 'numbers')
+    heard = [list(feedback.sequence) for feedback in goal.feedback]
+    wanted = [SERIES[:n] for n in range(1, order + 1)]
+    expect(len(heard) == order, f'{len(heard)} feedback messages came for {order} numbers, expected one for each '
+                                'number.', rule or 'feedback')
+    expect(heard == wanted, f'The feedback is {heard}, expected all numbers so far: {wanted}.', rule or 'feedback')
+    stamps, due = seconds(goal.stamps, goal.sent), [n / 2 for n in range(1, order + 1)]
+    expect(stamps == pytest.approx(due), f'Feedback came {stamps} s after the goal of order {order}, expected after '
+                                         f"{due} s: one number every 0.5 s. Wait on the node's clock.", rule or 'rate')
+    took = round(goal.finished - goal.sent, 3)
+    expect(took == order / 2, f'The goal of order {order} ended {took} s after its start, expected {order / 2} s.',
+           rule or 'end')
+
+
+@pytest.mark.rules('names', 'orders', 'numbers', 'rate', 'feedback', 'end', 'goals')
+@about('numbers')
 def test_numbers(learner):
-    """A goal of order 5 ends after 2.5 s with 0, 1, 1, 2, 3, and each number comes with a feedback.
+    """Each order from 0 to 47 gives that many numbers, one every 0.5 s, also if several goals run at a time.
 
     Wait 0.5 s on the node's clock, add one number, publish the feedback; at the end succeed() and return the result.
     """
-    client = learner.action_client('/fibonacci', Fibonacci)
-    learner.start('FibonacciServer', threads=True)
-    goal = client.send(order=5)
+    draw = learner.random
+    space, order = draw.choice(['', '/arm', '/left/arm']), draw.choice([5, 6])
+    node = learner.start('FibonacciServer', threads=True, remap={'__ns': space} if space else None)
+    expect(node.name == f'{space}/fibonacci_server', f'Your node is called {node.name}, expected '
+                                                     f'{space}/fibonacci_server.', 'names')
+    client = learner.action_client(f'{space}/fibonacci', Fibonacci)
+    learner.run(draw.choice([0.2, 1.35]))
+    expect(client.name in client.theirs(), f'Your node {node.name} has no action server {client.name}: write the name '
+                                           'without a leading slash.', 'names')
+    goal = client.send(order=order)
+    learner.run(order / 2 + 1)
+    check_goal(goal)
+    for other in (0, 1, 2):
+        goal = client.send(order=other)
+        learner.run(other / 2 + 1)
+        check_goal(goal, 'goals' if len(numbers(goal)) >= order else '')  # those of the first goal are still there
+    orders = [draw.randint(3, 4), draw.randint(5, 6)]
+    goals = [client.send(order=order) for order in orders]
     learner.run(4.0)
-    expect(goal.accepted, 'The goal of order 5 was rejected.')
-    expect(goal.done, 'The goal of order 5 did not end in 4 s.')
-    expect(goal.status == 'succeeded', f'The goal ended as {goal.status}, expected succeeded. Call succeed() before '
-                                       'you return the result.')
-    numbers = list(goal.result.sequence)
-    expect(numbers == [0, 1, 1, 2, 3], f'Order 5 gave {numbers}, expected the first five numbers, [0, 1, 1, 2, 3].')
-    expect(goal.stamps == pytest.approx([0.5, 1.0, 1.5, 2.0, 2.5]),
-           f'Feedback came at {goal.stamps} s, expected at 0.5, 1, 1.5, 2, 2.5 s: one for each number.')
-
-
-def test_bad_goals(learner):
-    """The orders -1 and 48 are rejected.
-
-    Return GoalResponse.REJECT in the goal callback. The 48th number no longer fits into the type of the field, int32.
-    """
-    client = learner.action_client('/fibonacci', Fibonacci)
-    learner.start('FibonacciServer', threads=True)
-    goals = [client.send(order=order) for order in (-1, 48)]
-    learner.settle()
     for goal in goals:
+        expect(goal.status == 'succeeded' and numbers(goal) == SERIES[:goal.request.order]
+               and len(goal.feedback) == goal.request.order,
+               f'Goals of the orders {orders} ran at the same time. That of order {goal.request.order} ended as '
+               f'{goal.status} with {numbers(goal)}. Keep what belongs to one goal in variables of execute.', 'goals')
+        check_goal(goal, 'goals')
+    bad = [-1, 48, -draw.randint(2, 2**31), draw.randint(49, 2**31 - 1)]
+    sent = [client.send(order=order) for order in [*bad, 47]]
+    learner.settle()
+    for goal in sent[:-1]:
         expect(goal.accepted is False, f'The order {goal.request.order} was accepted. A server that knows that it '
-                                       'cannot do it must say so at once.')
+                                       'cannot do it must say so at once.', 'orders')
+    expect(sent[-1].accepted, 'The order 47 was rejected. The 47 numbers fit into the field.', 'orders')
 
 
+@pytest.mark.rules('cancel', 'partial', 'goals')
+@about('cancel')
 def test_cancel(learner):
-    """A goal that is cancelled after 1.2 s ends as canceled, at the next step, with the two numbers so far.
+    """A goal that is cancelled ends as canceled, at the next step, with the numbers so far; other goals go on.
 
-    Accept in the cancel callback, look at is_cancel_requested in the loop, then canceled() and return what there is.
+    Accept in the cancel callback, look at is_cancel_requested after each wait, then canceled() and return the numbers.
     """
+    draw = learner.random
     client = learner.action_client('/fibonacci', Fibonacci)
     learner.start('FibonacciServer', threads=True)
-    goal = client.send(order=10)
-    learner.run(1.2)
-    cancel = goal.cancel()
-    learner.settle()
-    expect(cancel.done, 'The cancel request was not answered: no thread was free to hear it.')
-    expect(cancel.answer == 'accepted', 'The cancel request was refused. The default cancel callback refuses all: give '
-                                        'your own one.')
-    learner.run(6.0)
-    expect(goal.status == 'canceled', f'A cancelled goal ended as {goal.status}, expected canceled: ask '
-                                      'is_cancel_requested in every step, and call canceled().')
-    expect(goal.finished <= 1.5 + 1e-6, f'The goal was cancelled at 1.2 s and ended at {goal.finished:g} s, expected '
-                                        'at the next step, 1.5 s.')
-    expect(list(goal.result.sequence) == [0, 1], f'The result is {list(goal.result.sequence)}, expected the numbers so '
-                                                 'far, [0, 1].')
+    steps = [(9, 0), (9, draw.choice([2, 3]))]
+    draw.shuffle(steps)
+    for order, step in [*steps, (5, 4)]:  # at last, in the last step
+        goal = client.send(order=order)
+        learner.run(step / 2 + draw.choice([0.1, 0.2, 0.4]))
+        begin = learner.now / 1e9 - goal.sent
+        words = f'A goal of order {order} was cancelled {begin:.1f} s after its start, with {SERIES[:step]} there. '
+        cancel = goal.cancel()
+        learner.settle()
+        expect(cancel.done, f'{words}The cancel request was not answered: no thread was free to hear it.', 'cancel')
+        hint = 'The default cancel callback refuses all: give your own one.' if cancel.answer == 'rejected' else ''
+        expect(cancel.answer == 'accepted', f'{words}The cancel request was answered: {cancel.answer}. {hint}',
+               'cancel')
+        learner.run(0.5 * (step + 1) - begin)
+        expect(goal.done, f'{words}It did not end at the next step, after {0.5 * (step + 1)} s: look at '
+                          'is_cancel_requested in every step.', 'cancel')
+        expect(len(numbers(goal)) <= step and len(goal.feedback) <= step,
+               f'{words}It went on after the cancel request: {len(goal.feedback)} feedback messages, the result '
+               f'{numbers(goal)}. Look at is_cancel_requested after each wait, before you add a number.', 'partial')
+        expect(goal.status == 'canceled', f'{words}It ended as {goal.status}, expected canceled: call canceled().',
+               'cancel')
+        expect(numbers(goal) == SERIES[:step], f'{words}The result is {numbers(goal)}, expected the numbers so far.',
+               'partial')
+    goals = [client.send(order=4) for _ in range(2)]
+    learner.run(0.7)
+    goals[draw.choice([0, 1])].cancel()
+    learner.run(2.0)
+    expect(sorted(goal.status or 'still running' for goal in goals) == ['canceled', 'succeeded'],
+           'Two goals ran at the same time, and one of them was cancelled; they ended as '
+           f'{[goal.status for goal in goals]}. Ask the goal handle, and keep no flag of your own.', 'goals')
+    check_goal(next(goal for goal in goals if goal.status == 'succeeded'), 'goals')

@@ -1,62 +1,180 @@
 """Visible tests of exercise 5.2, a client with a deadline."""
 
+import time
+
 import pytest
 from example_interfaces.action import Fibonacci
 from std_msgs.msg import String
 
-from helpers.runner import expect
+from helpers.runner import about, actions, expect
 
-pytestmark = pytest.mark.exercise('5.2')
+pytestmark = [pytest.mark.exercise('5.2'), pytest.mark.wiring(type='names', qos='once')]
+NEAR = 0.011  # s
 
 
 def plan(goal):
     """One number every 0.5 s."""
     steps = [(0.5, Fibonacci.Feedback(sequence=range(n + 1))) for n in range(goal.order)]
-    return [*steps, (0.0, Fibonacci.Result(sequence=range(goal.order)))]
+    return [*steps, (0.0, Fibonacci.Result(sequence=range(50, 50 + goal.order)))]
 
 
-def test_in_time(learner):
-    """A goal that ends in time gives the outcome "succeeded [0, 1, 2]".
+class Rounds:
+    """One client after the other in one process, each with a server that behaves in another way."""
 
-    Ask the goal handle for its result; the result message is in .result().result.
+    def __init__(self, learner):
+        self.learner, self.node = learner, None
+        self.outcome = learner.listen('/outcome', String)
+        self.server = learner.action_server('/fibonacci', Fibonacci, plan)
+
+    def begin(self, order, patience, story):
+        """Start a client, and wait for its goal."""
+        self.outcome.clear()
+        self.story = f'PatientClient({order}, {patience}), {story}: '
+        before = len(self.server.goals)
+        self.server.cancel_stamps.clear()
+        with about('at-once'):
+            self.node = self.learner.start('PatientClient', order, patience, beside=self.node)
+        self.learner.run(0.3)
+        goals = self.server.goals[before:]
+        expect(goals or self.server.late, f'{self.story}no goal came within 0.3 s. Look in a timer whether the server '
+                                          'is ready, and send the goal then.', 'send')
+        return goals[0] if goals else None
+
+    def expect(self, wanted, rule, hint=''):
+        """Expect exactly this outcome so far."""
+        said, words = self.outcome.data, [text.partition(' ')[0] for text in self.outcome.data]
+        told = f'{self.story}/outcome said {said}, expected {wanted!r}.'
+        expect(words, f'{self.story}nothing came on /outcome, expected {wanted!r}. {hint}', rule)
+        expect(words[0] == wanted.split()[0], f'{told} {hint}', rule)
+        expect(said[0] == wanted, f'{told} {hint}', 'numbers' if said[0].startswith(f'{words[0]} [') else 'word')
+        expect(len(said) == 1, f'{told} One outcome is enough, whatever comes after it.', 'once')
+
+
+@pytest.mark.rules('send', 'deadline', 'result', 'lost', 'once', 'word', 'numbers')
+@about('send')
+def test_outcomes(learner):
+    """Each end of a goal has its one outcome.
+
+    Every wait is a timer or a done-callback. Look at accepted before you ask for a result.
     """
-    outcome = learner.listen('/outcome', String)
-    server = learner.action_server('/fibonacci', Fibonacci, plan)
-    learner.start('PatientClient', 3, 5.0)
-    learner.run(8.0)
-    expect(server.goals, 'No goal came in 8 s. Look for the server in a timer, and send the goal when it is ready.')
-    expect(len(server.goals) == 1, f'{len(server.goals)} goals came, expected one.')
-    expect(server.goals[0].request.order == 3, f'The goal has the order {server.goals[0].request.order}, expected 3.')
-    expect(outcome.data == ['succeeded [0, 1, 2]'], f'/outcome said {outcome.data}, expected ["succeeded [0, 1, 2]"].')
+    draw, rounds = learner.random, Rounds(learner)
+    server, order = rounds.server, draw.randint(2, 4)
+    goal = rounds.begin(order, 3.3, 'a server that does it in time')
+    learner.run(5.5, step=1.0)
+    rounds.expect(f'succeeded {list(range(50, 50 + order))}', 'word', "It is in the future's result: .result().result.")
+    expect(goal.request.order == order and len(server.goals) == 1,
+           f'{rounds.story}goals of the orders {[goal.request.order for goal in server.goals]} came, expected one of '
+           f'{order}.', 'send')
+    expect(not server.cancel_stamps, f'{rounds.story}a cancel request came for a goal that had ended in time.',
+           'deadline')
+    server.accept = False
+    rounds.begin(order, 1.0, 'a server that rejects the goal')
+    learner.run(2.5, step=1.0)
+    rounds.expect('rejected []', 'word', 'Look at accepted first.')
+    server.accept, value = True, draw.randint(3, 99)
+    for plan_, wanted in (([(0.6, actions.Aborted(Fibonacci.Result(sequence=[value])))], f'aborted [{value}]'),
+                          ([(0.6, actions.Aborted(Fibonacci.Result()))], 'aborted []')):
+        server.plan = plan_
+        rounds.begin(order, 1.5, 'a server that aborts the goal')
+        learner.run(3.5, step=1.0)
+        rounds.expect(wanted, 'word', 'The status stands beside the result.')
+    server.plan = plan
+    _stops_late(learner, rounds, draw.choice([1.25, 2.1]), value)
+    server.cancel = draw.choice(['reject', 'ignore'])
+    rounds.begin(5, 1.2, f'a server that goes on after the cancel request ({server.cancel}) and succeeds')
+    learner.run(4.5, step=1.0)
+    rounds.expect('succeeded [50, 51, 52, 53, 54]', 'result', 'A cancel request is only a request.')
+    _answers_late(learner, rounds)
 
 
-def test_rejected(learner):
-    """A goal that is rejected gives the outcome "rejected []".
+def _stops_late(learner, rounds, patience, value):
+    """A server accepts the cancel request, and ends the goal 1.8 s later."""
+    server = rounds.server
+    server.cancel_delay, server.partial = 1.8, Fibonacci.Result(sequence=[value])
+    goal = rounds.begin(30, patience, 'a server that is slow, and stops 1.8 s after the cancel request')
+    learner.run(patience + 0.5, step=1.0)
+    expect(goal.cancelled is not None, f'{rounds.story}no cancel request came. To stop waiting is not enough: the '
+                                       'robot would go on.', 'deadline')
+    expect(goal.cancelled - goal.arrived == pytest.approx(patience, abs=NEAR),
+           f'{rounds.story}the cancel request came {goal.cancelled - goal.arrived:.2f} s after the goal was accepted.',
+           'deadline')
+    learner.run(0.8)
+    expect(not rounds.outcome.data, f'{rounds.story}/outcome said {rounds.outcome.data} before the result was there: '
+                                    'wait for the result, which also a cancelled goal has.', 'result')
+    learner.run(1.5, step=1.0)
+    rounds.expect(f'canceled [{value}]', 'result', 'The result also comes for a cancelled goal.')
+    expect(len(server.cancel_stamps) == 1, f'{rounds.story}{len(server.cancel_stamps)} cancel requests came, expected '
+                                           'one.', 'deadline')
 
-    Look at accepted before you ask for a result.
+
+def _answers_late(learner, rounds):
+    """A server answers the cancel request later than 1 s, and then another one is gone."""
+    draw, server = learner.random, rounds.server
+    server.cancel, server.late = 'accept', {'cancel': 1.5}
+    server.cancel_delay = 0.0
+    patience = draw.choice([1.2, 1.7])
+    seen = list(range(int(patience / 0.5 + 2)))
+    goal = rounds.begin(30, patience, 'a server that needs 1.5 s to answer the cancel request')
+    learner.run(patience + 0.95, step=1.0)
+    rounds.expect(f'lost {seen}', 'lost', 'The cancel request was not answered within 1 s.')
+    took = rounds.outcome.stamps[0] - goal.arrived
+    expect(took == pytest.approx(patience + 1.0, abs=2 * NEAR),
+           f'{rounds.story}lost came {took:.2f} s after the goal was accepted, expected {patience + 1.0:g} s.', 'lost')
+    learner.run(2.0, step=1.0)
+    rounds.expect(f'lost {seen}', 'once')
+    server.late = {'cancel': 0.8}
+    rounds.begin(30, patience, 'a server that needs 0.8 s to answer the cancel request')
+    learner.run(patience + 3.0, step=1.0)
+    rounds.expect(f'canceled {list(server.partial.sequence)}', 'lost', 'The answer came in time.')
+    server.late = {}
+    rounds.begin(30, 1.0, 'a server that ends 0.3 s later')
+    server.stop()
+    learner.run(3.0, step=1.0)
+    rounds.expect('lost []', 'lost', 'Nobody answers the cancel request: the client must not wait for ever.')
+
+
+@pytest.mark.rules('names', 'at-once', 'send', 'deadline')
+@about('at-once')
+def test_server_comes_late(learner):
+    """The client starts before the server; the deadline begins when the goal is accepted.
+
+    Look for the server in a timer; make the timer of the deadline when the answer to the goal has come.
     """
-    outcome = learner.listen('/outcome', String)
-    learner.action_server('/fibonacci', Fibonacci, accept=False)
-    learner.start('PatientClient', 3, 5.0)
-    learner.run(8.0)
-    expect(outcome.data == ['rejected []'], f'The goal was rejected, and /outcome said {outcome.data}, '
-                                            'expected ["rejected []"]. Look at accepted first.')
+    draw = learner.random
+    space, order = draw.choice(['/left', '/robot_2']), draw.randint(2, 3)
+    outcome = learner.listen(f'{space}/outcome', String)
+    node = learner.start('PatientClient', order, 0.5 * order + 0.5, remap={'__ns': space})
+    expect(node.name == f'{space}/patient_client', f'In the namespace {space} your node is called {node.name}, '
+                                                   f'expected {space}/patient_client.', 'names')
+    expect(learner.endpoints(f'{space}/outcome').publishers,
+           f'In the namespace {space} your node has no publisher on {space}/outcome: write the name without a leading '
+           'slash.', 'names')
+    learner.run(draw.choice([1.3, 2.2]), step=1.0)
+    expect(not outcome.data, f'There is no server, and /outcome said {outcome.data}.', 'send')
+    server = learner.action_server(f'{space}/fibonacci', Fibonacci, plan)
+    server.late = {'goal': 1.2}
+    learner.settle()
+    expect(server.name in server.theirs(), f'In the namespace {space} your node has no action client for '
+                                           f'{server.name}: write the name without a leading slash.', 'names')
+    begin = learner.now / 1e9
+    learner.run(5.0, step=1.0)
+    expect(server.goals, 'A server came some seconds after the client, and no goal came in the 5 s after that.', 'send')
+    expect(len(server.goals) == 1, f'The server needs 1.2 s to accept; in the meantime {len(server.goals)} goals came, '
+                                   'expected one: stop looking for the server when the goal is sent.', 'send')
+    waited = server.goals[0].arrived - 1.2 - begin
+    expect(waited < 0.21, f'The goal came {waited:.2f} s after the server: look for it every 0.1 s.', 'send')
+    expect(outcome.data and outcome.data[0].startswith('succeeded'),
+           f'The server accepted the goal 1.2 s after it was sent, and needed {0.5 * order} s; with the patience '
+           f'{0.5 * order + 0.5} s, /outcome said {outcome.data}. The deadline begins when the goal is accepted.',
+           'deadline')
+    server.stop()
+    learner.settle()
+    expect(any(_seconds(lambda: learner.start('PatientClient', 1, 1.0, beside=node)) < 0.35 for _ in range(4)),
+           'Without a server, your constructor takes a long time: it must not wait for the server.', 'at-once')
 
 
-def test_deadline(learner):
-    """A goal that takes too long is cancelled 2 s after it was accepted; the outcome is that of its result.
-
-    A timer of `patience` seconds, made when the goal is accepted, sends the cancel request.
-    """
-    outcome = learner.listen('/outcome', String)
-    server = learner.action_server('/fibonacci', Fibonacci, plan, partial=Fibonacci.Result(sequence=[7, 8]))
-    learner.start('PatientClient', 20, 2.0)
-    learner.run(6.0)
-    expect(server.goals, 'No goal came in 6 s.')
-    goal = server.goals[0]
-    expect(goal.cancelled is not None, 'The goal took too long, and no cancel request came. To stop waiting is not '
-                                       'enough: the robot would go on.')
-    expect(goal.cancelled - goal.arrived == pytest.approx(2.0, abs=0.11),
-           f'The cancel request came {goal.cancelled - goal.arrived:.2f} s after the goal, expected 2 s.')
-    expect(outcome.data == ['canceled [7, 8]'], f'/outcome said {outcome.data}, expected ["canceled [7, 8]"]: wait for '
-                                                'the result, which also a cancelled goal has.')
+def _seconds(function) -> float:
+    """The wall time that a call takes."""
+    begin = time.monotonic()
+    function()
+    return time.monotonic() - begin

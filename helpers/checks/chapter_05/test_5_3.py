@@ -3,44 +3,122 @@
 import pytest
 from example_interfaces.action import Fibonacci
 
-from helpers.runner import expect
+from helpers.runner import about, expect
 
-pytestmark = pytest.mark.exercise('5.3')
+pytestmark = [pytest.mark.exercise('5.3'), pytest.mark.wiring(type='names')]
 
 
+def up_to(count) -> list[int]:
+    return list(range(1, count + 1))
+
+
+def numbers(goal) -> list[int]:
+    return list(goal.result.sequence) if goal.result else []
+
+
+def check_goal(goal, story='', rule='') -> None:
+    """Expect that a goal has counted to its order; `rule`: what is broken, if not the obvious."""
+    order = goal.request.order
+    words = f'{story}The goal of order {order} '
+    expect(goal.accepted, f'{words}was rejected.', rule or 'orders')
+    heard = [round(stamp - goal.sent, 3) for stamp in goal.stamps]
+    due = [n / 2 for n in up_to(order)]
+    expect(goal.status in ('succeeded', None) or rule, f'{words}ended as {goal.status}, expected succeeded.',
+           'succeeds')
+    expect(goal.status == 'succeeded', f'{words}ended as {goal.status}, expected succeeded after {order / 2} s.',
+           rule or 'count')
+    expect(numbers(goal) == up_to(order), f'{words}has the result {numbers(goal)}, expected {up_to(order)}.',
+           rule or 'count')
+    took = round(goal.finished - goal.sent, 3)
+    expect(took == order / 2, f'{words}ended after {took} s, expected after {order / 2} s: one number every 0.5 s of '
+                              "the node's clock.", rule or 'count')
+    expect(len(heard) == order, f'{words}sent {len(heard)} feedback messages, expected one for each number.',
+           rule or 'feedback')
+    expect(heard == due, f'{words}sent feedback after {heard} s, expected after {due} s.', rule or 'count')
+
+
+@pytest.mark.rules('names', 'orders', 'count', 'feedback', 'succeeds', 'rejected', 'cancel')
+@about('count')
 def test_one_goal(learner):
-    """A goal of order 3 counts 1, 2, 3, one number every 0.5 s; the order 0 is rejected.
+    """A goal counts to its order, one number every 0.5 s; orders below 1 are rejected; a goal can be cancelled.
 
     This part is like exercise 5.1.
     """
-    client = learner.action_client('/count', Fibonacci)
-    learner.start('NewestWins', threads=True)
-    goal, bad = client.send(order=3), client.send(order=0)
+    draw = learner.random
+    space, order = draw.choice(['', '/left', '/shop/door']), draw.randint(3, 5)
+    node = learner.start('NewestWins', threads=True, remap={'__ns': space} if space else None)
+    expect(node.name == f'{space}/newest_wins', f'Your node is called {node.name}, expected {space}/newest_wins.',
+           'names')
+    client = learner.action_client(f'{space}/count', Fibonacci)
+    learner.run(draw.choice([0.2, 1.35]))
+    expect(client.name in client.theirs(), f'Your node {node.name} has no action server {client.name}: write the name '
+                                           'without a leading slash.', 'names')
+    for number in (order, 1):
+        goal = client.send(order=number)
+        learner.run(number / 2 + 0.7)
+        check_goal(goal)
+    goal = client.send(order=4)
+    learner.run(0.7)
+    bad = [client.send(order=number) for number in (0, -1, -draw.randint(2, 2**31))]
     learner.run(2.0)
-    expect(bad.accepted is False, 'The order 0 was accepted.')
-    expect(goal.status == 'succeeded', f'The goal of order 3 ended as {goal.status}, expected succeeded after 1.5 s. '
-                                       'A goal that was rejected must not disturb it.')
-    expect(list(goal.result.sequence) == [1, 2, 3], f'The result is {list(goal.result.sequence)}, expected [1, 2, 3].')
-    expect(goal.stamps == pytest.approx([0.5, 1.0, 1.5]), f'Feedback came at {goal.stamps} s, expected 0.5, 1, 1.5 s.')
+    for other in bad:
+        expect(other.accepted is False, f'The order {other.request.order} was accepted.', 'orders')
+    check_goal(goal, 'Goals came in the meantime that were rejected. ', 'rejected')
+    count = draw.randint(0, 2)
+    goal = client.send(order=9)
+    learner.run(0.5 * count + 0.2)
+    words = f'A goal of order 9 was cancelled {0.5 * count + 0.2:.1f} s after its start. '
+    with about('cancel'):
+        cancel = goal.cancel()
+        learner.run(0.5)
+    expect(cancel.answer == 'accepted', f'{words}The cancel request was answered: {cancel.answer or "not at all"}.',
+           'cancel')
+    expect(goal.status == 'canceled', f'{words}0.5 s later it is {goal.status or "still running"}, expected canceled.',
+           'cancel')
+    expect(numbers(goal) == up_to(count), f'{words}The result is {numbers(goal)}, expected {up_to(count)}.', 'cancel')
 
 
+@pytest.mark.rules('newest', 'stops', 'aborted')
+@about('newest')
 def test_newest_wins(learner):
-    """A second goal after 1.2 s: the first one ends as aborted within 0.5 s, with [1, 2]; the second one runs.
+    """A second goal ends the first one: aborted within 0.5 s, with the numbers it had; the second counts for itself.
 
     Remember the newest goal in handle_accepted_callback; the loop of an older one sees that it is not the newest.
     """
+    draw = learner.random
     client = learner.action_client('/count', Fibonacci)
     learner.start('NewestWins', threads=True)
+    count, order = draw.randint(1, 3), draw.randint(3, 4)
+    begin = 0.5 * count + draw.choice([0.1, 0.2, 0.3])
     old = client.send(order=20)
-    learner.run(1.2)
-    new = client.send(order=3)
-    learner.run(3.0)
-    expect(new.accepted, 'The second goal was rejected. The newest goal wins.')
-    expect(old.done, 'The first goal goes on beside the second one.')
-    expect(old.status == 'aborted', f'The first goal ended as {old.status}, expected aborted.')
-    expect(old.finished <= 1.7 + 1e-6, f'The second goal came at 1.2 s, and the first one ended at {old.finished:g} s, '
-                                       'expected at 1.7 s at the latest.')
-    expect(list(old.result.sequence) == [1, 2], f'The result of the first goal is {list(old.result.sequence)}, '
-                                                'expected what it had, [1, 2].')
-    expect(new.status == 'succeeded' and list(new.result.sequence) == [1, 2, 3],
-           f'The second goal ended as {new.status}, expected succeeded with [1, 2, 3].')
+    learner.run(begin)
+    new = client.send(order=order)
+    learner.run(0.5)
+    words = f'A goal of order 20, and {begin:.1f} s after it one of order {order}: '
+    expect(new.accepted, f'{words}the second goal was rejected. The newest goal wins.', 'newest')
+    expect(old.done, f'{words}the first goal goes on beside the second one.', 'aborted')
+    expect(old.status == 'aborted', f'{words}the first goal ended as {old.status}, expected aborted: nobody asked to '
+                                    'cancel it.', 'aborted')
+    expect(len(old.feedback) <= count and len(numbers(old)) <= count,
+           f'{words}the first goal had {up_to(count)} when the second one came; then it went on, with '
+           f'{len(old.feedback)} feedback messages and the result {numbers(old)}.', 'stops')
+    expect(numbers(old) == up_to(count), f'{words}the result of the first goal is {numbers(old)}, expected what it '
+                                         f'had, {up_to(count)}.', 'aborted')
+    learner.run(0.5 * order + 0.3)
+    check_goal(new, words, 'newest')
+    goal = client.send(order=2)
+    learner.run(1.5)
+    check_goal(goal, 'A goal came when nothing ran any more, after one had been aborted. ', 'newest')
+    several = [client.send(order=2) for _ in range(3)]
+    learner.run(2.0)
+    ends = [goal.status for goal in several]
+    expect(ends[:2] == ['aborted', 'aborted'], f'Three goals came at one moment; they ended as {ends}, expected the '
+                                               'first two aborted.', 'aborted')
+    check_goal(several[2], 'Three goals came at one moment. The last of them: ', 'newest')
+    goal = client.send(order=5)
+    learner.run(0.7)
+    goal.cancel()
+    learner.run(0.6)
+    goal = client.send(order=2)
+    learner.run(1.5)
+    check_goal(goal, 'A goal came after another one had been cancelled. ', 'newest')

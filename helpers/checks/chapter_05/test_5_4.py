@@ -1,63 +1,182 @@
 """Visible tests of exercise 5.4, drive to a place."""
 
-import pytest
-from turtle_interfaces.action import DriveTo
+import math
 
-from helpers.runner import expect
+import pytest
+from geometry_msgs.msg import Twist
+from turtle_interfaces.action import DriveTo
+from turtlesim.msg import Pose
+
+from helpers.runner import about, expect
 from helpers.runner.turtlesim import TurtleSim
 
-pytestmark = pytest.mark.exercise('5.4')
+pytestmark = [pytest.mark.exercise('5.4'), pytest.mark.wiring(type='names')]
 
 
-def test_arrive(learner):
-    """The turtle drives from (5.5, 5.5) to (7, 6), stops there, and the goal succeeds.
+class Robot:
+    """A robot that does not move: the test says where it stands."""
 
-    Call steer() every 0.1 s and publish its command; within 0.1 m publish a Twist of zeros and succeed.
+    def __init__(self, learner):
+        self.learner, self.space = learner, learner.random.choice(['/left', '/yard/two'])
+        self.poses = learner.talk(f'{self.space}/turtle1/pose', Pose)
+        self.commands = learner.listen(f'{self.space}/turtle1/cmd_vel', Twist)
+        self.client = learner.action_client(f'{self.space}/drive_to', DriveTo)
+        self.node = learner.start('Driver', threads=True, remap={'__ns': self.space})
+
+    def stand(self, x, y, theta=0.0):
+        """Tell a pose, and forget the commands so far."""
+        self.commands.clear()
+        self.poses.send(Pose(x=x, y=y, theta=theta))
+        self.learner.settle()
+
+    def said(self):
+        """Speed and turn of the last command."""
+        last = self.commands.messages[-1]
+        return last.linear.x, last.angular.z
+
+    def check_end(self, goal, story, distance):
+        """Expect one command of zeros at the end, no command after it, and the distance in the result."""
+        self.learner.run(0.5)
+        check_zeros(self.commands, goal, story)
+        expect(goal.result.distance == pytest.approx(distance, abs=0.01),
+               f'{story}the distance in the result is {goal.result.distance:.3f} m, and {distance:.3f} m were left.',
+               'result')
+
+
+def check_zeros(commands, goal, story):
+    zeros = [stamp for stamp, command in zip(commands.stamps, commands.messages, strict=True)
+             if (command.linear.x, command.angular.z) == (0.0, 0.0)]
+    expect(zeros, f'{story}the last command still drives: publish a Twist of zeros before the end.', 'zeros')
+    expect(commands.stamps[-1] <= goal.finished, f'{story}commands came after the goal had ended.', 'zeros')
+    last = commands.messages[-1]
+    expect((last.linear.x, last.angular.z) == (0.0, 0.0), f'{story}the last command still drives: publish a Twist of '
+                                                          'zeros before the end.', 'zeros')
+    expect(len(zeros) == 1, f'{story}{len(zeros)} commands of zeros came, expected one.', 'zeros')
+
+
+@pytest.mark.rules('names', 'no-pose', 'busy', 'steer', 'arrive', 'give-up', 'cancel', 'zeros', 'result', 'feedback',
+                   'next')
+@about('steer')
+def test_standing_robot(learner):
+    """A robot that does not get there is given up after 20 s; in the meantime other goals are rejected.
+
+    One round every 0.1 s: wait, steer(), look for a reason to end, else publish. Zeros come after the loop.
     """
-    client = learner.action_client('/drive_to', DriveTo)
-    sim = TurtleSim(learner, 5.5, 5.5, 0.0)
-    learner.start('Driver', threads=True)
-    sim.run(0.2)
-    goal = client.send(x=7.0, y=6.0)
-    sim.run(5.0, until=lambda: goal.done)
-    expect(goal.accepted, 'The goal (7, 6) was rejected.')
-    expect(goal.status == 'succeeded', f'The goal ended as {goal.status}, expected succeeded within 5 s.')
-    expect(sim.distance(7.0, 6.0) < 0.2, f'The turtle has ended {sim.distance(7.0, 6.0):.2f} m from the place.')
-    last = sim.commands.messages[-1]
-    expect((last.linear.x, last.angular.z) == (0.0, 0.0), 'The turtle is there, but the last command still drives: '
-                                                          'publish a Twist of zeros.')
-    expect(goal.feedback, 'No feedback came.')
-
-
-def test_outside(learner):
-    """A place outside of the field, such as (12, 5), is rejected.
-
-    x and y must be from 0 to 11.
-    """
-    client = learner.action_client('/drive_to', DriveTo)
-    sim = TurtleSim(learner, 5.5, 5.5, 0.0)
-    learner.start('Driver', threads=True)
-    sim.run(0.2)
-    goal = client.send(x=12.0, y=5.0)
+    draw, robot = learner.random, Robot(learner)
+    client = robot.client
+    expect(robot.node.name == f'{robot.space}/driver', f'Your node is called {robot.node.name}, expected '
+                                                       f'{robot.space}/driver.', 'names')
+    learner.run(0.3)
+    expect(client.name in client.theirs() and learner.endpoints(robot.commands.topic).publishers
+           and learner.endpoints(robot.poses.topic).subscriptions,
+           f'In the namespace {robot.space} your node has not all of drive_to, turtle1/pose and turtle1/cmd_vel in it: '
+           'write the names without a leading slash.', 'names')
+    with about('no-pose'):
+        goal = client.send(x=5.0, y=5.0)
+        learner.settle()
+    expect(goal.accepted is False, 'No pose had come yet, and a goal was accepted. Where is the robot?', 'no-pose')
+    robot.stand(2.0, 2.0)
+    goal, second = client.send(x=9.0, y=2.0), client.send(x=1.0, y=1.0)
     learner.settle()
-    expect(goal.accepted is False, 'The goal (12, 5) was accepted. No turtle can get there.')
+    expect(goal.accepted, 'The first goal after a goal that was rejected was rejected, too: what did that one leave '
+                          'behind?', 'next')
+    expect(second.accepted is False, 'Two goals came at one moment, and both were accepted: note in the goal callback '
+                                     'that the robot is taken.', 'busy')
+    learner.run(1.0)
+    count = len(robot.commands)
+    expect(9 <= count <= 11, f'{count} commands came in the first second, expected one every 0.1 s.', 'steer')
+    for theta, wanted in ((0.0, (2.0, 0.0)), (math.pi / 2, (0.0, -2 * math.pi)), (-0.25, (2.0, 1.0))):
+        robot.stand(2.0, 2.0, theta)
+        learner.run(0.3)
+        count = len(robot.commands)
+        expect(2 <= count <= 4, f'{count} commands came in 0.3 s, expected one every 0.1 s.', 'steer')
+        expect(robot.said() == pytest.approx(wanted, abs=0.01),
+               f'The robot stood at (2, 2) and looked to {theta:.2f} rad, the place is (9, 2). 0.3 s after this pose '
+               f'the command is {robot.said()}, expected what steer gives, {wanted}: use the newest pose.', 'steer')
+    third = client.send(x=2.0, y=9.0)
+    learner.run(17.5)
+    expect(third.accepted is False, 'A goal was accepted while another one ran.', 'busy')
+    expect(not goal.done, f'A robot that does not move: the goal ended as {goal.status} after {goal.finished or 0:g} '
+                          's, expected 20 s.', 'give-up')
+    rate = len(goal.feedback) / 19.4
+    expect(1.9 <= rate <= 5.1, f'{rate:.1f} feedback messages came in a second, expected 2 to 5: it is for people and '
+                               'for slow decisions.', 'feedback')
+    expect({round(feedback.distance, 2) for feedback in goal.feedback} == {7.0},
+           f'The robot is 7 m away; the feedback says {sorted({feedback.distance for feedback in goal.feedback})[:5]}.',
+           'feedback')
+    learner.run(1.1)
+    expect(goal.done, 'A robot that does not move: the goal still runs after 20.5 s.', 'give-up')
+    expect(goal.status == 'aborted', f'A robot that does not move: the goal ended as {goal.status}, expected aborted.',
+           'give-up')
+    took = goal.finished - goal.sent
+    expect(took == pytest.approx(20.0, abs=0.25), f'A robot that does not move: the goal ended after {took:g} s, '
+                                                  'expected 20 s.', 'give-up')
+    robot.check_end(goal, 'After a goal that was given up, ', 7.0)
+    _cancel(learner, robot, draw.choice([0.55, 1.15]), draw.uniform(0.3, 1.2))
 
 
-def test_cancel(learner):
-    """When the goal is cancelled, the turtle stops at once.
+def _cancel(learner, robot, seconds, distance):
+    """Cancel a goal, and let the next one arrive."""
+    story = f'A goal was cancelled {seconds} s after its start: '
+    robot.stand(5.0, 5.0)
+    goal = robot.client.send(x=5.0 + distance, y=5.0)
+    learner.run(seconds)
+    expect(goal.accepted, 'A goal that came after one that was given up was rejected.', 'next')
+    expect(robot.said() == pytest.approx((1.5 * distance, 0.0), abs=0.01), f'The command is {robot.said()}, expected '
+                                                                          'what steer gives.', 'steer')
+    with about('cancel'):
+        cancel = goal.cancel()
+        learner.run(0.2)
+    expect(cancel.done, f'{story}the cancel request was not answered: no thread was free to hear it.', 'cancel')
+    expect(cancel.answer == 'accepted', f'{story}the cancel request was refused.', 'cancel')
+    expect(goal.status == 'canceled', f'{story}0.2 s later it is {goal.status or "still running"}, expected canceled.',
+           'cancel')
+    robot.check_end(goal, story, distance)
+    robot.stand(5.0, 5.0)
+    goal = robot.client.send(x=5.0, y=5.0 + 0.12)
+    learner.run(0.5)
+    expect(goal.accepted, 'A goal that came after a cancelled one was rejected.', 'next')
+    expect(not goal.done, f'A goal 0.12 m away ended as {goal.status}, expected to go on until the distance is below '
+                          '0.1 m.', 'arrive')
+    robot.stand(5.0, 5.04)
+    learner.run(0.3)
+    expect(goal.status == 'succeeded', f'The robot is 0.08 m from the place; 0.3 s later the goal is '
+                                       f'{goal.status or "still running"}, expected succeeded.', 'arrive')
+    robot.check_end(goal, 'A goal succeeded: ', 0.08)
 
-    Publish a Twist of zeros before canceled().
+
+@pytest.mark.rules('field', 'arrive', 'zeros', 'result', 'next')
+@about('arrive')
+def test_simulated_robot(learner):
+    """The simulated turtle drives to a place and stops there; places outside of the field are rejected.
+
+    x and y must be from 0 to 11. Within 0.1 m publish a Twist of zeros and succeed.
     """
+    draw = learner.random
     client = learner.action_client('/drive_to', DriveTo)
-    sim = TurtleSim(learner, 1.0, 1.0, 0.0)
+    sim = TurtleSim(learner, draw.uniform(4, 6), draw.uniform(4, 6), draw.uniform(-0.5, 0.5))
     learner.start('Driver', threads=True)
-    sim.run(0.2)
-    goal = client.send(x=10.0, y=1.0)
-    sim.run(0.8)
-    goal.cancel()
-    sim.run(0.5)
-    expect(goal.status == 'canceled', f'The cancelled goal ended as {goal.status}, expected canceled, within 0.5 s.')
-    x = sim.turtle.x
-    sim.run(0.5)
-    expect(abs(sim.turtle.x - x) < 0.01, f'After the goal had ended, the turtle drove on for {sim.turtle.x - x:.2f} m. '
-                                         'The simulator goes on for a second with the last command: publish zeros.')
+    sim.run(0.1)
+    outside = ((-0.1, 5.0), (5.0, -draw.uniform(0.1, 9)), (11.2, 5.0), (5.0, draw.uniform(11.1, 99)), (math.nan, 5.0))
+    for x, y in outside:
+        goal = client.send(x=x, y=y)
+        learner.settle()
+        expect(goal.accepted is False, f'The goal ({x:g}, {y:g}) was accepted. No turtle can get there.', 'field')
+    angle, length = draw.uniform(-0.5, 0.5), draw.uniform(0.7, 1.2)
+    x, y = sim.turtle.x + length * math.cos(angle), sim.turtle.y + length * math.sin(angle)
+    words = f'From ({sim.turtle.x:.1f}, {sim.turtle.y:.1f}) to ({x:.1f}, {y:.1f}): '
+    goal = client.send(x=x, y=y)
+    sim.run(5.0, until=lambda: goal.done)
+    expect(goal.accepted, f'{words}the goal was rejected, after some that were outside of the field.', 'next')
+    expect(goal.status == 'succeeded', f'{words}the goal is {goal.status or "still running"} after 5 s, expected '
+                                       'succeeded.', 'arrive')
+    near = sim.distance(x, y)
+    expect(near < 0.15, f'{words}the goal succeeded {near:.2f} m from the place, expected less than 0.1 m.', 'arrive')
+    expect(0 < goal.result.distance < 0.1 and abs(goal.result.distance - near) < 0.1,
+           f'{words}the distance in the result is {goal.result.distance:.3f} m; the turtle was {near:.3f} m away.',
+           'result')
+    sim.run(0.3)
+    check_zeros(sim.commands, goal, words)
+    corner = client.send(x=11.0, y=0.0)
+    learner.settle()
+    expect(corner.accepted, 'The goal (11, 0) was rejected. It is a corner of the field.', 'field')

@@ -13,22 +13,25 @@ from helpers.runner.peers import SECOND
 class Scene:
     """Robot and cup move straight on, and turn evenly: what tf2 interpolates is exact.
 
-    `robot` and `cup` are (x, y, yaw at time 0; metres, radians) and (their changes in a second).
+    `robot` and `cup` are (x, y, yaw at the begin; metres, radians) and (their changes in a second). The clock itself is
+    far from 0.
     """
 
     def __init__(self, learner, robot, cup):
         self.learner, self._robot, self._cup = learner, np.array(robot, float), np.array(cup, float)
+        learner.now = learner.now or learner.random.randint(1000, 1900) * SECOND
+        self._begin = learner.now / SECOND
         self._tf = learner.tf_broadcaster()
         self.newest = 0.0  # stamp of the last transforms, simulated seconds
 
     def robot(self, seconds: float) -> np.ndarray:
         """The matrix of base_link in map."""
-        x, y, yaw = self._robot[0] + seconds * self._robot[1]
+        x, y, yaw = self._robot[0] + (seconds - self._begin) * self._robot[1]
         return pose(x, y, 0.0, yaw=yaw)
 
     def cup(self, seconds: float) -> np.ndarray:
         """The matrix of cup in map."""
-        x, y, yaw = self._cup[0] + seconds * self._cup[1]
+        x, y, yaw = self._cup[0] + (seconds - self._begin) * self._cup[1]
         return pose(x, y, 0.9, yaw=yaw)
 
     def run(self, rounds: int, period: float = 0.2) -> None:
@@ -39,6 +42,11 @@ class Scene:
             self._tf.send('map', 'cup', self.cup(self.newest), self.newest)
             self.learner.run(period, step=period)
 
+    def tell(self, frame: str) -> None:
+        """Only `base_link` or `cup` says where it is."""
+        place = self.robot if frame == 'base_link' else self.cup
+        self._tf.send('map', frame, place(self.learner.now / SECOND))
+
     def ask(self, node, seconds: float) -> None:
         """Ask the node where the cup was so many seconds ago, and fail with the reason if it is wrong."""
         now = self.learner.now / SECOND
@@ -47,20 +55,22 @@ class Scene:
         expect(found is not None, f'{call} gave None. tf2 knows the cup for {then:g} s and the robot for '
                                   f'{self.newest:g} s, not yet for {now:g} s. The newest transform has the time 0 in a '
                                   'look-up. And is there one buffer, with one listener, for the life of the '
-                                  'node?')
-        expect(isinstance(found, PointStamped), f'{call} gave {found}, expected a PointStamped.')
+                                  'node?', 'robot-now')
+        expect(isinstance(found, PointStamped), f'{call} gave {found}, expected a PointStamped.', 'point')
         place = (found.point.x, found.point.y, found.point.z)
         robot, before = np.linalg.inv(self.robot(self.newest)), np.linalg.inv(self.robot(then))
         expected = origin(robot @ self.cup(then))
+        rules = [rule for wrong, rule in ((before @ self.cup(then), 'robot-now'), (self.cup(then), 'point'))
+                 if same(place, origin(wrong), 1e-3)]
         explain(same(place, expected, 1e-3), f'{call} gave {words(place)}, expected {words(expected)}.', *[
             (same(place, origin(wrong), 1e-3), reason) for wrong, reason in (
                 (before @ self.cup(then), 'This is seen from the robot as it stood then. It has moved on.'),
                 (robot @ self.cup(self.newest), 'This is where the cup was just now.'),
                 (self.cup(then), 'This is in the frame map.'),
                 (np.linalg.inv(robot @ self.cup(then)), 'This is where the robot is, seen from the cup: target and '
-                                                        'source are swapped.'))])
+                                                        'source are swapped.'))], rule=(*rules, 'then')[0])
         expect(found.header.frame_id == 'base_link', f'The point has the frame_id `{found.header.frame_id}`, expected '
-                                                     '`base_link`.')
+                                                     '`base_link`.', 'point')
         stamp = Time.from_msg(found.header.stamp).nanoseconds / SECOND
         expect(same(stamp, self.newest), f'{call} has the stamp {stamp:g} s, expected {self.newest:g} s: that of the '
-                                         "robot's newest transform.")
+                                         "robot's newest transform.", 'stamp')

@@ -17,9 +17,9 @@ def same(one, other, tolerance: float = 1e-4) -> bool:
     return np.shape(one) == np.shape(other) and np.allclose(one, other, rtol=0, atol=tolerance)
 
 
-def explain(right, told: str, *reasons: tuple[object, str]) -> None:
+def explain(right, told: str, *reasons: tuple[object, str], rule: str = '') -> None:
     """Fail with `told` unless `right` is true. Of the reasons (condition, text), the first that holds is added."""
-    expect(right, ' '.join([told, *[text for holds, text in reasons if holds][:1]]))
+    expect(right, ' '.join([told, *[text for holds, text in reasons if holds][:1]]), rule)
 
 
 def check_rotation(transform, hint: str = '') -> None:

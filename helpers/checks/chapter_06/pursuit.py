@@ -6,11 +6,11 @@ import random
 import numpy as np
 from geometry_msgs.msg import Twist
 
-from helpers.checks.chapter_06.geometry import origin
+from helpers.checks.chapter_06.geometry import origin, same
 from helpers.runner import expect
 from helpers.runner.frames import pose
 from helpers.runner.peers import SECOND
-from helpers.turtle import STEP, World
+from helpers.show.turtle_view import STEP, World
 
 STEPS = 8  # of the simulation between two transforms: 0.128 s
 
@@ -21,13 +21,17 @@ class Pursuit:
     Places are x, y, theta: metres and radians.
     """
 
-    def __init__(self, learner, leader='turtle1', me='turtle2', first=(5.5, 5.5, 0.0), second=(2.0, 2.0, 0.0), **start):
+    def __init__(self, learner, leader, me, first=(5.5, 5.5, 0.0), second=(2.0, 2.0, 0.0), **start):
+        """The clock is far from 0, as every clock is: `now - 0.5 s` is a time, too."""
+        learner.now = round((learner.random.randint(1000, 1900) + 0.83) * SECOND)
         self.learner, self.names = learner, (leader, me)
+        self.begin = learner.now / SECOND
         self._world = World(random_source=random.Random(0))
         self.leader = self._world.spawn(*first, leader)
         self.me = self._world.spawn(*second, me)
         self.commands = learner.listen(f'/{me}/cmd_vel', Twist)
         self._tf = learner.tf_broadcaster()
+        self.stamps = {leader: 0.0, me: 0.0}  # simulated seconds: the newest that each has sent
         self.node = learner.start('Follower', leader, me, **start)
 
     @property
@@ -51,6 +55,18 @@ class Pursuit:
         for turtle in (self.leader, self.me):
             if names is None or turtle.name in names:
                 self._tf.send('world', turtle.name, pose(turtle.x, turtle.y, yaw=turtle.theta), seconds)
+                stamp = self.learner.now / SECOND if seconds is None else seconds
+                self.stamps[turtle.name] = max(stamp, self.stamps[turtle.name])
+
+    def seen_back(self) -> np.ndarray:
+        """Where the follower is in the frame of the leader: x, y, z."""
+        leader, me = (pose(turtle.x, turtle.y, yaw=turtle.theta) for turtle in (self.leader, self.me))
+        return origin(np.linalg.inv(leader) @ me)
+
+    def is_for(self, command: Twist, x: float, y: float) -> bool:
+        """Whether a command is what `chase` says for this place."""
+        wanted = self.learner.call('chase', float(x), float(y))
+        return same((command.linear.x, command.angular.z), (wanted.linear.x, wanted.angular.z), 1e-3)
 
     def run(self, seconds: float, names=None, delay: float = 0.0, drive=(0.0, 0.0)) -> None:
         """Let time pass while turtles say where they are, `delay` seconds late.

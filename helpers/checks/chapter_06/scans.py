@@ -16,35 +16,52 @@ from helpers.runner.peers import SECOND
 class Laser:
     """A laser in `frame`, at `mount` (its matrix in base_link). The robot moves evenly: tf2's interpolation is exact.
 
-    `speed`: what x, y and yaw change in a second (metres, radians).
+    `speed`: what x, y and yaw change in a second (metres, radians). All times are seconds since `begin`: the clock
+    itself is far from 0.
     """
 
     def __init__(self, learner, frame='laser', mount=None, start=(2.0, 1.0, math.pi / 2), speed=(0.0, 0.0, 0.0)):
         self.learner, self.frame = learner, frame
         self.mount = pose(z=0.5) if mount is None else mount
         self._start, self._speed = np.array(start), np.array(speed)
+        self.begin = learner.random.randint(1000, 1900)
+        learner.now = self.begin * SECOND
+        self._mounts = {frame: self.mount}
         self._tf = learner.tf_broadcaster()
         self._scans = learner.talk('/scan', LaserScan)
         self.clouds = learner.listen('/points', PointCloud2)
         self.node = learner.start('ScanToMap')
         self._tf.fix('base_link', frame, self.mount)
 
-    def where(self, seconds: float) -> np.ndarray:
-        """The matrix of the laser in map."""
+    @property
+    def now(self) -> float:
+        """The time of the clock."""
+        return self.learner.now / SECOND - self.begin
+
+    def add(self, frame: str, mount: np.ndarray) -> None:
+        """Another laser on the same robot."""
+        self._mounts[frame] = mount
+        self._tf.fix('base_link', frame, mount)
+
+    def where(self, seconds: float, frame: str | None = None) -> np.ndarray:
+        """The matrix of a laser in map, or that of base_link."""
         x, y, yaw = self._start + seconds * self._speed
-        return pose(x, y, 0.0, yaw=yaw) @ self.mount
+        return pose(x, y, 0.0, yaw=yaw) @ self._mounts.get(frame or self.frame, np.eye(4))
 
     def tell(self, seconds: float) -> None:
         """The robot says where it is at that time."""
         x, y, yaw = self._start + seconds * self._speed
-        self._tf.send('map', 'base_link', pose(x, y, 0.0, yaw=yaw), seconds)
+        self._tf.send('map', 'base_link', pose(x, y, 0.0, yaw=yaw), self.begin + seconds)
 
-    def scan(self, ranges, seconds: float, first=-0.6, step=0.3) -> LaserScan:
-        """Send a scan that was measured at that time; `first` and `step` in radians."""
+    def scan(self, ranges, seconds: float, first=-0.6, step=0.3, limits=(0.125, 12.0), frame=None) -> LaserScan:
+        """Send a scan that was measured at that time.
+
+        `first` and `step` in radians; `limits`, in metres, are numbers that a float32 holds exactly.
+        """
         scan = LaserScan(angle_min=first, angle_max=first + step * (len(ranges) - 1), angle_increment=step,
-                         range_min=0.1, range_max=12.0, ranges=list(map(float, ranges)))
-        scan.header.frame_id = self.frame
-        scan.header.stamp = Time(nanoseconds=round(seconds * SECOND)).to_msg()
+                         range_min=limits[0], range_max=limits[1], ranges=list(map(float, ranges)))
+        scan.header.frame_id = frame or self.frame
+        scan.header.stamp = Time(nanoseconds=round((self.begin + seconds) * SECOND)).to_msg()
         self._scans.send(scan)
         self.learner.settle()
         return scan
@@ -60,25 +77,38 @@ class Laser:
 
     def check(self, scan: LaserScan, cloud: PointCloud2, others: dict | None = None) -> None:
         """Fail with the reason if the cloud is not this scan's. `others`: wrong times, and their reasons."""
-        seconds = Time.from_msg(scan.header.stamp).nanoseconds / SECOND
-        expect(cloud.header.frame_id == 'map', f'The cloud has the frame_id `{cloud.header.frame_id}`, expected `map`.')
+        frame = scan.header.frame_id
+        stamps = [Time.from_msg(message.header.stamp).nanoseconds / SECOND for message in (scan, cloud)]
+        expect(cloud.header.frame_id == 'map', f'The cloud has the frame_id `{cloud.header.frame_id}`, expected `map`.',
+               'place')
         hits, found = self.hits(scan), points(cloud)
-        expect(len(found) == len(hits), f'A scan with {len(hits)} hits gave a cloud of {len(found)} points.')
-        there = self.where(seconds)
+        expect(len(found) == len(hits), f'A scan with {len(hits)} hits from {scan.range_min:g} to {scan.range_max:g} m '
+                                        f'gave a cloud of {len(found)} points. The distances were '
+                                        f'{[round(distance, 3) for distance in scan.ranges]}.', 'range')
+        seconds = stamps[0] - self.begin
+        there = self.where(seconds, frame)
         first, wanted = found[0], moved(hits, there)
-        told = (f'The first hit of the scan, {words(hits[0])} in `{self.frame}`, is at {words(first)} in the cloud, '
+        told = (f'The first hit of the scan, {words(hits[0])} in `{frame}`, is at {words(first)} in the cloud, '
                 f'expected {words(wanted[0])}.')
+        mixed = same(sorted(found.tolist()), sorted(wanted.tolist()), 1e-3) and not same(found, wanted, 1e-3)
+        expect(not mixed, f'{told} The points are right, and their order is not that of the scan, which begins at '
+                          'angle_min.', 'order')
+        whole = {math.floor(seconds): 'This is the transform of the whole second: count the nanoseconds, too.'}
+        for other, reason in (whole | (others or {})).items():
+            expect(same(found, wanted, 1e-3) or not same(found, moved(hits, self.where(other, frame)), 1e-3),
+                   f'{told} {reason}', 'time')
+        for other in {*self._mounts, 'base_link'} - {frame}:
+            expect(same(found, wanted, 1e-3) or not same(found, moved(hits, self.where(seconds, other)), 1e-3),
+                   f'{told} This is the transform of `{other}`, not of the frame in the header of the scan.', 'frame')
+        degrees = moved(self.hits(_in_degrees(scan)), there)
         reasons = [(np.eye(4), 'It is still in the frame of the laser: only the name of the frame has changed.'),
                    (np.linalg.inv(there), 'The transform goes from map to the laser: target and source are swapped.')]
-        reasons += [(self.where(other), reason) for other, reason in (others or {}).items()]
-        degrees = moved(self.hits(_in_degrees(scan)), there)
         explain(same(found, wanted, 1e-3), told,
                 *[(same(found, moved(hits, wrong), 1e-3), reason) for wrong, reason in reasons],
-                (same(found, wanted[::-1], 1e-3), 'The points come in the reverse order: a scan begins at angle_min.'),
-                (same(found, degrees, 1e-3), 'The angles of a scan are in radians already.'))
-        stamp = Time.from_msg(cloud.header.stamp).nanoseconds / SECOND
-        expect(same(stamp, seconds, 1e-6), f'The scan is of time {seconds:g} s, its cloud has the stamp {stamp:g} s. '
-                                           'A stamp says when it was measured, and does not change.')
+                (same(found, degrees, 1e-3), 'The angles of a scan are in radians already.'), rule='place')
+        expect(same(stamps[1], stamps[0], 1e-6), f'The scan is of time {stamps[0]:.6f} s, its cloud has the stamp '
+                                                 f'{stamps[1]:.6f} s. A stamp says when it was measured, and does not '
+                                                 'change.', 'stamp')
 
 
 def points(cloud: PointCloud2) -> np.ndarray:
@@ -86,7 +116,8 @@ def points(cloud: PointCloud2) -> np.ndarray:
     try:
         return np.array([tuple(point) for point in read_points_list(cloud, ('x', 'y', 'z'))], float).reshape(-1, 3)
     except Exception as error:  # noqa: BLE001 - the cloud is the learner's: whatever is wrong in it
-        expect(False, f'The cloud cannot be read ({type(error).__name__}: {error}). Make it with create_cloud_xyz32.')
+        expect(False, f'The cloud cannot be read ({type(error).__name__}: {error}). Make it with create_cloud_xyz32.',
+               'place')
 
 
 def moved(hits: np.ndarray, matrix: np.ndarray) -> np.ndarray:

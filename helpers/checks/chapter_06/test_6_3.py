@@ -3,28 +3,46 @@
 import pytest
 
 from helpers.checks.chapter_06.carrying import Scene
-from helpers.runner import expect
+from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('6.3')
 
 
-def test_two_seconds_ago(learner):
-    """Robot and cup move on; where_was(2.0) tells where the cup was, seen from the robot as it stands now.
+@pytest.mark.rules('name', 'point', 'then', 'robot-now', 'stamp', 'far', 'none', 'too-long')
+@about('none')
+def test_cup(learner):
+    """Robot and cup move on; the node is asked before it can know, some seconds later, and half a minute later.
 
     lookup_transform_full has a time for the target, one for the source, and a frame that did not move in between.
     """
-    scene = Scene(learner, robot=[(0, 0, 0), (1, 0, 0)], cup=[(3, 0, 0), (1, 0.5, 0)])
+    draw = learner.random.uniform
+    there = Scene(learner,
+                  robot=[(draw(-1, 1), draw(-1, 1), draw(-3, 3)), (draw(0.5, 1), draw(0.5, 1), draw(0.3, 0.5))],
+                  cup=[(draw(3, 5), draw(3, 5), draw(-3, 3)), (draw(-0.8, -0.3), draw(0.3, 0.8), draw(-0.5, 0.5))])
     node = learner.start('CupFinder')
-    scene.run(20)
-    scene.ask(node, 2.0)
-
-
-def test_unknown(learner):
-    """As long as tf2 knows nothing, where_was gives None.
-
-    Look-ups raise a TransformException: catch it.
-    """
-    node = learner.start('CupFinder')
-    learner.run(0.5)
+    expect(node.name == '/cup_finder', f'Your node is called {node.name}, expected /cup_finder.', 'name')
+    learner.run(0.2)
     found = node.call('where_was', 0.3)
     expect(found is None, f'No transforms have come, and where_was(0.3) gave {found}, expected None.')
+    only = learner.random.choice(['base_link', 'cup'])
+    there.tell(only)
+    learner.run(0.3)
+    found = node.call('where_was', 0.3)
+    expect(found is None, f'Only `{only}` has said where it is, and where_was(0.3) gave {found}, expected None.')
+    with about('then'):
+        there.run(10)
+        there.ask(node, round(draw(0.7, 1.8), 2))
+        there.run(2)
+        there.ask(node, round(draw(0.5, 2.1), 2))
+    with about('too-long'):
+        seconds = round(draw(3.2, 9.0), 1)
+        found = node.call('where_was', seconds)
+        expect(found is None, f'The first transforms came less than 3 s ago, and where_was({seconds}) gave {found}, '
+                              'expected None: nobody knows. Do not take another time instead.')
+    with about('far'):
+        there.run(33, 1.0)
+        seconds = round(draw(24.0, 29.5), 1)
+        found = node.call('where_was', seconds)
+        expect(found is not None, f'where_was({seconds}) gave None, and where_was of some seconds gave a point. How '
+                                  'long does a buffer keep what it hears? 10 s, unless you tell it otherwise.')
+        there.ask(node, seconds)

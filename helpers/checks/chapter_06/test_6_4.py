@@ -1,52 +1,103 @@
 """Visible tests of exercise 6.4, a scan on the map."""
 
+import math
+
 import pytest
 
 from helpers.checks.chapter_06.scans import Laser
-from helpers.runner import expect
+from helpers.runner import about, expect
+from helpers.runner.frames import pose
 
-pytestmark = pytest.mark.exercise('6.4')
-
-
-def test_hits(learner):
-    """The laser is at (2, 1, 0.5) and looks along the map's y axis: a hit 3 m ahead is at (2, 4, 0.5).
-
-    x = distance * cos(angle), y = distance * sin(angle), z = 0; then into the map.
-    """
-    laser = Laser(learner)
-    laser.tell(0.0)
-    scan = laser.scan([3.0, 2.0], 0.0, first=0.0)
-    learner.run(0.1)
-    expect(laser.clouds.messages, 'A scan came and its transform is there, and no cloud came on /points.')
-    laser.check(scan, laser.clouds.messages[0])
+pytestmark = [pytest.mark.exercise('6.4'), pytest.mark.wiring(type='topics', qos='topics')]
+NEWEST = 'This is the newest transform, and not that of the time of the scan.'
 
 
-def test_no_hits(learner):
-    """Distances outside of range_min to range_max, such as inf, are left out.
-
-    They say that nothing was hit. Note the angles of the others.
-    """
-    laser = Laser(learner)
-    laser.tell(0.0)
-    scan = laser.scan([float('inf'), 2.0, 0.05, 3.0, float('nan')], 0.0)
-    learner.run(0.1)
-    expect(laser.clouds.messages, 'A scan came and its transform is there, and no cloud came on /points.')
-    laser.check(scan, laser.clouds.messages[0])
-
-
-def test_transform_comes_later(learner):
-    """A scan comes, and its transform a moment later: then the cloud comes.
+@pytest.mark.rules('name', 'topics', 'one-cloud', 'place', 'order', 'stamp', 'range', 'frame', 'time', 'later',
+                   'hopeless')
+@about('one-cloud')
+def test_scans(learner):
+    """A robot drives a bend. Its two lasers measure; transforms come earlier, later, or never.
 
     wait_for_transform_async gives a future, and add_done_callback says what is to be done then.
     """
-    laser = Laser(learner, speed=(0.5, 0.0, 0.4))
-    laser.tell(0.0)
-    learner.run(0.1)
-    scan = laser.scan([3.0, 2.0], 0.1)
-    learner.run(0.05)
-    expect(not laser.clouds.messages, 'A cloud came before the transform of its time was known.')
-    laser.tell(0.15)
-    learner.run(0.1)
-    expect(laser.clouds.messages, 'The transform came 0.05 s after the scan, and then no cloud came. Do not give up, '
-                                  'and do not block: the callback that waits keeps the transforms out.')
-    laser.check(scan, laser.clouds.messages[0])
+    draw = learner.random
+    there = Laser(learner, 'laser', pose(draw.uniform(0.1, 0.4), draw.uniform(-0.3, 0.3), draw.uniform(0.2, 0.9),
+                                         math.pi, 0.1, draw.uniform(0.5, 1.5)),
+                  (draw.uniform(1, 5), draw.uniform(1, 5), draw.uniform(-3, 3)), (1.0, -0.5, 2.0))
+    other = f'{draw.choice(["front", "rear", "left"])}_laser'
+    there.add(other, pose(-0.3, draw.uniform(-0.3, 0.3), 0.2, yaw=draw.uniform(2.0, 3.0)))
+    expect(there.node.name == '/scan_to_map', f'Your node is called {there.node.name}, expected /scan_to_map.', 'name')
+    for topic, kind in (('/scan', 'subscriptions'), ('/points', 'publishers')):
+        expect(getattr(learner.endpoints(topic), kind), f'Your node has no {kind.removesuffix("s")} on {topic}.',
+               'topics')
+    for _ in range(4):
+        there.tell(there.now)
+        learner.run(0.1)
+    there.tell(there.now)
+    _check_scan(there, 'laser', 'one-cloud')
+    _check_scan(there, other, 'frame')
+    _check_later(there)
+    _check_hopeless(there)
+
+
+def _distances(there, limits):
+    """Hits and what is none, in any order; the limits are hits."""
+    draw = there.learner.random
+    low, high = limits
+    values = [math.inf, math.nan, -draw.uniform(0.3, 3.0), 0.0, low - 0.0625, high + 0.25, low, high,
+              *(draw.uniform(low + 0.1, high - 0.1) for _ in range(4))]
+    draw.shuffle(values)
+    return values
+
+
+def _check_scan(there, frame, rule):
+    """The transforms of the time of the scan are there already."""
+    draw = there.learner.random
+    limits = draw.choice([0.25, 0.375, 0.5]), draw.choice([6.5, 8.25, 10.75])
+    then = round(draw.uniform(0.12, 0.28), 3)
+    there.clouds.clear()
+    scan = there.scan(_distances(there, limits), then, draw.uniform(-2.0, -1.0), draw.uniform(0.1, 0.3), limits, frame)
+    there.learner.run(0.1)
+    count = len(there.clouds)
+    expect(count, f'A scan of `{frame}` came, the transforms of its time are there, and no cloud came on /points.',
+           rule)
+    expect(count == 1, f'One scan came, and {count} clouds, expected one.', rule)
+    there.check(scan, there.clouds.messages[0], {0.4: NEWEST})
+
+
+def _check_later(there):
+    """Two scans come, and their transform some hundredths of a second later."""
+    draw, begin = there.learner.random, there.now
+    there.clouds.clear()
+    there.tell(begin)
+    there.learner.run(0.1)
+    scans = [there.scan([draw.uniform(0.5, 9.0) for _ in range(3)], begin + seconds) for seconds in (0.06, 0.09)]
+    expect(not there.clouds.messages, 'A cloud came before the transforms of its time were known.', 'time')
+    there.learner.run(0.04)
+    there.tell(begin + 0.14)
+    there.learner.run(0.2)
+    count = len(there.clouds)
+    expect(count, 'Two scans came, their transform 0.04 s later, and no cloud. Do not give up when there is no '
+                  'transform yet, and do not block: the callback that waits keeps the transforms out.', 'later')
+    expect(count == 2, f'Two scans came, their transform 0.04 s later, and {count} clouds, expected two: each scan '
+                       'waits for its own transform.', 'later')
+    clouds = sorted(there.clouds.messages, key=lambda cloud: cloud.header.stamp.nanosec)
+    for scan, cloud in zip(scans, clouds, strict=True):
+        there.check(scan, cloud, {begin + 0.14: NEWEST, begin: 'This is the transform of an earlier time.'})
+
+
+def _check_hopeless(there):
+    """One scan is older than all transforms, one is in a frame that nobody knows; a good one comes after them."""
+    draw = there.learner.random
+    there.clouds.clear()
+    there.scan([2.0, 3.0], -draw.uniform(0.5, 5.0))
+    there.scan([2.0, 3.0], 0.1, frame='nowhere')
+    there.learner.run(0.1)
+    there.tell(there.now)
+    scan = there.scan([draw.uniform(0.5, 9.0) for _ in range(3)], there.now - 0.05)
+    there.learner.run(0.2)
+    expect(there.clouds.messages, 'A scan was older than all transforms, one was in an unknown frame. A good one came '
+                                  'after them, and it got no cloud: it waits behind the others.', 'hopeless')
+    expect(len(there.clouds) == 1, f'Of three scans, two can never have a transform; {len(there.clouds)} clouds came.',
+           'time')
+    there.check(scan, there.clouds.messages[0])

@@ -1,43 +1,130 @@
 """Visible tests of exercise 6.5, follow, but not blindly."""
 
+import math
+
 import pytest
 
+from helpers.checks.chapter_06.geometry import explain, words
 from helpers.checks.chapter_06.pursuit import Pursuit, zeros
-from helpers.runner import expect
+from helpers.runner import about, expect
 
-pytestmark = pytest.mark.exercise('6.5')
+pytestmark = [pytest.mark.exercise('6.5'), pytest.mark.wiring(type='topic', qos='topic')]
+NEAR = 0.011  # s
+GOOD = 'Up to 0.5 s a transform is good enough.'
 
 
-def test_follow(learner):
-    """turtle2 comes to turtle1, and stays about 1 m away.
+@pytest.mark.rules('name', 'topic', 'rate', 'place', 'newest', 'unknown', 'old', 'no-wait', 'again')
+@about('unknown')
+def test_life(learner):
+    """Two turtles become known, move, fall silent, and come again; transforms are some tenths of a second old.
 
-    Every 0.1 s: look up turtle1 in the frame of turtle2, and publish what chase says.
+    Every 0.1 s: look up the leader in the frame `me`, look at the stamp, publish what chase says.
     """
-    there = Pursuit(learner)
-    there.run(4.0)
-    expect(not there.stands or there.distance < 1.6, 'turtle2 stands, far from turtle1.')
-    expect(0.7 < there.distance < 1.6, f'After 4 s turtle2 is {there.distance:.1f} m from turtle1, expected about 1 m. '
-                                       'It began 4.9 m away.')
+    draw = learner.random
+    leader, me = draw.sample(['anna', 'ben', 'chris', 'dora', 'emil'], 2)
+    there = Pursuit(learner, leader, me, (5.5, 5.5, draw.uniform(2, 3)), (2.0, draw.uniform(2, 4), -0.4), threads=True)
+    expect(there.node.name == '/follower', f'Your node is called {there.node.name}, expected /follower.', 'name')
+    expect(learner.endpoints(f'/{me}/cmd_vel').publishers,
+           f'Follower({leader!r}, {me!r}) has no publisher on /{me}/cmd_vel.', 'topic')
+    learner.run(1.2)
+    there.tell([draw.choice(there.names)])
+    learner.run(0.2)
+    unknown = len(there.commands)
+    with about('rate'):
+        before = _check_command(there)
+    _check_unknown(there, unknown)
+    _check_place(there, before)
+    _check_silence(there)
+    for quiet in draw.sample(there.names, 2):
+        _check_age(there, quiet)
 
 
-def test_unknown(learner):
-    """Before any transform has come, the commands are zeros.
-
-    A look-up raises a TransformException: catch it.
-    """
-    there = Pursuit(learner)
-    learner.run(1.0)
-    expect(len(there.commands) >= 9, f'No transforms came, and {len(there.commands)} commands in 1 s, expected 10.')
-    expect(all(map(zeros, there.commands.messages)), 'No transforms came, and a command drives.')
+def _gaps(there, begin=0, end=None) -> list[float]:
+    """The seconds from each of these commands to the next."""
+    stamps = there.commands.stamps[begin:end]
+    return [later - earlier for earlier, later in zip(stamps, stamps[1:], strict=False)]
 
 
-def test_silence(learner):
-    """When turtle1 says no longer where it is, turtle2 stands.
+def _check_command(there):
+    """Both are known: commands come every 0.1 s. In the end the leader moves; returns where it was before."""
+    there.tell()
+    there.learner.run(0.1)
+    begin = len(there.commands)
+    for _ in range(4):
+        there.tell()
+        there.learner.run(0.1)
+    before = there.place()
+    turn = there.me.theta + 0.6
+    there.leader.x, there.leader.y = there.me.x + 2.2 * math.cos(turn), there.me.y + 2.2 * math.sin(turn)
+    there.tell()
+    there.learner.run(0.1)
+    count, gaps = len(there.commands) - begin, _gaps(there, begin)
+    expect(count, f'Both turtles said where they are for 0.5 s, and no command came on /{there.names[1]}/cmd_vel.')
+    expect(abs(count - 5) <= 1 and all(gap == pytest.approx(0.1, abs=NEAR) for gap in gaps),
+           f'Both turtles said where they are every 0.1 s, for 0.5 s. {count} commands came, after '
+           f'{", ".join(f"{gap:.2f}" for gap in gaps)} s each; expected one every 0.1 s.')
+    return before
 
-    The stamp of what you looked up says how old it is.
-    """
-    there = Pursuit(learner)
-    there.run(1.0)
-    there.run(0.8, names=['turtle2'])
-    expect(there.stands, 'turtle1 has said nothing for 0.8 s, and the commands still drive. The newest transform may '
-                         'be old: look at its stamp.')
+
+def _check_unknown(there, count):
+    """The first `count` commands came before both were known."""
+    expect(count, 'For 1.4 s the place of one turtle or of both was unknown, and no command came. Then, too, publish a '
+                  'Twist of zeros every 0.1 s, and do not wait for a transform.')
+    expect(all(map(zeros, there.commands.messages[:count])), 'The place of one turtle or of both was unknown, and a '
+                                                             'command drives.')
+    longest = max([there.commands.stamps[0] - there.begin, *_gaps(there, 0, count + 1)])
+    expect(longest < 0.1 + NEAR, f'While tf2 did not know the transform, {longest:.2f} s passed without a command. '
+                                 'Does your look-up have a timeout? It must not wait.', 'no-wait')
+
+
+def _check_place(there, before):
+    """The last command is for the place that came last."""
+    command, place, back = there.commands.messages[-1], there.place(), there.seen_back()
+    told = (f'The leader is at {words(place)} in the frame `{there.names[1]}`. The command is linear.x '
+            f'{command.linear.x:.2f}, angular.z {command.angular.z:.2f}')
+    expect(not zeros(command), f'{told}: it stands. The transforms are 0.1 s old. For the time now() there is never '
+                               'a transform yet, and for an earlier time there may be none: ask for the newest.',
+           'newest')
+    expect(not there.is_for(command, *before[:2]),
+           f'{told}: this is for where the leader was 0.2 s ago. Ask for the newest transform.', 'newest')
+    explain(there.is_for(command, *place[:2]), f'{told}. chase says something else for this place.',
+            (there.is_for(command, *back[:2]), 'That is for where the follower is in the frame of the leader: target '
+                                               'and source are swapped.'),
+            (there.is_for(command, there.leader.x, there.leader.y), 'That is for where the leader is in the world. The '
+                                                                    'follower does not know where it looks itself.'),
+            rule='place')
+
+
+def _check_silence(there):
+    """Both say nothing for 0.8 s: zeros. They come again: the follower goes on."""
+    count = len(there.commands)
+    there.learner.run(0.8)
+    expect(len(there.commands) - count >= 7,
+           f'Both turtles said nothing for 0.8 s, and in this time only {len(there.commands) - count} commands came. '
+           'Publish zeros: a robot goes on with its last command.', 'old')
+    expect(there.stands, 'Both turtles have said nothing for 0.8 s, and the commands still drive. A look-up with '
+                         'Time() gives the newest transform, however old it is: look at its stamp.', 'old')
+    for _ in range(3):
+        there.tell()
+        there.learner.run(0.1)
+    expect(not there.stands, 'Transforms come again after 0.8 s of silence, and the follower still stands.', 'again')
+
+
+def _check_age(there, quiet):
+    """The transforms of one turtle are 0.4 to 0.6 s old; those of the other one are new."""
+    loud = [name for name in there.names if name != quiet]
+    there.learner.run(0.3)
+    for _ in range(5):
+        there.tell([quiet], there.learner.now / 1e9 - there.learner.random.uniform(0.32, 0.38))
+        there.tell(loud)
+        count, newest = len(there.commands), min(there.stamps.values())
+        there.learner.run(0.2)
+        for stamp, command in zip(there.commands.stamps[count:], there.commands.messages[count:], strict=True):
+            age = stamp - newest
+            who = 'leader' if quiet == there.names[0] else 'follower'
+            told = (f'At {stamp:.2f} s, the transform of the {who} had the stamp {newest:.2f} s, so it was {age:.2f} s '
+                    'old')
+            expect(age > 0.49 or not zeros(command), f'{told}, and the command is zeros. {GOOD} Count the nanoseconds, '
+                                                     'too.', 'old')
+            expect(age < 0.51 or zeros(command), f'{told}, and the command drives. {GOOD} Count the nanoseconds, too.',
+                   'old')

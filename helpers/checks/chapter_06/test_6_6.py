@@ -3,15 +3,21 @@
 import pytest
 
 from helpers.checks.chapter_06.falling import Crate
+from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('6.6')
 
 
+@pytest.mark.rules('urdf', 'visual', 'collision', 'place', 'mass', 'centre', 'inertia')
+@about('urdf')
 def test_crate(learner):
-    """crate(6.0, 0.4, 0.3, 0.2) falls, stands on the floor, and has the inertia 0.065, 0.1 and 0.125 kg m².
+    """A crate of any size falls, stands on the floor, and has the mass and inertia of a solid box.
 
     A <collision> like the <visual>, and an <inertial> with origin, mass and inertia.
     """
-    crate = Crate(learner, 6.0, 0.4, 0.3, 0.2)
+    draw = learner.random.uniform
+    sides = [round(side, 3) for side in (draw(0.2, 0.3), draw(0.4, 0.5), draw(0.6, 0.7))]
+    learner.random.shuffle(sides)
+    crate = Crate(learner, round(draw(2.0, 5.5), 2), *sides)
     crate.check_fall()
     crate.check_weight()

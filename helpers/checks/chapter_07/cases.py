@@ -1,16 +1,30 @@
 """Exercise 7.7's cases: all that is known of a robot, with two faults from the whole chapter."""
 
-from helpers.checks.chapter_07 import frames, graphs, machines, models, packages, stacks
-from helpers.runner import expect
+from contextlib import contextmanager
 
-WHY = {**machines.WHY, **packages.WHY, **graphs.WHY, **stacks.WHY, **models.WHY, **frames.WHY}
+from helpers.checks.chapter_07 import graphs, machines, models, packages, stacks, tf_trees
+from helpers.checks.chapter_07.findings import compare
+from helpers.runner import about, expect
+from helpers.runner.verdicts import LearnerError
+
+WHY = {**machines.WHY, **packages.WHY, **graphs.WHY, **stacks.WHY, **models.WHY, **tf_trees.WHY}
 # Faults that do not hide another one, by the part of the case; graphs' as `graphs.draw` names them.
 FAULTS = {
     'machine': machines.CAUSES, 'package': packages.CAUSES, 'stacks': stacks.CAUSES, 'model': models.CAUSES,
-    'frames': frames.CAUSES,
+    'frames': tf_trees.CAUSES,
     'graph': ('name', 'nobody', 'type', 'reliability', 'durability', 'both', 'service name', 'service nobody',
               'service type', 'description nobody', 'description durability'),
 }
+
+
+@contextmanager
+def named(rule: str):
+    """Within the block, whatever the checks of other exercises find out breaks this rule of exercise 7.7."""
+    try:
+        yield
+    except LearnerError as error:
+        error.rule = error.rule if error.rule == 'new-case' else rule
+        raise
 
 
 class Case:
@@ -19,14 +33,14 @@ class Case:
     def __init__(self, random, faults: dict[str, tuple] | None = None, moves: bool | None = None):
         """`faults`: part of the case -> causes. In 'graph', 'hidden' is a wrong name that hides a wrong reliability.
 
-        `moves`: as for `frames.Tree`.
+        `moves`: as for `tf_trees.Tree`.
         """
         faults = faults or {}
         causes = {part: faults.get(part, ()) for part in FAULTS}
         self.files, self.want, self.expected = machines.draw(random, *causes['machine'])
         self.package = packages.Package(random, *causes['package'])
         self.robot = models.Robot(random, *causes['model'])
-        self.tree = frames.Tree(random, *causes['frames'], moves=moves)
+        self.tree = tf_trees.Tree(random, *causes['frames'], moves=moves)
         text, programs, hanging = stacks.draw(random, 'idle', *causes['stacks'], 'spinning')
         hidden = causes['graph'] == ('hidden',)
         endpoints, deaf = graphs.draw(random, *(('name',) if hidden else causes['graph']))
@@ -50,23 +64,31 @@ class Case:
                 end['reliability'] = strength['reliability']
         return 'A7.6', f'{node} {right}', 'reliability', graphs.WEAK['reliability']
 
+    def triage(self, learner, rule: str) -> None:
+        """Ask the learner's triage, and fail with words if it does not find what is expected."""
+        with about(rule):
+            found = learner.call('triage', self.case)
+        twice = [one for one in found if found.count(one) > 1] if isinstance(found, list) else []
+        expect(not twice, f'You found {twice and twice[0]} more than once.', 'once')
+        compare(found, self.expected, WHY, rule)
+
     def repaired(self, learner) -> dict:
         """What the learner makes of the case, by repairing three times."""
         case = self.case
         for _ in range(3):
             case = learner.call('repair_case', case)
             lost = sorted(self.case.keys() - case.keys()) if isinstance(case, dict) else ['everything']
-            expect(not lost, f'The case that repair_case returned lacks {", ".join(lost)}.')
+            expect(not lost, f'The case that repair_case returned lacks {", ".join(lost)}.', 'new-case')
         return case
 
     def check_graph(self, endpoints) -> None:
         """Fail with words if somebody is deaf in the repaired graph who need not be."""
         expect(isinstance(endpoints, list) and len(endpoints) == len(self.case['endpoints']),
-               'repair_case must keep all endpoints.')
+               'repair_case must keep all endpoints.', 'new-case')
         offered = {(end['name'], end['type']): end for end in endpoints if end['role'] in ('publisher', 'server')}
         for end in endpoints:
             if end['role'] in ('subscription', 'client'):
                 other = offered.get((end['name'], end['type']))
                 heard = other and all(end[policy] != graphs.STRONG[policy] or other[policy] == end[policy]
                                       for policy in graphs.STRONG if end['role'] == 'subscription')
-                expect(heard, f'After your repair, {end["node"]} is still deaf on {end["name"]}.')
+                expect(heard, f'After your repair, {end["node"]} is still deaf on {end["name"]}.', 'endpoints')

@@ -3,27 +3,42 @@
 from helpers.runner import expect
 
 
-def compare(got, expected: list[tuple], why: dict[str, str]) -> None:
+def rule_of(cause: str) -> str:
+    """The rule of the card that states a cause: its name, in the form of names of rules."""
+    return cause.lower().replace(' ', '-')
+
+
+def compare(got, expected: list[tuple], why: dict[str, str], rule: str = '', given: str = '') -> None:
     """Fail with words if `got` is not a list of the `expected` findings, in any order.
 
     :param why: a sentence for each cause: where to look if it is missed, or found where it is not.
+    :param rule: the rule that is broken if a finding is missed, or is too much; by default that of its cause.
+    :param given: what the function was asked about, to be shown.
     """
-    expect(isinstance(got, list), f'The function returned {got!r}, expected a list of findings, also if it is empty.')
+    first = rule or (rule_of(expected[0][2]) if expected else '')
+    given = f'\n{given}' if given else ''
+    expect(isinstance(got, list), f'The function returned {got!r}, expected a list of findings, also if it is empty.',
+           first)
     for one in got:
         fits = isinstance(one, list) and len(one) == 4 and all(isinstance(part, str) for part in one)
-        expect(fits, f'{one!r} is no finding: it has four parts, and each is a text.')
+        expect(fits, f'{one!r} is no finding: it has four parts, and each is a string.', first)
     found = [tuple(one) for one in got]
     for one in expected:
         if one in found:
             continue
-        twins = [other for other in found if other[:3] == one[:3] and other not in expected]
-        expect(not twins, f'{said(one)}: your evidence is {twins and twins[0][3]!r}, expected {one[3]!r}. '
-                          f'{why.get(one[2], "")}')
-        expect(False, f'You did not find {said(one)} (evidence {one[3]!r}). {why.get(one[2], "")}')
+        broken = rule or rule_of(one[2])
+        for part, name in ((3, 'evidence'), (1, 'place'), (0, 'row')):
+            twins = [other for other in found if other not in expected
+                     and all(other[k] == one[k] for k in range(4) if k != part)]
+            expect(not twins, f'{said(one)}: your {name} is {twins and twins[0][part]!r}, expected {one[part]!r}. '
+                              f'{why.get(one[2], "")}{given}', broken)
+        expect(False, f'You did not find {said(one)} (evidence {one[3]!r}). {why.get(one[2], "")}{given}', broken)
     for one in found:
+        broken = rule or (rule_of(one[2]) if one[2] in why else first)
         expect(one in expected, f'You found {said(one)} (evidence {one[3]!r}), and there is no such fault. '
-                                f'{why.get(one[2], "")}')
-        expect(found.count(one) == 1, f'You found {said(one)} {found.count(one)} times. Each fault is one finding.')
+                                f'{why.get(one[2], "")}{given}', broken)
+        expect(found.count(one) == 1, f'You found {said(one)} {found.count(one)} times. Each fault is one finding.'
+                                      f'{given}', broken)
 
 
 def said(finding: tuple) -> str:

@@ -13,8 +13,9 @@ from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.qos_overriding_options import QoSOverridingOptions, QoSPolicyKind
 from rosidl_runtime_py.utilities import get_message, get_service
 
-from helpers.faults.words import misspelt
-from helpers.runner import expect
+from helpers.checks.chapter_07.findings import compare
+from helpers.programs.faults.words import misspelt
+from helpers.runner import about, expect
 
 ROOMS = ('kitchen', 'cellar', 'attic', 'garage', 'hall')
 TOPICS = ('temperature', 'odom', 'scan', 'battery', 'joystick', 'wheel_speed', 'humidity')
@@ -113,6 +114,53 @@ def _unambiguous(endpoints, expected) -> bool:
         if close != right or (right and not same_end and not get_close_matches(name, right, 1, 0.78)):
             return False
     return True
+
+
+def diagnose(learner, *faults: str, rule: str = '') -> None:
+    """Draw a graph, ask the learner's diagnose_graph, and fail with words if it does not find what is expected."""
+    endpoints, expected = draw(learner.random, *faults)
+    named = {finding[1].split()[1] for finding in expected} | {finding[3] for finding in expected}
+    given = '\n'.join(str(end) for end in endpoints if end['name'] in named)
+    compare(learner.call('diagnose_graph', endpoints), expected, WHY, rule, given)
+
+
+def other_type(learner) -> None:
+    """A near name of another type is not what was meant; fails with words if the learner's diagnose_graph says so."""
+    name = learner.random.choice(TOPICS)
+    kind, other = learner.random.sample(MESSAGES, 2)
+    ends = [('publisher', '/sender', f'/{name}', kind), ('subscription', '/receiver', f'/robot/{name}', other)]
+    endpoints = [{'role': role, 'node': node, 'name': topic, 'type': one, **STRONG} for role, node, topic, one in ends]
+    compare(learner.call('diagnose_graph', endpoints), [('A7.6', f'/receiver /robot/{name}', 'nobody', '')],
+            {**WHY, 'name': 'Only a name with the same type can be meant.'}, 'nobody', str(endpoints))
+
+
+def started_again(learner, fault: str, seconds: float, rule: str) -> None:
+    """Start a deaf node again with the learner's arguments, and fail with words if it does not hear."""
+    endpoints, expected = draw(learner.random, fault)
+    deaf = expected[0][1].split()
+    mine = next(end for end in endpoints if [end['node'], end['name']] == deaf)
+    other = next(end for end in endpoints if end['node'].endswith('/sender_0'))
+    arguments = learner.call('repair_finding_of_graph', list(expected[0]))
+    with System(learner.context.get_domain_id()) as system, about(rule):
+        publisher, heard = system.add(other), restart(system, mine, arguments)
+        expect(heard.hears(publisher, seconds), f'For {expected[0]} repair_graph gave {arguments}: started again with '
+                                                f'that, {deaf[0]} still hears nothing.', rule)
+
+
+def check_read(seen, there: list[dict]) -> None:
+    """Fail with words if `seen`, by the learner's read_topics, is anything else than the endpoints that are there."""
+    expect(isinstance(seen, list) and all(isinstance(end, dict) for end in seen), f'You return {seen!r}.', 'read')
+    for end in seen:
+        expect(not str(end.get('node')).rpartition('/')[2].startswith('_'),
+               f'You have {end}, which is left out by `usual`.', 'usual')
+    for endpoint in there:
+        twin = [end for end in seen if (end.get('role'), end.get('name')) == (endpoint['role'], endpoint['name'])
+                and end.get('node') != '/_secret']
+        wrong = [key for key in endpoint if twin and twin[0].get(key) != endpoint[key]]
+        expect(endpoint in seen, f'There is {endpoint}; ' + (f'you have {twin[0]}.' if twin else 'you have it not.'),
+               'node-name' if wrong == ['node'] else 'read')
+    for end in seen:
+        expect(end in there, f'You have {end}, which is not there.', 'read')
 
 
 class System:

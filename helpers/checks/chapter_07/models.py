@@ -3,6 +3,7 @@
 import json
 from xml.etree import ElementTree
 
+from helpers.checks.chapter_07.findings import compare
 from helpers.runner import expect
 
 CAUSES = ('collision', 'inertial', 'mass', 'inertia')
@@ -39,7 +40,9 @@ else:
 class Robot:
     """A drawn robot: its `urdf`, and the `expected` findings. `causes`: pairs of link and cause, or causes."""
 
-    def __init__(self, random, *causes):
+    def __init__(self, random, *causes, frame: bool = False, form: int | None = None):
+        """`frame`: there is a link without <visual>. `form`: which of the wrong values it is, by its number."""
+        self._form = form
         names = random.sample(_LINKS, 3)
         faults: dict[str, list[str]] = {}
         for cause in causes:
@@ -49,8 +52,11 @@ class Robot:
         self.faulty = faults
         root = ElementTree.Element('robot', name=f'robot{random.randint(10, 99)}')
         self._link(root, random, 'base_link', faults.get('base_link', ()), box=True)
-        ElementTree.SubElement(root, 'link', name='laser_frame')
+        if frame:
+            ElementTree.SubElement(root, 'link', name='laser_frame')
         for number, name in enumerate(['laser_frame', *names]):
+            if not number and not frame:
+                continue
             if number:
                 self._link(root, random, name, faults.get(name, ()))
             joint = ElementTree.SubElement(root, 'joint', name=f'{name}_joint',
@@ -76,12 +82,12 @@ class Robot:
             ElementTree.SubElement(ElementTree.SubElement(there, 'geometry'), shape[0], shape[1])
         if 'inertial' not in faults:
             inertial = ElementTree.SubElement(link, 'inertial')
-            value = random.choice(['0', '0.0', f'-{mass:.2f}']) if 'mass' in faults else f'{mass:.2f}'
+            value = self._one_of(random, ['0', '0.0', f'-{mass:.2f}']) if 'mass' in faults else f'{mass:.2f}'
             ElementTree.SubElement(inertial, 'mass', value=value)
             moments = [f'{moment:.6f}' for moment in solid(*shape, mass)]
             if 'inertia' in faults:
                 place, low = random.randrange(3), min(map(float, moments))
-                moments[place] = random.choice(['0', f'-{low:.5f}', f'{2 * sum(map(float, moments)):.5f}'])
+                moments[place] = self._one_of(random, ['0', f'-{low:.5f}', f'{2 * sum(map(float, moments)):.5f}'])
                 self.expected.append(('A7.11', name, 'inertia', ' '.join(moments)))
             ElementTree.SubElement(inertial, 'inertia', dict(zip(('ixx', 'iyy', 'izz'), moments, strict=True)),
                                    ixy='0', ixz='0', iyz='0')
@@ -89,33 +95,49 @@ class Robot:
                 self.expected.append(('A7.11', name, 'mass', value))
         self.expected += [('A7.11', name, cause, '') for cause in ('collision', 'inertial') if cause in faults]
 
+    def _one_of(self, random, values: list[str]) -> str:
+        return random.choice(values) if self._form is None else values[self._form % len(values)]
+
+    def diagnose(self, learner, rule: str = '') -> None:
+        """Ask the learner's diagnose_model, and fail with words if it does not find what is expected."""
+        names = [finding[1] for finding in self.expected]
+        links = [link for link in ElementTree.fromstring(self.urdf.partition('\n')[2]).findall('link')
+                 if link.get('name') in names]
+        given = '\n'.join(ElementTree.tostring(link, encoding='unicode').strip() for link in links[:2])
+        compare(learner.call('diagnose_model', self.urdf), self.expected, WHY, rule, given)
+
     def check(self, repaired) -> None:
         """Fail with words if the repaired text is no robot, or a link is not as it should be."""
-        expect(isinstance(repaired, str), 'repair_model must return a text.')
+        expect(isinstance(repaired, str), 'repair_model must return a string.', 'kept')
         try:
             after = {link.get('name'): link for link in ElementTree.fromstring(repaired).findall('link')}
         except ElementTree.ParseError as error:
-            expect(False, f'The repaired text is not XML: {error}.')
+            expect(False, f'The repaired text is not XML: {error}.', 'kept')
         for before in ElementTree.fromstring(self.urdf.partition('\n')[2]).findall('link'):
             name = before.get('name')
-            expect(name in after, f'The link {name} is gone.')
+            expect(name in after, f'The link {name} is gone.', 'kept')
             if name not in self.faulty:
-                expect(_canonical(before) == _canonical(after[name]), f'The link {name} was right, and is changed.')
+                expect(_canonical(before) == _canonical(after[name]), f'The link {name} was right, and is changed.',
+                       'kept')
             else:
                 self._check_link(name, before, after[name])
 
     def _check_link(self, name: str, before, link) -> None:
         visual, collisions = before.find('visual'), link.findall('collision')
-        expect(len(collisions) == 1, f'The link {name} has {len(collisions)} <collision> after your repair.')
+        expect(len(collisions) == 1, f'The link {name} has {len(collisions)} <collision> after your repair.',
+               'shape')
         for part in ('origin', 'geometry'):
             there = collisions[0].find(part)
             expect(there is not None and _canonical(there) == _canonical(visual.find(part)),
-                   f'The <{part}> of the <collision> of {name} is not that of its <visual>.')
+                   f'The <{part}> of the <collision> of {name} is not that of its <visual>.',
+                   'shape' if 'collision' in self.faulty[name] else 'kept')
         mass, moments = link.find('inertial/mass'), link.find('inertial/inertia')
-        expect(mass is not None and moments is not None, f'The link {name} has no <mass> or <inertia>.')
+        expect(mass is not None and moments is not None, f'The link {name} has no <mass> or <inertia>.',
+               'weight')
         faults = self.faulty[name]
         right = 1.0 if {'mass', 'inertial'} & set(faults) else float(before.find('inertial/mass').get('value'))
-        expect(_close(mass.get('value'), right), f'The mass of {name} is {mass.get("value")}, expected {right:g}.')
+        expect(_close(mass.get('value'), right), f'The mass of {name} is {mass.get("value")}, expected {right:g}.',
+               'weight' if {'mass', 'inertial'} & set(faults) else 'kept')
         values = [moments.get(key, '') for key in ('ixx', 'iyy', 'izz')]
         old = [before.find('inertial/inertia').get(key) for key in ('ixx', 'iyy', 'izz')] if before.find(
             'inertial') is not None else []
@@ -123,7 +145,8 @@ class Robot:
         wanted = solid(shape.tag, shape.attrib, right) if {'inertia', 'inertial'} & set(faults) else map(float, old)
         wanted = list(wanted)
         expect(all(map(_close, values, wanted)), f'The moments of {name} are {" ".join(values)}, expected '
-                                                 f'{" ".join(f"{value:.6f}" for value in wanted)}.')
+                                                 f'{" ".join(f"{value:.6f}" for value in wanted)}.',
+               'weight' if {'inertia', 'inertial'} & set(faults) else 'kept')
 
     def drop(self, learner, repaired) -> None:
         """Fail with words if a simulation refuses the repaired robot, or it falls through the floor."""
@@ -131,10 +154,10 @@ class Robot:
         workspace = learner.workspace({'robot.urdf': repaired, 'drop.py': _DROP})
         done = workspace.run('python3', 'drop.py')
         seen = json.loads(done.last_line) if done.status == 0 else {'error': done.last_line}
-        expect('error' not in seen, f'The simulation refuses the robot: {seen.get("error")}')
+        expect('error' not in seen, f'The simulation refuses the robot: {seen.get("error")}', 'weight')
         lowest = min(seen, key=seen.get)
         expect(seen[lowest] > -0.1, f'Two seconds after it was dropped, {lowest} is at {seen[lowest]:.1f} m: it fell '
-                                    'through the floor.')
+                                    'through the floor.', 'shape')
 
 
 def solid(shape: str, sizes: dict[str, str], mass: float) -> tuple[float, float, float]:

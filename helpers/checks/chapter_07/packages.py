@@ -2,6 +2,7 @@
 
 import re
 
+from helpers.checks.chapter_07.findings import compare
 from helpers.runner import expect
 
 PACKAGES = ('greeter', 'porter', 'gardener', 'courier', 'patrol')
@@ -73,7 +74,8 @@ _PACKAGE_XML = '''\
 class Package:
     """A drawn package: `files` as the learner gets them, `expected` findings, `right` entry points."""
 
-    def __init__(self, random, *causes: str):
+    def __init__(self, random, *causes: str, form: int | None = None):
+        """`form`: which of the forms of each cause it is, by its number; None: as it comes."""
         self.name = random.choice(PACKAGES)
         programs = random.sample(PROGRAMS, 4)
         self.words = {program: f'word{random.randint(100, 999)}' for program in programs}
@@ -87,32 +89,43 @@ class Package:
                 function=function, method=method, program=program, word=self.words[program], private=f'_{function}')
             self.right[program] = value = f'{self.name}.{program}:{function}'
             if program in faulty:
-                value = random.choice({
+                forms = {
                     'file': [f'{self.name}/{program}.py:{function}', f'{self.name}.{program}.py:{function}',
                              f'{self.name}/{program}:{function}'],
-                    'module': [lost, lost, f'{program}:{function}', f'{self.name}.{program}_:{function}'],
+                    'module': [lost, f'{program}:{function}', f'{self.name}.{program}_:{function}',
+                               f'other.{program}:{function}'],
                     'function': [f'{self.name}.{program}', f'{self.name}.{program}:{method}',
                                  f'{self.name}.{program}:{function[:-1]}'],
-                }[faulty[program]])
+                }[faulty[program]]
+                value = random.choice(forms) if form is None else forms[form % len(forms)]
                 self.expected.append(('A7.4', program, faulty[program], value))
             quote = random.choice(['"', "'"])
             entries.append(f'            {quote}{program} = {value}{quote},')
         self.files['setup.py'] = _SETUP.format(package=self.name, program=programs[0], entries='\n'.join(entries))
 
+    def diagnose(self, learner, rule: str = '') -> None:
+        """Ask the learner's diagnose_package, and fail with words if it does not find what is expected."""
+        entries = [line.strip() for line in self.files['setup.py'].splitlines() if _ENTRY.fullmatch(line.strip(' ,'))]
+        given = f'The entry points are: {" ".join(entries)}\nThe files are: {", ".join(self.files)}'
+        compare(learner.call('diagnose_package', self.files), self.expected, WHY, rule, given)
+
     def check(self, repaired) -> None:
         """Fail with words if the repaired files do not have the right entry points."""
         expect(isinstance(repaired, dict) and all(isinstance(text, str) for text in repaired.values()),
-               'repair_package must return a dictionary of texts.')
+               'repair_package must return a dictionary of strings.', 'repaired')
         lost = sorted(self.files.keys() - repaired.keys())
-        expect(not lost, f'repair_package must return all files: {lost and lost[0]} is missing.')
+        expect(not lost, f'repair_package must return all files: {lost and lost[0]} is missing.', 'kept')
         changed = sorted(name for name in self.files if name != 'setup.py' and repaired[name] != self.files[name])
-        expect(not changed, f'{changed and changed[0]} was right, and is changed: only setup.py is to be repaired.')
+        expect(not changed, f'{changed and changed[0]} was right, and is changed: only setup.py is to be repaired.',
+               'kept')
         begin = repaired['setup.py'].find('console_scripts')
         there = {program: value for _, program, value in _ENTRY.findall(repaired['setup.py'][begin:])}
+        healthy = self.right.keys() - {finding[1] for finding in self.expected}
         for program, value in self.right.items():
-            expect(program in there, f'The program {program} is gone from setup.py.')
+            rule = 'kept' if program in healthy else 'repaired'
+            expect(program in there, f'The program {program} is gone from setup.py.', rule)
             expect(there[program] == value, f'After your repair, {program} leads to `{there[program]}`, expected '
-                                            f'`{value}`.')
+                                            f'`{value}`.', rule)
 
     def build(self, learner, repaired: dict[str, str]) -> None:
         """Fail with words if the repaired package cannot be built, or a program does not run."""
@@ -124,4 +137,4 @@ class Package:
         done = workspace.run('bash', '-c', 'for program in "$@"; do ros2 run $0 $program; done', self.name, *self.words)
         for program, word in self.words.items():
             expect(f'{program} says {word}' in done.lines,
-                   f'`ros2 run {self.name} {program}` did not print `{program} says {word}`.')
+                   f'`ros2 run {self.name} {program}` did not print `{program} says {word}`.', 'repaired')

@@ -1,6 +1,14 @@
 """Exercise 7.4's programs: stacks as faulthandler prints them, drawn or taken from a program that hangs."""
 
-from helpers.faults import words
+import signal
+import time
+
+from std_srvs.srv import Trigger
+
+from helpers.checks.chapter_07.findings import compare
+from helpers.programs.faults import words
+from helpers.runner.load import busy
+from helpers.runner.observer import Observer
 
 WHY = {
     'server': 'A thread that waits in wait_for_service of rclpy has not found its server, in a callback or not.',
@@ -9,6 +17,8 @@ WHY = {
     'busy': 'A callback that stands in its own line does not return.',
 }
 CAUSES = tuple(WHY)
+START = 30.0  # s of wall time for a program to be up, on a machine under load
+MADE, WAITS = 'client made', 'waits for the server'  # what WATCHED says
 LIMIT = 90.0  # s for a run of the driver; it ends by itself before
 _RCLPY = ('/opt/ros/jazzy/lib/python3.12/site-packages/rclpy', '/home/ada/.venv/lib/python3.11/site-packages/rclpy')
 _OUTER = ('executors.py await_or_execute', 'executors.py _execute', 'executors.py handler', 'task.py __call__')
@@ -21,17 +31,19 @@ _LINES = {
 }
 
 
-def draw(random, *states: str) -> tuple[str, dict[str, str], list[tuple]]:
+def draw(random, *states: str, plain: bool = False) -> tuple[str, dict[str, str], list[tuple]]:
     """Stacks with a thread in each of these states, the program's files, and the findings that are right.
 
     States: the causes, ``spinning`` (the main thread spins), ``idle`` (a worker without the program's calls),
-    ``waits in main`` (``call`` outside of a callback, which is no finding).
+    ``waits in main`` (``call`` outside of a callback, which is no finding). :param plain: each thread has one own call
+    besides that in main, and no file is called as one of rclpy's.
     """
     rclpy = random.choice(_RCLPY)
     nodes = random.sample(words.SERVICES, 3)
     files, expected, threads = {}, [], []
     # One file has the name of a file of rclpy: only the folder tells them apart.
-    names = [f'{nodes[0][1]}.py', f'{nodes[1][1]}.py', random.choice(['client.py', 'executors.py', 'task.py'])]
+    names = [f'{nodes[0][1]}.py', f'{nodes[1][1]}.py',
+             'tools.py' if plain else random.choice(['client.py', 'executors.py', 'task.py'])]
     folder = f'/home/{random.choice(["ada", "linus"])}/{random.choice(words.ROBOTS)}'
     lines = {name: [f'# line {number} of {name}' for number in range(1, 60)] for name in names}
 
@@ -48,7 +60,8 @@ def draw(random, *states: str) -> tuple[str, dict[str, str], list[tuple]]:
     for state in states:
         callback = f'on_{random.choice(["timer", "scan", "request", "goal", "button"])}'
         wait = ['  File "/usr/lib/python3.12/threading.py", line 355 in wait']
-        helper = [own('self.step()', callback)] if random.random() < 0.5 else []  # the older of two own calls
+        older = not plain and random.random() < 0.5
+        helper = [own('self.step()', callback)] if older else []  # the older of two own calls
         function = random.choice(['step', 'work']) if helper else callback
         outer = [*helper, *library(*_OUTER, *_SPIN), own('executor.spin()', 'main')]
         newest = {'server': library('client.py wait_for_service'), 'call': wait + library('client.py call'),
@@ -73,37 +86,18 @@ def draw(random, *states: str) -> tuple[str, dict[str, str], list[tuple]]:
     return text, files, expected
 
 
+def diagnose(learner, *states: str, rule: str = '', plain: bool = False) -> None:
+    """Draw stacks, ask the learner's diagnose_stacks, and fail with words if it does not find what is expected."""
+    text, files, expected = draw(learner.random, *states, plain=plain)
+    compare(learner.call('diagnose_stacks', text, files), expected, WHY, rule,
+            f'The files are {", ".join(files)}; the stacks are:\n{text}')
+
+
 def _frame(file: str, line: int, function: str) -> str:
     return f'  File "{file}", line {line} in {function}'
 
 
-SERVER = '''\
-import signal
-import sys
-import time
-
-import rclpy
-from std_srvs.srv import Trigger
-
-
-def answer(request, response):
-    end = time.monotonic() + 5.0
-    while not node.count_clients(sys.argv[1]) and time.monotonic() < end:
-        time.sleep(0.02)  # an answer to somebody who is not known yet would be lost
-    response.message = sys.argv[2]
-    return response
-
-
-rclpy.init()
-node = rclpy.create_node('server')
-service = node.create_service(Trigger, sys.argv[1], answer)
-print('ready', flush=True)
-if sys.argv[2]:
-    rclpy.spin(node)
-signal.pause()  # it is there, and never answers
-'''
-
-# Runs beside the programs: starts them, waits until they have come so far, presses Ctrl+C or asks for stacks.
+# Runs beside a program of the course's that hangs: waits until it stands where it should, and prints its stacks.
 DRIVER = '''\
 import re
 import signal
@@ -132,35 +126,6 @@ def wait(condition, seconds):
     return condition()
 
 
-def client(name, seconds, served=''):
-    """Start the client, and wait until it has made its ROS client, or has ended."""
-    program = start('watched.py', served, 'client.py', name, seconds)
-    wait(lambda: MADE in text('watched.py') or program.poll() is not None, START)
-    return program
-
-
-def answer(name, seconds, word):
-    start('server.py', name, word)
-    wait(lambda: 'ready' in text('server.py'), START)
-    lonely(name, seconds, 'served')
-
-
-def lonely(name, seconds, served=''):
-    program = client(name, seconds, served)
-    ended = wait(lambda: program.poll() is not None, 2 * float(seconds) + 8.0)
-    print('\\n'.join(line for line in text('watched.py').splitlines() if line not in (MADE, WAITS)))
-    print('status', program.returncode if ended else 'none')
-
-
-def interrupt(name):
-    program = client(name, '60')
-    # It looks for the server next. One that does so in an unusual way has a moment to come there.
-    wait(lambda: WAITS in text('watched.py') or program.poll() is not None, 3.0)
-    before = program.poll()
-    program.send_signal(signal.SIGINT)
-    print('early' if before is not None else wait(lambda: program.poll() is not None, 5.0))
-
-
 def stacks(program, server, *marks):
     """Print the stacks of a program as soon as all marks are in them: patterns for single lines."""
     if server:
@@ -183,10 +148,9 @@ def stacks(program, server, *marks):
     print(shown)
 
 
-MADE, WAITS = 'client made', 'waits for the server'
 programs = []
 try:
-    globals()[sys.argv[1]](*sys.argv[2:])
+    stacks(*sys.argv[1:])
 finally:
     for program in programs:
         program.kill()
@@ -238,22 +202,50 @@ runpy.run_path(sys.argv[0], run_name='__main__')
 
 
 class Client:
-    """The learner's client as a program beside servers of the test's."""
+    """The learner's client as a program; its servers are the test's, outside of where it runs."""
 
     def __init__(self, learner):
-        self._workspace = learner.workspace({
-            'client.py': learner.text('CLIENT_PY'), 'server.py': SERVER, 'drive.py': DRIVER,
-            'watched.py': WATCHED})
+        self._learner = learner
+        self._workspace = learner.workspace({'client.py': learner.text('CLIENT_PY'), 'watched.py': WATCHED})
+
+    def _start(self, observer: Observer, name: str, seconds: float, served: bool):
+        """Start the client, and wait until it has made its ROS client, or has ended."""
+        task = self._workspace.start('python3', 'watched.py', 'served' if served else '', 'client.py', name,
+                                     str(seconds))
+        observer.until(lambda: MADE in task.output, START, task)
+        return task
 
     def ask(self, name: str, seconds: float, word: str | None) -> tuple[str, str]:
         """What the client prints last, and its status. The server answers `word`, or never (''); None: no server."""
-        mode = ['lonely', name, str(seconds)] if word is None else ['answer', name, str(seconds), word]
-        lines = self._workspace.run('python3', 'drive.py', *mode, timeout=LIMIT).lines
-        return (lines[-2] if len(lines) > 1 else ''), lines[-1].removeprefix('status ')
+        def answer(request, response):
+            end = time.monotonic() + 5.0
+            while not observer.node.count_clients(name) and time.monotonic() < end:
+                time.sleep(0.02)  # an answer to somebody who is not known yet would be lost
+            response.message = word
+            return response
+
+        with Observer(self._learner) as observer, Observer(self._learner) as silent:
+            if word is not None:  # one that is never spun is there, and never answers
+                (observer if word else silent).node.create_service(Trigger, name, answer)
+            task = self._start(observer, name, seconds, word is not None)
+            limit = (2 * seconds + 8.0) * (4 if busy() else 1)
+            ended = observer.until(lambda: task.wait(0) is not None, limit)
+        status = task.wait(0)
+        task.end()
+        lines = [line.strip() for line in task.output.splitlines() if line.strip() and line not in (MADE, WAITS)]
+        return (lines[-1] if lines else ''), str(status) if ended else 'none'
 
     def interrupt(self, name: str) -> str:
         """Ctrl+C while it waits for a server: 'True' if it ends, 'False' if not, 'early' if it had ended before."""
-        return self._workspace.run('python3', 'drive.py', 'interrupt', name, timeout=LIMIT).last_line
+        with Observer(self._learner) as observer:
+            task = self._start(observer, name, 60, False)
+            # It looks for the server next. One that does so in an unusual way has a moment to come there.
+            observer.until(lambda: WAITS in task.output, 3.0, task)
+        early = task.wait(0.5) is not None  # who only says that it waits has ended meanwhile
+        task.signal(signal.SIGINT)
+        ended = task.wait(5.0 * (4 if busy() else 1)) is not None
+        task.end()
+        return 'early' if early else str(ended)
 
 
 def take(learner, files: dict[str, str], program: str, line: str, newer: str = '') -> str:
@@ -265,4 +257,4 @@ def take(learner, files: dict[str, str], program: str, line: str, newer: str = '
     marks = [rf'{program}", line {number} in on_timer', *([rf'client\.py", line \d+ in {newer}\b'] if newer else [])]
     server = next((name for name in files if name != program), '')
     workspace = learner.workspace({**files, 'drive.py': DRIVER})
-    return workspace.run('python3', 'drive.py', 'stacks', program, server, *marks, timeout=LIMIT).output
+    return workspace.run('python3', 'drive.py', program, server, *marks, timeout=LIMIT).output

@@ -3,30 +3,75 @@
 import pytest
 
 from helpers.checks.chapter_07 import machines
-from helpers.checks.chapter_07.findings import compare
-from helpers.runner import expect
+from helpers.checks.chapter_07.findings import rule_of
+from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('7.1')
+DEB = 'deb [signed-by=/key.gpg] http://packages.ros.org/ros2/ubuntu {codename} main\n'
 
 
-def test_not_sourced(learner):
-    """A line that sources ROS and is a comment does nothing: one finding, of row A7.2.
+@pytest.mark.rules('missing', 'release', 'key', 'not-sourced', 'path', 'other', 'domain', 'range')
+def test_each_cause(learner):
+    """Each of the eight causes is found where it is alone, and nothing is found on a healthy machine.
 
-    `active(text)` gives the lines that do something.
+    The card has a line for each cause.
     """
-    files = {'ros2.list': 'deb [signed-by=/key.gpg] http://packages.ros.org/ros2/ubuntu noble main\n',
-             '.bashrc': '# source /opt/ros/jazzy/setup.bash\n'}
-    got = learner.call('diagnose_machine', files, {'distro': 'jazzy', 'codename': 'noble', 'domain': 0})
-    compare(got, [('A7.2', '.bashrc', 'not sourced', '')], machines.WHY)
+    ways = [{'way': way} for way in ('none', 'only', 'last')]
+    forms = {'domain': ways, 'range': [{'reach': 'OFF'}, {'reach': 'LOCALHOST'}]}
+    for cause in machines.CAUSES:
+        for form in forms.get(cause, [{}]):
+            with about(rule_of(cause)):
+                machines.diagnose(learner, *machines.draw(learner.random, cause, plain=True, **form))
+    machines.diagnose(learner, *machines.draw(learner.random, plain=True))
 
 
-def test_two_distributions(learner):
-    """A machine that sources two distributions is found, and repaired.
+@pytest.mark.rules('comments', 'sources', 'variables', 'all')
+def test_lines(learner):
+    """What a line does is read as a shell reads it, and each wrong line is a finding.
 
-    Each line that sources another distribution is a finding; its evidence is the line.
+    `active(text)` gives the lines that do something; `SETUP` is a pattern for lines that source ROS.
     """
-    files, want, expected = machines.draw(learner.random, 'other')
-    compare(learner.call('diagnose_machine', files, want), expected, machines.WHY)
-    repaired = learner.call('repair_machine', files, want)
-    expect(repaired != files, 'repair_machine changed nothing.')
-    machines.try_out(learner, files, repaired, want)
+    random = learner.random
+    (distro, codename), (older, _) = random.sample(machines.RELEASES, 2)
+    want = {'distro': distro, 'codename': codename, 'domain': 0}
+    deb, source = DEB.format(codename=codename), f'source /opt/ros/{distro}/setup.bash'
+
+    def look(rule, lines, *expected, sources=deb):
+        with about(rule):
+            machines.diagnose(learner, {'ros2.list': sources, '.bashrc': '\n'.join(lines) + '\n'}, want,
+                              list(expected), rule)
+
+    lost = ('A7.2', '.bashrc', 'not sourced', '')
+    for dash in ('# ', '  #'):
+        look('comments', [dash + source], lost)
+        look('comments', [source, f'{dash}export ROS_DOMAIN_ID={random.randint(1, 99)}', f'{dash}PATH=/bin',
+                          f'{dash}ROS_AUTOMATIC_DISCOVERY_RANGE=OFF', f'{dash}source /opt/ros/{older}/setup.bash'])
+        look('comments', [source], sources=f'{dash}deb http://old.example {older} main\n' + deb)
+    line = f'. ~/opt/ros/{older}/setup.sh'
+    look('comments', [source, f'   {line}  '], ('A7.5', '.bashrc', 'other', line))
+    for word, folder, shell in (('.', '', 'bash'), ('source', '/home/ada', 'bash'), ('source', '', 'sh')):
+        look('sources', [f'{word} {folder}/opt/ros/{distro}/setup.{shell}'])
+    look('sources', ['source ~/.aliases', f'echo /opt/ros/{older}/setup.bash', source])
+    for word in ('', 'export '):
+        lines = [f'{word}PATH=/opt/tool{random.randint(10, 99)}/bin', f'{word}ROS_DOMAIN_ID={random.randint(1, 99)}',
+                 f'{word}ROS_AUTOMATIC_DISCOVERY_RANGE={random.choice(["OFF", "LOCALHOST"])}']
+        look('variables', [source, *lines], *[(row, '.bashrc', cause, line) for row, cause, line in zip(
+            ('A7.3', 'A7.7', 'A7.7'), ('PATH', 'domain', 'range'), lines, strict=True)])
+    lines = [f'source /opt/ros/{older}/setup.bash', f'. /opt/ros/{older}/setup.sh']
+    look('all', lines, lost, *[('A7.5', '.bashrc', 'other', line) for line in lines])
+    machines.diagnose(learner, *machines.draw(random, *machines.CAUSES[1:]), 'all')
+
+
+@pytest.mark.rules('repaired', 'kept', 'folders')
+def test_repair(learner):
+    """A machine with all faults is repaired, and everything else stays as it was.
+
+    Each finding names the line that goes, or is changed; what is missing is added.
+    """
+    for causes in (machines.CAUSES[1:], ['missing', 'other'], []):
+        files, want, expected = machines.draw(learner.random, *causes)
+        machines.diagnose(learner, files, want, expected, 'all')
+        with about('repaired'):
+            repaired = learner.call('repair_machine', files, want)
+        expect(not causes or repaired != files, 'repair_machine changed nothing.', 'repaired')
+        machines.try_out(learner, files, repaired, want)

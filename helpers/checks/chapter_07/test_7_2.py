@@ -2,26 +2,36 @@
 
 import pytest
 
-from helpers.checks.chapter_07.findings import compare
-from helpers.checks.chapter_07.packages import WHY, Package
+from helpers.checks.chapter_07.packages import CAUSES, Package
+from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('7.2')
 
 
-def test_a_file(learner):
-    """An entry point that names a file is found.
+@pytest.mark.rules('file', 'module', 'function', 'all')
+def test_causes(learner):
+    """Each wrong entry point is found with its cause, and nothing is found in a package that is right.
 
-    Its right side has a `/`, or its module ends in `.py`.
+    `module.replace('.', '/') + '.py'` is the file of a module.
     """
-    package = Package(learner.random, 'file')
-    compare(learner.call('diagnose_package', package.files), package.expected, WHY)
+    for cause in CAUSES:
+        for form in range(4):
+            with about(cause):
+                Package(learner.random, cause, form=form).diagnose(learner)
+    Package(learner.random).diagnose(learner)
+    with about('all'):
+        Package(learner.random, *CAUSES).diagnose(learner, 'all')
+        Package(learner.random, 'module', 'module', form=0).diagnose(learner, 'all')
 
 
+@pytest.mark.rules('repaired', 'kept')
 def test_repair(learner):
-    """A wrong module is found and repaired; the other programs stay as they are.
+    """A wrong entry point is replaced by the right one; everything else stays as it is.
 
     The program has the name of its module; the function is the one at the left margin without `_`.
     """
-    package = Package(learner.random, 'module')
-    compare(learner.call('diagnose_package', package.files), package.expected, WHY)
-    package.check(learner.call('repair_package', package.files))
+    for causes, form in (((), None), (('file',), None), (('function',), None), (('module',) * 3, 0), (CAUSES, None)):
+        package = Package(learner.random, *causes, form=form)
+        package.diagnose(learner, 'all')
+        with about('repaired'):
+            package.check(learner.call('repair_package', package.files))

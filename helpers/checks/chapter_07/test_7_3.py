@@ -3,34 +3,64 @@
 import pytest
 
 from helpers.checks.chapter_07 import graphs
-from helpers.checks.chapter_07.findings import compare
-from helpers.runner import expect
+from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('7.3')
 
 
+@pytest.mark.rules('read', 'node-name', 'usual')
 def test_read(learner):
-    """read_topics sees a publisher that runs, with its six texts.
+    """read_topics sees publishers and subscriptions that run, with their six strings.
 
     get_publishers_info_by_topic and get_subscriptions_info_by_topic tell the QoS, too.
     """
-    ear = {'role': 'subscription', 'node': '/ear', 'name': '/chatter', 'type': 'std_msgs/msg/String',
-           'reliability': 'BEST_EFFORT', 'durability': 'VOLATILE'}
-    with graphs.System(learner.context.get_domain_id()) as system:
-        system.add(ear)
-        seen = learner.call('endpoints_here', 1, 5.0)
-    expect(seen == [ear], f'There is one endpoint, {ear}; read_topics and read_services gave {seen}.')
+    random = learner.random
+    room, topic = random.choice(graphs.ROOMS), random.choice(graphs.TOPICS)
+    common = {'type': random.choice(graphs.MESSAGES), 'reliability': 'RELIABLE', 'durability': 'TRANSIENT_LOCAL'}
+    there = [{'role': 'publisher', 'node': '/mouth', 'name': f'/{topic}', **common},
+             {'role': 'subscription', 'node': f'/{room}/ear', 'name': f'/{room}/{topic}', **common, **graphs.WEAK}]
+    secret = {'role': 'subscription', 'node': '/_secret', 'name': f'/{topic}', **common}
+    with graphs.System(learner.context.get_domain_id()) as system, about('read'):
+        for endpoint in (secret, *there):
+            system.add(endpoint)
+        seen = learner.call('endpoints_here', len(there), 5.0)
+    graphs.check_read(seen, there)
 
 
-def test_name(learner):
-    """A topic that nobody publishes, and a near name: cause `name`, and a remapping repairs it.
+@pytest.mark.rules('name', 'nobody', 'type', 'reliability', 'durability', 'fits', 'row', 'all')
+def test_diagnose(learner):
+    """Each cause is found where it is alone, and whoever gets something is no finding.
 
-    nearest(name, names) finds it among the names that are published.
+    nearest(name, names) finds a name that was meant among the names of the same type.
     """
-    common = {'type': 'std_msgs/msg/String', 'reliability': 'RELIABLE', 'durability': 'VOLATILE'}
-    endpoints = [{'role': 'publisher', 'node': '/mouth', 'name': '/chatter', **common},
-                 {'role': 'subscription', 'node': '/ear', 'name': '/chater', **common}]
-    compare(learner.call('diagnose_graph', endpoints), [('A7.6', '/ear /chater', 'name', '/chatter')], graphs.WHY)
-    (_, arguments), = learner.call('graph_repairs', endpoints)
-    expect(arguments in (['-r', '/chater:=/chatter'], ['--remap', '/chater:=/chatter']),
-           f"repair_graph gave {arguments}, expected a remapping rule, ['-r', '/chater:=/chatter'].")
+    for cause in graphs.CAUSES:
+        for _ in range(3):
+            with about(cause):
+                graphs.diagnose(learner, cause)
+    graphs.other_type(learner)
+    for _ in range(4):
+        with about('fits'):
+            graphs.diagnose(learner, 'healthy', 'healthy', 'healthy', rule='fits')
+    with about('durability'):
+        graphs.diagnose(learner, 'both', rule='durability')
+    for fault in ('service name', 'service nobody', 'service type', 'description nobody', 'description durability'):
+        with about('row'):
+            graphs.diagnose(learner, fault, rule='row')
+    with about('all'):
+        graphs.diagnose(learner, *graphs.CAUSES, 'service name', rule='all')
+
+
+@pytest.mark.rules('remapping', 'override', 'no-repair')
+def test_repair(learner):
+    """A node that is started again with your arguments hears what is published.
+
+    A remapping rule is -r FROM:=TO, a parameter -p NAME:=VALUE.
+    """
+    for fault, rule in (('name', 'remapping'), ('reliability', 'override'), ('durability', 'override')):
+        with about(rule):
+            graphs.started_again(learner, fault, 3.0, rule)
+    for fault in ('type', 'nobody', 'service type', 'service nobody'):
+        finding = graphs.draw(learner.random, fault)[1][0]
+        with about('no-repair'):
+            arguments = learner.call('repair_finding_of_graph', list(finding))
+        expect(arguments == [], f'For {finding} repair_graph gave {arguments}, expected [].', 'no-repair')

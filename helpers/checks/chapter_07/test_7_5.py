@@ -2,26 +2,39 @@
 
 import pytest
 
-from helpers.checks.chapter_07.findings import compare
-from helpers.checks.chapter_07.models import WHY, Robot
+from helpers.checks.chapter_07.models import CAUSES, Robot
+from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('7.5')
 
 
-def test_mass(learner):
-    """A mass that is not more than 0 is found, with its value as in the file.
+@pytest.mark.rules('collision', 'inertial', 'mass', 'inertia', 'frames', 'all')
+def test_causes(learner):
+    """Each cause is found where it is alone, and nothing is found in a robot that is right.
 
-    link.find('inertial/mass').get('value') is a text.
+    link.find('inertial/mass').get('value') is a string.
     """
-    robot = Robot(learner.random, 'mass')
-    compare(learner.call('diagnose_model', robot.urdf), robot.expected, WHY)
+    for cause in CAUSES:
+        for form in range(3 if cause in ('mass', 'inertia') else 1):
+            with about(cause):
+                Robot(learner.random, cause, form=form).diagnose(learner)
+    Robot(learner.random).diagnose(learner)
+    with about('frames'):
+        Robot(learner.random, frame=True).diagnose(learner, 'frames')
+    with about('all'):
+        Robot(learner.random, *[('base_link', cause) for cause in ('collision', 'mass', 'inertia')]).diagnose(
+            learner, 'all')
+        Robot(learner.random, ('base_link', 'mass'), 'mass', 'collision').diagnose(learner, 'all')
 
 
-def test_collision(learner):
-    """A link without <collision> is found, and gets origin and geometry of its visual.
+@pytest.mark.rules('shape', 'weight', 'kept')
+def test_repair(learner):
+    """The repaired links have what a simulation needs, and all other links are as they were.
 
-    copy.deepcopy copies an element with all that is in it.
+    copy.deepcopy copies an element with all that is in it; inertia(shape, mass) gives three numbers.
     """
-    robot = Robot(learner.random, 'collision')
-    compare(learner.call('diagnose_model', robot.urdf), robot.expected, WHY)
-    robot.check(learner.call('repair_model', robot.urdf))
+    for causes in ((), *[(cause,) for cause in CAUSES], [('base_link', 'mass'), ('base_link', 'inertia')], CAUSES):
+        robot = Robot(learner.random, *causes, frame=True, form=2 if causes == ('mass',) else None)
+        robot.diagnose(learner, 'all')
+        with about('kept'):
+            robot.check(learner.call('repair_model', robot.urdf))

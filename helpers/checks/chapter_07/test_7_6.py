@@ -2,25 +2,52 @@
 
 import pytest
 
-from helpers.checks.chapter_07.findings import compare
-from helpers.checks.chapter_07.frames import WHY, Tree
+from helpers.checks.chapter_07.tf_trees import CAUSES, Tree
+from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('7.6')
 
 
-def test_unknown(learner):
-    """A sensor's frame that nobody publishes is found, with the frame that has nearly its name.
+@pytest.mark.rules('unknown', 'two-parents', 'not-connected', 'old', 'newest', 'order')
+def test_causes(learner):
+    """Each cause is found where it is alone, and nothing in a tree that is well.
 
-    nearest(source, frames); a frame is a parent or a child.
+    `nearest(name, names)` finds the name that was meant. A way upward goes from each frame to its parent.
     """
-    tree = Tree(learner.random, 'unknown')
-    compare(learner.call('diagnose_tf', *tree.arguments), tree.expected, WHY)
+    for cause in CAUSES[:3]:
+        for moves in (True, False):
+            with about(cause.replace(' ', '-')):
+                Tree(learner.random, cause, moves=moves).diagnose(learner)
+    for near in (True, False):
+        Tree(learner.random, 'not connected', near=near, moves=True, decoy=True).diagnose(learner)
+    for _ in range(4):
+        Tree(learner.random, 'old').in_order().diagnose(learner)
+    for _ in range(3):
+        with about('newest'):
+            Tree(learner.random, 'old').diagnose(learner, rule='newest')
+            Tree(learner.random).diagnose(learner, rule='newest')
+    for causes in (('unknown', 'old'), ('unknown', 'two parents'), ('two parents', 'old'),
+                   *[('not connected', 'old')] * 6):
+        tree = Tree(learner.random, *causes, moves=True)
+        tree.diagnose(learner, [one for one in tree.expected if one[2] == causes[0]], 'order')
 
 
+@pytest.mark.rules('repaired', 'kept', 'nothing')
 def test_repair(learner):
-    """After your repair of a misspelt frame, tf2 finds the sensor.
+    """After your repair of wrong names tf2 finds the sensor; where no name is known, nothing changes.
 
-    The frame that `evidence` names gets the name that was asked for.
+    Look at both names of every transform.
     """
-    tree = Tree(learner.random, 'unknown')
-    tree.check(learner.call('repaired_tf', *tree.arguments))
+    for cause in CAUSES[:3]:
+        for moves in (True, False):
+            tree = Tree(learner.random, cause, moves=moves)
+            tree.diagnose(learner)
+            with about('repaired'):
+                tree.check(tree.repaired(learner, tree.expected))
+    for cause, near in (('unknown', False), ('not connected', False), ('old', True)):
+        tree = Tree(learner.random, cause, near=near)
+        with about('nothing'):
+            after = tree.repaired(learner, tree.expected)
+        expect(after == [tree.moving, tree.static],
+               f'{tree.expected[0]} cannot be repaired here: repair_tf must return the transforms as they are.',
+               'nothing')

@@ -1,27 +1,24 @@
-"""Launch the package delivery_robot and use it as people would. Writes story.json: what happened.
+"""Launches the package delivery_robot and uses it as people would, over ROS, from the tests' side: what happened.
 
-Runs in the workspace, where only the learner's code can suffer. Each step waits for a condition, with a bound; a step
-that fails ends the story with the name of what was missing.
+Only the package runs where the learner's code runs. Each step waits for a condition, with a bound; a step that fails
+ends the story with the name of what was missing. Places and pace are drawn: a story that is told in advance is another.
 """
 
-import json
 import signal
-import subprocess
 import time
-from pathlib import Path
 
-import rclpy
 from action_msgs.msg import GoalStatus
 from delivery_interfaces.action import GoToStation
 from delivery_interfaces.srv import SetStation
 from nav_msgs.msg import Odometry
-from rcl_interfaces.srv import GetParameters
 from rclpy.action import ActionClient
-from rclpy.parameter import parameter_value_to_python
+
+from helpers.runner.load import busy
+from helpers.runner.observer import Observer
 
 PATIENCE = 25.0  # s of wall time for a step
 TRIES = 5
-FACTOR = 0.8  # simulated seconds in a second: slower than real time leaves the programs more of it
+FACTORS = 0.7, 0.75, 0.8, 0.85  # simulated seconds in a second: slower than real time leaves the programs more of it
 STATUS = {GoalStatus.STATUS_SUCCEEDED: 'succeeded', GoalStatus.STATUS_CANCELED: 'canceled',
           GoalStatus.STATUS_ABORTED: 'aborted'}
 VALUES = {'/delivery_robot': ('max_linear', 'max_angular', 'tolerance', 'timeout', 'use_sim_time'),
@@ -35,9 +32,8 @@ class Missing(Exception):
 class Customer:
     """Somebody who uses the robot."""
 
-    def __init__(self, launch: subprocess.Popen):
-        self.launch = launch
-        self.node = rclpy.create_node('customer')
+    def __init__(self, observer: Observer, launch):
+        self.launch, self.observer, self.node = launch, observer, observer.node
         self.odometry = Odometry()
         self.node.create_subscription(Odometry, 'odom', lambda odometry: setattr(self, 'odometry', odometry), 10)
         self.stations = self.node.create_client(SetStation, 'set_station')
@@ -48,12 +44,11 @@ class Customer:
         return self.odometry.pose.pose.position.x
 
     def until(self, condition, what: str) -> None:
-        deadline = time.monotonic() + PATIENCE
-        while not condition():
-            rclpy.spin_once(self.node, timeout_sec=0.05)
-            if self.launch.poll() is not None:
+        deadline = time.monotonic() + PATIENCE * (3 if busy() else 1)
+        while not self.observer.until(condition, 0.2, self.launch):
+            if self.launch.wait(0) is not None:
                 raise Missing('the end: ros2 launch has ended by itself')
-            if 'process has died' in Path('launch.txt').read_text(errors='replace'):
+            if 'process has died' in self.launch.output:
                 raise Missing(f'{what}: a process has died')
             if time.monotonic() > deadline:
                 raise Missing(what)
@@ -63,10 +58,11 @@ class Customer:
         return future.result()
 
     def parameters(self, node: str) -> dict:
-        client = self.node.create_client(GetParameters, f'{node}/get_parameters')
-        self.until(client.service_is_ready, f'the node {node}')
-        found = self.answer(client.call_async(GetParameters.Request(names=VALUES[node])), f'the parameters of {node}')
-        return dict(zip(VALUES[node], map(parameter_value_to_python, found.values), strict=False))
+        self.until(lambda: node in self.observer.nodes(), f'the node {node}')
+        found = self.observer.parameters(node, list(VALUES[node]), PATIENCE)
+        if not found:
+            raise Missing(f'the parameters of {node}')
+        return found
 
     def go(self, station: str):
         """Send a goal until it is accepted: the robot learns only now where it is."""
@@ -101,7 +97,7 @@ class Customer:
         return abs(self.odometry.twist.twist.linear.x) < 0.02
 
 
-def story(customer: Customer, told: dict) -> None:
+def _story(customer: Customer, told: dict) -> None:
     """Set stations, drive, call the robot back, drive again."""
     for node in VALUES:
         told[node] = customer.parameters(node)
@@ -109,37 +105,33 @@ def story(customer: Customer, told: dict) -> None:
         raise Missing('simulated time in /delivery_robot')
     customer.until(customer.stations.service_is_ready, 'the service /set_station')
     customer.until(customer.action.server_is_ready, 'the action /go_to_station')
-    for name, x in (('far', 6.0), ('near', 1.0)):
+    for name, x in told['stations'].items():
         request = SetStation.Request(name=name, x=x)
         told[name] = customer.answer(customer.stations.call_async(request), 'an answer of /set_station').success
-    told['cancelled'] = customer.drive('far', call_back=True)
+    far, near = told['stations']
+    told['cancelled'] = customer.drive(far, call_back=True)
     customer.until(customer.stands, 'the robot standing after the cancel')
     told['stopped_at'] = round(customer.x, 3)
-    told['arrived'] = customer.drive('near')
+    told['arrived'] = customer.drive(near)
     customer.until(customer.stands, 'the robot standing at the station')
     told['ended_at'] = round(customer.x, 3)
 
 
-def main() -> None:
-    told = {}
-    with open('launch.txt', 'w') as log:
-        launch = subprocess.Popen(['ros2', 'launch', 'delivery_robot', 'delivery.launch.py', 'scene:=empty',
-                                   f'real_time_factor:={FACTOR}'], stdout=log, stderr=subprocess.STDOUT)
+def story(learner, workspace) -> dict:
+    """What happened: see above; `stations` and `factor` are what was drawn, `log` what the launch has printed."""
+    number = learner.random.randint(10, 99)
+    told = {'stations': {f'far{number}': 6.0, f'near{number}': round(learner.random.uniform(0.9, 1.4), 2)},
+            'factor': learner.random.choice(FACTORS)}
+    launch = workspace.start('bash', '-c', 'mv src sources; exec "$@"', 'bash', 'ros2', 'launch', 'delivery_robot',
+                             'delivery.launch.py', 'scene:=empty', f'real_time_factor:={told["factor"]}')
+    with Observer(learner) as observer:
         try:
-            rclpy.init()
-            story(Customer(launch), told)
+            _story(Customer(observer, launch), told)
         except Missing as missing:
             told['missing'] = str(missing)
-        finally:
-            launch.send_signal(signal.SIGINT)
-            try:
-                told['status'] = launch.wait(15.0)
-            except subprocess.TimeoutExpired:
-                launch.kill()
-                told['status'] = None
-    with open('story.json', 'w') as file:
-        json.dump(told, file)
-
-
-if __name__ == '__main__':
-    main()
+    launch.signal(signal.SIGINT)
+    told['status'] = launch.wait(15.0 * (3 if busy() else 1))
+    launch.end()
+    told['log'] = launch.output
+    workspace.run('mv', 'sources', 'src')
+    return told

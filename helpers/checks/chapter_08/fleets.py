@@ -1,16 +1,19 @@
-"""What the tests of exercise 8.3 share: the learner's package, built, and what the governors in it report."""
+"""What the tests of exercise 8.3 share: the learner's package, built, and what is found of the governors in it."""
 
-import json
+import math
+import signal
 from pathlib import Path
 
 from helpers.runner import expect
-from helpers.runner.workspaces import Workspace, package
+from helpers.runner.observer import Observer
+from helpers.runner.workspaces import ExerciseWorkspace, package
 
 GIVEN = Path(__file__).with_name('given')
-REPORT = 'report.txt'
+PATIENCE = 20.0  # s of wall time until the governors are there
+_TWIST = 'geometry_msgs/msg/Twist'
 
 
-def fleet(learner) -> Workspace:
+def fleet(learner) -> ExerciseWorkspace:
     """The package with the learner's two files, built."""
     workspace = learner.workspace({
         **package(GIVEN / 'fleet'), 'src/fleet/config/fleet.yaml': learner.text('FLEET_YAML'),
@@ -20,39 +23,75 @@ def fleet(learner) -> Workspace:
 
 
 def launched(learner) -> dict[str, dict]:
-    """What each governor reports after `ros2 launch`: name of the node → its names and parameters.
+    """What is found of each governor after `ros2 launch`: name of the node → its names and parameters.
 
     It is launched once for all tests of a session, without the sources.
     """
     workspace = fleet(learner)
-    done = workspace.run(
-        'bash', '-c', f'if [ ! -e {REPORT} ]; then mv src sources; touch {REPORT}\n'
-        f'FLEET_REPORT=$PWD/{REPORT} ros2 launch fleet fleet.launch.py > launch.txt 2>&1; mv sources src; fi\n'
-        f'cat launch.txt; echo ---; cat {REPORT}')
-    log, _, report = done.output.rpartition('---')
+    key = 'fleet', workspace.name
+    if key not in learner.server.workspaces:
+        learner.server.workspaces[key] = _launch(learner, workspace, 'mv src sources')
+    log, reports = learner.server.workspaces[key]
     expect('InvalidParameterTypeException' not in log, 'A governor did not start: a value in FLEET_YAML has the wrong '
-                                                       'type. rate and max_linear are doubles: 1.0, and not 1.')
+                                                       'type. rate and max_linear are doubles: 1.0, and not 1.',
+           'types')
     expect('Error opening YAML file' not in log,
            'A governor did not start: the launch file names a parameter file that is not there. The sources of the '
-           'package are gone, so name the installed file: FindPackageShare finds its folder.')
+           'package are gone, so name the installed file: FindPackageShare finds its folder.',
+           'installed-file')
     expect("Couldn't parse params file" not in log,
            'A governor did not start: ROS cannot read FLEET_YAML. Look at the indentation, and at the two underscores '
-           'of ros__parameters.')
-    lines = [json.loads(line) for line in report.splitlines() if line.strip().startswith('{')]
-    names = [line['node'] for line in lines]
-    expect(names, f'`ros2 launch fleet fleet.launch.py` started no governor. Its output ends: {_last(log)}')
+           'of ros__parameters.', 'types')
+    names = [report['node'] for report in reports]
+    expect(names, f'`ros2 launch fleet fleet.launch.py` started no governor. Its output ends: {_last(log)}',
+           'nodes')
     expect(len(set(names)) == len(names), f'Several nodes have one name: {", ".join(sorted(names))}. Two robots need '
-                                          'two namespaces.')
-    return {line['node']: line for line in lines}
+                                          'two namespaces.', 'nodes')
+    return {report['node']: report for report in reports}
+
+
+def launched_with_rate(learner, rate: int) -> list[dict]:
+    """What is found of the governors when the rate in the installed parameter file is another one."""
+    share = 'share=$(ros2 pkg prefix --share fleet)'
+    workspace = fleet(learner)
+    _, reports = _launch(learner, workspace, f'{share}; cp $share/config/fleet.yaml kept.yaml; '
+                                             f'sed -i "s/20[.]0*/{rate}.0/" $share/config/fleet.yaml')
+    workspace.run('bash', '-c', f'{share}; cp kept.yaml $share/config/fleet.yaml')
+    return reports
 
 
 def alone(learner, namespace: str) -> dict:
-    """What a governor reports that is started by itself, in this namespace, with the installed parameter file."""
-    done = fleet(learner).run(
-        'bash', '-c', f'ros2 run fleet governor --ros-args -r __ns:={namespace} '
-        '--params-file $(ros2 pkg prefix --share fleet)/config/fleet.yaml')
-    expect(done.last_line.startswith('{'), f'A governor with your parameter file ended with: {done.last_line}')
-    return json.loads(done.last_line)
+    """What is found of a governor that is started by itself, in this namespace, with the installed parameter file."""
+    share = fleet(learner).run('ros2', 'pkg', 'prefix', '--share', 'fleet').last_line
+    task = fleet(learner).start('ros2', 'run', 'fleet', 'governor', '--ros-args', '-r', f'__ns:={namespace}',
+                                '--params-file', f'{share}/config/fleet.yaml')
+    with Observer(learner) as observer:
+        observer.until(lambda: f'{namespace}/governor' in observer.nodes(), PATIENCE, task)
+        there = f'{namespace}/governor' in observer.nodes()
+        report = _report(observer, f'{namespace}/governor') if there else {}
+    task.end()
+    expect(report, f'A governor with your parameter file ended with: {_last(task.output)}')
+    return report
+
+
+def _launch(learner, workspace, before: str) -> tuple[str, list[dict]]:
+    """Launch the fleet: what the launch has printed, and what is found of each node."""
+    task = workspace.start('bash', '-c', f'{before}; exec ros2 launch fleet fleet.launch.py')
+    with Observer(learner) as observer:
+        names = observer.all_there(task, PATIENCE)
+        reports = [_report(observer, name) for name in names]
+    task.signal(signal.SIGINT)
+    task.wait(10.0)
+    task.end()
+    workspace.run('bash', '-c', '[ ! -e sources ] || mv sources src')
+    return task.output, reports
+
+
+def _report(observer: Observer, name: str) -> dict:
+    found = observer.parameters(name, ['max_linear', 'slow_linear', 'rate', 'mode'])
+    return {'node': name, 'publishes': ', '.join(observer.topics(name, 'publisher', _TWIST)),
+            'listens': ', '.join(observer.topics(name, 'subscriber', _TWIST)),
+            **dict.fromkeys(('max_linear', 'slow_linear', 'rate'), math.nan), 'mode': '', **found}
 
 
 def _last(log: str) -> str:

@@ -2,41 +2,57 @@
 
 import pytest
 
-from helpers.checks.chapter_08.linting import bad_names, compare, package_xml
+from helpers.checks.chapter_08 import linting
 
 pytestmark = pytest.mark.exercise('8.1')
 
-TALKER = '''
-class Talker(Node):
-    def __init__(self):
-        super().__init__('Talker')
-        self.pub = self.create_publisher(String, 'chatter', 10)
-        self.sub = self.create_subscription(String, '/Reset', self.on_reset, 10)
-'''
 
+@pytest.mark.rules('node', 'super')
+def test_nodes(learner):
+    """Names of nodes are found in create_node(…), Node(…), and super().__init__(…) of a node's class.
 
-def test_node(learner):
-    """The node Talker is reported with its file, its kind and its name.
-
-    Go through `calls(text)`. The name is the first argument of super().__init__ in a class with the base Node.
+    Go through `calls(text)`. The names of the base classes are the last of the four values.
     """
-    compare(bad_names(learner, {'talker.py': TALKER}),
-            [('talker.py', 'node', 'Talker'), ('talker.py', 'topic', '/Reset')])
+    bad = linting.word(learner.random).capitalize()
+    linting.judge(learner, f"n = create_node('{bad}A')\nm = rclpy.create_node(\n    '{bad}B')\nk = Node('{bad}C')\n",
+                  [('node', f'{bad}{letter}') for letter in 'ABC'], 'node', 'Its name begins with a capital letter.')
+    linting.judge_super(learner)
 
 
-def test_package(learner):
-    """The package MyRobot is reported; my_robot is not.
+@pytest.mark.rules('topic', 'service')
+def test_topics_and_services(learner):
+    """Names of topics and services are words joined by /, relative, or private with ~/.
 
-    Read the element <name> of package.xml.
+    Take ~/ away from the front, and split the rest at each slash. An empty word is no word.
     """
-    compare(bad_names(learner, {'package.xml': package_xml('MyRobot')}), [('package.xml', 'package', 'MyRobot')])
-    compare(bad_names(learner, {'package.xml': package_xml('my_robot')}), [])
+    linting.judge_topics(learner, 'topic', ('create_publisher', 'create_subscription'))
+    linting.judge_topics(learner, 'service', ('create_service', 'create_client'))
 
 
-def test_services(learner):
-    """Names of services and of nodes made by create_node are judged as well.
+@pytest.mark.rules('word')
+def test_words(learner):
+    """A word has letters a to z, digits and single underscores, begins with a letter and ends with no underscore.
 
-    One table of the functions: which kind of name, and which argument.
+    Write the rule as one regular expression, and use fullmatch.
     """
-    text = "n = create_node('arm_2')\nn.create_service(Empty, 'arm/Stop', stop)\nn.create_client(Empty, 'go')\n"
-    compare(bad_names(learner, {'arm/arm.py': text}), [('arm/arm.py', 'service', 'arm/Stop')])
+    linting.judge_words(learner)
+
+
+@pytest.mark.rules('no-text', 'keyword')
+def test_arguments(learner):
+    """Names are arguments, also those that are keywords; no other text is a name.
+
+    Use calls(text): it knows what is a call, and what is no text comes as None.
+    """
+    linting.judge_no_text(learner)
+    linting.judge_keywords(learner)
+
+
+@pytest.mark.rules('package', 'files', 'once', 'sorted')
+def test_files_and_list(learner):
+    """The name of the package is judged, other files are not; the list is sorted, and each finding is in it once.
+
+    A set forgets what comes twice; sorted() makes a list of it.
+    """
+    linting.judge_packages(learner)
+    linting.judge_list(learner)

@@ -1,25 +1,92 @@
-"""Visible tests of exercise 8.10, start it."""
+"""Visible tests of exercise 8.10, start it: the whole package, built, launched and used."""
 
 import pytest
 
 from helpers.checks.chapter_08 import deliveries
-from helpers.runner import expect
+from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('8.10')
+VALUES = (('max_linear', 0.4), ('tolerance', 0.08), ('timeout', 30.0), ('max_angular', 1.0))
 
 
+def story(learner) -> dict:
+    """What happened when the package was launched and used, without what comes from a faulty launch."""
+    with about('drives'):
+        told = deliveries.launched(learner)
+    for word, why, rule in (
+            ('InvalidParameterTypeException', 'A value in DELIVERY_YAML has the wrong type: all are doubles, 30.0 and '
+                                              'not 30.', 'types'),
+            ('Error opening YAML file', 'The launch file names a parameter file that is not there. The sources of the '
+                                        'package are gone: FindPackageShare finds the installed folder.', 'robot'),
+            ("Couldn't parse params file", 'ROS cannot read DELIVERY_YAML.', 'types')):
+        expect(word not in told['log'], f'Your node did not start. {why}', rule)
+    expect('/delivery_robot' in told, f'The node /delivery_robot did not start: {told["last"]}', 'robot')
+    return told
+
+
+@pytest.mark.rules('arguments')
 def test_arguments(learner):
     """The package can be built and read, and its launch file has the arguments scene and real_time_factor.
 
     The cells of exercises 8.5 and 8.7 to 8.9 run without an error; DeclareLaunchArgument(name, default_value=…).
     """
-    workspace = deliveries.workspace(learner)
-    done = workspace.run('python3', '-c', 'import delivery_robot.main')
+    with about('drives'):
+        workspace = deliveries.workspace(learner)
+        done = workspace.run('python3', '-c', 'import delivery_robot.main')
     expect(done.status == 0, f'Python cannot read your package, with your cells of exercises 8.5 and 8.7 to 8.9 in it: '
-                             f'{done.last_line}')
+                             f'{done.last_line}', 'drives')
     done = workspace.run('ros2', 'launch', 'delivery_robot', 'delivery.launch.py', '--show-args')
-    expect(done.status == 0, f'ros2 launch cannot read your launch file: {done.last_line}')
+    expect(done.status == 0, f'ros2 launch cannot read your launch file: {done.last_line}', 'robot')
     for name, default in (('scene', 'rooms'), ('real_time_factor', '1.0')):
         expect(f"'{name}'" in done.output, f'The launch file has no argument {name}.')
         told = done.output.partition(f"'{name}'")[2].partition("':")[0]
         expect(f"default: '{default}'" in told, f'The default of {name} is not {default}.')
+
+
+@pytest.mark.rules('values', 'types', 'robot', 'sim-time')
+def test_values(learner):
+    """The node has the values of delivery.yaml, and simulated time.
+
+    parameters=[path of the installed file, {'use_sim_time': True}].
+    """
+    values = story(learner)['/delivery_robot']
+    expect(values['use_sim_time'] is True, 'The node /delivery_robot has use_sim_time False: it does not live in the '
+                                           "world's time.", 'sim-time')
+    for name, wanted in VALUES:
+        expect(values[name] == wanted, f'{name} of /delivery_robot is {values[name]}, expected {wanted}. Does the name '
+                                       'of the block fit, and does the launch file hand the file over?', 'values')
+
+
+@pytest.mark.rules('world')
+def test_world(learner):
+    """The world gets the scene and the real_time_factor that were given to the launch.
+
+    launch_arguments: pairs of a name and LaunchConfiguration(name).
+    """
+    told = story(learner)
+    values = told.get('/world')
+    expect(values, 'The node /world did not start: the launch file must include world.launch.py.')
+    wanted = {'scene': 'empty', 'real_time_factor': told['factor']}
+    expect(values == wanted, f'Launched with scene:=empty real_time_factor:={told["factor"]}, the world has {values}.')
+
+
+@pytest.mark.rules('drives', 'ends')
+def test_drives(learner):
+    """Launched, the robot drives off, stands when it is called back, reaches another station, and ends with Ctrl+C.
+
+    The cells of exercises 8.5 and 8.7 to 8.9 are used here as files. Their own tests tell more.
+    """
+    told = story(learner)
+    expect('missing' not in told, f'This never came: {told.get("missing")}. The last that the launch said: '
+                                  f'{told["last"]}', 'drives')
+    expect(told['cancelled'] == 'canceled', f'The goal that was called back ended as {told["cancelled"]}, expected '
+                                            'canceled.', 'drives')
+    expect(told['stopped_at'] < 5.0, f'The robot was called back on its way to x = 6 m, and stood at '
+                                     f'{told["stopped_at"]:.2f} m.', 'drives')
+    expect(told['arrived'] == 'succeeded', f'The goal after that ended as {told["arrived"]}, expected succeeded.',
+           'drives')
+    _, near = told['stations'].values()
+    expect(abs(told['ended_at'] - near) < 0.2, f'The station is at x = {near:g} m, and the robot stands at '
+                                               f'{told["ended_at"]:.2f} m.', 'drives')
+    expect(told['status'] == 0, f'After Ctrl+C, ros2 launch ended with the status {told["status"]}, expected 0. Does '
+                                'your launch file start anything that does not end?', 'ends')

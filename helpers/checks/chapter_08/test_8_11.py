@@ -2,37 +2,42 @@
 
 import pytest
 
-from helpers.checks.chapter_08 import deliveries
-from helpers.checks.chapter_08.planted import OWN, ROBOT, accepts, rejects
+from helpers.checks.chapter_08.wrong_robots import spoilt
 
 pytestmark = pytest.mark.exercise('8.11')
-SILENT = '''
-
-class DeliveryRobot(DeliveryRobot):
-    def create_publisher(self, msg_type, topic, *others, **options):
-        return super().create_publisher(msg_type, 'nothing' if topic == 'status' else topic, *others, **options)
-'''
 
 
-def robots(learner) -> tuple[dict, dict]:
-    """The learner's own robot, and the same without a status."""
-    own = deliveries.modules(learner)
-    return {OWN: own}, {'whose status never comes': {**own, deliveries.NODE: own[deliveries.NODE] + SILENT}}
-
-
+@pytest.mark.rules('right-robots')
 def test_own_robot(learner):
     """Your tests pass with your own robot, of exercises 8.5 and 8.7 to 8.9.
 
     If not: is the robot wrong, or the test? Ask the specification.
     """
-    own, silent = robots(learner)
-    accepts(learner, own, ROBOT, wrong=silent, among={**own, **silent})
+    spoilt(learner).accepts(learner)
 
 
-def test_silent_robot(learner):
-    """Your tests fail with a robot whose status never comes.
+@pytest.mark.rules('status')
+def test_status(learner):
+    """Your tests notice robots with a wrong status.
 
     bench.until(lambda: bench.status) fails if nothing comes.
     """
-    own, silent = robots(learner)
-    rejects(learner, silent, ROBOT, right=own, among={**own, **silent})
+    spoilt(learner).rejects(learner, 'status')
+
+
+@pytest.mark.rules('values')
+def test_values(learner):
+    """Your tests notice robots that take a place or a parameter which they should refuse."""
+    spoilt(learner).rejects(learner, 'values')
+
+
+@pytest.mark.rules('goals')
+def test_goals(learner):
+    """Your tests notice robots that take a goal which they should reject, or succeed too early."""
+    spoilt(learner).rejects(learner, 'goals')
+
+
+@pytest.mark.rules('ends')
+def test_ends(learner):
+    """Your tests notice robots that end a drive in the wrong way, or not at all."""
+    spoilt(learner).rejects(learner, 'ends')

@@ -1,60 +1,55 @@
 """Visible tests of exercise 8.2, a governor."""
 
 import pytest
-from geometry_msgs.msg import Twist
 
-from helpers.checks.chapter_08.parameters import Parameters
-from helpers.runner import expect
+from helpers.checks.chapter_08 import governors
+from helpers.runner import about
 
-pytestmark = pytest.mark.exercise('8.2')
-
-
-def command(linear: float, angular: float = 0.0) -> Twist:
-    message = Twist()
-    message.linear.x, message.angular.z = linear, angular
-    return message
+pytestmark = [pytest.mark.exercise('8.2'), pytest.mark.wiring(type='names', qos='names')]
 
 
-def test_limit(learner):
-    """A command of 1.0 m/s comes out as 0.5 m/s, ten times a second.
+@pytest.mark.rules('defaults', 'description', 'bounds', 'unknown-mode', 'pair', 'reason')
+def test_parameters(learner):
+    """The parameters have their defaults, descriptions and bounds; what does not fit is refused with a reason.
 
-    A timer with the period 1 / rate publishes the newest command, limited to max_linear.
+    Bounds stand in the descriptor; the mode and the pair need a callback that checks.
     """
-    heard = learner.listen('/cmd_vel', Twist)
-    talker = learner.talk('/cmd_vel_in', Twist)
-    learner.start('Governor')
-    talker.send(command(1.0, 0.3))
-    learner.run(1.05)
-    expect(heard.messages, 'Nothing came on /cmd_vel in 1 s.')
-    expect(heard.stamps == pytest.approx([n / 10 for n in range(1, 11)]),
-           f'The messages came at {heard.stamps} s, expected every 0.1 s.')
-    expect(heard.messages[-1] == command(0.5, 0.3), f'linear.x is {heard.messages[-1].linear.x:g} and angular.z '
-                                                    f'{heard.messages[-1].angular.z:g}, expected 0.5 and 0.3.')
+    with about('defaults'):
+        governed = governors.Governed(learner, f'/robot{learner.random.randint(2, 99)}')
+    governors.judge_table(governed)
+    governors.judge_rules(governed)
 
 
-def test_refused(learner):
-    """A negative max_linear, and a mode that is not known, are refused.
+@pytest.mark.rules('names', 'rhythm', 'newest', 'before', 'limit', 'other-fields')
+def test_commands(learner):
+    """The newest command comes out, limited, rate times a second.
 
-    Bounds stand in the descriptor; the mode needs a callback that checks.
+    A timer with the period 1 / rate publishes the newest command.
     """
-    learner.start('Governor')
-    parameters = Parameters(learner)
-    for values in ({'max_linear': -0.1}, {'mode': 'fast'}):
-        answer = parameters.set(**values)
-        expect(not answer.successful, f'{values} was accepted.')
-    expect('mode' in answer.reason, f'The mode fast was refused with the reason {answer.reason!r}, which does not '
-                                    'name the parameter.')
-    expect(parameters.set(mode='slow').successful, 'The mode slow was refused.')
+    limit, rate = learner.random.randint(60, 190) / 100, learner.random.choice([4.0, 5.0, 8.0, 20.0])
+    with about('names'):
+        governed = governors.Governed(learner, f'/robot{learner.random.randint(2, 99)}', max_linear=limit, rate=rate)
+    governors.judge_rhythm(governed, rate)
+    governors.judge_limit(governed, limit, 1 / rate)
 
 
-def test_rule(learner):
-    """slow_linear is never above max_linear; both can be changed at once.
+@pytest.mark.rules('at-once', 'new-rate', 'refused')
+def test_changes(learner):
+    """A change acts from the next message on, and a refused one not at all.
 
-    Judge the values as they would be: the present ones, with those of the request in their place.
+    Read the parameters in the timer; make a new timer when the rate has been set.
     """
-    learner.start('Governor')
-    parameters = Parameters(learner)
-    answer = parameters.set(max_linear=0.1)
-    expect(not answer.successful, 'max_linear 0.1 was accepted, and slow_linear is 0.2.')
-    expect(parameters.set(max_linear=0.1, slow_linear=0.05).successful,
-           'max_linear 0.1 and slow_linear 0.05, set together, were refused. They fit each other.')
+    with about('at-once'):
+        governed = governors.Governed(learner, f'/robot{learner.random.randint(2, 99)}')
+    governors.judge_changes(governed, 0.5, 10.0)
+
+
+@pytest.mark.rules('modes', 'at-start')
+def test_start(learner):
+    """The node starts in the modes slow and stop with the values that it is given; with bad ones it does not start.
+
+    Add the callback that checks before you declare the parameters.
+    """
+    high = learner.random.randint(55, 190) / 100
+    governors.judge_bad_start(learner, {'mode': learner.random.choice(['fast', 'SLOW'])}, {'slow_linear': high})
+    governors.judge_modes(learner, f'/robot{learner.random.randint(2, 99)}')

@@ -1,32 +1,52 @@
 """Visible tests of exercise 8.4, tests that find bugs."""
 
-from pathlib import Path
-
 import pytest
 
-from helpers.checks.chapter_08.limits import variant
-from helpers.checks.chapter_08.planted import NOTHING, accepts, rejects
+from helpers.checks.chapter_08.limits import VISIBLE
 
 pytestmark = pytest.mark.exercise('8.4')
 
-GIVEN = Path(__file__).parent / 'given' / 'speed' / 'speed' / 'limit.py'
-RIGHT = {'the given one': GIVEN.read_text()}
 
-
-def test_right_function(learner):
-    """Your tests pass with the function as it is given.
+@pytest.mark.rules('right-functions', 'no-ros')
+def test_right_functions(learner):
+    """Your tests pass with right functions, also with one that computes in another order.
 
     Run them by hand and read what fails.
     """
-    accepts(learner, RIGHT, wrong={'that returns nothing': variant(result=NOTHING)})
+    VISIBLE.accepts(learner)
 
 
-def test_simple_bugs(learner):
-    """A function that does not limit at all, one that never drives backwards, and one that ignores obstacles fail.
+@pytest.mark.rules('max-speed')
+def test_max_speed(learner):
+    """Your tests notice functions that do not keep max_speed."""
+    VISIBLE.rejects(learner, 'max-speed')
 
-    A test for each sentence of the docstring.
-    """
-    rejects(learner, {
-        'that returns the speed as it is': variant(check='', back='', nan='', share='', result='    return speed\n'),
-        'that never drives backwards': variant(back='    if speed <= 0:\n        return 0.0\n'),
-        'that ignores obstacles': variant(nan='', share='    share = 1.0\n')}, right=RIGHT)
+
+@pytest.mark.rules('borders')
+def test_borders(learner):
+    """Your tests notice functions with wrong borders of the distance."""
+    VISIBLE.rejects(learner, 'borders')
+
+
+@pytest.mark.rules('slope')
+def test_slope(learner):
+    """Your tests notice functions that are wrong between the borders."""
+    VISIBLE.rejects(learner, 'slope')
+
+
+@pytest.mark.rules('backwards')
+def test_backwards(learner):
+    """Your tests notice functions that hold back a robot that drives backwards."""
+    VISIBLE.rejects(learner, 'backwards')
+
+
+@pytest.mark.rules('sensor')
+def test_sensor(learner):
+    """Your tests notice functions that treat nan or inf as distance in the wrong way."""
+    VISIBLE.rejects(learner, 'sensor')
+
+
+@pytest.mark.rules('bad-max-speed')
+def test_bad_max_speed(learner):
+    """Your tests notice functions that take a bad max_speed, or refuse a good one."""
+    VISIBLE.rejects(learner, 'bad-max-speed')

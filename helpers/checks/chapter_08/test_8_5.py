@@ -1,39 +1,31 @@
 """Visible tests of exercise 8.5, steering."""
 
-import math
-
 import pytest
 
-from helpers.checks.chapter_08.steerings import words
+from helpers.checks.chapter_08 import steerings
 from helpers.runner import expect
 
 pytestmark = pytest.mark.exercise('8.5')
 
 
-def steer(learner, *arguments: float) -> tuple[float, float, float]:
-    """What the learner's function returns: three finite numbers."""
-    found = learner.call('steer', *map(float, arguments))
-    expect(isinstance(found, (list, tuple)) and len(found) == 3
-           and all(type(one) in (int, float) and math.isfinite(one) for one in found),
-           f'{words(arguments)} returned {found!r}, expected three finite numbers: distance, linear, angular.')
-    return tuple(found)
+@pytest.mark.rules('distance', 'angle', 'short-way', 'max-angular')
+def test_turns(learner):
+    """Distance and turn are right for a robot anywhere that looks anywhere.
 
-
-def test_ahead(learner):
-    """A goal 3 m ahead: full speed, and no turn.
-
-    linear is the distance, but never more than max_linear.
+    dx and dy are differences, and the angle is the direction of the goal less the yaw of the robot.
     """
-    found = steer(learner, 0, 0, 0, 3, 0, 0.5, 1)
-    expect(found == pytest.approx((3.0, 0.5, 0.0)), f'steer(0, 0, 0, 3, 0, 0.5, 1) returned {found}, expected '
-                                                    '(3, 0.5, 0).')
+    found = steerings.steer(learner, 'distance', 0, 0, 0, 3, 0, 0.5, 1)
+    expect(found[0] == pytest.approx(3.0),
+           f'steer(0, 0, 0, 3, 0, 0.5, 1): the distance is {found[0]:g} m, expected 3 m.', 'distance')
+    steerings.judge_distance(learner)
+    steerings.judge_angle(learner)
 
 
-def test_aside(learner):
-    """A goal to the left: the robot turns on the spot, to the left.
+@pytest.mark.rules('linear', 'on-the-spot', 'at-the-goal')
+def test_drives(learner):
+    """The robot drives with the distance, at most max_linear; turns on the spot beyond 0.5 rad; stands at the goal.
 
-    linear is 0 if the angle is more than 0.5 rad; angular is never more than max_angular.
+    abs(angle) is the size of the angle.
     """
-    found = steer(learner, 0, 0, 0, 0, 3, 0.5, 1)
-    expect(found == pytest.approx((3.0, 0.0, 1.0)), f'steer(0, 0, 0, 0, 3, 0.5, 1) returned {found}, expected '
-                                                    '(3, 0, 1).')
+    steerings.judge_speed(learner)
+    steerings.judge_goal(learner)

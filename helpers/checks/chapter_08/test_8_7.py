@@ -1,47 +1,35 @@
 """Visible tests of exercise 8.7, parameters, status and stations."""
 
 import pytest
-from delivery_interfaces.srv import SetStation
-from std_msgs.msg import String
 
+from helpers.checks.chapter_08 import stations
 from helpers.checks.chapter_08.parameters import Parameters
-from helpers.runner import expect
+from helpers.runner import about
 
-pytestmark = pytest.mark.exercise('8.7')
+pytestmark = [pytest.mark.exercise('8.7'), pytest.mark.wiring(type='names', qos='latched')]
 
 
+@pytest.mark.rules('parameters', 'bounds', 'description', 'station', 'new-place', 'unknown', 'bad-station', 'message',
+                   'unchanged')
+def test_parameters_and_stations(learner):
+    """The five parameters are declared; stations are noted, and bad ones are refused.
+
+    declare_parameter(name, default, bounded(description, low, high)). First look at a request, then note it.
+    """
+    with about('parameters'):
+        keeper = stations.Keeper(learner)
+    stations.judge_table(learner, '', Parameters(learner, '/delivery_robot'))
+    stations.judge_stations(keeper)
+
+
+@pytest.mark.rules('names', 'status', 'status-period', 'latched')
 def test_status(learner):
-    """The status is idle, twice a second.
+    """The status comes every status_period seconds, in the namespace of the robot, and who comes late gets the newest.
 
-    A timer with the period status_period publishes self.state.
+    A timer with the period status_period publishes self.state; durability TRANSIENT_LOCAL, depth 1.
     """
-    heard = learner.listen('/status', String)
-    node = learner.start('StationKeeper')
-    expect(node.name == '/delivery_robot', f'Your node is called {node.name}, expected /delivery_robot.')
-    learner.run(2.1)
-    expect(heard.data == ['idle'] * 4, f'In 2.1 s these came on /status: {heard.data}, expected idle four times.')
-
-
-def test_station(learner):
-    """A station is noted, and place() gives it.
-
-    self.stations[request.name] = request.x, request.y; and response.success.
-    """
-    client = learner.client('/set_station', SetStation)
-    node = learner.start('StationKeeper')
-    response = client.call(name='kitchen', x=-2.0, y=2.0)
-    expect(response.success, f'kitchen at (-2, 2) was refused: {response.message!r}.')
-    found = node.call('place', 'kitchen')
-    expect(found is not None and list(found) == [-2.0, 2.0], f"place('kitchen') is {found}, expected (-2.0, 2.0).")
-
-
-def test_parameter(learner):
-    """max_linear is 0.5, and 7.0 is refused.
-
-    declare_parameter(name, default, bounded(description, low, high)).
-    """
-    learner.start('StationKeeper')
-    parameters = Parameters(learner, '/delivery_robot')
-    value = parameters.get('max_linear')
-    expect(value == 0.5, f'max_linear is {value!r} at the start, expected 0.5.')
-    expect(not parameters.set(max_linear=7.0).successful, 'max_linear 7.0 was accepted.')
+    with about('names'):
+        period = learner.random.choice([0.2, 0.3, 0.7, 1.5])
+        keeper = stations.Keeper(learner, f'/robot{learner.random.randint(2, 99)}', status_period=period)
+        keeper.set('a', 1.0, 2.0, 'names')
+    stations.judge_status(keeper, period)

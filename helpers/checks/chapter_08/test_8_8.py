@@ -2,34 +2,30 @@
 
 import pytest
 
-from helpers.checks.chapter_08.deliveries import Localizer, where
-from helpers.runner import expect
+from helpers.checks.chapter_08 import whereabouts
+from helpers.runner import about
 
-pytestmark = pytest.mark.exercise('8.8')
+pytestmark = [pytest.mark.exercise('8.8'), pytest.mark.wiring(type='place', qos='place')]
 
 
+@pytest.mark.rules('place', 'yaw', 'newest')
 def test_where(learner):
-    """The robot is at (1, 2) and looks to the left: where() is (1, 2, 1.57).
+    """where() is the newest place of base_footprint in map, with the yaw from -π to π.
 
     lookup_transform('map', 'base_footprint', Time()): where the robot is in the map.
     """
-    localizer = Localizer(learner)
-    node = learner.start('Courier')
-    learner.run(0.2)
-    localizer.tell(1.0, 2.0, 1.5708)
-    learner.run(0.1)
-    found = where(node)
-    expect(found is not None and list(found) == pytest.approx([1.0, 2.0, 1.5708], abs=1e-4),
-           f'where() is {found}, expected (1.0, 2.0, 1.5708).')
+    with about('place'):
+        lost = whereabouts.Lost(learner)
+    whereabouts.judge_place(lost)
 
 
-def test_unknown(learner):
-    """Nobody has said where the robot is: where() is None.
+@pytest.mark.rules('unknown', 'old', 'again', 'at-once')
+def test_unknown_and_old(learner):
+    """where() is None while nobody has said the place, and when what was said is older than 0.5 s.
 
-    Catch TransformException.
+    Catch TransformException. Compare the stamp of the transform with the clock of the node.
     """
-    Localizer(learner)
-    node = learner.start('Courier')
-    learner.run(0.2)
-    found = where(node)
-    expect(found is None, f'No transform has come, and where() is {found}, expected None.')
+    with about('at-once'):
+        lost = whereabouts.Lost(learner)
+    whereabouts.judge_unknown(lost)
+    whereabouts.judge_age(lost)

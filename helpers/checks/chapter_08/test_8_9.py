@@ -2,48 +2,38 @@
 
 import pytest
 
-from helpers.checks.chapter_08.deliveries import Delivery
-from helpers.runner import expect
+from helpers.checks.chapter_08 import drives
+from helpers.runner import about
 
-pytestmark = pytest.mark.exercise('8.9')
+pytestmark = [pytest.mark.exercise('8.9'), pytest.mark.wiring(type='rhythm', qos='rhythm')]
 
 
-def test_arrives(learner):
-    """The robot drives to a station 1 m ahead and stands there, and the goal succeeds.
+@pytest.mark.rules('rejects-unknown', 'single', 'state', 'rhythm', 'limits', 'feedback', 'cancel', 'stands', 'result',
+                   'succeeds')
+def test_drive(learner):
+    """The robot rejects what it must, drives, is called back, stands, and drives again.
 
-    Every 0.1 s: where(), steer(), drive(). Below tolerance: drive(0.0, 0.0), then succeed.
+    Every 0.1 s: where(), steer(), drive(). What every end needs stands behind the loop.
     """
-    delivery = Delivery(learner)
-    delivery.station('gate', 1.0, 0.2)
-    goal = delivery.go('gate')
-    expect(goal.accepted, 'The goal gate was rejected. The station is known, and so is the place of the robot.')
-    delivery.run(10.0, goal)
-    expect(goal.status == 'succeeded', f'After 10 s the goal is {goal.status or "still running"}, expected succeeded.')
-    delivery.near('gate', 0.15)
-    delivery.stands('The goal has succeeded')
+    yaw = learner.random.choice([-1, 1]) * learner.random.uniform(2.5, 2.9)
+    there = drives.Drives(learner, (0.0, 0.0, yaw))
+    with about('rhythm'):
+        name = drives.judge_rejections(there)
+        drives.judge_turning(there)
+        drives.judge_driving(there, name)
+    with about('cancel'):
+        drives.judge_cancel(there, name)
 
 
-def test_unknown_station(learner):
-    """A station that nobody has set is rejected.
+@pytest.mark.rules('rejects-lost', 'lost', 'timeout', 'next')
+def test_lost_and_late(learner):
+    """A robot that is lost, or takes too long, gives up, stands, and takes the next goal.
 
-    place(name) is None then; look in the goal callback.
+    where() is None: drive(0.0, 0.0), abort(). The same when timeout seconds are over.
     """
-    delivery = Delivery(learner)
-    goal = delivery.go('moon')
-    expect(goal.accepted is False, 'The goal moon was accepted, and nobody has set this station.')
-
-
-def test_cancel(learner):
-    """When the goal is cancelled, the robot stands at once.
-
-    Look at is_cancel_requested in each round; drive(0.0, 0.0) before canceled().
-    """
-    delivery = Delivery(learner)
-    delivery.station('far', 3.0, 0.0)
-    goal = delivery.go('far')
-    delivery.run(2.0)
-    goal.cancel()
-    delivery.run(0.3)
-    expect(goal.status == 'canceled', f'0.3 s after the cancel request the goal is {goal.status or "still running"}, '
-                                      'expected canceled.')
-    delivery.stands('The goal was cancelled')
+    timeout = learner.random.choice([2.5, 3.0, 3.5])
+    there = drives.Drives(learner, timeout=timeout)
+    with about('lost'):
+        drives.judge_lost(there)
+    with about('timeout'):
+        drives.judge_timeout(there, timeout)

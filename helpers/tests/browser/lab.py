@@ -16,8 +16,9 @@ from pathlib import Path
 import pytest
 
 from environment.setup import facts
-from helpers import paths, start_page
+from helpers import paths
 from helpers.cli import lab
+from helpers.exercises import start_page
 from helpers.tests.browser import evidence
 
 _found = facts.browser()

@@ -2,11 +2,11 @@
 
 import pytest
 
+from helpers.show.views import poses
+from helpers.show.views.recording import Recording
+from helpers.show.views.scene import Scene
+from helpers.show.views.shapes import Axes, Label
 from helpers.tests.browser import evidence, lab
-from helpers.views import poses
-from helpers.views.recording import Recording
-from helpers.views.scene import Scene
-from helpers.views.shapes import Axes, Label
 
 pytestmark = [pytest.mark.timeout(600), *lab.NEEDED]
 STEPS = 5

@@ -30,7 +30,8 @@ def test_all_steps_run_and_one_failure_decides(monkeypatch, capsys):
     plan(monkeypatch, command.Step('one', passed=3), two, command.Step('three', passed=2))
     assert run() == 1
     lines = capsys.readouterr().out.splitlines()
-    assert [line.split()[0] for line in lines[-4:-1]] == ['passed', 'FAILED', 'passed']
+    assert [line.split()[0] for line in lines[-5:-2]] == ['passed', 'FAILED', 'passed']
+    assert lines[-2] == '0 unstable'
     assert lines[-1].startswith('6 passed, 1 failed, 0 skipped in ')
 
 
@@ -102,9 +103,9 @@ def test_many_failures_are_no_accident(monkeypatch, tmp_path, capfd):
 
 def test_the_learners_edition_leaves_out_what_it_lacks(monkeypatch):
     names = [step.__name__ for step in command._plan()]
-    assert names == ['_style', '_unit_tests', '_in_step', '_notebooks']
+    assert names == ['_style', '_types', '_unit_tests', '_in_step', '_rules', '_notebooks']
     monkeypatch.setattr(command, 'find_spec', lambda name: None)
-    assert [step.__name__ for step in command._plan()] == names[:2]
+    assert [step.__name__ for step in command._plan()] == ['_style', '_unit_tests']
 
 
 def test_notebooks_that_are_not_there_are_a_failure(monkeypatch, tmp_path, capsys):

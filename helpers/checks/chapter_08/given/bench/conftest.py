@@ -3,6 +3,7 @@
 There is no world around it. The test says where the robot is, and lets time pass.
 """
 
+import gc
 import threading
 import time
 from math import cos, sin
@@ -14,7 +15,7 @@ from delivery_interfaces.srv import SetStation
 from geometry_msgs.msg import TransformStamped, Twist
 from rclpy.action import ActionClient
 from rclpy.clock import ClockType
-from rclpy.executors import MultiThreadedExecutor
+from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
 from rclpy.parameter import Parameter
 from rclpy.time import Time
 from rosgraph_msgs.msg import Clock
@@ -50,7 +51,8 @@ class Bench:
         self.executor = MultiThreadedExecutor(6)
         self.executor.add_node(self.robot)
         self.executor.add_node(self.tester)
-        threading.Thread(target=self.executor.spin, daemon=True).start()
+        self.spinner = threading.Thread(target=self._spin, daemon=True)
+        self.spinner.start()
         self._wait(lambda: self.clock.get_subscription_count(), 'a subscription to /clock')
         self.run(0.2)
 
@@ -85,19 +87,33 @@ class Bench:
         """Ask the robot to cancel a goal. How the goal ends is in `result`."""
         self._answer(goal.cancel_goal_async())
 
-    def result(self, goal):
-        """Let simulated time pass until a goal has ended; returns what came: `status` and `result`."""
+    def result(self, goal, seconds=10.0):
+        """Let simulated time pass until a goal has ended; returns what came: `status` and `result`.
+
+        An AssertionError, if it has not ended in that time.
+        """
         future = goal.get_result_async()
-        self.until(future.done)
+        self.until(future.done, seconds)
         return future.result()
 
     def close(self):
-        """End it, also in the middle of a drive."""
+        """End it, also in the middle of a drive. No thread and no node is left for the next test."""
         if self.robot.state != 'idle':
             self.place = None
             self.run(0.8)
-        rclpy.try_shutdown()
+        rclpy.try_shutdown()  # wakes a drive that sleeps
         self.executor.shutdown(timeout_sec=2.0)
+        self.executor._executor.shutdown(wait=False)  # rclpy 7.1 leaves the threads of its pool
+        self.spinner.join(2.0)
+        self.action.destroy()
+        for node in (self.robot, self.tester):
+            node.destroy_node()
+
+    def _spin(self):
+        try:
+            self.executor.spin()
+        except ExternalShutdownException:
+            pass
 
     def _step(self):
         begin, self.seconds = time.monotonic(), self.seconds + STEP
@@ -151,3 +167,5 @@ def bench():
     bench = Bench()
     yield bench
     bench.close()
+    del bench
+    gc.collect()  # the threads of its DDS participant end with the last object that knows it

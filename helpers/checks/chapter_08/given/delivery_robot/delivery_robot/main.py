@@ -11,3 +11,5 @@ def main():
         rclpy.spin(DeliveryRobot(), MultiThreadedExecutor(num_threads=4))
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
+    finally:
+        rclpy.try_shutdown()

@@ -1,13 +1,10 @@
-"""Stands for a governor: reports its names and parameters as one line of JSON, and ends.
-
-The line is printed, and added to the file that the environment variable FLEET_REPORT names.
-"""
+"""Stands for a governor: has its names and parameters, says what it got, and does nothing until Ctrl+C."""
 
 import json
-import os
 
 import rclpy
 from geometry_msgs.msg import Twist
+from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 
 
@@ -18,18 +15,15 @@ class Governor(Node):
             self.declare_parameter(name, value)
         self.output = self.create_publisher(Twist, 'cmd_vel', 10)
         self.input = self.create_subscription(Twist, 'cmd_vel_in', lambda command: None, 10)
-
-    def report(self):
         names = ('max_linear', 'slow_linear', 'rate', 'mode')
-        return {'node': self.get_fully_qualified_name(), 'publishes': self.output.topic_name,
-                'listens': self.input.topic_name, **{name: self.get_parameter(name).value for name in names}}
+        print(json.dumps({'node': self.get_fully_qualified_name(), 'publishes': self.output.topic_name,
+                          **{name: self.get_parameter(name).value for name in names}}), flush=True)
 
 
 def main():
     rclpy.init()
-    line = json.dumps(Governor().report())
-    print(line, flush=True)
-    if 'FLEET_REPORT' in os.environ:
-        with open(os.environ['FLEET_REPORT'], 'a') as file:
-            file.write(line + '\n')
+    try:
+        rclpy.spin(Governor())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
     rclpy.try_shutdown()

@@ -1,0 +1,67 @@
+"""Hidden tests of exercise 1.4, drive the turtle to a goal."""
+
+import pytest
+
+from helpers.checks.chapter_01 import goals
+
+pytestmark = [pytest.mark.exercise('1.4'), pytest.mark.wiring(type='topics', qos='topics')]
+
+
+@pytest.mark.weight(3)
+@pytest.mark.rules('reach', 'stop')
+def test_any_goal(learner):
+    """From any place and heading to any goal, and there it stays.
+
+    Decide anew at each pose: the place and the heading are in the message.
+    """
+    drive = goals.any_goal(learner)
+    drive.to_the_goal()
+    drive.stays(2.0)
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('short-way')
+def test_short_way_left(learner):
+    """The turtle turns the short way to the left, where the angle jumps from π to −π.
+
+    math.remainder(error, 2 * math.pi) brings the error into −π … π.
+    """
+    goals.across_pi(learner, 1)
+
+
+@pytest.mark.rules('short-way')
+def test_short_way_right(learner):
+    """The turtle turns the short way to the right, where the angle jumps from −π to π.
+
+    math.remainder(error, 2 * math.pi) brings the error into −π … π.
+    """
+    goals.across_pi(learner, -1)
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('walls')
+def test_a_goal_behind(learner):
+    """A goal behind the turtle, near a wall, is reached without touching a wall.
+
+    Turn first; drive when the direction is nearly right.
+    """
+    goals.goal_behind(learner).to_the_goal()
+
+
+@pytest.mark.rules('node', 'topics')
+def test_names(learner):
+    """The topics are relative, and the node is called go_to_goal.
+
+    No slash at the beginning of a topic's name.
+    """
+    goals.any_goal(learner, f'/sim{learner.random.randint(2, 9)}').check_ends()
+
+
+@pytest.mark.rules('stop')
+def test_at_the_goal_already(learner):
+    """Who starts at the goal stands still at once.
+
+    math.atan2(0, 0) is 0, and that is no direction to drive in.
+    """
+    goal = learner.random.uniform(2.0, 9.0), learner.random.uniform(2.0, 9.0)
+    goals.Drive(learner, (*goal, learner.random.uniform(1.0, 3.0)), goal).stays(1.0)

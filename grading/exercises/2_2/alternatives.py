@@ -1,0 +1,18 @@
+from grading.variants import Alternative
+
+ALTERNATIVES = [
+    Alternative('depend_and_names', edits=(('from setuptools import setup', '''
+            from setuptools import setup
+
+            name = 'line_follower'
+            '''),
+            ("/line_follower',", "/' + name,"),
+            ('<exec_depend>geometry_msgs</exec_depend>', '<depend>geometry_msgs</depend>'))),
+    Alternative('find_packages_and_glob', edits=(('from setuptools import setup', '''
+            from glob import glob
+
+            from setuptools import find_packages, setup
+            '''),
+            ("packages=['line_follower', 'line_follower.filters'],", 'packages=find_packages(),'),
+            ("['config/gains.yaml']", "glob('config/*.yaml')"))),
+]

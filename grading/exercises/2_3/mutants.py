@@ -1,0 +1,76 @@
+from grading.variants import Mutant
+
+DEPEND = "'<depend>std_msgs</depend>',"
+RUNTIME = "'<exec_depend>rosidl_default_runtime</exec_depend>',"
+GENERATORS = "'<buildtool_depend>rosidl_default_generators</buildtool_depend>',"
+
+MUTANTS = [
+    Mutant('two_fields_exchanged', edits=(('uint8 percent', 'bool charging'), ('bool charging', 'uint8 percent')),
+           expect='are in the order', breaks='charge', seen_by='test_charge', rejected_by='test_charge'),
+    Mutant('percent_as_float', old='uint8 percent', new='float32 percent', expect='float32 percent', breaks='charge',
+           seen_by='test_charge', rejected_by='test_charge'),
+    Mutant('path_of_the_type', old='std_msgs/Header', new='std_msgs/msg/Header', expect='without /msg/: `std_msgs/Header`',
+           breaks='charge', seen_by='test_charge', rejected_by='test_charge'),
+    Mutant('type_without_package', old='std_msgs/Header header', new='Header header',
+           expect='There is no type Header in your package', breaks='charge', seen_by='test_charge',
+           rejected_by='test_charge'),
+    Mutant('boolean', old='bool charging', new='boolean charging', expect='The line `boolean charging` of Charge',
+           breaks='charge', seen_by='test_charge', rejected_by='test_charge'),
+    Mutant('small_letters', old='uint8 FULL=100', new='uint8 full=100', expect='A constant has capital letters: FULL',
+           breaks='full', seen_by='test_charge', rejected_by='test_charge'),
+    Mutant('ninety_nine', old='FULL=100', new='FULL=99', expect='Charge.FULL is 99, expected 100', breaks='full',
+           seen_by='test_charge', rejected_by='test_charge'),
+    Mutant('no_constant', old='uint8 FULL=100', new='', expect='has no constant FULL', breaks='full',
+           seen_by='test_charge', rejected_by='test_charge'),
+    Mutant('constant_of_another_type', old='uint8 FULL', new='int32 FULL', expect='The type of FULL is int32',
+           breaks='full', seen_by='test_charge', rejected_by='test_charge'),
+    Mutant('default_as_constant', old='float32 speed 0.2', new='float32 speed=0.2',
+           expect='A default value follows after a space only', breaks='default', seen_by='test_dock',
+           rejected_by='test_dock'),
+    Mutant('no_default', old='speed 0.2', new='speed', expect='A new request has the speed 0, expected 0.2',
+           breaks='default', seen_by='test_dock', rejected_by='test_dock'),
+    Mutant('double', old='float32 speed', new='float64 speed', expect='float64 speed', breaks='request',
+           seen_by='test_dock', rejected_by='test_dock'),
+    Mutant('exchanged', edits=(("SRV = '''# dock_interfaces/srv/Dock", """
+            SRV = '''# dock_interfaces/srv/Dock
+            bool docked
+            string message
+            ---
+            """),
+            ('''
+            ---
+            bool docked
+            string message
+            ''', '')), expect='above `---` is the request', breaks='request', seen_by='test_dock',
+           rejected_by='test_dock'),
+    Mutant('nothing_between', old='---', new='', expect='has no line `---`', breaks='response', seen_by='test_dock',
+           rejected_by='test_dock'),
+    Mutant('message_forgotten', old='string message', new='', expect='The fields of the response of Dock are bool docked',
+           breaks='response', seen_by='test_dock', rejected_by='test_dock'),
+    Mutant('header_not_declared', old='" DEPENDENCIES std_msgs)', new='")', expect='write DEPENDENCIES std_msgs',
+           breaks='std-msgs', seen_by='test_charge', rejected_by='test_charge'),
+    Mutant('std_msgs_not_found', old='find_package(std_msgs REQUIRED)', new='', expect='no find_package(std_msgs',
+           breaks='std-msgs', seen_by='test_charge', rejected_by='test_charge'),
+    Mutant('generators_not_found', old='find_package(rosidl_default_generators REQUIRED)', new='',
+           expect='CMake does not know rosidl_generate_interfaces', breaks='both', seen_by='test_on_the_wire',
+           rejected_by='test_on_the_wire'),
+    Mutant('files_without_folder', old='"msg/Charge.msg" "srv/Dock.srv"', new='"Charge.msg" "Dock.srv"',
+           expect='names the file Charge.msg, and there is none', breaks='both', seen_by='test_on_the_wire',
+           rejected_by='test_on_the_wire'),
+    Mutant('service_not_built', old='msg" "srv/Dock.srv" DEPENDENCIES std_msgs', new='msg" DEPENDENCIES std_msgs',
+           expect='Python does not find', breaks='both', seen_by='test_on_the_wire', rejected_by='test_on_the_wire'),
+    Mutant('not_in_the_group', old="'<member_of_group>rosidl_interface_packages</member_of_group>',", new='',
+           expect='a member of the group', breaks='group', seen_by='test_declared', rejected_by='test_declarations'),
+    Mutant('build_depend_only', old=DEPEND, new="'<build_depend>std_msgs</build_depend>',",
+           expect='Who uses your message needs it, too', breaks='to-run', seen_by='test_declared',
+           rejected_by='test_declarations'),
+    Mutant('no_runtime', old=RUNTIME, new='', expect='rosidl_default_runtime is not declared', breaks='to-run',
+           seen_by='test_declared', rejected_by='test_declarations'),
+    Mutant('std_msgs_to_run_only', old=DEPEND, new="'<exec_depend>std_msgs</exec_depend>',",
+           expect='std_msgs is needed for the build', breaks='to-build', seen_by='test_declared',
+           rejected_by='test_declarations'),
+    Mutant('std_msgs_not_declared', old=DEPEND, new='', expect='std_msgs is needed for the build', breaks='to-build',
+           seen_by='test_declared', rejected_by='test_declarations'),
+    Mutant('no_generators', old=GENERATORS, new='', expect='rosidl_default_generators is needed for the build',
+           breaks='to-build', seen_by='test_declared', rejected_by='test_declarations'),
+]

@@ -1,0 +1,54 @@
+"""Hidden tests of exercise 2.4, a library and its user."""
+
+import pytest
+
+from helpers.checks.chapter_02 import reporting
+
+pytestmark = pytest.mark.exercise('2.4')
+
+
+@pytest.mark.rules('needs', 'order')
+def test_order(learner):
+    """`colcon build --packages-up-to odometry` builds wheel_math, and then odometry.
+
+    colcon knows what odometry needs only from its package.xml.
+    """
+    reporting.judge_order(learner)
+
+
+@pytest.mark.rules('needs', 'nothing-else')
+def test_needed_at_run_time(learner):
+    """odometry says that wheel_math must be there when it runs, and declares nothing else.
+
+    exec_depend, or depend.
+    """
+    reporting.judge_needs(learner)
+
+
+@pytest.mark.rules('nothing-else', 'order', 'build-type')
+def test_library_stands_alone(learner):
+    """wheel_math needs nobody; the build type of both packages is ament_python.
+
+    A dependency goes in one direction.
+    """
+    reporting.judge_alone(learner)
+    reporting.judge_types(learner)
+
+
+@pytest.mark.rules('argument', 'prints')
+@pytest.mark.weight(2)
+def test_other_numbers(learner):
+    """`ros2 run odometry report TICKS` prints the distance for these ticks, also with other numbers.
+
+    import distance from wheel_math.geometry, and take the ticks from sys.argv.
+    """
+    reporting.judge_report(learner, zero=True)
+
+
+@pytest.mark.rules('library', 'argument', 'prints')
+def test_comes_from_library(learner):
+    """The report says what distance of wheel_math returns for the ticks.
+
+    With another library below it, the same program says something else.
+    """
+    reporting.judge_library(learner)

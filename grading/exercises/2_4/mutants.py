@@ -1,0 +1,70 @@
+from grading.variants import Mutant
+
+WHEEL_MATH = "'wheel_math', 'ament_python',"
+NEEDS = "'<exec_depend>wheel_math</exec_depend>',"
+PRINT = "print(f'{distance(int(sys.argv[1])):.3f} m')"
+IMPORT = 'from wheel_math.geometry import distance'
+
+MUTANTS = [
+    Mutant('circle', old=WHEEL_MATH, new="""
+        'wheel_math', 'ament_python',
+        '<exec_depend>odometry</exec_depend>',
+        """, expect='in a circle', breaks='order', seen_by='test_both_are_built', rejected_by='test_order'),
+    Mutant('computes_itself', edits=((IMPORT, 'import math'),
+            ('distance(int(sys.argv[1]))', '2 * math.pi * 0.033 * int(sys.argv[1]) / 360')),
+           expect='do not compute the distance again', breaks='library', seen_by='test_comes_from_library',
+           rejected_by='test_comes_from_library'),
+    Mutant('imports_and_computes_itself', old='distance(int(sys.argv[1]))', new='int(sys.argv[1]) * 0.000575959',
+           expect='do not compute the distance again', breaks='library', seen_by='test_comes_from_library',
+           rejected_by='test_comes_from_library'),
+    Mutant('from_the_package', old=IMPORT, new='from wheel_math import distance',
+           expect='The function distance is in the module wheel_math.geometry', breaks='library',
+           seen_by='test_report', rejected_by='test_comes_from_library'),
+    Mutant('from_the_module_only', old=IMPORT, new='from geometry import distance',
+           expect='The function distance is in the module wheel_math.geometry', breaks='library',
+           seen_by='test_report', rejected_by='test_comes_from_library'),
+    Mutant('only_the_example', old='int(sys.argv[1])', new='360', expect='must come from the command line',
+           breaks='argument', seen_by='test_report', rejected_by='test_comes_from_library'),
+    Mutant('text_for_number', old='int(sys.argv[1])', new='sys.argv[1]', expect='make a number of it with int()',
+           breaks='argument', seen_by='test_report', rejected_by='test_comes_from_library'),
+    Mutant('name_of_the_program', old='sys.argv[1]', new='sys.argv[0]', expect='ended with: ValueError',
+           breaks='argument', seen_by='test_report', rejected_by='test_comes_from_library'),
+    Mutant('second_argument', old='sys.argv[1]', new='sys.argv[2]', expect='ended with: IndexError',
+           breaks='argument', seen_by='test_report', rejected_by='test_comes_from_library'),
+    Mutant('two_decimals', old=':.3f', new=':.2f', expect='three decimals, a space and m', breaks='prints',
+           seen_by='test_report', rejected_by='test_comes_from_library'),
+    Mutant('rounded', old='{distance(int(sys.argv[1])):.3f}', new='{round(distance(int(sys.argv[1])), 3)}',
+           expect='three decimals, a space and m', breaks='prints', seen_by='test_comes_from_library',
+           rejected_by='test_comes_from_library'),
+    Mutant('no_unit', old=':.3f} m', new=':.3f}', expect='without the unit', breaks='prints', seen_by='test_report',
+           rejected_by='test_other_numbers'),
+    Mutant('millimetres', old='distance(int(sys.argv[1])):.3f} m', new='1000 * distance(int(sys.argv[1])):.3f} mm',
+           expect='three decimals, a space and m', breaks='prints', seen_by='test_report',
+           rejected_by='test_comes_from_library'),
+    Mutant('a_line_more', old=PRINT, new=f"""
+        print(sys.argv[1], 'ticks')
+        {PRINT}
+        """, expect='printed 2 lines', breaks='prints', seen_by='test_report', rejected_by='test_other_numbers'),
+    Mutant('returned', old=PRINT, new="return f'{distance(int(sys.argv[1])):.3f} m'",
+           expect='The function main printed nothing', breaks='prints', seen_by='test_comes_from_library',
+           rejected_by='test_comes_from_library'),
+    Mutant('module_declared', old='wheel_math<', new='wheel_math.geometry<', expect='names a Python module',
+           breaks='needs', seen_by='test_needed_at_run_time', rejected_by='test_needed_at_run_time'),
+    Mutant('needed_to_build_only', old=NEEDS, new="'<build_depend>wheel_math</build_depend>',",
+           expect='It is imported when the program runs', breaks='needs', seen_by='test_needed_at_run_time',
+           rejected_by='test_needed_at_run_time'),
+    Mutant('needed_for_tests_only', old=NEEDS, new="'<test_depend>wheel_math</test_depend>',",
+           expect='It is imported when the program runs', breaks='needs', seen_by='test_needed_at_run_time',
+           rejected_by='test_needed_at_run_time'),
+    Mutant('nothing_declared', old=NEEDS, new='', expect='does not say that it needs wheel_math', breaks='needs',
+           seen_by='test_both_are_built', rejected_by='test_order'),
+    Mutant('library_declares_more', old=WHEEL_MATH, new=f"{WHEEL_MATH} '<exec_depend>rclpy</exec_depend>',",
+           expect='wheel_math declares rclpy', breaks='nothing-else', seen_by='test_library_stands_alone',
+           rejected_by='test_library_stands_alone'),
+    Mutant('program_declares_more', old=NEEDS, new=f"{NEEDS} '<depend>std_msgs</depend>',",
+           expect='odometry declares std_msgs', breaks='nothing-else', seen_by='test_needed_at_run_time',
+           rejected_by='test_needed_at_run_time'),
+    Mutant('library_for_cmake', old="'wheel_math', 'ament_python'", new="'wheel_math', 'ament_cmake'",
+           expect='The build type in WHEEL_MATH_XML is ament_cmake', breaks='build-type',
+           seen_by='test_library_stands_alone', rejected_by='test_library_stands_alone'),
+]

@@ -1,0 +1,124 @@
+"""Hidden tests of exercise 3.2, from centimetres to metres."""
+
+import math
+
+import pytest
+from sensor_msgs.msg import Range
+
+from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic
+from helpers.checks.chapter_03.ranges import check_reading, reading
+from helpers.runner import about, expect
+
+pytestmark = [pytest.mark.exercise('3.2'), pytest.mark.wiring(type='topics', qos='qos')]
+
+
+def relay(learner, *messages):
+    heard = learner.listen('/sonar', Range)
+    sensor = learner.talk('/sonar_cm', Range)
+    learner.start('RangeToMetres')
+    check_topic(learner, 'subscription', '', 'sonar_cm', 'topics')
+    check_topic(learner, 'publisher', '', 'sonar', 'topics')
+    for message in messages:
+        sensor.send(message)
+        with about('inf' if math.isinf(message.range) else 'distances'):
+            learner.settle()
+    return heard
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('distances', 'variance', 'header', 'others')
+def test_readings(learner):
+    """Every field has the right unit, or is as it was, for near and far objects.
+
+    Distances have the factor 1/100, the variance its square. Publish the message that you have received.
+    """
+    random = learner.random
+    messages = [reading(random), reading(random, range=random.uniform(0.5, 3.0), variance=random.uniform(20, 90)),
+                reading(random, range=random.uniform(500, 5000), radiation_type=Range.ULTRASOUND),
+                reading(random, variance=0.0, min_range=0.0)]
+    random.shuffle(messages)
+    heard = relay(learner, *messages)
+    expect(heard.messages, 'Nothing came out on /sonar at once. Publish in the callback of the subscription.',
+           'at-once')
+    expect(len(heard) == len(messages), f'{len(messages)} messages in gave {len(heard)} out.', 'one-each')
+    for got, sent in zip(heard.messages, messages, strict=True):
+        check_reading(got, sent)
+
+
+@pytest.mark.rules('inf')
+def test_no_echo(learner):
+    """The range inf (no echo) stays inf, and so does an endless max_range.
+
+    Infinity divided by 100 is infinity: it needs no special case, and no filter.
+    """
+    random = learner.random
+    messages = [reading(random, range=math.inf), reading(random, range=math.inf, max_range=math.inf)]
+    heard = relay(learner, *messages)
+    expect(len(heard) >= 2, f'Two messages with range=inf gave {len(heard)}: do not drop messages.', 'inf')
+    expect(len(heard) == 2, f'Two messages gave {len(heard)}.', 'one-each')
+    for got, sent in zip(heard.messages, messages, strict=True):
+        check_reading(got, sent)
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('one-each', 'at-once')
+def test_one_out_for_each_in(learner):
+    """Each message in gives one message out, in order, and time alone gives none.
+
+    No timer, no buffer: publish once in the callback.
+    """
+    heard = learner.listen('/sonar', Range)
+    sensor = learner.talk('/sonar_cm', Range)
+    learner.start('RangeToMetres')
+    check_topic(learner, 'subscription', '', 'sonar_cm', 'topics')
+    check_topic(learner, 'publisher', '', 'sonar', 'topics')
+    learner.run(1.1)
+    expect(not heard.messages, 'Your node publishes before it has received anything: use no timer.', 'one-each')
+    values = [float(learner.random.randint(10, 300)) for _ in range(8)]
+    values[3] = values[2]  # the same reading again is a message, too
+    for value in values:
+        sensor.send(reading(learner.random, range=value))
+    learner.settle()
+    expect(heard.messages, 'Nothing came out at once.', 'at-once')
+    learner.run(2.1)
+    expect(len(heard) == len(values),
+           f'{len(values)} messages in gave {len(heard)} out. Publish exactly once for each, '
+           'in the callback: a timer loses or repeats some.', 'one-each')
+    order = [m.range for m in heard.messages]
+    if sorted(order) == pytest.approx(sorted(v / 100 for v in values), rel=1e-4):
+        expect(order == pytest.approx([v / 100 for v in values], rel=1e-4),
+               'The messages came out in another order.', 'at-once')
+
+
+@pytest.mark.rules('node', 'topics', 'qos')
+def test_namespace(learner):
+    """In a namespace both topics move with the node, and the node is called range_to_metres.
+
+    Relative names have no leading slash.
+    """
+    space = f'/arm{learner.random.randint(2, 9)}'
+    learner.listen(f'{space}/sonar', Range)
+    learner.talk(f'{space}/sonar_cm', Range)
+    node = learner.start('RangeToMetres', remap={'__ns': space})
+    check_name(node, 'range_to_metres', 'node')
+    for kind, topic in (('subscription', 'sonar_cm'), ('publisher', 'sonar')):
+        check_topic(learner, kind, space, topic, 'topics')
+        check_queue(learner, kind, f'{space}/{topic}', 10, 'qos')
+
+
+@pytest.mark.rules('one-each')
+def test_two_relays(learner):
+    """Two relays in one program answer one message each.
+
+    State, if there is any, belongs to the object.
+    """
+    heard = learner.listen('/sonar', Range)
+    sensor = learner.talk('/sonar_cm', Range)
+    first = learner.start('RangeToMetres')
+    check_topic(learner, 'subscription', '', 'sonar_cm', 'topics')
+    check_topic(learner, 'publisher', '', 'sonar', 'topics')
+    learner.start('RangeToMetres', beside=first)
+    sensor.send(reading(learner.random))
+    learner.settle()
+    expect(heard.messages, 'Nothing came out at once.', 'at-once')
+    expect(len(heard) == 2, f'One message to two relays gave {len(heard)} out, expected 2.', 'one-each')

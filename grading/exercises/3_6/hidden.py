@@ -1,0 +1,187 @@
+"""Hidden tests of exercise 3.6, a rate and gap monitor."""
+
+import pytest
+
+from helpers.checks.chapter_03 import monitors
+from helpers.checks.chapter_03.monitors import scan
+from helpers.runner import about, expect
+
+pytestmark = [pytest.mark.exercise('3.6'), pytest.mark.wiring(type='topics', qos='qos')]
+
+
+def monitor(learner, *args, space='', **kwargs):
+    rates, gaps, lidar, _ = monitors.start(learner, space, *args, **kwargs)
+    return rates, gaps, lidar
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('report')
+def test_changing_rate(learner):
+    """Each report counts the scans of its own second, exactly, whatever their rhythm.
+
+    Count in the callback; report and set back in a timer of 1 s on the node's own clock.
+    """
+    rates, _, lidar = monitor(learner)
+    counts = [learner.random.randint(1, 9) for _ in range(5)] + [0]
+    stamp = 50.0
+    for count in counts:
+        learner.run(0.5)
+        for _ in range(count):
+            stamp += 0.01
+            lidar.send(scan(stamp))
+            learner.run(0.01)
+        learner.run(0.5 - 0.01 * count)
+    learner.run(0.1)
+    expect(rates.stamps == pytest.approx(range(1, 7)),
+           f'The reports came at {rates.stamps} s, expected at 1, 2, … 6 s of the '
+           "node's time. Use create_timer, not the clock on the wall.",
+           'report' if set(counts[:len(rates)]) - {0} and len(rates) != sum(map(bool, counts)) else 'silent')
+    totals = [float(sum(counts[:n + 1])) for n in range(6)]
+    expect(rates.data != totals, 'The reports only grow: count from zero again after each report.', 'report')
+    expect(rates.data == pytest.approx(counts), f'{counts} scans in six seconds gave the reports {rates.data}.',
+           'report')
+
+
+@pytest.mark.rules('silent')
+def test_silent_sensor(learner):
+    """A sensor that has died is reported as 0.0, and one that has not begun, too.
+
+    The report belongs into a timer.
+    """
+    rates, gaps, lidar = monitor(learner)
+    learner.run(2.2)
+    for number in range(5):
+        lidar.send(scan(10 + number / 10))
+        learner.run(0.1)
+    learner.run(2.4)
+    expect(len(rates) == 5,
+           f'{len(rates)} reports came in 5.1 s, expected one every second, also from a silent sensor.', 'silent')
+    expect(rates.data == [0.0, 0.0, 5.0, 0.0, 0.0],
+           f'Silence, 5 scans, silence gave {rates.data}, expected [0, 0, 5, 0, 0].',
+           'silent' if rates.data[:3] == [0.0, 0.0, 5.0] and not any(rates.data[3:]) else 'report')
+    expect(not gaps.messages, 'Silence alone makes no message on scan_gap: it takes the next scan to know the gap.',
+           'gap')
+
+
+@pytest.mark.rules('gap')
+def test_gaps_from_stamps(learner):
+    """A gap is the difference of two stamps, whenever the messages arrive.
+
+    Use header.stamp with its nanoseconds, not the time of arrival.
+    """
+    _, gaps, lidar = monitor(learner)
+    first = learner.random.randint(1000, 2000)
+    for stamp, pause in ((0.9, 0.1), (1.3, 3.0), (1.75, 0.1), (2.9, 0.0), (3.1, 2.0), (3.9, 0.1)):
+        lidar.send(scan(first + stamp))
+        learner.settle()
+        learner.run(pause) if pause else None
+    expect(gaps.data, 'Two gaps in the stamps gave nothing on /scan_gap.', 'gap')
+    expect(gaps.data == pytest.approx([1.15, 0.8], abs=1e-6),
+           f'The gaps are {gaps.data}, expected [1.15, 0.8]. Use the stamps, with nanoseconds, '
+           'and not the time of arrival.', 'gap')
+
+
+@pytest.mark.rules('at-once')
+def test_gap_at_once(learner):
+    """A gap is published at once, not with the next report.
+
+    Publish it in the callback of the subscription.
+    """
+    _, gaps, lidar = monitor(learner)
+    with about('silent'):
+        learner.run(0.3)
+    lidar.send(scan(5.0), scan(7.0))
+    learner.settle()
+    at_once = gaps.stamps
+    learner.run(2.0)
+    expect(gaps.messages, 'The stamps 5 and 7 gave nothing on scan_gap.', 'gap')
+    expect(at_once == [0.3] or gaps.stamps[0] == 0.3, 'The gap was not published at once, when the scan after it came.',
+           'at-once')
+    expect(len(gaps) == 1, f'One gap was told {len(gaps)} times.', 'gap')
+
+
+@pytest.mark.rules('first')
+def test_first_scan(learner):
+    """The first scan makes no gap, whatever its stamp.
+
+    Begin with None, not with zero or with the start of the node.
+    """
+    _, gaps, lidar = monitor(learner)
+    with about('silent'):
+        learner.run(2.0)
+    lidar.send(scan(learner.random.uniform(100, 1e6)))
+    learner.run(0.2)
+    expect(not gaps.messages, f'The first scan made a gap of {gaps.data[:1]} s: there is nothing before it.', 'first')
+
+
+@pytest.mark.rules('limit')
+def test_threshold(learner):
+    """max_gap is an argument, and a gap of exactly max_gap is none.
+
+    Keep it in self.max_gap and compare with >.
+    """
+    _, gaps, lidar = monitor(learner, max_gap=2.0)
+    for stamp in (1.0, 2.5, 4.5, 7.0):
+        lidar.send(scan(stamp))
+        learner.run(0.1)
+    expect(1.5 not in gaps.data, 'RateMonitor(2.0) reports a gap of 1.5 s: max_gap is not used.', 'limit')
+    expect(2.0 not in gaps.data, 'A gap of exactly max_gap is no gap: "more than".', 'limit')
+    expect(gaps.data == [2.5], f'RateMonitor(2.0) with the stamps 1, 2.5, 4.5, 7 reports {gaps.data}, expected [2.5].',
+           'gap')
+
+
+@pytest.mark.rules('old')
+def test_old_scan(learner):
+    """A scan that is older than the newest one is counted, but changes nothing else.
+
+    Move the newest stamp forward only.
+    """
+    rates, gaps, lidar = monitor(learner)
+    learner.run(0.2)
+    for stamp in (10.0, 10.4, 9.0, 10.8, 10.5, 11.2):
+        lidar.send(scan(stamp))
+        learner.run(0.1)
+    learner.run(0.3)
+    expect(not gaps.messages, f'The stamps 10, 10.4, 9, 10.8, 10.5, 11.2 gave the gaps {gaps.data}, expected none: '
+                              'an old scan must not move the newest stamp back.', 'old')
+    expect(rates.data == [6.0], f'Six scans, two of them late, gave the report {rates.data}, expected [6].',
+           'old' if rates.data == [4.0] else 'report')
+
+
+@pytest.mark.rules('any-lidar', 'qos')
+def test_any_publisher(learner):
+    """The monitor hears best-effort and reliable lidars, and reports reliably.
+
+    Request BEST_EFFORT and VOLATILE on scan; offer RELIABLE on the two reports.
+    """
+    rates, _, lidar = monitor(learner, qos=10)
+    learner.run(0.1)
+    lidar.send(scan(1.0))
+    learner.run(1.0)
+    expect(rates.data == [1.0], f'One scan of a reliable lidar gave the report {rates.data}, expected [1].',
+           'report')
+
+
+@pytest.mark.rules('own-state', 'node', 'topics')
+def test_two_monitors(learner):
+    """Two monitors in one program count apart, and keep their own newest stamp and limit.
+
+    Relative names, and state in the object.
+    """
+    space = f'/base{learner.random.randint(2, 9)}'
+    rates, gaps, lidar, first = monitors.start(learner, space, 3.0)
+    with about('silent'):
+        learner.run(0.5)
+    lidar.send(scan(10.0), scan(12.0))
+    learner.settle()
+    expect(not gaps.messages, f'With max_gap 3 s, a difference of 2 s gave {gaps.data}.', 'limit')
+    learner.start('RateMonitor', max_gap=1.0, beside=first)
+    learner.settle()
+    lidar.send(scan(13.0), scan(15.0))
+    with about('own-state'):
+        learner.run(1.2)
+    expect(gaps.data == [2.0], f'Two monitors with max_gap 3 and 1 s heard a difference of 2 s, and {gaps.data} came '
+                               'on scan_gap, expected [2].',
+           'own-state')
+    expect(rates.data[:2] == [4.0, 2.0], f'Two monitors heard 4 and 2 scans, and reported {rates.data[:2]}.',
+           'own-state')

@@ -1,0 +1,216 @@
+"""Hidden tests of exercise 4.1, a patient client."""
+
+import time
+
+import pytest
+from std_msgs.msg import Bool, String
+from std_srvs.srv import SetBool
+
+from helpers.runner import about, expect
+
+pytestmark = [pytest.mark.exercise('4.1'), pytest.mark.wiring(type='request', qos='request')]
+
+
+def gripper(learner, answer, *args, delay=0.0, **options):
+    states, close = learner.listen('/gripper_state', String), learner.talk('/close', Bool)
+    server = learner.serve('/set_gripper', SetBool, answer, delay)
+    learner.start('GripperClient', *args, **options)
+    return states, close, server
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('late')
+def test_late_answers(learner):
+    """An answer that comes after its timeout is ignored.
+
+    In the done-callback, compare the future with the current one.
+    """
+    delays = iter([1.5, 0.3])
+    states, close, server = gripper(learner, {'success': True}, delay=lambda request: next(delays, 9.0))
+    learner.run(0.2)
+    close.send(Bool(data=True))
+    learner.run(5.0)
+    expect(server.stamps == pytest.approx([0.2, 1.2]),
+           f'The first answer came after 1.5 s, the second in time; requests came at {server.stamps} s, expected at '
+           '0.2 and 1.2 s.')
+    expect(states.data != ['ok', 'ok'], 'One command is reported twice: the answer to the first request came after its '
+                                        'timeout, and was reported as well.')
+    expect(states.data == ['ok'], f'gripper_state says {states.data}, expected one ok.')
+    expect(states.stamps == pytest.approx([1.5]), f'ok came at {states.stamps} s, expected at 1.5 s, with the answer '
+                                                  'to the second request.')
+
+
+@pytest.mark.rules('late')
+def test_only_late_answers(learner):
+    """If every answer is late, the command has failed, once.
+
+    After the last timeout there is no current future any more.
+    """
+    states, close, server = gripper(learner, {'success': True}, delay=1.7)
+    close.send(Bool(data=False))
+    learner.run(8.0)
+    expect(states.data and states.data[0] != 'ok', 'An answer that came 0.7 s after its timeout was reported as ok.')
+    expect(states.data == ['failed'], f'All answers were late; gripper_state says {states.data}, expected one failed: '
+                                      'what comes after it is ignored.')
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('request', 'timeout', 'tries')
+@about('request')
+def test_timeout_and_tries(learner):
+    """timeout and tries are arguments.
+
+    The last request has its full timeout, too, before the report is failed.
+    """
+    draw = learner.random
+    timeout, tries, data = draw.choice([0.25, 0.4, 2.5]), draw.choice([1, 2, 6]), draw.choice([False, True])
+    states, close, server = gripper(learner, None, timeout, tries)
+    learner.run(0.7)
+    close.send(Bool(data=data))
+    with about('request'):
+        learner.settle()
+    expect(server.stamps, 'A command made no request at once.', 'request')
+    with about('timeout'):
+        learner.run(timeout * (tries + 1) + 1.0)
+    expect(all(request.data is data for request in server.requests), f'close said {data}, a request says {not data}.',
+           'request')
+    words = f'GripperClient({timeout}, {tries}), a silent server, a command at 0.7 s: '
+    wanted = [round(0.7 + n * timeout, 3) for n in range(tries)]
+    seen = [round(stamp, 3) for stamp in server.stamps]
+    expect(seen[:tries] == wanted[:len(seen)], f'{words}requests at {seen} s, expected at {wanted} s.', 'timeout')
+    expect(len(seen) == tries, f'{words}{len(seen)} requests. tries counts all requests, not only the repetitions.',
+           'tries')
+    expect(states.data == ['failed'] and states.stamps == pytest.approx([0.7 + tries * timeout]),
+           f'{words}{states.data} at {states.stamps} s, expected failed at {0.7 + tries * timeout:g} s.', 'tries')
+
+
+@pytest.mark.rules('refusal', 'answer')
+@about('answer')
+def test_a_refusal_is_an_answer(learner):
+    """A refusal is reported at once, and not tried again.
+
+    Only silence is a reason to try again.
+    """
+    states, close, server = gripper(learner, {'success': False}, delay=0.5)
+    close.send(Bool(data=True))
+    learner.run(4.0)
+    expect(len(server.requests) == 1, f'The server refused, and was asked {len(server.requests)} times: a refusal is '
+                                      'an answer, do not try again.', 'refusal')
+    expect(states.data == ['refused'] and states.stamps == [0.5],
+           f'A refusal at 0.5 s gave {states.data} at {states.stamps} s.', 'answer')
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('newest')
+def test_the_newest_command_wins(learner):
+    """A new command drops the old one, without a report, and begins with all its tries.
+
+    The new request becomes the current future; the timer and the counter start anew.
+    """
+    states, close, server = gripper(learner, lambda request: {'success': not request.data}, delay=0.8)
+    learner.run(0.2)
+    close.send(Bool(data=True))
+    learner.run(0.5)
+    close.send(Bool(data=False))
+    learner.run(3.0)
+    asked = [(round(stamp, 3), request.data) for stamp, request in zip(server.stamps, server.requests, strict=True)]
+    expect(asked[:2] == [(0.2, True), (0.7, False)],
+           f'Commands True at 0.2 s and False at 0.7 s made the requests {asked}: send a new command at once, also if '
+           'an old one is open.')
+    expect('refused' not in states.data, 'A new command had come; then the answer to the old one was reported.')
+    expect(states.data == ['ok'] and states.stamps == pytest.approx([1.5]),
+           f'gripper_state says {states.data} at {states.stamps} s, expected ok at 1.5 s, for the new command only.')
+    server.answer = None
+    states.clear()
+    server.stamps.clear()
+    for _ in range(2):  # the second in the middle of the tries of the first
+        close.send(Bool(data=True))
+        learner.run(1.5)
+    learner.run(4.0)
+    begin = server.stamps[0]
+    expect(server.stamps == pytest.approx([begin, begin + 1, begin + 1.5, begin + 2.5, begin + 3.5]),
+           'The second command came 1.5 s after the first; then requests went out '
+           f'{[round(stamp - begin, 3) for stamp in server.stamps]} s after the first one. A new command has all its '
+           'tries, and its timer starts anew.')
+    expect(states.data == ['failed'], f'Two commands, one after the other, to a silent server gave {states.data}, '
+                                      'expected one failed, for the second.')
+
+
+@pytest.mark.rules('no-server')
+def test_server_comes_later(learner):
+    """The node starts without a server, and finds one that comes between two tries.
+
+    Do not wait for the service in the constructor: a request to nobody is like one without an answer.
+    """
+    states, close = learner.listen('/gripper_state', String), learner.talk('/close', Bool)
+    node = learner.start('GripperClient')
+    server = learner.serve('/set_gripper', SetBool, {'success': True})
+    server.stop()
+    learner.run(0.5)
+    close.send(Bool(data=True))
+    learner.run(0.6)
+    server.start()
+    learner.run(3.0)
+    expect(states.data == ['ok'] and states.stamps == pytest.approx([1.5]),
+           f'A command at 0.5 s, a server from 1.1 s on: {states.data} at {states.stamps} s, expected ok at 1.5 s.')
+    server.stop()
+    learner.settle()
+    seconds = []
+    while len(seconds) < 4 and min(seconds, default=1) >= 0.35:
+        begin = time.monotonic()
+        learner.start('GripperClient', beside=node)
+        seconds.append(time.monotonic() - begin)
+    expect(min(seconds) < 0.35, 'Without a server, the constructor takes long: it must not wait for the service.')
+
+
+@pytest.mark.rules('queue')
+def test_burst(learner):
+    """Ten commands that come at one moment are kept.
+
+    The depth of the subscription.
+    """
+    _, close, server = gripper(learner, None)
+    close.send(*[Bool(data=bool(number % 2)) for number in range(10)])
+    learner.settle()
+    expect(len(server.requests) == 10, f'Ten commands at one moment made {len(server.requests)} requests, '
+                                       'expected 10.')
+
+
+@pytest.mark.rules('answer', 'once')
+@about('answer')
+def test_one_command_after_the_other(learner):
+    """Every command is reported once, also after a failure.
+
+    After a report nothing is left over: no timer that fires, no counter that is used up.
+    """
+    answers = [{'success': learner.random.random() < 0.5} for _ in range(4)]
+    states, close, server = gripper(learner, {})
+    said = []
+    for number, answer in enumerate(answers):
+        server.answer = answer if number else None
+        close.send(Bool(data=bool(number % 2)))
+        learner.run(3.5)
+        said.append('failed' if not number else 'ok' if answer['success'] else 'refused')
+        wanted = said[-1]
+        got = states.data[len(said) - 1:]
+        if number:
+            expect(got and got[0] == wanted, f'Command {number + 1} gave {got}, expected [{wanted!r}].', 'answer')
+        expect(len(got) == 1, f'Command {number + 1} gave {got}, expected one report.', 'once')
+    expect(not any(answer['success'] for answer in answers[1:]) or len(server.requests) == 6,
+           f'{len(server.requests)} requests were sent, expected 6.', 'once')
+
+
+@pytest.mark.rules('names')
+def test_names(learner):
+    """The node is called gripper_client, and in a namespace all its names move with it.
+
+    Relative names have no leading slash.
+    """
+    states, close = learner.listen('/left/gripper_state', String), learner.talk('/left/close', Bool)
+    server = learner.serve('/left/set_gripper', SetBool, {'success': True})
+    node = learner.start('GripperClient', remap={'__ns': '/left'})
+    expect(node.name == '/left/gripper_client', f'Your node is called {node.name}, expected /left/gripper_client.')
+    close.send(Bool(data=True))
+    learner.run(0.2)
+    expect(server.requests, 'In the namespace /left no request came to /left/set_gripper: leave out the leading slash.')
+    expect(states.data == ['ok'], f'In the namespace /left, gripper_state says {states.data}, expected one ok.')

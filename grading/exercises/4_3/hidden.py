@@ -1,0 +1,138 @@
+"""Hidden tests of exercise 4.3, one question, two sources."""
+
+import pytest
+from std_srvs.srv import Trigger
+
+from helpers.runner import about, expect
+
+pytestmark = [pytest.mark.exercise('4.3'), pytest.mark.wiring(type='same-time')]
+
+NEVER = ('status was never answered. The answer of a part waits in a callback group in which your callback still runs: '
+         'give the clients a group of their own.')
+
+
+def panel(learner, battery_delay=0.0, lidar_delay=0.0, success=(True, True), namespace=''):
+    parts = [learner.serve(f'{namespace}/{name}/check', Trigger, {'success': good, 'message': f'{name} is here'}, delay)
+             for name, delay, good in zip(('battery', 'lidar'), (battery_delay, lidar_delay), success, strict=True)]
+    node = learner.start('StatusPanel', remap={'__ns': namespace} if namespace else None)
+    return *parts, learner.client(f'{namespace}/status', Trigger), node
+
+
+@pytest.mark.weight(3)
+@pytest.mark.rules('same-time', 'one-thread')
+@about('one-thread')
+def test_both_at_the_same_time(learner):
+    """The two parts are asked at the same time, so the slower one decides.
+
+    First send both requests, then await both futures.
+    """
+    slow, quick = learner.random.choice([(0.6, 0.4), (0.4, 0.6), (0.9, 0.2)])
+    battery, lidar, status, _ = panel(learner, slow, quick)
+    learner.run(0.5)
+    call = status.send()
+    learner.run(3.0)
+    expect(call.done, NEVER, 'one-thread')
+    expect(battery.stamps == lidar.stamps == [0.5],
+           f'status was called at 0.5 s; the battery was asked at {battery.stamps} s, the lidar at {lidar.stamps} s. '
+           'Ask both at the same time: first two call_async, then two await.', 'same-time')
+    expect(call.received == pytest.approx(0.5 + max(slow, quick)),
+           f'The parts needed {slow} and {quick} s, the status {call.received - 0.5:g} s, expected '
+           f'{max(slow, quick)} s.', 'same-time')
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('message', 'one-thread')
+@about('one-thread')
+def test_order_of_the_message(learner):
+    """The battery comes first in the message, whoever answers first.
+
+    Put the message together after both answers are there.
+    """
+    for delays in ((0.5, 0.1), (0.1, 0.5)):
+        battery, lidar, status, node = panel(learner, *delays)
+        call = status.send()
+        learner.run(1.0)
+        expect(call.done, NEVER, 'one-thread')
+        expect(call.response.message == 'battery: battery is here; lidar: lidar is here',
+               f'The answers came after {delays[0]} and {delays[1]} s; the message is {call.response.message!r}.',
+               'message')
+        for peer in (battery, lidar, status):
+            peer.close()
+        node.stop()
+
+
+@pytest.mark.rules('success', 'one-thread')
+@about('one-thread')
+@pytest.mark.parametrize('success', [(True, False), (False, True), (False, False)], ids=str)
+def test_success(learner, success):
+    """success is True only if both parts have it.
+
+    Use and, and the field success of both answers.
+    """
+    *_, status, _ = panel(learner, success=success)
+    call = status.send()
+    learner.run(0.5)
+    expect(call.done, NEVER, 'one-thread')
+    expect(not call.response.success, f'The parts say {success[0]} and {success[1]}, the status says True.', 'success')
+
+
+@pytest.mark.rules('fresh', 'one-thread')
+@about('one-thread')
+def test_fresh_answers(learner):
+    """Every call of status asks both parts anew, once.
+
+    Keep no answer in the object.
+    """
+    battery, lidar, status, _ = panel(learner, 0.2, 0.1)
+    charge = learner.random.sample(range(100), 3)
+    battery.answer = iter([{'success': True, 'message': f'{value} %'} for value in charge])
+    for number, value in enumerate(charge, 1):
+        call = status.send()
+        learner.run(0.5)
+        expect(call.done, NEVER, 'one-thread')
+        expect(f'{value} %' in call.response.message,
+               f'The battery says {value} % now, but the status says {call.response.message!r}: every caller gets '
+               'fresh answers.', 'fresh')
+        expect(len(battery.requests) == len(lidar.requests) == number,
+               f'After {number} calls of status the battery was asked {len(battery.requests)} times, the lidar '
+               f'{len(lidar.requests)} times.', 'fresh')
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('callers', 'one-thread')
+@about('one-thread')
+def test_two_callers(learner):
+    """Two callers at the same time get an answer each, from two requests to each part.
+
+    What belongs to one call stays in local variables.
+    """
+    battery, lidar, status, _ = panel(learner, 0.3, 0.3)
+    battery.answer = iter([{'success': True, 'message': 'first'}, {'success': False, 'message': 'second'}])
+    other = learner.client('/status', Trigger)
+    calls = [status.send(), other.send()]
+    learner.run(2.0)
+    expect(all(call.done for call in calls), NEVER, 'one-thread')
+    expect(len(battery.requests) == len(lidar.requests) == 2,
+           'Two callers: battery and lidar were asked '
+           f'{len(battery.requests)} and {len(lidar.requests)} times, expected 2.', 'callers')
+    told = sorted((call.response.message.split(';')[0], call.response.success) for call in calls)
+    expect(told == [('battery: first', True), ('battery: second', False)],
+           f'The battery said first (success) and second (no success); two callers at the same time were told {told}: '
+           'two calls share what belongs to one of them.', 'callers')
+
+
+@pytest.mark.rules('names', 'one-thread')
+@about('one-thread')
+def test_namespace(learner):
+    """In a namespace all names move with the node, which is called status_panel.
+
+    Relative names have no leading slash.
+    """
+    battery, lidar, status, node = panel(learner, namespace='/robot_3')
+    expect(node.name == '/robot_3/status_panel', f'Your node is called {node.name}, expected /robot_3/status_panel.',
+           'names')
+    call = status.send()
+    learner.run(0.5)
+    expect(battery.requests and lidar.requests,
+           'In the namespace /robot_3 the parts in it were not asked: leave out the leading slash.', 'names')
+    expect(call.done, NEVER, 'one-thread')

@@ -1,0 +1,99 @@
+from grading.variants import Mutant
+
+FUTURES = 'futures = [client.call_async(Trigger.Request()) for client in (self.battery, self.lidar)]'
+AWAIT = 'battery, lidar = [await future for future in futures]'
+STATUS = 'test_status'
+CALLERS = 'test_two_callers'
+WAITS = ('same-time', 'success', 'message', 'fresh', 'callers', 'names')
+
+MUTANTS = [
+    Mutant('absolute_part', breaks='names', also=('callers', 'one-thread'), old="'lidar/check'", new="'/lidar/check'",
+           expect='without a leading slash', seen_by=CALLERS, rejected_by='test_namespace'),
+    Mutant('any_success', breaks='success', also='callers', old='battery.success and lidar.success',
+           new='battery.success or lidar.success', expect='success of the status is True, expected False',
+           seen_by=STATUS, rejected_by='test_success[(True, False)]'),
+    Mutant('asks_second_if_first_is_well', breaks='same-time', also=('fresh', 'callers', 'message', 'one-thread'),
+           edits=((FUTURES, 'battery = lidar = await self.battery.call_async(Trigger.Request())'),
+                  (AWAIT, '''
+            if battery.success:
+                lidar = await self.lidar.call_async(Trigger.Request())
+            ''')), expect='lidar/check was asked', seen_by=STATUS,
+           rejected_by='test_both_at_the_same_time'),
+    Mutant('asks_twice', breaks='fresh', also=('same-time', 'callers', 'message'), old=FUTURES, new='''
+        self.lidar.call_async(Trigger.Request())
+        futures = [client.call_async(Trigger.Request()) for client in (self.battery, self.lidar)]
+        ''', expect='lidar/check was asked 2 times, expected 1', seen_by=STATUS, rejected_by='test_fresh_answers'),
+    Mutant('blocking_call', breaks='one-thread', also=WAITS, old='''
+        async def on_status(self, request, response):
+            futures = [client.call_async(Trigger.Request()) for client in (self.battery, self.lidar)]
+            battery, lidar = [await future for future in futures]
+        ''', new='''
+        def on_status(self, request, response):
+            battery, lidar = self.battery.call(Trigger.Request()), self.lidar.call(Trigger.Request())
+        ''', expect='A callback waits for an answer', seen_by=STATUS, rejected_by='test_both_at_the_same_time'),
+    Mutant('comma', breaks='message', old='; lidar:', new=', lidar:', also='callers',
+           expect='The message of the status is', seen_by=STATUS, rejected_by='test_order_of_the_message'),
+    Mutant('default_group', breaks='one-thread', also=WAITS,
+           edits=(("(Trigger, 'battery/check', callback_group=group)", "(Trigger, 'battery/check')"),
+                  ("(Trigger, 'lidar/check', callback_group=group)", "(Trigger, 'lidar/check')")),
+           expect='give the clients a callback group of their own', seen_by=STATUS,
+           rejected_by='test_both_at_the_same_time'),
+    Mutant('does_not_wait', breaks='one-thread', also=WAITS,
+           edits=(('async def on_status', 'def on_status'), ('await future', 'future.result()')),
+           expect="has no attribute 'success'", seen_by=STATUS, rejected_by='test_both_at_the_same_time'),
+    Mutant('keeps_answers', breaks='fresh', also='callers', old='''
+        futures = [client.call_async(Trigger.Request()) for client in (self.battery, self.lidar)]
+        battery, lidar = [await future for future in futures]
+        ''', new='''
+        if not hasattr(self, 'futures'):
+            self.futures = [client.call_async(Trigger.Request()) for client in (self.battery, self.lidar)]
+        battery, lidar = [await future for future in self.futures]
+        ''', expect='battery/check was asked 1 time, expected 2', seen_by=STATUS, rejected_by='test_fresh_answers'),
+    Mutant('one_after_the_other', breaks='same-time', also='message',
+           edits=((FUTURES, 'battery = await self.battery.call_async(Trigger.Request())'),
+                  (AWAIT, 'lidar = await self.lidar.call_async(Trigger.Request())')),
+           expect='first two call_async, then two await', seen_by=STATUS, rejected_by='test_both_at_the_same_time'),
+    Mutant('only_the_lidar', breaks='success', also='callers', old='battery.success and lidar.success',
+           new='lidar.success', expect='success of the status is True, expected False', seen_by=STATUS,
+           rejected_by='test_success[(False, True)]'),
+    Mutant('order_of_arrival', breaks='message', also='callers', old='''
+        battery, lidar = [await future for future in futures]
+        response.success = battery.success and lidar.success
+        response.message = f'battery: {battery.message}; lidar: {lidar.message}'
+        ''', new='''
+        texts = []
+        for name, future in zip(('battery', 'lidar'), futures):
+            future.add_done_callback(lambda f, name=name: texts.append(f'{name}: {f.result().message}'))
+        battery, lidar = [await future for future in futures]
+        while len(texts) < 2:
+            await rclpy.task.Future()
+        response.success = battery.success and lidar.success
+        response.message = '; '.join(texts)
+        ''', expect='The message of the status is', seen_by=STATUS, rejected_by='test_order_of_the_message'),
+    Mutant('other_name', breaks='names', old="super().__init__('status_panel')", new="super().__init__('panel')",
+           expect='your node is called', seen_by=CALLERS, rejected_by='test_namespace'),
+    Mutant('shared_between_callers', breaks='callers',
+           edits=(("self.create_service(Trigger, 'status', self.on_status)",
+                   "self.create_service(Trigger, 'status', self.on_status, "
+                   'callback_group=rclpy.callback_groups.ReentrantCallbackGroup())'),
+                  (f'\n{FUTURES}\n{AWAIT}\n', '''
+            self.futures = [client.call_async(Trigger.Request()) for client in (self.battery, self.lidar)]
+            lidar = await self.futures[1]
+            battery = await self.futures[0]
+            ''')), expect='What belongs to one call must stay in local variables', seen_by=CALLERS,
+           rejected_by='test_two_callers'),
+    Mutant('spins_in_callback', breaks='one-thread', also=WAITS, old='''
+        async def on_status(self, request, response):
+            futures = [client.call_async(Trigger.Request()) for client in (self.battery, self.lidar)]
+            battery, lidar = [await future for future in futures]
+        ''', new='''
+        def on_status(self, request, response):
+            futures = [client.call_async(Trigger.Request()) for client in (self.battery, self.lidar)]
+            for future in futures:
+                rclpy.spin_until_future_complete(self, future)
+            battery, lidar = [future.result() for future in futures]
+        ''', expect='Only another callback can receive', seen_by=STATUS, rejected_by='test_both_at_the_same_time'),
+    Mutant('swapped', breaks='message', also=('callers', 'fresh'), old='{battery.message}; lidar: {lidar.message}',
+           new='{lidar.message}; lidar: {battery.message}', expect='The message of the status is', seen_by=STATUS,
+           rejected_by='test_order_of_the_message'),
+]

@@ -1,0 +1,141 @@
+"""Hidden tests of exercise 4.4, find the bugs."""
+
+import pytest
+from std_srvs.srv import SetBool, Trigger
+
+from helpers.runner import about, expect
+
+pytestmark = [pytest.mark.exercise('4.4'), pytest.mark.wiring(type='open')]
+
+NEVER = ('enter was never answered: the answer of the lock waits in a callback group in which your callback still '
+         'runs. Give the client a group of its own.')
+
+
+def guard(learner, answer, *args, delay=0.0, namespace=''):
+    lock = learner.serve(f'{namespace}/lock', SetBool, answer, delay)
+    node = learner.start('DoorGuard', *args, remap={'__ns': namespace} if namespace else None)
+    return lock, learner.client(f'{namespace}/enter', Trigger), learner.client(f'{namespace}/leave', Trigger), node
+
+
+def told(call):
+    expect(call.done, NEVER, 'one-thread')
+    return call.response.success, call.response.message
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('open', 'welcome', 'one-thread')
+@about('one-thread')
+def test_slow_lock(learner):
+    """The lock is asked to open, and enter is answered when it has.
+
+    The lock's client needs a callback group of its own, because enter awaits.
+    """
+    lock, enter, _, _ = guard(learner, {'success': True}, delay=0.7)
+    learner.run(0.4)
+    call = enter.send()
+    learner.run(2.0)
+    expect(told(call) == (True, 'welcome'), f'The lock opened, and enter says {told(call)}.', 'welcome')
+    expect(call.received == pytest.approx(1.1), f'The lock opened after 0.7 s, enter was answered after '
+                                                f'{call.received - 0.4:g} s.', 'welcome')
+    expect([request.data for request in lock.requests] == [False],
+           f'data=False means open; the lock was asked {[request.data for request in lock.requests]}.', 'open')
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('locked', 'one-thread')
+@about('locked')
+def test_jammed_lock(learner):
+    """If the lock refuses, enter answers with locked, and nobody has come in.
+
+    Return the response on every path, and count only after the lock has opened.
+    """
+    lock, enter, _, _ = guard(learner, {'success': False, 'message': 'jammed'})
+    for _ in range(learner.random.randint(3, 5)):
+        call = enter.send()
+        learner.run(0.2)
+        expect(told(call) != (False, 'full'), 'The lock refused twice; then the guard says that the room is full, but '
+                                              'nobody is in it: count only who has come in.', 'locked')
+        expect(told(call) == (False, 'locked'), f"The lock refused, and enter says {told(call)}, expected (False, "
+                                                "'locked').", 'locked')
+    lock.answer = {'success': True}
+    results = []
+    for _ in range(3):
+        call = enter.send()
+        learner.run(0.2)
+        results.append(told(call)[1])
+    expect(results == ['welcome', 'welcome', 'full'],
+           f'After the lock was repaired, three people were told {results}, expected welcome, welcome, full.', 'locked')
+
+
+@pytest.mark.weight(3)
+@pytest.mark.rules('capacity', 'full', 'one-thread')
+@about('one-thread')
+def test_all_at_once(learner):
+    """However many call enter at the same time, no more than capacity get in.
+
+    Between the look at self.inside and its change there is an await: no second enter may run there.
+    """
+    capacity, people = learner.random.choice([(1, 3), (2, 4), (3, 5)])
+    lock, enter, _, _ = guard(learner, {'success': True}, capacity, delay=1.0)
+    calls = [enter.send() for _ in range(people)]
+    learner.run(people + 2.0)
+    words = [told(call)[1] for call in calls]
+    expect(words.count('welcome') <= capacity,
+           f'{people} people called enter at the same time; {words.count("welcome")} of them got in, with the capacity '
+           f'{capacity}. While one enter awaits the lock, the next one looks at the same count: enter must stay in a '
+           'mutually exclusive group.', 'capacity')
+    expect(words == ['welcome'] * capacity + ['full'] * (people - capacity),
+           f'{people} people at the same time, capacity {capacity}: they were told {words}.', 'capacity')
+    expect(len(lock.requests) == capacity, f'{people} people, capacity {capacity}: the lock was asked '
+                                           f'{len(lock.requests)} times. If it is full, do not ask.', 'full')
+
+
+@pytest.mark.rules('open', 'one-thread')
+@about('one-thread')
+def test_some_refused_at_once(learner):
+    """A place that the lock refused goes to the next one who waits.
+
+    Count after the answer, and let one enter end before the next one looks.
+    """
+    lock, enter, _, _ = guard(learner, iter([{'success': False}, {'success': True}, {'success': True}]), 1, delay=0.5)
+    calls = [enter.send() for _ in range(3)]
+    learner.run(4.0)
+    words = [told(call)[1] for call in calls]
+    expect(words == ['locked', 'welcome', 'full'],
+           f'Three at the same time, capacity 1, the lock refuses the first: they were told {words}, expected locked, '
+           'welcome, full.', 'open')
+
+
+@pytest.mark.rules('leave', 'one-thread')
+@about('one-thread')
+def test_leaving(learner):
+    """Who leaves makes room; an empty room stays empty.
+
+    The count never goes below 0.
+    """
+    _, enter, leave, _ = guard(learner, {'success': True}, 1)
+    words = []
+    for client in (leave, leave, enter, enter, leave, enter):
+        call = client.send()
+        learner.run(0.1)
+        words.append(told(call)[0])
+    expect(words == [True, True, True, False, True, True],
+           f'leave, leave, enter, enter, leave, enter with the capacity 1 gave {words}.', 'leave')
+
+
+@pytest.mark.rules('names', 'one-thread')
+@about('one-thread')
+def test_two_rooms(learner):
+    """Each of two guards opens the lock of its own room.
+
+    A relative name has no leading slash.
+    """
+    rooms = [guard(learner, {'success': True}, namespace=f'/room_{number}') for number in (1, 2)]
+    expect(rooms[1][3].name == '/room_2/door_guard', f'Your node is called {rooms[1][3].name}, expected '
+                                                     '/room_2/door_guard.', 'names')
+    call = rooms[1][1].send()
+    learner.run(0.3)
+    counts = [len(room[0].requests) for room in rooms]
+    expect(counts == [0, 1], f'The guard of room 2 was asked; the locks of the rooms 1 and 2 got {counts} requests. A '
+                             'relative name has no leading slash.', 'names')
+    expect(told(call) == (True, 'welcome'), f'enter in room 2 says {told(call)}.', 'names')

@@ -1,0 +1,227 @@
+"""Hidden tests of exercise 5.2, a client with a deadline."""
+
+import time
+
+import pytest
+from example_interfaces.action import Fibonacci
+from std_msgs.msg import String
+
+from helpers.runner import about, actions, expect
+
+pytestmark = [pytest.mark.exercise('5.2'), pytest.mark.wiring(type='names', qos='once')]
+NEAR = 0.011  # s
+
+
+def plan(goal):
+    """One number every 0.5 s."""
+    steps = [(0.5, Fibonacci.Feedback(sequence=range(n + 1))) for n in range(goal.order)]
+    return [*steps, (0.0, Fibonacci.Result(sequence=range(goal.order)))]
+
+
+def begin(learner, order, patience, steps=plan, **server):
+    outcome = learner.listen('/outcome', String)
+    server = learner.action_server('/fibonacci', Fibonacci, steps, **server)
+    return outcome, server, learner.start('PatientClient', order, patience)
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('send', 'names', 'word', 'deadline')
+@about('send')
+def test_in_time(learner):
+    """A goal that ends in time is not cancelled, also not afterwards, and has one outcome.
+
+    Cancel the timer of the deadline when the result comes.
+    """
+    order = learner.random.randint(2, 5)
+    outcome, server, node = begin(learner, order, 3.0)
+    learner.run(6.0)
+    expect(node.name == '/patient_client', f'Your node is called {node.name}, expected /patient_client.', 'names')
+    expect([goal.request.order for goal in server.goals] == [order],
+           f'The orders {[goal.request.order for goal in server.goals]} came, expected one goal, {order}.',
+           'send')
+    expect(outcome.data == [f'succeeded {list(range(order))}'],
+           f'/outcome said {outcome.data}, expected ["succeeded {list(range(order))}"], once.', 'word')
+    expect(not server.cancel_stamps, 'A cancel request came for a goal that ended in time.', 'deadline')
+    expect(server.goals[0].arrived < 0.35, f'The goal came {server.goals[0].arrived:g} s after the start.',
+           'send')
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('deadline', 'result')
+@about('deadline')
+def test_deadline(learner):
+    """The cancel request comes `patience` seconds after the goal was accepted; then the result is waited for.
+
+    The server may need time to stop. Its result tells what really happened.
+    """
+    patience = learner.random.choice([1.25, 1.7, 2.35])
+    outcome, server, _ = begin(learner, 30, patience, cancel_delay=3.0, partial=Fibonacci.Result(sequence=[5, 6]))
+    learner.run(patience + 1.8)
+    expect(server.goals, 'No goal came.', 'deadline')
+    goal = server.goals[0]
+    expect(goal.cancelled is not None, 'The deadline passed, and no cancel request came: to stop waiting does not stop '
+                                       'the robot.', 'deadline')
+    expect(goal.cancelled - goal.arrived == pytest.approx(patience, abs=NEAR),
+           f'The cancel request came {goal.cancelled - goal.arrived:.2f} s after the goal was accepted, expected '
+           f'{patience:g} s.', 'deadline')
+    expect(not outcome.data, f'/outcome said {outcome.data} before the result was there. The server had accepted the '
+                             'cancel request and was still stopping: wait for its result.', 'result')
+    learner.run(3.0)
+    expect(outcome.data == ['canceled [5, 6]'], f'/outcome said {outcome.data}, expected ["canceled [5, 6]"].',
+           'result')
+
+
+@pytest.mark.rules('word', 'send')
+@about('word')
+def test_rejected(learner):
+    """A rejected goal has no result and no deadline.
+
+    Look at accepted first.
+    """
+    outcome, server, _ = begin(learner, 3, 1.0, accept=False)
+    learner.run(4.0)
+    expect(outcome.data == ['rejected []'], f'The goal was rejected, and /outcome said {outcome.data}. '
+                                            'Look at accepted first.', 'word')
+    expect(len(server.goals) == 1, f'{len(server.goals)} goals came, expected one.', 'send')
+
+
+@pytest.mark.rules('word')
+@about('word')
+def test_aborted(learner):
+    """A goal that the server gives up has the outcome "aborted".
+
+    The status stands beside the result: .result().status.
+    """
+    outcome, _, _ = begin(learner, 3, 3.0, [(1.0, actions.Aborted(Fibonacci.Result(sequence=[9])))])
+    learner.run(5.0)
+    expect(outcome.data == ['aborted [9]'], f'The server aborted the goal, and /outcome said {outcome.data}, '
+                                            'expected ["aborted [9]"]. Look at the status of the result.')
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('result')
+@about('result')
+def test_cancel_in_vain(learner):
+    """A server may refuse to cancel, or end the goal all the same: the result says what happened.
+
+    A cancel request is a request. Report the status of the result.
+    """
+    for cancel in ('reject', 'ignore'):
+        outcome, server, node = begin(learner, 8, 2.0, cancel=cancel)
+        learner.run(7.0)
+        expect(outcome.data == [f'succeeded {list(range(8))}'],
+               f'The goal went on after the cancel request ({cancel}) and succeeded; /outcome said {outcome.data}. '
+               'Report what the result says.')
+        node.stop()
+        server.stop()
+
+
+@pytest.mark.rules('once', 'result')
+@about('once')
+def test_race(learner):
+    """The result may come at the moment of the deadline: there is one outcome, and it is true.
+
+    One place that publishes, and timers that are cancelled.
+    """
+    outcome, server, _ = begin(learner, 4, 2.0)
+    learner.run(6.0)
+    expect(outcome.data in (['succeeded [0, 1, 2, 3]'], ['canceled []']),
+           f'The result came at the moment of the deadline, and /outcome said {outcome.data}.', 'once')
+    expect(outcome.data[0].split()[0] == server.goals[0].status,
+           f'The goal ended as {server.goals[0].status}, and /outcome said {outcome.data}.', 'result')
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('lost', 'numbers')
+@about('lost')
+def test_server_is_gone(learner):
+    """A server that ends in between never answers: 1 s after the cancel request the outcome is "lost".
+
+    The numbers are those of the last feedback: message.feedback.sequence.
+    """
+    outcome, server, _ = begin(learner, 30, 2.0)
+    learner.run(1.5)
+    server.stop()
+    seen = [0, 1] if server.goals and server.goals[0].arrived < 0.4 else None
+    learner.run(5.0)
+    expect(outcome.data, 'The server ended while the goal ran, and /outcome says nothing: the client waits for ever.',
+           'lost')
+    expect(outcome.data == [f'lost {seen}'], f'The server ended after the feedback {seen}; /outcome said '
+                                             f'{outcome.data}, expected ["lost {seen}"].',
+           'numbers' if outcome.data[0].startswith('lost [') else 'lost')
+    arrived = server.goals[0].arrived
+    expect(outcome.stamps[0] - arrived == pytest.approx(3.0, abs=2 * NEAR),
+           f'The outcome came {outcome.stamps[0] - arrived:.2f} s after the goal, expected 3 s: the deadline after '
+           '2 s, and 1 s for an answer.', 'lost')
+
+
+@pytest.mark.rules('at-once', 'send', 'deadline')
+@about('at-once')
+def test_server_comes_late(learner):
+    """The client may start before the server. Its constructor returns at once, and the deadline begins with the goal.
+
+    Look for the server in a timer; never wait in a constructor.
+    """
+    outcome = learner.listen('/outcome', String)
+    server = learner.action_server('/fibonacci', Fibonacci, plan)
+    server.stop()
+    node = learner.start('PatientClient', 2, 1.5)
+    learner.run(4.0)
+    expect(not outcome.data, f'There is no server, and /outcome said {outcome.data}.', 'send')
+    server.start()
+    learner.run(4.0)
+    expect(len(server.goals) == 1, f'The server came after 4 s, and {len(server.goals)} goals came in the 4 s after '
+                                   'that, expected one.', 'send')
+    expect(outcome.data and outcome.data[0].startswith('succeeded'),
+           f'/outcome said {outcome.data}, expected succeeded: the deadline begins when the goal is accepted.',
+           'deadline')
+    server.stop()
+    learner.settle()
+    times = []
+    while len(times) < 4 and min(times, default=1) >= 0.35:
+        started = time.monotonic()
+        learner.start('PatientClient', 2, 1.5, beside=node)
+        times.append(time.monotonic() - started)
+    expect(min(times) < 0.35, 'Without a server, the constructor takes long: it must not wait for the server.',
+           'at-once')
+
+
+@pytest.mark.rules('deadline', 'once')
+@about('deadline')
+def test_slow_answers(learner):
+    """The server accepts late, and answers the cancel request late: the deadlines count from the right moments.
+
+    The first one from the answer to the goal, the second one from the cancel request.
+    """
+    outcome, server, _ = begin(learner, 30, 1.4, partial=Fibonacci.Result(sequence=[3]))
+    server.late = {'goal': learner.random.choice([0.6, 1.1]), 'cancel': 1.3}
+    learner.run(4.5)
+    expect(outcome.data, 'The cancel request was not answered within 1 s, and nothing came on /outcome.', 'deadline')
+    sent = outcome.stamps[0] - 1.0 - server.goals[0].arrived
+    expect(sent == pytest.approx(1.4, abs=2 * NEAR),
+           f'The goal was accepted {server.late["goal"]} s late; the cancel request came {sent:.2f} s after that, '
+           'expected 1.4 s.', 'deadline')
+    learner.run(2.0)
+    expect(len(outcome) == 1, f'The cancel request was answered after 1.3 s; /outcome said {outcome.data}, expected '
+                              'one outcome.', 'once')
+
+
+
+@pytest.mark.rules('names')
+@about('names')
+def test_two_clients(learner):
+    """In a namespace all names move with the node; two clients each have their own goal and outcome.
+
+    Relative names, and all state in the object.
+    """
+    left, right = learner.listen('/left/outcome', String), learner.listen('/right/outcome', String)
+    servers = [learner.action_server(f'/{side}/fibonacci', Fibonacci, plan, partial=Fibonacci.Result(sequence=[4]))
+               for side in ('left', 'right')]
+    learner.start('PatientClient', 2, 2.0, remap={'__ns': '/left'})
+    learner.start('PatientClient', 20, 2.0, remap={'__ns': '/right'})
+    learner.run(4.0)
+    counts = [len(server.goals) for server in servers]
+    expect(counts == [1, 1], f'Two clients in two namespaces sent {counts} goals to the servers in theirs.')
+    said = [heard.data[0].split()[0] if heard.data else '' for heard in (left, right)]
+    expect(said == ['succeeded', 'canceled'], f'Two clients with a short and a long goal said {left.data} and '
+                                              f'{right.data}.')

@@ -1,0 +1,173 @@
+"""Hidden tests of exercise 5.3, the newest goal wins."""
+
+import pytest
+from example_interfaces.action import Fibonacci
+
+from helpers.runner import about, expect
+
+pytestmark = [pytest.mark.exercise('5.3'), pytest.mark.wiring(type='names')]
+
+
+def serve(learner):
+    client = learner.action_client('/count', Fibonacci)
+    return client, learner.start('NewestWins', threads=True)
+
+
+def up_to(count):
+    return list(range(1, count + 1))
+
+
+@pytest.mark.weight(3)
+@pytest.mark.rules('newest', 'names', 'aborted', 'stops')
+@about('newest')
+def test_newest_wins(learner):
+    """A new goal ends the old one: aborted within 0.5 s, with the numbers that it had when the new one came.
+
+    abort() is for a goal that the server gives up; canceled() only for one that a client asked to cancel.
+    """
+    client, node = serve(learner)
+    expect(node.name == '/newest_wins', f'Your node is called {node.name}, expected /newest_wins.', 'names')
+    count = learner.random.randint(1, 4)
+    old = client.send(order=30)
+    learner.run(0.5 * count + 0.2)
+    new = client.send(order=4)
+    learner.run(0.5)
+    expect(new.accepted, 'A new goal was rejected while another one ran. The newest goal wins.', 'newest')
+    expect(old.done, 'A new goal was accepted, and the old one did not end within 0.5 s.', 'aborted')
+    expect(old.status == 'aborted', f'The old goal ended as {old.status}, expected aborted: nobody asked to cancel it.',
+           'aborted')
+    expect(list(old.result.sequence) == up_to(count),
+           f'The old goal had {up_to(count)} when the new one came, and its result is {list(old.result.sequence)}.',
+           'stops' if len(old.result.sequence) > count else 'aborted')
+    expect(len(old.feedback) == count, 'The old goal sent feedback after the new one had come.', 'stops')
+    learner.run(1.6)
+    expect(new.status == 'succeeded' and list(new.result.sequence) == up_to(4),
+           f'The new goal ended as {new.status}, expected succeeded with [1, 2, 3, 4]. Each goal counts for itself.',
+           'newest')
+    took = new.finished - new.sent
+    expect(took == pytest.approx(2.0), f'The new goal of order 4 took {took:g} s, expected 2 s: it begins at once. '
+                                       'Each goal counts for itself.', 'newest')
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('newest', 'aborted')
+@about('newest')
+def test_many_goals(learner):
+    """Of several goals in a row, also at the same moment, only the last one succeeds, and after it the next one.
+
+    Compare with the newest goal; a flag would also stop the one that comes after.
+    """
+    client, _ = serve(learner)
+    goals = [client.send(order=5) for _ in range(3)]
+    learner.run(0.7)
+    goals.append(client.send(order=2))
+    learner.run(1.5)
+    after = client.send(order=1)
+    learner.run(1.0)
+    expect(all(goal.accepted for goal in goals), 'A goal was rejected because another one ran.', 'newest')
+    expect([goal.status for goal in goals[:2]] == ['aborted'] * 2,
+           f'Three goals came at one moment; the first two ended as {[goal.status for goal in goals[:2]]}.',
+           'aborted')
+    expect(goals[2].status == 'aborted' and list(goals[2].result.sequence) == [1],
+           f'The third of three goals had counted to 1 when the fourth came; it ended as {goals[2].status}.', 'aborted')
+    expect(goals[3].status == 'succeeded', f'The last goal ended as {goals[3].status}, expected succeeded.',
+           'newest')
+    expect(after.status == 'succeeded', f'A goal that came when nothing ran ended as {after.status}.', 'newest')
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('rejected', 'orders')
+@about('rejected')
+def test_rejected_goals_disturb_nobody(learner):
+    """A goal below 1 is rejected, and the goal that runs goes on.
+
+    The goal callback only decides. What has to happen for a goal that was accepted belongs into
+    handle_accepted_callback.
+    """
+    client, _ = serve(learner)
+    goal = client.send(order=4)
+    learner.run(0.7)
+    bad = [client.send(order=0), client.send(order=-learner.random.randint(1, 99))]
+    learner.run(2.0)
+    expect([other.accepted for other in bad] == [False, False], 'An order below 1 was accepted.',
+           'orders')
+    expect(goal.status == 'succeeded', f'A goal was rejected, and the goal that ran ended as {goal.status}: '
+                                       'only an accepted goal takes over.', 'rejected')
+
+
+@pytest.mark.rules('cancel', 'newest')
+@about('cancel')
+def test_cancel(learner):
+    """A goal can be cancelled: canceled within 0.5 s, with the numbers so far. Then another one can run.
+
+    As in exercise 5.1.
+    """
+    client, _ = serve(learner)
+    goal = client.send(order=9)
+    learner.run(0.7)
+    cancel = goal.cancel()
+    learner.run(0.5)
+    expect(cancel.answer == 'accepted', 'A cancel request was not accepted.', 'cancel')
+    expect(goal.status == 'canceled', f'A cancelled goal ended as {goal.status}, expected canceled.', 'cancel')
+    expect(list(goal.result.sequence) == [1], f'The result is {list(goal.result.sequence)}, expected [1].', 'cancel')
+    after = client.send(order=1)
+    learner.run(0.6)
+    expect(after.status == 'succeeded', f'The goal after a cancelled one ended as {after.status}.', 'newest')
+
+
+@pytest.mark.rules('count', 'feedback', 'succeeds')
+@about('count')
+def test_alone(learner):
+    """A goal that nobody disturbs counts to its order, one number every 0.5 s, with one feedback for each.
+
+    As in exercise 5.1.
+    """
+    client, _ = serve(learner)
+    learner.run(0.3)
+    order = learner.random.randint(2, 6)
+    goal = client.send(order=order)
+    learner.run(order / 2 + 1.0)
+    expect(goal.status in (None, 'succeeded'), f'A goal alone ended as {goal.status}, expected succeeded.', 'succeeds')
+    expect(goal.status and list(goal.result.sequence) == up_to(order),
+           f'A goal of order {order} did not end with {up_to(order)}.', 'count')
+    took = goal.finished - goal.sent
+    expect(took == pytest.approx(order / 2), f'Order {order} took {took:g} s, expected {order / 2} s.', 'count')
+    expect(len(goal.stamps) == order, f'{len(goal.stamps)} feedback messages came for {order} numbers.', 'feedback')
+    expect([stamp - goal.sent for stamp in goal.stamps] == pytest.approx([n / 2 for n in up_to(order)]),
+           f'The numbers came at {goal.stamps} s.', 'count')
+
+
+@pytest.mark.rules('aborted')
+@about('aborted')
+def test_two_clients(learner):
+    """The goals of two clients share one server: the newest wins, whoever sent it.
+
+    The policy is the server's.
+    """
+    left, _ = serve(learner)
+    right = learner.action_client('/count', Fibonacci)
+    first = left.send(order=9)
+    learner.run(0.6)
+    second = right.send(order=2)
+    learner.run(1.5)
+    expect((first.status, second.status) == ('aborted', 'succeeded'),
+           f'Two clients sent a goal each; they ended as {first.status} and {second.status}, '
+           'expected aborted and succeeded.')
+
+
+@pytest.mark.rules('names')
+@about('names')
+def test_restart(learner):
+    """A second server, after the first one has ended, begins with nothing, also in a namespace.
+
+    A relative name, and state in the object.
+    """
+    client = learner.action_client('/shop/count', Fibonacci)
+    first = learner.start('NewestWins', threads=True, remap={'__ns': '/shop'})
+    client.send(order=9)
+    learner.run(0.7)
+    first.stop()
+    learner.start('NewestWins', threads=True, remap={'__ns': '/shop'})
+    goal = client.send(order=1)
+    learner.run(1.0)
+    expect(goal.status == 'succeeded', f'After a restart of the server a goal ended as {goal.status}.')

@@ -1,0 +1,69 @@
+from grading.variants import Mutant
+
+MUTANTS = [
+    Mutant('all_on_the_base', old='''
+        transform('mast', 'lidar', z=height, roll=math.pi),
+        transform('mast', 'camera', x=0.05, z=height - 0.1, pitch=math.radians(tilt)),
+        transform('camera', 'camera_optical', roll=-math.pi / 2, yaw=-math.pi / 2),
+        ''', new='''
+        transform('base_link', 'lidar', z=height, roll=math.pi),
+        transform('base_link', 'camera', x=0.05, z=height - 0.1, pitch=math.radians(tilt)),
+        transform('base_link', 'camera_optical', roll=-math.pi / 2, yaw=-math.pi / 2),
+        ''', expect='The parent of `lidar` is `base_link`', rejected_by='test_tree'),
+    Mutant('degrees', old='math.radians(tilt)', new='tilt', expect='The tilt was taken for radians',
+           rejected_by='test_camera'),
+    Mutant('last_one_only', edits=(('''
+            self.broadcaster = StaticTransformBroadcaster(self)
+            self.broadcaster.sendTransform([
+            ''', '''
+            latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+            self.publisher = self.create_publisher(TFMessage, '/tf_static', latched)
+            for message in (
+            '''),
+            ('])', '''
+            ):
+                self.publisher.publish(TFMessage(transforms=[message]))
+            ''')), imports='''
+        from rclpy.qos import DurabilityPolicy, QoSProfile
+        from tf2_msgs.msg import TFMessage
+        ''', expect='It gets the last message of each publisher', rejected_by='test_tree'),
+    Mutant('lidar_looks_back', old=', roll=math', new=', pitch=math',
+           expect='The x axis of the lidar points along (-1, 0, 0)', rejected_by='test_lidar'),
+    Mutant('looks_up', old='pitch=math.', new='pitch=-math.', expect='That is up.', rejected_by='test_camera'),
+    Mutant('on_tf', old='StaticTransformBroadcaster', new='TransformBroadcaster',
+           expect='Your transforms went to /tf.', rejected_by='test_tree'),
+    Mutant('optical_is_camera', old="', roll=-math.pi / 2, yaw=-math.pi / 2)", new="')",
+           expect='The z axis of camera_optical points along (0, 0, 1)', rejected_by='test_optical'),
+    Mutant('place_in_base_link', old='0.05, z=height - 0.1', new='-0.05, z=height + 0.2', expect='`camera` is at',
+           rejected_by='test_places'),
+    Mutant('swapped', old='''
+        transform('base_link', 'mast', x=-0.1, z=0.3),
+        transform('mast', 'lidar', z=height, roll=math.pi),
+        transform('mast', 'camera', x=0.05, z=height - 0.1, pitch=math.radians(tilt)),
+        transform('camera', 'camera_optical', roll=-math.pi / 2, yaw=-math.pi / 2),
+        ''', new='''
+        transform('mast', 'base_link', x=-0.1, z=0.3),
+        transform('lidar', 'mast', z=height, roll=math.pi),
+        transform('camera', 'mast', x=0.05, z=height - 0.1, pitch=math.radians(tilt)),
+        transform('camera_optical', 'camera', roll=-math.pi / 2, yaw=-math.pi / 2),
+        ''', expect='Parent and child are swapped', rejected_by='test_tree'),
+    Mutant('w_first', source='''
+def placed(parent, child, roll=0.0, pitch=0.0, yaw=0.0, **place):
+    message = transform(parent, child, **place)
+    x, y, z, w = map(float, quaternion_from_euler(roll, pitch, yaw))
+    message.transform.rotation = Quaternion(x=w, y=x, z=y, w=z)
+    return message
+
+
+class SensorMast(Node):
+    def __init__(self, height=1.0, tilt=20.0):
+        super().__init__('sensor_mast')
+        self.broadcaster = StaticTransformBroadcaster(self)
+        self.broadcaster.sendTransform([
+            placed('base_link', 'mast', x=-0.1, z=0.3),
+            placed('mast', 'lidar', z=height, roll=math.pi),
+            placed('mast', 'camera', x=0.05, z=height - 0.1, pitch=math.radians(tilt)),
+            placed('camera', 'camera_optical', roll=-math.pi / 2, yaw=-math.pi / 2),
+        ])
+''', expect='In which order does a Quaternion have x, y, z and w?', rejected_by='test_lidar'),
+]

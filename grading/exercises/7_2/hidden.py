@@ -1,0 +1,71 @@
+"""Hidden tests of exercise 7.2, a program that is not found. Every package is drawn."""
+
+import pytest
+
+from helpers.checks.chapter_07.packages import CAUSES, Package
+from helpers.runner import about
+
+pytestmark = pytest.mark.exercise('7.2')
+
+
+@pytest.mark.rules('file', 'module', 'function', 'kept')
+def test_healthy_package(learner):
+    """A package without a fault gives an empty list, and is not changed.
+
+    Two modules may have functions of other names than main.
+    """
+    for _ in range(3):
+        package = Package(learner.random)
+        package.diagnose(learner)
+        with about('kept'):
+            package.check(learner.call('repair_package', package.files))
+
+
+@pytest.mark.rules('file', 'module', 'function')
+@pytest.mark.weight(2)
+@pytest.mark.parametrize('cause', CAUSES)
+def test_one_program(learner, cause):
+    """A program that would not start is found, with its cause and its entry point.
+
+    The table has three causes; each has more than one form.
+    """
+    for form in range(12):
+        with about(cause):
+            Package(learner.random, cause, form=form).diagnose(learner)
+
+
+@pytest.mark.rules('all')
+def test_several_programs(learner):
+    """Each program is judged by itself.
+
+    Do not return after the first one.
+    """
+    for _ in range(5):
+        Package(learner.random, *learner.random.choices(CAUSES, k=3)).diagnose(learner, 'all')
+
+
+@pytest.mark.rules('repaired', 'kept')
+@pytest.mark.weight(2)
+def test_repaired_entry_points(learner):
+    """After the repair each program leads to its own function, also where two had the same wrong one.
+
+    Replace an entry as a whole, by the name of its program.
+    """
+    for causes in (['file'], ['function'], ['module', 'module', 'module', 'module'], ['file', 'function', 'module']):
+        for _ in range(5):
+            package = Package(learner.random, *causes)
+            package.diagnose(learner, 'all')
+            with about('repaired'):
+                package.check(learner.call('repair_package', package.files))
+
+
+@pytest.mark.rules('repaired')
+@pytest.mark.weight(2)
+def test_it_runs(learner):
+    """The repaired package is built with colcon, and all its programs run.
+
+    This is what the user sees.
+    """
+    package = Package(learner.random, *CAUSES)
+    package.diagnose(learner, 'all')
+    package.build(learner, learner.call('repair_package', package.files))

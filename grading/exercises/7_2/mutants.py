@@ -1,0 +1,54 @@
+from grading.variants import Mutant
+
+CAUSE = {'seen_by': 'test_causes', 'also': 'all'}
+FUNCTION = {**CAUSE, 'breaks': 'function', 'rejected_by': 'test_one_program[function]'}
+MODULE = {**CAUSE, 'breaks': 'module', 'rejected_by': 'test_one_program[module]'}
+REPAIR = {'seen_by': 'test_repair', 'rejected_by': 'test_repaired_entry_points'}
+REPLACE = 'setup = re.sub(rf"([\'\\"])({program})\\s*=[^\'\\"]*", rf\'\\1\\2 = {package}.{program}:{function}\', setup)'
+
+MUTANTS = [
+    Mutant('first_program_only', old='    return found\n', new='    return found[:1]\n', breaks='all',
+           expect='You did not find', seen_by='test_causes', rejected_by='test_several_programs'),
+    Mutant('no_file', old="if '/' in value or module.endswith('.py'):", new="if not value:", breaks='file',
+           expect='no `/`, no `.py`', rejected_by='test_one_program[file]', **CAUSE),
+    Mutant('slashes_only', old="if '/' in value or module.endswith('.py'):", new="if '/' in value:", breaks='file',
+           expect='no `/`, no `.py`', rejected_by='test_one_program[file]', **CAUSE),
+    Mutant('right_side_ends_in_py', old="module.endswith('.py')", new="value.endswith('.py')", breaks='file',
+           expect='no `/`, no `.py`', rejected_by='test_one_program[file]', **CAUSE),
+    Mutant('no_module', old="found.append(Finding('A7.4', program, 'module', value))", new='pass',
+           expect='looked up among the files', **MODULE),
+    Mutant('module_without_package', old="text = files.get(module.replace('.', '/') + '.py')",
+           new="text = next((text for name, text in files.items() if name.endswith('/' + module.split('.')[-1] + '.py')), None)",
+           expect='looked up among the files of the package', **MODULE),
+    Mutant('module_as_evidence', old="Finding('A7.4', program, 'module', value)",
+           new="Finding('A7.4', program, 'module', module)", expect='your evidence is', **MODULE),
+    Mutant('where_is_the_package', old="Finding('A7.4', program, 'module', value)",
+           new="Finding('A7.4', module.split('.')[0], 'module', value)", expect='your place is', **MODULE),
+    Mutant('no_function', old="found.append(Finding('A7.4', program, 'function', value))", new='pass',
+           expect='stands at the left margin', **FUNCTION),
+    Mutant('methods_count', old="(rf'^def {function", new=r"(rf'^\s*def {function", expect='a method of a class',
+           **FUNCTION),
+    Mutant('beginnings_count', old=r"(rf'^def {function}\(', text", new="(rf'^def {function}', text",
+           expect='a longer name that only begins so', **FUNCTION),
+    Mutant('none_named_is_right', old='elif not re.search', new='elif function and not re.search',
+           expect='is named after a colon', **FUNCTION),
+    Mutant('only_main_is_right', old=r"re.search(rf'^def {function}\(', text, re.MULTILINE):",
+           new="function == 'main':", expect='there is no such fault', **FUNCTION),
+    Mutant('repairs_nothing', old="return {**files, 'setup.py': setup}", new='return dict(files)', breaks='repaired',
+           expect='After your repair', **REPAIR),
+    Mutant('repair_by_value', old=REPLACE,
+           new="setup = setup.replace(finding.evidence, f'{package}.{program}:{function}')", breaks='repaired',
+           also='kept', expect='After your repair', **REPAIR),
+    Mutant('always_main', old=REPLACE, new=REPLACE.replace('{function}', 'main'), breaks='repaired',
+           expect='After your repair', **REPAIR),
+    Mutant('repairs_the_first', old='for finding in diagnose_package(files):',
+           new='for finding in diagnose_package(files)[:1]:', breaks='repaired', expect='After your repair', **REPAIR),
+    Mutant('setup_alone', old="return {**files, 'setup.py': setup}", new="return {'setup.py': setup}", breaks='kept',
+           expect='must return all files', **REPAIR),
+    Mutant('every_program_gets_main', old="return {**files, 'setup.py': setup}", new='''
+    for program, value in entry_points(files['setup.py']).items():
+        if program not in [finding.where for finding in diagnose_package(files)]:
+            setup = setup.replace(value, value.partition(':')[0] + ':main_')
+    return {**files, 'setup.py': setup}
+''', breaks='kept', expect='After your repair', **REPAIR),
+]

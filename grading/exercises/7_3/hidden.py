@@ -1,0 +1,117 @@
+"""Hidden tests of exercise 7.3, who does not hear whom. Every graph is drawn."""
+
+import pytest
+
+from helpers.checks.chapter_07 import graphs
+from helpers.runner import about, expect
+
+pytestmark = pytest.mark.exercise('7.3')
+
+
+def check(learner, *faults, rule='', times=4):
+    for _ in range(times):
+        with about(rule or faults[0]):
+            graphs.diagnose(learner, *faults, rule=rule)
+
+
+@pytest.mark.rules('read', 'node-name', 'usual')
+@pytest.mark.weight(2)
+def test_read_topics(learner):
+    """read_topics sees every publisher and subscription with node, name, type and QoS, in a namespace, too.
+
+    The node's name is its namespace and its name, with one `/` between. What `usual` is true for is left out.
+    """
+    endpoints = [end for end in graphs.draw(learner.random, 'both', 'healthy', 'durability')[0]
+                 if end['role'] in ('publisher', 'subscription')]
+    secret = {**endpoints[0], 'node': '/_secret', 'role': 'subscription'}
+    with graphs.System(learner.context.get_domain_id()) as system, about('read'):
+        for endpoint in [secret, *endpoints]:
+            system.add(endpoint)
+        seen = learner.call('endpoints_here', len(endpoints), 5.0)
+    graphs.check_read(seen, endpoints)
+
+
+@pytest.mark.rules('fits')
+def test_healthy_graph(learner):
+    """What fits gives no finding: an offer that is better than what is asked for, and whoever is alone as a sender.
+
+    Compare what is asked for with what is offered, not for being equal.
+    """
+    check(learner, 'healthy', 'healthy', 'healthy', rule='fits')
+
+
+@pytest.mark.rules('name', 'nobody')
+def test_names(learner):
+    """A misspelt name and a name in another namespace are found; a name that nobody has is `nobody`.
+
+    Only names of the same type can be meant.
+    """
+    check(learner, 'name')
+    check(learner, 'nobody')
+    graphs.other_type(learner)
+
+
+@pytest.mark.rules('type')
+def test_types(learner):
+    """Two types under one name are found.
+
+    The evidence is the type of the publisher or server.
+    """
+    check(learner, 'type')
+
+
+@pytest.mark.rules('reliability', 'durability')
+@pytest.mark.weight(2)
+def test_policies(learner):
+    """Each policy that does not fit is a finding; if both do not fit, there are two.
+
+    Who asks for less than is offered gets it.
+    """
+    check(learner, 'reliability')
+    check(learner, 'durability')
+    check(learner, 'both', rule='durability')
+
+
+@pytest.mark.rules('row')
+def test_description(learner):
+    """The topic /robot_description has its own row, A7.10, and services have theirs.
+
+    By the name that the subscription uses.
+    """
+    for fault in ('description nobody', 'description durability', 'service name', 'service nobody', 'service type'):
+        check(learner, fault, rule='row', times=2)
+
+
+@pytest.mark.rules('all')
+def test_several(learner):
+    """Several faults in one graph are several findings.
+
+    Look at every subscription and every client.
+    """
+    check(learner, *learner.random.sample(graphs.CAUSES, 3), 'service name', rule='all')
+
+
+@pytest.mark.rules('remapping', 'override')
+@pytest.mark.weight(2)
+@pytest.mark.parametrize('fault', ['name', 'reliability', 'durability'])
+def test_it_hears(learner, fault):
+    """A node that is started again with your arguments hears what is published.
+
+    A remapping rule is -r FROM:=TO, a parameter -p NAME:=VALUE.
+    """
+    rule = 'remapping' if fault == 'name' else 'override'
+    with about(rule):
+        graphs.started_again(learner, fault, 10.0, rule)
+
+
+@pytest.mark.rules('no-repair')
+def test_no_repair(learner):
+    """A wrong type, or nobody there, cannot be repaired by arguments: the repair is an empty list.
+
+    Somebody must change a program, or start one.
+    """
+    for fault in ('type', 'nobody', 'service type', 'service nobody'):
+        finding = graphs.draw(learner.random, fault)[1][0]
+        with about('no-repair'):
+            arguments = learner.call('repair_finding_of_graph', list(finding))
+        expect(arguments == [], f'For {finding} repair_graph gave {arguments}, expected [].', 'no-repair')

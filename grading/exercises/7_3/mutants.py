@@ -1,0 +1,56 @@
+from grading.variants import Mutant
+
+DIAGNOSE = {'seen_by': 'test_diagnose', 'also': ('all', 'row')}
+READ = {'seen_by': 'test_read', 'rejected_by': 'test_read_topics'}
+REPAIR = {'seen_by': 'test_repair'}
+NEAR = "faults = [('name', near) if near else ('nobody', '')]"
+
+MUTANTS = [
+    Mutant('double_slash', old="end.node_namespace.rstrip('/')}/{", new='end.node_namespace}/{', breaks='node-name',
+           expect='There is', **READ),
+    Mutant('no_namespace', old='f"{end.node_namespace.rstrip(\'/\')}/{end.node_name}"', new="f'/{end.node_name}'",
+           breaks='node-name', expect='There is', **READ),
+    Mutant('publishers_only', old="('subscription', node.get_subscriptions_info_by_topic(name))):", new='):',
+           breaks='read', expect='you have it not', **READ),
+    Mutant('policies_exchanged', edits=(
+        ('end.qos_profile.reliability.name', 'end.qos_profile.durability.name'),
+        ("'durability': end.qos_profile.durability.name", "'durability': end.qos_profile.reliability.name")),
+           breaks='read', expect='There is', **READ),
+    Mutant('nothing_left_out', old='return [endpoint for endpoint in found if not usual(endpoint)]',
+           new='return found', breaks='usual', expect='left out by `usual`', **READ),
+    Mutant('no_name', old=NEAR, new="faults = [('nobody', '')]", breaks='name', expect='You did not find',
+           rejected_by='test_names', **DIAGNOSE),
+    Mutant('names_of_any_type', old="[e['name'] for e in senders if e['type'] == end['type']])",
+           new="[e['name'] for e in endpoints])", breaks='nobody', expect='You did not find',
+           rejected_by='test_names', seen_by='test_diagnose', also=('all', 'row', 'name')),
+    Mutant('no_nobody', old=NEAR, new="faults = [('name', near)] if near else []", breaks='nobody',
+           expect='You did not find', rejected_by='test_names', **DIAGNOSE),
+    Mutant('own_type_as_evidence', old="faults = [('type', there[0]['type'])]",
+           new="faults = [('type', end['type'])]", breaks='type', expect='your evidence is', rejected_by='test_types',
+           **DIAGNOSE),
+    Mutant('no_type', old="faults = [('type', there[0]['type'])]", new='faults = []', breaks='type',
+           expect='You did not find', rejected_by='test_types', **DIAGNOSE),
+    Mutant('equal_or_not', old='[key] == strong[key] != there', new='[key] != there', breaks='fits',
+           expect='the other way round it fits', rejected_by='test_healthy_graph', seen_by='test_diagnose',
+           also=('name', 'nobody', 'type', 'reliability', 'durability', 'row', 'all')),
+    Mutant('no_reliability', old="strong = {'reliability': 'RELIABLE', 'durability'", new="strong = {'durability'",
+           breaks='reliability', also=('all', 'durability'), expect='You did not find', rejected_by='test_policies',
+           seen_by='test_diagnose'),
+    Mutant('no_durability', old="'RELIABLE', 'durability': 'TRANSIENT_LOCAL'}", new="'RELIABLE'}",
+           breaks='durability', expect='You did not find', rejected_by='test_policies', **DIAGNOSE),
+    Mutant('first_policy_only', old='there[0][key]]', new='there[0][key]][:1]', breaks='durability',
+           expect='You did not find', seen_by='test_diagnose', rejected_by='test_policies'),
+    Mutant('no_row_for_services', old="'A7.8' if end['role'] == 'client' else", new='', breaks='row', also='all',
+           expect='your row is', seen_by='test_diagnose', rejected_by='test_description'),
+    Mutant('no_row_for_models', old="'A7.10' if end['name'] == '/robot_description' else 'A7.6'", new="'A7.6'",
+           breaks='row', expect='your row is', seen_by='test_diagnose', rejected_by='test_description'),
+    Mutant('one_finding', old='    return found\n\n\ndef repair', new='    return found[:1]\n\n\ndef repair',
+           breaks='all', also='durability', expect='You did not find', seen_by='test_diagnose',
+           rejected_by='test_several'),
+    Mutant('maps_backwards', old="f'{name}:={value}'", new="f'{value}:={name}'", breaks='remapping',
+           expect='still hears nothing', rejected_by='test_it_hears[name]', **REPAIR),
+    Mutant('overrides_the_publisher', old='.subscription.', new='.publisher.', breaks='override',
+           expect='still hears nothing', rejected_by='test_it_hears[reliability]', **REPAIR),
+    Mutant('remaps_to_nothing', old="if cause == 'name' else []", new="if cause != 'type' else []",
+           breaks='no-repair', expect='expected []', rejected_by='test_no_repair', **REPAIR),
+]

@@ -1,0 +1,116 @@
+"""Hidden tests of exercise 7.4, a program that stands still. All stacks are drawn, or taken from a drawn program."""
+
+import pytest
+
+from helpers.checks.chapter_07 import stacks
+from helpers.checks.chapter_07.findings import compare
+from helpers.programs import faults
+from helpers.runner import about, expect
+
+pytestmark = pytest.mark.exercise('7.4')
+
+
+def check(learner, *states, rule, times=6):
+    for _ in range(times):
+        with about(rule):
+            stacks.diagnose(learner, *states, rule=rule)
+
+
+@pytest.mark.rules('healthy')
+def test_healthy_threads(learner):
+    """Threads that spin, are idle, or wait for an answer outside of a callback, are healthy.
+
+    Only what stands in a callback stops others; a wait for a server is the exception.
+    """
+    check(learner, 'idle', 'spinning', rule='healthy')
+    check(learner, 'waits in main', rule='healthy')
+
+
+@pytest.mark.rules('server', 'call', 'spin', 'busy', 'own-call', 'all')
+@pytest.mark.weight(2)
+@pytest.mark.parametrize('cause', stacks.CAUSES)
+def test_one_thread(learner, cause):
+    """A thread that stands still is found, with the function and the source line of its own call.
+
+    The newest of the program's calls counts, and rclpy has files called client.py and executors.py, too.
+    """
+    for _ in range(3):
+        with about(cause):
+            stacks.diagnose(learner, cause, plain=True)
+    check(learner, cause, rule='own-call')
+    check(learner, cause, 'idle', 'spinning', rule='all')
+
+
+@pytest.mark.rules('all')
+def test_several_threads(learner):
+    """Each thread is judged by itself.
+
+    A MultiThreadedExecutor can hang in several callbacks.
+    """
+    check(learner, 'idle', *learner.random.sample(stacks.CAUSES, 3), 'spinning', rule='all')
+
+
+@pytest.mark.rules('call', 'busy')
+@pytest.mark.weight(2)
+@pytest.mark.parametrize('kind', ['call', 'loop'])
+def test_real_program(learner, kind):
+    """The stacks of a program that hangs now tell the same.
+
+    It is one of those that `faults.stage('A7.9')` stages.
+    """
+    fault = faults.plan('A7.9', learner.random.getrandbits(32), kind)
+    program = fault.diagnosis['where']
+    files = {name: text for name, text in fault.files.items() if name.endswith('.py')}
+    line = next(line.strip() for line in files[program].splitlines() if fault.diagnosis['line'] in line)
+    text = stacks.take(learner, files, program, line, newer='call' if kind == 'call' else '')
+    expected = ('A7.9', 'on_timer', 'busy' if kind == 'loop' else kind, line)
+    compare(learner.call('diagnose_stacks', text, files), [expected], stacks.WHY, given=text)
+
+
+@pytest.mark.rules('answer')
+@pytest.mark.weight(2)
+def test_answer(learner):
+    """If the server answers, the client prints the answer and ends with status 0.
+
+    The client's node must be spun to get it.
+    """
+    word, name = f'word {learner.random.randint(100, 999)}', f'/service_{learner.random.randint(10, 99)}'
+    printed, status = stacks.Client(learner).ask(name, 5, word)
+    expect((printed, status) == (f'answer: {word}', '0'),
+           f'The server answered `{word}`; the client printed `{printed}` and ended with status {status}.')
+
+
+@pytest.mark.rules('no-answer')
+@pytest.mark.weight(2)
+def test_silent_server(learner):
+    """If the server is there and never answers, the client prints so and ends with status 1.
+
+    Every wait has a timeout, also the one for the answer.
+    """
+    printed, status = stacks.Client(learner).ask('/silent', 1.5, '')
+    expect(status != 'none', 'The server never answers, and the client waits on and on.')
+    expect((printed, status) == ('no answer', '1'), f'The server never answers; the client printed `{printed}` and '
+                                                    f'ended with status {status}.')
+
+
+@pytest.mark.rules('no-server')
+def test_no_server(learner):
+    """Without a server, the client prints so after its time and ends with status 1.
+
+    wait_for_service(timeout_sec=…) returns False if there is none.
+    """
+    name = f'/missing_{learner.random.randint(10, 99)}'
+    printed, status = stacks.Client(learner).ask(name, 1, None)
+    expect((printed, status) == (f'no server for {name}', '1'),
+           f'There is no server for {name}; the client printed `{printed}` and ended with status {status}.')
+
+
+@pytest.mark.rules('interrupt')
+def test_interrupt(learner):
+    """Ctrl+C ends the client while it waits.
+
+    An `except` without a name catches KeyboardInterrupt, too.
+    """
+    ended = stacks.Client(learner).interrupt('/nobody')
+    expect(ended != 'early', 'The client ended before its time.')
+    expect(ended == 'True', 'The client did not end within two seconds after Ctrl+C.')

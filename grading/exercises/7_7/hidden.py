@@ -1,0 +1,119 @@
+"""Hidden tests of exercise 7.7, the mystery. Both faults are drawn, and all the rest."""
+
+import pytest
+
+from helpers.checks.chapter_07 import machines
+from helpers.checks.chapter_07.cases import FAULTS, Case, named
+
+pytestmark = pytest.mark.exercise('7.7')
+
+
+def find(learner, faults, rule):
+    Case(learner.random, faults).triage(learner, rule)
+
+
+@pytest.mark.rules('nothing')
+def test_healthy_case(learner):
+    """A case without a fault gives an empty list.
+
+    Each of your six tools gives one for its part.
+    """
+    find(learner, {}, 'nothing')
+
+
+@pytest.mark.rules('every-part', 'once')
+@pytest.mark.weight(3)
+def test_two_faults(learner):
+    """Two faults from different parts of the case are both found, and nothing else.
+
+    Every part of the case is asked.
+    """
+    for _ in range(3):
+        parts = learner.random.sample(sorted(FAULTS), len(FAULTS))
+        for pair in zip(parts[::2], parts[1::2], strict=True):
+            find(learner, {part: (learner.random.choice(FAULTS[part]),) for part in pair}, 'every-part')
+
+
+@pytest.mark.rules('hidden')
+@pytest.mark.weight(2)
+def test_hidden_by_a_name(learner):
+    """A misspelt topic hides that the QoS does not fit, either: both are found.
+
+    Look, repair, and look again.
+    """
+    for _ in range(3):
+        find(learner, {'graph': ('hidden',)}, 'hidden')
+
+
+@pytest.mark.rules('hidden')
+@pytest.mark.weight(2)
+def test_hidden_frames(learner):
+    """A wrong name in the tree of frames hides that a broadcaster has stopped: both are found.
+
+    Repair both lists of transforms, and look again.
+    """
+    for first in ('unknown', 'two parents', 'not connected'):
+        find(learner, {'frames': (first, 'old')}, 'hidden')
+
+
+@pytest.mark.rules('hidden')
+def test_three_rounds(learner):
+    """Three faults may hide one another: all are found.
+
+    Go on as long as there is something new.
+    """
+    for _ in range(2):
+        Case(learner.random, {'frames': ('unknown', 'not connected', 'old')}, moves=False).triage(learner, 'hidden')
+
+
+@pytest.mark.rules('ends', 'once', 'every-part')
+def test_beyond_repair(learner):
+    """What nobody can repair from outside is found once, and triage comes to an end.
+
+    Go on only while there is something new.
+    """
+    find(learner, {'graph': ('type', 'nobody')}, 'ends')
+    find(learner, {'stacks': learner.random.sample(FAULTS['stacks'], 2)}, 'every-part')
+
+
+@pytest.mark.rules('files', 'new-case')
+@pytest.mark.weight(2)
+def test_repaired_machine(learner):
+    """The repaired case has a machine on which a shell finds everything, and a package with right entry points.
+
+    repair_machine and repair_package.
+    """
+    case = Case(learner.random, {'machine': (learner.random.choice(machines.CAUSES[3:]), 'release'),
+                                 'package': ('module', 'function')})
+    with named('files'):
+        after = case.repaired(learner)
+        machines.try_out(learner, case.files, after['files'], case.want)
+        case.package.check(after['package'])
+
+
+@pytest.mark.rules('endpoints', 'new-case')
+@pytest.mark.weight(2)
+def test_repaired_graph(learner):
+    """In the repaired case everybody hears what they should, also after two repairs.
+
+    repair_graph gives the arguments, with_arguments the graph.
+    """
+    for faults in (['hidden'], ['service name', 'both'], ['description durability', 'name']):
+        case = Case(learner.random, {'graph': tuple(faults)})
+        case.check_graph(case.repaired(learner)['endpoints'])
+
+
+@pytest.mark.rules('transforms', 'files')
+@pytest.mark.weight(2)
+def test_repaired_frames(learner):
+    """In the repaired case tf2 finds the sensor, and the model can be simulated.
+
+    repair_tf for both lists, and repair_model.
+    """
+    for cause, moves in (('unknown', None), ('two parents', True), ('not connected', False)):
+        case = Case(learner.random, {'frames': (cause,), 'model': (learner.random.choice(FAULTS['model']),)}, moves)
+        with named('transforms'):
+            after = case.repaired(learner)
+            case.tree.check([after['moving'], after['static']])
+        with named('files'):
+            case.robot.check(after['urdf'])

@@ -1,0 +1,43 @@
+"""Hidden tests of exercise 8.10, start it: the same launch, judged once more where the marks are given."""
+
+import pytest
+
+from helpers.checks.chapter_08 import test_8_10
+from helpers.checks.chapter_08.test_8_10 import VALUES, story
+from helpers.runner import expect
+
+pytestmark = pytest.mark.exercise('8.10')
+
+
+@pytest.mark.rules('values', 'types', 'robot', 'sim-time')
+@pytest.mark.weight(2)
+def test_values(learner):
+    """The node has the values of delivery.yaml, and simulated time.
+
+    parameters=[path of the installed file, {'use_sim_time': True}].
+    """
+    values = story(learner)['/delivery_robot']
+    expect(values['use_sim_time'] is True, 'The node /delivery_robot has use_sim_time False: it does not live in the '
+                                           "world's time.", 'sim-time')
+    for name, wanted in VALUES:
+        expect(values[name] == wanted, f'{name} of /delivery_robot is {values[name]}, expected {wanted}.', 'values')
+
+
+@pytest.mark.rules('arguments')
+def test_arguments(learner):
+    """The launch file has the arguments scene and real_time_factor, with their defaults."""
+    test_8_10.test_arguments(learner)
+
+
+@pytest.mark.rules('world')
+@pytest.mark.weight(2)
+def test_world(learner):
+    """The world gets the scene and the real_time_factor that were given to the launch."""
+    test_8_10.test_world(learner)
+
+
+@pytest.mark.rules('drives', 'ends')
+@pytest.mark.weight(4)
+def test_drives(learner):
+    """Launched, the robot drives off, stands when it is called back, reaches another station, and ends with Ctrl+C."""
+    test_8_10.test_drives(learner)

@@ -1,0 +1,184 @@
+from grading.variants import Mutant
+
+MODE = "self.declare_parameter('mode', 'normal', ParameterDescriptor(description='normal, slow or stop'))"
+CLAMP = 'command.linear.x = max(-limit, min(limit, self.command.linear.x))'
+PAIR = "good = new['slow_linear'] <= new['max_linear']"
+LISTENS = "self.create_subscription(Twist, 'cmd_vel_in', lambda command: setattr(self, 'command', command), 10)"
+
+MUTANTS = [
+    Mutant('absolute_topic', old=", 'cmd_vel',", new=", '/cmd_vel',", expect='has no publisher on', breaks='names',
+           also=('limit', 'rhythm', 'at-once', 'defaults', 'pair', 'at-start'), seen_by='test_commands',
+           rejected_by='test_two_robots'),
+    Mutant('absolute_input', old="(Twist, 'cmd_vel_in'", new="(Twist, '/cmd_vel_in'", expect='has no subscription on',
+           breaks='names', seen_by='test_commands', rejected_by='test_two_robots'),
+    Mutant('another_name', old="__init__('governor'", new="__init__('Governor'", expect='your node is called',
+           breaks='names', seen_by='test_commands', rejected_by='test_two_robots'),
+    Mutant('callback_after_declaring', edits=(('self.add_on_set_parameters_callback(self.check)', ''),
+            (MODE, f'{MODE}\nself.add_on_set_parameters_callback(self.check)\n')),
+           expect='is the callback added before', breaks='at-start', seen_by='test_start',
+           rejected_by='test_values_at_the_start'),
+    Mutant('defaults_while_declaring', old="new = {'max_linear': 2.0, 'slow_linear': 0.0, 'mode': 'normal'}",
+           new="new = {'max_linear': 0.5, 'slow_linear': 0.2, 'mode': 'normal'}", expect='InvalidParameterValue',
+           breaks='at-start', also='limit', seen_by='test_start', rejected_by='test_values_at_the_start'),
+    Mutant('each_value_against_the_old', old=PAIR, new='''
+        old = {name: self.get_parameter_or(name, Parameter(name, value=new[name])).value for name in new}
+        good = old['slow_linear'] <= new['max_linear'] and new['slow_linear'] <= old['max_linear']
+        ''', expect='Judge the values as they would be', breaks='pair',
+           also=('at-start', 'bounds', 'limit', 'names', 'at-once'),
+           seen_by='test_parameters', rejected_by='test_rule'),
+    Mutant('only_max_is_checked', old=PAIR, new="good = not any(one.name == 'max_linear' for one in parameters) or new['slow_linear'] <= new['max_linear']",
+           expect='Judge the values as they would be', breaks='pair', also='at-start', seen_by='test_parameters',
+           rejected_by='test_rule'),
+    Mutant('equal_is_refused', old=PAIR, new=PAIR.replace('<=', '<'), expect='was refused', breaks='pair',
+           also=('at-start', 'names'), seen_by='test_parameters', rejected_by='test_rule'),
+    Mutant('any_mode', old="if new['mode'] not in ('normal', 'slow', 'stop'):", new='if False:',
+           expect='was accepted', breaks='unknown-mode', also=('at-start', 'refused'), seen_by='test_parameters',
+           rejected_by='test_rule'),
+    Mutant('modes_in_any_letters', old="new['mode'] not in", new="new['mode'].lower().strip() not in",
+           expect='was accepted', breaks='unknown-mode', also=('at-start', 'refused'), seen_by='test_parameters',
+           rejected_by='test_rule'),
+    Mutant('no_reason_for_the_pair', old="reason='' if good else 'slow_linear must not be above max_linear'",
+           new="reason='' if good else 'this does not fit'", expect='does not name slow_linear', breaks='reason',
+           seen_by='test_parameters', rejected_by='test_rule'),
+    Mutant('no_reason_for_the_mode', old="reason='mode must be normal, slow or stop'", new="reason=''",
+           expect='does not name mode', breaks='reason', seen_by='test_parameters', rejected_by='test_rule'),
+    Mutant('integer_rate', old="10.0, bounded('Commands per second', 1.0, 50.0)",
+           new="10, ParameterDescriptor(description='Commands per second')", expect='write 10.0',
+           breaks='defaults', also=('names', 'rhythm', 'new-rate', 'at-once', 'at-start'), seen_by='test_parameters',
+           rejected_by='test_descriptors'),
+    Mutant('another_default', old="'slow_linear', 0.2,", new="'slow_linear', 0.1,", expect='expected 0.2',
+           breaks='defaults', also='at-start', seen_by='test_parameters', rejected_by='test_descriptors'),
+    Mutant('no_bounds', old="bounded('Commands per second', 1.0, 50.0",
+           new="ParameterDescriptor(description='Commands per second'", expect='has the bounds []', breaks='bounds',
+           seen_by='test_parameters', rejected_by='test_descriptors'),
+    Mutant('other_bounds', old="in the mode slow', 0.0, 2.0", new="in the mode slow', 0.0, 1.0",
+           expect='The descriptor of slow_linear', breaks='bounds', also='at-start', seen_by='test_parameters',
+           rejected_by='test_descriptors'),
+    Mutant('no_description', old="ParameterDescriptor(description='normal, slow or stop')", new='ParameterDescriptor()',
+           expect='mode has no description', breaks='description', seen_by='test_parameters',
+           rejected_by='test_descriptors'),
+    Mutant('old_timer_runs_on', old='self.destroy_timer(self.timer) if self.timer else None', new='',
+           expect='Does the old timer still run', breaks='new-rate', seen_by='test_changes',
+           rejected_by='test_changes'),
+    Mutant('rate_counts_at_the_start', old="if 'rate' in [parameter.name for parameter in parameters]:",
+           new='if not self.timer and self.has_parameter("rate"):', expect='The rate was changed from',
+           breaks='new-rate', seen_by='test_changes', rejected_by='test_changes'),
+    Mutant('new_timer_at_each_change', old="if 'rate' in [parameter.name for parameter in parameters]:",
+           new='if self.has_parameter("rate"):', expect='Only a new rate begins with a new period', breaks='new-rate',
+           seen_by='test_changes', rejected_by='test_changes'),
+    Mutant('one_direction', old=CLAMP, new='command.linear.x = min(limit, self.command.linear.x)',
+           expect='linear.x -', breaks='limit', also='modes', seen_by='test_commands', rejected_by='test_limit'),
+    Mutant('absolute_speed', old=CLAMP, new='command.linear.x = min(limit, abs(self.command.linear.x))',
+           expect='linear.x -', breaks='limit', also='modes', seen_by='test_commands', rejected_by='test_limit'),
+    Mutant('always_as_fast_as_it_may', old=CLAMP, new='command.linear.x = math.copysign(limit, self.command.linear.x)',
+           imports='import math', expect='Before the first command', breaks='limit', also=('before', 'newest'),
+           seen_by='test_commands', rejected_by='test_limit'),
+    Mutant('limit_of_the_card', old="limit = self.get_parameter('slow_linear' if mode == 'slow' else 'max_linear').value",
+           new="limit = self.get_parameter('slow_linear').value if mode == 'slow' else 0.5",
+           expect='With max_linear = ', breaks='limit', also='at-once', seen_by='test_commands',
+           rejected_by='test_changes'),
+    Mutant('limits_the_turn', old='command.angular.z = self.command.angular.z',
+           new='command.angular.z = max(-limit, min(limit, self.command.angular.z))', expect='It stays as it is',
+           breaks='other-fields', also='modes', seen_by='test_commands', rejected_by='test_limit'),
+    Mutant('passes_everything', edits=(('''
+            command = Twist()
+            if mode != 'stop':
+            ''', '''
+            command = Twist()
+            if mode != 'stop':
+                command.linear.y, command.angular.x = self.command.linear.y, self.command.angular.x
+            '''),), expect='Publish a new Twist', breaks='other-fields', seen_by='test_commands',
+           rejected_by='test_limit'),
+    Mutant('slow_is_normal', old="'slow_linear' if mode == 'slow' else 'max_linear'", new="'max_linear'",
+           expect='Started with mode', breaks='modes', seen_by='test_start', rejected_by='test_values_at_the_start'),
+    Mutant('stop_still_turns', edits=(("if mode != 'stop':", "if mode == 'stop':\n    limit = 0.0\nif True:\n"),),
+           expect="Started with mode = 'stop'", breaks='modes', also='at-once', seen_by='test_start',
+           rejected_by='test_values_at_the_start'),
+    Mutant('waits_for_a_command', edits=(('self.command, self.timer = Twist(), None', 'self.command, self.timer = None, None'),
+            ('self.publisher.publish(command)', 'self.publisher.publish(command)'),
+            ("mode = self.get_parameter('mode').value", """
+            if self.command is None:
+                return
+            mode = self.get_parameter('mode').value
+            """))[::2], expect='Before the first command, zeros are expected', breaks='before',
+           seen_by='test_commands', rejected_by='test_rhythm'),
+    Mutant('each_command_once', old='self.publisher.publish(command)',
+           new='self.publisher.publish(command)\nself.command = Twist()\n', expect='The newest one is',
+           breaks='newest', also='refused', seen_by='test_commands', rejected_by='test_rhythm'),
+    Mutant('first_command_for_ever', old=LISTENS, new=LISTENS.replace(
+        "setattr(self, 'command', command)", "self.command == Twist() and setattr(self, 'command', command)"),
+           expect='The newest one is', breaks='newest', also=('limit', 'modes'), seen_by='test_commands',
+           rejected_by='test_rhythm'),
+    Mutant('oldest_first', edits=((LISTENS, "self.queue = []\nself.create_subscription(Twist, 'cmd_vel_in', self.queue.append, 10)\n"),
+            ("mode = self.get_parameter('mode').value", """
+            if self.queue:
+                self.command = self.queue.pop(0)
+            mode = self.get_parameter('mode').value
+            """)), expect='The newest one is', breaks='newest', seen_by='test_commands', rejected_by='test_rhythm'),
+    Mutant('ten_times_a_second', old="1 / self.get_parameter('rate').value", new='0.1', expect='With rate = ',
+           breaks='rhythm', also=('new-rate', 'at-start', 'at-once'), seen_by='test_commands', rejected_by='test_rhythm'),
+    Mutant('rate_is_a_period', old="1 / self.get_parameter('rate').value", new="self.get_parameter('rate').value",
+           expect='With rate = ', breaks='rhythm', also=('before', 'new-rate', 'at-start', 'at-once', 'limit'),
+           seen_by='test_commands', rejected_by='test_limit'),
+    Mutant('publishes_when_it_comes', source='''
+class Governor(Node):
+    def __init__(self, **options):
+        super().__init__('governor', **options)
+        self.command, self.timer = Twist(), None
+        self.publisher = self.create_publisher(Twist, 'cmd_vel', 10)
+        self.create_subscription(Twist, 'cmd_vel_in', self.on_command, 10)
+        self.add_on_set_parameters_callback(self.check)
+        self.add_post_set_parameters_callback(self.react)
+        self.declare_parameter('max_linear', 0.5, bounded('Limit of linear.x in m/s', 0.0, 2.0))
+        self.declare_parameter('slow_linear', 0.2, bounded('The same in the mode slow', 0.0, 2.0))
+        self.declare_parameter('rate', 10.0, bounded('Commands per second', 1.0, 50.0))
+        self.declare_parameter('mode', 'normal', ParameterDescriptor(description='normal, slow or stop'))
+
+    def on_command(self, command):
+        self.command = command
+        self.on_timer()
+
+    def check(self, parameters):
+        new = {'max_linear': 2.0, 'slow_linear': 0.0, 'mode': 'normal'}
+        new.update({name: self.get_parameter(name).value for name in new if self.has_parameter(name)})
+        new.update({parameter.name: parameter.value for parameter in parameters})
+        if new['mode'] not in ('normal', 'slow', 'stop'):
+            return SetParametersResult(successful=False, reason='mode must be normal, slow or stop')
+        good = new['slow_linear'] <= new['max_linear']
+        return SetParametersResult(successful=good, reason='' if good else 'slow_linear must not be above max_linear')
+
+    def react(self, parameters):
+        if 'rate' in [parameter.name for parameter in parameters]:
+            self.destroy_timer(self.timer) if self.timer else None
+            self.timer = self.create_timer(1 / self.get_parameter('rate').value, self.on_timer)
+
+    def on_timer(self):
+        mode = self.get_parameter('mode').value
+        limit = self.get_parameter('slow_linear' if mode == 'slow' else 'max_linear').value
+        command = Twist()
+        if mode != 'stop':
+            command.linear.x = max(-limit, min(limit, self.command.linear.x))
+            command.angular.z = self.command.angular.z
+        self.publisher.publish(command)
+''', expect='A message went out at once', breaks='rhythm', seen_by='test_commands', rejected_by='test_rhythm'),
+    Mutant('read_in_constructor', edits=((MODE, f"{MODE}\nself.mode = self.get_parameter('mode').value\n"),
+            ("mode = self.get_parameter('mode').value", 'mode = self.mode')),
+           expect='The mode was changed to stop', breaks='at-once', seen_by='test_changes',
+           rejected_by='test_changes'),
+    Mutant('limit_read_in_constructor',
+           edits=((MODE, f"{MODE}\nself.limit = self.get_parameter('max_linear').value\n"),
+            ("limit = self.get_parameter('slow_linear' if mode == 'slow' else 'max_linear').value",
+             "limit = self.get_parameter('slow_linear').value if mode == 'slow' else self.limit")),
+           expect='and not once in the constructor', breaks='at-once', seen_by='test_changes',
+           rejected_by='test_changes'),
+    Mutant('stores_while_checking', edits=(('timer = Twist(), None', 'timer, self.values = Twist(), None, {}'),
+            ('def check(self, parameters):', '''
+            def check(self, parameters):
+                self.values.update({parameter.name: parameter.value for parameter in parameters})
+            '''),
+            ("mode = self.get_parameter('mode').value", "mode = self.values['mode']"),
+            ("limit = self.get_parameter('slow_linear' if mode == 'slow' else 'max_linear').value",
+             "limit = self.values['slow_linear' if mode == 'slow' else 'max_linear']")),
+           expect='While you check, store and change nothing', breaks='refused', seen_by='test_changes',
+           rejected_by='test_changes'),
+]

@@ -1,0 +1,102 @@
+from grading.variants import Mutant
+
+DECLARED = 'self.declare_parameter(name, default, bounded(description, low, high))'
+GOOD = 'response.success = bool(request.name) and math.isfinite(request.x) and math.isfinite(request.y)'
+TIMER = "self.create_timer(self.value('status_period'), lambda: self.publisher.publish(String(data=self.state)))"
+LATCHED = 'latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)'
+PARAMETERS, STATUS = 'test_parameters_and_stations', 'test_status'
+KEPT = 'self.stations[request.name] = request.x, request.y'
+
+MUTANTS = [
+    Mutant('absolute_topic', old=", 'status',", new=", '/status',", expect='your node publishes on /status',
+           breaks='names', seen_by=STATUS, rejected_by='test_relative_names'),
+    Mutant('absolute_service', old="'set_station', self", new="'/set_station', self", expect='has no service on',
+           breaks='names', seen_by=STATUS, rejected_by='test_relative_names'),
+    Mutant('another_name', old="__init__('delivery_robot'", new="__init__('station_keeper'",
+           expect='expected /delivery_robot', breaks='names', seen_by=STATUS, rejected_by='test_relative_names'),
+    Mutant('four_parameters', old="""
+                ('timeout', 60.0, 1.0, 600.0, 'a drive that takes longer is given up, in s'),
+                """, new='', expect='There is no parameter timeout', breaks='parameters', seen_by=PARAMETERS,
+           rejected_by='test_parameters'),
+    Mutant('integer_timeout', edits=((DECLARED, """
+            if name == 'timeout':
+                self.declare_parameter(name, 60, ParameterDescriptor(description=description))
+            else:
+                self.declare_parameter(name, default, bounded(description, low, high))
+            """),), expect='write 60.0, and not 60', breaks='parameters', seen_by=PARAMETERS,
+           rejected_by='test_parameters'),
+    Mutant('another_default', old="'tolerance', 0.1, 0.02", new="'tolerance', 0.2, 0.02", expect='expected 0.1',
+           breaks='parameters', seen_by=PARAMETERS, rejected_by='test_parameters'),
+    Mutant('no_bounds', old=DECLARED, new='self.declare_parameter(name, default, ParameterDescriptor(description=description))',
+           expect='has the bounds []', breaks='bounds', seen_by=PARAMETERS, rejected_by='test_parameters'),
+    Mutant('bounds_of_another', old="'max_angular', 1.0, 0.1, 2.0", new="'max_angular', 1.0, 0.05, 1.0",
+           expect='The descriptor of max_angular', breaks='bounds', seen_by=PARAMETERS, rejected_by='test_parameters'),
+    Mutant('no_description', old='bounded(description, low, high)', new="bounded('', low, high)",
+           expect='has no description', breaks='description', seen_by=PARAMETERS, rejected_by='test_parameters'),
+    Mutant('always_idle', old='data=self.state', new="data='idle'", expect='publish it as it is then', breaks='status',
+           seen_by=STATUS, rejected_by='test_status'),
+    Mutant('only_when_it_changes', old=TIMER, new="""
+        self.told = None
+
+        def tell():
+            if self.told != self.state:
+                self.told = self.state
+                self.publisher.publish(String(data=self.state))
+        self.create_timer(self.value('status_period'), tell)
+        """, expect='messages came at', breaks='status-period', seen_by=STATUS, rejected_by='test_status'),
+    Mutant('period_of_its_own', old="self.value('status_period')", new='0.5', expect='messages came at',
+           breaks='status-period', also='status', seen_by=STATUS, rejected_by='test_status'),
+    Mutant('a_rate', old="self.value('status_period')", new="1 / self.value('status_period')",
+           expect='With status_period = ', breaks='status', also='status-period', seen_by=STATUS,
+           rejected_by='test_status'),
+    Mutant('many_are_kept', old='(depth=1, durability', new='(depth=10, durability',
+           expect='expected the newest status', breaks='latched', seen_by=STATUS, rejected_by='test_status'),
+    Mutant('volatile', old=LATCHED, new='latched = 10', expect='offers durability VOLATILE', breaks='latched',
+           seen_by=STATUS, rejected_by='test_status'),
+    Mutant('success_is_forgotten', old=f"""
+        {GOOD}
+        if response.success:
+        """, new='if request.name and math.isfinite(request.x) and math.isfinite(request.y):',
+           expect='success is false', breaks='station', seen_by=PARAMETERS, rejected_by='test_stations'),
+    Mutant('x_twice', old=KEPT, new='self.stations[request.name] = request.x, request.x', expect='After set_station',
+           breaks='station', seen_by=PARAMETERS, rejected_by='test_stations'),
+    Mutant('rounded', old=KEPT, new='self.stations[request.name] = round(request.x), round(request.y)',
+           expect='After set_station', breaks='station', seen_by=PARAMETERS, rejected_by='test_stations'),
+    Mutant('one_station', old=KEPT, new='self.stations = {request.name: (request.x, request.y)}',
+           expect='was set, place(', breaks='new-place', seen_by=PARAMETERS, rejected_by='test_stations'),
+    Mutant('first_place_stays', old=KEPT, new='self.stations.setdefault(request.name, (request.x, request.y))',
+           expect='got a new place, place(', breaks='new-place', seen_by=PARAMETERS, rejected_by='test_stations'),
+    Mutant('known_names_are_refused', old=GOOD, new=f'{GOOD} and request.name not in self.stations',
+           expect='A new place for', breaks='new-place', seen_by=PARAMETERS, rejected_by='test_stations'),
+    Mutant('unknown_is_an_error', old='return self.stations.get(name)', new='return self.stations[name]',
+           expect='KeyError', breaks='unknown', also='station', seen_by=PARAMETERS, rejected_by='test_stations'),
+    Mutant('unknown_is_the_origin', old='return self.stations.get(name)', new='return self.stations.get(name, (0.0, 0.0))',
+           expect='and nobody has set this station', breaks='unknown', also='station', seen_by=PARAMETERS,
+           rejected_by='test_stations'),
+    Mutant('empty_name', old=GOOD, new='response.success = math.isfinite(request.x) and math.isfinite(request.y)',
+           expect='was accepted', breaks='bad-station', seen_by=PARAMETERS, rejected_by='test_stations'),
+    Mutant('nan_is_a_number', old='math.isfinite(request.x) and math.isfinite(request.y)',
+           new='abs(request.x) != math.inf and abs(request.y) != math.inf', expect='was accepted',
+           breaks='bad-station', seen_by=PARAMETERS, rejected_by='test_stations'),
+    Mutant('only_nan', old='math.isfinite(request.x) and math.isfinite(request.y)',
+           new='not math.isnan(request.x) and not math.isnan(request.y)', expect='was accepted',
+           breaks='bad-station', seen_by=PARAMETERS, rejected_by='test_stations'),
+    Mutant('only_x', old=' and math.isfinite(request.y)', new='', expect='was accepted', breaks='bad-station',
+           seen_by=PARAMETERS, rejected_by='test_stations'),
+    Mutant('zero_is_no_number', old='math.isfinite(request.x) and math.isfinite(request.y)',
+           new='bool(request.x) and bool(request.y) and math.isfinite(request.x) and math.isfinite(request.y)',
+           expect='was refused', breaks='new-place', also='station', seen_by=PARAMETERS, rejected_by='test_stations'),
+    Mutant('notes_before_it_looks', old='def on_set_station(self, request, response):', new="""
+        def on_set_station(self, request, response):
+            self.stations[request.name] = request.x, request.y
+        """, expect='was refused, and yet it is a station now', breaks='unchanged', seen_by=PARAMETERS, rejected_by='test_stations'),
+    Mutant('forgets_what_was_refused', old="response.message = 'name must not be empty, x and y must be finite'",
+           new="response.message = 'bad'\nself.stations.pop(request.name, None)\n", expect='was refused, and now',
+           breaks='unchanged', seen_by=PARAMETERS, rejected_by='test_stations'),
+    Mutant('refuses_without_a_word', old="response.message = 'name must not be empty, x and y must be finite'",
+           new='response.success = False', expect='was refused without a message', breaks='message',
+           seen_by=PARAMETERS, rejected_by='test_stations'),
+    Mutant('stations_of_the_class', old='self.stations = {}  # name: (x, y)', new='self.stations = STATIONS',
+           imports='STATIONS = {}', expect='belong to the object', breaks='unknown', seen_by=PARAMETERS,
+           rejected_by='test_stations'),
+]

@@ -1,0 +1,128 @@
+from grading.variants import Mutant
+
+ROUND = "distance, *velocity = steer(*pose, *place, self.value('max_linear'), self.value('max_angular'))"
+FEEDBACK = '''
+if step % 4 == 0:
+    goal.publish_feedback(GoToStation.Feedback(distance=distance))
+'''
+LOST = '''
+elif pose is None:
+    end, why = goal.abort, 'the robot is lost'
+'''
+LATE = '''
+elif 0.1 * step >= self.value('timeout'):
+    end, why = goal.abort, 'it took too long'
+'''
+CANCELLED = '''
+if goal.is_cancel_requested:
+    end, why = goal.canceled, 'cancelled'
+elif pose is None:
+'''
+RESULT = 'return GoToStation.Result(distance=distance, message=why)'
+END = '''
+self.drive(0.0, 0.0)
+self.state = 'idle'
+end()
+'''
+DRIVE, BOTH = 'test_drive', 'test_lost_and_late'
+
+MUTANTS = [
+    Mutant('goes_to_the_moon', old='.place(request.station) is None or self.where', new='.where',
+           expect='The goal moon was accepted', breaks='rejects-unknown', seen_by=DRIVE, rejected_by='test_drive',
+           alone=True),
+    Mutant('accepts_while_lost', old=' or self.where() is None:', new=':', expect='does not know where it is',
+           breaks='rejects-lost', seen_by=BOTH, rejected_by='test_lost_and_late', alone=True),
+    Mutant('two_at_a_time', old=".state != 'idle' or self.place", new='.place', expect='both were accepted',
+           breaks='single', seen_by=DRIVE, rejected_by='test_drive', alone=True),
+    Mutant('five_times_a_second', old='sleep_for(Duration(seconds=0.1))', new='sleep_for(Duration(seconds=0.2))',
+           expect='from one command to the next', breaks='rhythm', also='timeout', seen_by=DRIVE,
+           rejected_by='test_drive', alone=True),
+    Mutant('parameters_read_once', edits=(('super().__init__(**options)', """
+            super().__init__(**options)
+            self.limits = self.value('max_linear'), self.value('max_angular')
+            """),
+            ("self.value('max_linear'), self.value('max_angular')", '*self.limits')), expect='max_angular was set to',
+           breaks='limits', seen_by=DRIVE, rejected_by='test_drive', alone=True),
+    Mutant('limits_of_the_card', old=ROUND, new='distance, *velocity = steer(*pose, *place, 0.5, 1.0)',
+           expect='max_angular was set to', breaks='limits', seen_by=DRIVE, rejected_by='test_drive', alone=True),
+    Mutant('limits_exchanged', old=ROUND, new=ROUND.replace('max_linear', 'MAX').replace('max_angular', 'max_linear')
+           .replace('MAX', 'max_angular'), expect='expected 1.0 (max_angular)', breaks='limits', also=('result', 'timeout'), seen_by=DRIVE,
+           rejected_by='test_drive', alone=True),
+    Mutant('floods', old=FEEDBACK, new='goal.publish_feedback(GoToStation.Feedback(distance=distance))',
+           expect='feedback messages came in a second', breaks='feedback', seen_by=DRIVE, rejected_by='test_drive',
+           alone=True),
+    Mutant('silent', old=FEEDBACK, new='', expect='0 feedback messages', breaks='feedback', seen_by=DRIVE,
+           rejected_by='test_drive', alone=True),
+    Mutant('once_a_second', old='step % 4', new='step % 10', expect='feedback messages came in a second',
+           breaks='feedback', seen_by=DRIVE, rejected_by='test_drive', alone=True),
+    Mutant('feedback_of_nothing', old='GoToStation.Feedback(distance=distance)', new='GoToStation.Feedback()',
+           expect='The last feedback says', breaks='feedback', seen_by=DRIVE, rejected_by='test_drive', alone=True),
+    Mutant('tolerance_of_its_own', old="distance < self.value('tolerance')", new='distance < 0.1',
+           expect='expected succeeded', breaks='succeeds', seen_by=BOTH, rejected_by='test_lost_and_late', alone=True),
+    Mutant('arrives_early', old="distance < self.value('tolerance')", new="distance < 3 * self.value('tolerance')",
+           expect='With tolerance = 0.1', breaks='succeeds', also='stands', seen_by=DRIVE, rejected_by='test_arrives', alone=True),
+    Mutant('arrives_never', old="distance < self.value('tolerance')", new='distance == 0.0',
+           expect='the goal is still running', breaks='succeeds', also='timeout', seen_by=DRIVE,
+           rejected_by='test_arrives', alone=True),
+    Mutant('aborts_on_arrival', old='end, why = goal.succeed,', new='end, why = goal.abort,',
+           expect='the goal is aborted, expected succeeded', breaks='succeeds', seen_by=DRIVE,
+           rejected_by='test_arrives', alone=True),
+    Mutant('does_not_listen', old=CANCELLED, new='if pose is None:', expect='the goal is still running',
+           breaks='cancel', seen_by=DRIVE, rejected_by='test_cancel', alone=True),
+    Mutant('refuses_to_cancel', old='CancelResponse.ACCEPT', new='CancelResponse.REJECT',
+           expect='The cancel request was not accepted', breaks='cancel', seen_by=DRIVE, rejected_by='test_cancel',
+           alone=True),
+    Mutant('cancelled_is_aborted', old='end, why = goal.canceled', new='end, why = goal.abort',
+           expect='the goal is aborted, expected canceled', breaks='cancel', seen_by=DRIVE, rejected_by='test_cancel',
+           alone=True),
+    Mutant('looks_now_and_then', old='if goal.is_cancel_requested:', new='if goal.is_cancel_requested and step % 10 == 0:',
+           expect='after a', breaks='cancel', seen_by=DRIVE, rejected_by='test_cancel', alone=True),
+    Mutant('drives_blind', old=LOST, new='', expect='and the goal runs on', breaks='lost', seen_by=BOTH,
+           rejected_by='test_lost_and_late', alone=True),
+    Mutant('lost_is_canceled', old="end, why = goal.abort, 'the robot is lost'",
+           new="end, why = goal.succeed, 'the robot is lost'", expect='expected aborted', breaks='lost', seen_by=BOTH,
+           rejected_by='test_lost_and_late', alone=True),
+    Mutant('waits_for_ever', old=LATE, new='', expect='the goal still runs after', breaks='timeout', seen_by=BOTH,
+           rejected_by='test_lost_and_late', alone=True),
+    Mutant('a_minute', old="0.1 * step >= self.value('timeout')", new='0.1 * step >= 60.0',
+           expect='the goal still runs after', breaks='timeout', seen_by=BOTH, rejected_by='test_lost_and_late',
+           alone=True),
+    Mutant('rounds_for_seconds', old='elif 0.1 * step >=', new='elif step >=', expect='Each goal has that time',
+           breaks='timeout', also=('lost', 'succeeds', 'single', 'rhythm', 'next'), seen_by=BOTH,
+           rejected_by='test_lost_and_late', alone=True),
+    Mutant('one_time_for_all_goals', edits=(
+        ('step, pose = step + 1, self.where()', 'self.steps = getattr(self, "steps", 0) + 1\nstep, pose = step + 1, self.where()\n'),
+        ('0.1 * step >=', '0.1 * self.steps >=')), expect='Each goal has that time for itself', breaks='timeout',
+           also='succeeds', seen_by=BOTH, rejected_by='test_lost_and_late', alone=True),
+    Mutant('drives_on', old='self.drive(0.0, 0.0)', new='', expect='Before every end', breaks='stands', seen_by=DRIVE,
+           rejected_by='test_cancel', alone=True),
+    Mutant('stands_only_at_the_station', old='self.drive(0.0, 0.0)', new="self.drive(0.0, 0.0) if why == 'arrived' else None",
+           expect='Before every end', breaks='stands', seen_by=DRIVE, rejected_by='test_cancel', alone=True),
+    Mutant('stands_three_times', old='self.drive(0.0, 0.0)', new="""
+        for _ in range(3):
+            self.drive(0.0, 0.0)
+        """, expect='more than once to stand', breaks='stands', seen_by=DRIVE, rejected_by='test_arrives', alone=True),
+    Mutant('no_message', old=RESULT, new='return GoToStation.Result(distance=distance)', expect='is empty',
+           breaks='result', seen_by=DRIVE, rejected_by='test_arrives', alone=True),
+    Mutant('one_message', old=RESULT, new="return GoToStation.Result(distance=distance, message='ended')",
+           expect='It says how the drive ended', breaks='result', seen_by=DRIVE, rejected_by='test_cancel', alone=True),
+    Mutant('no_distance', old=RESULT, new='return GoToStation.Result(message=why)',
+           expect='has the distance 0.00 m', breaks='result', seen_by=DRIVE, rejected_by='test_cancel', alone=True),
+    Mutant('distance_unknown_when_lost', old='if pose:', new='distance = -1.0\nif pose:\n',
+           expect='It was known last', breaks='result', seen_by=BOTH, rejected_by='test_lost_and_late', alone=True),
+    Mutant('drives_without_a_name', old="self.state = f'driving to {request.station}'", new="self.state = 'driving'",
+           expect="the status is 'driving'", breaks='state', seen_by=DRIVE, rejected_by='test_drive', alone=True),
+    Mutant('says_where_it_went', edits=(("self.state != 'idle' or", "self.state.startswith('driving') or"),
+            ("self.state = 'idle'", "self.state = why")), expect="expected 'idle'", breaks='state', seen_by=DRIVE,
+           rejected_by='test_arrives', alone=True),
+    Mutant('never_idle_again', old="self.state = 'idle'", new="""
+        if not goal.is_cancel_requested:
+            self.state = 'idle'
+        """, expect="expected 'idle'", breaks='state', also='next', seen_by=DRIVE, rejected_by='test_cancel',
+           alone=True),
+    Mutant('lost_once_lost_for_ever', edits=(("if self.state != 'idle' or", "if self.state != 'idle' or self.given_up or"),
+            ('super().__init__(**options)', 'super().__init__(**options)\nself.given_up = False\n'),
+            ('end()', "end()\nself.given_up = why == 'the robot is lost'\n")),
+           expect='the robot knows again where it is', breaks='next', seen_by=BOTH, rejected_by='test_lost_and_late',
+           alone=True),
+]

@@ -1,0 +1,154 @@
+"""Tries the tests of exercises on answers of which it is known what they are worth: does the judgement fit?
+
+The solution and the alternatives must keep every rule. A mutant must be rejected by a visible and by a hidden test.
+Each says which rule is broken: the one that the mutant names, and no other. The learner
+reads the expected words.
+"""
+
+import os
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import cache
+
+from grading import sandbox, variants
+from grading.authoring import chapter as chapters
+from grading.authoring import notebooks as authored
+from grading.course import HIDDEN
+from helpers import paths
+from helpers.exercises import notebooks, program
+from helpers.exercises.manifest import Exercise
+from helpers.runner import results, session
+from helpers.runner.results import ExerciseResult, TestResult
+
+SEED = os.environ.get('COURSE_SEED', 'validity')  # another one tries the tests with other inputs
+
+
+@dataclass(frozen=True)
+class Answer:
+    """A mutant or an alternative, with the text that it gives the exercise's cell."""
+
+    exercise: str
+    variant: variants.Variant
+
+    def __str__(self):
+        return f'{self.exercise} {self.variant.name}'
+
+    @property
+    def source(self) -> str:
+        return self.variant.applied(variants.solved_cells(paths.ROOT / 'solutions')[self.exercise], self.exercise)
+
+    def faults(self, result: ExerciseResult, exercise: Exercise, only: Iterable[str] = ()) -> list[str]:
+        """In what the result of this answer is not as it must be. `only`: the names of the tests that were run."""
+        if isinstance(self.variant, variants.Mutant):
+            return list(_faults_of_mutant(self.variant, result, exercise, set(only)))
+        return faults_of_right(result)
+
+
+@dataclass
+class Trial:
+    """One answer, and what became of it."""
+
+    answer: Answer | None  # None: the solution
+    result: ExerciseResult
+    log: list[str] = field(default_factory=list)
+    faults: list[str] = field(default_factory=list)
+
+    @property
+    def name(self) -> str:
+        return self.answer.variant.name if self.answer else 'the solution'
+
+
+def answers(exercise: str, names: Iterable[str] = ()) -> list[Answer]:
+    """The mutants and alternatives of an exercise; only those called so, if there are names.
+
+    :raises grading.variants.VariantError: their files are wrong.
+    :raises LookupError: none has such a name.
+    """
+    found = [Answer(exercise, one) for one in (*variants.mutants(exercise), *variants.alternatives(exercise))]
+    wanted = set(names)
+    if unknown := wanted - {answer.variant.name for answer in found}:
+        raise LookupError(f'exercise {exercise} has no mutant or alternative {min(unknown)!r}')
+    return [answer for answer in found if not wanted or answer.variant.name in wanted]
+
+
+def run(exercise: Exercise, answer: Answer | None, seed: str = SEED) -> Trial:
+    """Judge an answer, or the solution, with all tests of its exercise."""
+    cells = varied(exercise.chapter, [answer] if answer else [])
+    report = judge(cells, [exercise], seed=seed)
+    trial = Trial(answer, report.exercises[0], report.log)
+    trial.faults = [*(f'log: {line}' for line in report.log),
+                    *(answer.faults(trial.result, exercise) if answer else faults_of_right(trial.result))]
+    return trial
+
+
+def judge(cells, exercises: Iterable[Exercise], tests: Mapping[str, Iterable[str]] | None = None, processes: int = 1,
+          seed: str = SEED) -> session.SessionReport:
+    """Run the visible and hidden tests on a notebook's cells, in the sandbox where there is one, as `grade` does."""
+    launcher = sandbox.launcher('none' if sandbox.problem() else sandbox.DEFAULT)
+    return session.run(cells, exercises, session.Options(hidden=HIDDEN, processes=processes, seed=seed,
+                                                         launcher=launcher, tests=tests or {}))
+
+
+@cache
+def solved(number: int) -> tuple[notebooks.NotebookCell, ...]:
+    """The cells of a chapter's solved notebook."""
+    path = next(path for path in chapters.sources(paths.ROOT / 'solutions') if path.name.startswith(f'{number:02}_'))
+    return tuple(notebooks.parse(authored.dumps(authored.solved(chapters.read(path))).encode(), path.name))
+
+
+def varied(number: int, changed: Iterable[Answer]) -> list[notebooks.NotebookCell]:
+    """A chapter's solved notebook with these answers in place of the solutions."""
+    texts = {answer.exercise: answer.source for answer in changed}
+    return [notebooks.NotebookCell(texts.get(program.exercise_id(cell) or '', cell.source), cell.number, cell.id)
+            for cell in solved(number)]
+
+
+def told(result: ExerciseResult) -> str:
+    """What the learner reads about the tests that did not pass."""
+    return '\n'.join([result.message, *(f'{test.message}\n{test.expected}' for test in result.tests
+                                        if not test.passed)])
+
+
+def name_of(test: TestResult) -> str:
+    """The test's function, with its parameters."""
+    return test.test.rpartition('::')[2]
+
+
+def faults_of_right(result: ExerciseResult) -> list[str]:
+    """In what the result of a right answer falls short."""
+    if (result.verdict, result.score) != ('passed', result.points):
+        return [f'a right answer gets {result.score} of {result.points} points: {told(result).strip()}']
+    return [f'the rule {rule.name} is not proved: {rule.why}' for rule in result.rules if rule.state != results.KEPT]
+
+
+def _faults_of_mutant(mutant: variants.Mutant, result: ExerciseResult, exercise: Exercise, only: set[str]):
+    failed = [test for test in result.tests if not test.passed]
+    if result.score is None or result.score >= result.points:
+        yield 'it gets full marks' if result.score is not None else 'it gets no mark'
+        return
+    hidden = {name_of(test) for test in failed if test.hidden}
+    if mutant.rejected_by not in hidden:
+        yield f'rejected_by={mutant.rejected_by!r} does not reject it; these hidden tests do: {sorted(hidden)}'
+    if not mutant.expect:
+        yield 'it does not say what the learner must read: expect='
+    for fragment in mutant.expect:
+        if fragment not in told(result):
+            yield f'the learner does not read {fragment!r}, but: {told(result).strip()}'
+    if not exercise.rules:
+        return
+    visible = {name_of(test): test for test in failed if not test.hidden}
+    if mutant.seen_by and mutant.seen_by not in visible:
+        yield f'seen_by={mutant.seen_by!r} does not reject it; these visible tests do: {sorted(visible)}'
+    if not only:
+        if not mutant.seen_by and visible:
+            yield f'it does not name the visible test that rejects it; these do: {sorted(visible)}'
+        for fragment in mutant.expect if mutant.seen_by else ():
+            if not any(fragment in test.message for test in visible.values()):
+                yield f'no visible test says {fragment!r}'
+    allowed = {mutant.breaks, *mutant.also}
+    broken = {test.rule for test in failed}
+    if mutant.breaks not in broken:
+        yield f'breaks={mutant.breaks!r}, but the tests say that these rules are broken: {sorted(broken)}'
+    for test in failed:
+        if test.rule not in allowed:
+            yield f'{name_of(test)} names {test.rule or "no rule"}: {test.message}'

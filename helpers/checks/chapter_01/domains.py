@@ -1,0 +1,133 @@
+"""Roll calls and bridges between domains that nobody else uses: for exercise 1.3."""
+
+import time
+from contextlib import ExitStack, contextmanager
+
+from std_msgs.msg import String
+
+from helpers.kernel.domains import claim
+from helpers.runner import about, expect
+from helpers.runner.elsewhere import Elsewhere
+
+ENOUGH = 1.5  # seconds that a listener is given
+
+
+@contextmanager
+def domains(count: int):
+    """So many domains that nobody else uses."""
+    with ExitStack() as held:
+        yield [held.enter_context(claim()) for _ in range(count)]
+
+
+def check_roll_call(learner) -> None:
+    """`who_hears` speaks in its own domain, and finds a bridge that the tests have made."""
+    with domains(3) as (ours, second, third), Elsewhere(ours) as here:
+        heard = here.listen('/roll_call', String)
+        asked = learner.random.sample([ours, second, third], 3)
+        with about('measures'):
+            got = learner.call('who_hears', ours, asked, ENOUGH)
+        here.wait_until(lambda: heard, timeout=1)
+        expect(here.met('/roll_call'), f'No speaker for /roll_call came into domain {ours}. Each context has its own '
+                                       'domain: rclpy.init(context=…, domain_id=…).', 'measures')
+        expect(heard and got, f'A speaker was in domain {ours}, and who_hears({ours}, {asked}) gives {got!r}. '
+                              'Discovery takes time: what is published before it is lost. Publish again and again.',
+               'measures')
+        expect(got == [ours], f'who_hears({ours}, {asked}) gives {got!r}, expected {[ours]}: a speaker is heard in its '
+                              'own domain only.', 'measures')
+
+
+def check_bridged(learner) -> None:
+    """`who_hears` finds a bridge that the tests have made."""
+    with domains(3) as three:
+        # The bridge leads to a smaller number, so that the order in which listeners hear is not the sorted one.
+        second, ours, third = sorted(three)
+        with Elsewhere(second) as there, Elsewhere(ours) as here:
+            here.relay('/roll_call', String, to=there)
+            asked = learner.random.sample([ours, third], 2) + [second]
+            with about('measures'):
+                got = learner.call('who_hears', ours, asked, 2.0)
+        wanted = [second, ours]
+        expect(got != [ours], f'The tests have a bridge for roll_call from domain {ours} to {second}. Your function '
+                              f'says that only {ours} hears: does it compare numbers, and not listen?', 'measures')
+        said = f'With a bridge from {ours} to {second}, who_hears({ours}, {asked}) gives {got!r}, expected {wanted}.'
+        expect(isinstance(got, list), said, 'sorted')
+        expect(set(got) == set(wanted), said, 'measures')
+        expect(got == wanted, f'{said} The domains must be sorted, each once.', 'sorted')
+
+
+def check_time(learner) -> None:
+    """`who_hears` returns soon if all have heard, long before `seconds`, and not later than that if one cannot hear."""
+    with domains(2) as (ours, other):
+        begin = time.monotonic()
+        with about('in-time'):
+            got = learner.call('who_hears', ours, [ours], 60.0)
+        expect(got == [ours], f'who_hears({ours}, {[ours]}, 60.0) gives {got!r}, expected {[ours]}.', 'measures')
+        with about('in-time'):
+            got = learner.call('who_hears', ours, [other], 0.5)
+        expect(got == [], f'who_hears({ours}, {[other]}, 0.5) gives {got!r}, expected an empty list.', 'measures')
+        expect(time.monotonic() - begin < 12, 'who_hears takes much longer than it may. It is done when all have '
+                                              'heard, or after `seconds`.', 'in-time')
+
+
+def check_left(learner) -> None:
+    """After the call, no node and no context of it is left in the domains."""
+    for _ in range(3):  # a goodbye may get lost on a busy machine; three in a row do not
+        with domains(2) as (ours, other), Elsewhere(ours) as here, Elsewhere(other) as there:
+            heard = here.listen('/roll_call', String)
+            with about('measures'):
+                got = learner.call('who_hears', ours, [ours, other], 1.0)
+            expect(here.wait_until(lambda: heard, timeout=2) and got == [ours],  # noqa: B023 - used at once
+                   f'who_hears({ours}, {[ours, other]}) gives {got!r}, expected {[ours]}.', 'measures')
+            if here.wait_until(lambda: not here.nodes(), timeout=1):  # noqa: B023
+                there.wait_until(lambda: not there.nodes(), timeout=1)  # noqa: B023
+                if not there.nodes():
+                    return
+            left = here.nodes() or there.nodes()
+    expect(False, f'After the call these nodes are left in its domains: {", ".join(left)}. Destroy them, and shut '
+                  'their contexts down.', 'leaves')
+
+
+def check_bridge(learner, count: int) -> None:
+    """A Bridge carries `count` drawn texts to the other domain, as they are, and nothing back."""
+    random = learner.random
+    with domains(1) as (domain,), Elsewhere(domain) as there, Elsewhere(learner.context.get_domain_id()) as here:
+        heard = there.listen('/chatter', String)
+        spoken = there.node.create_publisher(String, '/chatter', 100)
+        talker = learner.talk('/chatter', String)
+        with about('bridge'):
+            node = learner.start('Bridge', domain)
+        expect(node.name == '/bridge', f'The node is called {node.name}, expected /bridge.', 'bridge')
+        expect(learner.endpoints('/chatter').subscriptions,
+               'Your bridge does not listen on /chatter in the domain of the program.', 'carries')
+        expect(learner.depths('subscription', '/chatter') == [10],
+               'The queue of your subscription to chatter has not the depth 10.', 'carries')
+        expect(there.wait_until(there.nodes, 5), f'No node of yours is in domain {domain}.', 'bridge')
+        at_home = here.listen('/chatter', String)  # only now: it is a subscription on /chatter, too
+
+        def arrived():
+            talker.send(String(data='first'))
+            with about('carries'):
+                learner.settle()
+            return bool(heard)
+
+        expect(there.wait_until(arrived, timeout=6),
+               f'Messages were published on /chatter in the domain of the program, and none came in domain {domain}.',
+               'carries')
+        texts = [f'  {random.choice(["north", "Süd", "EAST"])} {random.randint(0, 999)} \n' for _ in range(count)]
+        texts += ['', texts[0]]
+        talker.send(*[String(data=text) for text in texts])
+        learner.settle()
+        there.wait_until(lambda: len(heard) > len(texts) and heard[-1].data == texts[-1], timeout=3)
+        got = [message.data for message in heard if message.data != 'first']
+        expect(got == texts, f'{texts} was said here; in the other domain came {got}.', 'carries')
+        there.wait_until(lambda: there.node.count_subscribers('/chatter') > 1, timeout=0.3)
+        back = there.node.count_subscribers('/chatter') > 1  # the first one is the tests'
+        before = len(at_home)
+        spoken.publish(String(data='echo?'))
+        for _ in range(5):
+            with about('one-way'):
+                learner.settle()
+            here.wait_until(lambda: any(message.data == 'echo?' for message in at_home[before:]), timeout=0.05)
+        expect(not back and not any(message.data == 'echo?' for message in at_home),
+               'Your bridge also listens in the other domain. It must carry in one direction only: two directions make '
+               'an endless echo.', 'one-way')

@@ -1,0 +1,170 @@
+"""Environments with faults and without, most of them drawn: for exercise 1.2."""
+
+from dataclasses import dataclass
+from random import Random
+
+from helpers.runner import about, expect
+
+DISTROS = ('foxy', 'humble', 'iron', 'jazzy', 'kilted', 'lyrical')
+PEOPLE = ('ada', 'linus', 'grace', 'alan')
+PYTHONS = ('3.8', '3.10', '3.11', '3.12', '3.13')
+RANGES = ('SUBNET', 'LOCALHOST', 'SYSTEM_DEFAULT')
+BAD_DOMAINS = ('-1', '102', '232', '233', '1000', '5.0', 'seven', 'domain 3', '0x10')
+BAD_RANGES = ('LOCAL', 'localhost', 'off', 'ON', 'SUBNETS', 'SUB')
+PREFIX, PYTHON, DOMAIN, RANGE = 'AMENT_PREFIX_PATH', 'PYTHONPATH', 'ROS_DOMAIN_ID', 'ROS_AUTOMATIC_DISCOVERY_RANGE'
+
+
+@dataclass(frozen=True)
+class Case:
+    """One environment, what is wrong with it, and the rule that a wrong answer breaks."""
+
+    rule: str
+    environ: dict
+    wanted: dict
+    why: str = ''
+    python: str = '3.12'
+
+
+def healthy(random: Random, distro: str, python: str = '3.12', workspaces: int | None = None) -> dict:
+    """An environment with nothing wrong: a distribution, perhaps workspaces above it, perhaps a domain and a range."""
+    count = random.randint(0, 2) if workspaces is None else workspaces
+    folders = [f'/home/{random.choice(PEOPLE)}/{random.choice(DISTROS)}_ws/install' for _ in range(count)]
+    prefixes = [*folders, f'/opt/ros/{distro}']
+    environ = {
+        'HOME': f'/home/{random.choice(PEOPLE)}',
+        'ROS_DISTRO': distro,
+        PREFIX: ':'.join(prefixes),
+        PYTHON: ':'.join(f'{prefix}/lib/python{python}/site-packages' for prefix in prefixes),
+    }
+    if random.random() < 0.5:
+        environ[DOMAIN] = str(random.randint(1, 100))
+    if random.random() < 0.5:
+        environ[RANGE] = random.choice(RANGES)
+    return environ
+
+
+def other(random: Random, values, *but):
+    """One of the values that is none of `but`."""
+    return random.choice([value for value in values if value not in but])
+
+
+def cases(random: Random) -> list[Case]:
+    """Environments for each rule; those with one fault come first."""
+    distro = random.choice(DISTROS)
+    good = healthy(random, distro)
+    return [*_missing(distro),
+            Case('dictionary', healthy(random, distro, workspaces=0), {}, 'Nothing is wrong with it.'),
+            *_workspaces(random), *_prefixes(random, distro, good), *_pythons(random, distro),
+            *_domains(random, good), *_ranges(random, good)]
+
+
+def _workspaces(random: Random) -> list[Case]:
+    made = []
+    for count in (1, 2):
+        environ = healthy(random, random.choice(DISTROS), workspaces=count)
+        made.append(Case('workspace', environ, {}, 'The folders below /home are workspaces; their names say nothing.'))
+    course = {PREFIX: f'/home/{random.choice(PEOPLE)}/ros2-course/.venv', 'ROS_DISTRO': random.choice(DISTROS)}
+    return [*made, Case('workspace', course, {}, 'A prefix outside of /opt/ros is a prefix, too.')]
+
+
+def _prefixes(random: Random, distro: str, good: dict) -> list[Case]:
+    second = other(random, DISTROS, distro)
+    two = [f'/opt/ros/{distro}', f'/opt/ros/{second}']
+    mixed = {PREFIX: 'mixed'}
+    sourced = 'Two distributions are in the path; ROS_DISTRO tells only which one was sourced last.'
+    inside = f'/opt/ros/{distro}/opt/extra:/opt/ros/{distro}'
+    return [Case('not-sourced', {}, {PREFIX: 'not sourced'}),
+            Case('not-sourced', {PREFIX: ''}, {PREFIX: 'not sourced'}),
+            Case('not-sourced', {**good, PREFIX: ''}, {PREFIX: 'not sourced'}),
+            Case('mixed', {**good, PREFIX: good[PREFIX] + f':/opt/ros/{second}'}, mixed, sourced),
+            Case('mixed', {**good, PREFIX: ':'.join(two[::-1]), 'ROS_DISTRO': second}, mixed, sourced),
+            Case('mixed', {PREFIX: ':'.join(two)}, mixed, 'Two distributions are in the path.'),
+            Case('mixed', {PREFIX: f'{two[0]}:{two[1]}/opt/extra'}, mixed, 'Two distributions are in the path.'),
+            Case('mixed', {PREFIX: inside, 'ROS_DISTRO': distro}, {}, 'Both folders belong to one distribution.'),
+            Case('ros-distro', {**good, 'ROS_DISTRO': second}, mixed, 'Path and ROS_DISTRO name two distributions.')]
+
+
+def _pythons(random: Random, distro: str) -> list[Case]:
+    made = []
+    for python in ('3.12', random.choice(('3.10', '3.11')), '3.1'):
+        wrong = '3.12' if python == '3.1' else other(random, PYTHONS, python)
+        folder = f'/opt/ros/{distro}/lib/python{wrong}/site-packages'
+        environ = healthy(random, distro, python)
+        both = [environ[PYTHON], folder]
+        random.shuffle(both)
+        fault = {PYTHON: 'other Python'}
+        made += [Case('python', environ, {}, 'All folders are for this Python.', python),
+                 Case('python', {**environ, PYTHON: folder}, fault, 'Its only folder is for another Python.', python),
+                 Case('python', {**environ, PYTHON: ':'.join(both)}, fault,
+                      'A right folder does not excuse a wrong one.', python)]
+    tools = {**healthy(random, distro), PYTHON: '/home/ada/python/tools:/home/ada/my.python3'}
+    return [*made, Case('python', tools, {}, 'PYTHONPATH has no part pythonX.Y.')]
+
+
+def _domains(random: Random, good: dict) -> list[Case]:
+    fine = ['0', '101', str(random.randint(1, 100))]
+    return [*[Case('domain', {**good, DOMAIN: text}, {}, 'That is a domain.') for text in fine],
+            *[Case('domain', {**good, DOMAIN: text}, {DOMAIN: 'not a domain'}, 'Domains are whole numbers, 0 to 101.')
+              for text in BAD_DOMAINS]]
+
+
+def _ranges(random: Random, good: dict) -> list[Case]:
+    return [*[Case('unknown', {**good, RANGE: text}, {}, 'That is one of the four.') for text in RANGES],
+            Case('off', {**good, RANGE: 'OFF'}, {RANGE: 'off'}, 'With OFF, nodes do not find each other.'),
+            *[Case('unknown', {**good, RANGE: text}, {RANGE: 'unknown'}, 'That is none of the four, letter by letter.')
+              for text in random.sample(BAD_RANGES, 4)]]
+
+
+def _missing(distro: str) -> list[Case]:
+    path = {PREFIX: f'/opt/ros/{distro}'}
+    empty = {**path, 'ROS_DISTRO': '', PYTHON: '', DOMAIN: '', RANGE: ''}
+    return [Case('missing', path, {}, 'What is missing is no fault.'),
+            Case('missing', empty, {}, 'Empty is like missing.')]
+
+
+def several(random: Random, counts=(2, 3, 4, 4)) -> list[Case]:
+    """Environments with so many faults at once."""
+    choices = {PREFIX: ('not sourced', 'mixed'), PYTHON: ('other Python',), DOMAIN: ('not a domain',),
+               RANGE: ('off', 'unknown')}
+    made = []
+    for count in counts:
+        variables = random.sample(list(choices), count)
+        faults = {variable: random.choice(choices[variable]) for variable in variables}
+        distro, python = random.choice(DISTROS), random.choice(('3.10', '3.12'))
+        environ = healthy(random, distro, python)
+        for variable, fault in faults.items():
+            _spoil(random, environ, variable, fault, python)
+        made.append(Case('every-fault', environ, faults, f'{count} things are wrong. Do not stop at the first one.',
+                         python))
+    return made
+
+
+def _spoil(random: Random, environ: dict, variable: str, fault: str, python: str) -> None:
+    distro = environ['ROS_DISTRO']
+    match fault:
+        case 'not sourced':
+            environ.pop(PREFIX)
+        case 'mixed':
+            environ[PREFIX] += f':/opt/ros/{other(random, DISTROS, distro)}'
+        case 'other Python':
+            environ[PYTHON] += f':/opt/ros/{distro}/lib/python{other(random, PYTHONS, python)}/site-packages'
+        case 'not a domain':
+            environ[variable] = random.choice(BAD_DOMAINS)
+        case 'off':
+            environ[variable] = 'OFF'
+        case 'unknown':
+            environ[variable] = random.choice(BAD_RANGES)
+
+
+def check(learner, asked: list[Case]) -> None:
+    """`diagnose` says what is wrong with these environments, and nothing else."""
+    for case in asked:
+        # The version is left out where it is the default: that must be 3.12.
+        given = [] if case.python == '3.12' else [case.python]
+        with about(case.rule):
+            got = learner.call('diagnose', case.environ, *given)
+        shown = ', '.join(f'{name}={value}' for name, value in case.environ.items()) or 'no variable at all'
+        expect(isinstance(got, dict), f'With {shown}, diagnose gives {got!r}; expected a dictionary, also when '
+                                      'nothing is wrong.', 'dictionary')
+        expect(got == case.wanted, f'With {shown} and Python {case.python}, diagnose gives {got}, expected '
+                                   f'{case.wanted}. {case.why}', case.rule)

@@ -1,0 +1,56 @@
+"""Why the build of exercise 2.3's interfaces failed: the cause out of a long output, and the rule that is broken."""
+
+import re
+from collections.abc import Callable
+
+_EXCEPTION = re.compile(r'^ *(?:\w+\.)*((?:\w*Error|Invalid\w+|\w*Exception): [^\n]*(?:\n  \S[^\n]*)?)', re.MULTILINE)
+_IN_FILE = re.compile(r"Error processing '([^']*)' of 'dock_interfaces/(\w+)'")
+
+
+def cause(output: str, reason: Callable[[str], str]) -> tuple[str, str]:
+    """The cause of a failed build in one sentence, and the rule that is broken.
+
+    :param output: what the build printed. :param reason: gives the best line of it, where the cause is none of these.
+    """
+    text = ' '.join(output.split())
+    if found := re.search(r"'(\w+)' is an invalid constant name", text):
+        name = found[1]
+        if name.upper() == 'FULL':
+            return f'The name of the constant is `{name}`. A constant has capital letters: FULL.', 'full'
+        return (f'The line of `{name}` has a `=`, so it is a constant, and a constant has capital letters. A default '
+                'value follows after a space only.'), 'default' if name == 'speed' else 'full'
+    if found := re.search(r'InvalidResourceName: (\w+)/(?:msg|srv)/(\w+)', text):
+        return f'In an interface file the type is written without /msg/: `{found[1]}/{found[2]}`.', 'charge'
+    if "KeyError: 'std_msgs'" in text:
+        return ('Charge uses a type of std_msgs, and rosidl_generate_interfaces does not say so: write DEPENDENCIES '
+                'std_msgs at its end.'), 'std-msgs'
+    if "dependency 'std_msgs' has not been found" in text:
+        return 'CMakeLists.txt has DEPENDENCIES std_msgs, but no find_package(std_msgs REQUIRED) before it.', 'std-msgs'
+    if found := re.search(r"No such file or directory: '[^']*/dock_interfaces/msg/(\w+)\.json'", text):
+        return (f'There is no type {found[1]} in your package. For the type of another package write its name, too: '
+                f'std_msgs/{found[1]}.'), 'charge'
+    if 'Could not find separator' in text:
+        return 'Dock.srv has no line `---`. It divides the request from the response.', 'response'
+    if '<member_of_group>' in text:
+        return ('package.xml does not say that the package is a member of the group: it needs '
+                '<member_of_group>rosidl_interface_packages</member_of_group>.'), 'group'
+    if found := re.search(r"the passed file '([^']*)' doesn't exist", text):
+        return (f'CMakeLists.txt names the file {found[1]}, and there is none. The files are msg/Charge.msg and '
+                'srv/Dock.srv.'), 'both'
+    if found := re.search(r'Unknown CMake command "(\w+)"', text):
+        package = {'rosidl_generate_interfaces': 'rosidl_default_generators'}.get(found[1], 'ament_cmake')
+        return f'CMake does not know {found[1]}: find_package({package} REQUIRED) must come before it.', 'both'
+    if found := _IN_FILE.search(output):
+        rule = {'Charge': 'charge', 'Dock_Request': 'request', 'Dock_Response': 'response'}.get(found[2], 'both')
+        if rule == 'charge' and '=' in found[1]:
+            rule = 'full'
+        return f'The line `{found[1]}` of {found[2]} cannot be read: {_last(output) or "its type is unknown"}', rule
+    if last := _last(output):
+        return last, 'full' if 'InvalidValue' in last else 'both'
+    return reason(output), 'both'
+
+
+def _last(output: str) -> str:
+    """The last exception that a tool has printed, in one line."""
+    found = _EXCEPTION.findall(output)
+    return ' '.join(found[-1].split())[:300] if found else ''

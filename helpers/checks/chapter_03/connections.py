@@ -1,0 +1,105 @@
+"""Pairs of an offer and a request, and what keeps them apart: for exercise 3.5."""
+
+from itertools import product
+
+from helpers.runner import expect
+
+KEYS = ('topic', 'type', 'reliability', 'durability', 'deadline')
+WEAK = {'reliability': 'BEST_EFFORT', 'durability': 'VOLATILE'}
+STRONG = {'reliability': 'RELIABLE', 'durability': 'TRANSIENT_LOCAL'}
+_TYPES = ('sensor_msgs/msg/LaserScan', 'sensor_msgs/msg/Image', 'std_msgs/msg/Bool', 'nav_msgs/msg/Odometry')
+_TOPICS = ('/scan', '/image', '/front/scan', '/odom', '/stop')
+
+
+def endpoint(random) -> dict:
+    """An endpoint as the card describes it; everything is drawn."""
+    return {'topic': random.choice(_TOPICS), 'type': random.choice(_TYPES), 'deadline': 0.0,
+            'depth': random.randint(1, 50), **{key: random.choice((WEAK[key], STRONG[key])) for key in WEAK}}
+
+
+def single_pairs(random) -> list[tuple[dict, dict]]:
+    """Pairs (offered, requested) that differ in reliability and durability, or in one other key."""
+    base = endpoint(random)
+    pairs = [(base, dict(base))]
+    for key in WEAK:
+        pairs += [({**base, key: first}, {**base, key: second})
+                  for first, second in product((WEAK[key], STRONG[key]), repeat=2)]
+    topic, kind = base['topic'], base['type']
+    for key, other in (('topic', topic.title()), ('topic', topic + '2'), ('topic', '/left' + topic),
+                       ('type', kind + 'Stamped'), ('type', kind.rpartition('/')[2])):
+        pairs += [({**base, key: other}, base), (base, {**base, key: other})]
+    short, long = sorted(random.sample([n / 20 for n in range(1, 60)], 2))
+    for first, second in ((short, long), (long, short), (short, short), (0.0, 0.0), (0.0, short), (long, 0.0)):
+        pairs.append(({**base, 'deadline': first}, {**base, 'deadline': second}))
+    few, many = sorted(random.sample(range(1, 200), 2))
+    pairs += [({**base, 'depth': few}, {**base, 'depth': many}), ({**base, 'depth': many}, {**base, 'depth': few})]
+    return pairs
+
+
+def mixed_pairs(random, count: int) -> list[tuple[dict, dict]]:
+    """Pairs with several reasons: all five, and `count` others."""
+    pairs = []
+    for number in range(count + 1):
+        offered = endpoint(random)
+        requested = dict(offered)
+        reasons = KEYS if not number else random.sample(KEYS, random.randint(2, 4))
+        for key in reasons:
+            if key in WEAK:
+                offered[key], requested[key] = WEAK[key], STRONG[key]
+            elif key == 'deadline':
+                offered[key], requested[key] = random.choice(((2.5, 0.4), (0.0, 1.5)))
+            else:
+                requested[key] = offered[key] + 's'
+        if 'deadline' not in reasons:
+            offered['deadline'], requested['deadline'] = random.choice(((0.1, 0.0), (0.2, 0.7), (0.0, 0.0)))
+        keys = list(requested)
+        random.shuffle(keys)  # the order of the keys in a dictionary means nothing
+        pairs.append((offered, {key: requested[key] for key in keys}))
+    return pairs
+
+
+def reasons(offered: dict, requested: dict) -> list[str]:
+    """What prevents the connection."""
+    found = [key for key in ('topic', 'type') if offered[key] != requested[key]]
+    found += [key for key in WEAK if offered[key] == WEAK[key] and requested[key] == STRONG[key]]
+    endless = float('inf')
+    if (offered['deadline'] or endless) > (requested['deadline'] or endless):
+        found.append('deadline')
+    return found
+
+
+def check_pairs(learner, pairs: list[tuple[dict, dict]]) -> None:
+    """`why_no_data` is right for these pairs; single reasons should come first."""
+    for offered, requested in pairs:
+        got = learner.call('why_no_data', offered, requested)
+        wanted = reasons(offered, requested)
+        different = ', '.join(f'{key} {offered[key]} → {requested[key]}' for key in (*KEYS, 'depth')
+                              if offered[key] != requested[key]) or 'all keys equal'
+        said = f'With {different} (offered → requested) why_no_data gives {got!r}, expected {wanted!r}.'
+        expect(isinstance(got, list), f'{said} It must return a list, also when all fits.', 'list')
+        extra = [key for key in got if key not in wanted]
+        missing = [key for key in wanted if key not in got]
+        for key in (*extra, *missing):
+            rule, why = _explained(key, offered, requested, key in missing, len(wanted) > 1)
+            expect(False, f'{said} {why}', rule)
+        expect(len(got) == len(wanted), f'{said} Name each key once.', 'list')
+        expect(got == wanted, f'{said} Keep the order of the specification.', 'order')
+
+
+def _explained(key: str, offered: dict, requested: dict, missing: bool, several: bool) -> tuple[str, str]:
+    """The rule that a wrong answer breaks, and a sentence on it."""
+    if key not in (*KEYS, 'depth'):
+        return 'list', f'{key!r} is none of the keys.'
+    if key == 'depth':
+        return 'depth', 'Depth is a private matter of each side, and never a reason.'
+    if missing and several:
+        return 'all', 'Name every key that does not fit.'
+    if key in ('topic', 'type'):
+        return 'names', 'They fit only if they are equal, letter by letter.'
+    if key == 'deadline':
+        if offered[key] and requested[key]:
+            return 'deadline', 'The offered period must not be longer than the requested one.'
+        return 'no-deadline', '0.0 is an endless period.'
+    if missing:
+        return key, 'An offer must be at least as strong as the request.'
+    return key, 'Different is not incompatible: an offer that is stronger than the request fits.'

@@ -1,0 +1,48 @@
+"""The surroundings of the node SafetyStop: for exercise 3.5."""
+
+from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
+from sensor_msgs.msg import LaserScan
+from std_msgs.msg import Bool
+
+from helpers.checks.chapter_03.endpoints import check_name, check_topic
+from helpers.runner import expect
+
+LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+
+
+def start(learner, space: str):
+    """Lidar, SafetyStop and driver, in the namespace: what the driver hears, and the lidar's publisher.
+
+    :raises ExpectationFailed: they cannot be connected, or the node is another one than was given.
+    """
+    stop = learner.listen(f'{space}/stop', Bool, LATCHED, strict=False)
+    lidar = learner.talk(f'{space}/scan', LaserScan, qos_profile_sensor_data, strict=False)
+    node = learner.start('SafetyStop', remap={'__ns': space} if space else None)
+    check_name(node, 'safety_stop', 'rest')
+    check_topic(learner, 'publisher', space, 'stop', 'rest')
+    check_topic(learner, 'subscription', space, 'scan', 'rest')
+    theirs = learner.endpoints(f'{space}/scan').subscriptions[0]
+    expect(not theirs.reliable, 'Your subscription to scan requests RELIABLE, and the lidar offers BEST_EFFORT: no '
+                                'scan arrives. Ask for no more than is offered.', 'scan')
+    expect(not theirs.latched, 'Your subscription to scan requests TRANSIENT_LOCAL, and the lidar offers VOLATILE: no '
+                               'scan arrives. Ask for no more than is offered.', 'scan')
+    ours = learner.endpoints(f'{space}/stop').publishers[0]
+    expect(ours.reliable, 'Your publisher on stop offers BEST_EFFORT, and the driver requests RELIABLE: no command '
+                          'arrives.', 'stop')
+    expect(ours.latched, 'Your publisher on stop offers VOLATILE, and the driver requests TRANSIENT_LOCAL: no command '
+                         'arrives.', 'stop')
+    for kind, topic, depth in (('publisher', 'stop', 1), ('subscription', 'scan', 5)):
+        found = learner.depths(kind, f'{space}/{topic}')
+        expect(found == [depth], f'The depth of {topic} was {depth} and has become {", ".join(map(str, found))}: the '
+                                 'depths were right.', 'rest')
+    return stop, lidar
+
+
+def scans(random, near: list[bool]) -> list[LaserScan]:
+    """A scan for each entry, with an object nearer than 0.5 m or without; the limit itself is not near."""
+    made = []
+    for is_near in near:
+        ranges = [random.uniform(0.6, 9.0) for _ in range(random.randint(1, 6))]
+        ranges.insert(random.randint(0, len(ranges)), random.uniform(0.05, 0.45) if is_near else 0.5)
+        made.append(LaserScan(ranges=ranges))
+    return made

@@ -1,0 +1,156 @@
+"""Exercise 7.6's trees of frames: drawn with their faults, and looked up in a real tf2 buffer."""
+
+from difflib import get_close_matches
+
+from geometry_msgs.msg import TransformStamped
+from rclpy.time import Time
+from tf2_ros import Buffer, TransformException
+
+from helpers.checks.chapter_07.findings import compare
+from helpers.programs.faults.words import misspelt
+from helpers.runner import expect
+
+CAUSES = ('unknown', 'two parents', 'not connected', 'old')
+WHY = {
+    'unknown': 'A frame is known if a transform has it as parent or as child, on /tf or on /tf_static.',
+    'two parents': 'A frame that is the child of two others: the wrong parent is the one that is neither the target '
+                   'nor anybody\'s child.',
+    'not connected': 'Go from the source to its parent, and on, until there is none: there the way must end at the '
+                     'target. The evidence is a frame of another tree, so of none that is below the top frame.',
+    'old': 'The newest stamp of each moving transform on the way counts; static ones do not age. More than 1 s is old.',
+}
+_ROOTS, _SENSORS = ('map', 'odom', 'world'), ('laser', 'camera', 'gripper', 'sonar', 'antenna')
+_FIXED = ('mast', 'plate', 'bracket', 'housing')
+
+
+class Tree:
+    """A drawn robot: `moving`, `static`, `target`, `source`, `now`; the `expected` findings, and the `truth`."""
+
+    def __init__(self, random, *causes: str, near: bool = True, moves: bool | None = None,
+                 decoy: bool = False):
+        """`near`: whether the name that was meant can be found, if one is wrong. `moves`: whether a transform with
+        wrong names is a moving one; None: as it comes. The sensor's own one is static.
+        `decoy`: below the sensor there is a frame whose name is nearest to a top frame that is misspelt.
+        """
+        moves = random.random() < 0.5 if moves is None else moves
+        self._random = random
+        self.target = random.choice(_ROOTS)
+        self.source, other = random.sample(_SENSORS, 2)
+        self.now = float(random.randint(100, 900))
+        middle = random.choice(['base_footprint', 'base_link', 'chassis'])
+        fixed = random.choice(_FIXED)
+        # From the target to the sensor: two moving transforms, two static ones; and another sensor.
+        edges = [(self.target, 'platform', True), ('platform', middle, True), (middle, fixed, False),
+                 (fixed, self.source, False), (middle, other, False)]
+        numbers = {child: [round(random.uniform(-2.0, 2.0), 2) for _ in range(3)] for _, child, _ in edges}
+        self.truth = [sum(numbers[child][axis] for child in ('platform', middle, fixed, self.source))
+                      for axis in range(3)]
+        self.expected: list[tuple] = []
+        names = {}  # (child of the edge, 'parent' or 'child') -> what is published instead
+        exchanged, ages = '', {}
+        for cause in causes:
+            if cause == 'unknown':
+                wrong = self._misspelt(self.source) if near else 'thermometer'
+                names[self.source, 'child'] = wrong
+                self._found(self.source, 'unknown', wrong if near else '')
+            elif cause == 'not connected':
+                parent, child = ('platform', middle) if moves else (middle, fixed)
+                wrong = self._misspelt(parent) if near else 'pedestal'
+                names[child, 'parent'] = wrong
+                self._found(wrong, 'not connected', parent if near else '')
+            elif cause == 'two parents':
+                exchanged = middle if moves else random.choice([other, fixed])
+                self._found('platform' if moves else middle, 'two parents', exchanged)
+            elif cause == 'old':
+                for child in random.choice([[middle], ['platform'], ['platform', middle]]):
+                    ages[child] = random.randint(11, 95) / 10
+                    self._found(child, 'old', f'{ages[child]:.1f}')
+        lower = [one[1] for one in self.expected if one[2] == 'not connected'] if decoy else []
+        for wrong in lower:
+            edges.append((self.source, f'{wrong}2', False))
+            numbers[f'{wrong}2'] = [0.1, 0.0, 0.0]
+        self.moving, self.static = [], []
+        for parent, child, moving in edges:
+            published = names.get((child, 'parent'), parent), names.get((child, 'child'), child)
+            if child == exchanged:
+                published = published[::-1]
+            if not moving:
+                self.static.append(_transform(*published, numbers[child], 0.0))
+                continue
+            for back in range(4, -1, -1):  # what has come on /tf, the newest one last but for a late one
+                stamp = self.now - ages.get(child, random.randint(0, 9) / 10) - back
+                self.moving.append(_transform(*published, numbers[child], stamp))
+        # An end of the tree that has stopped, and is not on the way.
+        self.moving.append(_transform(other, 'lid', [0.0, 0.0, 0.1], self.now - 30.0))
+        random.shuffle(self.moving)
+        random.shuffle(self.static)
+
+    @property
+    def arguments(self) -> tuple:
+        """What the learner's functions get."""
+        return self.moving, self.static, self.target, self.source, self.now
+
+    def diagnose(self, learner, expected: list[tuple] | None = None, rule: str = '', transforms=None) -> None:
+        """Ask the learner's diagnose_tf, by default about this tree, and fail with words if it finds anything else."""
+        moving, static = transforms or (self.moving, self.static)
+        edges = [sorted({f'{one.header.frame_id} → {one.child_frame_id}' for one in part}) for part in (moving, static)]
+        given = (f'Asked for {self.source} in {self.target}, now = {self.now}.\nmoving: {", ".join(edges[0])}\n'
+                 f'static: {", ".join(edges[1])}')
+        compare(learner.call('diagnose_tf', moving, static, *self.arguments[2:]),
+                self.expected if expected is None else expected, WHY, rule, given)
+
+    def in_order(self) -> 'Tree':
+        """The tree, with moving transforms that have come in the order of their stamps."""
+        self.moving.sort(key=lambda one: Time.from_msg(one.header.stamp).nanoseconds)
+        return self
+
+    def repaired(self, learner, findings) -> list:
+        """Both lists after the learner's repair of these findings."""
+        parts = [self.moving, self.static]
+        for finding in findings:
+            parts = [learner.call('repair_finding', part, list(finding)) for part in parts]
+        return parts
+
+    def check(self, repaired) -> None:
+        """Fail with words if the sensor cannot be looked up in the repaired transforms, or is elsewhere."""
+        fits = (isinstance(repaired, list) and len(repaired) == 2 and all(isinstance(part, list) for part in repaired)
+                and all(isinstance(one, TransformStamped) for part in repaired for one in part))
+        expect(fits, 'repair_tf must return a list of TransformStamped.', 'kept')
+        for before, after in zip((self.moving, self.static), repaired, strict=True):
+            expect(len(before) == len(after), f'repair_tf got {len(before)} transforms and returned {len(after)}.',
+                   'kept')
+            moved = [one for one, other in zip(before, after, strict=True)
+                     if one.transform != other.transform or one.header.stamp != other.header.stamp]
+            expect(not moved, 'The numbers and the stamps of a transform were right: only names are to be '
+                              'changed, and the order stays.', 'kept')
+        buffer = Buffer()
+        for part, static in zip(repaired, (False, True), strict=True):
+            for one in sorted(part, key=lambda one: Time.from_msg(one.header.stamp).nanoseconds):
+                put = buffer.set_transform_static if static else buffer.set_transform
+                put(one, 'test')
+        try:
+            seen = buffer.lookup_transform(self.target, self.source, Time()).transform.translation
+        except TransformException as error:
+            expect(False, f'After your repair, tf2 does not find {self.source} from {self.target}: {error}', 'repaired')
+        off = max(abs(a - b) for a, b in zip((seen.x, seen.y, seen.z), self.truth, strict=True))
+        expect(off < 1e-6, f'After your repair, tf2 finds {self.source} at ({seen.x:.2f}, {seen.y:.2f}, {seen.z:.2f}), '
+                           f'expected ({", ".join(f"{value:.2f}" for value in self.truth)}).', 'repaired')
+
+    def _found(self, where: str, cause: str, evidence: str) -> None:
+        self.expected.append(('A7.12', where, cause, evidence))
+
+    def _misspelt(self, name: str) -> str:
+        """A wrong spelling for which no other frame could be meant."""
+        others = {*_ROOTS, *_SENSORS, *_FIXED, 'platform', 'base_footprint', 'base_link', 'chassis', 'lid'} - {name}
+        while True:
+            wrong = misspelt(name, self._random)
+            if get_close_matches(wrong, [name], 1, 0.78) and not get_close_matches(wrong, others, 1, 0.6):
+                return wrong
+
+
+def _transform(parent: str, child: str, numbers, stamp: float) -> TransformStamped:
+    made = TransformStamped()
+    made.header.frame_id, made.child_frame_id = parent, child
+    made.header.stamp = Time(nanoseconds=round(stamp * 10) * 10**8).to_msg()
+    made.transform.translation.x, made.transform.translation.y, made.transform.translation.z = numbers
+    return made

@@ -1,0 +1,79 @@
+"""What the learner's tests notice, of exercises 8.4, 8.6 and 8.11: right programs pass, wrong ones of each kind fail.
+
+`planted` runs the tests with each program. Here it is said how many they noticed, by kind.
+"""
+
+from dataclasses import dataclass, field
+
+from helpers.checks.chapter_08.planted import ENDED, OWN, Outcome, Subject, judge
+from helpers.runner import about, expect
+
+
+@dataclass(frozen=True)
+class Kind:
+    """Wrong programs of one kind: `rule` of the card, what they do in `words`, and name → text of each."""
+
+    rule: str
+    words: str
+    programs: dict = field(hash=False)
+
+
+@dataclass(frozen=True)
+class Planted:
+    """All programs that are run at once, so that one run tells all.
+
+    `right` and `nothing`: name → text; a name says what is special. Programs in `nothing` do nothing.
+    `rule`: that of the card for right programs. `told`: these programs are no secret, so the learner may read what
+    the tests say of them.
+    """
+
+    subject: Subject
+    rule: str
+    right: dict = field(hash=False)
+    nothing: dict = field(hash=False)
+    kinds: tuple[Kind, ...] = ()
+    told: bool = False
+
+    def outcomes(self, learner) -> dict[str, Outcome]:
+        """How the learner's tests end with each program."""
+        wrong = {name: text for kind in self.kinds for name, text in kind.programs.items()}
+        with about(self.rule):
+            return judge(learner, {**self.right, **self.nothing, **wrong}, self.subject, told=self.told)
+
+    def accepts(self, learner) -> None:
+        """Fail unless the tests pass with each right program, and with one that does nothing not."""
+        outcomes = self.outcomes(learner)
+        self._right(outcomes)
+        expect(any(outcomes[name].status == 1 for name in self.nothing),
+               f'Your tests pass with every {self.subject.what}, whatever it does: they assert nothing.', self.rule)
+
+    def rejects(self, learner, rule: str) -> None:
+        """Fail unless the tests notice each wrong program of the kind with this rule."""
+        outcomes, what = self.outcomes(learner), self.subject.what
+        self._right(outcomes)
+        kind = next(kind for kind in self.kinds if kind.rule == rule)
+        missed = [name for name in kind.programs if outcomes[name].status == 0]
+        stuck = [name for name in kind.programs if outcomes[name].status == ENDED]
+        expect(not stuck, f'With a {what} {stuck and stuck[0]}, your tests did not end in {self.subject.limit:g} s. '
+                          'Give each wait a bound.', rule)
+        every = [name for one in self.kinds for name in one.programs]
+        seen, count = sum(outcomes[name].status == 1 for name in every), len(kind.programs)
+        of_these = 'none' if len(missed) == count else str(count - len(missed))
+        expect(not missed,
+               f'Your tests notice {seen} of {len(every)} wrong {what}s: {of_these} of the {count} {kind.words}. They '
+               f'all pass with a {what} {missed and missed[0]}.', rule)
+
+    def _right(self, outcomes: dict[str, Outcome]) -> None:
+        """Fail unless the tests pass with each right program."""
+        what, said = self.subject.what, self.subject.said
+        for name in self.right:
+            outcome = outcomes[name]
+            expect(outcome.status != ENDED, f'Your tests did not end in {self.subject.limit:g} s with a right '
+                                            f'{what} ({name}). Give each wait a bound.', self.rule)
+            saw = f' This failed: {outcome.reason}.' if self.told and outcome.reason else ''
+            expect(outcome.status == 0 or name != OWN, f'A test of yours fails with your own {what}.{saw} Is the '
+                                                       f'{what} wrong, or the test?', self.rule)
+            why = ('Wait for what must come, and ask for nothing that is not in the specification.' if self.subject.ros
+                   else f'Compare computed numbers with pytest.approx, and ask for nothing that is not in the {said}.')
+            expect(outcome.status == 0, f'A test of yours fails with a {what} that does what its {said} says '
+                                        f'({name}).{saw} {why}', self.rule)

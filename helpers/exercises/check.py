@@ -1,0 +1,120 @@
+"""`check("3.1")`: the visible tests of an exercise, run against the cells of this kernel."""
+
+import os
+from pathlib import Path
+
+from helpers import paths
+from helpers.exercises import progress_file, start_page
+from helpers.kernel import journal
+
+
+def check(exercise_id: str) -> None:
+    """Run the visible tests of an exercise against the latest run of its cell, and show what passed and what did not.
+
+    The tests run in processes of their own: they see the text of your cells, not the state of this kernel.
+    Nothing is raised; in a stopped check (the stop button) nothing is shown.
+    """
+    if 'COURSE_RUNNER' in os.environ:
+        return  # the cell is itself being tested
+    try:
+        report = run_tests(str(exercise_id))
+    except KeyboardInterrupt:
+        print('The check was stopped.')
+    except Exception as error:  # noqa: BLE001 - a check never breaks the notebook
+        print(f'The check could not run: {error}')
+    else:
+        _show(report.exercises)
+        # Not for copies, nor when an instructor's solutions are built.
+        if Path.cwd() == paths.NOTEBOOKS and os.environ.get('COURSE_PROGRESS') != 'off':
+            start_page.keep(report)
+
+
+def run_tests(exercise_id: str):
+    """Run the visible tests of one exercise on this kernel's cells.
+
+    :raises LookupError: there is no such exercise.
+    :raises helpers.exercises.manifest.ManifestError: the list of exercises is damaged.
+    """
+    from helpers.exercises import manifest
+    from helpers.runner import results, session
+
+    exercises = manifest.load()
+    if exercise_id not in exercises:
+        raise LookupError(f'there is no exercise {exercise_id!r}; there are {", ".join(exercises)}.')
+    exercise = exercises[exercise_id]
+    cells = executed(exercise)
+    if cells is None:
+        return session.SessionReport([results.without_tests(exercise, 'invalid_submission', _not_run(exercise))])
+    # Until it passes, a check shows the same values.
+    return session.run(cells, [exercise], session.Options(seeds=progress_file.seeds([exercise.id]),
+                                                          notebook=_saved(exercise)))
+
+
+def _not_run(exercise) -> str:
+    """What to do where no cell of the exercise has been run, or where it has lost its first line."""
+    from helpers.exercises import program
+
+    heading = f'# Exercise {exercise.id}: {exercise.title}'
+    for noted in reversed(journal.cells):
+        if set(exercise.names) <= program.names_in(noted.source):
+            return (f'A cell that you ran defines `{exercise.names[0]}`, but its first line is not `{heading}`. The '
+                    'check knows the cell by this line: write it back, run the cell, and check again.')
+    return f'Run the cell that begins with `# Exercise {exercise.id}` first, then check again.'
+
+
+def _saved(exercise) -> list:
+    """The cells of the exercise's notebook as it was last saved; none if it cannot be read."""
+    from helpers.exercises import notebooks
+
+    try:
+        return notebooks.read(paths.NOTEBOOKS / exercise.notebook)
+    except notebooks.InvalidSubmission:
+        return []
+
+
+def _stand_by(result) -> None:
+    """After the cell of an exercise, prepare for its check."""
+    from helpers.exercises import program
+
+    first = (result.info.raw_cell or '').lstrip().partition('\n')[0]
+    if program.HEADING.match(first):
+        from helpers.runner import tests_process
+        tests_process.stand_by()
+
+
+if journal.in_kernel() and 'COURSE_RUNNER' not in os.environ:
+    journal.shell().events.register('post_run_cell', _stand_by)
+
+
+def executed(exercise) -> list | None:
+    """The cells of this kernel, each in its latest version, the exercise's last; None if that has not been run.
+
+    In a notebook one may run cells in any order, so every cell counts as one before the exercise.
+    """
+    from helpers.exercises import notebooks, program
+
+    latest: dict = {}
+    for noted in journal.cells:
+        cell = notebooks.NotebookCell(noted.source, 0, noted.id)
+        heading = program.exercise_id(cell)
+        key = ('exercise', heading) if heading else ('id', noted.id) if noted.id else ('source', noted.source)
+        latest.pop(key, None)  # the newest version comes last
+        latest[key] = cell
+    # JupyterLab sends the cell's id: with it a cell is known that has lost its first line, as it is when it is graded.
+    own = latest.pop(('exercise', exercise.id), None) or latest.pop(('id', exercise.cell_id), None)
+    if own is None:
+        return None
+    # A cell that carries the exercise's id under another heading would count as a second one.
+    others = [cell for cell in latest.values() if cell.id is None or cell.id not in (exercise.cell_id, own.id)]
+    return [*others, own]
+
+
+def _show(exercises: list) -> None:
+    from helpers.exercises import result_display
+
+    text = result_display.plain(exercises)
+    if journal.in_kernel():
+        from IPython.display import display as show
+        show({'text/html': result_display.html(exercises), 'text/plain': text}, raw=True)
+    else:
+        print(text)

@@ -1,9 +1,0 @@
-"""The ROS graph as a picture in a notebook: what rqt_graph shows, with QoS and with what does not fit, in red.
-
-`show_graph()` is a still picture, `GraphView()` a live one. `model` holds what is known, `reading` asks rclpy for it,
-`problems` says what does not fit, `layout` places boxes, `picture` draws.
-"""
-
-from helpers.graph.view import GraphView, show_graph
-
-__all__ = ['GraphView', 'show_graph']

@@ -1,0 +1,188 @@
+"""A workspace of the notebook's own: a folder in which colcon and ros2 run, one new terminal after the other."""
+
+import os
+import shlex
+import shutil
+import time
+from pathlib import Path
+
+from helpers.kernel import journal
+from helpers.programs import terminals
+from helpers.programs.processes import BackgroundProcess, background
+
+_PATIENCE = 1.5  # seconds until a build shows how far it is
+_LOG_LINES = 20  # of a failed package
+
+
+class BuildError(RuntimeError):
+    """A build failed; its log is printed above."""
+
+
+class Workspace:
+    """A folder with packages in ``src``. Commands are printed as you would type them, with their output.
+
+    ::
+
+        ws = Workspace('ros2_ws')
+        ws.reset()
+        ws.run('ros2 pkg list')
+    """
+
+    def __init__(self, path='ros2_ws', env=None):
+        """:param path: the folder; a relative one is beside the notebook.
+        :param env: variables to add to the environment of its terminals.
+        """
+        self.path = Path(path).absolute()
+        self.env = dict(env or {})
+
+    def reset(self) -> None:
+        """Make it new: an empty ``src``, no ``build``, ``install`` and ``log``.
+
+        :raises FileExistsError: the folder was not made by a `Workspace`; nothing is touched.
+        """
+        defaults = self.path / terminals.DEFAULTS
+        if self.path.exists() and any(self.path.iterdir()) and not defaults.is_file():
+            raise FileExistsError(f'{self.path} is not a workspace of this course: move it away, or give another name')
+        shutil.rmtree(self.path, ignore_errors=True)
+        (self.path / 'src').mkdir(parents=True)
+        defaults.write_text(terminals.colcon_defaults())
+
+    def write(self, path: str, text: str) -> None:
+        """Write a file; ``path`` begins at the workspace's folder. A first empty line of the text is left out.
+
+        :raises ValueError: ``path`` leads out of the workspace.
+        """
+        file = (self.path / path).resolve()
+        if self.path.resolve() not in file.parents:
+            raise ValueError(f'{path} is not inside of {self.path.name}')
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text.removeprefix('\n'))
+
+    def add(self, package) -> None:
+        """Copy a package's folder into ``src``, in place of one of the same name.
+
+        :raises FileNotFoundError: there is no such folder.
+        """
+        package = Path(package)
+        if not package.is_dir():
+            raise FileNotFoundError(f'there is no package {package}')
+        target = self.path / 'src' / package.name
+        shutil.rmtree(target, ignore_errors=True)
+        shutil.copytree(package, target, ignore=shutil.ignore_patterns('__pycache__'))
+
+    def start(self, script: str) -> BackgroundProcess:
+        """Start commands in a new terminal and return at once; the handle is that of `helpers.background`."""
+        return self._start(script, shown=False)
+
+    def run(self, script: str) -> None:
+        """Run commands, one a line, in a new terminal whose folder is the workspace; shows them and their output."""
+        status = self._finish(self._start(script), lambda: None)
+        if status:
+            print(f'[exit status {status}]')
+
+    def build(self, *arguments: str) -> None:
+        """Run ``colcon build`` with these arguments; shows how far it is, and the log if it fails.
+
+        :raises BuildError: a package was not built.
+        """
+        progress = _Progress(self.path / 'log' / 'latest_build')
+        status = self._finish(self._start(' '.join(['colcon build', *arguments])), progress.show)
+        progress.end()
+        if status:
+            _show_logs(self.path)
+            raise BuildError('colcon build failed; the reason stands above')
+
+    def tree(self, folder: str = '.', depth: int = 9) -> None:
+        """Print the folders and files below ``folder``, without caches."""
+        top = self.path / folder
+        print(f'{top.name}/')
+        _tree(top, '', depth)
+
+    def _start(self, script: str, shown: bool = True) -> BackgroundProcess:
+        if not self.path.is_dir():
+            raise FileNotFoundError(f'there is no folder {self.path}: call reset() first')
+        lines = [line.strip() for line in script.strip().splitlines()]
+        if shown:  # each line before it is run, as on a screen
+            lines = [part for line in lines for part in (f'echo {shlex.quote("$ " + line)}', line)]
+        environment = {'COLCON_DEFAULTS_FILE': str(self.path / terminals.DEFAULTS), **self.env}
+        return background(self._terminal('\n'.join(lines)), env=environment, cwd=self.path)
+
+    def _terminal(self, script: str) -> list[str]:
+        """The command that runs a script in a new terminal."""
+        # Variables that belong to the kernel's own Python, or that make tools print colours though it is no terminal.
+        return ['env', '-u', 'PYTHONDONTWRITEBYTECODE', '-u', '_ROS_WHEELS_BOOTSTRAP_COMPLETE',
+                '-u', 'FORCE_COLOR', '-u', 'CLICOLOR_FORCE',
+                *terminals.shell(script)]
+
+    @staticmethod
+    def _finish(process: BackgroundProcess, meanwhile) -> int:
+        """Print what comes until the process ends, and return its exit status."""
+        shown, running = 0, True
+        with process:
+            while running:
+                try:
+                    process.wait_for_output(lambda line: False, timeout=0.2)
+                except TimeoutError:
+                    pass
+                except RuntimeError:  # it has ended
+                    running = False
+                for line in process.lines[shown:]:
+                    print(line)
+                    shown += 1
+                meanwhile()
+        return process.returncode
+
+
+class _Progress:
+    """A line below a build that takes longer: the seconds so far, and the newest line of the log."""
+
+    def __init__(self, log: Path):
+        self.log = log
+        self._begin = time.monotonic()
+        self._display = None
+
+    def show(self) -> None:
+        seconds = time.monotonic() - self._begin
+        if seconds < _PATIENCE or not journal.in_kernel():
+            return
+        line = f'… {seconds:.0f} s   {_newest_line(self.log)}'
+        if self._display is None:
+            from IPython.display import display
+            self._display = display({'text/plain': line}, raw=True, display_id=True)
+        else:
+            self._display.update({'text/plain': line}, raw=True)
+
+    def end(self) -> None:
+        if self._display is not None:
+            self._display.update({'text/plain': ''}, raw=True)
+
+
+def _newest_line(log: Path) -> str:
+    """The last line of the newest log of a package, at most 80 characters."""
+    logs = sorted(log.glob('*/stdout_stderr.log'), key=lambda path: path.stat().st_mtime)
+    lines = logs[-1].read_text(errors='replace').splitlines() if logs else []
+    return f'{logs[-1].parent.name}: {lines[-1][:80]}' if lines else ''
+
+
+def _show_logs(workspace: Path) -> None:
+    """Print the end of what the tools of a failed package printed on stdout; colcon itself shows their stderr."""
+    for status in sorted(workspace.glob('build/*/colcon_build.rc')):
+        log = workspace / 'log' / 'latest_build' / status.parent.name / 'stdout.log'
+        lines = log.read_text(errors='replace').splitlines() if log.is_file() else []
+        if status.read_text().strip() != '0' and lines:
+            print(f'--- {log.relative_to(workspace)} ends so:', *lines[-_LOG_LINES:], sep='\n')
+
+
+def _tree(folder: Path, indent: str, depth: int) -> None:
+    entries = sorted(path for path in folder.iterdir()
+                     if not path.name.startswith('.') and path.name not in ('__pycache__', terminals.DEFAULTS))
+    for entry in entries:
+        branch, trunk = ('└── ', '    ') if entry == entries[-1] else ('├── ', '│   ')
+        inside = entry.is_dir() and not entry.is_symlink()
+        print(f"{indent}{branch}{entry.name}{'/' if inside else ''}{_target(entry)}")
+        if inside and depth > 1:
+            _tree(entry, indent + trunk, depth - 1)
+
+
+def _target(path: Path) -> str:
+    return f' -> {os.readlink(path)}' if path.is_symlink() else ''

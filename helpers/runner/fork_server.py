@@ -1,0 +1,220 @@
+"""Fork server of the learner's side: imports ROS once, then forks one process per program.
+
+It reads requests from its control socket; each `fork` request carries two file descriptors, the program's JSON
+channel and its output pipe. It never runs learner's code itself and never opens a DDS participant, so a forked
+process is in the same state as a new one. When the control socket closes, it kills what it forked and ends.
+
+Programs run the learner's cells. A task (`helpers.runner.commands`) runs in a place that no cell has run in.
+
+    {"op": "fork", "key": k, "limits": {}} + 2 fds   ->  {"event": "forked", "key": k, "pid": p}
+    {"op": a task, "key": k, "limits": {}, "place": name, …} + output, others
+                                                     ->  {"event": "forked", "key": k, "pid": p}
+    {"op": "kill", "key": k}                         ->  (none)
+    {"op": "signal", "key": k, "number": n}          ->  (none)
+    {"op": "clear", "place": name}                   ->  {"event": "cleared"}, when nothing of the place runs; without a
+                                                         place nothing at all
+    {"op": "forget", "place": name}                  ->  {"event": "cleared"}, when the place is gone
+    (a child ended)                                  ->  {"event": "ended", "key": k, "status": wait status, "why": ""}
+"""
+import array
+import functools
+import json
+import os
+import select
+import signal
+import socket
+import sys
+from collections.abc import Callable
+from contextlib import suppress
+
+from helpers.runner import commands, preloading
+from helpers.runner.lifetime import die_with_parent, leave
+from helpers.runner.start_processes import Limits
+
+
+class ProgramProcesses:
+    """How a program's process is made and ended; a sandbox has its own way."""
+
+    patience: float | None = None  # seconds between two looks at what the programs use; None: no look
+
+    def fork(self, limits: Limits, channel: int, output: int) -> int:
+        """Start a program's process; returns its pid."""
+        pid = os.fork()
+        if pid == 0:
+            leave_server()
+            die_with_parent()
+            limits.apply()
+            become_program(channel, output)
+        return pid
+
+    def task(self, limits: Limits, place: str, output: int, given: list[int], act: Callable[[], int]) -> int:
+        """Start a process that does a task in a place; returns its pid."""
+        pid = os.fork()
+        if pid == 0:
+            leave_server()
+            die_with_parent()
+            limits.apply()
+            become_task(output, given, act)
+        return pid
+
+    def kill(self, pid: int) -> None:
+        """End a program's process and what it has started."""
+        kill_group(pid)
+
+    def signal(self, pid: int, number: int) -> None:
+        """Send a signal to the process of a task."""
+        with suppress(ProcessLookupError):
+            os.kill(pid, number)
+
+    def ended(self, pid: int) -> None:
+        """A program's process has ended: end what it has started."""
+        kill_group(pid)
+
+    def clear(self, place: str | None = None) -> None:
+        """End whatever is left of the programs, all of which have ended; or of the tasks in a place."""
+
+    def forget(self, place: str) -> None:
+        """Remove a place."""
+
+    def look(self) -> str:
+        """End programs that use too much; returns why, or nothing."""
+        return ''
+
+    def close(self) -> None:
+        """The last call."""
+
+
+def serve(control: socket.socket, programs: ProgramProcesses) -> None:
+    """Serve requests until the control socket closes."""
+    children: dict[int, tuple[str, str | None]] = {}  # pid -> key, place
+    why = ''  # the programs were ended
+    # A signal wakes the select below; its handler has nothing else to do.
+    woken, wake = os.pipe2(os.O_NONBLOCK | os.O_CLOEXEC)
+    signal.signal(signal.SIGCHLD, lambda *_: None)
+    signal.set_wakeup_fd(wake, warn_on_full_buffer=False)
+
+    def tell(**event) -> None:
+        control.sendall(json.dumps(event).encode())
+
+    sources: list[socket.socket | int] = [control, woken]
+    while True:
+        ready, _, _ = select.select(sources, [], [], programs.patience if children else None)
+        if woken in ready:
+            os.read(woken, 4096)
+        if children:
+            why = programs.look() or why
+        for pid, (key, _) in list(children.items()):
+            ended, status = os.waitpid(pid, os.WNOHANG)
+            if ended:
+                del children[pid]
+                programs.ended(pid)
+                tell(event='ended', key=key, status=status, why=why)
+        if control not in ready:
+            continue
+        data, ancillary, _, _ = socket_receive(control)
+        if not data:
+            break
+        request = json.loads(data)
+        place = request.get('place')
+        match request['op']:
+            case 'kill' | 'signal':
+                for pid, (key, _) in children.items():
+                    if key == request['key']:
+                        programs.signal(pid, request['number']) if 'number' in request else programs.kill(pid)
+            case 'clear' | 'forget':
+                for pid, (_, where) in children.items():
+                    if place in (None, where):
+                        programs.kill(pid)
+                programs.clear(place) if request['op'] == 'clear' else programs.forget(place)
+                why = ''
+                tell(event='cleared')
+            case 'fork':
+                channel, output = ancillary
+                preloading.warm_up_for(request.get('modules', []))
+                pid = programs.fork(Limits(**request['limits']), channel, output)
+                children[pid] = request['key'], None
+                tell(event='forked', key=request['key'], pid=pid)
+            case _:
+                output, *given = ancillary
+                if request['op'] == 'pytest':
+                    preloading.warm_up_for_pytest(request.get('modules', []))
+                pid = programs.task(Limits(**request['limits']), place, output, given,
+                                    functools.partial(commands.perform, request, given))
+                children[pid] = request['key'], place
+                tell(event='forked', key=request['key'], pid=pid)
+        for descriptor in ancillary:
+            os.close(descriptor)
+    for pid in children:
+        programs.kill(pid)
+    programs.close()
+
+
+def leave_server() -> None:
+    """In a forked child: undo what the server has set for itself."""
+    signal.set_wakeup_fd(-1)
+    signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+
+
+def kill_group(pid: int) -> None:
+    """Kill a process group, if it is still there."""
+    try:
+        os.killpg(pid, signal.SIGKILL)
+    except ProcessLookupError:
+        pass
+
+
+def socket_receive(control: socket.socket):
+    """One request with the file descriptors it carries (the control socket keeps message boundaries)."""
+    data, ancillary, flags, address = control.recvmsg(65536, socket.CMSG_SPACE(3 * array.array('i').itemsize))
+    descriptors = array.array('i')
+    for level, kind, content in ancillary:
+        if level == socket.SOL_SOCKET and kind == socket.SCM_RIGHTS:
+            descriptors.frombytes(content[: len(content) - len(content) % descriptors.itemsize])
+    return data, list(descriptors), flags, address
+
+
+def become_program(channel: int, output: int) -> None:
+    """In the forked child: make `output` the standard streams and run the worker. Never returns."""
+    from helpers.runner import worker
+    become_task(output, [channel], lambda: worker.run(socket.socket(fileno=channel)))
+
+
+def become_task(output: int, given: list[int], act: Callable[[], int]) -> None:
+    """In the forked child: make `output` the standard streams, keep `given` open, and act. Never returns."""
+    code = 1
+    try:
+        begin = 3
+        for descriptor in sorted([output, *given]):  # the server's own are closed
+            os.closerange(begin, descriptor)
+            begin = descriptor + 1
+        os.closerange(begin, os.sysconf('SC_OPEN_MAX'))
+        os.setsid()  # its own session: a learner's kill(0) reaches only itself
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        with open(os.devnull) as null:
+            os.dup2(null.fileno(), 0)
+        os.dup2(output, 1)
+        os.dup2(output, 2)
+        os.close(output)
+        code = act()
+    except BaseException:  # noqa: BLE001 - the child must not return into the server's loop
+        import traceback
+        traceback.print_exc()
+    finally:
+        try:
+            sys.stdout.flush()
+            sys.stderr.flush()
+        finally:
+            os._exit(code)
+
+
+def main() -> None:
+    control = socket.socket(fileno=int(sys.argv[1]))
+    die_with_parent()
+    preloading.warm_up()
+    control.send(b'{"event": "ready"}')
+    serve(control, ProgramProcesses())
+    leave(0)
+
+
+if __name__ == '__main__':
+    main()

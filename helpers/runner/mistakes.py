@@ -1,0 +1,173 @@
+"""Common mistakes in the use of rclpy, recognised in the learner's process, where rclpy itself hangs or says little.
+
+`watch` puts checks around functions of rclpy. What is wrong at the call itself raises TypeError there, so that the
+error names the learner's line; a wait inside a callback raises `WaitsInCallback`, as it would never end, or end without
+an answer; what may be right is only remembered, to explain an error that follows.
+"""
+import functools
+import inspect
+import sys
+import time
+from collections.abc import Callable
+
+import rclpy
+from rclpy import executors
+from rclpy.action import ActionClient, ActionServer, CancelResponse, GoalResponse
+from rclpy.action.client import ClientGoalHandle
+from rclpy.client import Client
+from rclpy.node import Node
+from rclpy.task import Future
+
+
+class WaitsInCallback(BaseException):
+    """A callback waits for what only another callback can bring. No `except Exception` of the learner's hides it."""
+
+    def __init__(self, call: str):
+        super().__init__(call)
+        self.call = call  # 'rclpy.spin_until_future_complete'
+
+
+class Watch:
+    """What the checks ask, and what they have seen."""
+
+    def __init__(self, in_callback: Callable[[], bool], in_threads: Callable[[], bool],
+                 is_learners: Callable[..., bool]):
+        """`in_callback()`: a callback of the learner's runs in this thread. `in_threads()`: callbacks run in threads of
+        their own. `is_learners(frame)`: the frame is in a cell of the learner's.
+        """
+        self.in_callback, self.in_threads, self.is_learners = in_callback, in_threads, is_learners
+        self.early: tuple[str, int] | None = None  # (file, line) of the last `result()` of a future that was not done
+        self.remarks: list[str] = []  # sentences for the learner
+        self.slept = 0.0  # seconds for which the learner's lines have called time.sleep
+
+    def remark(self, sentence: str) -> None:
+        """Keep a sentence for the learner, once."""
+        if sentence not in self.remarks and len(self.remarks) < 10:
+            self.remarks.append(sentence)
+
+
+def watch(seen: Watch) -> None:
+    """Put the checks around rclpy's functions, in this process."""
+    for method in ('create_timer', 'create_subscription', 'create_service', 'create_publisher', 'create_client'):
+        setattr(Node, method, _checked(getattr(Node, method), seen))
+    for method in ('add_on_set_parameters_callback', 'add_pre_set_parameters_callback',
+                   'add_post_set_parameters_callback'):
+        setattr(Node, method, _checked(getattr(Node, method), seen))
+    for name in ('spin', 'spin_once', 'spin_until_future_complete'):
+        setattr(rclpy, name, _no_wait(getattr(rclpy, name), f'rclpy.{name}', seen))
+    for kind in (executors.Executor, executors.SingleThreadedExecutor, executors.MultiThreadedExecutor):
+        for name in ('spin', 'spin_once', 'spin_until_future_complete', 'spin_once_until_future_complete'):
+            if name in vars(kind):
+                setattr(kind, name, _no_wait(vars(kind)[name], name, seen))
+    for owner, name in ((Client, 'call'), (ActionClient, 'send_goal'), (ClientGoalHandle, 'get_result'),
+                        (ClientGoalHandle, 'cancel_goal')):
+        setattr(owner, name, _no_wait(vars(owner)[name], name, seen, unless=seen.in_threads))
+    Future.result = _asked_early(Future.result, seen)  # type: ignore[method-assign]  # put around it on purpose
+    time.sleep = _counted(time.sleep, seen)
+    _watch_actions(seen)
+
+
+def _checked(method, seen: Watch):
+    """A method that makes an endpoint or registers a callback, with an error of its own for wrong arguments.
+
+    Only for calls from the learner's cells: rclpy itself makes timers without a callback.
+    """
+    signature = inspect.signature(method)
+    parameters = list(signature.parameters)[1:]
+    first_is_type = parameters[0].endswith('_type')
+
+    @functools.wraps(method)
+    def checked(self, *args, **kwargs):
+        if not seen.is_learners(sys._getframe(1)):
+            return method(self, *args, **kwargs)
+        try:
+            given = signature.bind(self, *args, **kwargs).arguments
+        except TypeError:
+            return method(self, *args, **kwargs)  # rclpy's own words: an argument is missing or unknown
+        if first_is_type and isinstance(given[parameters[0]], str) and inspect.isclass(given.get(parameters[1])):
+            name, kind = given[parameters[0]], given[parameters[1]].__name__
+            raise TypeError(f'the type comes first, then the name: {method.__name__}({kind}, {name!r}, …)')
+        if 'callback' in given and not callable(given['callback']):
+            raise TypeError(_no_function(f'{method.__name__}(…)', given['callback']))
+        return method(self, *args, **kwargs)
+    return checked
+
+
+def _no_function(where: str, given) -> str:
+    if given is None:
+        return (f'the callback given to {where} is None, not a function: give the function itself, without parentheses '
+                '(self.on_timer, not self.on_timer())')
+    return f'the callback given to {where} is an object of type {type(given).__name__}, not a function'
+
+
+def _no_wait(function, name: str, seen: Watch, unless: Callable[[], bool] = lambda: False):
+    """A function that waits, refused in a callback, where nothing can come while it waits."""
+    @functools.wraps(function)
+    def refusing(*args, **kwargs):
+        if seen.in_callback() and not unless():
+            raise WaitsInCallback(name)
+        return function(*args, **kwargs)
+    return refusing
+
+
+def _asked_early(result, seen: Watch):
+    """`Future.result`, which gives None as long as there is no answer."""
+    @functools.wraps(result)
+    def asked(self):
+        if not self.done():
+            frame = sys._getframe(1)
+            if seen.is_learners(frame):
+                seen.early = (frame.f_code.co_filename, frame.f_lineno)
+        return result(self)
+    return asked
+
+
+def _counted(sleep, seen: Watch):
+    """`time.sleep` that adds up how long the learner's lines sleep. The count is the same on a busy machine."""
+    @functools.wraps(sleep)
+    def sleeping(seconds):
+        if seen.is_learners(sys._getframe(1)):
+            seen.slept += max(0.0, float(seconds))
+        return sleep(seconds)
+    return sleeping
+
+
+def _watch_actions(seen: Watch) -> None:
+    """Remember a goal or cancel callback that returns neither ACCEPT nor REJECT: rclpy rejects then."""
+    create = ActionServer.__init__
+    answers = {'goal_callback': GoalResponse, 'cancel_callback': CancelResponse}
+    signature = inspect.signature(create)
+
+    @functools.wraps(create)
+    def __init__(self, *args, **kwargs):
+        try:
+            given = signature.bind(self, *args, **kwargs).arguments
+        except TypeError:
+            return create(self, *args, **kwargs)
+        if not callable(given['execute_callback']):
+            raise TypeError(_no_function('ActionServer(…)', given['execute_callback']))
+        for name, kind in answers.items():
+            if callable(given.get(name)):
+                given[name] = _answering(given[name], name, kind, seen)
+        bound = inspect.BoundArguments(signature, given)
+        return create(*bound.args, **bound.kwargs)
+
+    ActionServer.__init__ = __init__  # type: ignore[method-assign]  # put around it on purpose
+
+
+def _answering(callback, name: str, kind, seen: Watch):
+    def judged(answer):
+        if not isinstance(answer, kind):
+            seen.remark(f'Your {name} returned {answer!r:.40}. It must return {kind.__name__}.ACCEPT or '
+                        f'{kind.__name__}.REJECT; anything else counts as REJECT.')
+        return answer
+
+    if inspect.iscoroutinefunction(callback):
+        async def awaited(request):
+            return judged(await callback(request))
+        return awaited
+
+    def asked(request):
+        answer = callback(request)
+        return answer if inspect.isawaitable(answer) else judged(answer)
+    return asked

@@ -1,0 +1,71 @@
+"""What fork servers import before they fork, so that a learner's program finds it loaded."""
+import importlib
+import re
+import sys
+from contextlib import suppress
+
+# What most programs import; the rest is imported by the program itself.
+_MESSAGE_PACKAGES = ('std_msgs', 'geometry_msgs', 'sensor_msgs', 'nav_msgs', 'builtin_interfaces', 'rosgraph_msgs',
+                     'rcl_interfaces')
+_SERVICES = ('example_interfaces.srv', 'std_srvs.srv', 'example_interfaces.action', 'rclpy.action')
+# Their C type support is loaded too.
+_MESSAGES = {'std_msgs': ('String', 'UInt64', 'Int32', 'Bool', 'Float64', 'Header'), 'rosgraph_msgs': ('Clock',),
+             'geometry_msgs': ('Twist', 'Pose', 'PoseStamped'), 'sensor_msgs': ('LaserScan',),
+             'nav_msgs': ('OccupancyGrid', 'Odometry'),
+             'rcl_interfaces': ('Log', 'ParameterEvent')}
+
+# Slow to import, and only some programs do: the server imports them for the first one, and the others have them.
+ON_DEMAND = ('tf2_ros', 'tf_transformations', 'tf2_geometry_msgs', 'tf2_sensor_msgs', 'sensor_msgs_py.point_cloud2')
+
+
+def warm_up() -> None:
+    """Load code and shared libraries, without opening a participant.
+
+    rcl brings two idle threads of LTTng's; a forked child lives without them.
+    """
+    import numpy  # noqa: F401
+    import rclpy
+    import rclpy.action
+    import rclpy.event_handler  # noqa: F401
+    import rclpy.executors
+
+    rclpy.get_rmw_implementation_identifier()  # loads the middleware's library
+    for package in _MESSAGE_PACKAGES:
+        module = importlib.import_module(f'{package}.msg')
+        for name in _MESSAGES.get(package, ()):
+            getattr(module, name).__class__.__import_type_support__()
+    for name in _SERVICES:
+        importlib.import_module(name)
+    from rcl_interfaces import srv
+    for name in ('DescribeParameters', 'GetParameters', 'GetParameterTypes', 'ListParameters', 'SetParameters',
+                 'SetParametersAtomically'):
+        getattr(srv, name).__class__.__import_type_support__()
+
+    import helpers.runner.worker  # noqa: F401
+
+
+def warm_up_for(modules: list[str]) -> None:
+    """Import those of `modules` that are in ON_DEMAND."""
+    for name in ON_DEMAND:
+        if name in modules and name not in sys.modules:
+            with suppress(Exception):  # the program's own import will tell
+                importlib.import_module(name)
+
+
+def on_demand(cells: list[dict]) -> list[str]:
+    """Those of ON_DEMAND that a program's cells (`helpers.exercises.program.Program.cells`) seem to import."""
+    text = '\n'.join(cell['source'] for cell in cells)
+    return [name for name in ON_DEMAND if re.search(rf'^\s*(import|from)\s+{re.escape(name)}\b', text, re.MULTILINE)]
+
+
+def warm_up_for_pytest(modules: list[str]) -> None:
+    """Import pytest with what it imports for a run, and `modules`."""
+    import importlib
+
+    from _pytest import config
+    for name in config.default_plugins:
+        importlib.import_module(f'_pytest.{name}')
+    import pytest  # noqa: F401
+    for name in modules:
+        with suppress(Exception):  # the tests' own import will tell
+            importlib.import_module(name)

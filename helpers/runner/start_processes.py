@@ -1,0 +1,133 @@
+"""How the processes of the learner's side and of the tests are started; a sandbox replaces this module.
+
+Here the learner's side is a plain child process with limits: enough for a learner's own work in their own notebook.
+`grading.sandbox` chooses what `grade` uses; everything else only sees `start`'s result.
+"""
+import os
+import resource
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from environment.setup.startup import DEFAULTS
+
+ROOT = Path(__file__).resolve().parents[2]
+PROFILE = Path(__file__).with_name('fastdds.xml')
+
+# Kept from the caller's environment: what makes Python and the ROS installation work, nothing else.
+_KEPT = ('PATH', 'LANG', 'LC_ALL', 'LD_LIBRARY_PATH', 'AMENT_PREFIX_PATH', 'PYTHONPATH', 'ROS_DISTRO', 'VIRTUAL_ENV',
+         '_ROS_WHEELS_BOOTSTRAP_COMPLETE')
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Bounds for the learner's side; a test asks for others with `@pytest.mark.limits(name=value)`.
+
+    The first ones hold for each process. The last ones hold for all processes together, and only in a sandbox.
+    """
+
+    memory: int = 3 * 2**30  # bytes of address space; an rclpy node needs 0.65 GB of it
+    cpu: int = 120  # seconds
+    files: int = 256  # open file descriptors
+    file_size: int = 16 * 2**20  # bytes per file
+    output: int = 64 * 2**10  # bytes of printed text that are kept, per program
+    processes: int = 256  # processes and threads; an rclpy node has 16 threads
+    total_memory: int = 2 * 2**30  # bytes of RAM
+    tmp: int = 64 * 2**20  # bytes in /tmp
+    home: int = 64 * 2**20  # bytes in the home directory
+    shared: int = 16 * 2**20  # bytes in /dev/shm
+
+    def apply(self, *, sandboxed: bool = False) -> None:
+        """Bound the calling process. The kernel counts processes per user, so that is for a sandbox only."""
+        bounds = {resource.RLIMIT_AS: self.memory, resource.RLIMIT_CPU: self.cpu, resource.RLIMIT_NOFILE: self.files,
+                  resource.RLIMIT_FSIZE: self.file_size, resource.RLIMIT_CORE: 0}
+        if sandboxed:
+            bounds[resource.RLIMIT_NPROC] = self.processes
+            bounds[resource.RLIMIT_MSGQUEUE] = 0
+            bounds[resource.RLIMIT_MEMLOCK] = 2**20
+        for what, value in bounds.items():
+            hard = resource.getrlimit(what)[1]
+            value = value if hard == resource.RLIM_INFINITY else min(value, hard)
+            resource.setrlimit(what, (value, value))
+
+
+LIMITS = Limits()
+
+
+def ros_environment(domain_id: int) -> dict[str, str]:
+    """Environment variables that tests and learner's side share, so that they find each other.
+
+    UDP only, and range SUBNET: with LOCALHOST Fast DDS brings shared memory back, which a sandbox does not share.
+    """
+    return {
+        **DEFAULTS,
+        'ROS_DOMAIN_ID': str(domain_id),
+        'ROS_AUTOMATIC_DISCOVERY_RANGE': 'SUBNET',
+        'FASTDDS_BUILTIN_TRANSPORTS': 'UDPv4',
+        'FASTRTPS_DEFAULT_PROFILES_FILE': str(PROFILE),
+        'RMW_IMPLEMENTATION': 'rmw_fastrtps_cpp',
+        'RMW_FASTRTPS_PUBLICATION_MODE': 'SYNCHRONOUS',
+        'PYTHONHASHSEED': '0',
+        'PYTHONDONTWRITEBYTECODE': '1',
+        'PYTHONUNBUFFERED': '1',
+    }
+
+
+def environment(domain_id: int, home: str) -> dict[str, str]:
+    """The learner's side's whole environment: nothing of the caller's but what Python and ROS need."""
+    kept = {name: os.environ[name] for name in _KEPT if name in os.environ}
+    path = os.pathsep.join([str(ROOT), *filter(None, [kept.get('PYTHONPATH')])])
+    return {**kept, **ros_environment(domain_id), 'PYTHONPATH': path, 'HOME': home, 'TMPDIR': home,
+            'ROS_LOG_DIR': home, 'COURSE_RUNNER': '1'}
+
+
+@dataclass
+class StartedForkServer:
+    """A running fork server: its control socket, and how to end it with all that it started."""
+
+    process: subprocess.Popen
+    control: socket.socket
+    sandbox: str
+    home: tempfile.TemporaryDirectory = field(repr=False)
+
+    @property
+    def home_folder(self) -> str:
+        """Where the learner's side may write."""
+        return self.home.name
+
+    def close(self) -> None:
+        """End the fork server and what it started, and remove its directory. Idempotent."""
+        self.control.close()  # the fork server kills its children when it sees this
+        try:
+            self.process.wait(timeout=2)
+        except subprocess.TimeoutExpired:
+            os.killpg(self.process.pid, signal.SIGKILL)
+            self.process.wait()
+        self.home.cleanup()
+
+
+def start(domain_id: int, limits: Limits = LIMITS) -> StartedForkServer:
+    """Start the learner's side (`helpers.runner.fork_server`) as a plain child process with limits."""
+    home = tempfile.TemporaryDirectory(prefix='course-', ignore_cleanup_errors=True)
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)  # keeps message boundaries
+
+    with theirs:
+        process = subprocess.Popen(
+            [sys.executable, '-m', 'helpers.runner.fork_server', str(theirs.fileno())],
+            cwd=home.name, env=environment(domain_id, home.name), pass_fds=[theirs.fileno()], start_new_session=True,
+            stdin=subprocess.DEVNULL)
+    return StartedForkServer(process, ours, 'none', home)
+
+
+def start_tests(job, events: int, printed, *, cwd: str, environment: dict[str, str], folders) -> subprocess.Popen:
+    """Start the tests' process (`helpers.runner.tester`): `job` is its input, `events` and `printed` its outputs.
+
+    `folders` hold the tests; a sandbox shows them to this process only.
+    """
+    return subprocess.Popen([sys.executable, '-m', 'helpers.runner.tester', str(events)], cwd=cwd, env=environment,
+                            stdin=job, stdout=printed, stderr=printed, pass_fds=[events],
+                            start_new_session=True)  # Ctrl-C is for the grader, which ends it

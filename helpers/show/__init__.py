@@ -1,0 +1,1 @@
+"""What notebooks draw: views of robots and graphs, timelines, turtles, progress bars and tables."""

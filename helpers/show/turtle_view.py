@@ -1,0 +1,169 @@
+"""The world of turtlesim as a picture in a notebook: live while the simulator runs, still afterwards.
+
+`TurtleView` follows the simulator of any process by its poses; it needs no window and no screen. The picture is
+turtlesim's own (`turtlesim_nodes.svg`).
+"""
+
+import math
+import random
+import sys
+
+from helpers.kernel.spinning import spinning
+from helpers.paths import ROOT
+
+try:
+    import turtlesim_nodes  # noqa: F401
+except ModuleNotFoundError:  # stock turtlesim is a C++ program: the simulation and its drawing come from our source
+    sys.path.append(str(ROOT / 'environment' / 'ros2_ws' / 'src' / 'turtlesim'))
+from turtlesim_nodes.svg import draw_svg
+from turtlesim_nodes.world import STEP, World
+
+__all__ = ['STEP', 'TurtlePicture', 'TurtleView', 'World', 'show_turtle']
+RATE = 10.0  # pictures a second, at most
+_POSE = 'turtlesim/msg/Pose'
+_LOOK = 0.25  # s between two looks at the graph
+_views: list['TurtleView'] = []
+
+
+class TurtlePicture:
+    """A turtlesim world as Jupyter shows it: an SVG, and a line of text for each turtle."""
+
+    def __init__(self, world: World, size: int):
+        self._world, self._size = world, size
+
+    def _repr_mimebundle_(self, include=None, exclude=None) -> dict[str, str]:
+        return {'image/svg+xml': draw_svg(self._world, self._size), 'text/plain': str(self)}
+
+    def __str__(self) -> str:
+        turtles = [self._world.turtles[name] for name in sorted(self._world.turtles)]
+        lines = [f'{t.name}: x {t.x:.2f} m, y {t.y:.2f} m, theta {math.degrees(t.theta):.0f}°' for t in turtles]
+        return '\n'.join(lines) or 'no turtle'
+
+    __repr__ = __str__
+
+
+def show_turtle(world: World, size: int = 250) -> None:
+    """Show a world as it is now.
+
+    :param world: a ``turtlesim_nodes.world.World``.
+    :param size: side of the picture in pixels.
+    """
+    from IPython.display import display
+
+    display(TurtlePicture(world, size))
+
+
+class TurtleView:
+    """Watch the turtles of the running simulator in the output of this cell.
+
+    ::
+
+        with TurtleView() as view:
+            wait_for(lambda: view.pose() and view.pose().x > 7)
+
+        view = TurtleView()     # goes on after the cell, until stop() or helpers.ros.stop()
+        view.stop()
+
+    It is a node of this process (``/_turtle_view``) that spins in the background, and follows every topic
+    ``…/pose`` of type turtlesim/msg/Pose in its domain. It sees poses only, not the pens: all lines have one colour. A
+    second view, in another cell, replaces the first one.
+
+    :param size: side of the picture in pixels.
+    :raises RuntimeError: ROS is not started.
+    """
+
+    def __init__(self, size: int = 250):
+        import rclpy
+
+        if not rclpy.ok():
+            raise RuntimeError('ROS is not started: run helpers.ros.start() first')
+        self._world = World(random_source=random.Random(0))  # the same colours in every run
+        self._picture = TurtlePicture(self._world, size)
+        self._poses: dict[str, object] = {}
+        self._subscriptions: dict[str, object] = {}
+        self._handle = None
+        self._changed = False
+        for other in _views.copy():
+            other.stop()
+        self._node = rclpy.create_node('_turtle_view', enable_rosout=False, start_parameter_services=False)
+        self._node.create_timer(_LOOK, self._look)
+        self._node.create_timer(1 / RATE, self._draw)
+        self._look()
+        self._spinning = spinning(self._node)
+        _views.append(self)
+        self._show()
+
+    def pose(self, name: str = 'turtle1'):
+        """Return the latest ``turtlesim.msg.Pose`` of a turtle; None while nothing has come."""
+        return self._poses.get(name)
+
+    @property
+    def turtles(self) -> list[str]:
+        """The names of the turtles that have been seen."""
+        return sorted(self._poses)
+
+    def clear(self) -> None:
+        """Forget the lines drawn so far, as turtlesim's service ``clear`` does."""
+        self._world.clear()
+        self._changed = True
+
+    def stop(self) -> None:
+        """Stop watching; the last picture stays. Idempotent."""
+        if self in _views:
+            _views.remove(self)
+            self._spinning.stop()
+            self._draw()
+
+    def __enter__(self) -> 'TurtleView':
+        return self
+
+    def __exit__(self, kind, error, tb) -> None:
+        self.stop()
+
+    def __repr__(self) -> str:
+        return str(self._picture)
+
+    def _look(self) -> None:
+        """Subscribe to the turtles that are new, and let go of those whose simulator has ended."""
+        from turtlesim.msg import Pose
+
+        there = {topic for topic, types in self._node.get_topic_names_and_types()
+                 if _POSE in types and topic.endswith('/pose') and self._node.count_publishers(topic)}
+        for topic in there - self._subscriptions.keys():
+            name = _turtle(topic)
+            self._world.kill(name)  # the turtle of an earlier simulator: no line leads from it to the new one
+            self._subscriptions[topic] = self._node.create_subscription(
+                Pose, topic, lambda pose, name=name: self._on_pose(name, pose), 10)
+        for topic in self._subscriptions.keys() - there:
+            self._node.destroy_subscription(self._subscriptions.pop(topic))
+            self._poses.pop(_turtle(topic), None)
+
+    def _on_pose(self, name: str, pose) -> None:
+        before = self._poses.get(name)
+        self._poses[name] = pose
+        if before == pose:
+            return
+        turtle = self._world.turtles.get(name)
+        if turtle is None:
+            self._world.spawn(pose.x, pose.y, pose.theta, name)
+        else:
+            turtle.teleport_absolute(pose.x, pose.y, pose.theta)
+            turtle.step(self._world, now=0.0)
+        self._changed = True
+
+    def _show(self) -> None:
+        from IPython import get_ipython
+        from IPython.display import display
+
+        if get_ipython() is not None:
+            self._handle = display(self._picture, display_id=True)
+
+    def _draw(self) -> None:
+        if self._changed and self._handle is not None:
+            self._changed = False
+            self._handle.update(self._picture)
+
+
+def _turtle(topic: str) -> str:
+    """``/turtle1/pose`` -> ``turtle1``; in a namespace ``/sim2/turtle1/pose`` -> ``sim2/turtle1``."""
+    return topic.removesuffix('/pose').strip('/')

@@ -1,0 +1,196 @@
+"""`check` and `submit` in a kernel, on the command line, and what they show."""
+
+import dataclasses
+import importlib
+import json
+import re
+import shutil
+import time
+import zipfile
+
+import nbformat
+import pytest
+from nbclient import NotebookClient
+from typer.testing import CliRunner
+
+from helpers import paths
+from helpers.cli import Refusal
+from helpers.cli.app import make_app
+from helpers.exercises import manifest, result_display
+from helpers.kernel.journal import ExecutedCell
+from helpers.runner import results
+from helpers.runner.results import ExerciseResult, TestResult
+from helpers.tests import small
+
+# `from helpers import check` is the function.
+check = importlib.import_module('helpers.exercises.check')
+submitting = importlib.import_module('helpers.exercises.submit')
+
+
+def result(verdict='failed', **changes):
+    tests = [TestResult('a', '90.1', False, 1, 'passed', 'First.\n\nLook.'),
+             TestResult('b', '90.1', False, 1, verdict, 'Second.\n\nLook\nthere.', 'It was <3>.\nReally.',
+                        'line 3', 'printed')]
+    return ExerciseResult(**{'id': '90.1', 'title': 'a talker', 'points': 10, 'verdict': verdict, 'score': 5.0,
+                             'tests': tests, **changes})
+
+
+def test_what_a_failure_looks_like():
+    assert result_display.plain([result()]).splitlines() == [
+        'Exercise 90.1: a talker', '  It was <3>.', '  Really.', '    ✗ Second.', '      | line 3',
+        '  1 of 2 tests passed: not there yet. The tests are in `helpers/checks/chapter_90/test_90_1.py`.']
+    page = result_display.html([result()])
+    assert 'It was &lt;3&gt;.' in page and '<details' in page and 'printed' in page and '<script' not in page
+    # A theme decides on the colours of text and ground.
+    assert not re.search(r'[^-]color: (black|white|#000|#fff)|background', page)
+
+
+def rules(*states):
+    return [results.RuleResult(name, f'The {name} is right.', state, 'no way' * (state == 'not_looked_at'))
+            for name, state in zip(('rate', 'text', 'depth'), states, strict=False)]
+
+
+def test_rules_are_named():
+    """The cause comes first, then the rule that it breaks; a general hint only where the test asks for it."""
+    work = result(rules=rules('kept', 'broken', 'not_looked_at'))
+    work.tests[1].rule = 'text'
+    assert result_display.plain([work]).splitlines()[1:] == [
+        '  It was <3>.', '  Really.', '    ✗ text: The text is right.', '      | line 3',
+        '  Not looked at yet: depth (no way).', '  Kept: rate.',
+        '  1 of 3 rules are kept: not there yet. The tests are in `helpers/checks/chapter_90/test_90_1.py`.']
+    work.tests[1].hint = True
+    assert 'Look there.' in result_display.plain([work]) and 'Look there.' in result_display.html([work])
+    done = result('passed', rules=rules('kept', 'kept', 'not_looked_at'))
+    assert result_display.plain([done]).splitlines()[1:] == [
+        '  Not looked at here: depth (no way).',
+        '  Solved: 2 of 3 rules are kept. When your work is graded, they are tried with other values.']
+
+
+def test_code_is_set_as_code_and_a_faulty_test_is_no_cross():
+    assert result_display.code('Use `a < b`, not <c>.') == 'Use <code>a &lt; b</code>, not &lt;c&gt;.'
+    failed, faulty = result().tests[1], result('grader_error').tests[1]
+    assert [result_display.mark(test)[0] for test in (failed, faulty)] == ['✗', '?']
+
+
+def test_the_same_error_is_told_once():
+    test = result('learner_crashed').tests[1]
+    both = [dataclasses.replace(test, test=name) for name in 'ab']
+    for text in (result_display.plain([result(tests=both)]), result_display.html([result(tests=both)])):
+        assert text.count('Really.') == text.count('The same as above.') == 1
+        assert 'there.' not in text  # what to look at for another reason
+
+
+@pytest.mark.parametrize(('exercise', 'text'), [
+    (result('passed'), 'Solved: 2 of 2 tests passed. When your work is graded, they are tried with other values.'),
+    (results.without_tests(small.exercise(), 'not_attempted', ''), 'Not solved yet: write your code'),
+    (results.without_tests(small.exercise(), 'invalid_submission', 'Define it.'), 'Define it.'),
+    (result('grader_error', score=None), 'The check itself failed, not your code.'),
+    (result('timeout'), '1 of 2 tests passed: does not come to an end.'),
+    (result('learner_crashed'), '1 of 2 tests passed: stops with an error.'),
+    (result('invalid_submission'), '1 of 2 tests passed: cannot be run.'),
+])
+def test_summaries(exercise, text):
+    assert text in result_display.plain([exercise]) and text in result_display.html([exercise])
+    assert result_display.html([exercise]) == result_display.html([exercise])
+
+
+def test_the_latest_cells_of_a_kernel(monkeypatch):
+    """The newest version of each cell, the exercise last; cells without an id are told apart by their text."""
+    exercise = small.exercise()
+    first = '# Exercise 90.1: a talker\nclass Talker: old'
+    second = '# Exercise 90.1: a talker\nclass Talker: new'
+    monkeypatch.setattr(check.journal, 'cells', [
+        ExecutedCell('i', 'import os'), ExecutedCell('x', first), ExecutedCell(None, 'A = 1'),
+        ExecutedCell('i', 'import sys'), ExecutedCell('x', second),
+        ExecutedCell(None, 'A = 1'), ExecutedCell('y', '# Exercise 90.2: b\nB = 1')])
+    assert [cell.source for cell in check.executed(exercise)] == [
+        'import sys', 'A = 1', '# Exercise 90.2: b\nB = 1', second]
+    monkeypatch.setattr(check.journal, 'cells', [ExecutedCell('i', 'import os')])
+    assert check.executed(exercise) is None
+
+
+def test_check_never_raises(monkeypatch, capsys):
+    check.check('99.9')
+    assert 'there is no exercise' in capsys.readouterr().out
+    for error, text in ((RuntimeError('boom'), 'The check could not run: boom'), (KeyboardInterrupt(), 'was stopped')):
+        def fail(exercise_id, error=error):
+            raise error
+        monkeypatch.setattr(check, 'run_tests', fail)
+        check.check('3.1')
+        assert text in capsys.readouterr().out
+
+
+def test_check_inside_of_a_tested_cell_does_nothing(monkeypatch, capsys):
+    monkeypatch.setenv('COURSE_RUNNER', '1')
+    check.check('3.1')
+    submitting.submit()
+    assert capsys.readouterr().out == ''
+
+
+@pytest.mark.timeout(300)
+def test_check_in_a_kernel():
+    """On the first exercise of the course: before its cell has run, unsolved, and wrong."""
+    exercise = next(iter(manifest.load().values()))
+    heading = f'# Exercise {exercise.id}: {exercise.title}\n'
+    cells = ['from helpers import check', f'check("{exercise.id}")', heading + 'x = 1', f'check("{exercise.id}")']
+    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for source in cells])
+    NotebookClient(notebook, kernel_name='python3', timeout=120).execute()
+    first, second = (notebook.cells[number].outputs[0].data for number in (1, 3))
+    assert 'Run the cell that begins with' in first['text/plain'] and 'Run the cell' in first['text/html']
+    assert f'must define `{exercise.names[0]}`' in second['text/plain']
+
+
+def test_check_command(tmp_path):
+    exercise = next(iter(manifest.load().values()))
+    run = CliRunner().invoke
+    found = run(make_app(), ['check', exercise.id])
+    assert found.exit_code == 1 and 'Not solved yet' in found.output  # the learner's notebook of this checkout
+    for wrong in (['check', 'three'], ['check', '77'], ['check', exercise.id, '--notebooks', str(tmp_path)]):
+        assert isinstance(run(make_app(), wrong).exception, Refusal)
+
+
+@pytest.mark.timeout(300)
+@pytest.mark.parametrize('problem', ['', 'bubblewrap is not installed'])
+def test_check_of_others_says_whose_code_runs_and_where(tmp_path, monkeypatch, problem):
+    from grading import sandbox
+
+    exercise = next(iter(manifest.load().values()))
+    shutil.copy(paths.NOTEBOOKS / exercise.notebook, tmp_path)
+    monkeypatch.setattr(sandbox, 'problem', lambda: problem)
+    found = CliRunner().invoke(make_app(), ['check', exercise.id, '--notebooks', str(tmp_path)])
+    assert f'The programs in the notebooks of {tmp_path} run' in found.output
+    assert ('with your rights' in found.output and problem in found.output) if problem else 'sandbox' in found.output
+
+
+@pytest.mark.timeout(300)
+def test_submit(tmp_path):
+    """The packed file holds the notebooks without outputs, and is the same each time."""
+    found = CliRunner().invoke(make_app(), ['submit', '--id', 'ada', '-o', str(tmp_path / 'ada.zip')])
+    assert found.exit_code == 0 and '0 of' in found.output and 'Not solved yet' in found.output
+    again = submitting.pack('ada', tmp_path / 'again.zip', test=False)
+    assert again.path.read_bytes() == (tmp_path / 'ada.zip').read_bytes()
+    with zipfile.ZipFile(again.path) as archive:
+        label = json.loads(archive.read('submission.json'))
+        saved = max(path.stat().st_mtime for path in paths.NOTEBOOKS.glob('*.ipynb'))
+        assert label.pop('saved') == time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime(saved))
+        assert label == {'format': 1, 'learner': 'ada'}
+
+
+@pytest.mark.parametrize('learner', ['../x', '=1', 'a b', 'ü', '', 'x' * 65])
+def test_unusable_ids(tmp_path, monkeypatch, learner):
+    monkeypatch.setattr(submitting, '_login', lambda: 'no good')
+    with pytest.raises(submitting.SubmissionError, match='cannot be an id'):
+        submitting.pack(learner, tmp_path / 'x.zip')
+    assert not list(tmp_path.iterdir())
+
+
+def test_nothing_to_submit(tmp_path):
+    with pytest.raises(submitting.SubmissionError, match='no notebook of the course'):
+        submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
+    name = next(iter(manifest.load().values())).notebook
+    (tmp_path / name).write_text('{')
+    with pytest.raises(submitting.SubmissionError, match='not valid JSON'):
+        submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
+    (tmp_path / name).write_bytes(small.notebook('x'))
+    with pytest.raises(submitting.SubmissionError, match='cannot be written'):
+        submitting.pack('ada', tmp_path / name / 'x.zip', notebooks_folder=tmp_path, test=False)

@@ -1,0 +1,113 @@
+"""From cells to the program of one exercise."""
+
+import pytest
+
+from helpers.exercises import program
+from helpers.exercises.notebooks import NotebookCell
+from helpers.exercises.program import InvalidExercise, NotAttempted
+from helpers.tests import small
+
+
+def kept(source):
+    return [text.strip() for _, text in program.definitions(NotebookCell(source, 1))]
+
+
+@pytest.mark.parametrize('source', [
+    'import os', 'from a import b', 'def f():\n    return 1', 'async def f():\n    pass', 'class A:\n    x = 1',
+    '@decorated\nclass A:\n    pass', 'X = 1', "X = -1.5 + 2j", 'X, Y = 1, 2', 'X: int = 3', "X = {'a': [1, (2,)]}",
+    'QOS = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)', 'T = rclpy.time.Time(seconds=3)',
+    'D = Duration(seconds=0.5)', 'Alias = some.module.Class', 'now = lambda: 5', 'A = B = 3', 'X = Y[0]',
+])
+def test_definitions_are_kept(source):
+    assert kept(source) == [source]
+
+
+@pytest.mark.parametrize('source', [
+    'print(1)',
+    'rclpy.init()', "node = Node('x')", 'x = f()', 'x += 1', 'for i in range(3):\n    y = i',
+    'with spinning(node):\n    pass', 'node.x = 1', 'd["a"] = 1', 'del x', 'assert x', 'x = [f() for _ in y]',
+    'if True:\n    import os', 'while True: pass', 'QOS = QoSProfile(depth=f())', 'x = await y', 'await y',
+    '%%bash\nls', '!rm -rf x', 'def broken(:', '"just text"', 'x = (y := 3)', 'raise SystemExit',
+])
+def test_demonstrations_are_dropped(source):
+    assert kept(source) == []
+
+
+def test_notebook_commands_are_dropped_line_by_line():
+    commands = '%matplotlib inline\nimport os\n!ls\nx = !ls\nfiles = %sx ls\nos?\n?os\nY = 2'
+    assert kept(commands) == ['import os', 'Y = 2']
+    assert kept('text = """\n%not a command\n"""') == ['text = """\n%not a command\n"""']
+    assert kept('x = 7 \\\n % 2') == ['x = 7 \\\n % 2']
+
+
+def test_line_numbers_are_kept():
+    cell = NotebookCell('print(1)\n\ndef f():\n    pass\nprint(2)', 1)
+    assert program.definitions(cell) == ((3, 'def f():\n    pass\n'),)
+    cell = NotebookCell('import a; print(1); import b', 1)
+    assert program.definitions(cell) == ((1, 'import a\n'), (1, 'import b\n'))
+
+
+def build(*cells, **changes):
+    return program.build(list(cells), small.exercise(**changes))
+
+
+def test_exercise_whole_and_others_filtered_in_order():
+    made = build(NotebookCell('import os\nprint("x")', 1), small.cell('class Talker: pass\nprint("mine")'),
+                 NotebookCell('LATER = 1', 3))
+    assert [(part['source'].strip(), part['required']) for part in made.cells] == [
+        ('import os', False), ('# Exercise 90.1: a talker\nclass Talker: pass\nprint("mine")', True)]
+    assert made.cells[1]['label'] == 'Exercise 90.1'
+
+
+def test_other_exercises_count_as_other_cells():
+    made = build(small.cell('def helper(): pass\nhelper()', 2), small.cell('class Talker: pass'))
+    assert [part['source'].strip() for part in made.cells[:-1]] == ['def helper(): pass']
+
+
+def test_broken_other_exercise_does_not_matter():
+    assert len(build(small.cell('class Oops(:', 2), small.cell('class Talker: pass')).cells) == 1
+
+
+@pytest.mark.parametrize(('source', 'message'), [
+    ('class Listener: pass', 'must define `Talker`; it defines `Listener`'),
+    ('x = 1 +', r'line 2: Python cannot read `x = 1 \+`'),
+    ('class Talker: pass\n!ls', 'line 3: `!ls` is a notebook command'),
+    ('%time\nclass Talker: pass', 'line 2: `%time` is a notebook command'),
+    ('class Talker: pass\n\0', 'cannot read'),
+    ('def f():\n    Talker = 1', 'must define `Talker`'),
+    ('x = ' + '(' * 500 + ')' * 500, 'cannot read'),
+])
+def test_invalid_exercise(source, message):
+    with pytest.raises(InvalidExercise, match=message):
+        build(NotebookCell('class Talker: pass', 1), small.cell(source))
+
+
+@pytest.mark.parametrize('source', [
+    'class Talker: pass', 'def Talker(): pass', 'Talker = 1', 'from x import Talker', 'import y as Talker',
+    'if True:\n    class Talker: pass', 'try:\n    x\nexcept E:\n    Talker = 1', 'Talker, b = 1, 2', 'Talker: int = 1',
+])
+def test_name_is_defined(source):
+    build(small.cell(source))
+
+
+def test_missing_and_doubled():
+    with pytest.raises(InvalidExercise, match=r'was not found: its first line must be `# Exercise 90.1: a talker`'):
+        build(NotebookCell('class Talker: pass', 1))
+    with pytest.raises(InvalidExercise, match=r'is there 2 times \(cells 2 and 5\)'):
+        build(small.cell('class Talker: pass'), NotebookCell('# Exercise 90.1: copy\nclass Talker: pass', 5))
+
+
+def test_heading_is_recognised_leniently_but_not_by_prefix():
+    assert program.exercise_id(NotebookCell('\n#  exercise 3.2 : x', 1)) == '3.2'
+    assert program.exercise_id(NotebookCell('# Exercise 3.21: x', 1)) == '3.21'
+    assert program.exercise_id(NotebookCell('x = 1\n# Exercise 3.2: x', 1)) is None
+
+
+def test_id_helps_when_the_heading_is_gone():
+    assert build(NotebookCell('class Talker: pass', 4, 'ex-90-1')).cells[0]['required']
+
+
+def test_untouched_stub():
+    for source in (small.STUB, f'# my thoughts\n{small.STUB}\n\n# more'):
+        with pytest.raises(NotAttempted):
+            build(small.cell(source))

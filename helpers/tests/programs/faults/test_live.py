@@ -1,0 +1,263 @@
+"""Each fault, live: the tool that the chapter names shows it, it can be repaired, and it leaves nothing behind."""
+
+import os
+import signal
+from contextlib import contextmanager
+
+import psutil
+import pytest
+
+from helpers.programs import faults
+from helpers.programs.faults.machine import SYSTEM_PATH
+
+SHORT = 1.0  # s; long enough to see that a system does not work
+
+pytestmark = pytest.mark.one_of(2)
+
+
+@contextmanager
+def staged(folder, what, kind, seed=3):
+    """A fault that must be broken at first and work at the end of the block, and of which nothing may stay."""
+    before = {child.pid for child in psutil.Process().children(recursive=True)}
+    path = folder / 'system'
+    with faults.stage(what, seed, kind, path) as fault:
+        assert not fault.verify(timeout=SHORT)
+        yield fault
+        verdict = fault.verify()
+        assert verdict, f'{verdict}\n' + '\n'.join(p.output for p in fault.programs.values())
+    assert not path.exists()
+    left = [child for child in psutil.Process().children(recursive=True) if child.pid not in before]
+    assert all('reaper.py' in ' '.join(child.cmdline()) for child in left), left
+
+
+def told(fault, script, *texts):
+    """What commands print, as soon as all texts are in it; for graphs, of which a tool may not see everything yet."""
+    for _ in range(5):
+        status, shown = fault.ask(script)
+        if status == 0 and all(text in shown for text in texts):
+            return shown
+    raise AssertionError(f'{script}: status {status}, and not {texts} in\n{shown}')
+
+
+@pytest.mark.skipif(not os.access('/usr/bin/apt-get', os.X_OK), reason='apt is tried, and there is no apt-get here')
+@pytest.mark.parametrize('kind, message', [
+    ('key_file', 'NO_PUBKEY'), ('wrong_key', 'NO_PUBKEY'), ('suite', 'does not have a Release file'),
+    ('codename', 'jammy'), ('component', "doesn't have the component"), ('malformed', 'Malformed entry 1')])
+def test_a_source_line_of_apt(tmp_path, kind, message, capsys):
+    with staged(tmp_path, 'A7.1', kind) as fault:
+        fault.symptom()
+        shown = capsys.readouterr().out
+        assert message in shown and 'Candidate' not in shown
+        assert not fault.fits(), 'reading agrees with apt'
+        fault.repair()
+        assert fault.fits()
+
+
+@pytest.mark.parametrize('kind', faults.plan('A7.1').kinds)
+def test_a_source_line_where_there_is_no_apt(tmp_path, kind, capsys, monkeypatch):
+    monkeypatch.setattr('helpers.programs.faults.apt.SYSTEM_PATH', str(tmp_path))
+    with staged(tmp_path, 'A7.1', kind) as fault:
+        fault.symptom()
+        assert capsys.readouterr().out.startswith('There is no apt-get on this machine')
+        assert 'ros-archive-keyring.gpg' in fault.ask('ls usr/share/keyrings')[1]
+        fault.repair()
+
+
+@pytest.mark.parametrize('row', ['A7.1', 'A7.3'])
+def test_a_path_with_a_space(tmp_path, row):
+    with faults.stage(row, 1, folder=tmp_path / 'my course' / 'system') as fault:
+        fault.repair()
+        assert fault.verify()
+    assert not fault.path.exists()
+
+
+@pytest.mark.parametrize('kind', faults.plan('A7.2').kinds)
+def test_a_shell_without_ros2(tmp_path, kind, capsys):
+    with staged(tmp_path, 'A7.2', kind) as fault:
+        fault.symptom()
+        assert 'ros2: command not found' in capsys.readouterr().out
+        _, path = fault.ask('echo $PATH')
+        assert ('opt/ros/jazzy' in path) is False
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', faults.plan('A7.3').kinds)
+def test_a_shell_without_colcon(tmp_path, kind, capsys):
+    with staged(tmp_path, 'A7.3', kind) as fault:
+        fault.symptom()
+        assert 'colcon: command not found' in capsys.readouterr().out
+        assert fault.ask('ros2 --help')[0] == 0
+        assert str(fault.path / 'home' / fault.diagnosis['folder'] / 'colcon') in fault.ask('find ~ -name colcon')[1]
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind, message', [
+    ('module', 'ModuleNotFoundError'), ('script_dir', 'No executable found')])
+def test_an_entry_point(tmp_path, kind, message, capsys):
+    with staged(tmp_path, 'A7.4', kind) as fault:
+        fault.run(fault.command)
+        assert message in capsys.readouterr().out
+        fault.repair()
+
+
+def test_two_distributions(tmp_path, domain):
+    with staged(tmp_path, 'A7.5', 'both') as fault:
+        assert fault.diagnosis['distro'] in fault.ask('echo $ROS_DISTRO')[1]
+        assert fault.ask('cd ros2_ws && colcon build')[0] == 1
+        log = fault.path / 'home' / 'ros2_ws' / 'log' / 'latest_build' / fault.package / 'stderr.log'
+        assert 'ImportError' in log.read_text() and 'opt/ros/' + fault.diagnosis['distro'] in log.read_text()
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', ['reliability', 'namespace', 'type'])
+def test_no_data(tmp_path, domain, kind):
+    with staged(tmp_path, 'A7.6', kind) as fault:
+        truth = fault.diagnosis
+        heard = 0 if kind == 'namespace' else 1
+        shown = told(fault, f'ros2 topic info --verbose {truth["publisher_topic"]}', 'Publisher count: 1',
+                     f'Subscription count: {heard}')
+        if kind == 'reliability':
+            assert {'BEST_EFFORT', 'RELIABLE'} <= {line.split()[-1] for line in shown.splitlines() if line.strip()}
+        if kind == 'type':
+            assert truth['offered'] in shown and truth['requested'] in shown
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', ['domain', 'range'])
+def test_machines_that_do_not_see_each_other(tmp_path, domain, kind):
+    with staged(tmp_path, 'A7.7', kind) as fault:
+        assert (fault.diagnosis['variable'] == 'ROS_DOMAIN_ID') == (kind == 'domain')
+        values = {fault.ask(f'echo ${fault.diagnosis["variable"]}', on=machine)[1] for machine in fault.machines}
+        assert len(values) == 2
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', ['no_server', 'type'])
+def test_a_client_that_waits(tmp_path, domain, kind):
+    with staged(tmp_path, 'A7.8', kind) as fault:
+        truth = fault.diagnosis
+        asked = f'{truth["client_service"]}: {truth["client_type"]}'
+        shown = told(fault, f'ros2 node info /{truth["client"]}', asked)
+        assert asked in shown.partition('Service Clients:')[2]
+        if kind == 'no_server':
+            assert f'/{truth["server"]}' not in fault.ask('ros2 node list')[1]
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', ['call', 'loop'])
+def test_a_program_that_hangs(tmp_path, domain, kind, capsys):
+    with staged(tmp_path, 'A7.9', kind) as fault:
+        fault.symptom()
+        assert 'it goes on' in capsys.readouterr().out
+        fault.stacks()
+        stack = capsys.readouterr().out
+        file = (fault.path / fault.diagnosis['where']).read_text().splitlines()
+        number = next(i for i, line in enumerate(file, 1) if fault.diagnosis['line'] in line)
+        assert f'{fault.diagnosis["where"]}", line {number} in {fault.diagnosis["callback"]}' in stack
+        fault.show_programs()
+        assert 'hread 0x' not in capsys.readouterr().out, 'what a program says itself has no stacks in it'
+        fault.repair()
+
+
+def test_stacks_of_a_program_that_cannot_tell(tmp_path, domain, capsys):
+    with faults.stage('A7.9', 3, 'loop', tmp_path / 'system') as fault:
+        deaf = fault.files[fault.diagnosis['where']].replace('faulthandler.register', '# ')
+        fault.write(fault.diagnosis['where'], deaf)
+        fault.stacks()
+        assert f'({fault.program} has no faulthandler.register: no stacks)' in capsys.readouterr().out
+        fault.signal(fault.program, signal.SIGKILL, timeout=5.0)
+        assert fault.settled(fault.program) == [f'({fault.program} does not run: no stacks)']
+        fault.write('start.txt', '')
+        with pytest.raises(ValueError, match=f'{fault.program}: there run no programs'):
+            fault.stacks()
+
+
+@pytest.mark.parametrize('kind', ['namespace', 'urdf'])
+def test_no_robot_model(tmp_path, domain, kind, capsys):
+    with staged(tmp_path, 'A7.10', kind) as fault:
+        fault.symptom()
+        shown = capsys.readouterr().out
+        assert 'no robot description' in shown and ('FATAL' in shown) == (kind == 'urdf')
+        if kind == 'namespace':
+            told(fault, 'ros2 topic info /robot_description', 'Publisher count: 0')
+            told(fault, f'ros2 topic info {fault.diagnosis["published"]}', 'Publisher count: 1')
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', faults.plan('A7.11').kinds)
+def test_a_robot_that_does_not_stand_or_drive(tmp_path, domain, kind):
+    with staged(tmp_path, 'A7.11', kind) as fault:
+        text = (fault.path / 'robot.urdf').read_text()
+        assert ('<collision>' in text) == (kind != 'no_collision')
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', ['swapped', 'parent'])
+def test_a_transform(tmp_path, domain, kind):
+    with staged(tmp_path, 'A7.12', kind) as fault:
+        source = fault.diagnosis['chain'][-1]
+        with fault.terminal().start(f'exec ros2 run tf2_ros tf2_echo odom {source}') as echo:
+            echo.wait_for_output('Translation: [-' if kind == 'swapped' else 'not part of the same tree', 20)
+        fault.repair()
+
+
+def test_two_faults_at_once(tmp_path, domain):
+    with staged(tmp_path, 'mystery', 'two', seed=3) as fault:
+        first, second = fault.repaired, fault.diagnosis['faults']
+        assert len(second) == 2 and first
+        fault.repair()
+
+
+def test_editing_starts_only_what_has_changed(tmp_path, domain):
+    with staged(tmp_path, 'A7.6', 'name') as fault:
+        publisher = fault.programs[fault.publisher].pid
+        wrong, right = fault.diagnosis['subscriber_topic'], fault.diagnosis['publisher_topic']
+        fault.edit(fault.diagnosis['where'], wrong.strip('/'), right.strip('/'))
+        assert fault.start() == [fault.listener]
+        assert fault.programs[fault.publisher].pid == publisher
+
+
+def test_a_folder_of_somebody_else_is_left_alone(tmp_path):
+    (tmp_path / 'thesis.txt').write_text('three years')
+    with pytest.raises(FileExistsError, match='move it away'):
+        faults.stage('A7.2', folder=tmp_path)
+    assert (tmp_path / 'thesis.txt').read_text() == 'three years'
+
+
+def test_staging_again_stops_the_earlier_one(tmp_path, domain):
+    first = faults.stage('A7.8', 1, folder=tmp_path / 'system')
+    first.start()
+    programs = list(first.programs.values())
+    with faults.stage('A7.8', 2, folder=tmp_path / 'system') as second:
+        assert not any(program.running for program in programs)
+        assert set(second.files) <= {path.name for path in second.path.iterdir()}
+
+
+def test_edits_are_exact_and_stay_inside(tmp_path):
+    with faults.stage('A7.2', 1, 'unsourced', tmp_path / 'system') as fault:
+        with pytest.raises(ValueError, match=r"has no 'no such text': fault.show\('home/.bashrc'\) prints it"):
+            fault.edit('home/.bashrc', 'no such text', '')
+        with pytest.raises(ValueError, match="has 'export ' 2 times: give more of the text"):
+            fault.edit('home/.bashrc', 'export ', '')
+        with pytest.raises(ValueError, match='not inside'):
+            fault.write('../elsewhere', '')
+        with pytest.raises(ValueError, match="no machine 'moon': there are home"):
+            fault.run('ls', on='moon')
+        with pytest.raises(FileNotFoundError, match=r'no file .bashrc; it has home/.bashrc'):
+            fault.show('.bashrc')
+    for verb in (fault.verify, fault.symptom, lambda: fault.show('home/.bashrc'), lambda: fault.run('ls')):
+        with pytest.raises(RuntimeError, match=r"stage it again, faults.stage\('no_ros2', seed=1\)"):
+            verb()
+
+
+def test_a_tool_that_the_system_has_itself_is_hidden(tmp_path, monkeypatch):
+    """On a stock machine colcon is in /usr/bin, where every terminal finds it."""
+    usr = tmp_path / 'usr'
+    usr.mkdir()
+    for command in ('bash', 'env', 'ls', 'cat', 'find'):
+        (usr / command).symlink_to(f'{SYSTEM_PATH.split(":")[0]}/{command}')
+    (usr / 'colcon').symlink_to('/bin/true')
+    monkeypatch.setattr('helpers.programs.faults.machine.SYSTEM_PATH', str(usr))
+    with faults.stage('A7.3', 1, 'missing', tmp_path / 'system') as fault:
+        assert fault.ask('colcon --help')[0] == 127
+        assert fault.ask('ls')[0] == 0

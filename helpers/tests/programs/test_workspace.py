@@ -1,0 +1,81 @@
+"""A notebook's workspace: what it shows, what it removes, and what it leaves alone."""
+
+import pytest
+
+from helpers import Workspace
+from helpers.programs.workspace import BuildError
+
+
+@pytest.fixture
+def ws(tmp_path):
+    made = Workspace(tmp_path / 'ros2_ws')
+    made.reset()
+    return made
+
+
+def test_commands_are_shown_with_their_output(ws, capsys):
+    ws.run("cd src\npwd; echo 'to stderr' >&2\nfalse")
+    assert capsys.readouterr().out.splitlines() == [
+        '$ cd src', "$ pwd; echo 'to stderr' >&2", str(ws.path / 'src'), 'to stderr', '$ false', '[exit status 1]']
+
+
+def test_each_run_is_a_new_terminal_with_ros(ws, capsys):
+    ws.run('export WORD=hello')
+    ws.run('echo ${WORD-nothing}; ros2 pkg prefix rclpy')
+    out = capsys.readouterr().out.splitlines()
+    assert 'nothing' in out and '[exit status' not in out[-1]
+
+
+def test_reset_makes_it_new(ws):
+    ws.write('src/p/a.py', '\nprint(1)\n')
+    assert (ws.path / 'src/p/a.py').read_text() == 'print(1)\n'
+    ws.reset()
+    assert [path.name for path in ws.path.iterdir() if path.is_dir()] == ['src']
+    assert not any((ws.path / 'src').iterdir())
+
+
+def test_a_folder_of_somebody_else_is_left_alone(tmp_path):
+    (tmp_path / 'thesis.txt').write_text('three years')
+    with pytest.raises(FileExistsError, match='move it away'):
+        Workspace(tmp_path).reset()
+    assert (tmp_path / 'thesis.txt').read_text() == 'three years'
+
+
+def test_nothing_is_written_outside(ws):
+    with pytest.raises(ValueError, match='not inside'):
+        ws.write('../elsewhere', '')
+
+
+def test_without_reset_there_is_one_clear_line(tmp_path):
+    with pytest.raises(FileNotFoundError, match='reset'):
+        Workspace(tmp_path / 'none').run('ls')
+
+
+def test_a_package_is_copied_in_place_of_an_older_one(ws, tmp_path):
+    (tmp_path / 'p' / '__pycache__').mkdir(parents=True)
+    (tmp_path / 'p' / 'new').touch()
+    ws.write('src/p/old', '')
+    ws.add(tmp_path / 'p')
+    assert [path.name for path in (ws.path / 'src/p').iterdir()] == ['new']
+    with pytest.raises(FileNotFoundError, match='no package'):
+        ws.add(tmp_path / 'q')
+
+
+def test_a_failed_build_shows_its_log_and_raises(ws, capsys):
+    ws.write('src/p/package.xml', '<package format="3"><name>p</name><version>0.0.0</version><description>p'
+             '</description><maintainer email="you@example.com">You</maintainer><license>Apache-2.0</license>'
+             '<export><build_type>ament_cmake</build_type></export></package>')
+    ws.write('src/p/CMakeLists.txt', 'cmake_minimum_required(VERSION 3.16)\nproject(p NONE)\nmessage("so far")\n'
+             'message(STATUS "on stdout")\nmessage(FATAL_ERROR "no further")\n')
+    with pytest.raises(BuildError):
+        ws.build('--packages-select p')
+    out = capsys.readouterr().out
+    assert 'no further' in out and 'log/latest_build/p/stdout.log ends so:' in out and '-- on stdout' in out
+
+
+def test_tree(ws, capsys):
+    ws.write('src/p/a.py', '')
+    (ws.path / 'src/link').symlink_to('p')
+    ws.tree()
+    assert capsys.readouterr().out == (
+        'ros2_ws/\n└── src/\n    ├── link -> p\n    └── p/\n        └── a.py\n')

@@ -1,0 +1,176 @@
+"""Common mistakes in the use of rclpy: the learner reads what is wrong, with their own line."""
+
+import pytest
+
+from helpers.exercises.notebooks import NotebookCell
+from helpers.runner import session
+from helpers.tests import small
+
+HEAD = """\
+from rclpy.action import ActionServer, ActionClient, GoalResponse
+from example_interfaces.action import Fibonacci
+from std_srvs.srv import Trigger
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.executors import SingleThreadedExecutor
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.client = self.create_client(Trigger, 'ask')
+        self.timer = self.create_timer(0.5, self.tick)
+"""
+RUN = '''
+def test_run(learner):
+    """It runs."""
+    from std_srvs.srv import Trigger
+    learner.serve('/ask', Trigger, {'success': True})
+    learner.start('Talker')
+    learner.run(1.2)
+    expect(False, 'It came to its end.')
+'''
+
+
+def judge(folder, source, test=RUN, **options):
+    options = session.Options(visible=small.write_tests(folder, test), **options)
+    report = session.run(small.cells(source), [small.exercise()], options)
+    assert not report.log
+    return report.exercises[0].tests[0]
+
+
+@pytest.mark.parametrize('line', [
+    'rclpy.spin_until_future_complete(self, self.client.call_async(Trigger.Request()), timeout_sec=1.0)',
+    'rclpy.spin_until_future_complete(self, self.client.call_async(Trigger.Request()))',
+    'rclpy.spin_once(self, timeout_sec=0.1)',
+    'rclpy.spin(self)',
+    'self.executor.spin_once(timeout_sec=0.1)',
+    'SingleThreadedExecutor().spin_once(timeout_sec=0.1)',
+    'self.client.call(Trigger.Request(), timeout_sec=1.0)',
+    'self.client.call(Trigger.Request())',
+    "ActionClient(self, Fibonacci, 'count').send_goal(Fibonacci.Goal())",
+])
+@pytest.mark.parametrize('kind', ['def', 'async def'])
+def test_a_wait_in_a_callback_is_named(tmp_path, line, kind):
+    """With a timeout and without, in a plain callback and in a coroutine, and not hidden by a broad except."""
+    test = judge(tmp_path, f'{HEAD}\n    {kind} tick(self):\n        try:\n            {line}\n'
+                           '        except Exception:\n            pass\n')
+    assert test.verdict == 'timeout' and 'a deadlock, with or without a timeout' in test.message, test.message
+    assert f'`{line}`' in test.message
+
+
+def test_a_program_of_its_own_may_wait(tmp_path):
+    """Outside of callbacks waiting is right: a function that makes its own node, or a callback's thread."""
+    source = """\
+def Talker():
+    context = rclpy.Context()
+    rclpy.init(context=context)
+    node = Node('alone', context=context)
+    executor = rclpy.executors.SingleThreadedExecutor(context=context)
+    executor.add_node(node)
+    executor.spin_once(timeout_sec=0)
+    executor.shutdown()
+    node.destroy_node()
+    rclpy.shutdown(context=context)
+    return 'done'
+"""
+    test = judge(tmp_path, source, '''
+def test_call(learner):
+    """It runs."""
+    expect(learner.call('Talker') == 'done', 'It did not run.')
+''')
+    assert test.verdict == 'passed', test.message
+
+
+@pytest.mark.parametrize(('line', 'words'), [
+    ('self.create_timer(0.25, self.tick())', 'the callback given to create_timer(…) is None, not a function'),
+    ("self.create_subscription(String, 'a', self.tick(), 10)", 'the callback given to create_subscription(…) is None'),
+    ("self.create_service('reset', Trigger, self.tick)", "the type comes first, then the name: create_service(Trigger"),
+    ("self.create_publisher('chatter', String, 10)", "the type comes first, then the name: create_publisher(String"),
+    ("self.create_subscription('chatter', String, self.tick, 10)", 'the type comes first, then the name'),
+    ('self.timers = [self.timer]', 'choose another one, such as `self.my_timers`'),
+    ('self.clients = {}', 'choose another one, such as `self.my_clients`'),
+    ('Float64(data=2)', 'write 2.0 instead of 2'),
+    ('Float64().data = 2', 'write 2.0 instead of 2'),
+    ('self.client.call_async(Trigger.Request()).result().success', 'before the answer had come'),
+    ('import asyncio; asyncio.get_running_loop()', "rclpy's `await` is not asyncio"),
+])
+def test_what_rclpy_says_obscurely_is_explained(tmp_path, line, words):
+    """The message names the mistake, and the learner's line."""
+    source = (f'{HEAD}        self.first()\n\n    def first(self):\n        {line}\n\n'
+              '    def tick(self):\n        pass\n')
+    test = judge(tmp_path, source)
+    assert test.verdict == 'learner_crashed' and words in test.message, test.message
+    assert 'Exercise 90.1, line 15' in test.message
+
+
+@pytest.mark.parametrize(('callback', 'words'), [
+    ('lambda goal: True', 'Your goal_callback returned True. It must return GoalResponse.ACCEPT'),
+    ('lambda goal: None', 'Your goal_callback returned None.'),
+    ('lambda goal: GoalResponse.REJECT', ''),
+])
+def test_a_goal_callback_that_decides_nothing(tmp_path, callback, words):
+    source = f"""\
+{HEAD}
+        self.server = ActionServer(self, Fibonacci, 'count', execute_callback=self.tick,
+                                   goal_callback={callback})
+
+    def tick(self, *_):
+        pass
+"""
+    test = judge(tmp_path, source, '''
+def test_goal(learner):
+    """It takes a goal."""
+    from example_interfaces.action import Fibonacci
+    client = learner.action_client('/count', Fibonacci)
+    learner.start('Talker')
+    goal = client.send(Fibonacci.Goal())
+    learner.run(0.2)
+    expect(goal.accepted, 'It was rejected.')
+''')
+    assert test.message.startswith('It was rejected.') and words in test.message
+    assert ('goal_callback' in test.message) is bool(words)
+
+
+@pytest.mark.parametrize('end', ['self.timer.destroy()', 'self.destroy_timer(self.timer)', 'self.timer.cancel()'])
+def test_a_timer_may_be_destroyed_in_its_own_callback(tmp_path, end):
+    """That is right in ROS, also by a coroutine that awaited it."""
+    source = HEAD + f"""\
+        self.publisher = self.create_publisher(String, 'chatter', 10)
+        self.create_timer(0.1, self.go, callback_group=ReentrantCallbackGroup())
+        self.waiting = rclpy.Future()
+
+    def tick(self):
+        {end}
+        if not self.waiting.done():
+            self.waiting.set_result(None)
+
+    async def go(self):
+        await self.waiting
+        once = self.create_timer(0.1, lambda: None)
+        once.destroy()
+        self.publisher.publish(String(data='on'))
+"""
+    test = judge(tmp_path, source, '''
+def test_run(learner):
+    """It goes on."""
+    heard = learner.listen('/chatter', String)
+    learner.start('Talker')
+    learner.run(2.0)
+    expect(heard.data, 'Nothing came.')
+''')
+    assert test.verdict == 'passed', test.message
+
+
+def test_a_cell_that_was_not_run_is_named(tmp_path):
+    """The name that is missing stands in a cell of the notebook."""
+    given = NotebookCell('def steer(x):\n    return x\n', 7, 'given')
+    test = judge(tmp_path, HEAD + '        self.x = steer(3)\n\n    def tick(self):\n        pass\n',
+                 notebook=[given])
+    assert 'is defined in cell 7: run that cell first' in test.message
+
+
+def test_only_cells_with_the_missing_name_are_told(tmp_path):
+    """A cell that could not be run explains an undefined name only if it holds that name."""
+    cells = small.cells(HEAD + '        self.x = steer(3)\n\n    def tick(self):\n        pass\n')
+    cells[1:1] = [NotebookCell('import nowhere', 2), NotebookCell('from nowhere import steer', 3)]
+    options = session.Options(visible=small.write_tests(tmp_path, RUN))
+    test = session.run(cells, [small.exercise()], options).exercises[0].tests[0]
+    assert 'Not loaded: cell 3' in test.details and 'cell 2' not in test.details

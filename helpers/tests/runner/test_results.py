@@ -1,0 +1,56 @@
+"""Scores fail closed: only an explicit pass counts, and a grader's fault is never a zero."""
+
+import itertools
+
+import pytest
+
+from helpers.runner import results, verdicts
+from helpers.runner.results import TestResult
+from helpers.tests import small
+
+
+def one(name, verdict, weight=1.0, exercise='90.1'):
+    return TestResult(name, exercise, False, weight, verdict)
+
+
+@pytest.mark.parametrize(('kinds', 'verdict', 'score'), [
+    (['passed', 'passed'], 'passed', 10),
+    (['passed', 'failed'], 'failed', 5),
+    (['timeout', 'failed', 'passed'], 'timeout', 3.33),
+    (['learner_crashed', 'failed'], 'learner_crashed', 0),
+    (['passed', 'grader_error'], 'grader_error', None),
+    ([], 'grader_error', None),
+    (['passed', 'splendid'], 'grader_error', None),
+])
+def test_scored(kinds, verdict, score):
+    judged = results.scored(small.exercise(), [one(str(number), kind) for number, kind in enumerate(kinds)])
+    assert (judged.verdict, judged.score) == (verdict, score)
+
+
+def test_weights():
+    judged = results.scored(small.exercise(), [one('a', 'passed', 3), one('b', 'failed', 1)])
+    assert judged.score == 7.5
+
+
+@pytest.mark.parametrize('weight', [0, -1, float('nan'), float('inf')])
+def test_unusable_weights(weight):
+    judged = results.scored(small.exercise(), [one('a', 'passed', weight), one('b', 'passed')])
+    assert judged.score is None
+
+
+def test_doubled_and_foreign_tests():
+    assert results.scored(small.exercise(), [one('a', 'passed'), one('a', 'passed')]).score is None
+    assert results.scored(small.exercise(), [one('a', 'passed', exercise='90.2')]).score is None
+
+
+def test_no_more_than_the_passes():
+    for kinds in itertools.product(verdicts.VERDICTS, repeat=3):
+        judged = results.scored(small.exercise(), [one(str(number), kind) for number, kind in enumerate(kinds)])
+        explicit = 10 * kinds.count('passed') / 3
+        assert judged.score is None or judged.score <= explicit + 0.01
+        assert judged.passed == (kinds == ('passed',) * 3)
+
+
+def test_round_trip():
+    judged = results.scored(small.exercise(), [one('a', 'passed'), one('b', 'failed')])
+    assert results.ExerciseResult.from_dict(judged.as_dict()) == judged

@@ -1,0 +1,161 @@
+"""The still picture: complete, small, and with everything inside."""
+
+import re
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from helpers.show.views import picture, poses
+from helpers.show.views.scene import Scene
+from helpers.show.views.shapes import Arrow, Axes, Box, Cylinder, Label, Line, Mesh, Points, Sphere
+
+SVG = '{http://www.w3.org/2000/svg}'
+RNG = np.random.default_rng(0)
+
+
+def elements(text: str, tag: str) -> list:
+    return list(ElementTree.fromstring(text).iter(SVG + tag))
+
+
+def test_an_empty_scene_says_so():
+    text = picture.svg(Scene(), problems=['what <is> wrong'])
+    assert [element.text for element in elements(text, 'text')] == ['what <is> wrong', 'no frame so far']
+
+
+def test_each_shape_is_drawn():
+    scene = Scene()
+    vertices, faces = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]
+    shapes = (Axes(), Arrow(), Box(), Cylinder(), Sphere(), Mesh(vertices, faces), Line([[0, 0, 0], [1, 1, 1]]),
+              Points(RNG.random((20, 3))), Label('name'), Label('big', 0.3))
+    scene.set('it', Label(''))
+    before = len(picture.svg(scene))
+    for number, shape in enumerate(shapes):
+        scene.set('it', shape)
+        scene.pose('it', poses.matrix((number, 0.0, 0.0)))
+        text = picture.svg(scene)
+        ElementTree.fromstring(text)
+        assert len(text) > before, shape
+        scene.appearance('it', opacity=0.5)
+        assert 'opacity="0.5"' in picture.svg(scene), shape
+        scene.appearance('it', opacity=1.0)
+
+
+def test_axes_have_their_colours_and_z_is_up():
+    scene = Scene()
+    scene.set('a', Axes(1.0))
+    strokes = {element.get('stroke'): element.get('d') for element in elements(picture.svg(scene), 'path')}
+    red, green, blue = (np.array([float(value) for value in re.findall(r'-?[\d.]+', strokes[colour])])
+                        for colour in ('#db262e', '#219e38', '#215cdb'))
+    assert blue[3] < blue[1] and blue[0] == pytest.approx(blue[2], abs=0.11), 'z goes straight up'
+    assert red[2] > red[0] and green[2] > green[0] and green[3] < green[1] < red[3], 'x to the front, y to the back'
+
+
+@pytest.mark.parametrize('scale', [0.01, 1.0, 300.0])
+def test_everything_is_inside_at_any_scale(scale):
+    scene = Scene()
+    for number, place in enumerate(RNG.random((30, 3)) * scale):
+        scene.set(f'{number}/axes', Axes(0.05 * scale))
+        scene.set(f'{number}/name', Label(f'a_long_name_{number}'))
+        scene.pose(str(number), poses.matrix(place))
+    text = picture.svg(scene, width=600, height=300)
+    for element in elements(text, 'path')[1:]:
+        if element.get('stroke') in ('#db262e', '#219e38', '#215cdb'):
+            x, y = np.array(re.findall(r'-?[\d.]+', element.get('d')), dtype=float).reshape(-1, 2).T
+            assert 0 <= x.min() and x.max() <= 600 and 0 <= y.min() and y.max() <= 300
+    for element in elements(text, 'text'):
+        assert -60 < float(element.get('x')) < 600 and 0 <= float(element.get('y')) <= 310
+
+
+def colours_in_order(text: str) -> list[str]:
+    return [element.get('fill') for element in elements(text, 'polygon')]
+
+
+def test_a_long_wall_hides_what_stands_behind_it_whatever_the_distances_of_their_middles():
+    scene = Scene()
+    scene.set('block', Box((1.0, 1.0, 1.0), (0.0, 1.0, 0.0)))
+    scene.pose('block', poses.matrix((9.0, 1.0, 0.5)))  # nearer than the middle of the wall, but behind it
+    scene.set('wall', Box((20.0, 0.2, 3.0), (1.0, 0.0, 0.0)))
+    scene.pose('wall', poses.matrix((0.0, 0.0, 1.5)))
+    scene.set('floor', Box((30.0, 30.0, 0.01), (0.0, 0.0, 1.0)))
+    scene.pose('floor', poses.matrix((0.0, 0.0, -0.005)))
+    order = colours_in_order(picture.svg(scene))
+    floor, wall = '#0000f7', '#d40000'  # its top, its front
+    assert order[0] == floor and all(order.index(face) < order.index(wall) for face in order if face[3:5] != '00')
+    scene.pose('block', poses.matrix((-9.0, -1.0, 0.5)))  # farther than the middle of the wall, but before it
+    order = colours_in_order(picture.svg(scene))
+    assert all(order.index(face) > order.index(wall) for face in order if face[3:5] != '00')
+
+
+def test_faces_hide_points_behind_them():
+    scene = Scene()
+    scene.set('wall', Box((4.0, 0.1, 2.0)))
+    before, behind = [(x, -0.07, 0.0) for x in (-1, 0, 1)], [(x, 1.0, -0.5) for x in (-1, 0, 1)]
+    scene.set('scan', Points(before + behind, (1, 0, 0), 0.03))
+    [path] = [element for element in elements(picture.svg(scene), 'path') if element.get('stroke') == '#ff0000']
+    assert path.get('d').count('M') == 3
+    scene.appearance('wall', opacity=0.5)
+    [path] = [element for element in elements(picture.svg(scene), 'path') if element.get('stroke') == '#ff0000']
+    assert path.get('d').count('M') == 6, 'one can see through it'
+
+
+def test_what_is_on_top_is_painted_last_and_a_point_can_be_in_the_middle():
+    scene = Scene()
+    scene.set('body', Box())
+    scene.set('inside', Axes(0.3, on_top=True))
+    scene.set('far', Axes(1.0))
+    scene.pose('far', poses.matrix((50.0, 50.0, 0.0)))
+    text = picture.svg(scene, around=(np.zeros(3), 2.0))
+    assert text.rfind('<polygon') < text.find('#db262e') and text.count('#db262e') == 1, 'the far one is left out'
+
+
+def test_names_at_one_place_do_not_cover_each_other():
+    scene = Scene()
+    for number in range(6):
+        scene.set(f'{number}', Label('camera_optical_frame'))
+    places = [(float(element.get('x')), float(element.get('y'))) for element in elements(picture.svg(scene), 'text')
+              if element.text == 'camera_optical_frame']
+    assert len(places) == 6
+    for i, (x, y) in enumerate(places):
+        assert all(abs(x - u) > 100 or abs(y - v) > 12 for u, v in places[:i])
+
+
+def test_the_picture_stays_small():
+    scene = Scene()
+    scene.set('cloud', Points(RNG.random((50_000, 3)), RNG.random((50_000, 3))))
+    side = 60
+    grid = np.array([(x, y, np.sin(x / 9) * np.cos(y / 7)) for x in range(side) for y in range(side)]) / side
+    faces = [(a, a + 1, a + side) for a in range(side * (side - 1) - 1)]
+    scene.set('mesh', Mesh(grid, faces))
+    angles = np.linspace(0, 60, 5000)
+    scene.set('trail', Line(np.column_stack((np.cos(angles), np.sin(angles), angles / 60))))
+    for number in range(60):
+        scene.set(f'{number}/axes', Axes())
+        scene.set(f'{number}/name', Label(f'frame_{number}'))
+        scene.pose(str(number), poses.matrix(RNG.random(3)))
+    assert len(picture.svg(scene)) < 60_000
+
+
+def test_a_sphere_that_the_pose_scales_is_an_ellipse():
+    scene = Scene()
+    scene.set('egg', Sphere(0.5))
+    scene.pose('egg', np.diag((1.0, 1.0, 3.0, 1.0)))
+    ellipse = elements(picture.svg(scene), 'ellipse')[0]
+    assert abs(float(ellipse.get('transform').removeprefix('rotate(').split()[0])) == 90  # it stands upright
+    assert 2 < float(ellipse.get('rx')) / float(ellipse.get('ry')) < 3  # seen from above, a little
+
+
+def test_what_stands_on_a_floor_is_painted_over_it():
+    scene = Scene()
+    scene.set('far', Box((0.2, 0.2, 0.2), (1.0, 0.0, 0.0)))
+    scene.pose('far', poses.matrix((-4.0, 4.0, 0.1)))
+    scene.set('floor', Box((10.0, 10.0, 0.01), (0.0, 0.0, 1.0)))
+    fills = [element.get('fill') for element in elements(picture.svg(scene), 'polygon')]
+    top = next(number for number, fill in enumerate(fills) if fill.startswith('#0000'))
+    assert all(number > top for number, fill in enumerate(fills) if fill.endswith('0000'))
+
+
+def test_a_large_cloud_is_thinned_out_without_a_pattern():
+    some = picture._some(10_000, 2_500)
+    assert len(set(some.tolist())) == 2_500
+    assert set((some % 100).tolist()) == set(range(100))  # every column of a camera's 100 x 100 points
