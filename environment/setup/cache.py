@@ -40,12 +40,14 @@ class Cache:
         self.prefix = prefix
 
     def problem(self) -> str:
-        """Why the cache is not used; '' if it is."""
+        """Why the cache is not used; '' if it is. Makes nothing: a folder that is not there will be made by `store`."""
         if not _PLAIN.fullmatch(str(self.prefix)):
             return f'the path {self.prefix} is long, or has a space or another unusual character'
         try:
-            self.directory.mkdir(mode=0o700, parents=True, exist_ok=True)
-            opened = _open_to_others(self.directory)
+            there = next(path for path in (self.directory, *self.directory.parents) if path.exists())
+            if not (there.is_dir() and os.access(there, os.W_OK | os.X_OK)):
+                return f'{there}: not a folder that you may write to'
+            opened = _open_to_others(there)
         except OSError as error:
             return f'{self.directory}: {(error.strerror or "not usable").lower()}'
         return f'others may write to {opened}' if opened else ''
@@ -88,6 +90,7 @@ class Cache:
             data = self._pack([path for path in paths if not path.endswith('.pyc')])
             if data is None:
                 return False
+            self.directory.mkdir(mode=0o700, parents=True, exist_ok=True)
             with tempfile.NamedTemporaryFile(dir=self.directory, delete=False) as file:
                 file.write(hashlib.sha256(data).hexdigest().encode() + data)
             os.replace(file.name, self.directory / f'{key}{_SUFFIX}')

@@ -109,8 +109,10 @@ def test_the_builder_installs_what_colcon_installs(workspace, ours):
     mine, expected = files(ours, workspace), files(theirs, workspace)
     assert sorted(mine) == sorted(expected)
     # setuptools notes in SOURCES.txt what it found: which of the generated files that is depends on the moment. The
-    # generators write #include lines in the order of a set.
-    same = [name for name in expected if not name.endswith('SOURCES.txt')]
+    # generators write #include lines in the order of a set. Two generators install C sources of one name below include/:
+    # CMake leaves the first one there if the second is less than a second younger.
+    same = [name for name in expected if not name.endswith('SOURCES.txt')
+            and not (name.startswith('include/') and name.endswith('.c'))]
     assert [name for name in same if sorted(mine[name].splitlines()) != sorted(expected[name].splitlines())] == []
     # Else the comparison could not fail.
     assert 'lib/talker/talk' in mine

@@ -30,6 +30,8 @@ def first(tmp_path, folder):
     (prefix / 'lib' / 'b.pyc').write_bytes(b'\0' + os.fsencode(prefix))
     found = Cache(folder, prefix)
     assert found.problem() == ''
+    assert not found.directory.exists(), 'to ask makes nothing'
+    found.directory.mkdir(mode=0o700)
     return found
 
 

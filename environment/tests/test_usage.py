@@ -14,7 +14,7 @@ from helpers.cli import app
 def test_it_names_the_commands_of_the_command_line():
     told = dict(usage.commands(ROOT))
     assert list(told) == [command.name for command in app.make_app().registered_commands]
-    assert all(sentence.endswith('.') for sentence in told.values())
+    assert all(sentence.endswith(('.', '?')) for sentence in told.values())
 
 
 @pytest.mark.parametrize(('arguments', 'asked'), [

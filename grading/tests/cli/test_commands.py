@@ -34,7 +34,7 @@ def test_check_says_what_is_out_of_step(course, capsys):
 
 
 def test_mistakes_of_the_author_end_with_one(course, capsys):
-    write(course, TINY.replace('"points": 10, ', ''))
+    write(course, TINY.replace(':points: 10\n', ''))
     assert app.main(['build']) == 1
     assert capsys.readouterr().err.startswith('solutions/07_tiny.md:')
 

@@ -13,7 +13,7 @@ import pytest
 
 from grading import sandbox
 from helpers import paths
-from helpers.runner import session, start_processes
+from helpers.runner import session, start_processes, tests_process
 from helpers.tests import small
 
 LAUNCHER = sandbox.launcher('bubblewrap')
@@ -276,7 +276,7 @@ def test_submissions_on_one_domain_do_not_hear_each_other(folder, monkeypatch):
     def claim():
         yield 7
 
-    monkeypatch.setattr(session.domains, 'claim', claim)
+    monkeypatch.setattr(tests_process.domains, 'claim', claim)
     reports = {}
 
     def one(number, name):
