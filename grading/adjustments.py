@@ -83,7 +83,7 @@ def _read(where: str, row: dict, points: dict[str, float]) -> Adjustment:
         if key not in row:
             raise AdjustmentError(f'{where}: {key} is missing')
     if not isinstance(row['exercise'], str):  # YAML takes 3.10 for the number 3.1
-        raise AdjustmentError(f'{where}: write the exercise in quotes, \'{row["exercise"]}\'')
+        raise AdjustmentError(f"{where}: write the exercise in quotes, '{row['exercise']}'")
     exercise = row['exercise'].strip()
     if exercise not in points:
         raise AdjustmentError(f'{where}: there is no exercise {exercise!r}')

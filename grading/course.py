@@ -16,8 +16,16 @@ from helpers.runner import session
 HIDDEN = Path(__file__).resolve().parent / 'exercises'
 # What can change a mark, below the root of the course: rather too much than too little. Tests are looked at one by one,
 # see `Course.digests_at`.
-_GRADER = ('helpers', 'environment/ros2_ws', 'environment/requirements.lock', 'grading/sandbox', 'grading/unit.py',
-           'grading/course.py', 'grading/submission.py', 'grading/reader.py')
+_GRADER = (
+    'helpers',
+    'environment/ros2_ws',
+    'environment/requirements.lock',
+    'grading/sandbox',
+    'grading/unit.py',
+    'grading/course.py',
+    'grading/submission.py',
+    'grading/reader.py',
+)
 # And what of it cannot: commands, web pages, the project's own tests, and what Python or a build leaves behind.
 _NO_MATTER = ('helpers/checks', 'helpers/cli', 'helpers/tests', 'helpers/show/views/web')
 _CACHES = {'__pycache__', '.pytest_cache', '.ipynb_checkpoints'}
@@ -51,8 +59,9 @@ class Course:
         """
         known = {exercise.chapter for exercise in self.exercises}
         if unknown := sorted(set(chapters) - known):
-            raise ChapterError(f'there is no exercise in chapter {unknown[0]}; there are chapters '
-                               f'{", ".join(map(str, sorted(known)))}')
+            raise ChapterError(
+                f'there is no exercise in chapter {unknown[0]}; there are chapters {", ".join(map(str, sorted(known)))}'
+            )
         return replace(self, exercises=tuple(one for one in self.exercises if not chapters or one.chapter in chapters))
 
     @cached_property
@@ -70,8 +79,12 @@ class Course:
             for path in _files(root / place, _LEFT_BEHIND, [root / other for other in _NO_MATTER]):
                 if path.suffix != '.md':
                     grader.update(_content(path, root))
-        tests = [(manifest.tested_in(path), _content(path, folder)) for folder in (self.visible, self.hidden)
-                 for path in _files(folder, _CACHES) if path.name not in _NO_TESTS]
+        tests = [
+            (manifest.tested_in(path), _content(path, folder))
+            for folder in (self.visible, self.hidden)
+            for path in _files(folder, _CACHES)
+            if path.name not in _NO_TESTS
+        ]
         digests = {}
         for exercise in self.exercises:
             digest = grader.copy()
@@ -89,8 +102,14 @@ class Course:
 
     def packed(self) -> 'Course':
         """The same, with the paths of this checkout relative to it: for another machine, and that one's `unpacked`."""
-        return replace(self, **{name: path.relative_to(paths.ROOT) for name in ('visible', 'hidden')
-                                if (path := getattr(self, name)).is_relative_to(paths.ROOT)})
+        return replace(
+            self,
+            **{
+                name: path.relative_to(paths.ROOT)
+                for name in ('visible', 'hidden')
+                if (path := getattr(self, name)).is_relative_to(paths.ROOT)
+            },
+        )
 
     def unpacked(self) -> 'Course':
         """The same, with the paths of this checkout."""

@@ -52,13 +52,17 @@ class Cluster:
         try:
             self._client = distributed.Client(address, timeout=CONNECT, set_as_default=False)
         except (OSError, ValueError, TypeError) as error:
-            raise ClusterError(f'no Dask scheduler answers at {address} ({error or type(error).__name__}): start one '
-                               'with ./course shell -- dask scheduler') from None
+            raise ClusterError(
+                f'no Dask scheduler answers at {address} ({error or type(error).__name__}): start one '
+                'with ./course shell -- dask scheduler'
+            ) from None
         self.address, self.jobs = address, 1  # the cluster's cores are its own business
         if not self._threads():
             self._client.close()
-            raise ClusterError(f'the Dask scheduler at {address} has no workers: start some with '
-                               f'./course shell -- dask worker {address}')
+            raise ClusterError(
+                f'the Dask scheduler at {address} has no workers: start some with '
+                f'./course shell -- dask worker {address}'
+            )
         self._executor = self._client.get_executor(pure=False)
 
     def submit(self, unit: Unit, say: Callable[[str], None]) -> concurrent.futures.Future:
@@ -77,8 +81,10 @@ class Cluster:
                 self._client.wait_for_workers(1, timeout=NO_WORKERS)
                 threads = self._threads()
         except TimeoutError:
-            raise ClusterError(f'the Dask cluster at {self.address} has no workers any more; start some. What is '
-                               'graded is kept: run again') from None
+            raise ClusterError(
+                f'the Dask cluster at {self.address} has no workers any more; start some. What is '
+                'graded is kept: run again'
+            ) from None
         except (OSError, ValueError, RuntimeError, concurrent.futures.CancelledError):
             threads = 0
         if self._client.status != 'running':
@@ -94,8 +100,9 @@ class Cluster:
         return sum(worker['nthreads'] for worker in self._client.scheduler_info(n_workers=-1)['workers'].values())
 
 
-def perform(work: dict[str, Unit], executor: Local | Cluster, say: Callable[[str, str], None]
-            ) -> Iterator[tuple[str, Outcome]]:
+def perform(
+    work: dict[str, Unit], executor: Local | Cluster, say: Callable[[str, str], None]
+) -> Iterator[tuple[str, Outcome]]:
     """Do the units of `work` (by learner), and give each outcome as it comes.
 
     What fails is tried once more, and is then a grader's fault. `say` is told learner and test.

@@ -59,8 +59,9 @@ class Folder:
             lock = FileLock(self.path / '.lock', timeout=0, thread_local=False)
             lock.acquire()
         except Timeout:
-            raise FolderError(f'another grade is writing to {self.path}{self._holder()}: wait for its end, or give '
-                              'another folder') from None
+            raise FolderError(
+                f'another grade is writing to {self.path}{self._holder()}: wait for its end, or give another folder'
+            ) from None
         except OSError as error:
             raise FolderError(f'{self.path} cannot be written: {error.strerror}') from None
         try:
@@ -103,12 +104,15 @@ class Folder:
         """
         known = self._known()
         if known and known.anonymous != anonymous:
-            raise FolderError(f'{self.path} was made {"with" if known.anonymous else "without"} --anonymous: '
-                              'do the same, or give another folder')
+            raise FolderError(
+                f'{self.path} was made {"with" if known.anonymous else "without"} --anonymous: '
+                'do the same, or give another folder'
+            )
         seed = seed or (known.seed if known else '') or seeds.fresh()
         settings = _Known(seed, anonymous, self.chapters(chapters))
-        records.write(self.path / 'run.json', json.dumps({'schema': records.SCHEMA} | asdict(settings)) + '\n',
-                      sync=True)
+        records.write(
+            self.path / 'run.json', json.dumps({'schema': records.SCHEMA} | asdict(settings)) + '\n', sync=True
+        )
         return seed
 
     def _known(self) -> '_Known | None':

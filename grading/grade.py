@@ -56,8 +56,14 @@ class Listener:
         """A record is there, `fresh` if it was graded just now. `changes`: marks that differ from the last run's."""
 
 
-def grade(submissions: list[Submission], course: Course, output: Path, jobs: int = 1, listener: Listener | None = None,
-          settings: Settings = Settings()) -> list[Record]:
+def grade(
+    submissions: list[Submission],
+    course: Course,
+    output: Path,
+    jobs: int = 1,
+    listener: Listener | None = None,
+    settings: Settings = Settings(),
+) -> list[Record]:
     """Grade what has no result in `output` yet, then write the reports and the gradebook.
 
     :param jobs: how many processes of tests run at a time on this machine.
@@ -65,8 +71,12 @@ def grade(submissions: list[Submission], course: Course, output: Path, jobs: int
     :raises FolderError, ChoiceError, AdjustmentError, PolicyError, AnonymousError, ClusterError, Mismatch: the run
         cannot be done as asked; what is graded already is kept.
     """
-    with contextlib.closing(executors.Cluster(settings.cluster)) if settings.cluster else contextlib.nullcontext(
-            ) as cluster, Folder(output).open() as log:
+    with (
+        contextlib.closing(executors.Cluster(settings.cluster))
+        if settings.cluster
+        else contextlib.nullcontext() as cluster,
+        Folder(output).open() as log,
+    ):
         course = replace(course)  # whose digests are those of now
         run = _Run(submissions, course, Folder(output), log, listener or Listener(), settings)
         run.grade(cluster or executors.Local(max(1, jobs)), jobs)
@@ -75,11 +85,16 @@ def grade(submissions: list[Submission], course: Course, output: Path, jobs: int
         return run.everybody()
 
 
-def finish(records: Iterable[Record], course: Course, output: Path,
-           files: Mapping[str, Mapping[str, bytes]] | None = None) -> None:
+def finish(
+    records: Iterable[Record], course: Course, output: Path, files: Mapping[str, Mapping[str, bytes]] | None = None
+) -> None:
     """Write all that is made from the records. `files`: by learner, the notebooks, which are compared."""
-    write_all(records, course.exercises, output,
-              {learner: similarity.of_submission(own, course.exercises) for learner, own in (files or {}).items()})
+    write_all(
+        records,
+        course.exercises,
+        output,
+        {learner: similarity.of_submission(own, course.exercises) for learner, own in (files or {}).items()},
+    )
 
 
 class _Run:
@@ -103,8 +118,14 @@ class _Run:
         for submission in submissions:
             identity = self.ids[submission.learner]
             self.plans[identity] = plan.make(
-                identity, submission, course, self.seed, self.records.get(identity),
-                self._chosen_of(submission.learner), settings.regrade)
+                identity,
+                submission,
+                course,
+                self.seed,
+                self.records.get(identity),
+                self._chosen_of(submission.learner),
+                settings.regrade,
+            )
             self.plans[identity].own = self._own(submission)
         self.files = {self.ids[submission.learner]: submission.files for submission in submissions}
 
@@ -117,8 +138,11 @@ class _Run:
         return anonymous.pseudonyms(ids, self.folder.path) if self.settings.anonymous else ids
 
     def _own(self, submission: Submission) -> str:
-        return anonymous.sealed(f'name {submission.own}', self.folder.path) if self.settings.anonymous else (
-            submission.own)
+        return (
+            anonymous.sealed(f'name {submission.own}', self.folder.path)
+            if self.settings.anonymous
+            else (submission.own)
+        )
 
     def _record(self, learner: str) -> Record | None:
         return self.records.get(anonymous.sealed(learner, self.folder.path) if self.settings.anonymous else learner)
@@ -141,8 +165,10 @@ class _Run:
             elif record is not None and record.own not in ('', own):
                 free = plain not in taken and (earlier is None or earlier.own in ('', own))
                 learner = plain if free else other
-                note = (f'{submission.learner} is the id of a learner whose work is on record under another name than '
-                        f'{submission.own}: taken as {learner}\'s')
+                note = (
+                    f'{submission.learner} is the id of a learner whose work is on record under another name than '
+                    f"{submission.own}: taken as {learner}'s"
+                )
                 submission = replace(submission, learner=learner, notes=[*submission.notes, note])
             taken.add(submission.learner)
             told.append(submission)
@@ -155,9 +181,14 @@ class _Run:
     def grade(self, executor: executors.Local | executors.Cluster, jobs: int) -> None:
         """Grade what is to be graded, and bring the other records up to date."""
         todo = {learner: made for learner, made in self.plans.items() if made.todo}
-        self.log.info('%d of %d submissions to grade, sandbox %s, seed %s%s', len(todo), len(self.plans),
-                      self.course.sandbox, self.seed,
-                      f', on {self.settings.cluster}' if self.settings.cluster else f', {jobs} at a time')
+        self.log.info(
+            '%d of %d submissions to grade, sandbox %s, seed %s%s',
+            len(todo),
+            len(self.plans),
+            self.course.sandbox,
+            self.seed,
+            f', on {self.settings.cluster}' if self.settings.cluster else f', {jobs} at a time',
+        )
         if self.course.sandbox == 'none':
             self.log.warning(sandbox.WARNING)
         self.listener.begun(len(todo), len(self.plans))

@@ -23,8 +23,14 @@ def dumps(records: Iterable[Record], exercises: Iterable[Exercise]) -> str:
     writer.writerow(['learner', *(exercise.id for exercise in exercises), 'total', 'status'])
     for record in sorted(records, key=lambda record: record.learner):
         marks = record.marks
-        writer.writerow([cell(record.learner), *(_number(marks.get(exercise.id)) for exercise in exercises),
-                         _number(record.score), record.status])
+        writer.writerow(
+            [
+                cell(record.learner),
+                *(_number(marks.get(exercise.id)) for exercise in exercises),
+                _number(record.score),
+                record.status,
+            ]
+        )
     return text.getvalue()
 
 

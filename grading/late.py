@@ -1,13 +1,13 @@
 """Late submissions: a policy from a YAML file, and what it deducts. Pure functions of a time and the policy.
 
-    due: 2026-11-20T23:59:00+01:00
-    grace_minutes: 15        # that late is not late (default 0)
-    per_day: 10              # percent of the points, for each day that has begun after `due` (default 0)
-    cap: 50                  # at most so many percent (default 100)
-    extensions:              # other due times, by learner
-      ada: 2026-11-27T23:59:00+01:00
-    handed_in:               # times that count instead of the submission's own, by learner
-      bob: 2026-11-20T21:14:00+01:00
+due: 2026-11-20T23:59:00+01:00
+grace_minutes: 15        # that late is not late (default 0)
+per_day: 10              # percent of the points, for each day that has begun after `due` (default 0)
+cap: 50                  # at most so many percent (default 100)
+extensions:              # other due times, by learner
+  ada: 2026-11-27T23:59:00+01:00
+handed_in:               # times that count instead of the submission's own, by learner
+  bob: 2026-11-20T21:14:00+01:00
 """
 
 import math
@@ -90,13 +90,19 @@ def load(path: Path) -> Policy:
         raise PolicyError(f'{path}: a line "due: 2026-11-20T23:59:00+01:00" is needed')
     unknown = set(data) - set(Policy.__dataclass_fields__)
     if unknown:
-        raise PolicyError(f'{path}: {min(map(str, unknown))!r} is unknown; '
-                          f'there are: {", ".join(Policy.__dataclass_fields__)}')
-    return Policy(_time(path, 'due', data['due']),
-                  _number(path, data, 'grace_minutes', 0.0), _number(path, data, 'per_day', 0.0, 100.0),
-                  _number(path, data, 'cap', 100.0, 100.0),
-                  *({str(learner): _time(path, f'{name} of {learner}', value)
-                     for learner, value in _table(path, data, name)} for name in ('extensions', 'handed_in')))
+        raise PolicyError(
+            f'{path}: {min(map(str, unknown))!r} is unknown; there are: {", ".join(Policy.__dataclass_fields__)}'
+        )
+    return Policy(
+        _time(path, 'due', data['due']),
+        _number(path, data, 'grace_minutes', 0.0),
+        _number(path, data, 'per_day', 0.0, 100.0),
+        _number(path, data, 'cap', 100.0, 100.0),
+        *(
+            {str(learner): _time(path, f'{name} of {learner}', value) for learner, value in _table(path, data, name)}
+            for name in ('extensions', 'handed_in')
+        ),
+    )
 
 
 def _table(path: Path, data: dict, name: str):

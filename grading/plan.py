@@ -29,12 +29,26 @@ class Plan:
 
     def unit(self, course: Course, processes: int) -> Unit:
         """The work."""
-        return Unit(self.submission.files, self.submission.problem, course.packed(), course.digest, tuple(self.todo),
-                    seeds.derive(self.seed, self.submission.digest()), processes)
+        return Unit(
+            self.submission.files,
+            self.submission.problem,
+            course.packed(),
+            course.digest,
+            tuple(self.todo),
+            seeds.derive(self.seed, self.submission.digest()),
+            processes,
+        )
 
 
-def make(learner: str, submission: Submission, course: Course, seed: str, previous: Record | None,
-         chosen: Callable[[str], bool], regrade: bool) -> Plan:
+def make(
+    learner: str,
+    submission: Submission,
+    course: Course,
+    seed: str,
+    previous: Record | None,
+    chosen: Callable[[str], bool],
+    regrade: bool,
+) -> Plan:
     """Compare a submission with its record, if there is one.
 
     A result is kept while submission, seed, tests and grader are the same, and it is not the grader's fault. What is
@@ -48,8 +62,11 @@ def make(learner: str, submission: Submission, course: Course, seed: str, previo
     old_keys = kept.keys if kept else {}
     for exercise in course.exercises:
         result = old.get(exercise.id)
-        valid = (result is not None and result.verdict != verdicts.GRADER_ERROR
-                 and old_keys.get(exercise.id) == keys[exercise.id])
+        valid = (
+            result is not None
+            and result.verdict != verdicts.GRADER_ERROR
+            and old_keys.get(exercise.id) == keys[exercise.id]
+        )
         if chosen(exercise.id) and (regrade or not valid):
             plan.todo.append(exercise.id)
         elif result is not None:
@@ -85,15 +102,23 @@ def record(plan: Plan, course: Course, outcome: Outcome, source: Callable[[str],
     keys = {identity: plan.keys[identity] for identity in ordered if identity in results}
     kept = None if plan.todo else previous  # nothing was graded now
     return Record(
-        learner=plan.learner, source=source(submission.source.name), key=_hash(*keys.values()),
+        learner=plan.learner,
+        source=source(submission.source.name),
+        key=_hash(*keys.values()),
         sandbox=kept.sandbox if kept else outcome.sandbox,
         exercises=[results[identity] for identity in ordered if identity in results],
         log=kept.log if kept else outcome.log,
-        seed=kept.seed if kept else plan.seed, sha256=submission.digest(), handed_in=submission.handed_in,
-        course=kept.course if kept else course.digest, keys=keys,
+        seed=kept.seed if kept else plan.seed,
+        sha256=submission.digest(),
+        handed_in=submission.handed_in,
+        course=kept.course if kept else course.digest,
+        keys=keys,
         ungraded=[identity for identity in ordered if identity not in results],
-        attempts=_attempts(plan, source), notes=list(submission.notes),
-        seconds=kept.seconds if kept else outcome.seconds, own=plan.own)
+        attempts=_attempts(plan, source),
+        notes=list(submission.notes),
+        seconds=kept.seconds if kept else outcome.seconds,
+        own=plan.own,
+    )
 
 
 def _attempts(plan: Plan, source: Callable[[str], str]) -> list[Attempt]:
@@ -114,8 +139,11 @@ def changes(before: Record | None, after: Record) -> list[str]:
     if before is None:
         return []
     old, new = before.marks, after.marks
-    return [f'{identity}: {_mark(old.get(identity))} → {_mark(new.get(identity))}'
-            for identity in dict.fromkeys([*new, *old]) if old.get(identity) != new.get(identity)]
+    return [
+        f'{identity}: {_mark(old.get(identity))} → {_mark(new.get(identity))}'
+        for identity in dict.fromkeys([*new, *old])
+        if old.get(identity) != new.get(identity)
+    ]
 
 
 def _mark(mark: float | None) -> str:

@@ -16,8 +16,14 @@ class Shown(Listener):
         self.console = console
         self._lines: dict[str, tuple[TaskID, int]] = {}  # by learner: task, tests that have finished
         self._lock = threading.Lock()
-        self._all = Progress(SpinnerColumn(), TextColumn('{task.description}', markup=False), BarColumn(),
-                             MofNCompleteColumn(), TimeElapsedColumn(), console=console)
+        self._all = Progress(
+            SpinnerColumn(),
+            TextColumn('{task.description}', markup=False),
+            BarColumn(),
+            MofNCompleteColumn(),
+            TimeElapsedColumn(),
+            console=console,
+        )
         self._total: TaskID | None = None
 
     def __enter__(self) -> 'Shown':

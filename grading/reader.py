@@ -49,8 +49,12 @@ class Server:
         path = os.pathsep.join(filter(None, [str(ROOT), os.environ.get('PYTHONPATH')]))
         with theirs:
             self._process = subprocess.Popen(
-                [sys.executable, '-m', 'grading.reader', str(theirs.fileno())], stdin=subprocess.DEVNULL,
-                pass_fds=[theirs.fileno()], env={**os.environ, 'PYTHONPATH': path}, start_new_session=True)
+                [sys.executable, '-m', 'grading.reader', str(theirs.fileno())],
+                stdin=subprocess.DEVNULL,
+                pass_fds=[theirs.fileno()],
+                env={**os.environ, 'PYTHONPATH': path},
+                start_new_session=True,
+            )
 
     def ask(self, task: str, arguments: tuple) -> tuple[object, list[bytes]]:
         """What `ask` says. Raises OSError when the server has ended."""
@@ -170,6 +174,7 @@ def main() -> None:
     for module in _MODULES:
         importlib.import_module(module)
     import nbformat
+
     nbformat.validate(nbformat.from_dict({'nbformat': 4, 'nbformat_minor': 5, 'metadata': {}, 'cells': []}))
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the grader
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # the kernel buries the children

@@ -94,8 +94,15 @@ class Record:
 
     def as_dict(self) -> dict:
         """The record as JSON values; what is derived stands beside what it is derived from."""
-        data = {'schema': SCHEMA, **asdict(self), 'status': self.status, 'score': self.score, 'earned': self.earned,
-                'points': self.points, 'marks': self.marks}
+        data = {
+            'schema': SCHEMA,
+            **asdict(self),
+            'status': self.status,
+            'score': self.score,
+            'earned': self.earned,
+            'points': self.points,
+            'marks': self.marks,
+        }
         data['exercises'] = [exercise.as_dict() for exercise in self.exercises]
         return data
 
@@ -114,28 +121,61 @@ class Record:
                 return None
             for derived in ('schema', 'status', 'score', 'earned', 'points', 'marks'):
                 del data[derived]
-            found = cls(**{**data,
-                           'exercises': [ExerciseResult.from_dict(row) for row in data['exercises']],
-                           'attempts': [Attempt(**row) for row in data['attempts']],
-                           'late': None if data['late'] is None else Late(**data['late']),
-                           'adjustments': [Adjustment(**row) for row in data['adjustments']]})
+            found = cls(
+                **{
+                    **data,
+                    'exercises': [ExerciseResult.from_dict(row) for row in data['exercises']],
+                    'attempts': [Attempt(**row) for row in data['attempts']],
+                    'late': None if data['late'] is None else Late(**data['late']),
+                    'adjustments': [Adjustment(**row) for row in data['adjustments']],
+                }
+            )
             return found if found.learner == path.stem and found.sound() else None
         except Exception:  # noqa: BLE001 - whatever is wrong with it, it cannot be used
             return None
 
     def sound(self) -> bool:
         """Whether what is derived from it, and shown, can be made. May raise what a wrong type raises."""
-        texts = [self.learner, self.source, self.key, self.sandbox, self.seed, self.sha256, self.handed_in, self.course,
-                 self.own, *self.log, *self.notes, *self.ungraded, *self.keys, *self.keys.values(),
-                 *(text for one in self.attempts for text in (one.source, one.sha256, one.handed_in)),
-                 *(text for one in self.exercises for text in (one.id, one.title, one.verdict, one.message)),
-                 *(text for one in self.exercises for test in one.tests
-                   for text in (test.test, test.verdict, test.expected, test.message, test.details, test.output,
-                                test.fault))]
+        texts = [
+            self.learner,
+            self.source,
+            self.key,
+            self.sandbox,
+            self.seed,
+            self.sha256,
+            self.handed_in,
+            self.course,
+            self.own,
+            *self.log,
+            *self.notes,
+            *self.ungraded,
+            *self.keys,
+            *self.keys.values(),
+            *(text for one in self.attempts for text in (one.source, one.sha256, one.handed_in)),
+            *(text for one in self.exercises for text in (one.id, one.title, one.verdict, one.message)),
+            *(
+                text
+                for one in self.exercises
+                for test in one.tests
+                for text in (
+                    test.test,
+                    test.verdict,
+                    test.expected,
+                    test.message,
+                    test.details,
+                    test.output,
+                    test.fault,
+                )
+            ),
+        ]
         numbers = [number for one in self.exercises for number in (one.points, one.score or 0.0)]
-        return (all(isinstance(text, str) for text in texts) and (not self.handed_in or is_stamp(self.handed_in))
-                and all(isinstance(number, (int, float)) and math.isfinite(number) for number in numbers)
-                and isinstance(self.score, (float, int, type(None))) and bool(self.status))
+        return (
+            all(isinstance(text, str) for text in texts)
+            and (not self.handed_in or is_stamp(self.handed_in))
+            and all(isinstance(number, (int, float)) and math.isfinite(number) for number in numbers)
+            and isinstance(self.score, (float, int, type(None)))
+            and bool(self.status)
+        )
 
 
 def _total(marks: list[float | None]) -> float | None:
@@ -162,4 +202,3 @@ def write(path: Path, text: str, sync: bool = False) -> None:
         if sync:
             os.fsync(file.fileno())
     os.replace(temporary, path)
-

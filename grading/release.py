@@ -13,8 +13,19 @@ from helpers.exercises import manifest
 
 LEFT_OUT = ('solutions', 'grading', '.ci', '.github', 'build', 'log')
 _FILE_LEFT_OUT = re.compile(r'\.(pyc|part)$|^submission-.*\.zip$|^START\.md$|^\.progress\.json|^\.gitlab-ci\.yml$')
-_FOLDER_LEFT_OUT = {'.git', '.venv', '.home', '__pycache__', '.ipynb_checkpoints', '.pytest_cache', '.ruff_cache',
-                    '.mypy_cache', 'build', 'install', 'log'}
+_FOLDER_LEFT_OUT = {
+    '.git',
+    '.venv',
+    '.home',
+    '__pycache__',
+    '.ipynb_checkpoints',
+    '.pytest_cache',
+    '.ruff_cache',
+    '.mypy_cache',
+    'build',
+    'install',
+    'log',
+}
 
 
 class Leak(Exception):
@@ -59,8 +70,9 @@ def files(root: Path, left_out: Sequence[str] = LEFT_OUT) -> list[str]:
 
     Files that somebody else has just made there, such as a program's scratch files, may be gone when they are read.
     """
-    listed = subprocess.run(['git', '-C', root, 'ls-files', '-z', '--cached', '--others', '--exclude-standard'],
-                            capture_output=True)
+    listed = subprocess.run(
+        ['git', '-C', root, 'ls-files', '-z', '--cached', '--others', '--exclude-standard'], capture_output=True
+    )
     if listed.returncode == 0 and listed.stdout:
         names = listed.stdout.decode().split('\0')
     else:
@@ -69,9 +81,17 @@ def files(root: Path, left_out: Sequence[str] = LEFT_OUT) -> list[str]:
             folders[:] = set(folders) - _FOLDER_LEFT_OUT
             names += [Path(parent, name).relative_to(root).as_posix() for name in inside]
     beginnings = tuple(f'{folder}/' for folder in left_out)
-    return sorted({name for name in names if name and not name.startswith(beginnings)
-                   and not _FILE_LEFT_OUT.search(name.rpartition('/')[2]) and (root / name).is_file()
-                   and not (root / name).is_symlink()})
+    return sorted(
+        {
+            name
+            for name in names
+            if name
+            and not name.startswith(beginnings)
+            and not _FILE_LEFT_OUT.search(name.rpartition('/')[2])
+            and (root / name).is_file()
+            and not (root / name).is_symlink()
+        }
+    )
 
 
 def _check(path: Path, name: str, root: Path) -> None:

@@ -82,8 +82,11 @@ def _pairs(exercise: str, prints: dict[str, set[int]]) -> list[Pair]:
         for mark in marks:
             holders[mark].append(learner)
     common = Counter(pair for learners in holders.values() for pair in combinations(learners, 2))
-    return [Pair(exercise, *pair, round(count / smaller, 2), count) for pair, count in common.items()
-            if count >= ALIKE * (smaller := min(len(own[pair[0]]), len(own[pair[1]])))]
+    return [
+        Pair(exercise, *pair, round(count / smaller, 2), count)
+        for pair, count in common.items()
+        if count >= ALIKE * (smaller := min(len(own[pair[0]]), len(own[pair[1]])))
+    ]
 
 
 def fingerprints(source: str) -> set[int]:
@@ -93,9 +96,15 @@ def fingerprints(source: str) -> set[int]:
         tokens = _Tokens(tree).tokens if tree is not None else []
     except RecursionError:
         return set()
-    hashes = [int.from_bytes(blake2b('\0'.join(tokens[start:start + GRAM]).encode('utf-8', 'replace'),
-                                     digest_size=8).digest(), 'big') for start in range(len(tokens) - GRAM + 1)]
-    return {min(hashes[start:start + WINDOW]) for start in range(max(1, len(hashes) - WINDOW + 1))} if hashes else set()
+    hashes = [
+        int.from_bytes(
+            blake2b('\0'.join(tokens[start : start + GRAM]).encode('utf-8', 'replace'), digest_size=8).digest(), 'big'
+        )
+        for start in range(len(tokens) - GRAM + 1)
+    ]
+    return (
+        {min(hashes[start : start + WINDOW]) for start in range(max(1, len(hashes) - WINDOW + 1))} if hashes else set()
+    )
 
 
 class _Tokens:
@@ -118,8 +127,13 @@ class _Tokens:
                 self._text(text)
                 return
             case ast.Constant(value=value):
-                self.tokens.append('text' if isinstance(value, (str, bytes)) else
-                                   'number' if type(value) in (int, float, complex) else repr(value))
+                self.tokens.append(
+                    'text'
+                    if isinstance(value, (str, bytes))
+                    else 'number'
+                    if type(value) in (int, float, complex)
+                    else repr(value)
+                )
                 return
             case ast.AnnAssign(target=target, value=value) if value is not None:
                 node = ast.Assign(targets=[target], value=value)
@@ -134,7 +148,6 @@ class _Tokens:
                     self.tokens.append('own' if part in self._own else part)
         if hasattr(node, 'body'):
             self.tokens.append('end')
-
 
     def _text(self, text: str) -> None:
         """The tokens of a text that is an answer, or a part of one: a program, or something that is none."""
@@ -189,8 +202,11 @@ def of_submission(files: Mapping[str, bytes], exercises: Iterable[Exercise]) -> 
 def stubs_of(exercises: Iterable[Exercise]) -> dict[str, set[int]]:
     """The fingerprints of the cells as they were given, from the course's notebooks."""
     exercises = list(exercises)
-    files = {name: path.read_bytes() for name in {exercise.notebook for exercise in exercises}
-             if (path := paths.NOTEBOOKS / name).is_file()}
+    files = {
+        name: path.read_bytes()
+        for name in {exercise.notebook for exercise in exercises}
+        if (path := paths.NOTEBOOKS / name).is_file()
+    }
     return {exercise: fingerprints(text) for exercise, text in cells_of(files, exercises).items()}
 
 

@@ -75,8 +75,9 @@ class Submission:
         """The programs for some exercises of the course. Read in a child process."""
         exercises = list(exercises)
         if self.problem:
-            return Programs({}, dict.fromkeys((one.id for one in exercises),
-                                              (verdicts.INVALID_SUBMISSION, self.problem)))
+            return Programs(
+                {}, dict.fromkeys((one.id for one in exercises), (verdicts.INVALID_SUBMISSION, self.problem))
+            )
         found: dict[str, dict] = {}
         without: dict[str, tuple[str, str]] = {}
         for notebook in dict.fromkeys(exercise.notebook for exercise in exercises):
@@ -87,8 +88,9 @@ class Submission:
                 found |= value['programs']
                 without |= {identity: tuple(why) for identity, why in value['without'].items()}
             except reader.TooMuch as problem:
-                without |= dict.fromkeys((one.id for one in mine),
-                                         (verdicts.INVALID_SUBMISSION, f'{notebook}: {problem}'))
+                without |= dict.fromkeys(
+                    (one.id for one in mine), (verdicts.INVALID_SUBMISSION, f'{notebook}: {problem}')
+                )
         return Programs(found, without)
 
 
@@ -152,8 +154,13 @@ def read_data(path: Path):
         found = _read(path)
     except Unusable as problem:
         return {'unusable': str(problem)}, ()
-    return {'problem': found.problem, 'handed_in': found.handed_in, 'label': found.label, 'notes': found.notes,
-            'files': list(found.files)}, found.files.values()
+    return {
+        'problem': found.problem,
+        'handed_in': found.handed_in,
+        'label': found.label,
+        'notes': found.notes,
+        'files': list(found.files),
+    }, found.files.values()
 
 
 # In the grader's process
@@ -191,8 +198,11 @@ def _read(path: Path) -> Submission:
         if not path.is_dir() and not path.is_file():
             raise Unusable(f'{path} is neither a file nor a folder')
         if path.is_dir():
-            own = [child for child in sorted(path.iterdir())
-                   if is_notebook(child.name) and child.is_file() and not child.is_symlink()]
+            own = [
+                child
+                for child in sorted(path.iterdir())
+                if is_notebook(child.name) and child.is_file() and not child.is_symlink()
+            ]
             if own:
                 submission.handed_in = _time(max(child.stat().st_mtime for child in own))
             for child in own:
@@ -232,8 +242,12 @@ def _read_zip(path: Path, submission: Submission) -> None:
                 if member.filename == 'submission.json':
                     _read_label(_bounded(archive, member, 10_000), submission)
                 elif is_notebook(name):
-                    _add(submission, name, member.file_size,
-                         lambda member=member: _bounded(archive, member, notebooks.MAX_BYTES))
+                    _add(
+                        submission,
+                        name,
+                        member.file_size,
+                        lambda member=member: _bounded(archive, member, notebooks.MAX_BYTES),
+                    )
     except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, ValueError, RuntimeError):
         raise InvalidSubmission('The zip is damaged: make it again with submit.') from None
 
@@ -254,7 +268,7 @@ def _read_label(data: bytes, submission: Submission) -> None:
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         raise InvalidSubmission('submission.json in the zip is damaged: make the zip again with submit.') from None
     if not isinstance(learner, str) or not LEARNER.fullmatch(learner):
-        raise InvalidSubmission('The learner\'s id in submission.json is unusable: make the zip again with submit.')
+        raise InvalidSubmission("The learner's id in submission.json is unusable: make the zip again with submit.")
     submission.label = learner
     if isinstance(saved, str) and is_stamp(saved):
         submission.handed_in = saved

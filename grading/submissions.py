@@ -56,8 +56,10 @@ def _at(path: Path, skipped: list[Path]) -> list[Submission]:
     chapters = [child for child in _children(path) if child.is_file() and _CHAPTER.match(child.name)]
     archives = [child for child in _children(path) if child.is_file() and child.suffix == '.zip']
     if chapters and archives and not _owner(path):
-        raise Unusable(f'{path} holds both {chapters[0].name}, as one learner\'s folder does, and {archives[0].name}: '
-                       'put each learner\'s notebooks into a folder of their own')
+        raise Unusable(
+            f"{path} holds both {chapters[0].name}, as one learner's folder does, and {archives[0].name}: "
+            "put each learner's notebooks into a folder of their own"
+        )
     found = [_read(path)] if chapters and not archives else list(_below(path, _owner(path), skipped, 0))
     if not found:
         raise Unusable(f'{path} holds no submission: expected notebooks, or zip files and folders of learners')
@@ -120,8 +122,11 @@ def _children(folder: Path) -> list[Path]:
 
 
 def _has_notebooks(folder: Path) -> bool:
-    return folder.is_dir() and not folder.is_symlink() and any(
-        is_notebook(inner.name) and inner.is_file() for inner in folder.iterdir())
+    return (
+        folder.is_dir()
+        and not folder.is_symlink()
+        and any(is_notebook(inner.name) and inner.is_file() for inner in folder.iterdir())
+    )
 
 
 def _archives(folder: Path) -> bool:
@@ -136,7 +141,7 @@ def _owner(path: Path) -> str:
         return normalize('NFC', f'{match["name"]}_{match["number"]}')
     task = path.parent.name.removesuffix('-submissions')
     if path.is_dir() and task != path.parent.name and path.name.startswith(f'{task}-'):
-        return normalize('NFC', path.name[len(task) + 1:])
+        return normalize('NFC', path.name[len(task) + 1 :])
     return ''
 
 
@@ -167,8 +172,11 @@ def _together(owner: str, notebooks: list[Path]) -> Submission:
 
 def _name(found: list[Submission]) -> None:
     """Let the ids inside zips count where nobody else has a claim to them, and tell learners apart."""
-    named = {submission.learner for submission in found
-             if submission.platform or submission.label in ('', submission.learner)}
+    named = {
+        submission.learner
+        for submission in found
+        if submission.platform or submission.label in ('', submission.learner)
+    }
     claims: dict[str, set[str]] = defaultdict(set)
     for submission in found:
         if not submission.platform and submission.label not in ('', submission.learner):
@@ -178,12 +186,16 @@ def _name(found: list[Submission]) -> None:
         if label in ('', name) or submission.platform:
             continue
         if label in named:
-            submission.notes.append(f'submission.json says that it is {label}\'s, whose own submission is there, too: '
-                                    f'taken as {name}\'s, by the name of the file')
+            submission.notes.append(
+                f"submission.json says that it is {label}'s, whose own submission is there, too: "
+                f"taken as {name}'s, by the name of the file"
+            )
         elif len(claims[label]) > 1:
-            submission.notes.append(f'{", ".join(sorted(claims[label]))} all say that they are {label}\'s: taken as '
-                                    f'{name}\'s, by the name of the file. If they are of one learner, give the files '
-                                    'one name, in folders of their own')
+            submission.notes.append(
+                f"{', '.join(sorted(claims[label]))} all say that they are {label}'s: taken as "
+                f"{name}'s, by the name of the file. If they are of one learner, give the files "
+                'one name, in folders of their own'
+            )
         else:
             submission.learner = label
     _tell_apart(found)
@@ -202,8 +214,10 @@ def _tell_apart(found: list[Submission]) -> None:
             others = ', '.join(sorted(names - {submission.own}))
             if submission.own != learner:
                 submission.learner = apart(submission.own)
-            submission.notes.append(f'{submission.own} and {others} give the same id, {learner}, and are taken for '
-                                    f'different learners: this one is {submission.learner}')
+            submission.notes.append(
+                f'{submission.own} and {others} give the same id, {learner}, and are taken for '
+                f'different learners: this one is {submission.learner}'
+            )
 
 
 def _note_copies(found: list[Submission]) -> None:
@@ -214,8 +228,9 @@ def _note_copies(found: list[Submission]) -> None:
     for submission in found:
         others = users[submission.label] - {submission.learner}
         if submission.label and submission.platform and others:
-            submission.notes.append(f'{", ".join(sorted(others))} handed in a zip with the same id inside, '
-                                    f'{submission.label}')
+            submission.notes.append(
+                f'{", ".join(sorted(others))} handed in a zip with the same id inside, {submission.label}'
+            )
 
 
 def _latest(attempts: list[Submission]) -> Submission:

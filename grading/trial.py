@@ -76,17 +76,27 @@ def run(exercise: Exercise, answer: Answer | None, seed: str = SEED) -> Trial:
     cells = varied(exercise.chapter, [answer] if answer else [])
     report = judge(cells, [exercise], seed=seed)
     trial = Trial(answer, report.exercises[0], report.log)
-    trial.faults = [*(f'log: {line}' for line in report.log),
-                    *(answer.faults(trial.result, exercise) if answer else faults_of_right(trial.result))]
+    trial.faults = [
+        *(f'log: {line}' for line in report.log),
+        *(answer.faults(trial.result, exercise) if answer else faults_of_right(trial.result)),
+    ]
     return trial
 
 
-def judge(cells, exercises: Iterable[Exercise], tests: Mapping[str, Iterable[str]] | None = None, processes: int = 1,
-          seed: str = SEED) -> session.SessionReport:
+def judge(
+    cells,
+    exercises: Iterable[Exercise],
+    tests: Mapping[str, Iterable[str]] | None = None,
+    processes: int = 1,
+    seed: str = SEED,
+) -> session.SessionReport:
     """Run the visible and hidden tests on a notebook's cells, in the sandbox where there is one, as `grade` does."""
     launcher = sandbox.launcher('none' if sandbox.problem() else sandbox.DEFAULT)
-    return session.run(cells, exercises, session.Options(hidden=HIDDEN, processes=processes, seed=seed,
-                                                         launcher=launcher, tests=tests or {}))
+    return session.run(
+        cells,
+        exercises,
+        session.Options(hidden=HIDDEN, processes=processes, seed=seed, launcher=launcher, tests=tests or {}),
+    )
 
 
 @cache
@@ -99,14 +109,17 @@ def solved(number: int) -> tuple[notebooks.NotebookCell, ...]:
 def varied(number: int, changed: Iterable[Answer]) -> list[notebooks.NotebookCell]:
     """A chapter's solved notebook with these answers in place of the solutions."""
     texts = {answer.exercise: answer.source for answer in changed}
-    return [notebooks.NotebookCell(texts.get(program.exercise_id(cell) or '', cell.source), cell.number, cell.id)
-            for cell in solved(number)]
+    return [
+        notebooks.NotebookCell(texts.get(program.exercise_id(cell) or '', cell.source), cell.number, cell.id)
+        for cell in solved(number)
+    ]
 
 
 def told(result: ExerciseResult) -> str:
     """What the learner reads about the tests that did not pass."""
-    return '\n'.join([result.message, *(f'{test.message}\n{test.expected}' for test in result.tests
-                                        if not test.passed)])
+    return '\n'.join(
+        [result.message, *(f'{test.message}\n{test.expected}' for test in result.tests if not test.passed)]
+    )
 
 
 def name_of(test: TestResult) -> str:

@@ -51,26 +51,50 @@ def perform(unit: Unit, say: Callable[[str], None] = lambda test: None) -> Outco
     """
     course = unit.course.unpacked()
     if course.digest != unit.digest:
-        raise Mismatch(f'the course at {paths.ROOT} on {socket.gethostname()} is not the one that this run began with: '
-                       'tests, grader, Python and sandbox must be the same; what is graded is kept')
+        raise Mismatch(
+            f'the course at {paths.ROOT} on {socket.gethostname()} is not the one that this run began with: '
+            'tests, grader, Python and sandbox must be the same; what is graded is kept'
+        )
     began = time.monotonic()
-    report = judge(Submission('', Path(), unit.files, unit.problem), course, unit.processes, only=unit.exercises,
-                   seed=unit.seed, say=say)
+    report = judge(
+        Submission('', Path(), unit.files, unit.problem),
+        course,
+        unit.processes,
+        only=unit.exercises,
+        seed=unit.seed,
+        say=say,
+    )
     return Outcome(report.exercises, report.sandbox, report.log, round(time.monotonic() - began, 3))
 
 
 def fault(unit: Unit, text: str) -> Outcome:
     """The outcome of a unit that could not be done: no mark, and no zero."""
-    open_ones = [ExerciseResult(exercise.id, exercise.title, exercise.points, verdicts.GRADER_ERROR, None)
-                 for exercise in unit.course.exercises if exercise.id in unit.exercises]
+    open_ones = [
+        ExerciseResult(exercise.id, exercise.title, exercise.points, verdicts.GRADER_ERROR, None)
+        for exercise in unit.course.exercises
+        if exercise.id in unit.exercises
+    ]
     return Outcome(open_ones, unit.course.sandbox, [text])
 
 
-def judge(submission: Submission, course: Course, processes: int = 1, *, only: Iterable[str] | None = None,
-          seed: str = '', say: Callable[[str], None] = lambda test: None) -> session.SessionReport:
+def judge(
+    submission: Submission,
+    course: Course,
+    processes: int = 1,
+    *,
+    only: Iterable[str] | None = None,
+    seed: str = '',
+    say: Callable[[str], None] = lambda test: None,
+) -> session.SessionReport:
     """Run all tests, visible and hidden, of one submission, or of the exercises `only`."""
-    options = session.Options(hidden=course.hidden, visible=course.visible, processes=processes, seed=seed,
-                              launcher=sandbox.launcher(course.sandbox), test_timeout=course.test_timeout)
+    options = session.Options(
+        hidden=course.hidden,
+        visible=course.visible,
+        processes=processes,
+        seed=seed,
+        launcher=sandbox.launcher(course.sandbox),
+        test_timeout=course.test_timeout,
+    )
     wanted = [exercise for exercise in course.exercises if only is None or exercise.id in only]
     found = submission.programs(wanted, course.exercises)
     report = session.judge(found.programs, found.without, wanted, options, say)

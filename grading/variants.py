@@ -54,8 +54,10 @@ class Variant:
         for old, new in edits:
             found = list(_places(solved, old, new))
             if len(found) != self.count:
-                raise VariantError(f'{where}: the solution holds this text {len(found)} times, not {self.count}; '
-                                   f'edit `old`, or give `count`:\n{textwrap.dedent(old).strip()}')
+                raise VariantError(
+                    f'{where}: the solution holds this text {len(found)} times, not {self.count}; '
+                    f'edit `old`, or give `count`:\n{textwrap.dedent(old).strip()}'
+                )
             spans += found
         if self.imports:
             end = solved.find('\n') + 1
@@ -113,8 +115,13 @@ def alternatives(exercise: str, folder: Path = FOLDER) -> tuple[Alternative, ...
 def solved_cells(solutions: Path) -> Mapping[str, str]:
     """Return the solved cell of each exercise, from the chapters' sources in this folder."""
     from grading.authoring import chapter
-    return {cell.exercise['id']: cell.split.solved for path in chapter.sources(solutions)
-            for cell in chapter.read(path).cells if cell.exercise is not None}
+
+    return {
+        cell.exercise['id']: cell.split.solved
+        for path in chapter.sources(solutions)
+        for cell in chapter.read(path).cells
+        if cell.exercise is not None
+    }
 
 
 def _listed(exercise: str, folder: Path, kind: str, wanted: type) -> tuple:
@@ -157,8 +164,8 @@ def _block(text: str) -> list[str]:
 def _whole_lines(lines: list[str], old: list[str], new: list[str]) -> Iterator[tuple[int, int, str]]:
     place = 0
     for index, line in enumerate(lines):
-        indent = line[:len(line) - len(line.lstrip())]
-        part = lines[index:index + len(old)]
+        indent = line[: len(line) - len(line.lstrip())]
+        part = lines[index : index + len(old)]
         if old and [one.rstrip() for one in part] == _indented(old, indent):
             yield place, place + len(''.join(part)), ''.join(f'{one}\n' for one in _indented(new, indent))
         place += len(line)

@@ -16,10 +16,10 @@ from tf2_py import BufferCore
 from environment.tests.tf2_messages import transform
 
 DEPTHS = (5, 20, 100)
-RATE, DURATION = 100, 10        # Hz, seconds
-START = 1_700_000_000           # seconds: stamps as large as today's
-BUDGET = 0.5                    # seconds for each figure
-ROUNDS = 3                      # the best of so many counts: the others were disturbed
+RATE, DURATION = 100, 10  # Hz, seconds
+START = 1_700_000_000  # seconds: stamps as large as today's
+BUDGET = 0.5  # seconds for each figure
+ROUNDS = 3  # the best of so many counts: the others were disturbed
 # What the course promises, per second.
 GOALS = {(5, 'insert'): 200_000, (5, 'look up, recent'): 30_000}
 
@@ -29,8 +29,15 @@ def _messages(depth):
     for step in range(RATE * DURATION + 1):
         angle = 0.3 * math.sin(step / 50.0)
         for link in range(depth):
-            messages.append(transform(f'link{link}', f'link{link + 1}', START + step / RATE, (0.1 * step, 0.0, 0.2),
-                                      (0.0, 0.0, math.sin(angle / 2.0), math.cos(angle / 2.0))))
+            messages.append(
+                transform(
+                    f'link{link}',
+                    f'link{link + 1}',
+                    START + step / RATE,
+                    (0.1 * step, 0.0, 0.2),
+                    (0.0, 0.0, math.sin(angle / 2.0), math.cos(angle / 2.0)),
+                )
+            )
     return messages
 
 

@@ -21,8 +21,12 @@ def main(arguments: list[str]) -> int:
     try:
         socket = folder / 'python'
         server.start(socket)
-        client = [getattr(sys, '_base_executable', sys.executable), '-IS',
-                  str(Path(__file__).with_name('client.py')), str(socket)]
+        client = [
+            getattr(sys, '_base_executable', sys.executable),
+            '-IS',
+            str(Path(__file__).with_name('client.py')),
+            str(socket),
+        ]
         os.environ['COURSE_RULE_LAUNCHER'] = ' '.join(f'"{part}"' for part in client)  # for python_interfaces.cmake
         os.environ.setdefault('MAKEFLAGS', '-j')  # else colcon tells Ninja to hold back while the machine is busy
         _patch_colcon(client)

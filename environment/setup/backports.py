@@ -11,19 +11,24 @@ from environment.setup.relocation import replace
 # For each patched module its patch, what marks a version that needs none, and the lines at its end.
 _PATCHES = {
     'rclpy/action/client.py': (
-        action_client, 'Lock()', '\n\nfrom {name} import mend  # noqa: E402 - ros2/rclpy#1123\n\nmend(ActionClient)\n'),
+        action_client,
+        'Lock()',
+        '\n\nfrom {name} import mend  # noqa: E402 - ros2/rclpy#1123\n\nmend(ActionClient)\n',
+    ),
     'ament_cppcheck/main.py': (
-        cppcheck, None,
-        '\n\nfrom {name} import skip_without_cppcheck  # noqa: E402\n\nmain = skip_without_cppcheck(main)\n'),
+        cppcheck,
+        None,
+        '\n\nfrom {name} import skip_without_cppcheck  # noqa: E402\n\nmain = skip_without_cppcheck(main)\n',
+    ),
 }
 _TESTS = '_course_python_tests'
 # What tells setuptools and colcon of the entry points: the record of an installed distribution.
 _DISTRIBUTION = {
     'METADATA': 'Metadata-Version: 2.1\nName: course-python-tests\nVersion: 1\n'
-                'Summary: Lets colcon test run the tests of each Python package with pytest.\n',
+    'Summary: Lets colcon test run the tests of each Python package with pytest.\n',
     'INSTALLER': 'course\n',
     'entry_points.txt': f'[distutils.setup_keywords]\ntests_require = {_TESTS}:accept\n\n'
-                        f'[colcon_core.python_testing]\npytest_by_default = {_TESTS}:PytestByDefault\n',
+    f'[colcon_core.python_testing]\npytest_by_default = {_TESTS}:PytestByDefault\n',
 }
 
 

@@ -110,8 +110,7 @@ def readable_by_others(layout: Layout) -> Fact:
     closed = closed_to_others(layout.prefix)
     if closed:
         text = f'{closed} is private, so that a sandbox under another user cannot read the environment'
-        return Fact(name, False, text, f'to grade in a sandbox: chmod o+rx {closed}', required=False,
-                    instructors=True)
+        return Fact(name, False, text, f'to grade in a sandbox: chmod o+rx {closed}', required=False, instructors=True)
     return Fact(name, True, 'readable', instructors=True)
 
 
@@ -264,8 +263,14 @@ def try_grading(layout: Layout) -> str:
     if not Path(layout.root, 'grading', 'sandbox', 'probe.py').is_file():
         return try_bubblewrap()
     try:
-        trial = subprocess.run([layout.python, '-m', 'grading.sandbox.probe', '--as-grader'], cwd=layout.root,
-                               capture_output=True, text=True, timeout=60, check=False)
+        trial = subprocess.run(
+            [layout.python, '-m', 'grading.sandbox.probe', '--as-grader'],
+            cwd=layout.root,
+            capture_output=True,
+            text=True,
+            timeout=60,
+            check=False,
+        )
     except (OSError, subprocess.TimeoutExpired) as error:
         return str(error)
     return '' if trial.returncode == 0 else (trial.stderr.strip().splitlines() or ['no reason given'])[-1]

@@ -27,8 +27,13 @@ class Installed:
 
     def of_build(self, name: str, build: Path) -> list[str]:
         """The files that the build of a package in the folder `build` installed, by its own lists, and colcon's."""
-        listed = [line for file in (build / part for part in _LISTS) if file.is_file()
-                  for line in file.read_text().splitlines() if line.strip()]
+        listed = [
+            line
+            for file in (build / part for part in _LISTS)
+            if file.is_file()
+            for line in file.read_text().splitlines()
+            if line.strip()
+        ]
         paths = [Path(line) for line in listed]
         share = self.prefix / 'share' / name
         paths += [*share.glob('package.*'), *share.glob('hook/*'), self.prefix / 'share/colcon-core/packages' / name]

@@ -65,8 +65,10 @@ def succeeded(name: str, build: Path) -> bool:
 
 
 # Not `python -m`, for the reason given in `main`.
-_BUILDER = 'import sys; sys.path[0] = sys.argv.pop(1); from environment.builder.__main__ import main; ' \
-           'sys.exit(main(sys.argv[1:]))'
+_BUILDER = (
+    'import sys; sys.path[0] = sys.argv.pop(1); from environment.builder.__main__ import main; '
+    'sys.exit(main(sys.argv[1:]))'
+)
 
 
 def colcon(layout, selected: Iterable[str], workers: int | None = None) -> list[str]:

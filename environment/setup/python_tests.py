@@ -29,7 +29,8 @@ def has_tests(package: Path) -> bool:
     """Whether the package has a file that pytest would take for tests where it looks by itself."""
     beside = any(found for pattern in PATTERNS for found in package.glob(pattern))
     return beside or any(
-        found for folder in FOLDERS for pattern in PATTERNS for found in (package / folder).rglob(pattern))
+        found for folder in FOLDERS for pattern in PATTERNS for found in (package / folder).rglob(pattern)
+    )
 
 
 def __getattr__(name):

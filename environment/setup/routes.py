@@ -63,19 +63,38 @@ def apt(system: Path = Path('/'), machine: str = platform.machine()) -> Route:
     if not all(step.ok for step in steps):
         return Route('apt packages', tuple(steps))
     key = bool(list((system / 'usr/share/keyrings').glob('ros*archive-keyring*')))
-    sources = [path for path in (system / 'etc/apt/sources.list.d').glob('*')
-               if path.suffix in ('.list', '.sources') and '/ros2/ubuntu' in path.read_text(errors='replace')]
+    sources = [
+        path
+        for path in (system / 'etc/apt/sources.list.d').glob('*')
+        if path.suffix in ('.list', '.sources') and '/ros2/ubuntu' in path.read_text(errors='replace')
+    ]
     installed = system / 'opt/ros' / DISTRO
     tools = system / 'usr/bin/colcon'
     steps += [
-        Fact('key of packages.ros.org', key, 'installed' if key else 'missing',
-             f'install the package ros2-apt-source, from {_KEYS}'),
-        Fact('apt source', bool(sources), ', '.join(path.name for path in sources) or 'missing',
-             'comes with ros2-apt-source; then: sudo apt update'),
-        Fact(f'ros-{DISTRO}-desktop', (installed / 'setup.bash').is_file(),
-             str(installed) if installed.is_dir() else 'missing', f'sudo apt install ros-{DISTRO}-desktop'),
-        Fact('ros-dev-tools', tools.exists(), 'installed' if tools.exists() else 'missing',
-             'sudo apt install ros-dev-tools'),
+        Fact(
+            'key of packages.ros.org',
+            key,
+            'installed' if key else 'missing',
+            f'install the package ros2-apt-source, from {_KEYS}',
+        ),
+        Fact(
+            'apt source',
+            bool(sources),
+            ', '.join(path.name for path in sources) or 'missing',
+            'comes with ros2-apt-source; then: sudo apt update',
+        ),
+        Fact(
+            f'ros-{DISTRO}-desktop',
+            (installed / 'setup.bash').is_file(),
+            str(installed) if installed.is_dir() else 'missing',
+            f'sudo apt install ros-{DISTRO}-desktop',
+        ),
+        Fact(
+            'ros-dev-tools',
+            tools.exists(),
+            'installed' if tools.exists() else 'missing',
+            'sudo apt install ros-dev-tools',
+        ),
     ]
     return Route('apt packages', tuple(steps))
 
@@ -88,17 +107,32 @@ def container(environ: Mapping[str, str], which: Which = shutil.which, attempt=s
         return Route('container', (step,))
     steps = [Fact('Docker or Podman', True, engine)]
     try:
-        trial = attempt([engine, 'image', 'ls', '--format', '{{.Repository}}:{{.Tag}}'], env=dict(environ),
-                        capture_output=True, text=True, timeout=10, check=False)
+        trial = attempt(
+            [engine, 'image', 'ls', '--format', '{{.Repository}}:{{.Tag}}'],
+            env=dict(environ),
+            capture_output=True,
+            text=True,
+            timeout=10,
+            check=False,
+        )
         answers, images = trial.returncode == 0, trial.stdout.split()
     except (OSError, subprocess.TimeoutExpired):
         answers, images = False, []
-    steps.append(Fact('it answers', answers, 'yes' if answers else 'no',
-                      f'start it, and let your user use it (see: {engine} info)'))
+    steps.append(
+        Fact(
+            'it answers',
+            answers,
+            'yes' if answers else 'no',
+            f'start it, and let your user use it (see: {engine} info)',
+        )
+    )
     if answers:
         found = [image for image in images if f'ros:{DISTRO}' in image]
-        steps.append(Fact('an image', bool(found), ', '.join(found) or 'none yet',
-                          f'{engine} pull docker.io/library/ros:{DISTRO}'))
+        steps.append(
+            Fact(
+                'an image', bool(found), ', '.join(found) or 'none yet', f'{engine} pull docker.io/library/ros:{DISTRO}'
+            )
+        )
     return Route('container', tuple(steps))
 
 
@@ -108,8 +142,14 @@ def conda(environ: Mapping[str, str], which: Which = shutil.which) -> Route:
     steps = [Fact('pixi, micromamba or conda', tool is not None, tool or 'missing', 'see https://pixi.sh')]
     prefix = environ.get('CONDA_PREFIX', '')
     found = bool(prefix) and any(Path(prefix, 'conda-meta').glob(f'ros-{DISTRO}-rclpy-*.json'))
-    steps.append(Fact(f'an environment with ros-{DISTRO}-desktop', found, prefix if found else 'none is active',
-                      f'make one from the channels robostack-{DISTRO} and conda-forge, and activate it'))
+    steps.append(
+        Fact(
+            f'an environment with ros-{DISTRO}-desktop',
+            found,
+            prefix if found else 'none is active',
+            f'make one from the channels robostack-{DISTRO} and conda-forge, and activate it',
+        )
+    )
     return Route('conda (RoboStack)', tuple(steps))
 
 

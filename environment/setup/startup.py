@@ -26,10 +26,14 @@ PROFILE = os.path.join('share', 'course', 'fastdds.xml')
 # Jupyter are for `./course lab` and `./course shell` only: another server has its own.
 HOME = '.home'
 FOLDERS = {'ROS_HOME': 'ros', 'IPYTHONDIR': 'ipython', 'MPLCONFIGDIR': 'matplotlib'}
-JUPYTER = {'JUPYTER_CONFIG_DIR': 'jupyter/config', 'JUPYTER_DATA_DIR': 'jupyter/data',
-           'JUPYTER_RUNTIME_DIR': 'jupyter/runtime', 'JUPYTERLAB_SETTINGS_DIR': 'jupyter/settings',
-           'JUPYTERLAB_WORKSPACES_DIR': 'jupyter/workspaces',
-           'npm_config_cache': 'npm'}  # a part of JupyterLab asks npm, where there is one, and that writes a log
+JUPYTER = {
+    'JUPYTER_CONFIG_DIR': 'jupyter/config',
+    'JUPYTER_DATA_DIR': 'jupyter/data',
+    'JUPYTER_RUNTIME_DIR': 'jupyter/runtime',
+    'JUPYTERLAB_SETTINGS_DIR': 'jupyter/settings',
+    'JUPYTERLAB_WORKSPACES_DIR': 'jupyter/workspaces',
+    'npm_config_cache': 'npm',
+}  # a part of JupyterLab asks npm, where there is one, and that writes a log
 DOMAIN = os.path.join('.course', 'domain')  # the ROS domain of this copy, which `helpers.kernel.domains` chooses
 STOCK = 'COURSE_STOCK'  # set by `./course shell --stock`: ROS with its own defaults
 

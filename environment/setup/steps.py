@@ -60,8 +60,12 @@ class Setup:
             return ['venv']
         lock = self.lock()
         foundation = self.foundation(lock)
-        wanted = {'requirements': digest(lock), 'relocation': foundation, 'backports': self.backports_key(foundation),
-                  'kernel': self.kernel_key()}
+        wanted = {
+            'requirements': digest(lock),
+            'relocation': foundation,
+            'backports': self.backports_key(foundation),
+            'kernel': self.kernel_key(),
+        }
         stale = [name for name, key in wanted.items() if self.stamps.read(name) != key]
         packages = self.packages()
         for name, key in overlay.keys(packages, foundation).items():
@@ -76,8 +80,7 @@ class Setup:
         return digest(foundation, backports.text())
 
     def kernel_key(self) -> str:
-        files = (Path(startup.__file__).read_text(), kernel.PROFILE.read_text(),
-                 kernel.SETTINGS.read_text())
+        files = (Path(startup.__file__).read_text(), kernel.PROFILE.read_text(), kernel.SETTINGS.read_text())
         return digest(json.dumps(kernel.kernelspec(self.layout)), *files, str(self.layout.root))
 
     # The virtual environment.
@@ -156,11 +159,7 @@ class Setup:
         self.stamps.write('requirements.started', '1')
         env = self._env()
         config = subprocess.run(
-            [self.layout.python, '-m', 'pip', 'config', 'list'],
-            env=env,
-            capture_output=True,
-            text=True,
-            check=False,
+            [self.layout.python, '-m', 'pip', 'config', 'list'], env=env, capture_output=True, text=True, check=False
         )
         env.update(requirements.for_uv(env, config.stdout))
         uv = [self.layout.prefix / 'bin' / 'uv', 'pip']

@@ -58,8 +58,10 @@ def explain(what: str, output: str, log: str, environ: Mapping[str, str]) -> Exc
     if _NO_MEMORY.search(output):
         return PreflightError(f'memory ran out while {what}', 'close other programs, then run ./course again')
     if closed := _NO_CACHE.search(output):
-        return PreflightError(f'uv, the installer, cannot write to {closed[1]}',
-                    'run: export HOME=FOLDER, with a folder that you may write to, then ./course again')
+        return PreflightError(
+            f'uv, the installer, cannot write to {closed[1]}',
+            'run: export HOME=FOLDER, with a folder that you may write to, then ./course again',
+        )
     if _BAD_HASH.search(output):
         return PreflightError(
             'the package index serves a file that differs from the lock',

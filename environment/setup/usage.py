@@ -18,8 +18,11 @@ def asked(arguments: list[str]) -> bool:
 def commands(root: Path) -> Iterator[tuple[str, str]]:
     """(name, first sentence) of each command of this edition, in the order of the command line's own help."""
     tree = ast.parse((root / 'helpers' / 'cli' / 'app.py').read_text(encoding='utf-8'))
-    names = {node.targets[0].id: ast.literal_eval(node.value) for node in tree.body
-             if isinstance(node, ast.Assign) and isinstance(node.value, ast.Tuple)}
+    names = {
+        node.targets[0].id: ast.literal_eval(node.value)
+        for node in tree.body
+        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Tuple)
+    }
     for half, listed in (('helpers', names['LEARNER']), ('grading', names['INSTRUCTOR'])):
         for name in listed:
             module = root / half / 'cli' / f'{name}.py'
@@ -37,16 +40,18 @@ def _sentence(module: Path, name: str) -> str:
 def text(root: Path) -> str:
     """The whole answer."""
     lines = [f'  {name:<9}{sentence}' for name, sentence in commands(root)]
-    return '\n'.join((
-        'Usage: ./course COMMAND [ARGUMENTS]',
-        '',
-        'The ROS 2 course: notebooks, checks and submissions.',
-        '',
-        'Nothing is set up yet in this folder. The first command that you give, such as ./course lab, first does what',
-        './course setup does: it makes the folder .venv with Python, ROS 2 Jazzy and Jupyter (1 GB; up to 310 MB come',
-        'from PyPI), says how far it is, and goes on where it was if you interrupt it. After that every command',
-        'starts at once, and has a --help of its own.',
-        '',
-        'Commands:',
-        *lines,
-    ))
+    return '\n'.join(
+        (
+            'Usage: ./course COMMAND [ARGUMENTS]',
+            '',
+            'The ROS 2 course: notebooks, checks and submissions.',
+            '',
+            'Nothing is set up yet in this folder. The first command that you give, such as ./course lab, first does',
+            'what ./course setup does: it makes the folder .venv with Python, ROS 2 Jazzy and Jupyter (1 GB; up to 310',
+            'MB come from PyPI), says how far it is, and goes on where it was if you interrupt it. After that every',
+            'command starts at once, and has a --help of its own.',
+            '',
+            'Commands:',
+            *lines,
+        )
+    )

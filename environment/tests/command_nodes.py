@@ -47,8 +47,11 @@ def robot():
 
     node.create_timer(0.05, tick)
     node.create_service(SetBool, 'switch', switch)
-    node.declare_parameter('rate', 5, ParameterDescriptor(
-        description='How often', integer_range=[IntegerRange(from_value=1, to_value=10, step=1)]))
+    node.declare_parameter(
+        'rate',
+        5,
+        ParameterDescriptor(description='How often', integer_range=[IntegerRange(from_value=1, to_value=10, step=1)]),
+    )
     node.declare_parameter('name', 'bob')
     node.declare_parameter('arm.joints', [1.0, 2.0])
     node.declare_parameter('fixed', True, ParameterDescriptor(read_only=True))
@@ -75,9 +78,14 @@ def worker():
         return Fibonacci.Result(sequence=sequence)
 
     node.server = ActionServer(
-        node, Fibonacci, 'fibonacci', execute, callback_group=ReentrantCallbackGroup(),
+        node,
+        Fibonacci,
+        'fibonacci',
+        execute,
+        callback_group=ReentrantCallbackGroup(),
         goal_callback=lambda goal: GoalResponse.ACCEPT if goal.order <= 40 else GoalResponse.REJECT,
-        cancel_callback=lambda _: CancelResponse.ACCEPT)
+        cancel_callback=lambda _: CancelResponse.ACCEPT,
+    )
     return [node]
 
 
@@ -113,8 +121,7 @@ def introspected():
         return response
 
     service = node.create_service(SetBool, 'watched', switch)
-    service.configure_introspection(
-        node.get_clock(), qos_profile_system_default, ServiceIntrospectionState.CONTENTS)
+    service.configure_introspection(node.get_clock(), qos_profile_system_default, ServiceIntrospectionState.CONTENTS)
     return [node]
 
 
@@ -131,8 +138,14 @@ def deaf():
 def main():
     """Spin the nodes that the command line names until a signal comes."""
     rclpy.init()
-    kinds = {'robot': robot, 'worker': worker, 'managed': managed, 'adder': adder, 'deaf': deaf,
-             'introspected': introspected}
+    kinds = {
+        'robot': robot,
+        'worker': worker,
+        'managed': managed,
+        'adder': adder,
+        'deaf': deaf,
+        'introspected': introspected,
+    }
     nodes = kinds[sys.argv[1]]()
     executor = MultiThreadedExecutor(4)
     for node in nodes:

@@ -24,8 +24,14 @@ class Ros2:
     def run(self, *argv: str, stdin: str = '', cwd: Path | None = None) -> subprocess.CompletedProcess:
         """Run a command line to its end."""
         return subprocess.run(
-            [ROS2, *argv], input=stdin, capture_output=True, text=True, timeout=2 * PATIENCE,
-            env=self.environ, cwd=cwd or self.directory)
+            [ROS2, *argv],
+            input=stdin,
+            capture_output=True,
+            text=True,
+            timeout=2 * PATIENCE,
+            env=self.environ,
+            cwd=cwd or self.directory,
+        )
 
     def output(self, *argv: str, **kwargs) -> str:
         """Run a command line that must succeed and say nothing on stderr; return what it prints."""

@@ -48,7 +48,7 @@ ament_export_dependencies(rosidl_default_runtime)
 ament_package()
 """,
     'msg/Greeting.msg': '# A greeting\nint8 LOUD = 3\nstd_msgs/Header header\nturtlesim/Color[] colors\n'
-                        'string<=5 text "hi"\n',
+    'string<=5 text "hi"\n',
     'srv/Greet.srv': 'greetings/Greeting greeting\nfloat64[3] place\n---\nbool heard\n',
 }
 pytestmark = pytest.mark.timeout(300)
@@ -77,10 +77,25 @@ def environ(**more) -> dict[str, str]:
 def build(command: list[str], workspace: Path, name: str) -> Path:
     """Build into `workspace`/NAME; returns that prefix."""
     prefix = workspace / name
-    command = [*command, '--log-base', str(workspace / f'log {name}'), 'build', '--merge-install',
-               '--base-paths', str(workspace / 'src'), '--build-base', str(workspace / f'build {name}'),
-               '--install-base', str(prefix), '--cmake-args', '-G', 'Ninja', '-DBUILD_TESTING=OFF',
-               f'-DPython3_EXECUTABLE={sys.executable}', f'-DCMAKE_PROJECT_INCLUDE={Layout(ROOT).cmake_include}']
+    command = [
+        *command,
+        '--log-base',
+        str(workspace / f'log {name}'),
+        'build',
+        '--merge-install',
+        '--base-paths',
+        str(workspace / 'src'),
+        '--build-base',
+        str(workspace / f'build {name}'),
+        '--install-base',
+        str(prefix),
+        '--cmake-args',
+        '-G',
+        'Ninja',
+        '-DBUILD_TESTING=OFF',
+        f'-DPython3_EXECUTABLE={sys.executable}',
+        f'-DCMAKE_PROJECT_INCLUDE={Layout(ROOT).cmake_include}',
+    ]
     done = subprocess.run(command, env=environ(), cwd=workspace, capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr
     return prefix
@@ -109,10 +124,13 @@ def test_the_builder_installs_what_colcon_installs(workspace, ours):
     mine, expected = files(ours, workspace), files(theirs, workspace)
     assert sorted(mine) == sorted(expected)
     # setuptools notes in SOURCES.txt what it found: which of the generated files that is depends on the moment. The
-    # generators write #include lines in the order of a set. Two generators install C sources of one name below include/:
-    # CMake leaves the first one there if the second is less than a second younger.
-    same = [name for name in expected if not name.endswith('SOURCES.txt')
-            and not (name.startswith('include/') and name.endswith('.c'))]
+    # generators write #include lines in the order of a set. Two generators install C sources of one name below
+    # include/: CMake leaves the first one there if the second is less than a second younger.
+    same = [
+        name
+        for name in expected
+        if not name.endswith('SOURCES.txt') and not (name.startswith('include/') and name.endswith('.c'))
+    ]
     assert [name for name in same if sorted(mine[name].splitlines()) != sorted(expected[name].splitlines())] == []
     # Else the comparison could not fail.
     assert 'lib/talker/talk' in mine
@@ -121,10 +139,12 @@ def test_the_builder_installs_what_colcon_installs(workspace, ours):
 
 
 def test_what_it_made_works_on_top_of_the_environment(workspace, ours):
-    code = ('from greetings.msg import Greeting; from greetings.srv import Greet; import importlib.metadata as m;'
-            'from rclpy.serialization import serialize_message as s, deserialize_message as d;'
-            'print(d(s(Greeting(text="hello")), Greeting).text, Greeting.LOUD, Greet.Request().place,'
-            'm.version("talker"))')
+    code = (
+        'from greetings.msg import Greeting; from greetings.srv import Greet; import importlib.metadata as m;'
+        'from rclpy.serialization import serialize_message as s, deserialize_message as d;'
+        'print(d(s(Greeting(text="hello")), Greeting).text, Greeting.LOUD, Greet.Request().place,'
+        'm.version("talker"))'
+    )
     script = f'. "{ours}/setup.bash" && ros2 run talker talk && ros2 pkg executables talker && python3 -c \'{code}\''
     done = subprocess.run(['bash', '-c', script], env=environ(), capture_output=True, text=True)
     assert done.stdout.splitlines() == ['talks', 'talker parts', 'talker talk', 'hello 3 [0. 0. 0.] 1.2.3'], done.stderr
@@ -144,8 +164,13 @@ def test_a_mistake_in_a_package_is_told_as_colcon_tells_it(tmp_path):
         path = tmp_path / 'src' / 'talker' / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text.replace("packages=['talker',", "packages=['stalker',"))
-    done = subprocess.run([sys.executable, '-m', 'environment.builder', 'build', '--merge-install'],
-                          env=environ(), cwd=tmp_path, capture_output=True, text=True)
+    done = subprocess.run(
+        [sys.executable, '-m', 'environment.builder', 'build', '--merge-install'],
+        env=environ(),
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
     assert done.returncode != 0
     assert "error: package directory 'stalker' does not exist" in done.stderr
     assert 'Failed   <<< talker' in done.stderr

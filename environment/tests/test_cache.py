@@ -141,10 +141,13 @@ def test_what_was_not_used_for_longest_goes_first(second):
     assert second.size()[1] <= 2.5 * one
 
 
-@pytest.mark.parametrize(('environ', 'expected'), [
-    ({'HOME': '/home/ada'}, '/home/ada/.cache/ros2-course'),
-    ({'HOME': '/home/ada', 'XDG_CACHE_HOME': '/var/ada'}, '/var/ada/ros2-course'),
-    ({'HOME': '/home/ada', 'XDG_CACHE_HOME': 'relative'}, '/home/ada/.cache/ros2-course'),
-])
+@pytest.mark.parametrize(
+    ('environ', 'expected'),
+    [
+        ({'HOME': '/home/ada'}, '/home/ada/.cache/ros2-course'),
+        ({'HOME': '/home/ada', 'XDG_CACHE_HOME': '/var/ada'}, '/var/ada/ros2-course'),
+        ({'HOME': '/home/ada', 'XDG_CACHE_HOME': 'relative'}, '/home/ada/.cache/ros2-course'),
+    ],
+)
 def test_where_it_is(environ, expected):
     assert str(cache.folder(environ)) == expected

@@ -11,8 +11,17 @@ from helpers import paths
 
 ROOT = paths.ROOT
 # What Debian's and conda's Jazzy have of the packages in ros2_ws/src, beyond ros-base.
-FROM_STOCK = {'example_interfaces', 'turtlesim', 'tf2_tools', 'tf2_geometry_msgs', 'tf2_sensor_msgs',
-              'tf_transformations', 'robot_state_publisher', 'joint_state_publisher', 'xacro'}
+FROM_STOCK = {
+    'example_interfaces',
+    'turtlesim',
+    'tf2_tools',
+    'tf2_geometry_msgs',
+    'tf2_sensor_msgs',
+    'tf_transformations',
+    'robot_state_publisher',
+    'joint_state_publisher',
+    'xacro',
+}
 
 
 def ros_packages(text: str) -> set[str]:
@@ -28,7 +37,7 @@ def test_stock_packages_are_taken_where_they_exist(name):
 def test_every_list_of_debian_packages_is_the_same():
     needed = set((ROOT / '.binder' / 'apt.txt').read_text().split())
     for name in ('README.md', 'environment/README.md'):
-        line, = set(re.findall(r'apt(?:-get)? install ([a-z0-9+ -]*g\+\+[a-z0-9+ -]*)', (ROOT / name).read_text()))
+        (line,) = set(re.findall(r'apt(?:-get)? install ([a-z0-9+ -]*g\+\+[a-z0-9+ -]*)', (ROOT / name).read_text()))
         assert set(line.split()) == needed, name
     assert needed <= set((ROOT / 'environment' / 'containers' / 'Dockerfile').read_text().split())
 
@@ -52,9 +61,11 @@ def test_the_conda_environment_has_a_name_channels_and_packages():
     assert environment['channels'] == ['conda-forge', 'robostack-jazzy']
 
 
-@pytest.mark.skipif(not (ROOT / '.ci').is_dir(), reason='the learner\'s edition has no CI')
-@pytest.mark.parametrize(('schema', 'name'), [('vendor.github-workflows', '.github/workflows/course.yml'),
-                                              ('vendor.gitlab-ci', '.gitlab-ci.yml')])
+@pytest.mark.skipif(not (ROOT / '.ci').is_dir(), reason="the learner's edition has no CI")
+@pytest.mark.parametrize(
+    ('schema', 'name'),
+    [('vendor.github-workflows', '.github/workflows/course.yml'), ('vendor.gitlab-ci', '.gitlab-ci.yml')],
+)
 def test_ci_files_follow_their_schema(schema, name):
     done = subprocess.run(['check-jsonschema', '--builtin-schema', schema, ROOT / name], capture_output=True, text=True)
     assert done.returncode == 0, done.stdout

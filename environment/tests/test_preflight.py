@@ -91,9 +91,7 @@ def test_a_lack_is_one_line_and_leaves_nothing(checkout: Layout, clean_environ, 
     path = tool('dirname', 'exit 0')
     answer = run_main(checkout.root, {**clean_environ, 'PATH': str(path)})
     assert answer.returncode == 2, answer.stderr
-    assert answer.stderr.splitlines() == [
-        'course: no C compiler (cc, gcc, clang) on PATH; run: sudo apt install g++',
-    ]
+    assert answer.stderr.splitlines() == ['course: no C compiler (cc, gcc, clang) on PATH; run: sudo apt install g++']
     assert not checkout.prefix.exists()
 
 

@@ -34,23 +34,37 @@ def test_apt_on_a_fresh_noble_needs_everything(tmp_path):
     assert 'ros2-apt-source' in route.missing[0].remedy
 
 
-@pytest.mark.parametrize('source', [
-    ('etc/apt/sources.list.d/ros2.sources', 'URIs: http://packages.ros.org/ros2/ubuntu'),
-    ('etc/apt/sources.list.d/ros2.list', 'deb https://mirrors.tuna.tsinghua.edu.cn/ros2/ubuntu noble main'),
-])
+@pytest.mark.parametrize(
+    'source',
+    [
+        ('etc/apt/sources.list.d/ros2.sources', 'URIs: http://packages.ros.org/ros2/ubuntu'),
+        ('etc/apt/sources.list.d/ros2.list', 'deb https://mirrors.tuna.tsinghua.edu.cn/ros2/ubuntu noble main'),
+    ],
+)
 def test_apt_that_is_done(tmp_path, source):
-    root = system(tmp_path, NOBLE, source, ('usr/share/keyrings/ros2-archive-keyring.gpg', ''),
-                  ('opt/ros/jazzy/setup.bash', ''), ('usr/bin/colcon', ''),
-                  ('etc/apt/sources.list.d/other.list', 'deb http://archive.ubuntu.com/ubuntu noble main'))
+    root = system(
+        tmp_path,
+        NOBLE,
+        source,
+        ('usr/share/keyrings/ros2-archive-keyring.gpg', ''),
+        ('opt/ros/jazzy/setup.bash', ''),
+        ('usr/bin/colcon', ''),
+        ('etc/apt/sources.list.d/other.list', 'deb http://archive.ubuntu.com/ubuntu noble main'),
+    )
     route = routes.apt(root, 'aarch64')
     assert route.ready and not route.missing
     assert source[0].rpartition('/')[2] in [step.text for step in route.steps]
 
 
-@pytest.mark.parametrize(('release', 'machine'), [
-    ('NAME="Ubuntu"\nVERSION_ID="22.04"\n', 'x86_64'), ('NAME="Debian GNU/Linux"\nVERSION_ID="12"\n', 'x86_64'),
-    ('', 'x86_64'), (NOBLE, 'riscv64'),
-])
+@pytest.mark.parametrize(
+    ('release', 'machine'),
+    [
+        ('NAME="Ubuntu"\nVERSION_ID="22.04"\n', 'x86_64'),
+        ('NAME="Debian GNU/Linux"\nVERSION_ID="12"\n', 'x86_64'),
+        ('', 'x86_64'),
+        (NOBLE, 'riscv64'),
+    ],
+)
 def test_apt_is_for_one_ubuntu_only(tmp_path, release, machine):
     route = routes.apt(system(tmp_path, release), machine)
     assert not route.possible and not route.ready

@@ -73,8 +73,14 @@ def test_ignored_directories_hold_no_packages(checkout: Layout):
 
 def test_uninstall_removes_what_was_installed_and_nothing_else(tmp_path):
     prefix, build = tmp_path / 'prefix', tmp_path / 'build'
-    ours = ('share/p/gone.txt', 'share/p/hook/path.sh', 'share/colcon-core/packages/p', 'lib/p-1.egg-info/PKG-INFO',
-            'lib/p/code.py', 'lib/p/__pycache__/code.cpython-311.pyc')
+    ours = (
+        'share/p/gone.txt',
+        'share/p/hook/path.sh',
+        'share/colcon-core/packages/p',
+        'lib/p-1.egg-info/PKG-INFO',
+        'lib/p/code.py',
+        'lib/p/__pycache__/code.cpython-311.pyc',
+    )
     for name in (*ours, 'share/other/kept.txt', 'lib/shared.so'):
         (prefix / name).parent.mkdir(parents=True, exist_ok=True)
         (prefix / name).touch()
@@ -90,7 +96,9 @@ def test_uninstall_removes_what_was_installed_and_nothing_else(tmp_path):
     installed.uninstall('p')
     (prefix / 'share' / 'p' / 'empty').rmdir()
     assert sorted(str(path.relative_to(prefix)) for path in prefix.rglob('*') if path.is_file()) == [
-        'lib/shared.so', 'share/other/kept.txt']
+        'lib/shared.so',
+        'share/other/kept.txt',
+    ]
     assert not (prefix / 'lib' / 'p').exists()
     assert outside.exists()
     assert installed.names() == []

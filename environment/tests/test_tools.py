@@ -79,10 +79,7 @@ def test_tools_keep_a_stock_ros(tmp_path):
 
 def test_uv_gets_what_pip_is_told():
     config = "global.index-url='https://mirror/simple'\nglobal.cert='/ca.pem'\n:env:.index-url='https://other/simple'\n"
-    assert requirements.for_uv({}, config) == {
-        'UV_DEFAULT_INDEX': 'https://other/simple',
-        'SSL_CERT_FILE': '/ca.pem',
-    }
+    assert requirements.for_uv({}, config) == {'UV_DEFAULT_INDEX': 'https://other/simple', 'SSL_CERT_FILE': '/ca.pem'}
     assert 'UV_DEFAULT_INDEX' not in requirements.for_uv({'UV_INDEX_URL': 'https://mine'}, config)
 
 
@@ -283,8 +280,17 @@ def test_users_of_a_hub_have_domains_of_their_own(tmp_path):
 
 def test_a_kernel_that_another_server_starts_finds_ros_and_its_programs():
     code = 'import json, os; print(json.dumps(dict(os.environ)))'
-    answers = [subprocess.run([sys.executable, '-c', code, *more], env={'PATH': '/usr/bin'}, capture_output=True,
-                              check=True, text=True, timeout=60).stdout for more in ((), ('ipykernel_launcher',))]
+    answers = [
+        subprocess.run(
+            [sys.executable, '-c', code, *more],
+            env={'PATH': '/usr/bin'},
+            capture_output=True,
+            check=True,
+            text=True,
+            timeout=60,
+        ).stdout
+        for more in ((), ('ipykernel_launcher',))
+    ]
     plain, kernel = map(json.loads, answers)
     assert plain['PATH'] == '/usr/bin'
     assert kernel['PATH'] == f'{sys.prefix}/bin:/usr/bin'
@@ -306,7 +312,11 @@ def test_programs_write_into_the_courses_folder_unless_it_is_another_users(tmp_p
 def test_programs_of_a_copy_speak_in_its_domain(tmp_path):
     (tmp_path / '.course').mkdir()
     (tmp_path / startup.DOMAIN).write_text('17\n')
-    for before, expected in (({}, '17'), ({'ROS_DOMAIN_ID': '3'}, '3'), ({startup.STOCK: '1'}, None),
-                             ({'JUPYTERHUB_USER': 'ada'}, str(1 + os.getuid() % 100))):
+    for before, expected in (
+        ({}, '17'),
+        ({'ROS_DOMAIN_ID': '3'}, '3'),
+        ({startup.STOCK: '1'}, None),
+        ({'JUPYTERHUB_USER': 'ada'}, str(1 + os.getuid() % 100)),
+    ):
         startup.activate(before, str(tmp_path))
         assert before.get('ROS_DOMAIN_ID') == expected

@@ -19,73 +19,133 @@ from environment.tests.running import PATIENCE, program
 from helpers.programs.processes import background
 
 NUMBER = r'-?\d+\.\d+(?:e[-+]\d+)?'
-ROBOT_SERVICES = ('describe_parameters|get_parameter_types|get_parameters|get_type_description|list_parameters|'
-                  'set_parameters|set_parameters_atomically')
+ROBOT_SERVICES = (
+    'describe_parameters|get_parameter_types|get_parameters|get_type_description|list_parameters|'
+    'set_parameters|set_parameters_atomically'
+)
 
 # While `ros2 run turtlesim turtlesim_node` runs: tutorial, command line, and a pattern for the whole output.
 LINES = [
     ('nodes', 'node list', r'/turtlesim\n'),
-    ('nodes', 'node info /turtlesim', r'/turtlesim\n  Subscribers:\n(    /\S+: \S+\n)+  Publishers:\n(    /\S+: \S+\n)+'
-     r'  Service Servers:\n(    /\S+: \S+\n)+  Service Clients:\n\n  Action Servers:\n'
-     r'    /turtle1/rotate_absolute: turtlesim/action/RotateAbsolute\n  Action Clients:\n\n'),
+    (
+        'nodes',
+        'node info /turtlesim',
+        r'/turtlesim\n  Subscribers:\n(    /\S+: \S+\n)+  Publishers:\n(    /\S+: \S+\n)+'
+        r'  Service Servers:\n(    /\S+: \S+\n)+  Service Clients:\n\n  Action Servers:\n'
+        r'    /turtle1/rotate_absolute: turtlesim/action/RotateAbsolute\n  Action Clients:\n\n',
+    ),
     ('topics', 'topic list', r'/parameter_events\n/rosout\n/turtle1/cmd_vel\n/turtle1/color_sensor\n/turtle1/pose\n'),
     ('topics', 'topic list -t', r'(/\S+ \[\S+/msg/\S+\]\n){5}'),
-    ('topics', 'topic info /turtle1/cmd_vel',
-     r'Type: geometry_msgs/msg/Twist\nPublisher count: 0\nSubscription count: 1\n'),
-    ('topics', 'topic info /turtle1/pose -v',
-     r'Type: turtlesim/msg/Pose\n\nPublisher count: 1\n\nNode name: turtlesim\n'
-     r'Node namespace: /\nTopic type: turtlesim/msg/Pose\nTopic type hash: RIHS01_[0-9a-f]{64}\n'
-     r'Endpoint type: PUBLISHER\nGID: ([0-9a-f]{2}\.){15}[0-9a-f]{2}\nQoS profile:\n(  .+\n)+\n'
-     r'Subscription count: 0\n\n'),
-    ('topics', 'interface show geometry_msgs/msg/Twist',
-     r'(# .*\n)*\nVector3  linear\n(\tfloat64 [xyz]\n){3}Vector3  angular\n(\tfloat64 [xyz]\n){3}'),
-    ('topics', 'topic echo --once /turtle1/pose',
-     rf'x: {NUMBER}\ny: {NUMBER}\ntheta: {NUMBER}\nlinear_velocity: {NUMBER}\nangular_velocity: {NUMBER}\n---\n'),
-    ('topics', 'topic pub --once -w 1 /turtle1/cmd_vel geometry_msgs/msg/Twist '
-     '"{linear: {x: 2.0, y: 0.0, z: 0.0}, angular: {x: 0.0, y: 0.0, z: 1.8}}"',
-     r'(Waiting for at least 1 matching subscription\(s\)\.\.\.\n)*publisher: beginning loop\npublishing #1: '
-     r'geometry_msgs\.msg\.Twist\(linear=geometry_msgs\.msg\.Vector3\(x=2\.0, y=0\.0, z=0\.0\), '
-     r'angular=geometry_msgs\.msg\.Vector3\(x=0\.0, y=0\.0, z=1\.8\)\)\n\n'),
+    (
+        'topics',
+        'topic info /turtle1/cmd_vel',
+        r'Type: geometry_msgs/msg/Twist\nPublisher count: 0\nSubscription count: 1\n',
+    ),
+    (
+        'topics',
+        'topic info /turtle1/pose -v',
+        r'Type: turtlesim/msg/Pose\n\nPublisher count: 1\n\nNode name: turtlesim\n'
+        r'Node namespace: /\nTopic type: turtlesim/msg/Pose\nTopic type hash: RIHS01_[0-9a-f]{64}\n'
+        r'Endpoint type: PUBLISHER\nGID: ([0-9a-f]{2}\.){15}[0-9a-f]{2}\nQoS profile:\n(  .+\n)+\n'
+        r'Subscription count: 0\n\n',
+    ),
+    (
+        'topics',
+        'interface show geometry_msgs/msg/Twist',
+        r'(# .*\n)*\nVector3  linear\n(\tfloat64 [xyz]\n){3}Vector3  angular\n(\tfloat64 [xyz]\n){3}',
+    ),
+    (
+        'topics',
+        'topic echo --once /turtle1/pose',
+        rf'x: {NUMBER}\ny: {NUMBER}\ntheta: {NUMBER}\nlinear_velocity: {NUMBER}\nangular_velocity: {NUMBER}\n---\n',
+    ),
+    (
+        'topics',
+        'topic pub --once -w 1 /turtle1/cmd_vel geometry_msgs/msg/Twist '
+        '"{linear: {x: 2.0, y: 0.0, z: 0.0}, angular: {x: 0.0, y: 0.0, z: 1.8}}"',
+        r'(Waiting for at least 1 matching subscription\(s\)\.\.\.\n)*publisher: beginning loop\npublishing #1: '
+        r'geometry_msgs\.msg\.Twist\(linear=geometry_msgs\.msg\.Vector3\(x=2\.0, y=0\.0, z=0\.0\), '
+        r'angular=geometry_msgs\.msg\.Vector3\(x=0\.0, y=0\.0, z=1\.8\)\)\n\n',
+    ),
     ('topics', 'topic find geometry_msgs/msg/Twist', r'/turtle1/cmd_vel\n'),
-    ('services', 'service list', r'/clear\n/kill\n/reset\n/spawn\n/turtle1/set_pen\n/turtle1/teleport_absolute\n'
-     rf'/turtle1/teleport_relative\n(/turtlesim/({ROBOT_SERVICES})\n){{7}}'),
+    (
+        'services',
+        'service list',
+        r'/clear\n/kill\n/reset\n/spawn\n/turtle1/set_pen\n/turtle1/teleport_absolute\n'
+        rf'/turtle1/teleport_relative\n(/turtlesim/({ROBOT_SERVICES})\n){{7}}',
+    ),
     ('services', 'service type /clear', r'std_srvs/srv/Empty\n'),
     ('services', 'service list -t', r'(/\S+ \[\S+/srv/\S+\]\n){14}'),
     ('services', 'service info /clear', r'Type: std_srvs/srv/Empty\nClients count: 0\nServices count: 1\n'),
     ('services', 'service find std_srvs/srv/Empty', r'/clear\n/reset\n'),
     ('services', 'interface show std_srvs/srv/Empty', r'---\n'),
-    ('services', 'interface show turtlesim/srv/Spawn',
-     r'float32 x\nfloat32 y\nfloat32 theta\nstring name( # .*)?\n---\nstring name\n'),
-    ('services', 'service call /clear std_srvs/srv/Empty',
-     r'(waiting for service to become available\.\.\.\n)?'
-     r'requester: making request: std_srvs\.srv\.Empty_Request\(\)\n\n'
-     r'response:\nstd_srvs\.srv\.Empty_Response\(\)\n\n'),
-    ('services', 'service call /spawn turtlesim/srv/Spawn "{x: 2, y: 2, theta: 0.2, name: \'\'}"',
-     r"(waiting .*\n)?requester: making request: turtlesim\.srv\.Spawn_Request\(x=2\.0, y=2\.0, theta=0\.2, name=''\)"
-     r"\n\nresponse:\nturtlesim\.srv\.Spawn_Response\(name='turtle2'\)\n\n"),
-    ('services', "service call /kill turtlesim/srv/Kill \"{name: 'turtle2'}\"",
-     r'(waiting .*\n)?requester: [^\n]+\n\nresponse:\nturtlesim\.srv\.Kill_Response\(\)\n\n'),
+    (
+        'services',
+        'interface show turtlesim/srv/Spawn',
+        r'float32 x\nfloat32 y\nfloat32 theta\nstring name( # .*)?\n---\nstring name\n',
+    ),
+    (
+        'services',
+        'service call /clear std_srvs/srv/Empty',
+        r'(waiting for service to become available\.\.\.\n)?'
+        r'requester: making request: std_srvs\.srv\.Empty_Request\(\)\n\n'
+        r'response:\nstd_srvs\.srv\.Empty_Response\(\)\n\n',
+    ),
+    (
+        'services',
+        'service call /spawn turtlesim/srv/Spawn "{x: 2, y: 2, theta: 0.2, name: \'\'}"',
+        r'(waiting .*\n)?requester: making request: '
+        r"turtlesim\.srv\.Spawn_Request\(x=2\.0, y=2\.0, theta=0\.2, name=''\)"
+        r"\n\nresponse:\nturtlesim\.srv\.Spawn_Response\(name='turtle2'\)\n\n",
+    ),
+    (
+        'services',
+        'service call /kill turtlesim/srv/Kill "{name: \'turtle2\'}"',
+        r'(waiting .*\n)?requester: [^\n]+\n\nresponse:\nturtlesim\.srv\.Kill_Response\(\)\n\n',
+    ),
     ('parameters', 'param list', r'/turtlesim:\n(  \S+\n)*  background_b\n  background_g\n  background_r\n(  \S+\n)*'),
     ('parameters', 'param get /turtlesim background_g', r'Integer value is: 86\n'),
     ('parameters', 'param set /turtlesim background_r 150', r'Set parameter successful\n'),
-    ('parameters', 'param dump /turtlesim', r'/turtlesim:\n  ros__parameters:\n    background_b: 255\n'
-     r'    background_g: 86\n    background_r: \d+\n(    .+\n)+\n?'),
+    (
+        'parameters',
+        'param dump /turtlesim',
+        r'/turtlesim:\n  ros__parameters:\n    background_b: 255\n'
+        r'    background_g: 86\n    background_r: \d+\n(    .+\n)+\n?',
+    ),
     ('actions', 'action list', r'/turtle1/rotate_absolute\n'),
     ('actions', 'action list -t', r'/turtle1/rotate_absolute \[turtlesim/action/RotateAbsolute\]\n'),
     ('actions', 'action type /turtle1/rotate_absolute', r'turtlesim/action/RotateAbsolute\n'),
-    ('actions', 'action info /turtle1/rotate_absolute', r'Action: /turtle1/rotate_absolute\nAction clients: 0\n'
-     r'Action servers: 1\n    /turtlesim\n'),
-    ('actions', 'interface show turtlesim/action/RotateAbsolute',
-     r'(# .*\n)?float32 theta\n---\n(# .*\n)?float32 delta\n---\n(# .*\n)?float32 remaining\n'),
-    ('actions', 'action send_goal /turtle1/rotate_absolute turtlesim/action/RotateAbsolute "{theta: 1.57}"',
-     rf'Waiting for an action server to become available\.\.\.\nSending goal:\n     theta: 1\.57\n\n'
-     rf'Goal accepted with ID: [0-9a-f]{{32}}\n\nResult:\n    delta: {NUMBER}\n\n'
-     r'Goal finished with status: SUCCEEDED\n'),
-    ('actions', 'action send_goal /turtle1/rotate_absolute turtlesim/action/RotateAbsolute "{theta: -1.57}" --feedback',
-     rf'Waiting for .*\nSending goal:\n     theta: -1\.57\n\n(Goal accepted with ID: [0-9a-f]{{32}}\n\n|Feedback:\n    '
-     rf'remaining: {NUMBER}\n\n)+Result:\n    delta: {NUMBER}\n\nGoal finished with status: SUCCEEDED\n'),
-    ('running', 'pkg executables turtlesim', r'turtlesim draw_square\nturtlesim mimic\nturtlesim turtle_teleop_key\n'
-     r'turtlesim turtlesim_node\n'),
+    (
+        'actions',
+        'action info /turtle1/rotate_absolute',
+        r'Action: /turtle1/rotate_absolute\nAction clients: 0\n'
+        r'Action servers: 1\n    /turtlesim\n',
+    ),
+    (
+        'actions',
+        'interface show turtlesim/action/RotateAbsolute',
+        r'(# .*\n)?float32 theta\n---\n(# .*\n)?float32 delta\n---\n(# .*\n)?float32 remaining\n',
+    ),
+    (
+        'actions',
+        'action send_goal /turtle1/rotate_absolute turtlesim/action/RotateAbsolute "{theta: 1.57}"',
+        rf'Waiting for an action server to become available\.\.\.\nSending goal:\n     theta: 1\.57\n\n'
+        rf'Goal accepted with ID: [0-9a-f]{{32}}\n\nResult:\n    delta: {NUMBER}\n\n'
+        r'Goal finished with status: SUCCEEDED\n',
+    ),
+    (
+        'actions',
+        'action send_goal /turtle1/rotate_absolute turtlesim/action/RotateAbsolute "{theta: -1.57}" --feedback',
+        r'Waiting for .*\nSending goal:\n     theta: -1\.57\n\n'
+        rf'(Goal accepted with ID: [0-9a-f]{{32}}\n\n|Feedback:\n    '
+        rf'remaining: {NUMBER}\n\n)+Result:\n    delta: {NUMBER}\n\nGoal finished with status: SUCCEEDED\n',
+    ),
+    (
+        'running',
+        'pkg executables turtlesim',
+        r'turtlesim draw_square\nturtlesim mimic\nturtlesim turtle_teleop_key\n'
+        r'turtlesim turtlesim_node\n',
+    ),
     ('packages', 'pkg prefix turtlesim', r'/\S+\n'),
     ('interfaces', 'interface list -m', r'Messages:\n(    \S+/msg/\S+\n)+'),
     ('interfaces', 'interface proto geometry_msgs/msg/Point', r'"x: 0\.0\ny: 0\.0\nz: 0\.0\n"\n'),
@@ -104,8 +164,15 @@ def turtlesim(ros2):  # noqa: F811
 @pytest.mark.usefixtures('turtlesim')
 @pytest.mark.parametrize('tutorial,line,pattern', LINES, ids=[line for _, line, _ in LINES])
 def test_command_line(ros2, tutorial, line, pattern):  # noqa: F811
-    done = subprocess.run(f'ros2 {line}', shell=True, env=with_programs(ros2), cwd=ros2.directory, capture_output=True,
-                          text=True, timeout=2 * PATIENCE)
+    done = subprocess.run(
+        f'ros2 {line}',
+        shell=True,
+        env=with_programs(ros2),
+        cwd=ros2.directory,
+        capture_output=True,
+        text=True,
+        timeout=2 * PATIENCE,
+    )
     assert done.returncode == 0, done
     assert re.fullmatch(pattern, done.stdout), done.stdout
 
@@ -113,8 +180,13 @@ def test_command_line(ros2, tutorial, line, pattern):  # noqa: F811
 def with_programs(ros2):  # noqa: F811
     """The environment of a terminal in which the course is active."""
     first = str(Path(sys.executable).parent)
-    return {**ros2.environ, 'PATH': f'{first}:{os.environ["PATH"]}', 'ROS_DISTRO': 'jazzy', 'ROS_VERSION': '2',
-            'ROS_PYTHON_VERSION': '3'}
+    return {
+        **ros2.environ,
+        'PATH': f'{first}:{os.environ["PATH"]}',
+        'ROS_DISTRO': 'jazzy',
+        'ROS_VERSION': '2',
+        'ROS_PYTHON_VERSION': '3',
+    }
 
 
 # Those that go on until Ctrl+C: the command line, and a line that it prints.
@@ -148,14 +220,41 @@ def test_a_second_turtlesim_is_remapped(ros2, turtlesim):  # noqa: F811
 
 def test_frames_of_tf2(ros2):  # noqa: F811
     """Introducing tf2, static broadcaster, debugging: a transform is published, echoed and drawn."""
-    frames = ['--x', '0', '--y', '0', '--z', '1', '--yaw', '0', '--pitch', '0', '--roll', '0', '--frame-id', 'world',
-              '--child-frame-id', 'mystaticturtle']
+    frames = [
+        '--x',
+        '0',
+        '--y',
+        '0',
+        '--z',
+        '1',
+        '--yaw',
+        '0',
+        '--pitch',
+        '0',
+        '--roll',
+        '0',
+        '--frame-id',
+        'world',
+        '--child-frame-id',
+        'mystaticturtle',
+    ]
     with ros2.start('run', 'tf2_ros', 'static_transform_publisher', *frames) as publisher:
-        publisher.wait_for_output("Spinning until stopped - publishing transform", PATIENCE)
-        assert re.search(r"frame_id: world\n  child_frame_id: mystaticturtle\n  transform:\n    translation:\n      "
-                         r"x: 0\.0\n      y: 0\.0\n      z: 1\.0\n",
-                         ros2.output('topic', 'echo', '--once', '--qos-durability', 'transient_local',
-                                     '--qos-reliability', 'reliable', '/tf_static', 'tf2_msgs/msg/TFMessage'))
+        publisher.wait_for_output('Spinning until stopped - publishing transform', PATIENCE)
+        assert re.search(
+            r'frame_id: world\n  child_frame_id: mystaticturtle\n  transform:\n    translation:\n      '
+            r'x: 0\.0\n      y: 0\.0\n      z: 1\.0\n',
+            ros2.output(
+                'topic',
+                'echo',
+                '--once',
+                '--qos-durability',
+                'transient_local',
+                '--qos-reliability',
+                'reliable',
+                '/tf_static',
+                'tf2_msgs/msg/TFMessage',
+            ),
+        )
         with ros2.start('run', 'tf2_ros', 'tf2_echo', 'world', 'mystaticturtle') as echo:
             echo.wait_for_output('At time 0.0', PATIENCE)
             echo.wait_for_output('- Translation: [0.000, 0.000, 1.000]', PATIENCE)
@@ -204,18 +303,24 @@ def test_a_package_of_the_learners_own(ros2, tmp_path):  # noqa: F811
     source.mkdir()
 
     def run(command):
-        done = subprocess.run(['bash', '-c', command], env=environ, cwd=tmp_path, capture_output=True, text=True,
-                              timeout=4 * PATIENCE)
+        done = subprocess.run(
+            ['bash', '-c', command], env=environ, cwd=tmp_path, capture_output=True, text=True, timeout=4 * PATIENCE
+        )
         assert done.returncode == 0, done
         return done.stdout
 
-    run('cd src && ros2 pkg create --build-type ament_python --license Apache-2.0 py_pubsub --node-name talker '
-        '--dependencies rclpy std_msgs')
+    run(
+        'cd src && ros2 pkg create --build-type ament_python --license Apache-2.0 py_pubsub --node-name talker '
+        '--dependencies rclpy std_msgs'
+    )
     (source / 'py_pubsub/py_pubsub/talker.py').write_text(textwrap.dedent(TALKER).lstrip())
     (source / 'py_pubsub/test/test_sum.py').write_text('def test_sum():\n    assert 1 + 1 == 2\n')
     assert 'Summary: 1 package finished' in run('colcon build --packages-select py_pubsub')
-    start = ['bash', '-c', 'source install/setup.bash && exec ros2 run py_pubsub talker --ros-args '
-             '-p my_parameter:=earth']
+    start = [
+        'bash',
+        '-c',
+        'source install/setup.bash && exec ros2 run py_pubsub talker --ros-args -p my_parameter:=earth',
+    ]
     with background(start, env=environ, cwd=tmp_path) as talker:
         talker.wait_for_output('[minimal_publisher]: Publishing: "Hello earth"', PATIENCE)
         assert ros2.output('topic', 'echo', '--once', '/topic') == 'data: Hello earth\n---\n'

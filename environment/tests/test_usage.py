@@ -17,10 +17,19 @@ def test_it_names_the_commands_of_the_command_line():
     assert all(sentence.endswith(('.', '?')) for sentence in told.values())
 
 
-@pytest.mark.parametrize(('arguments', 'asked'), [
-    ([], True), (['-h'], True), (['--help'], True), (['lab', '--help'], True), (['lab'], False), (['setup'], False),
-    (['shell', '--', 'ros2', '--help'], False), (['check', '3', '--help'], False),
-])
+@pytest.mark.parametrize(
+    ('arguments', 'asked'),
+    [
+        ([], True),
+        (['-h'], True),
+        (['--help'], True),
+        (['lab', '--help'], True),
+        (['lab'], False),
+        (['setup'], False),
+        (['shell', '--', 'ros2', '--help'], False),
+        (['check', '3', '--help'], False),
+    ],
+)
 def test_what_asks_for_help(arguments, asked):
     assert usage.asked(arguments) is asked
 
@@ -31,8 +40,13 @@ def test_a_fresh_copy_answers_at_once_and_sets_nothing_up(tmp_path, clean_enviro
             (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
             subprocess.run(['cp', '-r', ROOT / name, tmp_path / name], check=True)
     began = time.monotonic()
-    done = subprocess.run([tmp_path / 'course', '--help'], env={**clean_environ, 'PATH': '/usr/bin:/bin'},
-                          capture_output=True, text=True, timeout=60)
+    done = subprocess.run(
+        [tmp_path / 'course', '--help'],
+        env={**clean_environ, 'PATH': '/usr/bin:/bin'},
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
     assert time.monotonic() - began < 10  # far below a set-up, also on a busy machine
     assert done.returncode == 0 and done.stderr == '', done.stderr
     assert './course setup does' in done.stdout and '\n  lab ' in done.stdout

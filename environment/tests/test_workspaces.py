@@ -26,8 +26,12 @@ MANIFEST = """\
 </package>
 """
 WITHOUT = 'no line'
-LINES = {"tests_require": "tests_require=['pytest'],", 'tests_require_text': "tests_require='pytest',",
-         'extras': "extras_require={'test': ['pytest']},", WITHOUT: ''}
+LINES = {
+    'tests_require': "tests_require=['pytest'],",
+    'tests_require_text': "tests_require='pytest',",
+    'extras': "extras_require={'test': ['pytest']},",
+    WITHOUT: '',
+}
 
 
 @pytest.fixture
@@ -41,8 +45,13 @@ def workspace(tmp_path, monkeypatch):
 
 def colcon(workspace: Path, *words: str) -> subprocess.CompletedProcess:
     """Run colcon in the workspace."""
-    return subprocess.run([sys.executable, '-m', 'colcon', '--log-base', os.devnull, *words], cwd=workspace,
-                          capture_output=True, text=True, timeout=300)
+    return subprocess.run(
+        [sys.executable, '-m', 'colcon', '--log-base', os.devnull, *words],
+        cwd=workspace,
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
 
 
 def python_package(workspace: Path, name: str, line: str, test: str) -> None:
@@ -53,7 +62,8 @@ def python_package(workspace: Path, name: str, line: str, test: str) -> None:
     (root / name / '__init__.py').touch()
     (root / 'resource' / name).touch()
     (root / 'package.xml').write_text(MANIFEST.format(name=name, depends='', build_type='ament_python'))
-    (root / 'setup.py').write_text(textwrap.dedent(f"""\
+    (root / 'setup.py').write_text(
+        textwrap.dedent(f"""\
         from setuptools import find_packages, setup
 
         setup(
@@ -63,7 +73,8 @@ def python_package(workspace: Path, name: str, line: str, test: str) -> None:
             maintainer='Ada', maintainer_email='ada@example.org', description='made by a test', license='Apache-2.0',
             {line}
         )
-        """))
+        """)
+    )
     (root / 'test' / 'test_it.py').write_text(test)
 
 
@@ -110,9 +121,23 @@ def results(workspace: Path) -> dict[str, tuple[int, int, int]]:
 @pytest.mark.early
 def test_new_packages_build_and_pass_their_tests(workspace):
     def create(*words):
-        subprocess.run([ROS2, 'pkg', 'create', *words, '--maintainer-name', 'Ada', '--maintainer-email',
-                        'ada@example.org', '--license', 'Apache-2.0'], cwd=workspace / 'src', check=True,
-                       capture_output=True)
+        subprocess.run(
+            [
+                ROS2,
+                'pkg',
+                'create',
+                *words,
+                '--maintainer-name',
+                'Ada',
+                '--maintainer-email',
+                'ada@example.org',
+                '--license',
+                'Apache-2.0',
+            ],
+            cwd=workspace / 'src',
+            check=True,
+            capture_output=True,
+        )
 
     create('plain', '--build-type', 'ament_cmake')
     create('native', '--build-type', 'ament_cmake', '--node-name', 'talk', '--library-name', 'words')
@@ -131,8 +156,12 @@ def test_new_packages_build_and_pass_their_tests(workspace):
 
 
 def test_the_linters_of_a_new_package_find_what_is_wrong(workspace):
-    subprocess.run([ROS2, 'pkg', 'create', 'subject', '--build-type', 'ament_python', '--license', 'Apache-2.0'],
-                   cwd=workspace / 'src', check=True, capture_output=True)
+    subprocess.run(
+        [ROS2, 'pkg', 'create', 'subject', '--build-type', 'ament_python', '--license', 'Apache-2.0'],
+        cwd=workspace / 'src',
+        check=True,
+        capture_output=True,
+    )
     (workspace / 'src/subject/subject/late.py').write_text('"""too short"""\nimport sys\n\n\ndef f( ):\n    pass\n')
     copyright_test = workspace / 'src/subject/test/test_copyright.py'
     lines = copyright_test.read_text().splitlines()
@@ -151,22 +180,27 @@ def test_an_interface_package_as_upstream_writes_it_builds(workspace):
     texts = {
         'msg/Hypothesis.msg': '# What was seen.\nstring class_id "none"\nfloat64 score\n',
         'msg/Survey.msg': 'uint8 OPEN=1\nstd_msgs/Header header\nHypothesis[] results\n'
-                          'geometry_msgs/PoseWithCovariance pose\nfloat64[<=3] bounded\nwstring<=5 label\n',
+        'geometry_msgs/PoseWithCovariance pose\nfloat64[<=3] bounded\nwstring<=5 label\n',
         'srv/Find.srv': 'Survey survey\n---\nbool found\n',
         'action/Visit.action': 'Survey[] goals\n---\nint32 NONE=0\nint32 code\n---\nbuiltin_interfaces/Duration left\n',
     }
     for name, text in texts.items():
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         (root / name).write_text(text)
-    depends = '\n  '.join([
-        '<buildtool_depend>ament_cmake</buildtool_depend>',
-        '<buildtool_depend>rosidl_default_generators</buildtool_depend>',
-        *(f'<depend>{each}</depend>' for each in ('std_msgs', 'geometry_msgs', 'builtin_interfaces')),
-        '<exec_depend>rosidl_default_runtime</exec_depend>',
-        '<test_depend>ament_lint_auto</test_depend>', '<test_depend>ament_lint_common</test_depend>',
-        '<member_of_group>rosidl_interface_packages</member_of_group>'])
+    depends = '\n  '.join(
+        [
+            '<buildtool_depend>ament_cmake</buildtool_depend>',
+            '<buildtool_depend>rosidl_default_generators</buildtool_depend>',
+            *(f'<depend>{each}</depend>' for each in ('std_msgs', 'geometry_msgs', 'builtin_interfaces')),
+            '<exec_depend>rosidl_default_runtime</exec_depend>',
+            '<test_depend>ament_lint_auto</test_depend>',
+            '<test_depend>ament_lint_common</test_depend>',
+            '<member_of_group>rosidl_interface_packages</member_of_group>',
+        ]
+    )
     (root / 'package.xml').write_text(MANIFEST.format(name='survey_msgs', depends=depends, build_type='ament_cmake'))
-    (root / 'CMakeLists.txt').write_text(textwrap.dedent(f"""\
+    (root / 'CMakeLists.txt').write_text(
+        textwrap.dedent(f"""\
         cmake_minimum_required(VERSION 3.5)
         project(survey_msgs)
         find_package(ament_cmake REQUIRED)
@@ -185,16 +219,24 @@ def test_an_interface_package_as_upstream_writes_it_builds(workspace):
           ament_lint_auto_find_test_dependencies()
         endif()
         ament_package()
-        """))
+        """)
+    )
     built = colcon(workspace, 'build')
     assert (built.returncode, built.stderr) == (0, '')
-    program = ('from survey_msgs.msg import Survey; from rclpy.serialization import *; s = Survey(bounded=[1.0, 2.0]); '
-               'print(deserialize_message(serialize_message(s), Survey).bounded.tolist())')
-    done = subprocess.run(['bash', '-c', f'source install/setup.bash && "{sys.executable}" -c "{program}"'],
-                          cwd=workspace, capture_output=True, text=True)
+    program = (
+        'from survey_msgs.msg import Survey; from rclpy.serialization import *; s = Survey(bounded=[1.0, 2.0]); '
+        'print(deserialize_message(serialize_message(s), Survey).bounded.tolist())'
+    )
+    done = subprocess.run(
+        ['bash', '-c', f'source install/setup.bash && "{sys.executable}" -c "{program}"'],
+        cwd=workspace,
+        capture_output=True,
+        text=True,
+    )
     assert (done.stdout, done.stderr) == ('[1.0, 2.0]\n', '')
-    tested = colcon(workspace, 'test', '--return-code-on-test-failure', '--ctest-args', '-R',
-                    'lint_cmake|xmllint|generated_py')
+    tested = colcon(
+        workspace, 'test', '--return-code-on-test-failure', '--ctest-args', '-R', 'lint_cmake|xmllint|generated_py'
+    )
     assert tested.returncode == 0, tested.stdout
     found = results(workspace)
     assert found['survey_msgs/pep257_rosidl_generated_py.xunit.xml'][0] > 1

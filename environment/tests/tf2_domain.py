@@ -14,7 +14,7 @@ from rclpy.task import Future
 from helpers.kernel.domains import claim
 from helpers.programs.processes import background
 
-TIMEOUT = 30.0   # seconds; generous, because the machine may be busy
+TIMEOUT = 30.0  # seconds; generous, because the machine may be busy
 
 
 class Domain:

@@ -61,8 +61,13 @@ def read_all(tree: Tree) -> list[Chapter]:
     return read
 
 
-def build(tree: Tree, selected: set[int] | None = None, force: bool = False, timeout: float = execution.CELL_TIMEOUT,
-          say: Callable[[str], None] = print) -> None:
+def build(
+    tree: Tree,
+    selected: set[int] | None = None,
+    force: bool = False,
+    timeout: float = execution.CELL_TIMEOUT,
+    say: Callable[[str], None] = print,
+) -> None:
     """Build the chapters numbered in ``selected`` (default: all) that differ from their sources, or all with ``force``.
 
     The learner's notebook and the list of exercises are written first: ``check`` in the executed notebook needs them.
@@ -129,8 +134,12 @@ def _executed(tree: Tree, chapter: Chapter, timeout: float) -> str:
     text = notebooks.dumps(notebook)
     size = len(text.encode()) / 1e6
     if size > outputs.MAX_BYTES / 1e6:
-        raise AuthoringError(chapter.path, None, f'its notebook has {size:.1f} MB with outputs, 1 MB is allowed',
-                             'make its outputs smaller: fewer or smaller pictures, a link instead of a page')
+        raise AuthoringError(
+            chapter.path,
+            None,
+            f'its notebook has {size:.1f} MB with outputs, 1 MB is allowed',
+            'make its outputs smaller: fewer or smaller pictures, a link instead of a page',
+        )
     return text
 
 

@@ -97,14 +97,15 @@ def read(source: str, chapter: int, in_card: bool) -> Part:
         end = next((k for k in range(index + 1, len(lines)) if lines[k].strip().startswith('```')), None)
         if end is None:
             raise CardError(index, 'the directive of an exercise has no end', 'close it with ```')
-        card, begin = _declared(match[1].strip(), lines[index + 1:end], index, chapter), index
+        card, begin = _declared(match[1].strip(), lines[index + 1 : end], index, chapter), index
         shown.append(card.heading)
         index = end + 1
     found = [(index, match) for index, line in enumerate(lines) for match in _ROLE.finditer(line)]
     for index, _ in found:
         if not in_card and (card is None or index < begin):
-            raise CardError(index, 'a rule outside of the card of an exercise',
-                            'write it between the directive and the answer cell')
+            raise CardError(
+                index, 'a rule outside of the card of an exercise', 'write it between the directive and the answer cell'
+            )
     rules = tuple(_rule(lines, index, match) for index, match in found)
     return Part(_ROLE.sub(lambda match: f'**{match[1]}**: ', '\n'.join(shown)), card, rules, begin)
 
@@ -124,8 +125,11 @@ def _declared(head: str, options: list[str], offset: int, chapter: int) -> Card:
         if not option and line.strip():
             raise CardError(number, f'{label} has a line that is no option', 'write :name: value')
         if option and (option[1] not in _OPTIONS or option[1] in values):
-            raise CardError(number, f'{label} has an option {option[1]!r} that is unknown or given twice',
-                            f'use {", ".join(_OPTIONS)}, each once')
+            raise CardError(
+                number,
+                f'{label} has an option {option[1]!r} that is unknown or given twice',
+                f'use {", ".join(_OPTIONS)}, each once',
+            )
         if option:
             values[option[1]] = option[2]
     try:
@@ -145,16 +149,17 @@ def _rule(lines: list[str], index: int, match: re.Match) -> tuple[int, Rule]:
     """The rule that a role names, with the offset of its line."""
     name = match[1]
     if not _NAME.fullmatch(name):
-        raise CardError(index, f'the name of a rule cannot be {name!r}',
-                        'use words in lower case with hyphens or underscores')
-    parts = [lines[index][match.end():]]
+        raise CardError(
+            index, f'the name of a rule cannot be {name!r}', 'use words in lower case with hyphens or underscores'
+        )
+    parts = [lines[index][match.end() :]]
     item = _ITEM.match(lines[index])
-    for line in lines[index + 1:]:
+    for line in lines[index + 1 :]:
         other = _ITEM.match(line)
         nested = item and len(line) - len(line.lstrip()) > len(item[1])
         if not line.strip() or line.lstrip().startswith(('```', '#', '<')) or other and not nested:
             break
-        parts.append(line[other.end():] if other else line)
+        parts.append(line[other.end() :] if other else line)
     text = plain('\n'.join(parts).partition('{rule}`')[0])
     if not text:
         raise CardError(index, f'the rule {name!r} has no text', 'write its sentence after it')

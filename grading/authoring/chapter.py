@@ -76,7 +76,8 @@ class Chapter:
                 stub=manifest.stub_digest(cell.split.stub),
                 rules=cell.rules,
             )
-            for cell in self.cells if cell.card is not None
+            for cell in self.cells
+            if cell.card is not None
         ]
 
 
@@ -141,8 +142,12 @@ class _Reader:
     def end(self) -> None:
         """Finish what the last exercise wants."""
         if self._card:
-            raise AuthoringError(self.path, self._card_line, f'exercise {self._card.id} has no solution region',
-                                 f'mark it in its answer cell with {regions.BEGIN} and {regions.END}')
+            raise AuthoringError(
+                self.path,
+                self._card_line,
+                f'exercise {self._card.id} has no solution region',
+                f'mark it in its answer cell with {regions.BEGIN} and {regions.END}',
+            )
         self._place_check()
 
     def _markdown(self, source: str, metadata: dict, line: int) -> None:
@@ -160,8 +165,12 @@ class _Reader:
     def _code(self, source: str, metadata: dict, line: int) -> None:
         if 'check' in metadata and not source.strip():
             if not self._answered:
-                raise AuthoringError(self.path, line, 'a check cell without an exercise that it could check',
-                                     'put it after the answer cell, once')
+                raise AuthoringError(
+                    self.path,
+                    line,
+                    'a check cell without an exercise that it could check',
+                    'put it after the answer cell, once',
+                )
             self._place_check(line)
             return
         split = regions.split(source)
@@ -177,8 +186,13 @@ class _Reader:
         """Add the check cell here, or, without a line, directly after the answer cell."""
         if self._answered:
             place = self._after_answer if line is None else len(self.cells)
-            cell = SourceCell('code', '', {'tags': list(self._answered.check_tags)}, line or self.cells[place - 1].line,
-                        _given(self._answered.check))
+            cell = SourceCell(
+                'code',
+                '',
+                {'tags': list(self._answered.check_tags)},
+                line or self.cells[place - 1].line,
+                _given(self._answered.check),
+            )
             self.cells.insert(place, cell)
             self._answered = None
 
@@ -190,7 +204,7 @@ def _given(text: str) -> regions.Split:
 def _first_line(body, lines, start):
     """Return the index of the line where ``body`` begins, at or after ``start``: a cell's metadata may precede it."""
     for index in range(start, len(lines)):
-        if lines[index:index + len(body)] == body and body:
+        if lines[index : index + len(body)] == body and body:
             return index
     return start
 

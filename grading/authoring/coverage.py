@@ -64,14 +64,21 @@ class Table:
         """The table as text."""
         table = [('exercise', 'rule', 'visible tests', 'mutants')]
         for row in self.rows:
-            seen = ', '.join(row.visible) or (row.not_looked_at and
-                                              f'- ({row.not_looked_at}) {", ".join(row.hidden) or "NO HIDDEN TEST"}')
+            seen = ', '.join(row.visible) or (
+                row.not_looked_at and f'- ({row.not_looked_at}) {", ".join(row.hidden) or "NO HIDDEN TEST"}'
+            )
             table.append((row.exercise, row.rule, seen or 'NONE', ', '.join(row.mutants) or 'NONE'))
         widths = [max(len(line[column]) for line in table) for column in range(3)]
-        lines = [' '.join([*(cell.ljust(width + 1) for cell, width in zip(line, widths, strict=False)), line[3]])
-                 for line in table]
-        return [*(lines if self.rows else []), *self.problems, f'{len(self.without_rules)} exercises have no rules'
-                + (f': {", ".join(self.without_rules)}' if self.without_rules else '')]
+        lines = [
+            ' '.join([*(cell.ljust(width + 1) for cell, width in zip(line, widths, strict=False)), line[3]])
+            for line in table
+        ]
+        return [
+            *(lines if self.rows else []),
+            *self.problems,
+            f'{len(self.without_rules)} exercises have no rules'
+            + (f': {", ".join(self.without_rules)}' if self.without_rules else ''),
+        ]
 
 
 def table(exercises: Iterable[Exercise], checks: Path, folder: Path = variants.FOLDER) -> Table:
@@ -91,16 +98,29 @@ def table(exercises: Iterable[Exercise], checks: Path, folder: Path = variants.F
         said = [(name, 'a visible test') for name in (*visible.looks, *visible.not_looked_at)]
         said += [(name, 'a hidden test') for name in (*hidden.looks, *hidden.not_looked_at)]
         said += [(name, f'mutant {one.name!r}') for one in mutants for name in (one.breaks, *one.also) if name]
-        made.problems += [f'exercise {exercise.id}: {who} names the rule {name!r}, which its card has not'
-                          for name, who in said if name not in names]
+        made.problems += [
+            f'exercise {exercise.id}: {who} names the rule {name!r}, which its card has not'
+            for name, who in said
+            if name not in names
+        ]
         made.problems += [f'exercise {exercise.id}: {text}' for text in (*visible.problems, *hidden.problems)]
         if names:
-            made.problems += [f'exercise {exercise.id}: mutant {one.name!r} does not say which rule it breaks'
-                              for one in mutants if not one.breaks]
+            made.problems += [
+                f'exercise {exercise.id}: mutant {one.name!r} does not say which rule it breaks'
+                for one in mutants
+                if not one.breaks
+            ]
         for name in names:
-            made.rows.append(Row(exercise.id, name, tuple(visible.looks.get(name, ())),
-                                 visible.not_looked_at.get(name, ''), tuple(hidden.looks.get(name, ())),
-                                 tuple(one.name for one in mutants if name in (one.breaks, *one.also))))
+            made.rows.append(
+                Row(
+                    exercise.id,
+                    name,
+                    tuple(visible.looks.get(name, ())),
+                    visible.not_looked_at.get(name, ''),
+                    tuple(hidden.looks.get(name, ())),
+                    tuple(one.name for one in mutants if name in (one.breaks, *one.also)),
+                )
+            )
     return made
 
 
@@ -112,8 +132,9 @@ def read(path: Path) -> Marks:
     body = ast.parse(path.read_text(encoding='utf-8')).body
     tests = [node for node in body if isinstance(node, ast.FunctionDef) and node.name.startswith('test')]
     for node in body:
-        if isinstance(node, ast.Assign) and any(isinstance(name, ast.Name) and name.id == 'pytestmark'
-                                                for name in node.targets):
+        if isinstance(node, ast.Assign) and any(
+            isinstance(name, ast.Name) and name.id == 'pytestmark' for name in node.targets
+        ):
             for mark in node.value.elts if isinstance(node.value, (ast.List, ast.Tuple)) else [node.value]:
                 _note(marks, mark, [test.name for test in tests], path)
     for test in tests:
@@ -140,5 +161,7 @@ def _note(marks: Marks, mark: ast.expr, tests: list[str], path: Path) -> None:
                 raise ValueError
             marks.not_looked_at[options['rule']] = options['why']
     except (AttributeError, ValueError):
-        marks.problems.append(f'{path.name}:{mark.lineno}: write pytest.mark.rules(\'name\', …) or '
-                              'pytest.mark.not_looked_at(rule=\'name\', why=\'…\')')
+        marks.problems.append(
+            f"{path.name}:{mark.lineno}: write pytest.mark.rules('name', …) or "
+            "pytest.mark.not_looked_at(rule='name', why='…')"
+        )

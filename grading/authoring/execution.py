@@ -28,8 +28,13 @@ def kernel_name() -> str:
     return KERNEL
 
 
-def execute(notebook: NotebookNode, chapter: Chapter, folder: Path, timeout: float = CELL_TIMEOUT,
-            environment: Mapping[str, str] | None = None) -> None:
+def execute(
+    notebook: NotebookNode,
+    chapter: Chapter,
+    folder: Path,
+    timeout: float = CELL_TIMEOUT,
+    environment: Mapping[str, str] | None = None,
+) -> None:
     """Run all cells of ``notebook``, the solved form of ``chapter``, in ``folder`` and fill in the outputs.
 
     :param timeout: longest time of one cell, in seconds.
@@ -37,13 +42,19 @@ def execute(notebook: NotebookNode, chapter: Chapter, folder: Path, timeout: flo
     :raises AuthoringError: a cell failed or took too long; the message names the line in the source.
     """
     metadata = dict(notebook.metadata)
-    client = NotebookClient(notebook, timeout=timeout, kernel_name=kernel_name(), record_timing=False,
-                            extra_arguments=['--log-level=ERROR'],
-                            resources={'metadata': {'path': str(folder)}})
+    client = NotebookClient(
+        notebook,
+        timeout=timeout,
+        kernel_name=kernel_name(),
+        record_timing=False,
+        extra_arguments=['--log-level=ERROR'],
+        resources={'metadata': {'path': str(folder)}},
+    )
     with domains.claim() as domain_id:
         try:
-            client.execute(env={**os.environ, **(environment or {}), 'ROS_DOMAIN_ID': str(domain_id),
-                                'COURSE_PROGRESS': 'off'})
+            client.execute(
+                env={**os.environ, **(environment or {}), 'ROS_DOMAIN_ID': str(domain_id), 'COURSE_PROGRESS': 'off'}
+            )
         except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
             raise _explain(error, notebook, chapter, timeout) from None
     notebook.metadata.clear()
@@ -53,8 +64,12 @@ def execute(notebook: NotebookNode, chapter: Chapter, folder: Path, timeout: flo
 def _explain(error, notebook, chapter, timeout) -> AuthoringError:
     # nbclient numbers the executed cells from 1: the failing one has the highest count, or is the one still without.
     code = [(number, cell) for number, cell in enumerate(notebook.cells) if cell.cell_type == 'code']
-    failed = [number for number, cell in code if any(out.output_type == 'error' for out in cell.outputs)
-              and 'raises-exception' not in cell.metadata.get('tags', [])]
+    failed = [
+        number
+        for number, cell in code
+        if any(out.output_type == 'error' for out in cell.outputs)
+        and 'raises-exception' not in cell.metadata.get('tags', [])
+    ]
     running = [number for number, cell in code if cell.execution_count is None]
     index = failed[0] if failed else running[0] if running else code[-1][0]
     cell, identifier = chapter.cells[index], notebook.cells[index].id
@@ -65,5 +80,9 @@ def _explain(error, notebook, chapter, timeout) -> AuthoringError:
         return AuthoringError(chapter.path, cell.line, f'{place} ended the kernel', 'find what aborts the process')
     lines = re.findall(r'Cell In\[\d+\], line (\d+)', ANSI.sub('', error.traceback))
     line = cell.source_line(int(lines[0])) if lines else cell.line
-    return AuthoringError(chapter.path, line, f'{place} failed with {error.ename}: {error.evalue}',
-                          'mend it, or tag the cell raises-exception if the error is the lesson')
+    return AuthoringError(
+        chapter.path,
+        line,
+        f'{place} failed with {error.ename}: {error.evalue}',
+        'mend it, or tag the cell raises-exception if the error is the lesson',
+    )

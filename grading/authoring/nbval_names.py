@@ -18,13 +18,16 @@ class NamedNotebook(IPyNbFile):
     def collect(self):
         """Yield the tests that nbval would, under their cells' ids."""
         for item in super().collect():
-            yield NamedCell.from_parent(self, name=item.cell.get('id', item.name), cell_num=item.cell_num,
-                                        cell=item.cell, options=item.options)
+            yield NamedCell.from_parent(
+                self, name=item.cell.get('id', item.name), cell_num=item.cell_num, cell=item.cell, options=item.options
+            )
 
 
 @pytest.hookimpl(wrapper=True)
 def pytest_collect_file(file_path, parent):
     """Put NamedNotebook in the place of nbval's class."""
     collectors = yield
-    return [NamedNotebook.from_parent(parent, path=file_path) if type(collector) is IPyNbFile else collector
-            for collector in collectors]
+    return [
+        NamedNotebook.from_parent(parent, path=file_path) if type(collector) is IPyNbFile else collector
+        for collector in collectors
+    ]

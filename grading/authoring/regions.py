@@ -40,7 +40,7 @@ def split(source: str) -> Split:
     begin, regions = None, 0
     for offset, line in enumerate(source.splitlines()):
         text = line.strip()
-        indent = line[:len(line) - len(line.lstrip())]
+        indent = line[: len(line) - len(line.lstrip())]
         if text == BEGIN:
             if begin is not None:
                 raise MarkerError(offset, f'{BEGIN} inside a solution region', f'write {END} before it')
@@ -53,7 +53,7 @@ def split(source: str) -> Split:
         elif text.startswith(STUB):
             if begin is None:
                 raise MarkerError(offset, f'{STUB} outside of a solution region', f'move it between {BEGIN} and {END}')
-            stub.append((indent + text[len(STUB):].removeprefix(' ')).rstrip())
+            stub.append((indent + text[len(STUB) :].removeprefix(' ')).rstrip())
         else:
             solved.append(line)
             solved_lines.append(offset)

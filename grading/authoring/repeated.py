@@ -21,12 +21,17 @@ def repeated(notebook: NotebookNode, folder: Path, runs: tuple[str, ...]) -> Not
     Outputs are kept, so all runs are compared with them; a cell that was never executed is not compared. What is tagged
     nbval-skip takes long: a solved notebook runs it, and compares it, the first time only.
     """
-    cells = [_cell('note', f'''\
+    cells = [
+        _cell(
+            'note',
+            f"""\
 import os
 from grading.authoring import leftovers, semicolons
 os.chdir({str(folder)!r})
 semicolons.honour()
-leftovers.note()''')]
+leftovers.note()""",
+        )
+    ]
     for run in runs:
         for cell in notebook.cells:
             if cell.cell_type == 'code':
@@ -63,11 +68,28 @@ def nbval_arguments(config: Path, kernel: str, cell_timeout: float = 60.0) -> li
 
     :param cell_timeout: longest time of one cell, in seconds.
     """
-    return ['--nbval', f'--nbval-kernel-name={kernel}', f'--nbval-cell-timeout={cell_timeout:g}',
-            f'--nbval-sanitize-with={config}', f'--timeout={cell_timeout + 30:g}', '--dist=loadfile',
-            '-p', 'grading.authoring.nbval_names', '-p', 'no:cacheprovider']
+    return [
+        '--nbval',
+        f'--nbval-kernel-name={kernel}',
+        f'--nbval-cell-timeout={cell_timeout:g}',
+        f'--nbval-sanitize-with={config}',
+        f'--timeout={cell_timeout + 30:g}',
+        '--dist=loadfile',
+        '-p',
+        'grading.authoring.nbval_names',
+        '-p',
+        'no:cacheprovider',
+    ]
 
 
 def _cell(identifier, source):
-    return nbformat.from_dict({'cell_type': 'code', 'id': identifier, 'metadata': IGNORE, 'source': source,
-                               'execution_count': None, 'outputs': []})
+    return nbformat.from_dict(
+        {
+            'cell_type': 'code',
+            'id': identifier,
+            'metadata': IGNORE,
+            'source': source,
+            'execution_count': None,
+            'outputs': [],
+        }
+    )

@@ -85,8 +85,10 @@ def _metadata(cell: SourceCell):
 
 def _programs(cell: SourceCell, card: cards.Card):
     label, trees = f'exercise {card.id}', {}
-    for form, text, remedy in (('solution', cell.split.solved, 'mend it'),
-                               ('stub', cell.split.stub, 'add what a body needs, as in # STUB: pass')):
+    for form, text, remedy in (
+        ('solution', cell.split.solved, 'mend it'),
+        ('stub', cell.split.stub, 'add what a body needs, as in # STUB: pass'),
+    ):
         try:
             trees[form] = ast.parse(text)
         except SyntaxError as error:

@@ -33,8 +33,10 @@ NOTEBOOK = '91_sheet.ipynb'
 _TESTS = {
     'mean': "    expect(learner.call('mean', [1, 2, 6]) == 3, 'The mean of 1, 2 and 6 is 3.')",
     'clamp': "    expect(learner.call('clamp', 7, 0, 5) == 5, '7 is above 5.')",
-    'Talker': ("    heard = learner.listen('/chatter', String)\n    learner.start('Talker')\n    learner.run(1.0)\n"
-               "    expect(heard.data == ['hello'] * 10, f'{len(heard)} messages came.')"),
+    'Talker': (
+        "    heard = learner.listen('/chatter', String)\n    learner.start('Talker')\n    learner.run(1.0)\n"
+        "    expect(heard.data == ['hello'] * 10, f'{len(heard)} messages came.')"
+    ),
 }
 
 
@@ -55,6 +57,7 @@ def measure() -> Iterator[Figure]:
             yield Figure(f'{many}: peak memory', memory / 2**20, 'MiB')
         yield from _parts(course)
     from grading.bench.peers import timing
+
     for peer in timing.PEERS:
         ours = _program(COMPARED) / COMPARED
         theirs = timing.seconds(peer, COMPARED) / COMPARED
@@ -64,8 +67,13 @@ def measure() -> Iterator[Figure]:
 def _program(count: int) -> float:
     """Seconds of a program that grades `count` submissions one after the other, its start included."""
     begin = time.perf_counter()
-    done = subprocess.run([sys.executable, '-m', 'grading.bench.bench_grading', str(count)], cwd=paths.ROOT,
-                          timeout=600, capture_output=True, text=True)
+    done = subprocess.run(
+        [sys.executable, '-m', 'grading.bench.bench_grading', str(count)],
+        cwd=paths.ROOT,
+        timeout=600,
+        capture_output=True,
+        text=True,
+    )
     if done.returncode:
         raise RuntimeError(f'grading in a program of its own failed: {done.stderr[-800:]}')
     return time.perf_counter() - begin
@@ -97,17 +105,21 @@ def _notebook(variant: int) -> bytes:
     """A right notebook; each variant is another file, or it would be graded once."""
     import nbformat
 
-    notebook = nbformat.v4.new_notebook(cells=[
-        nbformat.v4.new_code_cell(f'# Exercise 91.{number}: {name}\n{answer}\n# {variant}', id=f'ex-91-{number}')
-        for number, (name, answer) in enumerate(zip(sheet.NAMES, sheet.ANSWERS, strict=True), 1)])
+    notebook = nbformat.v4.new_notebook(
+        cells=[
+            nbformat.v4.new_code_cell(f'# Exercise 91.{number}: {name}\n{answer}\n# {variant}', id=f'ex-91-{number}')
+            for number, (name, answer) in enumerate(zip(sheet.NAMES, sheet.ANSWERS, strict=True), 1)
+        ]
+    )
     return nbformat.writes(notebook).encode()
 
 
 def _run(course: Course, count: int, output: Path, jobs: int = JOBS) -> tuple[float, int]:
     """Grade `count` submissions with cold servers; returns seconds and the peak of memory in bytes."""
     station.close()
-    works = [Submission(f'learner{number:03}', Path(NOTEBOOK), {NOTEBOOK: _notebook(number)})
-             for number in range(count)]
+    works = [
+        Submission(f'learner{number:03}', Path(NOTEBOOK), {NOTEBOOK: _notebook(number)}) for number in range(count)
+    ]
     with _Peak() as peak:
         begin = time.perf_counter()
         records = grade.grade(works, course, output, jobs)
@@ -119,8 +131,7 @@ def _run(course: Course, count: int, output: Path, jobs: int = JOBS) -> tuple[fl
 def _parts(course: Course) -> Iterator[Figure]:
     """Where the time of one session goes, best of five on warm servers."""
     cells: list[NotebookCell] = parse(_notebook(0), NOTEBOOK)
-    options = session.Options(hidden=course.hidden, visible=course.visible,
-                              launcher=sandbox.launcher(course.sandbox))
+    options = session.Options(hidden=course.hidden, visible=course.visible, launcher=sandbox.launcher(course.sandbox))
     begin = time.perf_counter()
     station.close()
     _verify(result.passed for result in session.run(cells, course.exercises, options).exercises)

@@ -35,8 +35,9 @@ def measure() -> Iterator[Figure]:
     ours, theirs = ([1e6 * seconds for seconds in latencies[way]] for way in ways)
     yield Figure('latency, median', statistics.median(ours), 'us', _PEER, statistics.median(theirs))
     yield Figure('latency, 99 %', _worst(ours), 'us', _PEER, _worst(theirs))
-    yield Figure('messages, median', statistics.median(rates[_with_helpers]), '1/s', _PEER,
-                 statistics.median(rates[_with_rclpy]))
+    yield Figure(
+        'messages, median', statistics.median(rates[_with_helpers]), '1/s', _PEER, statistics.median(rates[_with_rclpy])
+    )
 
 
 def _worst(values: list[float]) -> float:

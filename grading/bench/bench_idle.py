@@ -45,8 +45,13 @@ def measure() -> Iterator[Figure]:
     cores: dict[str, list[float]] = {_WITH_HELPERS: [], _WITH_RCLPY: []}
     for number in range(ROUNDS):
         for code, found in cores.items() if number % 2 else reversed(cores.items()):
-            done = subprocess.run([sys.executable, '-c', _BEGIN + code + _WATCH, str(SECONDS)], check=True, text=True,
-                                  stdout=subprocess.PIPE, timeout=60)
+            done = subprocess.run(
+                [sys.executable, '-c', _BEGIN + code + _WATCH, str(SECONDS)],
+                check=True,
+                text=True,
+                stdout=subprocess.PIPE,
+                timeout=60,
+            )
             found.append(float(done.stdout.split()[-1]))
     ours, theirs = (1e3 * statistics.median(found) for found in cores.values())
     yield Figure(f'{NODES} idle nodes', ours, '1/1000 core', 'plain rclpy', theirs)

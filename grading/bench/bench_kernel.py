@@ -23,13 +23,18 @@ heard = []
 bob.create_subscription(String, 'chatter', heard.append, 10)
 publisher = alice.create_publisher(String, 'chatter', 10)
 """
-IN_A_NOTEBOOK = _NODES.format(start='import helpers\nfrom helpers import spinning, wait_for\nhelpers.ros.start()') + """
+IN_A_NOTEBOOK = (
+    _NODES.format(start='import helpers\nfrom helpers import spinning, wait_for\nhelpers.ros.start()')
+    + """
 with spinning(alice, bob):
     wait_for(lambda: publisher.get_subscription_count())
     publisher.publish(String(data='hello'))
     wait_for(lambda: heard)
 """
-PLAIN = _NODES.format(start='from rclpy.executors import SingleThreadedExecutor\nrclpy.init()') + """
+)
+PLAIN = (
+    _NODES.format(start='from rclpy.executors import SingleThreadedExecutor\nrclpy.init()')
+    + """
 executor = SingleThreadedExecutor()
 executor.add_node(alice)
 executor.add_node(bob)
@@ -40,6 +45,7 @@ while not heard:
     executor.spin_once(timeout_sec=0.01)
 print('heard', flush=True)
 """
+)
 
 
 def measure() -> Iterator[Figure]:

@@ -31,8 +31,14 @@ def _seconds(path: Path) -> float:
         config = Path(folder) / 'sanitize.cfg'
         config.write_text(outputs.nbval_config(paths.ROOT), encoding='utf-8')
         copy = repeated.write([path], Path(folder), runs={path.parent.name: ('once',)})
-        command = [sys.executable, '-m', 'pytest', '-q', *repeated.nbval_arguments(config, execution.kernel_name()),
-                   *map(str, copy)]
+        command = [
+            sys.executable,
+            '-m',
+            'pytest',
+            '-q',
+            *repeated.nbval_arguments(config, execution.kernel_name()),
+            *map(str, copy),
+        ]
         begin = time.perf_counter()
         done = subprocess.run(command, cwd=paths.ROOT, capture_output=True, text=True, timeout=900)
         seconds = time.perf_counter() - begin

@@ -37,8 +37,11 @@ def measure() -> Iterator[tuple[str, float, str]]:
         environ = {name: value for name, value in os.environ.items() if not _FOREIGN.match(name)}
         own = str(paths.ROOT / '.venv' / 'bin')
         environ['PATH'] = os.pathsep.join(part for part in os.environ['PATH'].split(os.pathsep) if part != own)
-        environ |= {'UV_CACHE_DIR': str(caches / 'uv'), 'PIP_CACHE_DIR': str(caches / 'pip'),
-                    'XDG_CACHE_HOME': str(caches / 'others')}
+        environ |= {
+            'UV_CACHE_DIR': str(caches / 'uv'),
+            'PIP_CACHE_DIR': str(caches / 'pip'),
+            'XDG_CACHE_HOME': str(caches / 'others'),
+        }
         for kind in ('cold', 'warm', 'second copy'):
             if kind == 'warm':
                 shutil.rmtree(caches / 'others', ignore_errors=True)

@@ -168,13 +168,18 @@ def sensors() -> Iterator[tuple[str, float, str]]:
     from helpers.show.views import LaserScan, Odometry, PointCloud2
 
     for name, sends, displays in (
-            ('odometry', (), [Odometry]),
-            ('odometry, scan', ('scan',), [Odometry, LaserScan]),
-            ('odometry, scan, cloud', ('scan', 'cloud'), [Odometry, LaserScan, PointCloud2])):
+        ('odometry', (), [Odometry]),
+        ('odometry, scan', ('scan',), [Odometry, LaserScan]),
+        ('odometry, scan, cloud', ('scan', 'cloud'), [Odometry, LaserScan, PointCloud2]),
+    ):
         with domains.claim() as domain_id, _Child(_SENSORS, *sends, ROS_DOMAIN_ID=str(domain_id)) as sender:
             sender.line()
-            yield from view(name, domain_id, lambda view: not view.problems and len(view.frames) == 2,
-                            *(display() for display in displays))
+            yield from view(
+                name,
+                domain_id,
+                lambda view: not view.problems and len(view.frames) == 2,
+                *(display() for display in displays),
+            )
 
 
 def view(name: str, domain_id: int, is_there: Callable, *displays) -> Iterator[tuple[str, float, str]]:
@@ -210,9 +215,15 @@ class _Child:
     def __init__(self, code: str, *arguments: str, **environment: str):
         import os
 
-        self._popen = subprocess.Popen([sys.executable, '-c', code, *arguments], cwd=paths.ROOT, text=True, bufsize=1,
-                                       stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                       env={**os.environ, **environment})
+        self._popen = subprocess.Popen(
+            [sys.executable, '-c', code, *arguments],
+            cwd=paths.ROOT,
+            text=True,
+            bufsize=1,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            env={**os.environ, **environment},
+        )
 
     def line(self) -> str:
         """Wait for a line of its output."""

@@ -14,9 +14,16 @@ BUSY = 0.25  # of all processors, in the last minute
 
 def facts() -> dict[str, object]:
     """Return the machine's processor, memory (bytes), system, and the versions of what is measured."""
-    return {'processor': _processor(), 'processors': len(os.sched_getaffinity(0)), 'architecture': platform.machine(),
-            'memory': psutil.virtual_memory().total, 'system': _system(), 'kernel': platform.release(),
-            'python': platform.python_version(), 'packages': dict(_versions())}
+    return {
+        'processor': _processor(),
+        'processors': len(os.sched_getaffinity(0)),
+        'architecture': platform.machine(),
+        'memory': psutil.virtual_memory().total,
+        'system': _system(),
+        'kernel': platform.release(),
+        'python': platform.python_version(),
+        'packages': dict(_versions()),
+    }
 
 
 def load() -> float:
@@ -29,8 +36,10 @@ def busy(now: float) -> str:
     processors = len(os.sched_getaffinity(0))
     if now <= BUSY * processors:
         return ''
-    return (f'this machine is busy (load {now:.1f} on {processors} processors): times and rates will look worse than '
-            'they are; the ratios suffer less')
+    return (
+        f'this machine is busy (load {now:.1f} on {processors} processors): times and rates will look worse than '
+        'they are; the ratios suffer less'
+    )
 
 
 def _processor() -> str:

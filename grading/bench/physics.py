@@ -78,6 +78,13 @@ def _per_second(call, clock=time.process_time) -> float:
 def _node(factor: float) -> dict:
     with domains.claim() as domain_id:
         argv = [sys.executable, '-c', _NODE, str(factor), str(SECONDS)]
-        done = subprocess.run(argv, check=True, text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-                              timeout=60, env={**os.environ, 'ROS_DOMAIN_ID': str(domain_id)})
+        done = subprocess.run(
+            argv,
+            check=True,
+            text=True,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            timeout=60,
+            env={**os.environ, 'ROS_DOMAIN_ID': str(domain_id)},
+        )
     return json.loads(done.stdout.splitlines()[-1])

@@ -35,24 +35,44 @@ class Report:
     def write(self, path: Path) -> None:
         """Write all that there is so far, as JSON."""
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(json.dumps({
-            'begin': self.begin, 'end': _now(), 'machine': self.facts,
-            'load': {'begin': self.load, 'end': machine.load()},
-            'benchmarks': {part.name: {'seconds': round(part.seconds, 1), 'error': part.error} for part in self.parts},
-            'results': [_as_dict(part.name, figure) for part in self.parts for figure in part.figures],
-        }, indent=2, ensure_ascii=False) + '\n', encoding='utf-8')
+        path.write_text(
+            json.dumps(
+                {
+                    'begin': self.begin,
+                    'end': _now(),
+                    'machine': self.facts,
+                    'load': {'begin': self.load, 'end': machine.load()},
+                    'benchmarks': {
+                        part.name: {'seconds': round(part.seconds, 1), 'error': part.error} for part in self.parts
+                    },
+                    'results': [_as_dict(part.name, figure) for part in self.parts for figure in part.figures],
+                },
+                indent=2,
+                ensure_ascii=False,
+            )
+            + '\n',
+            encoding='utf-8',
+        )
 
     def table(self):
         """Return all figures as a table of rich's."""
         from rich.markup import escape
         from rich.table import Table
 
-        table = Table(title='Benchmarks', caption='ratio: the value of the course divided by that of the reference. '
-                      'Less than 1 is good for a time, more than 1 for a rate.')
+        table = Table(
+            title='Benchmarks',
+            caption='ratio: the value of the course divided by that of the reference. '
+            'Less than 1 is good for a time, more than 1 for a rate.',
+        )
         table.add_column('benchmark')
         table.add_column('what', ratio=1)
-        for name, justify in (('value', 'right'), ('unit', 'left'), ('reference', 'left'), ('its value', 'right'),
-                              ('ratio', 'right')):
+        for name, justify in (
+            ('value', 'right'),
+            ('unit', 'left'),
+            ('reference', 'left'),
+            ('its value', 'right'),
+            ('ratio', 'right'),
+        ):
             table.add_column(name, justify=justify, no_wrap=name != 'reference')
         for part in self.parts:
             table.add_section()

@@ -21,9 +21,17 @@ def workflow(exercises: Iterable[Exercise]) -> str:
     for exercise in exercises:
         chapters[exercise.chapter] = chapters.get(exercise.chapter, 0) + exercise.points
     # GitHub's own ${{ … }} stays as it is.
-    environment = Environment(variable_start_string='[[', variable_end_string=']]', block_start_string='[%',
-                              block_end_string='%]', comment_start_string='[#', comment_end_string='#]',
-                              trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True,
-                              undefined=StrictUndefined)
+    environment = Environment(
+        variable_start_string='[[',
+        variable_end_string=']]',
+        block_start_string='[%',
+        block_end_string='%]',
+        comment_start_string='[#',
+        comment_end_string='#]',
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        undefined=StrictUndefined,
+    )
     template = environment.from_string(_TEMPLATE.read_text(encoding='utf-8'))
     return template.render(chapters=[(number, round(points)) for number, points in sorted(chapters.items())])

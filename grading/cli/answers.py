@@ -11,8 +11,9 @@ from helpers.cli import Refusal
 
 def answers(
     exercise: Annotated[str, typer.Argument(metavar='3.2', help='The exercise.')],
-    names: Annotated[list[str] | None, typer.Argument(metavar='[NAME …]', help='Mutants and alternatives; all if '
-                                                                               'none.')] = None,
+    names: Annotated[
+        list[str] | None, typer.Argument(metavar='[NAME …]', help='Mutants and alternatives; all if none.')
+    ] = None,
     seed: Annotated[str | None, typer.Option(help='Let the tests draw other inputs.')] = None,
     jobs: Annotated[int, typer.Option(help='How many answers are judged at a time.')] = 2,
     verbose: Annotated[bool, typer.Option('--verbose', '-v', help='Show what the learner reads.')] = False,
@@ -33,8 +34,9 @@ def answers(
     except (variants.VariantError, LookupError) as error:
         raise Refusal(str(error)) from None
     for one in trials:
-        broken = ', '.join(dict.fromkeys(test.rule or trial.name_of(test) for test in one.result.tests
-                                         if not test.passed))
+        broken = ', '.join(
+            dict.fromkeys(test.rule or trial.name_of(test) for test in one.result.tests if not test.passed)
+        )
         print(f'{"FAULT" if one.faults else "ok":5} {one.name:32} {broken or one.result.verdict}')
         for fault in one.faults:
             print(f'      {fault}')

@@ -14,13 +14,24 @@ from helpers.cli import Refusal
 def build(
     chapters: Annotated[list[str] | None, typer.Argument(metavar='[NN …]', help='Chapters; all if none.')] = None,
     check: Annotated[bool, typer.Option('--check', help='Run nothing: prove that all fits its source.')] = False,
-    rules: Annotated[bool, typer.Option('--rules', help='Run nothing: show which tests look at which rule of a card, '
-                                                        'and which wrong answers break it.')] = False,
+    rules: Annotated[
+        bool,
+        typer.Option(
+            '--rules',
+            help='Run nothing: show which tests look at which rule of a card, and which wrong answers break it.',
+        ),
+    ] = False,
     force: Annotated[bool, typer.Option('--force', help='Execute unchanged chapters too.')] = False,
-    html: Annotated[Path | None, typer.Option(metavar='DIR', help='Only write the course as web pages, without '
-                                                                  'solutions, from what is built.')] = None,
-    scenes: Annotated[bool, typer.Option(help='In the pages: 3-D scenes to turn and replay. For them chapters with '
-                                              'such views are executed again.')] = True,
+    html: Annotated[
+        Path | None,
+        typer.Option(metavar='DIR', help='Only write the course as web pages, without solutions, from what is built.'),
+    ] = None,
+    scenes: Annotated[
+        bool,
+        typer.Option(
+            help='In the pages: 3-D scenes to turn and replay. For them chapters with such views are executed again.'
+        ),
+    ] = True,
     timeout: Annotated[float, typer.Option(help='Longest time of one cell, in seconds.')] = 60.0,
 ):
     """Make the executed solution and the learner's notebook of each chapter from solutions/NN_name.md."""
@@ -40,8 +51,11 @@ def build(
             lines = in_step.drift(tree)
             for line in lines:
                 print(line)
-            print(f'{len(lines)} generated files are out of step; run ./course build' if lines
-                  else f'{len(known)} chapters are in step with their sources')
+            print(
+                f'{len(lines)} generated files are out of step; run ./course build'
+                if lines
+                else f'{len(known)} chapters are in step with their sources'
+            )
             raise typer.Exit(1 if lines else 0)
         if rules:
             raise typer.Exit(_rules(builder.read_all(tree), selected, tree))

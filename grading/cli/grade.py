@@ -12,28 +12,47 @@ from helpers.cli import Refusal
 
 
 def grade(
-    submissions: Annotated[list[Path], typer.Argument(
-        metavar='SUBMISSION …', help='A .zip made by submit, a folder of notebooks, an .ipynb, or a folder of these.')],
+    submissions: Annotated[
+        list[Path],
+        typer.Argument(
+            metavar='SUBMISSION …',
+            help='A .zip made by submit, a folder of notebooks, an .ipynb, or a folder of these.',
+        ),
+    ],
     output: Annotated[Path, typer.Option('-o', '--output', metavar='DIR', help='Where results go; resumes there.')],
-    jobs: Annotated[int, typer.Option('--jobs', metavar='N', min=1, help='Processes of tests at a time; the cores if '
-                                                                         'not given.')] = len(os.sched_getaffinity(0)),
-    sandbox: Annotated[str, typer.Option(metavar='NAME', help='Where learners\' code runs: '
-                                         f'{" or ".join(sandboxes.LAUNCHERS)}.')] = sandboxes.DEFAULT,
+    jobs: Annotated[
+        int, typer.Option('--jobs', metavar='N', min=1, help='Processes of tests at a time; the cores if not given.')
+    ] = len(os.sched_getaffinity(0)),
+    sandbox: Annotated[
+        str, typer.Option(metavar='NAME', help=f"Where learners' code runs: {' or '.join(sandboxes.LAUNCHERS)}.")
+    ] = sandboxes.DEFAULT,
     cluster: Annotated[str, typer.Option(metavar='ADDRESS', help='Grade on the Dask cluster of this scheduler.')] = '',
-    chapter: Annotated[list[int] | None, typer.Option(
-        metavar='N', help='Grade only this chapter\'s exercises, as an assignment; may be given several times. DIR '
-                          'keeps the choice.')] = None,
-    seed: Annotated[str, typer.Option(metavar='TEXT', help='Of the inputs that tests draw; DIR\'s own if not given.')
-                    ] = '',
-    only: Annotated[list[str] | None, typer.Option(
-        metavar='LEARNER[/EXERCISE]',
-        help='Grade only this, and leave the rest as it is; * for all. May be given several times.')] = None,
+    chapter: Annotated[
+        list[int] | None,
+        typer.Option(
+            metavar='N',
+            help="Grade only this chapter's exercises, as an assignment; may be given several times. DIR "
+            'keeps the choice.',
+        ),
+    ] = None,
+    seed: Annotated[
+        str, typer.Option(metavar='TEXT', help="Of the inputs that tests draw; DIR's own if not given.")
+    ] = '',
+    only: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar='LEARNER[/EXERCISE]',
+            help='Grade only this, and leave the rest as it is; * for all. May be given several times.',
+        ),
+    ] = None,
     regrade: Annotated[bool, typer.Option('--regrade', help='Grade also what has a result already.')] = False,
     late: Annotated[Path | None, typer.Option(metavar='FILE', help='Late policy, YAML.')] = None,
-    adjustments: Annotated[Path | None, typer.Option(
-        metavar='FILE', help='Marks set or changed by hand, CSV or YAML.')] = None,
-    anonymous: Annotated[bool, typer.Option(
-        '--anonymous', help='Pseudonyms instead of ids; the map is in DIR-private.')] = False,
+    adjustments: Annotated[
+        Path | None, typer.Option(metavar='FILE', help='Marks set or changed by hand, CSV or YAML.')
+    ] = None,
+    anonymous: Annotated[
+        bool, typer.Option('--anonymous', help='Pseudonyms instead of ids; the map is in DIR-private.')
+    ] = False,
 ):
     """Grade submissions; run again on the same DIR to go on where it stopped."""
     from rich.console import Console
@@ -47,9 +66,18 @@ def grade(
     from grading.submissions import Unusable, find
     from helpers.exercises import manifest
 
-    refused = (Unusable, manifest.ManifestError, choice.ChoiceError, ChapterError, folder.FolderError,
-               executors.ClusterError, lateness.PolicyError, manual.AdjustmentError,
-               pseudonyms.AnonymousError, unit.Mismatch)
+    refused = (
+        Unusable,
+        manifest.ManifestError,
+        choice.ChoiceError,
+        ChapterError,
+        folder.FolderError,
+        executors.ClusterError,
+        lateness.PolicyError,
+        manual.AdjustmentError,
+        pseudonyms.AnonymousError,
+        unit.Mismatch,
+    )
     console = Console(highlight=False, soft_wrap=True)
     skipped: list[Path] = []
     try:
@@ -61,9 +89,15 @@ def grade(
         if not cluster and (problem := sandboxes.problem(sandbox)):
             raise Refusal(f'{problem}. To grade without protection: --sandbox none')
         settings = grader.Settings(
-            seed, tuple(only or ()), regrade, lateness.load(late) if late else None,
-            tuple(manual.load(adjustments, plan.points(course.exercises))) if adjustments else (), anonymous,
-            chapters, cluster)
+            seed,
+            tuple(only or ()),
+            regrade,
+            lateness.load(late) if late else None,
+            tuple(manual.load(adjustments, plan.points(course.exercises))) if adjustments else (),
+            anonymous,
+            chapters,
+            cluster,
+        )
         for path in skipped:
             console.print(f'{path}: no submission, left out', style='yellow', markup=False)
         if course.sandbox == 'none':
@@ -85,12 +119,21 @@ def _summary(records, console) -> int:
     """Say what is open. The exit status: 1 if a mark is, because of a fault of the grader's."""
     ungraded = [record.learner for record in records if record.status == 'incomplete']
     if ungraded:
-        console.print(f'Not all is graded yet for {", ".join(ungraded)}: run grade again without --only.',
-                      style='yellow', markup=False)
-    faults = {record.learner: [one.id for one in record.exercises if record.marks[one.id] is None]
-              for record in records if record.status == 'grader_error'}
+        console.print(
+            f'Not all is graded yet for {", ".join(ungraded)}: run grade again without --only.',
+            style='yellow',
+            markup=False,
+        )
+    faults = {
+        record.learner: [one.id for one in record.exercises if record.marks[one.id] is None]
+        for record in records
+        if record.status == 'grader_error'
+    }
     if faults:
         named = ', '.join(f'{learner} ({", ".join(exercises)})' for learner, exercises in faults.items())
-        console.print(f'A fault of the grader\'s own left marks open for {named}: see run.log and run grade again.',
-                      style='red', markup=False)
+        console.print(
+            f"A fault of the grader's own left marks open for {named}: see run.log and run grade again.",
+            style='red',
+            markup=False,
+        )
     return 1 if faults else 0

@@ -10,19 +10,33 @@ from helpers.cli import Refusal
 
 
 def release(
-    output: Annotated[Path, typer.Option('-o', '--output', metavar='DIR',
-                                         help='A new or empty folder; with --gradescope, the zip to write.')],
+    output: Annotated[
+        Path,
+        typer.Option(
+            '-o', '--output', metavar='DIR', help='A new or empty folder; with --gradescope, the zip to write.'
+        ),
+    ],
     gradescope: Annotated[bool, typer.Option('--gradescope', help='Make the autograder zip for Gradescope.')] = False,
-    classroom: Annotated[bool, typer.Option(
-        '--classroom', help='Add a GitHub workflow that runs the visible checks at each push.')] = False,
-    chapter: Annotated[list[int] | None, typer.Option(
-        metavar='N', help='With --gradescope: grade only this chapter\'s exercises; may be given several times.')
-        ] = None,
-    sandbox: Annotated[str, typer.Option(
-        metavar='NAME', help='With --gradescope: where learners\' code runs there.')] = 'none',
-    hidden: Annotated[str, typer.Option(
-        metavar='WHEN', help='With --gradescope: when learners see the hidden tests: visible, after_due_date, '
-                             'after_published or hidden.')] = 'after_published',
+    classroom: Annotated[
+        bool, typer.Option('--classroom', help='Add a GitHub workflow that runs the visible checks at each push.')
+    ] = False,
+    chapter: Annotated[
+        list[int] | None,
+        typer.Option(
+            metavar='N', help="With --gradescope: grade only this chapter's exercises; may be given several times."
+        ),
+    ] = None,
+    sandbox: Annotated[
+        str, typer.Option(metavar='NAME', help="With --gradescope: where learners' code runs there.")
+    ] = 'none',
+    hidden: Annotated[
+        str,
+        typer.Option(
+            metavar='WHEN',
+            help='With --gradescope: when learners see the hidden tests: visible, after_due_date, '
+            'after_published or hidden.',
+        ),
+    ] = 'after_published',
 ):
     """Make the learner's edition: no solutions/, no grading/. Or an autograder for Gradescope."""
     if gradescope:
@@ -31,7 +45,7 @@ def release(
         _gradescope(output, sandbox, hidden, chapter or ())
         return
     if chapter:
-        raise Refusal('--chapter is for --gradescope: the learners\' edition always has all chapters')
+        raise Refusal("--chapter is for --gradescope: the learners' edition always has all chapters")
     from grading import release as edition
 
     try:
@@ -55,6 +69,9 @@ def _gradescope(output: Path, sandbox: str, hidden: str, chapters: Sequence[int]
         raise Refusal(str(error)) from None
     typer.echo(f'{output}: {len(names)} files, {output.stat().st_size / 2**20:.1f} MB')
     if sandbox == 'none':
-        typer.echo('Sandbox on Gradescope: none. Learners\' code runs as a plain process in the container of its own '
-                   'submission. It can reach no other learner, but it can read the hidden tests there, and could '
-                   'falsify its own marks. Each result says so. See grading/README.md, "Gradescope".', err=True)
+        typer.echo(
+            "Sandbox on Gradescope: none. Learners' code runs as a plain process in the container of its own "
+            'submission. It can reach no other learner, but it can read the hidden tests there, and could '
+            'falsify its own marks. Each result says so. See grading/README.md, "Gradescope".',
+            err=True,
+        )

@@ -43,8 +43,13 @@ class Entry:
     exercises: int
 
 
-def write(tree: builder.Tree, output: Path, say: Callable[[str], None] = print, scenes: bool = True,
-          timeout: float = execution.CELL_TIMEOUT) -> list[Path]:
+def write(
+    tree: builder.Tree,
+    output: Path,
+    say: Callable[[str], None] = print,
+    scenes: bool = True,
+    timeout: float = execution.CELL_TIMEOUT,
+) -> list[Path]:
     """Write ``index.html`` and a page for each chapter to `output`, from the executed notebooks; returns the pages.
 
     :param scenes: execute the chapters with 3-D views, and add a page for each view; else pictures are all.
@@ -59,16 +64,23 @@ def write(tree: builder.Tree, output: Path, say: Callable[[str], None] = print, 
         if drift := builder.solved_drift(tree, chapter):
             raise EditionError(f'{tree.solved(chapter).name} {drift[0]}: run ./course build {chapter.number:02} first')
     with TemporaryDirectory() as folder:
-        executed = [_recorded(tree, chapter, Path(folder), timeout, say) if scenes and _has_views(chapter)
-                    else nbformat.read(tree.solved(chapter), as_version=4) for chapter in chapters]
+        executed = [
+            _recorded(tree, chapter, Path(folder), timeout, say)
+            if scenes and _has_views(chapter)
+            else nbformat.read(tree.solved(chapter), as_version=4)
+            for chapter in chapters
+        ]
         shown = [readable(chapter, notebook) for chapter, notebook in zip(chapters, executed, strict=True)]
         output.mkdir(parents=True, exist_ok=True)
         _keep_scenes(shown, Path(folder), output / SCENES, say)
     entries = [_entry(tree, chapter) for chapter in chapters]
     written = []
     for number, notebook in enumerate(shown):
-        around = {'before': entries[number - 1] if number else None,
-                  'after': entries[number + 1] if number + 1 < len(entries) else None, 'scenes': SCENES}
+        around = {
+            'before': entries[number - 1] if number else None,
+            'after': entries[number + 1] if number + 1 < len(entries) else None,
+            'scenes': SCENES,
+        }
         path = output / entries[number].page
         path.write_text(_page(notebook, entries[number].title, around), encoding='utf-8')
         say(f'{path.name}: {path.stat().st_size / 1e6:.1f} MB')
@@ -94,16 +106,21 @@ def readable(chapter: Chapter, notebook: nbformat.NotebookNode) -> nbformat.Note
 
 def scenes_of(notebook: nbformat.NotebookNode) -> list[str]:
     """Return the pages of the views that a notebook shows."""
-    return [output.metadata.scene for cell in notebook.cells for output in cell.get('outputs', ())
-            if 'scene' in output.get('metadata', ())]
+    return [
+        output.metadata.scene
+        for cell in notebook.cells
+        for output in cell.get('outputs', ())
+        if 'scene' in output.get('metadata', ())
+    ]
 
 
 def _has_views(chapter: Chapter) -> bool:
     return any('TfView(' in cell.source for cell in notebooks.learner(chapter).cells if cell.cell_type == 'code')
 
 
-def _recorded(tree: builder.Tree, chapter: Chapter, folder: Path, timeout: float,
-              say: Callable[[str], None]) -> nbformat.NotebookNode:
+def _recorded(
+    tree: builder.Tree, chapter: Chapter, folder: Path, timeout: float, say: Callable[[str], None]
+) -> nbformat.NotebookNode:
     """Execute a chapter; what its views show goes to `folder`."""
     say(f'{chapter.name}: executing, for its 3-D scenes')
     notebook = notebooks.solved(chapter)

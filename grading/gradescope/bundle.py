@@ -17,8 +17,18 @@ from helpers import paths
 
 SCRIPTS = ('setup.sh', 'run_autograder')
 # Neither answers nor what only the authors of the course need.
-LEFT_OUT = ('solutions', 'build', 'log', '.ci', '.github', 'grading/tests',
-            'grading/bench', 'grading/authoring', 'helpers/tests', 'environment/tests')
+LEFT_OUT = (
+    'solutions',
+    'build',
+    'log',
+    '.ci',
+    '.github',
+    'grading/tests',
+    'grading/bench',
+    'grading/authoring',
+    'helpers/tests',
+    'environment/tests',
+)
 ANSWERS = re.compile(r'grading/exercises/\w+/(mutants|alternatives)\.py')
 DATE = (2000, 1, 1, 0, 0, 0)  # the same files give the same zip
 
@@ -27,8 +37,9 @@ class BundleError(Exception):
     """The zip cannot be made; the message says why."""
 
 
-def bundle(output: Path, chosen: str, hidden: str = gradescope.HIDDEN, root: Path = paths.ROOT,
-           chapters: Iterable[int] = ()) -> list[str]:
+def bundle(
+    output: Path, chosen: str, hidden: str = gradescope.HIDDEN, root: Path = paths.ROOT, chapters: Iterable[int] = ()
+) -> list[str]:
     """Write the zip; returns the names of its files.
 
     :param chosen: the sandbox in which learner's code runs on Gradescope.

@@ -43,13 +43,27 @@ def main(root: Path) -> int:
         pack(root / 'submission', archive)
         output = Path(folder, 'out')
         for attempt in (1, 2):
-            status = subprocess.run([sys.executable, '-m', 'helpers.cli', 'grade', str(archive), '-o', str(output),
-                                     '--sandbox', config.sandbox, *chapters], cwd=paths.ROOT).returncode
-            record = next((record for path in sorted(output.glob('results/*.json')) if (record := Record.load(path))),
-                          None)
+            status = subprocess.run(
+                [
+                    sys.executable,
+                    '-m',
+                    'helpers.cli',
+                    'grade',
+                    str(archive),
+                    '-o',
+                    str(output),
+                    '--sandbox',
+                    config.sandbox,
+                    *chapters,
+                ],
+                cwd=paths.ROOT,
+            ).returncode
+            record = next(
+                (record for path in sorted(output.glob('results/*.json')) if (record := Record.load(path))), None
+            )
             if record is None or record.status != 'grader_error':
                 break
-            print(f'attempt {attempt}: a fault of the grader\'s')
+            print(f"attempt {attempt}: a fault of the grader's")
         log = output / 'run.log'
         if log.is_file():
             print(log.read_text(encoding='utf-8', errors='replace'))
@@ -59,8 +73,10 @@ def main(root: Path) -> int:
     # `grade` has warned the instructor already, at the top of the output.
     warnings = ['Sandbox: none.'] if record.sandbox == 'none' else []
     write(root / 'results' / 'results.json', gradescope.dumps(record, config.hidden, warnings))
-    print(f'sandbox {record.sandbox}, seed {record.seed or "unknown"}, status {record.status}, '
-          f'{"unknown" if record.score is None else format(record.score, "g")} of {record.points:g} points')
+    print(
+        f'sandbox {record.sandbox}, seed {record.seed or "unknown"}, status {record.status}, '
+        f'{"unknown" if record.score is None else format(record.score, "g")} of {record.points:g} points'
+    )
     return 1 if record.status == 'grader_error' else 0
 
 
@@ -81,10 +97,16 @@ def pack(folder: Path, archive: Path) -> None:
 
 
 def _notebooks(folder: Path, pattern: str) -> list[Path]:
-    return [path for path in sorted(folder.glob(f'{pattern}.ipynb'))
-            if path.is_file() and not any(part.is_symlink() or part.name.startswith('.')
-                                          for part in [path, *path.parents] if part.is_relative_to(folder)
-                                          and part != folder)]
+    return [
+        path
+        for path in sorted(folder.glob(f'{pattern}.ipynb'))
+        if path.is_file()
+        and not any(
+            part.is_symlink() or part.name.startswith('.')
+            for part in [path, *path.parents]
+            if part.is_relative_to(folder) and part != folder
+        )
+    ]
 
 
 def _learner(metadata: Path) -> str:

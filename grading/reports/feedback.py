@@ -39,7 +39,8 @@ def view(record: Record) -> dict:
     """All that the page shows, as plain values."""
     return {
         'learner': line(record.learner, 80),
-        'score': record.score, 'points': record.points,
+        'score': record.score,
+        'points': record.points,
         'share': _share(record.score, record.points),
         'tone': 'open' if record.score is None else 'good',
         'sentence': _sentence(record),
@@ -58,8 +59,10 @@ def _sentence(record: Record) -> str:
     if record.status == 'incomplete':
         return 'Only a part of your work has been graded so far.'
     if record.score is None:
-        return ('A part of your work must be graded again because of a fault on our side. Nothing is lost, and there '
-                'is nothing that you must do.')
+        return (
+            'A part of your work must be graded again because of a fault on our side. Nothing is lost, and there '
+            'is nothing that you must do.'
+        )
     solved = sum(exercise.passed for exercise in record.exercises)
     if solved == len(record.exercises):
         return 'All exercises are solved. Well done!'
@@ -71,8 +74,9 @@ def _sentence(record: Record) -> str:
 
 def _advice(record: Record) -> str:
     """What to do first: an exercise that was begun comes before one that was not."""
-    open_ones = [exercise for exercise in record.exercises
-                 if not exercise.passed and exercise.verdict != verdicts.GRADER_ERROR]
+    open_ones = [
+        exercise for exercise in record.exercises if not exercise.passed and exercise.verdict != verdicts.GRADER_ERROR
+    ]
     begun = [exercise for exercise in open_ones if exercise.verdict != results.NOT_ATTEMPTED]
     first = next(iter(begun or open_ones), None)
     return f'Go on with exercise {first.id}, {line(first.title)}.' if first else ''
@@ -83,19 +87,27 @@ def _notes(record: Record) -> list[str]:
     notes = []
     if record.late is not None and record.late.days:
         days = page.plural(record.late.days, 'day')
-        notes.append(f'Handed in {_when(record.late.handed_in)}, {days} after the due time, {_when(record.late.due)}: '
-                     f'{page.points(record.late.percent)} % of the points are deducted.')
+        notes.append(
+            f'Handed in {_when(record.late.handed_in)}, {days} after the due time, {_when(record.late.due)}: '
+            f'{page.points(record.late.percent)} % of the points are deducted.'
+        )
     if record.ungraded:
         notes.append(f'Not graded yet: {", ".join(map(line, record.ungraded))}.')
     return notes
 
 
 def _facts(record: Record) -> list[tuple[str, str]]:
-    facts = [('Handed in', line(record.source) + (f', {_when(record.handed_in)}' if record.handed_in else '')),
-             ('SHA-256', record.sha256[:16]), ('Graded as', record.key[:16]), ('Seed', line(record.seed)),
-             ('Sandbox', line(record.sandbox)),
-             ('Earlier', f'{page.plural(len(record.attempts), "submission")}; the latest one counts'
-              if record.attempts else '')]
+    facts = [
+        ('Handed in', line(record.source) + (f', {_when(record.handed_in)}' if record.handed_in else '')),
+        ('SHA-256', record.sha256[:16]),
+        ('Graded as', record.key[:16]),
+        ('Seed', line(record.seed)),
+        ('Sandbox', line(record.sandbox)),
+        (
+            'Earlier',
+            f'{page.plural(len(record.attempts), "submission")}; the latest one counts' if record.attempts else '',
+        ),
+    ]
     return [(name, value) for name, value in facts if value]
 
 
@@ -120,12 +132,17 @@ def _how(record: Record, exercise: ExerciseResult) -> list[str]:
     """How the mark comes about, where it is not the tests' alone."""
     late, steps = record.late, []
     if late is not None and late.percent and exercise.score:
-        steps = [f'By the tests: {page.points(exercise.score)} points.',
-                 f'Late, less {page.points(late.percent)} %: {page.points(late.applied(exercise.score))} points.']
+        steps = [
+            f'By the tests: {page.points(exercise.score)} points.',
+            f'Late, less {page.points(late.percent)} %: {page.points(late.applied(exercise.score))} points.',
+        ]
     for adjustment in record.adjustments:
         if adjustment.exercise == exercise.id:
-            change = (f'set to {page.points(adjustment.points)} points' if adjustment.points is not None
-                      else f'{adjustment.delta:+g} points')
+            change = (
+                f'set to {page.points(adjustment.points)} points'
+                if adjustment.points is not None
+                else f'{adjustment.delta:+g} points'
+            )
             steps.append(f'By your instructor: {change}. {line(adjustment.reason, 1000)}')
     return steps
 
@@ -134,13 +151,21 @@ def _exercise(exercise: ExerciseResult, mark: float | None) -> dict:
     again = result_display.repeated(exercise)
     weight = sum(test.weight for test in exercise.tests)
     return {
-        'id': line(exercise.id), 'title': line(exercise.title),
+        'id': line(exercise.id),
+        'title': line(exercise.title),
         'anchor': 'exercise-' + ''.join(sign if sign.isalnum() and sign.isascii() else '-' for sign in exercise.id),
-        'score': mark, 'points': exercise.points, 'share': _share(mark, exercise.points),
-        'tone': tone(exercise.verdict), 'state': STATES[exercise.verdict], 'summary': _summary(exercise),
+        'score': mark,
+        'points': exercise.points,
+        'share': _share(mark, exercise.points),
+        'tone': tone(exercise.verdict),
+        'state': STATES[exercise.verdict],
+        'summary': _summary(exercise),
         'message': '' if exercise.verdict == results.NOT_ATTEMPTED else exercise.message,
-        'tests': [_test(exercise, test, test.test in again, exercise.points * test.weight / weight if weight else 0.0)
-                  for test in exercise.tests if test.expected],
+        'tests': [
+            _test(exercise, test, test.test in again, exercise.points * test.weight / weight if weight else 0.0)
+            for test in exercise.tests
+            if test.expected
+        ],
         'place': reading.place(exercise.id),
     }
 
@@ -149,8 +174,10 @@ def _summary(exercise: ExerciseResult) -> str:
     if exercise.verdict == results.NOT_ATTEMPTED:
         return exercise.message or 'The cell is still as it was given.'
     if exercise.verdict == verdicts.GRADER_ERROR:
-        return ('This exercise could not be graded because of a fault on our side. It will be graded again, and your '
-                'mark stays open until then.')
+        return (
+            'This exercise could not be graded because of a fault on our side. It will be graded again, and your '
+            'mark stays open until then.'
+        )
     if not exercise.tests:
         return ''
     if exercise.rules:
@@ -164,12 +191,15 @@ def _summary(exercise: ExerciseResult) -> str:
 def _test(exercise: ExerciseResult, test: TestResult, same: bool, points: float) -> dict:
     return {
         'rule': result_display.broken(exercise, test) if test.rule and not test.passed else '',
-        'tone': tone(test.verdict), 'state': _TESTS[test.verdict], 'expected': result_display.expected(test),
+        'tone': tone(test.verdict),
+        'state': _TESTS[test.verdict],
+        'expected': result_display.expected(test),
         'kind': f'{"hidden" if test.hidden else "check"} · {page.points(points)} point{"" if points == 1 else "s"}',
         'same': same and not test.passed,
         'happened': [] if test.passed else result_display.happened(test),
         'hint': '' if test.passed else result_display.hint(test),
-        'details': '' if same or test.passed else test.details, 'output': '' if same or test.passed else test.output,
+        'details': '' if same or test.passed else test.details,
+        'output': '' if same or test.passed else test.output,
     }
 
 

@@ -35,8 +35,11 @@ def dumps(record: Record, hidden: str = HIDDEN, warnings: list[str] | None = Non
         raise ValueError(f'{hidden!r} is none of {", ".join(VISIBILITIES)}')
     tests = [entry for exercise in record.exercises for entry in _entries(exercise, hidden)]
     result = {
-        'output': _clip('\n'.join([*(warnings or ()), *_overall(record, hidden)])), 'output_format': 'text',
-        'visibility': 'visible', 'stdout_visibility': 'hidden', 'tests': tests,
+        'output': _clip('\n'.join([*(warnings or ()), *_overall(record, hidden)])),
+        'output_format': 'text',
+        'visibility': 'visible',
+        'stdout_visibility': 'hidden',
+        'tests': tests,
         'execution_time': round(sum(test.seconds for exercise in record.exercises for test in exercise.tests), 3),
         'extra_data': {'sandbox': record.sandbox, 'key': record.key, 'seed': record.seed, 'status': record.status},
     }
@@ -57,8 +60,7 @@ def _overall(record: Record, hidden: str) -> list[str]:
         head = 'All public tests passed'
     else:
         head = f'{passed} of {page.plural(len(public), "public test")} passed'
-    lines = [f'{head}; hidden tests run after submission. '
-             'They count too: their results and the total are shown later.']
+    lines = [f'{head}; hidden tests run after submission. They count too: their results and the total are shown later.']
     if untested:
         lines.append(f'{page.plural(untested, "exercise")} could not be tested: see below.')
     return lines
@@ -72,21 +74,36 @@ def _entries(exercise: ExerciseResult, hidden: str) -> list[dict]:
         shown = hidden if secret else 'visible'
         return [_entry(exercise, exercise.tests, '', exercise.points, exercise.score, shown)]
     weight = sum(test.weight for test in exercise.tests)
-    share, reached = ((sum(test.weight for test in public if test.passed or every) / weight * exercise.points)
-                      for every in (True, False))
+    share, reached = (
+        (sum(test.weight for test in public if test.passed or every) / weight * exercise.points)
+        for every in (True, False)
+    )
     share, reached = round(share, 2), round(reached, 2)
     known = exercise.score is not None
     return [
         _entry(exercise, public, ' (public tests)', share, reached if known else None, 'visible'),
-        _entry(exercise, secret, ' (hidden tests)', round(exercise.points - share, 2),
-               None if exercise.score is None else round(exercise.score - reached, 2), hidden),
+        _entry(
+            exercise,
+            secret,
+            ' (hidden tests)',
+            round(exercise.points - share, 2),
+            None if exercise.score is None else round(exercise.score - reached, 2),
+            hidden,
+        ),
     ]
 
 
-def _entry(exercise: ExerciseResult, tests: list[TestResult], what: str, points: float, score: float | None,
-           visibility: str) -> dict:
-    entry = {'number': line(exercise.id), 'name': line(result_display.heading(exercise)) + what, 'max_score': points,
-             'output': _clip(_text(exercise, tests)), 'output_format': 'text', 'visibility': visibility}
+def _entry(
+    exercise: ExerciseResult, tests: list[TestResult], what: str, points: float, score: float | None, visibility: str
+) -> dict:
+    entry = {
+        'number': line(exercise.id),
+        'name': line(result_display.heading(exercise)) + what,
+        'max_score': points,
+        'output': _clip(_text(exercise, tests)),
+        'output_format': 'text',
+        'visibility': visibility,
+    }
     if score is not None:
         passed = all(test.passed for test in tests) if tests else exercise.passed
         entry |= {'score': max(0.0, score), 'status': 'passed' if passed else 'failed'}
@@ -97,8 +114,9 @@ def _text(exercise: ExerciseResult, tests: list[TestResult]) -> str:
     lines = [exercise.message] if exercise.message else []
     if exercise.verdict == verdicts.GRADER_ERROR:
         lines.append('This exercise must be graded again because of a fault of the grader.')
-    again = result_display.repeated(ExerciseResult(exercise.id, exercise.title, exercise.points, exercise.verdict, None,
-                                            tests=tests))
+    again = result_display.repeated(
+        ExerciseResult(exercise.id, exercise.title, exercise.points, exercise.verdict, None, tests=tests)
+    )
     for test in tests:
         if test.expected:
             lines.append(f'{"passed" if test.passed else "FAILED"}: {result_display.expected(test)}')

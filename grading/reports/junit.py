@@ -14,20 +14,32 @@ def dumps(record: Record) -> str:
         name = f'exercise {exercise.id}'
         if not exercise.tests:
             cases.append((name, exercise.title, exercise.verdict, exercise.message, 0.0))
-        cases += [(name, test.test, test.verdict, test.message or test.expected, test.seconds)
-                  for test in exercise.tests]
+        cases += [
+            (name, test.test, test.verdict, test.message or test.expected, test.seconds) for test in exercise.tests
+        ]
     kinds = [_kind(verdict) for _, _, verdict, _, _ in cases]
-    counts = {'tests': str(len(cases)), 'failures': str(kinds.count('failure')), 'errors': str(kinds.count('error')),
-              'skipped': str(kinds.count('skipped')), 'time': f'{sum(case[4] for case in cases):.3f}'}
+    counts = {
+        'tests': str(len(cases)),
+        'failures': str(kinds.count('failure')),
+        'errors': str(kinds.count('error')),
+        'skipped': str(kinds.count('skipped')),
+        'time': f'{sum(case[4] for case in cases):.3f}',
+    }
     root = ElementTree.Element('testsuites', {name: counts[name] for name in counts if name != 'skipped'})
     suite = ElementTree.SubElement(root, 'testsuite', {'name': line(record.learner), **counts})
     properties = ElementTree.SubElement(suite, 'properties')
-    for name, value in (('source', record.source), ('sandbox', record.sandbox), ('key', record.key),
-                        ('seed', record.seed), ('status', record.status)):
+    for name, value in (
+        ('source', record.source),
+        ('sandbox', record.sandbox),
+        ('key', record.key),
+        ('seed', record.seed),
+        ('status', record.status),
+    ):
         ElementTree.SubElement(properties, 'property', name=name, value=line(value))
     for (identity, name, verdict, message, seconds), kind in zip(cases, kinds, strict=True):
-        case = ElementTree.SubElement(suite, 'testcase', classname=line(identity), name=line(name),
-                                      time=f'{seconds:.3f}')
+        case = ElementTree.SubElement(
+            suite, 'testcase', classname=line(identity), name=line(name), time=f'{seconds:.3f}'
+        )
         if kind:
             # What CI systems show first is the attribute; a `skipped` has no type.
             told = ElementTree.SubElement(case, kind, message=line(message.partition('\n')[0] or verdict, 500))

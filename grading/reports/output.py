@@ -11,8 +11,12 @@ from grading.reports import summary
 from helpers.exercises.manifest import Exercise
 
 
-def write_all(records: Iterable[Record], exercises: Iterable[Exercise], output: Path,
-              prints: Mapping[str, Mapping[str, Iterable[int]]] | None = None) -> None:
+def write_all(
+    records: Iterable[Record],
+    exercises: Iterable[Exercise],
+    output: Path,
+    prints: Mapping[str, Mapping[str, Iterable[int]]] | None = None,
+) -> None:
     """Write the files into `output`.
 
     :param prints: by learner, the fingerprints of each exercise's cell (`similarity.of_submission`), to find those that

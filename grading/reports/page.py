@@ -39,8 +39,9 @@ def plural(count: int, noun: str) -> str:
 def prose(text: str) -> Markup:
     """One line of text; what stands between backticks is shown as code."""
     parts = _CODE.split(visible(text))
-    return Markup('').join(Markup('<code>{}</code>').format(part) if number % 2 else escape(part)
-                           for number, part in enumerate(parts))
+    return Markup('').join(
+        Markup('<code>{}</code>').format(part) if number % 2 else escape(part) for number, part in enumerate(parts)
+    )
 
 
 def shorten(text: str, limit: int = LONGEST) -> str:
@@ -51,8 +52,14 @@ def shorten(text: str, limit: int = LONGEST) -> str:
     return f'{text[:half]}\n… {len(text) - 2 * half} characters are left out …\n{text[-half:]}'
 
 
-_ENVIRONMENT = Environment(loader=PackageLoader('grading.reports', 'templates'), autoescape=True, trim_blocks=True,
-                           lstrip_blocks=True, undefined=StrictUndefined, finalize=_finalize)
+_ENVIRONMENT = Environment(
+    loader=PackageLoader('grading.reports', 'templates'),
+    autoescape=True,
+    trim_blocks=True,
+    lstrip_blocks=True,
+    undefined=StrictUndefined,
+    finalize=_finalize,
+)
 _ENVIRONMENT.filters |= {'points': points, 'rough': rough, 'prose': prose, 'shorten': shorten}
 _ENVIRONMENT.globals |= {'plural': plural}
 

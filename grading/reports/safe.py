@@ -7,8 +7,10 @@ around, into signs that one can see; pages escape after it (`grading.reports.pag
 import re
 
 # Newline and tab stay, and so do the joiners that some scripts and emoji need.
-_HIDDEN = re.compile(r'[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u180e\u200b\u200e\u200f\u2028-\u202e\u2060-\u206f\ufeff'
-                     r'\ufff9-\ufffb\ufffe\uffff\ud800-\udfff\U000e0000-\U000e007f]')
+_HIDDEN = re.compile(
+    r'[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u180e\u200b\u200e\u200f\u2028-\u202e\u2060-\u206f\ufeff'
+    r'\ufff9-\ufffb\ufffe\uffff\ud800-\udfff\U000e0000-\U000e007f]'
+)
 
 
 def visible(text: str) -> str:
@@ -22,7 +24,7 @@ def visible(text: str) -> str:
 def line(text: str, limit: int = 200) -> str:
     """The text in one line of at most `limit` characters, for names and titles."""
     text = visible(' '.join(text.split()))
-    return text if len(text) <= limit else text[:limit - 1] + '…'
+    return text if len(text) <= limit else text[: limit - 1] + '…'
 
 
 def _sign(match: re.Match) -> str:

@@ -22,8 +22,15 @@ from helpers.runner import results, verdicts
 SCHEMA = 1
 BINS = 10  # of the histograms: tenths of the points
 MOST = 25  # misconceptions, slow learners and alike pairs on the page; the JSON has all
-VERDICTS = (verdicts.PASSED, verdicts.FAILED, verdicts.TIMEOUT, verdicts.LEARNER_CRASHED, verdicts.INVALID_SUBMISSION,
-            verdicts.GRADER_ERROR, results.NOT_ATTEMPTED)
+VERDICTS = (
+    verdicts.PASSED,
+    verdicts.FAILED,
+    verdicts.TIMEOUT,
+    verdicts.LEARNER_CRASHED,
+    verdicts.INVALID_SUBMISSION,
+    verdicts.GRADER_ERROR,
+    results.NOT_ATTEMPTED,
+)
 _NUMBER = re.compile(r'[-+]?\d+(\.\d+)?(e[-+]?\d+)?')  # also in names: tests draw some, such as /robot32
 _QUOTED = re.compile(r"'[^']*'|\"[^\"]*\"")
 _LIST = re.compile(r'\[[^\[\]]*\]')
@@ -42,8 +49,11 @@ def data(records: Iterable[Record], exercises: Iterable[Exercise], alike: Iterab
         'exercises': [_exercise(exercise, records) for exercise in exercises],
         'misconceptions': _misconceptions(records),
         'slowest': _slowest(records),
-        'late': [{'learner': record.learner, 'days': record.late.days, 'percent': record.late.percent}
-                 for record in records if record.late is not None and record.late.days],
+        'late': [
+            {'learner': record.learner, 'days': record.late.days, 'percent': record.late.percent}
+            for record in records
+            if record.late is not None and record.late.days
+        ],
         'adjusted': sum(bool(record.adjustments) for record in records),
         'notes': [{'learner': record.learner, 'text': note} for record in records for note in record.notes],
         'faults': _faults(records),
@@ -58,8 +68,7 @@ def dumps(summary: dict) -> str:
 
 def html(summary: dict) -> str:
     """The summary as a page."""
-    return page.render('summary.html.j2', s=summary, most=MOST, states=feedback.STATES, verdicts=VERDICTS,
-                       line=line)
+    return page.render('summary.html.j2', s=summary, most=MOST, states=feedback.STATES, verdicts=VERDICTS, line=line)
 
 
 def _spread(scores: list[tuple[float | None, float]]) -> dict:
@@ -69,9 +78,12 @@ def _spread(scores: list[tuple[float | None, float]]) -> dict:
     bins = Counter(min(BINS - 1, max(0, int(share * BINS))) for share in shares)
     quarters = quantiles(known, n=4, method='inclusive') if len(known) > 1 else [*known, *known, *known]
     return {
-        'known': len(known), 'unknown': len(scores) - len(known),
-        'mean': round(mean(known), 2) if known else None, 'median': round(median(known), 2) if known else None,
-        'lower': round(quarters[0], 2) if known else None, 'upper': round(quarters[2], 2) if known else None,
+        'known': len(known),
+        'unknown': len(scores) - len(known),
+        'mean': round(mean(known), 2) if known else None,
+        'median': round(median(known), 2) if known else None,
+        'lower': round(quarters[0], 2) if known else None,
+        'upper': round(quarters[2], 2) if known else None,
         'histogram': [bins[number] for number in range(BINS)],
     }
 
@@ -80,13 +92,23 @@ def _exercise(exercise: Exercise, records: list[Record]) -> dict:
     mine = [result for record in records for result in record.exercises if result.id == exercise.id]
     tests: dict[str, dict] = {}
     for test in (test for result in mine for test in result.tests if test.expected):
-        row = tests.setdefault(test.test, {'test': test.test, 'hidden': test.hidden,
-                                           'expected': result_display.expected(test), 'ran': 0, 'passed': 0})
+        row = tests.setdefault(
+            test.test,
+            {
+                'test': test.test,
+                'hidden': test.hidden,
+                'expected': result_display.expected(test),
+                'ran': 0,
+                'passed': 0,
+            },
+        )
         row['ran'] += 1
         row['passed'] += test.passed
     seconds = [sum(test.seconds for test in result.tests) for result in mine if result.tests]
     return {
-        'id': exercise.id, 'title': exercise.title, 'points': exercise.points,
+        'id': exercise.id,
+        'title': exercise.title,
+        'points': exercise.points,
         'verdicts': {verdict: sum(result.verdict == verdict for result in mine) for verdict in VERDICTS},
         **_spread([(result.score, result.points) for result in mine]),
         'seconds': {'median': round(median(seconds), 2), 'most': round(max(seconds), 2)} if seconds else None,
@@ -115,8 +137,10 @@ def _misconceptions(records: list[Record]) -> list[dict]:
                 who[key].add(record.learner)
                 said[key][text] += 1
                 tests[key][result_display.expected(test)] += 1
-    rows = [{'exercise': key[0], 'message': _first(said[key]), 'expected': _first(tests[key]),
-             'learners': sorted(learners)} for key, learners in who.items()]
+    rows = [
+        {'exercise': key[0], 'message': _first(said[key]), 'expected': _first(tests[key]), 'learners': sorted(learners)}
+        for key, learners in who.items()
+    ]
     return sorted(rows, key=lambda row: (-len(row['learners']), row['exercise'], row['message']))
 
 
@@ -126,17 +150,31 @@ def _first(counted: Counter[str]) -> str:
 
 
 def _slowest(records: list[Record]) -> list[dict]:
-    rows: list[dict] = [{'learner': record.learner, 'exercise': result.id,
-             'seconds': round(sum(test.seconds for test in result.tests), 2)}
-            for record in records for result in record.exercises if result.tests]
+    rows: list[dict] = [
+        {
+            'learner': record.learner,
+            'exercise': result.id,
+            'seconds': round(sum(test.seconds for test in result.tests), 2),
+        }
+        for record in records
+        for result in record.exercises
+        if result.tests
+    ]
     return sorted(rows, key=lambda row: (-row['seconds'], row['learner'], row['exercise']))[:MOST]
 
 
 def _faults(records: list[Record]) -> list[dict]:
     """The grader's own faults. A fault's text is for the instructor, who alone sees the summary."""
-    return [{'learner': record.learner, 'exercise': result.id,
-             'text': next((_last(test.fault) for test in result.tests if test.fault), 'see run.log')}
-            for record in records for result in record.exercises if result.verdict == verdicts.GRADER_ERROR]
+    return [
+        {
+            'learner': record.learner,
+            'exercise': result.id,
+            'text': next((_last(test.fault) for test in result.tests if test.fault), 'see run.log'),
+        }
+        for record in records
+        for result in record.exercises
+        if result.verdict == verdicts.GRADER_ERROR
+    ]
 
 
 def _last(text: str) -> str:

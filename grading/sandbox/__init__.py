@@ -21,8 +21,10 @@ from functools import cache
 
 LAUNCHERS = {'bubblewrap': 'grading.sandbox.bubblewrap:start', 'none': 'helpers.runner.start_processes:start'}
 DEFAULT = 'bubblewrap'
-WARNING = ('WARNING: --sandbox none. Submissions run as plain processes with limits, and can read and change whatever '
-           'you can. Grade only what you trust.')
+WARNING = (
+    'WARNING: --sandbox none. Submissions run as plain processes with limits, and can read and change whatever '
+    'you can. Grade only what you trust.'
+)
 
 
 def launcher(name: str = DEFAULT) -> str:
@@ -39,4 +41,5 @@ def problem(name: str = DEFAULT) -> str:
     if name != 'bubblewrap':
         return ''
     from grading.sandbox import probe
+
     return probe.problem()

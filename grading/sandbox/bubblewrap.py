@@ -45,4 +45,5 @@ def start(domain_id: int, limits: Limits = LIMITS) -> SandboxedForkServer:
 def start_tests(job, events: int, printed, *, cwd: str, environment: dict[str, str], folders):
     """Start the tests of one submission in a sandbox; see `helpers.runner.start_processes.start_tests`."""
     from grading.sandbox import station
+
     return station.start_tests(job, events, printed, int(environment['ROS_DOMAIN_ID']), folders)

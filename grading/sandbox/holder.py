@@ -29,6 +29,7 @@ class Holder:
 
         `filter_`: of system calls, for process 1.
         """
+
         def enter() -> None:
             if inside is not None:
                 namespaces.join(inside, namespaces.NEWUSER | namespaces.NEWNET)
@@ -42,8 +43,14 @@ class Holder:
             words += ['--seccomp', str(passed[1])]
         try:
             self.process = subprocess.Popen(
-                [*words, *arguments[1:]], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                stderr=subprocess.PIPE, pass_fds=passed, preexec_fn=enter, start_new_session=True)
+                [*words, *arguments[1:]],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                pass_fds=passed,
+                preexec_fn=enter,
+                start_new_session=True,
+            )
         except (OSError, subprocess.SubprocessError) as error:
             os.close(read)
             raise SandboxError(f'{arguments[0]}: {error}') from None

@@ -26,8 +26,17 @@ KEEPER = '/keep'  # a copy of cat that nobody can read: so the kernel lets nobod
 HOLDER = ('/usr/bin/env', '--ignore-signal=CHLD', KEEPER)
 
 # Of /etc: shared libraries, the compiler's links, fonts and time zone. Nothing that tells about the machine's users.
-_ETC = ('ld.so.cache', 'ld.so.conf', 'ld.so.conf.d', 'alternatives', 'fonts', 'glvnd', 'localtime', 'nsswitch.conf',
-        'locale.alias')
+_ETC = (
+    'ld.so.cache',
+    'ld.so.conf',
+    'ld.so.conf.d',
+    'alternatives',
+    'fonts',
+    'glvnd',
+    'localtime',
+    'nsswitch.conf',
+    'locale.alias',
+)
 _HELD_BACK = ROOT / 'helpers' / 'checks'  # the visible tests
 
 
@@ -72,15 +81,45 @@ def _system() -> list[str]:
 
 
 def _own(*, tmp: int, shared: int) -> list[str]:
-    return ['--proc', '/proc', '--dev', '/dev', '--size', str(shared), '--tmpfs', '/dev/shm',
-            '--size', str(tmp), '--tmpfs', '/tmp', '--ro-bind', str(keeper()), KEEPER]
+    return [
+        '--proc',
+        '/proc',
+        '--dev',
+        '/dev',
+        '--size',
+        str(shared),
+        '--tmpfs',
+        '/dev/shm',
+        '--size',
+        str(tmp),
+        '--tmpfs',
+        '/tmp',
+        '--ro-bind',
+        str(keeper()),
+        KEEPER,
+    ]
 
 
 def _apart() -> list[str]:
     """What both have: namespaces of their own, no way back, no environment, an end together with their starter."""
-    return [bwrap() or 'bwrap', '--unshare-user', '--unshare-pid', '--unshare-ipc', '--unshare-uts',
-            '--unshare-cgroup-try', '--uid', str(UID), '--gid', str(UID), '--hostname', 'sandbox', '--die-with-parent',
-            '--new-session', '--as-pid-1', '--clearenv']
+    return [
+        bwrap() or 'bwrap',
+        '--unshare-user',
+        '--unshare-pid',
+        '--unshare-ipc',
+        '--unshare-uts',
+        '--unshare-cgroup-try',
+        '--uid',
+        str(UID),
+        '--gid',
+        str(UID),
+        '--hostname',
+        'sandbox',
+        '--die-with-parent',
+        '--new-session',
+        '--as-pid-1',
+        '--clearenv',
+    ]
 
 
 def _bind(trees: Iterable[Path]) -> list[str]:
@@ -89,12 +128,45 @@ def _bind(trees: Iterable[Path]) -> list[str]:
 
 def tests(folders: Iterable[Path]) -> list[str]:
     """The tests' sandbox; `folders` hold the tests."""
-    return [*_apart(), '--unshare-net', *_system(), *_own(tmp=64 * 2**20, shared=8 * 2**20), *_bind(readable()),
-            *_bind(folders), '--remount-ro', '/dev', '--remount-ro', '/', '--chdir', '/tmp', '--', *HOLDER]
+    return [
+        *_apart(),
+        '--unshare-net',
+        *_system(),
+        *_own(tmp=64 * 2**20, shared=8 * 2**20),
+        *_bind(readable()),
+        *_bind(folders),
+        '--remount-ro',
+        '/dev',
+        '--remount-ro',
+        '/',
+        '--chdir',
+        '/tmp',
+        '--',
+        *HOLDER,
+    ]
 
 
 def programs(limits: Limits) -> list[str]:
     """The learner's sandbox, to be started inside of the tests' network."""
-    return [*_apart(), *_system(), *_own(tmp=limits.tmp, shared=limits.shared), *_bind(readable()),
-            '--tmpfs', str(_HELD_BACK), '--remount-ro', str(_HELD_BACK), '--size', str(limits.home), '--tmpfs',
-            str(HOME), '--remount-ro', '/dev', '--remount-ro', '/', '--chdir', str(HOME), '--', *HOLDER]
+    return [
+        *_apart(),
+        *_system(),
+        *_own(tmp=limits.tmp, shared=limits.shared),
+        *_bind(readable()),
+        '--tmpfs',
+        str(_HELD_BACK),
+        '--remount-ro',
+        str(_HELD_BACK),
+        '--size',
+        str(limits.home),
+        '--tmpfs',
+        str(HOME),
+        '--remount-ro',
+        '/dev',
+        '--remount-ro',
+        '/',
+        '--chdir',
+        str(HOME),
+        '--',
+        *HOLDER,
+    ]

@@ -61,8 +61,7 @@ class Sandboxed(fork_server.ProgramProcesses):
     def task(self, limits: Limits, place: str, output: int, given: list[int], act: Callable[[], int]) -> int:
         if place not in self._places:
             self._places[place] = Sandbox(self._tests)
-        return self._places[place].start(limits, [output, *given],
-                                         lambda: fork_server.become_task(output, given, act))
+        return self._places[place].start(limits, [output, *given], lambda: fork_server.become_task(output, given, act))
 
     def kill(self, pid: int) -> None:
         with suppress(ProcessLookupError):
@@ -147,6 +146,7 @@ class Sandbox:
             act()
         except BaseException:  # noqa: BLE001 - the child must not return into the server's loop
             import traceback
+
             traceback.print_exc()
         finally:
             os._exit(1)
@@ -204,6 +204,7 @@ class Sandbox:
                 code = 0
             except BaseException:  # noqa: BLE001 - the child must not return into the server's loop
                 import traceback
+
                 traceback.print_exc()
             finally:
                 os._exit(code)
@@ -214,8 +215,13 @@ class Sandbox:
 
 def _resize(limits: Limits) -> None:
     for place, size in (('/tmp', limits.tmp), (str(layout.HOME), limits.home), ('/dev/shm', limits.shared)):
-        namespaces.mount('tmpfs', place, None, namespaces.MS_REMOUNT | namespaces.MS_NOSUID | namespaces.MS_NODEV,
-                         f'size={size},nr_inodes={INODES}')
+        namespaces.mount(
+            'tmpfs',
+            place,
+            None,
+            namespaces.MS_REMOUNT | namespaces.MS_NOSUID | namespaces.MS_NODEV,
+            f'size={size},nr_inodes={INODES}',
+        )
 
 
 def _kill_all() -> None:

@@ -31,16 +31,24 @@ def failure() -> str:
     """What went wrong when both sandboxes were made as the grader makes them; empty if nothing did."""
     words = [sys.executable, '-m', 'grading.sandbox.probe']
     try:
-        done = subprocess.run(unprivileged.command(words, [ROOT, *layout.readable()]), cwd='/', capture_output=True,
-                              text=True, timeout=60, env={**os.environ, 'PYTHONPATH': str(ROOT)})
+        done = subprocess.run(
+            unprivileged.command(words, [ROOT, *layout.readable()]),
+            cwd='/',
+            capture_output=True,
+            text=True,
+            timeout=60,
+            env={**os.environ, 'PYTHONPATH': str(ROOT)},
+        )
     except (OSError, subprocess.TimeoutExpired) as error:
         return f'the sandbox does not work: {error}'
     if done.returncode == 0:
         return ''
     said = (done.stdout.strip() or done.stderr.strip() or f'exit status {done.returncode}').splitlines()[-1]
     if 'Permission denied' in said and os.geteuid() == 0 and 'bwrap' not in said:
-        return (f'the sandbox does not work: {said}; root grades as the user {unprivileged.account().pw_name}, '
-                f'who must be able to read the course; run: chmod -R o+rX {ROOT}')
+        return (
+            f'the sandbox does not work: {said}; root grades as the user {unprivileged.account().pw_name}, '
+            f'who must be able to read the course; run: chmod -R o+rX {ROOT}'
+        )
     return f'the sandbox does not work: {said}'
 
 

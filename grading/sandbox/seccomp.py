@@ -14,20 +14,70 @@ from grading.sandbox import namespaces
 
 # Numbers from the kernel's arch/x86/entry/syscalls/syscall_64.tbl.
 DENIED = {
-    'ptrace': 101, 'process_vm_readv': 310, 'process_vm_writev': 311, 'kcmp': 312, 'pidfd_getfd': 438,
-    'process_madvise': 440, 'perf_event_open': 298, 'bpf': 321, 'userfaultfd': 323,
-    'mount': 165, 'umount2': 166, 'pivot_root': 155, 'chroot': 161, 'swapon': 167, 'swapoff': 168, 'open_tree': 428,
-    'move_mount': 429, 'fsopen': 430, 'fsconfig': 431, 'fsmount': 432, 'fspick': 433, 'mount_setattr': 442,
-    'unshare': 272, 'setns': 308, 'name_to_handle_at': 303, 'open_by_handle_at': 304, 'quotactl': 179,
-    'quotactl_fd': 443, 'fanotify_init': 300, 'lookup_dcookie': 212,
+    'ptrace': 101,
+    'process_vm_readv': 310,
+    'process_vm_writev': 311,
+    'kcmp': 312,
+    'pidfd_getfd': 438,
+    'process_madvise': 440,
+    'perf_event_open': 298,
+    'bpf': 321,
+    'userfaultfd': 323,
+    'mount': 165,
+    'umount2': 166,
+    'pivot_root': 155,
+    'chroot': 161,
+    'swapon': 167,
+    'swapoff': 168,
+    'open_tree': 428,
+    'move_mount': 429,
+    'fsopen': 430,
+    'fsconfig': 431,
+    'fsmount': 432,
+    'fspick': 433,
+    'mount_setattr': 442,
+    'unshare': 272,
+    'setns': 308,
+    'name_to_handle_at': 303,
+    'open_by_handle_at': 304,
+    'quotactl': 179,
+    'quotactl_fd': 443,
+    'fanotify_init': 300,
+    'lookup_dcookie': 212,
     # Memory that no process shows as its own: without these, what a sandbox holds can be counted.
-    'memfd_create': 319, 'memfd_secret': 447, 'shmget': 29,
-    'keyctl': 250, 'add_key': 248, 'request_key': 249,
-    'io_uring_setup': 425, 'io_uring_enter': 426, 'io_uring_register': 427,
-    'kexec_load': 246, 'kexec_file_load': 320, 'init_module': 175, 'finit_module': 313, 'delete_module': 176,
-    'create_module': 174, 'reboot': 169, 'acct': 163, 'syslog': 103, 'vhangup': 153, 'sethostname': 170,
-    'setdomainname': 171, 'iopl': 172, 'ioperm': 173, 'modify_ldt': 154, 'settimeofday': 164, 'clock_settime': 227,
-    'adjtimex': 159, 'clock_adjtime': 305, 'nfsservctl': 180, 'uselib': 134, '_sysctl': 156, 'ustat': 136, 'sysfs': 139,
+    'memfd_create': 319,
+    'memfd_secret': 447,
+    'shmget': 29,
+    'keyctl': 250,
+    'add_key': 248,
+    'request_key': 249,
+    'io_uring_setup': 425,
+    'io_uring_enter': 426,
+    'io_uring_register': 427,
+    'kexec_load': 246,
+    'kexec_file_load': 320,
+    'init_module': 175,
+    'finit_module': 313,
+    'delete_module': 176,
+    'create_module': 174,
+    'reboot': 169,
+    'acct': 163,
+    'syslog': 103,
+    'vhangup': 153,
+    'sethostname': 170,
+    'setdomainname': 171,
+    'iopl': 172,
+    'ioperm': 173,
+    'modify_ldt': 154,
+    'settimeofday': 164,
+    'clock_settime': 227,
+    'adjtimex': 159,
+    'clock_adjtime': 305,
+    'nfsservctl': 180,
+    'uselib': 134,
+    '_sysctl': 156,
+    'ustat': 136,
+    'sysfs': 139,
 }
 _CLONE, _CLONE3, _SOCKET, _IOCTL, _MMAP = 56, 435, 41, 16, 9
 _SHARED, _ANONYMOUS = 1, 0x20
@@ -54,18 +104,33 @@ def _argument(index: int) -> tuple[int, int, int, int]:
 def program() -> bytes:
     """The filter, as an array of `struct sock_filter`."""
     no = _refuse(errno.EPERM)
-    lines = [(_LOAD, 0, 0, _ARCH), (_EQUAL, 1, 0, _X86_64), (_RETURN, 0, 0, _KILL),
-             (_LOAD, 0, 0, _NUMBER), (_ABOVE, 0, 1, 0x40000000), no]  # the numbers of x32
+    lines = [
+        (_LOAD, 0, 0, _ARCH),
+        (_EQUAL, 1, 0, _X86_64),
+        (_RETURN, 0, 0, _KILL),
+        (_LOAD, 0, 0, _NUMBER),
+        (_ABOVE, 0, 1, 0x40000000),
+        no,
+    ]  # the numbers of x32
     for number in sorted(DENIED.values()):
         lines += [(_EQUAL, 0, 1, number), no]
     # Flags of clone3 lie in memory, where no filter reads them: the C library falls back to clone.
     lines += [(_EQUAL, 0, 1, _CLONE3), _refuse(errno.ENOSYS)]
     lines += _guarded(_CLONE, [_argument(0), (_ANY_BIT, 0, 1, _NEW_NAMESPACES), no])
-    lines += _guarded(_IOCTL, [_argument(1), *[line for request in _TERMINAL_INPUT
-                                               for line in ((_EQUAL, 0, 1, request), no)]])
+    lines += _guarded(
+        _IOCTL, [_argument(1), *[line for request in _TERMINAL_INPUT for line in ((_EQUAL, 0, 1, request), no)]]
+    )
     # Shared memory without a file stays when it is not mapped any more; /dev/shm has files for it, with a bound.
-    lines += _guarded(_MMAP, [_argument(3), (_ANY_BIT, 1, 0, _SHARED), (_RETURN, 0, 0, _ALLOW),
-                              (_ANY_BIT, 0, 1, _ANONYMOUS), _refuse(errno.ENOMEM)])
+    lines += _guarded(
+        _MMAP,
+        [
+            _argument(3),
+            (_ANY_BIT, 1, 0, _SHARED),
+            (_RETURN, 0, 0, _ALLOW),
+            (_ANY_BIT, 0, 1, _ANONYMOUS),
+            _refuse(errno.ENOMEM),
+        ],
+    )
     socket = [_argument(0)]
     for family in _FAMILIES:
         socket += [(_EQUAL, 0, 1, family), (_RETURN, 0, 0, _ALLOW)]
@@ -89,5 +154,6 @@ def install() -> None:
     if platform.machine() != 'x86_64':
         raise OSError(errno.ENOSYS, f'no list of system calls for {platform.machine()}')
     filter_ = program()
-    namespaces.call('prctl', _PR_SET_SECCOMP, ctypes.c_ulong(_MODE_FILTER),
-                    ctypes.byref(_Program(len(filter_) // 8, filter_)), 0, 0)
+    namespaces.call(
+        'prctl', _PR_SET_SECCOMP, ctypes.c_ulong(_MODE_FILTER), ctypes.byref(_Program(len(filter_) // 8, filter_)), 0, 0
+    )

@@ -27,9 +27,16 @@ class Station:
             with theirs:
                 command = [sys.executable, '-m', 'grading.sandbox.warm', kind, str(theirs.fileno())]
                 trees = [ROOT, *layout.readable(), *folders]
-                self._processes.append(subprocess.Popen(
-                    unprivileged.command(command, trees), cwd='/', env=environment(), stdin=subprocess.DEVNULL,
-                    pass_fds=[theirs.fileno()], start_new_session=True))
+                self._processes.append(
+                    subprocess.Popen(
+                        unprivileged.command(command, trees),
+                        cwd='/',
+                        env=environment(),
+                        stdin=subprocess.DEVNULL,
+                        pass_fds=[theirs.fileno()],
+                        start_new_session=True,
+                    )
+                )
             self._sockets[kind] = ours
 
     def ask(self, kind: str, request: dict, *descriptors: int) -> None:
@@ -79,8 +86,13 @@ class Tests:
 def environment() -> dict[str, str]:
     """What the servers and all that they fork have: nothing of the caller's but what Python and ROS need."""
     kept = start_processes.environment(0, str(layout.HOME))
-    return {**kept, 'PATH': f'{Path(sys.prefix, "bin")}:/usr/bin:/bin', 'LANG': 'C.UTF-8', 'TMPDIR': '/tmp',
-            'ROS_LOG_DIR': '/tmp/log'}
+    return {
+        **kept,
+        'PATH': f'{Path(sys.prefix, "bin")}:/usr/bin:/bin',
+        'LANG': 'C.UTF-8',
+        'TMPDIR': '/tmp',
+        'ROS_LOG_DIR': '/tmp/log',
+    }
 
 
 MOST = 2  # stations at a time; a grader has one, tests of the grader have more
@@ -98,8 +110,15 @@ def start_tests(job, events: int, printed, domain: int, folders) -> Tests:
             try:
                 station = _station(folders, fresh=last)
                 station.ask('programs', {'domain': domain}, programs.fileno(), printed.fileno())
-                station.ask('tests', {'folders': list(map(str, folders)), 'domain': domain}, job.fileno(), events,
-                            printed.fileno(), tests.fileno(), theirs.fileno())
+                station.ask(
+                    'tests',
+                    {'folders': list(map(str, folders)), 'domain': domain},
+                    job.fileno(),
+                    events,
+                    printed.fileno(),
+                    tests.fileno(),
+                    theirs.fileno(),
+                )
                 break
             except OSError:
                 if last:

@@ -24,6 +24,7 @@ MEMORY = 4 * 2**30  # bytes of address space
 def warm_up() -> None:
     """Import what tests need."""
     from _pytest import config
+
     for name in config.default_plugins:
         importlib.import_module(f'_pytest.{name}')
     import helpers.runner.client
@@ -73,6 +74,7 @@ def _become_tests(request: dict, job: int, events: int, control: int) -> None:
         bubblewrap.control = socket.socket(fileno=control)
         from helpers.kernel import domains
         from helpers.runner import tester
+
         domains.hold(request['domain'])  # no test may take it for a domain of its own
         with open(job) as file:
             file.seek(0)
@@ -80,6 +82,7 @@ def _become_tests(request: dict, job: int, events: int, control: int) -> None:
         code = 0
     except BaseException:  # noqa: BLE001 - the child must not return
         import traceback
+
         traceback.print_exc()
     finally:
         sys.stdout.flush()

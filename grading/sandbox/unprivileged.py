@@ -47,8 +47,7 @@ def open_up(trees: list[Path]) -> None:
     namespaces.mount(None, '/', None, namespaces.MS_REC | namespaces.MS_PRIVATE)
     for folder, wanted in hidden.items():
         held = [(tree, os.open(tree, os.O_PATH)) for tree in sorted(wanted)]  # the folder's mount will cover them
-        namespaces.mount('tmpfs', str(folder), 'tmpfs', namespaces.MS_NOSUID | namespaces.MS_NODEV,
-                         'mode=0755,size=1m')
+        namespaces.mount('tmpfs', str(folder), 'tmpfs', namespaces.MS_NOSUID | namespaces.MS_NODEV, 'mode=0755,size=1m')
         for tree, descriptor in held:
             tree.mkdir(parents=True, exist_ok=True)
             namespaces.mount(f'/proc/self/fd/{descriptor}', str(tree), None, namespaces.MS_BIND | namespaces.MS_REC)
@@ -80,7 +79,7 @@ def main() -> None:
     os.setgroups([])
     os.setresgid(user.pw_gid, user.pw_gid, user.pw_gid)
     os.setresuid(user.pw_uid, user.pw_uid, user.pw_uid)
-    words = sys.argv[divide + 1:]
+    words = sys.argv[divide + 1 :]
     os.execv(words[0], words)
 
 

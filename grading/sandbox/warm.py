@@ -26,9 +26,11 @@ def main() -> None:
     side: ModuleType
     if kind == 'tests':
         from grading.sandbox import tests_side
+
         side = tests_side
     else:
         from grading.sandbox import learners_side
+
         side = learners_side
     side.warm_up()
     layout.keeper()  # for all that it forks
@@ -52,6 +54,7 @@ def serve(requests: socket.socket, run) -> None:
                 code = run(json.loads(data), *descriptors) or 0
             except BaseException:  # noqa: BLE001 - the child must not return into the server's loop
                 import traceback
+
                 traceback.print_exc()
             finally:
                 os._exit(code)

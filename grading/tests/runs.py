@@ -21,8 +21,12 @@ COURSE = grade.Course((small.exercise(1), small.exercise(2, points=5)), Path('no
 
 def works(*learners: str) -> list[Submission]:
     """A submission of each."""
-    return [Submission(learner, Path(f'{learner}.ipynb'), {small.NOTEBOOK: learner.encode()},
-                       handed_in='2026-11-01T10:00:00Z') for learner in learners or LEARNERS]
+    return [
+        Submission(
+            learner, Path(f'{learner}.ipynb'), {small.NOTEBOOK: learner.encode()}, handed_in='2026-11-01T10:00:00Z'
+        )
+        for learner in learners or LEARNERS
+    ]
 
 
 def perform(work: unit.Unit, say=lambda test: None) -> unit.Outcome:
@@ -33,15 +37,26 @@ def perform(work: unit.Unit, say=lambda test: None) -> unit.Outcome:
     for exercise in work.course.exercises:
         if exercise.id in work.exercises:
             say(f'exercises/90_1/hidden::{exercise.id}')
-            found.append(ExerciseResult(exercise.id, exercise.title, exercise.points,
-                                        'passed' if share == 1 else 'failed', exercise.points * share, work.seed))
+            found.append(
+                ExerciseResult(
+                    exercise.id,
+                    exercise.title,
+                    exercise.points,
+                    'passed' if share == 1 else 'failed',
+                    exercise.points * share,
+                    work.seed,
+                )
+            )
     return unit.Outcome(found, 'none')
 
 
 def contents(folder: Path) -> dict[str, bytes]:
     """The bytes of all files but the log, by path."""
-    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.rglob('*'))
-            if path.is_file() and path.name not in ('run.log', '.lock')}
+    return {
+        path.relative_to(folder).as_posix(): path.read_bytes()
+        for path in sorted(folder.rglob('*'))
+        if path.is_file() and path.name not in ('run.log', '.lock')
+    }
 
 
 def _killed(output: Path, moment: int, before: bool) -> bool:

@@ -33,10 +33,18 @@ def cluster(tmp_path):
     processes = []
 
     def start(*words, awaited, count=1, **environment):
-        started = [subprocess.Popen(
-            [sys.executable, '-m', 'distributed.cli.' + words[0], *words[1:]], text=True, cwd=tmp_path,
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True,
-            env={**os.environ, 'PYTHONPATH': str(paths.ROOT), **environment}) for _ in range(count)]
+        started = [
+            subprocess.Popen(
+                [sys.executable, '-m', 'distributed.cli.' + words[0], *words[1:]],
+                text=True,
+                cwd=tmp_path,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT,
+                start_new_session=True,
+                env={**os.environ, 'PYTHONPATH': str(paths.ROOT), **environment},
+            )
+            for _ in range(count)
+        ]
         processes.extend(started)
         for process in started:
             for line in process.stdout:
@@ -56,21 +64,52 @@ def cluster(tmp_path):
 @pytest.mark.timeout(300)
 def test_workers_that_die(cluster, tmp_path):
     """A unit whose worker dies is done again; one that kills each is a grader's fault; the others are as if local."""
-    line = cluster('dask_scheduler', '--host', '127.0.0.1', '--port', '0', '--no-dashboard', awaited='Scheduler at:',
-                   DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES='1')
+    line = cluster(
+        'dask_scheduler',
+        '--host',
+        '127.0.0.1',
+        '--port',
+        '0',
+        '--no-dashboard',
+        awaited='Scheduler at:',
+        DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES='1',
+    )
     address = line.rpartition('Scheduler at:')[2].strip()
     with pytest.raises(executors.ClusterError, match='has no workers'):
         executors.Cluster(address)
-    cluster('dask_worker', address, '--host', '127.0.0.1', '--nthreads', '1', '--no-dashboard', '--no-nanny',
-            '--death-timeout', '60', awaited='Registered to:', count=4, COURSE_TEST='worker')  # three will die
+    cluster(
+        'dask_worker',
+        address,
+        '--host',
+        '127.0.0.1',
+        '--nthreads',
+        '1',
+        '--no-dashboard',
+        '--no-nanny',
+        '--death-timeout',
+        '60',
+        awaited='Registered to:',
+        count=4,
+        COURSE_TEST='worker',
+    )  # three will die
     small.write_tests(tmp_path, 'import psutil\n' + DEADLY.format(flag=tmp_path / 'flag'), kind='exercises')
     (tmp_path / 'checks').mkdir()
     course = grade.Course((small.exercise(),), tmp_path / 'checks', tmp_path / 'exercises', 'none')
-    works = [Submission(name, tmp_path / name, {small.NOTEBOOK: small.solved(f'def Talker():\n    return {name!r}\n')},
-                        handed_in='2026-11-01T10:00:00Z') for name in ('ada', 'bob', 'eve')]
+    works = [
+        Submission(
+            name,
+            tmp_path / name,
+            {small.NOTEBOOK: small.solved(f'def Talker():\n    return {name!r}\n')},
+            handed_in='2026-11-01T10:00:00Z',
+        )
+        for name in ('ada', 'bob', 'eve')
+    ]
     records = grade.grade(works, course, tmp_path / 'far', settings=grade.Settings(seed='s', cluster=address))
-    assert [(record.status, record.score) for record in records] == [('graded', 10), ('graded', 10),
-                                                                      ('grader_error', None)]
+    assert [(record.status, record.score) for record in records] == [
+        ('graded', 10),
+        ('graded', 10),
+        ('grader_error', None),
+    ]
     assert 'KilledWorker' in (tmp_path / 'far' / 'run.log').read_text()
-    near, = grade.grade(works[:1], course, tmp_path / 'near', settings=grade.Settings(seed='s'))
+    (near,) = grade.grade(works[:1], course, tmp_path / 'near', settings=grade.Settings(seed='s'))
     assert near == records[0]

@@ -46,16 +46,31 @@ def changed(tree, path):
         path.write_bytes(content)
 
 
-@pytest.mark.parametrize('pattern', [
-    'helpers/runner/*.py', 'helpers/runner/*.xml', 'helpers/exercises/*.py', 'helpers/programs/faults/words.py',
-    'helpers/kernel/domains.py', 'helpers/__init__.py', 'grading/sandbox/*.py', 'grading/unit.py',
-    'grading/submission.py', 'grading/course.py',
-    'environment/requirements.lock', 'environment/ros2_ws/src/*/package.xml',
-    'environment/ros2_ws/src/mujoco_world/**/*.py', 'environment/ros2_ws/src/turtlesim/**/*.py',
-    'environment/ros2_ws/src/mujoco_world/**/*.xml',
-    'helpers/checks/chapter_02/builds.py', 'helpers/checks/*/given/**/*.cfg', 'helpers/checks/*/given/**/*.yaml',
-    'helpers/checks/*/given/**/resource/*', 'helpers/checks/*/given/**/package.xml',
-])
+@pytest.mark.parametrize(
+    'pattern',
+    [
+        'helpers/runner/*.py',
+        'helpers/runner/*.xml',
+        'helpers/exercises/*.py',
+        'helpers/programs/faults/words.py',
+        'helpers/kernel/domains.py',
+        'helpers/__init__.py',
+        'grading/sandbox/*.py',
+        'grading/unit.py',
+        'grading/submission.py',
+        'grading/course.py',
+        'environment/requirements.lock',
+        'environment/ros2_ws/src/*/package.xml',
+        'environment/ros2_ws/src/mujoco_world/**/*.py',
+        'environment/ros2_ws/src/turtlesim/**/*.py',
+        'environment/ros2_ws/src/mujoco_world/**/*.xml',
+        'helpers/checks/chapter_02/builds.py',
+        'helpers/checks/*/given/**/*.cfg',
+        'helpers/checks/*/given/**/*.yaml',
+        'helpers/checks/*/given/**/resource/*',
+        'helpers/checks/*/given/**/package.xml',
+    ],
+)
 def test_what_all_marks_depend_on(tree, pattern):
     assert changed(tree, any_file(tree, pattern)) == set(keys(tree))
 
@@ -65,11 +80,23 @@ def test_what_one_mark_depends_on(tree, pattern):
     assert changed(tree, any_file(tree, pattern)) == {'3.1'}
 
 
-@pytest.mark.parametrize('pattern', [
-    'grading/README.md', 'grading/bench/*.py', 'grading/reports/templates/*', 'grading/exercises/3_1/mutants.py',
-    'grading/exercises/3_1/alternatives.py', 'grading/tests/*.py', 'helpers/tests/*.py', 'helpers/cli/*.py',
-    'helpers/show/views/web/*', 'environment/README.md', 'environment/ros2_ws/**/*.md', 'helpers/checks/exercises.json',
-])
+@pytest.mark.parametrize(
+    'pattern',
+    [
+        'grading/README.md',
+        'grading/bench/*.py',
+        'grading/reports/templates/*',
+        'grading/exercises/3_1/mutants.py',
+        'grading/exercises/3_1/alternatives.py',
+        'grading/tests/*.py',
+        'helpers/tests/*.py',
+        'helpers/cli/*.py',
+        'helpers/show/views/web/*',
+        'environment/README.md',
+        'environment/ros2_ws/**/*.md',
+        'helpers/checks/exercises.json',
+    ],
+)
 def test_what_no_mark_depends_on(tree, pattern):
     assert changed(tree, any_file(tree, pattern)) == set()
 

@@ -54,8 +54,11 @@ class Heard(grade.Listener):
 
 def contents(folder):
     """The bytes of all files but the log, by path."""
-    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob('*')
-            if path.is_file() and path.name not in ('run.log', '.lock')}
+    return {
+        path.relative_to(folder).as_posix(): path.read_bytes()
+        for path in folder.rglob('*')
+        if path.is_file() and path.name not in ('run.log', '.lock')
+    }
 
 
 @pytest.fixture
@@ -93,10 +96,26 @@ def test_grade(course, works, tmp_path):
     assert sorted({learner for learner, _ in heard.tests}) == ['ada', 'bob', 'eve']
     assert all(record.sandbox == 'none' for record in records)
     names = sorted(path.relative_to(output).as_posix() for path in output.rglob('*') if path.is_file())
-    assert names == sorted(['.lock', 'gradebook.csv', 'run.json', 'run.log', 'summary.html', 'summary.json',
-                            *(f'{folder}/{learner}{suffix}' for learner in WORKS
-                            for folder, suffix in (('results', '.json'), ('feedback', '.html'),
-                                                   ('gradescope', '.json'), ('junit', '.xml')))])
+    assert names == sorted(
+        [
+            '.lock',
+            'gradebook.csv',
+            'run.json',
+            'run.log',
+            'summary.html',
+            'summary.json',
+            *(
+                f'{folder}/{learner}{suffix}'
+                for learner in WORKS
+                for folder, suffix in (
+                    ('results', '.json'),
+                    ('feedback', '.html'),
+                    ('gradescope', '.json'),
+                    ('junit', '.xml'),
+                )
+            ),
+        ]
+    )
     for learner in WORKS:
         validate('result', (output / 'results' / f'{learner}.json').read_text())
         validate('gradescope', (output / 'gradescope' / f'{learner}.json').read_text())
@@ -165,9 +184,14 @@ grade.grade(works, course, folder / 'out', 2, Told(), grade.Settings(seed='s'))
 @pytest.mark.timeout(300)
 def test_killed_while_tests_run(course, works, tmp_path):
     """Killed in the midst of tests, and after the first result: tests end with their grader, and nothing is lost."""
+
     def start():
-        return subprocess.Popen([sys.executable, '-c', SCRIPT, str(tmp_path)], stdout=subprocess.PIPE, text=True,
-                                env={**os.environ, 'PYTHONPATH': str(paths.ROOT)})
+        return subprocess.Popen(
+            [sys.executable, '-c', SCRIPT, str(tmp_path)],
+            stdout=subprocess.PIPE,
+            text=True,
+            env={**os.environ, 'PYTHONPATH': str(paths.ROOT)},
+        )
 
     found = tmp_path / 'out' / 'results'
     for moment in ('tested', 'fresh'):
@@ -193,7 +217,7 @@ def test_a_fault_of_the_graders_is_no_zero(course, tmp_path):
     (course.hidden / '90_1' / 'hidden.py').write_text('nonsense(')
     (tmp_path / 'ada.ipynb').write_bytes(WORKS['ada'])
     work = submissions.find([tmp_path / 'ada.ipynb'])
-    record, = grade.grade(work, course, tmp_path / 'out')
+    (record,) = grade.grade(work, course, tmp_path / 'out')
     assert (record.status, record.score) == ('grader_error', None)
     assert (tmp_path / 'out' / 'gradebook.csv').read_text() == 'learner,90.1,total,status\nada,,,grader_error\n'
     page = (tmp_path / 'out' / 'feedback' / 'ada.html').read_text()
@@ -202,16 +226,18 @@ def test_a_fault_of_the_graders_is_no_zero(course, tmp_path):
     assert 'score' not in json.loads((tmp_path / 'out' / 'gradescope' / 'ada.json').read_text())
     # Mended, it is graded in the next run.
     small.write_tests(tmp_path, small.HIDDEN, kind='exercises')
-    record, = grade.grade(work, course, tmp_path / 'out')
+    (record,) = grade.grade(work, course, tmp_path / 'out')
     assert (record.status, record.score) == ('graded', 10)
 
 
 def record(**changes):
-    test = TestResult('exercises/90_1/hidden::test_it', '90.1', True, 1, 'failed', f'{HURT}\n\n{HURT}', HURT,
-                      HURT, HURT)
+    test = TestResult(
+        'exercises/90_1/hidden::test_it', '90.1', True, 1, 'failed', f'{HURT}\n\n{HURT}', HURT, HURT, HURT
+    )
     exercise = ExerciseResult('90.1', HURT, 10, 'failed', 0.0, HURT, [test])
-    return Record(**{'learner': 'ada', 'source': 'x.zip', 'key': 'k', 'sandbox': 'none', 'exercises': [exercise],
-                     **changes})
+    return Record(
+        **{'learner': 'ada', 'source': 'x.zip', 'key': 'k', 'sandbox': 'none', 'exercises': [exercise], **changes}
+    )
 
 
 @pytest.mark.parametrize('learner', ['=HYPERLINK("x")', '+1', '-1', '@x', '\t=1'])
@@ -240,8 +266,15 @@ def test_every_report_escapes(folder, suffix, make):
 def test_record_round_trip(tmp_path):
     write(tmp_path / 'ada.json', record().dumps())
     assert Record.load(tmp_path / 'ada.json') == record()
-    full = record(seed='s', keys={'90.1': 'k'}, ungraded=['90.2'], notes=['n'], late=Late('t', 'u', 2, 20.0),
-                  attempts=[Attempt('a.zip', 'd', 't', 1.0)], adjustments=[Adjustment('ada', '90.1', None, 1.0, 'r')])
+    full = record(
+        seed='s',
+        keys={'90.1': 'k'},
+        ungraded=['90.2'],
+        notes=['n'],
+        late=Late('t', 'u', 2, 20.0),
+        attempts=[Attempt('a.zip', 'd', 't', 1.0)],
+        adjustments=[Adjustment('ada', '90.1', None, 1.0, 'r')],
+    )
     write(tmp_path / 'ada.json', full.dumps())
     assert Record.load(tmp_path / 'ada.json') == full
     assert sorted(path.name for path in tmp_path.iterdir()) == ['ada.json']
@@ -284,11 +317,21 @@ def test_names_that_give_the_same_id_in_two_runs(course, tmp_path):
     assert {record.own: record.score for record in records} == {'José': 2.5, 'Jose': 10}
 
 
-@pytest.mark.parametrize('harm', [
-    lambda data: {**data, 'handed_in': '2026-13-45T00:00:00Z'}, lambda data: {**data, 'handed_in': 5},
-    lambda data: {**data, 'learner': 'bob'}, lambda data: {**data, 'exercises': [{}]}, lambda data: [data],
-    lambda data: {**data, 'exercises': [{**data['exercises'][0], 'score': 'ten'}]}, lambda data: {**data, 'log': [[]]},
-    lambda data: {**data, 'keys': {'90.1': []}}, lambda data: {**data, 'notes': 7}, lambda data: '[' * 99_999])
+@pytest.mark.parametrize(
+    'harm',
+    [
+        lambda data: {**data, 'handed_in': '2026-13-45T00:00:00Z'},
+        lambda data: {**data, 'handed_in': 5},
+        lambda data: {**data, 'learner': 'bob'},
+        lambda data: {**data, 'exercises': [{}]},
+        lambda data: [data],
+        lambda data: {**data, 'exercises': [{**data['exercises'][0], 'score': 'ten'}]},
+        lambda data: {**data, 'log': [[]]},
+        lambda data: {**data, 'keys': {'90.1': []}},
+        lambda data: {**data, 'notes': 7},
+        lambda data: '[' * 99_999,
+    ],
+)
 def test_a_record_that_cannot_be_read_harms_nobody(course, tmp_path, harm):
     """Its submission is graded again, or left out, and all others are as they were."""
     policy = Policy(datetime(2030, 1, 1, tzinfo=timezone.utc))

@@ -19,10 +19,13 @@ from helpers.tests import small
 
 EXERCISES = list(manifest.load().values())
 CHAPTER = '03_nodes_and_topics.ipynb'
-METADATA = {'id': 1, 'created_at': '2026-11-20T14:22:32.365935-07:00', 'previous_submissions': [],
-            'assignment': {'due_date': '2026-11-30T23:00:00.000000-07:00', 'late_due_date': None,
-                           'total_points': '100.0'},
-            'users': [{'email': 'ada@example.org', 'id': 12, 'name': 'Ada'}, {'email': 'b', 'id': 7, 'name': 'B'}]}
+METADATA = {
+    'id': 1,
+    'created_at': '2026-11-20T14:22:32.365935-07:00',
+    'previous_submissions': [],
+    'assignment': {'due_date': '2026-11-30T23:00:00.000000-07:00', 'late_due_date': None, 'total_points': '100.0'},
+    'users': [{'email': 'ada@example.org', 'id': 12, 'name': 'Ada'}, {'email': 'b', 'id': 7, 'name': 'B'}],
+}
 
 
 @pytest.fixture(scope='module')
@@ -51,14 +54,20 @@ def run(root: Path, files: dict[str, bytes]) -> subprocess.CompletedProcess:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(content)
     environment = {name: value for name, value in os.environ.items() if name != 'PYTHONPATH'}
-    return subprocess.run([root / 'run_autograder'], cwd=root, env={**environment, 'AUTOGRADER_ROOT': str(root)},
-                          capture_output=True, text=True, timeout=110)
+    return subprocess.run(
+        [root / 'run_autograder'],
+        cwd=root,
+        env={**environment, 'AUTOGRADER_ROOT': str(root)},
+        capture_output=True,
+        text=True,
+        timeout=110,
+    )
 
 
 def answered(exercise: str) -> bytes:
     """The notebook as learners get it, with one exercise solved."""
     notebook = json.loads((paths.NOTEBOOKS / CHAPTER).read_text())
-    cell, = (cell for cell in notebook['cells'] if cell.get('id') == f'ex-{exercise.replace(".", "-")}')
+    (cell,) = (cell for cell in notebook['cells'] if cell.get('id') == f'ex-{exercise.replace(".", "-")}')
     cell['source'] = ANSWERS[exercise]['solution']
     return json.dumps(notebook).encode()
 
@@ -127,17 +136,29 @@ def test_scripts_know_gradescopes_folder(root):
 
 
 def test_the_zip_has_the_tests_but_no_answer(root):
-    names = {path.relative_to(root / 'source').as_posix() for path in (root / 'source').rglob('*')
-             if path.is_file() and '.venv' not in path.parts}
+    names = {
+        path.relative_to(root / 'source').as_posix()
+        for path in (root / 'source').rglob('*')
+        if path.is_file() and '.venv' not in path.parts
+    }
     assert {'setup.sh', 'run_autograder', 'autograder.json', 'course/course'} <= names
     assert 'course/grading/exercises/3_1/hidden.py' in names and f'course/notebooks/{CHAPTER}' in names
-    assert not [name for name in names if name.startswith('course/solutions/')
-                or name.endswith(('/mutants.py', '/alternatives.py'))
-                or '/tests/' in name and not name.startswith('course/environment/ros2_ws/')]
+    assert not [
+        name
+        for name in names
+        if name.startswith('course/solutions/')
+        or name.endswith(('/mutants.py', '/alternatives.py'))
+        or '/tests/' in name
+        and not name.startswith('course/environment/ros2_ws/')
+    ]
     bodies = ['\n'.join(answer.splitlines()[1:]) for found in ANSWERS.values() for answer in found.values()]
     texts = [(root / 'source' / name).read_text(errors='replace') for name in names]
-    texts += [cell for text, name in zip(texts, names, strict=True) if name.endswith('.ipynb')
-              for cell in similarity.cells_of({name: text.encode()}, EXERCISES).values()]
+    texts += [
+        cell
+        for text, name in zip(texts, names, strict=True)
+        if name.endswith('.ipynb')
+        for cell in similarity.cells_of({name: text.encode()}, EXERCISES).values()
+    ]
     assert bodies and not [body for body in bodies for text in texts if body in text]
 
 
@@ -171,12 +192,15 @@ def test_a_file_that_vanishes_meanwhile_is_left_out(tmp_path, monkeypatch):
     assert 'README.md' in release.release(tmp_path / 'edition')
 
 
-@pytest.mark.parametrize(('files', 'packed'), [
-    ({'a.ipynb': b'1', 'notebooks/b.ipynb': b'2'}, ['a.ipynb']),
-    ({'notebooks/b.ipynb': b'2', 'other/c.ipynb': b'3'}, ['notebooks/b.ipynb']),
-    ({'deep/er/c.ipynb': b'3', '.git/d.ipynb': b'4', 'x/.ipynb_checkpoints/e.ipynb': b'5'}, ['deep/er/c.ipynb']),
-    ({'readme.txt': b''}, []),
-])
+@pytest.mark.parametrize(
+    ('files', 'packed'),
+    [
+        ({'a.ipynb': b'1', 'notebooks/b.ipynb': b'2'}, ['a.ipynb']),
+        ({'notebooks/b.ipynb': b'2', 'other/c.ipynb': b'3'}, ['notebooks/b.ipynb']),
+        ({'deep/er/c.ipynb': b'3', '.git/d.ipynb': b'4', 'x/.ipynb_checkpoints/e.ipynb': b'5'}, ['deep/er/c.ipynb']),
+        ({'readme.txt': b''}, []),
+    ],
+)
 def test_what_is_packed(tmp_path, files, packed):
     folder = tmp_path / 'submission'
     for name, content in files.items():
@@ -195,8 +219,10 @@ def test_what_is_packed(tmp_path, files, packed):
         assert archive.namelist() == (packed or [CHAPTER])
 
 
-@pytest.mark.parametrize(('metadata', 'learner'), [
-    (json.dumps(METADATA), 'gradescope-12-7'), ('{"users": [{"id": "../x"}]}', 'gradescope'), ('[', 'gradescope')])
+@pytest.mark.parametrize(
+    ('metadata', 'learner'),
+    [(json.dumps(METADATA), 'gradescope-12-7'), ('{"users": [{"id": "../x"}]}', 'gradescope'), ('[', 'gradescope')],
+)
 def test_ids(tmp_path, metadata, learner):
     (tmp_path / 'm.json').write_text(metadata)
     assert harness._learner(tmp_path / 'm.json') == learner

@@ -24,17 +24,20 @@ def written(tmp_path, text, name='file.yaml'):
     return path
 
 
-@pytest.mark.parametrize(('learner', 'handed_in', 'days', 'percent'), [
-    ('eve', '2026-11-20T22:59:00Z', 0, 0),
-    ('eve', '2026-11-20T23:14:00Z', 0, 0),  # within the grace
-    ('eve', '2026-11-20T23:14:01Z', 1, 10),
-    ('eve', '2026-11-21T22:59:00Z', 1, 10),
-    ('eve', '2026-11-21T22:59:01Z', 2, 20),
-    ('eve', '2026-12-21T22:59:01Z', 32, 25),  # the cap
-    ('ada', '2026-11-27T22:59:00Z', 0, 0),  # an extension
-    ('ada', '2026-11-28T22:59:00Z', 1, 10),
-    ('bob', '2026-12-28T22:59:00Z', 0, 0),  # the platform's own time
-])
+@pytest.mark.parametrize(
+    ('learner', 'handed_in', 'days', 'percent'),
+    [
+        ('eve', '2026-11-20T22:59:00Z', 0, 0),
+        ('eve', '2026-11-20T23:14:00Z', 0, 0),  # within the grace
+        ('eve', '2026-11-20T23:14:01Z', 1, 10),
+        ('eve', '2026-11-21T22:59:00Z', 1, 10),
+        ('eve', '2026-11-21T22:59:01Z', 2, 20),
+        ('eve', '2026-12-21T22:59:01Z', 32, 25),  # the cap
+        ('ada', '2026-11-27T22:59:00Z', 0, 0),  # an extension
+        ('ada', '2026-11-28T22:59:00Z', 1, 10),
+        ('bob', '2026-12-28T22:59:00Z', 0, 0),  # the platform's own time
+    ],
+)
 def test_lateness(tmp_path, learner, handed_in, days, percent):
     found = late.load(written(tmp_path, POLICY)).judge(learner, handed_in)
     assert (found.days, found.percent) == (days, percent)
@@ -46,18 +49,21 @@ def test_times_are_told_in_utc(tmp_path):
     assert (found.due, found.handed_in, found.percent) == ('2026-11-21T04:59:00Z', '2026-11-25T00:00:00Z', 0)
 
 
-@pytest.mark.parametrize(('text', 'problem'), [
-    ('', 'a line "due'),
-    ('due: tomorrow', 'due must be a time with its zone'),
-    ('due: 2026-11-20T23:59:00', 'due must be a time with its zone'),
-    ('due: 2026-11-20T23:59:00Z\nper_day: much', 'per_day must be a number from 0 to 100'),
-    ('due: 2026-11-20T23:59:00Z\nper_day: 101', 'per_day must be a number from 0 to 100'),
-    ('due: 2026-11-20T23:59:00Z\ngrace_minutes: .nan', 'grace_minutes must be'),
-    ('due: 2026-11-20T23:59:00Z\nper_hour: 1', "'per_hour' is unknown"),
-    ('due: 2026-11-20T23:59:00Z\nextensions: [ada]', 'extensions must be lines'),
-    ('due: 2026-11-20T23:59:00Z\nextensions: {ada: 5}', 'extensions of ada must be a time'),
-    ('due: [', 'cannot be read'),
-])
+@pytest.mark.parametrize(
+    ('text', 'problem'),
+    [
+        ('', 'a line "due'),
+        ('due: tomorrow', 'due must be a time with its zone'),
+        ('due: 2026-11-20T23:59:00', 'due must be a time with its zone'),
+        ('due: 2026-11-20T23:59:00Z\nper_day: much', 'per_day must be a number from 0 to 100'),
+        ('due: 2026-11-20T23:59:00Z\nper_day: 101', 'per_day must be a number from 0 to 100'),
+        ('due: 2026-11-20T23:59:00Z\ngrace_minutes: .nan', 'grace_minutes must be'),
+        ('due: 2026-11-20T23:59:00Z\nper_hour: 1', "'per_hour' is unknown"),
+        ('due: 2026-11-20T23:59:00Z\nextensions: [ada]', 'extensions must be lines'),
+        ('due: 2026-11-20T23:59:00Z\nextensions: {ada: 5}', 'extensions of ada must be a time'),
+        ('due: [', 'cannot be read'),
+    ],
+)
 def test_a_policy_that_cannot_be_used(tmp_path, text, problem):
     with pytest.raises(PolicyError) as error:
         late.load(written(tmp_path, text))
@@ -76,28 +82,38 @@ def test_adjustments(tmp_path):
     assert adjustments.load(written(tmp_path, ''), POINTS) == []
 
 
-@pytest.mark.parametrize(('row', 'problem'), [
-    ("{learner: ada, exercise: '3.3', points: 1, reason: x}", "no exercise '3.3'"),
-    ("{learner: ada, exercise: 3.10, points: 1, reason: x}", 'in quotes'),
-    ("{learner: ada, exercise: '3.1', points: 11, reason: x}", 'has 10 points, not 11'),
-    ("{learner: ada, exercise: '3.1', points: -1, reason: x}", 'has 10 points, not -1'),
-    ("{learner: ada, exercise: '3.1', points: 1, delta: 1, reason: x}", 'either points or delta'),
-    ("{learner: ada, exercise: '3.1', reason: x}", 'either points or delta'),
-    ("{learner: ada, exercise: '3.1', delta: .nan, reason: x}", 'delta must be a number'),
-    ("{learner: ada, exercise: '3.1', delta: 1}", 'reason is missing'),
-    ("{exercise: '3.1', delta: 1, reason: x}", 'learner is missing'),
-    ("{learner: ada, exercise: '3.1', delta: 1, reason: x, by: me}", "'by' is unknown"),
-    ('ada', 'expected a list'),
-])
+@pytest.mark.parametrize(
+    ('row', 'problem'),
+    [
+        ("{learner: ada, exercise: '3.3', points: 1, reason: x}", "no exercise '3.3'"),
+        ('{learner: ada, exercise: 3.10, points: 1, reason: x}', 'in quotes'),
+        ("{learner: ada, exercise: '3.1', points: 11, reason: x}", 'has 10 points, not 11'),
+        ("{learner: ada, exercise: '3.1', points: -1, reason: x}", 'has 10 points, not -1'),
+        ("{learner: ada, exercise: '3.1', points: 1, delta: 1, reason: x}", 'either points or delta'),
+        ("{learner: ada, exercise: '3.1', reason: x}", 'either points or delta'),
+        ("{learner: ada, exercise: '3.1', delta: .nan, reason: x}", 'delta must be a number'),
+        ("{learner: ada, exercise: '3.1', delta: 1}", 'reason is missing'),
+        ("{exercise: '3.1', delta: 1, reason: x}", 'learner is missing'),
+        ("{learner: ada, exercise: '3.1', delta: 1, reason: x, by: me}", "'by' is unknown"),
+        ('ada', 'expected a list'),
+    ],
+)
 def test_adjustments_that_cannot_be_used(tmp_path, row, problem):
     with pytest.raises(AdjustmentError) as error:
         adjustments.load(written(tmp_path, f'- {row}'), POINTS)
     assert problem in str(error.value) and 'file.yaml' in str(error.value)
 
 
-@pytest.mark.parametrize(('points', 'delta', 'mark', 'expected'), [
-    (8.0, None, 2.0, 8), (8.0, None, None, 8), (None, 3.0, 2.0, 5), (None, 9.0, 2.0, 10), (None, -9.0, 2.0, 0),
-    (None, 1.0, None, None),
-])
+@pytest.mark.parametrize(
+    ('points', 'delta', 'mark', 'expected'),
+    [
+        (8.0, None, 2.0, 8),
+        (8.0, None, None, 8),
+        (None, 3.0, 2.0, 5),
+        (None, 9.0, 2.0, 10),
+        (None, -9.0, 2.0, 0),
+        (None, 1.0, None, None),
+    ],
+)
 def test_an_adjusted_mark(points, delta, mark, expected):
     assert Adjustment('ada', '3.1', points, delta, 'x').applied(mark, 10) == expected

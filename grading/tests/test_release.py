@@ -42,10 +42,18 @@ def test_it_works_by_itself(edition):
 
     def course(*arguments):
         # Isolated from this checkout, which the environment's own path file would add.
-        code = (f'import sys; sys.path[:] = [{str(edition)!r}] + [p for p in sys.path if p != {str(paths.ROOT)!r}]; '
-                'from helpers.cli.app import main; sys.exit(main(sys.argv[1:]))')
-        return subprocess.run([sys.executable, '-c', code, *arguments], cwd=edition, env=environment,
-                              capture_output=True, text=True, timeout=120)
+        code = (
+            f'import sys; sys.path[:] = [{str(edition)!r}] + [p for p in sys.path if p != {str(paths.ROOT)!r}]; '
+            'from helpers.cli.app import main; sys.exit(main(sys.argv[1:]))'
+        )
+        return subprocess.run(
+            [sys.executable, '-c', code, *arguments],
+            cwd=edition,
+            env=environment,
+            capture_output=True,
+            text=True,
+            timeout=120,
+        )
 
     text = course('--help').stdout
     assert 'check' in text and 'submit' in text and 'grade' not in text and 'release' not in text
@@ -61,14 +69,20 @@ def test_refusals(tmp_path):
         release.release(tmp_path / 'new', tmp_path)
 
 
-@pytest.mark.parametrize(('name', 'text'), [
-    ('notebooks/x.ipynb', '# BEGIN SOLUTION'),
-    ('helpers/x.py', 'import y\n\n\ndef test_secret(learner):\n    assert 1\n'),
-])
+@pytest.mark.parametrize(
+    ('name', 'text'),
+    [
+        ('notebooks/x.ipynb', '# BEGIN SOLUTION'),
+        ('helpers/x.py', 'import y\n\n\ndef test_secret(learner):\n    assert 1\n'),
+    ],
+)
 def test_leaks(tmp_path, name, text):
     root = tmp_path / 'course'
-    for path, content in (('notebooks/a.ipynb', '{}'), (name, text),
-                          ('grading/exercises/1_1/hidden.py', 'def test_secret(learner):\n    assert 1\n')):
+    for path, content in (
+        ('notebooks/a.ipynb', '{}'),
+        (name, text),
+        ('grading/exercises/1_1/hidden.py', 'def test_secret(learner):\n    assert 1\n'),
+    ):
         (root / path).parent.mkdir(parents=True, exist_ok=True)
         (root / path).write_text(content)
     with pytest.raises(release.Leak, match=name):

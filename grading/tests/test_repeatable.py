@@ -34,10 +34,15 @@ def test_repeated_gradings_are_identical(tmp_path, busy_cores):
     content = {small.NOTEBOOK: small.solved(WRONG_TEXTS)}
     works = [Submission(f'learner{number:02}', Path('work.ipynb'), content) for number in range(REPEATS)]
     records = grade.grade(works, course, tmp_path / 'out', jobs=2)
-    found = {(record.status, record.score,
-              tuple((test.test, test.verdict, test.message) for one in record.exercises for test in one.tests))
-             for record in records}
+    found = {
+        (
+            record.status,
+            record.score,
+            tuple((test.test, test.verdict, test.message) for one in record.exercises for test in one.tests),
+        )
+        for record in records
+    }
     assert len(records) == REPEATS
-    (status, score, tests), = found
+    ((status, score, tests),) = found
     assert (status, score) == ('graded', 2.5), found
     assert [verdict for _, verdict, _ in tests] == ['passed', 'failed']

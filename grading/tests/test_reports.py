@@ -22,8 +22,10 @@ from helpers.runner import results, verdicts
 from helpers.runner.results import ExerciseResult, TestResult
 from helpers.tests import small
 
-HURT = ('<script>alert(1)</script><img src=x onerror="alert(1)">\x1b[31m\u202e\ufffe\x00]]>--></style></title>'
-        "{{ 7 * 7 }} {% raw %} ` & &amp; '\" `<b>`")
+HURT = (
+    '<script>alert(1)</script><img src=x onerror="alert(1)">\x1b[31m\u202e\ufffe\x00]]>--></style></title>'
+    '{{ 7 * 7 }} {% raw %} ` & &amp; \'" `<b>`'
+)
 SECRET = 'assert heard.data == [41, 42]  # hidden'
 EXERCISES = [small.exercise(1), small.exercise(2, points=15), small.exercise(3, points=7)]
 
@@ -31,10 +33,20 @@ EXERCISES = [small.exercise(1), small.exercise(2, points=15), small.exercise(3, 
 def test(verdict: str, hidden: bool = False, number: int = 0, exercise: str = '90.1', **changes) -> TestResult:
     """A test's result."""
     file = 'exercises/90_1/hidden' if hidden else 'checks/chapter_90/test_90_1'
-    return TestResult(**{'test': f'{file}::test_{number}',
-                         'exercise': exercise, 'hidden': hidden, 'weight': 1, 'verdict': verdict,
-                         'expected': 'It speaks.\n\nLook at the timer.', 'seconds': 0.25, 'hint': True,
-                         'message': '' if verdict == 'passed' else 'It said 3 words.', **changes})
+    return TestResult(
+        **{
+            'test': f'{file}::test_{number}',
+            'exercise': exercise,
+            'hidden': hidden,
+            'weight': 1,
+            'verdict': verdict,
+            'expected': 'It speaks.\n\nLook at the timer.',
+            'seconds': 0.25,
+            'hint': True,
+            'message': '' if verdict == 'passed' else 'It said 3 words.',
+            **changes,
+        }
+    )
 
 
 test.__test__ = False
@@ -43,31 +55,75 @@ test.__test__ = False
 def record(learner: str = 'ada', first: list[TestResult] | None = None, **changes) -> Record:
     """A record: one exercise judged by tests, one not begun, one that cannot be run."""
     tests = first or [test('passed'), test('failed', True, 1), test('passed', True, 2)]
-    return Record(**{
-        'learner': learner, 'source': 'x.zip', 'key': 'k' * 64, 'sandbox': 'none', 'sha256': 's' * 64,
-        'handed_in': '2026-11-20T10:00:00Z', 'exercises': [
-            results.scored(EXERCISES[0], tests),
-            results.without_tests(EXERCISES[1], results.NOT_ATTEMPTED, 'Exercise 90.2 is not solved yet.'),
-            results.without_tests(EXERCISES[2], verdicts.INVALID_SUBMISSION, 'The cell is there twice.')], **changes})
+    return Record(
+        **{
+            'learner': learner,
+            'source': 'x.zip',
+            'key': 'k' * 64,
+            'sandbox': 'none',
+            'sha256': 's' * 64,
+            'handed_in': '2026-11-20T10:00:00Z',
+            'exercises': [
+                results.scored(EXERCISES[0], tests),
+                results.without_tests(EXERCISES[1], results.NOT_ATTEMPTED, 'Exercise 90.2 is not solved yet.'),
+                results.without_tests(EXERCISES[2], verdicts.INVALID_SUBMISSION, 'The cell is there twice.'),
+            ],
+            **changes,
+        }
+    )
 
 
 FAULT = record(first=[test('passed'), test('grader_error', True, 1, fault=SECRET)], log=[SECRET], notes=[SECRET])
-LATE = record(late=Late('2026-11-19T10:00:00Z', '2026-11-20T10:00:00Z', 1, 10.0), seed='abc', keys={'90.1': 'k'},
-              adjustments=[Adjustment('ada', '90.2', 8.0, None, 'right on paper'),
-                           Adjustment('ada', '90.1', None, -1.0, 'copied a line')],
-              attempts=[Attempt('old.zip', 's' * 64, '2026-11-18T10:00:00Z', 1.0)])
+LATE = record(
+    late=Late('2026-11-19T10:00:00Z', '2026-11-20T10:00:00Z', 1, 10.0),
+    seed='abc',
+    keys={'90.1': 'k'},
+    adjustments=[
+        Adjustment('ada', '90.2', 8.0, None, 'right on paper'),
+        Adjustment('ada', '90.1', None, -1.0, 'copied a line'),
+    ],
+    attempts=[Attempt('old.zip', 's' * 64, '2026-11-18T10:00:00Z', 1.0)],
+)
 PASSED = record(exercises=[results.scored(EXERCISES[0], [test('passed'), test('passed', True, 1)])])
 RECORDS = {
-    'plain': record(), 'fault': FAULT, 'late': LATE, 'passed': PASSED,
-    'crashed': record(first=[test('learner_crashed', details='Exercise 90.1, line 3', output='hello'),
-                             test('learner_crashed', True, 1, details='Exercise 90.1, line 3')]),
-    'visible only': record(first=[test('timeout')]), 'incomplete': record(ungraded=['90.9']),
+    'plain': record(),
+    'fault': FAULT,
+    'late': LATE,
+    'passed': PASSED,
+    'crashed': record(
+        first=[
+            test('learner_crashed', details='Exercise 90.1, line 3', output='hello'),
+            test('learner_crashed', True, 1, details='Exercise 90.1, line 3'),
+        ]
+    ),
+    'visible only': record(first=[test('timeout')]),
+    'incomplete': record(ungraded=['90.9']),
     'invalid': record(exercises=[results.without_tests(EXERCISES[2], verdicts.INVALID_SUBMISSION, 'Damaged.')]),
-    'hostile': Record(HURT, HURT, HURT, HURT, [
-        ExerciseResult('90.1', HURT, 10, 'failed', 0.0, HURT, [
-            TestResult(HURT, '90.1', hidden, 1, 'failed', f'{HURT}\n\n{HURT}', HURT, HURT, HURT, SECRET)
-            for hidden in (False, True)])], log=[HURT], seed=HURT, sha256=HURT,
-        adjustments=[Adjustment(HURT, '90.1', 1.0, None, HURT)], notes=[HURT]),
+    'hostile': Record(
+        HURT,
+        HURT,
+        HURT,
+        HURT,
+        [
+            ExerciseResult(
+                '90.1',
+                HURT,
+                10,
+                'failed',
+                0.0,
+                HURT,
+                [
+                    TestResult(HURT, '90.1', hidden, 1, 'failed', f'{HURT}\n\n{HURT}', HURT, HURT, HURT, SECRET)
+                    for hidden in (False, True)
+                ],
+            )
+        ],
+        log=[HURT],
+        seed=HURT,
+        sha256=HURT,
+        adjustments=[Adjustment(HURT, '90.1', 1.0, None, HURT)],
+        notes=[HURT],
+    ),
 }
 each = pytest.mark.parametrize('made', RECORDS.values(), ids=RECORDS)
 
@@ -89,8 +145,18 @@ def test_records_and_gradescope_follow_their_schemas(made):
         validate('gradescope', gradescope.dumps(made, hidden, ['Look out.']))
 
 
-@pytest.mark.parametrize('change', [{'schema': 1}, {'status': 'good'}, {'score': -1}, {'extra': 1}, {'learner': ''},
-                                    {'exercises': [{'id': '1.1'}]}, {'handed_in': 'yesterday'}])
+@pytest.mark.parametrize(
+    'change',
+    [
+        {'schema': 1},
+        {'status': 'good'},
+        {'score': -1},
+        {'extra': 1},
+        {'learner': ''},
+        {'exercises': [{'id': '1.1'}]},
+        {'handed_in': 'yesterday'},
+    ],
+)
 def test_the_schema_refuses(change):
     with pytest.raises(jsonschema.ValidationError):
         validate('result', json.dumps(json.loads(record().dumps()) | change))
@@ -108,9 +174,44 @@ class Page(HTMLParser):
 
     VOID = {'meta', 'br', 'hr', 'img', 'input', 'link'}
     SVG = {'svg', 'rect', 'circle', 'path', 'text', 'line', 'title'}
-    TAGS = SVG | {'html', 'head', 'meta', 'style', 'body', 'a', 'div', 'p', 'h1', 'h2', 'h3', 'header', 'nav', 'main',
-                  'footer', 'section', 'article', 'table', 'thead', 'tbody', 'tr', 'th', 'td', 'ul', 'li', 'dl', 'dt',
-                  'dd', 'span', 'strong', 'em', 'code', 'pre', 'bdi', 'details', 'summary'}
+    TAGS = SVG | {
+        'html',
+        'head',
+        'meta',
+        'style',
+        'body',
+        'a',
+        'div',
+        'p',
+        'h1',
+        'h2',
+        'h3',
+        'header',
+        'nav',
+        'main',
+        'footer',
+        'section',
+        'article',
+        'table',
+        'thead',
+        'tbody',
+        'tr',
+        'th',
+        'td',
+        'ul',
+        'li',
+        'dl',
+        'dt',
+        'dd',
+        'span',
+        'strong',
+        'em',
+        'code',
+        'pre',
+        'bdi',
+        'details',
+        'summary',
+    }
 
     def __init__(self, text: str):
         super().__init__(convert_charrefs=True)
@@ -126,8 +227,9 @@ class Page(HTMLParser):
     def handle_starttag(self, tag, attrs):
         attributes = dict(attrs)
         assert tag in self.TAGS, tag
-        assert len(attributes) == len(attrs) and not any(name.startswith('on') or name in ('src', 'style', 'srcdoc')
-                                                         for name in attributes), (tag, attributes)
+        assert len(attributes) == len(attrs) and not any(
+            name.startswith('on') or name in ('src', 'style', 'srcdoc') for name in attributes
+        ), (tag, attributes)
         if tag not in self.VOID:
             self.open.append(tag)
         if 'id' in attributes:
@@ -204,14 +306,21 @@ def test_feedback_explains_the_mark():
 
 
 def test_where_to_read_on(tmp_path):
-    cells = [('markdown', '# 4. Services\n'), ('markdown', '```\n## no heading\n```\n## 4.1 Ask\ntext\n### Wait\n'),
-             ('markdown', '### Exercise 4.1: ask (10 points)'), ('code', '## no heading either'),
-             ('markdown', '## 4.2 Answer'), ('markdown', '### Exercise 4.2: answer (5 points)')]
-    (tmp_path / '04.ipynb').write_text(json.dumps({'cells': [{'cell_type': kind, 'source': [text]}
-                                                             for kind, text in cells]}))
+    cells = [
+        ('markdown', '# 4. Services\n'),
+        ('markdown', '```\n## no heading\n```\n## 4.1 Ask\ntext\n### Wait\n'),
+        ('markdown', '### Exercise 4.1: ask (10 points)'),
+        ('code', '## no heading either'),
+        ('markdown', '## 4.2 Answer'),
+        ('markdown', '### Exercise 4.2: answer (5 points)'),
+    ]
+    (tmp_path / '04.ipynb').write_text(
+        json.dumps({'cells': [{'cell_type': kind, 'source': [text]} for kind, text in cells]})
+    )
     assert reading.places('04.ipynb', tmp_path) == {
         '4.1': reading.Place('04.ipynb', '4. Services', '4.1 Ask', ('Wait',)),
-        '4.2': reading.Place('04.ipynb', '4. Services', '4.2 Answer')}
+        '4.2': reading.Place('04.ipynb', '4. Services', '4.2 Answer'),
+    }
     assert reading.places('05.ipynb', tmp_path) == {}
     place = reading.place('3.4')
     shown = ExerciseResult('3.4', 'a latched map', 10, 'failed', 0.0, '', [test('failed')])
@@ -223,7 +332,16 @@ def test_every_invisible_character_is_made_visible():
     for code in range(0x110000):
         sign = chr(code)
         if unicodedata.category(sign) in ('Cc', 'Cs', 'Zl', 'Zp') or unicodedata.bidirectional(sign) in (
-                'LRE', 'RLE', 'LRO', 'RLO', 'PDF', 'LRI', 'RLI', 'FSI', 'PDI'):
+            'LRE',
+            'RLE',
+            'LRO',
+            'RLO',
+            'PDF',
+            'LRI',
+            'RLI',
+            'FSI',
+            'PDI',
+        ):
             assert sign in '\n\t' or safe.visible(sign) == f'⟨U+{code:04X}⟩'
     assert safe.visible('ä 漢字 👩‍💻 שלום\n\tx') == 'ä 漢字 👩‍💻 שלום\n\tx'
     assert safe.line('a\r\n  b\tc', 4) == 'a b…'
@@ -244,7 +362,7 @@ def test_gradescope_keeps_what_is_hidden():
     first = [test('passed', message=''), test('failed', True, 1, expected=SECRET, message='It hides.')]
     data = json.loads(gradescope.dumps(record(first=first)))
     shown = [entry for entry in data['tests'] if entry['visibility'] == 'visible']
-    kept, = (entry for entry in data['tests'] if entry['visibility'] != 'visible')
+    (kept,) = (entry for entry in data['tests'] if entry['visibility'] != 'visible')
     assert kept['visibility'] == 'after_published' and 'It hides.' in kept['output'] and kept['status'] == 'failed'
     assert 'It hides.' not in json.dumps(shown) and SECRET not in json.dumps(shown)
     assert '5' not in data['output'] and data['stdout_visibility'] == 'hidden'
@@ -260,19 +378,20 @@ def test_gradescope_keeps_what_is_hidden():
 @each
 def test_junit(made):
     root = ElementTree.fromstring(junit.dumps(made).encode())
-    suite, = root
+    (suite,) = root
     cases = suite.findall('testcase')
     kinds = Counter(kind.tag for case in cases for kind in case)
     assert root.tag == 'testsuites' and suite.get('tests') == str(len(cases)) == root.get('tests')
     assert [suite.get(name) for name in ('failures', 'errors', 'skipped')] == [
-        str(kinds[name]) for name in ('failure', 'error', 'skipped')]
+        str(kinds[name]) for name in ('failure', 'error', 'skipped')
+    ]
     assert all(set(case.attrib) == {'classname', 'name', 'time'} and len(case) <= 1 for case in cases)
     assert float(suite.get('time')) == pytest.approx(sum(float(case.get('time')) for case in cases))
     assert SECRET not in junit.dumps(made)
     if made is FAULT:
         assert suite.get('errors') == '1'
     elif made is RECORDS['plain']:
-        failure, = suite.findall('testcase/failure')[:1]
+        (failure,) = suite.findall('testcase/failure')[:1]
         assert (failure.get('type'), failure.get('message')) == ('failed', 'It said 3 words.')
 
 
@@ -286,8 +405,9 @@ def test_gradebook_shows_the_marks_that_count():
 
 def test_summary():
     alike = [Pair('90.1', 'ada', HURT, 0.9, 40)]
-    others = [record(f'l{n}', [test('failed', message=f"/robot{n} said {n} words, not 'x{n}'.\nA hint.")])
-              for n in range(4)]
+    others = [
+        record(f'l{n}', [test('failed', message=f"/robot{n} said {n} words, not 'x{n}'.\nA hint.")]) for n in range(4)
+    ]
     slow = record('zoe', [test('timeout', message='It hangs.', seconds=5.0)])
     data = validate('summary', summary.dumps(summary.data([*RECORDS.values(), *others, slow], EXERCISES, alike)))
     first = data['misconceptions'][0]
@@ -304,9 +424,11 @@ def test_summary():
 
 
 def test_summary_is_the_same_whatever_the_order():
-    mixed = [record(learner, [test('failed', message=message)]) for learner, message in
-             (('a', 'It said 1.'), ('b', 'It said 2.'), ('c', 'Other.'), ('d', "It said 'x'."))]
-    assert (summary.dumps(summary.data(mixed, EXERCISES)) == summary.dumps(summary.data(mixed[::-1], EXERCISES)))
+    mixed = [
+        record(learner, [test('failed', message=message)])
+        for learner, message in (('a', 'It said 1.'), ('b', 'It said 2.'), ('c', 'Other.'), ('d', "It said 'x'."))
+    ]
+    assert summary.dumps(summary.data(mixed, EXERCISES)) == summary.dumps(summary.data(mixed[::-1], EXERCISES))
 
 
 @pytest.mark.parametrize('few', [[], [record()], [FAULT]], ids=['none', 'one', 'fault'])

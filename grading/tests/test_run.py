@@ -59,8 +59,12 @@ def run(course, output, *learners, works=None, jobs=2, **settings):
 @pytest.mark.timeout(300)
 def test_killed_at_any_moment(tmp_path):
     """Before and after each write: the next run grades what has no result, and all files are as undisturbed."""
-    found = subprocess.run([sys.executable, '-m', 'grading.tests.runs', str(tmp_path)], capture_output=True, text=True,
-                           env={**os.environ, 'PYTHONPATH': str(paths.ROOT)})
+    found = subprocess.run(
+        [sys.executable, '-m', 'grading.tests.runs', str(tmp_path)],
+        capture_output=True,
+        text=True,
+        env={**os.environ, 'PYTHONPATH': str(paths.ROOT)},
+    )
     assert found.returncode == 0, found.stderr
     assert int(found.stdout) >= 4 * len(runs.LEARNERS) + 2  # a result and three reports each, gradebook and settings
 
@@ -88,12 +92,14 @@ def test_only_what_has_changed(course, tmp_path, done):
     assert len(done) == 4
     shared = course.visible / 'chapter_90' / 'shared.py'
     for change, expected in (
-            (lambda: None, []),
-            (lambda: (course.hidden / '90_2' / 'hidden.py').write_text('# new'), [('ada', '90.2'), ('bob', '90.2')]),
-            (lambda: shared.write_text('# new'),
-             [('ada', '90.1'), ('ada', '90.2'), ('bob', '90.1'), ('bob', '90.2')]),
-            (lambda: (tmp_path / 'out' / 'results' / 'bob.json').write_text('{"schema": 2'),
-             [('bob', '90.1'), ('bob', '90.2')])):
+        (lambda: None, []),
+        (lambda: (course.hidden / '90_2' / 'hidden.py').write_text('# new'), [('ada', '90.2'), ('bob', '90.2')]),
+        (lambda: shared.write_text('# new'), [('ada', '90.1'), ('ada', '90.2'), ('bob', '90.1'), ('bob', '90.2')]),
+        (
+            lambda: (tmp_path / 'out' / 'results' / 'bob.json').write_text('{"schema": 2'),
+            [('bob', '90.1'), ('bob', '90.2')],
+        ),
+    ):
         done.clear()
         change()
         run(course, tmp_path / 'out', 'ada', 'bob')
@@ -128,7 +134,7 @@ def test_a_later_submission(course, tmp_path, done):
     assert {name for name, _ in done} == {'ada 2'} and heard.fresh == ['bob']
     assert heard.changes == {'bob': ['90.1: 5 → 10', '90.2: 2.5 → 5']}
     assert 'bob: marks changed (another submission): 90.1: 5 → 10' in (tmp_path / 'out' / 'run.log').read_text()
-    before, = records['bob'].attempts
+    (before,) = records['bob'].attempts
     assert (before.source, before.score, before.handed_in) == ('bob.ipynb', 7.5, '2026-11-01T10:00:00Z')
     assert records['bob'].source == 'bob (2).ipynb' and records['bob'].score == 15
     assert run(course, tmp_path / 'out', works=works)[1] == records
@@ -266,9 +272,16 @@ def test_anonymous(course, tmp_path):
     """No id and no file's name in the results; the map is beside them, for the instructor only."""
     output = tmp_path / 'out'
     by_hand = (Adjustment('bob', '90.1', 9.0, None, 'paper'),)
-    works = [Submission(name, tmp_path / f'submission-{name}.zip', {small.NOTEBOOK: number.encode()},
-                        handed_in='2026-11-01T10:00:00Z', notes=[f'adalovelace and "bob": {name}'])
-             for number, name in enumerate_names()]
+    works = [
+        Submission(
+            name,
+            tmp_path / f'submission-{name}.zip',
+            {small.NOTEBOOK: number.encode()},
+            handed_in='2026-11-01T10:00:00Z',
+            notes=[f'adalovelace and "bob": {name}'],
+        )
+        for number, name in enumerate_names()
+    ]
     _, records = run(course, output, works=works, anonymous=True, adjustments=by_hand)
     for path in [*output.rglob('*'), *(output / 'feedback').iterdir()]:
         assert 'adalovelace' not in path.name
@@ -284,8 +297,9 @@ def test_anonymous(course, tmp_path):
     with pytest.raises(folder.FolderError, match='made with --anonymous'):
         run(course, output, works=works)
     (tmp_path / 'out-private' / 'salt').unlink()
-    assert not {record.learner for record in run(course, tmp_path / 'new', works=works, anonymous=True)[1].values()
-                } & set(records), 'another salt, other pseudonyms'
+    assert not {
+        record.learner for record in run(course, tmp_path / 'new', works=works, anonymous=True)[1].values()
+    } & set(records), 'another salt, other pseudonyms'
 
 
 def enumerate_names():
@@ -293,6 +307,7 @@ def enumerate_names():
 
 
 # The command
+
 
 def invoke(*arguments):
     return CliRunner().invoke(make_app(), ['grade', *map(str, arguments)])
@@ -335,13 +350,16 @@ def test_an_assignment_of_one_chapter(command, course, tmp_path, monkeypatch):
     assert 'holds results of chapter 90' in str(command('--chapter', 91).exception)
 
 
-@pytest.mark.parametrize(('arguments', 'text'), [
-    (('--only', 'nobody'), 'no submission of'),
-    (('--chapter', '7'), 'no exercise in chapter 7; there are chapters 90'),
-    (('--late', 'none.yaml'), 'none.yaml cannot be read'),
-    (('--adjustments', 'none.csv'), 'none.csv cannot be read'),
-    (('--cluster', 'tcp://127.0.0.1:9'), 'no Dask scheduler answers'),
-])
+@pytest.mark.parametrize(
+    ('arguments', 'text'),
+    [
+        (('--only', 'nobody'), 'no submission of'),
+        (('--chapter', '7'), 'no exercise in chapter 7; there are chapters 90'),
+        (('--late', 'none.yaml'), 'none.yaml cannot be read'),
+        (('--adjustments', 'none.csv'), 'none.csv cannot be read'),
+        (('--cluster', 'tcp://127.0.0.1:9'), 'no Dask scheduler answers'),
+    ],
+)
 def test_wrong_use(command, monkeypatch, arguments, text):
     monkeypatch.setattr(executors, 'CONNECT', 0.5)
     found = command(*arguments)

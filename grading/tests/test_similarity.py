@@ -21,8 +21,11 @@ def answers() -> dict[str, dict[str, str]]:
     found = {exercise: {'solution': text} for exercise, text in similarity.cells_of(solutions, EXERCISES).items()}
     solved = variants.solved_cells(paths.ROOT / 'solutions')
     for exercise, texts in found.items():
-        texts |= {one.name: one.applied(solved[exercise], exercise) for one in variants.alternatives(exercise)
-                  if one.source is not None}  # an edit of the solution is a copy of the rest
+        texts |= {
+            one.name: one.applied(solved[exercise], exercise)
+            for one in variants.alternatives(exercise)
+            if one.source is not None
+        }  # an edit of the solution is a copy of the rest
     return found
 
 
@@ -41,8 +44,9 @@ def disguise(source: str) -> str:
 
 def pairs(*sources: str, exercise: str = '3.6', stub: str | None = None) -> list[similarity.Pair]:
     given = {exercise: STUBS[exercise] if stub is None else similarity.fingerprints(stub)}
-    return similarity.find({f'l{number:03}': {exercise: similarity.fingerprints(source)}
-                            for number, source in enumerate(sources)}, given)
+    return similarity.find(
+        {f'l{number:03}': {exercise: similarity.fingerprints(source)} for number, source in enumerate(sources)}, given
+    )
 
 
 @pytest.mark.parametrize('exercise', ['3.3', '3.4', '3.6'])
@@ -51,7 +55,7 @@ def test_a_disguised_copy_is_found(exercise):
     copy = disguise(source)
     assert copy != source
     others = [text for author, text in ANSWERS[exercise].items() if author != 'solution']
-    pair, = pairs(source, copy, *others, exercise=exercise)
+    (pair,) = pairs(source, copy, *others, exercise=exercise)
     assert (pair.first, pair.second) == ('l000', 'l001') and pair.share >= similarity.ALIKE
 
 
@@ -72,8 +76,7 @@ def test_independent_answers_share_little():
     assert len(independent) >= 6
     for exercise, texts in independent.items():
         for first, second in combinations(texts, 2):
-            own = [similarity.fingerprints(texts[name]) - STUBS[exercise]
-                   for name in (first, second)]
+            own = [similarity.fingerprints(texts[name]) - STUBS[exercise] for name in (first, second)]
             assert len(own[0] & own[1]) <= 0.5 * max(1, min(map(len, own))), (exercise, first, second)
 
 
@@ -94,14 +97,19 @@ def test_what_many_wrote_is_the_usual_answer():
 def test_large_classes():
     """300 learners and all exercises: every learner's answer differs, two copied. The work is bounded, not timed."""
     usual = ANSWERS['3.6']['solution']
-    mixed = [usual + '\n'.join(f'\n\ndef own_{n}(a):\n    return {"+" if number >> n & 1 else "-"}a * {number}.5 // a'
-                               for n in range(9)) for number in range(300)]
+    mixed = [
+        usual
+        + '\n'.join(
+            f'\n\ndef own_{n}(a):\n    return {"+" if number >> n & 1 else "-"}a * {number}.5 // a' for n in range(9)
+        )
+        for number in range(300)
+    ]
     own = ANSWERS['3.6']['nanoseconds']
     found = pairs(*mixed, own, disguise(own))
     assert ('l300', 'l301') in {(pair.first, pair.second) for pair in found}
 
 
-YAML = '''\
+YAML = """\
 /**:
   ros__parameters:
     rate: 20.0
@@ -109,16 +117,36 @@ YAML = '''\
     mode: "careful"
     limits: [0.1, 0.2, 0.3]
     frames: {base: base_link, laser: laser_frame, camera: camera_frame}
-''' + ''.join(f'robot{n}:\n  {kind}:\n    ros__parameters: {{slow_{n}: 0.1, fast_{kind}: 0.9, behind: true}}\n'
-            for n, kind in enumerate(('governor', 'camera', 'laser', 'arm', 'map', 'wheel')))
+""" + ''.join(
+    f'robot{n}:\n  {kind}:\n    ros__parameters: {{slow_{n}: 0.1, fast_{kind}: 0.9, behind: true}}\n'
+    for n, kind in enumerate(('governor', 'camera', 'laser', 'arm', 'map', 'wheel'))
+)
 TEXTS = {
     'Python': ANSWERS['3.6']['solution'],
     'YAML': YAML,
-    'XML': '<robot name="r">\n' + ''.join(f'  <link name="{name}"><visual><geometry><{shape}/></geometry></visual>\n'
-                                          for name, shape in zip('abcdefgh', ('box', 'sphere') * 4, strict=True)),
-    'CMake': '\n'.join(f'{word}({"REQUIRED" if n % 2 else "DEPENDS"} {word}_thing part_{word}_{n})' for n, word in
-                       enumerate(('find_package', 'install', 'ament_export', 'rosidl_generate', 'add_library',
-                                  'target_link', 'enable_testing', 'project', 'include', 'macro') * 3)),
+    'XML': '<robot name="r">\n'
+    + ''.join(
+        f'  <link name="{name}"><visual><geometry><{shape}/></geometry></visual>\n'
+        for name, shape in zip('abcdefgh', ('box', 'sphere') * 4, strict=True)
+    ),
+    'CMake': '\n'.join(
+        f'{word}({"REQUIRED" if n % 2 else "DEPENDS"} {word}_thing part_{word}_{n})'
+        for n, word in enumerate(
+            (
+                'find_package',
+                'install',
+                'ament_export',
+                'rosidl_generate',
+                'add_library',
+                'target_link',
+                'enable_testing',
+                'project',
+                'include',
+                'macro',
+            )
+            * 3
+        )
+    ),
 }
 
 
@@ -128,7 +156,7 @@ def test_answers_that_are_texts_are_looked_into(kind, form):
     """A copy of a text, with other numbers and comments, is found; two texts that have nothing in common are not."""
     text = TEXTS[kind]
     copy = '# my own idea\n' + re.sub(r'\b\d\.\d', '0.77', text)
-    pair, = pairs(form.format(text), form.format(copy), stub='')
+    (pair,) = pairs(form.format(text), form.format(copy), stub='')
     assert (pair.first, pair.second) == ('l000', 'l001')
     other = TEXTS['XML' if kind == 'YAML' else 'YAML']
     assert not pairs(form.format(text), form.format(other), stub='')
@@ -140,9 +168,13 @@ def test_what_was_given_does_not_count_in_texts():
 
 def test_cells_of_a_submission():
     other = small.exercise(2)
-    files = {small.NOTEBOOK: small.notebook('x = 1', '# Exercise 90.1: a talker\na = 1', '# Exercise 90.2: b\nb = 2'),
-             'copy.ipynb': small.notebook('# Exercise 90.2: b\nb = 3'), 'broken.ipynb': b'{',
-             'deep.ipynb': b'[' * 99999, 'odd.ipynb': json.dumps({'cells': [{'cell_type': 'code'}]}).encode()}
+    files = {
+        small.NOTEBOOK: small.notebook('x = 1', '# Exercise 90.1: a talker\na = 1', '# Exercise 90.2: b\nb = 2'),
+        'copy.ipynb': small.notebook('# Exercise 90.2: b\nb = 3'),
+        'broken.ipynb': b'{',
+        'deep.ipynb': b'[' * 99999,
+        'odd.ipynb': json.dumps({'cells': [{'cell_type': 'code'}]}).encode(),
+    }
     assert similarity.cells_of(files, [small.exercise(), other]) == {'90.1': '# Exercise 90.1: a talker\na = 1'}
     assert similarity.stubs_of([small.exercise()]) == {}
     assert set(STUBS) == {exercise.id for exercise in EXERCISES}

@@ -68,9 +68,13 @@ def test_notebooks_named_after_learners_are_one_submission_each(tmp_path):
     assert [found.learner for found in submissions.find([tmp_path])] == ['ada', 'bob', 'eve']
 
 
-@pytest.mark.parametrize('names', [
-    [f'Jane Doe_{number}_assignsubmission_file/{small.NOTEBOOK}' for number in (1, 2)],
-    [f'{name}_7_{number}_{small.NOTEBOOK}' for number, name in enumerate(('bob', 'doejane'))]])
+@pytest.mark.parametrize(
+    'names',
+    [
+        [f'Jane Doe_{number}_assignsubmission_file/{small.NOTEBOOK}' for number in (1, 2)],
+        [f'{name}_7_{number}_{small.NOTEBOOK}' for number, name in enumerate(('bob', 'doejane'))],
+    ],
+)
 def test_the_zip_of_a_whole_class_is_to_be_unpacked(tmp_path, names):
     path = zipped(tmp_path / 'class.zip', *((name, small.solved()) for name in names))
     with pytest.raises(Unusable, match='several learners: unpack it'):
@@ -85,15 +89,18 @@ def test_a_chapter_beside_a_zip_is_refused_not_lost(tmp_path):
         submissions.find([tmp_path])
 
 
-@pytest.mark.parametrize(('members', 'problem'), [
-    ([], 'no notebook'),
-    ([('a/x.ipynb', b'{}'), ('b/x.ipynb', b'{}')], 'two notebooks called x.ipynb'),
-    ([('submission.json', b'nonsense'), ('x.ipynb', b'{}')], 'submission.json in the zip is damaged'),
-    ([('submission.json', b'{"learner": "../../etc"}'), ('x.ipynb', b'{}')], 'unusable'),
-    ([('submission.json', b'{"learner": 5}'), ('x.ipynb', b'{}')], 'unusable'),
-    ([('submission.json', b'x' * 20_000), ('x.ipynb', b'{}')], 'larger than'),
-    ([(f'{number}.txt', b'') for number in range(300)], 'has 300 members'),
-])
+@pytest.mark.parametrize(
+    ('members', 'problem'),
+    [
+        ([], 'no notebook'),
+        ([('a/x.ipynb', b'{}'), ('b/x.ipynb', b'{}')], 'two notebooks called x.ipynb'),
+        ([('submission.json', b'nonsense'), ('x.ipynb', b'{}')], 'submission.json in the zip is damaged'),
+        ([('submission.json', b'{"learner": "../../etc"}'), ('x.ipynb', b'{}')], 'unusable'),
+        ([('submission.json', b'{"learner": 5}'), ('x.ipynb', b'{}')], 'unusable'),
+        ([('submission.json', b'x' * 20_000), ('x.ipynb', b'{}')], 'larger than'),
+        ([(f'{number}.txt', b'') for number in range(300)], 'has 300 members'),
+    ],
+)
 def test_unusable_zips(tmp_path, members, problem):
     found = submissions.read(zipped(tmp_path / 'x.zip', *members))
     assert problem in found.problem and not found.files
@@ -102,8 +109,9 @@ def test_unusable_zips(tmp_path, members, problem):
 
 def test_names_in_a_zip_are_never_paths(tmp_path):
     outside = tmp_path / 'evil.ipynb'
-    path = zipped(tmp_path / 'x.zip', ('../evil.ipynb', small.solved()), ('/abs/other.ipynb', b'{}'),
-                  ('__MACOSX/._x.ipynb', b'x'))
+    path = zipped(
+        tmp_path / 'x.zip', ('../evil.ipynb', small.solved()), ('/abs/other.ipynb', b'{}'), ('__MACOSX/._x.ipynb', b'x')
+    )
     assert sorted(submissions.read(path).files) == ['evil.ipynb', 'other.ipynb']
     assert not outside.exists() and sorted(tmp_path.iterdir()) == [path]
 
@@ -168,7 +176,8 @@ def test_a_notebook_under_another_name(tmp_path):
     assert 'both hold exercises' in why(submissions.read(folder))
     other = small.exercise(id='91.1', notebook='91_x.ipynb')
     assert submissions.read(folder).programs([other], [other]).without == {
-        '91.1': ('not_attempted', '91_x.ipynb was not handed in.')}
+        '91.1': ('not_attempted', '91_x.ipynb was not handed in.')
+    }
 
 
 def test_a_single_damaged_notebook(tmp_path):
@@ -181,7 +190,7 @@ def test_two_names_that_claim_one_learner(tmp_path):
     second = zipped(tmp_path / 'b.zip', (small.NOTEBOOK, small.solved()), ('submission.json', LABEL))
     found = {one.learner: one.notes for one in submissions.find([first, second])}
     assert sorted(found) == ['a', 'b']
-    assert 'a, b all say that they are ada\'s' in found['a'][0]
+    assert "a, b all say that they are ada's" in found['a'][0]
 
 
 def test_paths_that_are_no_submission(tmp_path):
@@ -228,6 +237,7 @@ def test_ids_stay_apart():
 
 # Many submissions
 
+
 def learners(path, *more):
     return [found.learner for found in submissions.find([path, *more])]
 
@@ -243,8 +253,11 @@ def work(path, source=small.TALKER):
 
 def labelled(path, learner, **label):
     path.parent.mkdir(parents=True, exist_ok=True)
-    return zipped(path, (small.NOTEBOOK, small.solved(f'# {path}\n{small.TALKER}')),
-                  ('submission.json', json.dumps({'learner': learner, **label})))
+    return zipped(
+        path,
+        (small.NOTEBOOK, small.solved(f'# {path}\n{small.TALKER}')),
+        ('submission.json', json.dumps({'learner': learner, **label})),
+    )
 
 
 def test_moodle(tmp_path):
@@ -262,8 +275,11 @@ def test_one_zip_handed_in_by_two(tmp_path):
     for name, label in (('Jane Doe_123', 'jane'), ('Max Um_125', 'jane'), ('Li Lo_126', 'li')):
         labelled(tmp_path / f'{name}_assignsubmission_file_x.zip', label)
     found = {one.learner: one.notes for one in submissions.find([tmp_path])}
-    assert found == {'Jane_Doe_123': ['Max_Um_125 handed in a zip with the same id inside, jane'],
-                     'Max_Um_125': ['Jane_Doe_123 handed in a zip with the same id inside, jane'], 'Li_Lo_126': []}
+    assert found == {
+        'Jane_Doe_123': ['Max_Um_125 handed in a zip with the same id inside, jane'],
+        'Max_Um_125': ['Jane_Doe_123 handed in a zip with the same id inside, jane'],
+        'Li_Lo_126': [],
+    }
 
 
 def test_canvas(tmp_path):
@@ -305,10 +321,12 @@ def test_the_latest_counts(tmp_path):
     third = work(tmp_path / '3' / 'ada (1).ipynb')
     os.utime(first, (0, 0))
     os.utime(third, (10**9, 10**9))
-    one, = submissions.find([first, second, third])
+    (one,) = submissions.find([first, second, third])
     assert (one.source, one.handed_in) == (first, '2026-11-02T10:00:00Z')
     assert [(attempt.source, attempt.handed_in) for attempt in one.earlier] == [
-        ('ada (1).ipynb', '2001-09-09T01:46:40Z'), ('ada.zip', '2026-11-01T10:00:00Z')]
+        ('ada (1).ipynb', '2001-09-09T01:46:40Z'),
+        ('ada.zip', '2026-11-01T10:00:00Z'),
+    ]
     assert submissions.find([third, second, first]) == [one]
 
 
@@ -328,31 +346,56 @@ def test_names_that_give_the_same_id_are_different_learners(tmp_path):
     assert {one.own for one in found.values()} == {'José', 'Jose', 'anna müller', 'anna_muller', 'bob'}
     assert found['Jose'].own == 'Jose' and found['anna_muller'].own == 'anna_muller' and not found['bob'].notes
     other = submission.apart('José')
-    assert f'José and Jose give the same id, Jose, and are taken for different learners: this one is {other}' \
+    assert (
+        f'José and Jose give the same id, Jose, and are taken for different learners: this one is {other}'
         in found[other].notes
+    )
 
 
 def test_one_name_in_two_forms_of_unicode_is_one_learner(tmp_path):
     for folder, form in (('a', 'NFC'), ('b', 'NFD')):
         (tmp_path / folder).mkdir()
         (tmp_path / folder / unicodedata.normalize(form, 'José.zip')).write_bytes(
-            zipped(tmp_path / 'x', (small.NOTEBOOK, small.solved(folder))).read_bytes())
-    one, = submissions.find([tmp_path / 'a', tmp_path / 'b'])
+            zipped(tmp_path / 'x', (small.NOTEBOOK, small.solved(folder))).read_bytes()
+        )
+    (one,) = submissions.find([tmp_path / 'a', tmp_path / 'b'])
     assert one.learner == 'Jose' and len(one.earlier) == 1
 
 
-@pytest.mark.parametrize('saved', ['2026-13-45T00:00:00Z', '2026-02-30T10:00:00Z', '9999-99-99T99:99:99Z',
-                                   '０000-01-01T00:00:00Z', 5, ['x'], '2026-11-20T10:00:00Z\n'])
+@pytest.mark.parametrize(
+    'saved',
+    [
+        '2026-13-45T00:00:00Z',
+        '2026-02-30T10:00:00Z',
+        '9999-99-99T99:99:99Z',
+        '０000-01-01T00:00:00Z',
+        5,
+        ['x'],
+        '2026-11-20T10:00:00Z\n',
+    ],
+)
 def test_a_date_that_there_is_not_is_not_taken(tmp_path, saved):
     label = json.dumps({'learner': 'ada', 'saved': saved}).encode()
     found = submissions.read(zipped(tmp_path / 'x.zip', (small.NOTEBOOK, small.solved()), ('submission.json', label)))
     assert late.is_stamp(found.handed_in) and 'which is no time' in found.notes[0] and found.files
 
 
-@pytest.mark.parametrize('source', [
-    'def f(): pass\n' * 13_000, 'x = ' + ' ' * 60_000 + '!', '%' + ' ' * 60_000 + 'x' + ' ' * 60_000 + '?',
-    '(' * 150_000, '-' * 190_000 + '1', 'x = ' + '[' * 90 + ']' * 90 + '\n' + 'lambda: ' * 20_000, '\\\n' * 60_000,
-    "f'" + '{' * 60_000, 'a' + ' ' * 60_000 + 'b', '@a\n' * 40_000], ids=range(10))
+@pytest.mark.parametrize(
+    'source',
+    [
+        'def f(): pass\n' * 13_000,
+        'x = ' + ' ' * 60_000 + '!',
+        '%' + ' ' * 60_000 + 'x' + ' ' * 60_000 + '?',
+        '(' * 150_000,
+        '-' * 190_000 + '1',
+        'x = ' + '[' * 90 + ']' * 90 + '\n' + 'lambda: ' * 20_000,
+        '\\\n' * 60_000,
+        "f'" + '{' * 60_000,
+        'a' + ' ' * 60_000 + 'b',
+        '@a\n' * 40_000,
+    ],
+    ids=range(10),
+)
 def test_reading_takes_no_time(tmp_path, source):
     """Not even with cells that are made for it: each is bounded, and another exercise is graded."""
     (tmp_path / 'eve.ipynb').write_bytes(small.notebook(source, '# Exercise 90.1: a talker\n' + small.TALKER))

@@ -25,12 +25,16 @@ SOME = {'mutants': 3, 'alternatives': 1}  # so many answers to each exercise run
 SOME_ALONE = 1  # or so many, where each needs a notebook of its own
 EXERCISES = manifest.load()
 CHAPTERS = {chapters.read(path).number: path for path in chapters.sources(paths.ROOT / 'solutions')}
-VARIANTS = {'mutants': {identity: variants.mutants(identity) for identity in EXERCISES},
-            'alternatives': {identity: variants.alternatives(identity) for identity in EXERCISES}}
+VARIANTS = {
+    'mutants': {identity: variants.mutants(identity) for identity in EXERCISES},
+    'alternatives': {identity: variants.alternatives(identity) for identity in EXERCISES},
+}
 
 
-ANSWERS = {kind: [trial.Answer(identity, variant) for identity, found in by_exercise.items() for variant in found]
-           for kind, by_exercise in VARIANTS.items()}
+ANSWERS = {
+    kind: [trial.Answer(identity, variant) for identity, found in by_exercise.items() for variant in found]
+    for kind, by_exercise in VARIANTS.items()
+}
 
 
 def layers(kind, number):
@@ -38,8 +42,10 @@ def layers(kind, number):
     mine = [answer for answer in ANSWERS[kind] if EXERCISES[answer.exercise].chapter == number]
     if not ALL_TESTS:
         mine = [answer for identity in EXERCISES for answer in _some(kind, identity, mine)]
-    columns = [[answer for answer in mine if answer.exercise == identity and not answer.variant.alone]
-               for identity in EXERCISES]
+    columns = [
+        [answer for answer in mine if answer.exercise == identity and not answer.variant.alone]
+        for identity in EXERCISES
+    ]
     rows = [*zip_longest(*columns), *([answer] for answer in mine if answer.variant.alone)]
     return [pytest.param([answer for answer in row if answer], id=str(index)) for index, row in enumerate(rows)]
 
@@ -53,8 +59,11 @@ def _some(kind, identity, answers):
 
 
 def judge(number, cells, only=None, tests=None):
-    chosen = [exercise for exercise in EXERCISES.values() if exercise.chapter == number
-              and (only is None or exercise.id in only)]
+    chosen = [
+        exercise
+        for exercise in EXERCISES.values()
+        if exercise.chapter == number and (only is None or exercise.id in only)
+    ]
     report = trial.judge(cells, chosen, tests, processes=2)
     assert not report.log
     return {result.id: result for result in report.exercises}
@@ -78,20 +87,33 @@ class Validity:
             assert result.message == f'Exercise {result.id} is not solved yet.'
 
     def test_wrong_solutions_are_rejected_with_the_right_words(self, mutants):
-        named = {} if ALL_TESTS else {
-            answer.exercise: {answer.variant.rejected_by, answer.variant.seen_by, *answer.variant.told_by} - {''}
-            for answer in mutants}
+        named = (
+            {}
+            if ALL_TESTS
+            else {
+                answer.exercise: {answer.variant.rejected_by, answer.variant.seen_by, *answer.variant.told_by} - {''}
+                for answer in mutants
+            }
+        )
         results = judge(self.number, trial.varied(self.number, mutants), {answer.exercise for answer in mutants}, named)
         self._all_as_they_must_be(mutants, results, named)
 
     def test_alternatives_get_full_marks(self, alternatives):
-        results = judge(self.number, trial.varied(self.number, alternatives),
-                        {answer.exercise for answer in alternatives})
+        results = judge(
+            self.number, trial.varied(self.number, alternatives), {answer.exercise for answer in alternatives}
+        )
         self._all_as_they_must_be(alternatives, results, {})
 
     def _all_as_they_must_be(self, answers, results, named):
-        faults = {str(answer): found for answer in answers if (found := answer.faults(
-            results[answer.exercise], EXERCISES[answer.exercise], named.get(answer.exercise, ())))}
+        faults = {
+            str(answer): found
+            for answer in answers
+            if (
+                found := answer.faults(
+                    results[answer.exercise], EXERCISES[answer.exercise], named.get(answer.exercise, ())
+                )
+            )
+        }
         assert not faults
 
 

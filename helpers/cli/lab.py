@@ -21,8 +21,12 @@ TRIES = 50  # ports from DEFAULT_PORT on, if no port is asked for
 def lab(
     port: Annotated[int | None, typer.Option(min=1, max=65535, help='TCP port; default: a free one from 8888.')] = None,
     no_browser: Annotated[bool, typer.Option('--no-browser', help='Only print the address.')] = False,
-    host: Annotated[str, typer.Option(metavar='ADDRESS', help='Address to listen on; 0.0.0.0 lets other machines in, '
-                                                              'who need the token.')] = 'localhost',
+    host: Annotated[
+        str,
+        typer.Option(
+            metavar='ADDRESS', help='Address to listen on; 0.0.0.0 lets other machines in, who need the token.'
+        ),
+    ] = 'localhost',
 ):
     """Open JupyterLab on notebooks/."""
     if not paths.NOTEBOOKS.is_dir():
@@ -56,8 +60,10 @@ def make_start_page() -> bool:
         if error.errno in (errno.ENOSPC, errno.EDQUOT):
             say(f'the disk is full, nothing that you write is kept: free some space (see: df -h {paths.NOTEBOOKS})')
         else:
-            say(f'{paths.NOTEBOOKS} is not writable for you, nothing that you write in it is kept; '
-                f'run: sudo chown -R $(id -un) "{paths.NOTEBOOKS}", or copy the course to a folder of your own')
+            say(
+                f'{paths.NOTEBOOKS} is not writable for you, nothing that you write in it is kept; '
+                f'run: sudo chown -R $(id -un) "{paths.NOTEBOOKS}", or copy the course to a folder of your own'
+            )
     return (paths.NOTEBOOKS / start_page.FILE).is_file()
 
 
@@ -72,19 +78,24 @@ def check_private_folders() -> None:
                 probe.write(b'x')
                 probe.flush()
         except OSError as error:
-            remedy = ('free some space' if error.errno in (errno.ENOSPC, errno.EDQUOT)
-                      else 'run: export HOME=FOLDER, with a folder that you may write to, then ./course lab')
+            remedy = (
+                'free some space'
+                if error.errno in (errno.ENOSPC, errno.EDQUOT)
+                else 'run: export HOME=FOLDER, with a folder that you may write to, then ./course lab'
+            )
             raise Refusal(f'Jupyter cannot write to {folder} ({error.strerror.lower()}); {remedy}') from None
 
 
-def arguments(port: int, no_browser: bool, root_user: bool, start: str = '/lab',
-              folder: Path | None = None) -> list[str]:
+def arguments(
+    port: int, no_browser: bool, root_user: bool, start: str = '/lab', folder: Path | None = None
+) -> list[str]:
     """Return the arguments of the interpreter that start JupyterLab on ``port`` exactly.
 
     It opens on ``start`` and serves ``folder``, notebooks/ by default.
     """
     result = [
-        '-m', 'jupyterlab',
+        '-m',
+        'jupyterlab',
         f'--ServerApp.root_dir={folder or paths.NOTEBOOKS}',
         f'--ServerApp.port={port}',
         '--ServerApp.port_retries=0',
@@ -130,7 +141,9 @@ def _problem(port: int, host: str) -> str | None:
             server.close()
     except OSError as error:
         if isinstance(error, socket.gaierror) or error.errno == errno.EADDRNOTAVAIL:
-            raise Refusal(f'--host {host}: this machine has no such address; leave --host out, or take 0.0.0.0 '
-                          'to let other machines in') from None
+            raise Refusal(
+                f'--host {host}: this machine has no such address; leave --host out, or take 0.0.0.0 '
+                'to let other machines in'
+            ) from None
         return error.strerror.lower()
     return None

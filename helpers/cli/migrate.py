@@ -11,8 +11,9 @@ from helpers.cli import Refusal
 
 def migrate(
     old: Annotated[Path, typer.Argument(metavar='OLD', help='The folder of the old course, or of its notebooks.')],
-    notebooks_folder: Annotated[Path, typer.Option('--notebooks', metavar='DIR',
-                                                   help='The new notebooks.')] = paths.NOTEBOOKS,
+    notebooks_folder: Annotated[
+        Path, typer.Option('--notebooks', metavar='DIR', help='The new notebooks.')
+    ] = paths.NOTEBOOKS,
     dry_run: Annotated[bool, typer.Option('--dry-run', help='Only say what would be done.')] = False,
 ):
     """Take your answers and your own cells over from the notebooks of an older version."""
@@ -34,9 +35,11 @@ def migrate(
     if dry_run:
         console.print('Nothing was written.')
     elif report.backup:
-        console.print(f'{len(report.written)} notebooks changed; as they were before: {report.backup}. Close them in '
-                      'JupyterLab and open them again. Now test your answers, a chapter at a time: ./course check 3',
-                      markup=False)
+        console.print(
+            f'{len(report.written)} notebooks changed; as they were before: {report.backup}. Close them in '
+            'JupyterLab and open them again. Now test your answers, a chapter at a time: ./course check 3',
+            markup=False,
+        )
     else:
         console.print('Nothing had to be changed.')
     raise typer.Exit(int(any(one.lost for one in report.exercises)))

@@ -28,5 +28,8 @@ def submit(
     for style, text in result_display.lines(packed.exercises):
         console.print(text, style=style or None, markup=False)
     passed = sum(exercise.passed for exercise in packed.exercises)
-    console.print(f'\n{passed} of {len(packed.exercises)} exercises pass their visible tests; hidden tests '
-                  f'run after you hand in. Packed for {packed.learner}: {packed.path}', markup=False)
+    console.print(
+        f'\n{passed} of {len(packed.exercises)} exercises pass their visible tests; hidden tests '
+        f'run after you hand in. Packed for {packed.learner}: {packed.path}',
+        markup=False,
+    )

@@ -52,6 +52,7 @@ def test(arguments: Arguments = None):
 
 def _plan():
     complete = find_spec('grading') is not None  # the learner's edition has neither sources nor reference outputs
+    yield _format
     yield _style
     if complete:
         yield _types
@@ -60,6 +61,10 @@ def _plan():
         yield _in_step
         yield _rules
         yield _notebooks
+
+
+def _format(scratch: Path) -> Step:
+    return _command('format', ['-m', 'ruff', 'format', '--check', '.'])
 
 
 def _style(scratch: Path) -> Step:
@@ -71,16 +76,24 @@ def _types(scratch: Path) -> Step:
 
 
 def _unit_tests(scratch: Path) -> Step:
-    step = _pytest('unit tests', scratch, ['-q', f'-n{_workers()}', '--dist=loadscope',
-                                          '--no-loadscope-reorder'])
+    step = _pytest('unit tests', scratch, ['-q', f'-n{_workers()}', '--dist=loadscope', '--no-loadscope-reorder'])
     if not 0 < step.failed <= FEW:
         return step
     # A test may fail because others took the processor. It must pass alone, and is reported as unstable.
-    again = _pytest('unit tests again, one at a time', scratch,
-                    ['-q', '--last-failed', '--last-failed-no-failures=none'])
+    again = _pytest(
+        'unit tests again, one at a time', scratch, ['-q', '--last-failed', '--last-failed-no-failures=none']
+    )
     unstable = [name for name in step.failures if name not in again.failures]
-    return Step(step.name, step.passed + again.passed, again.failed, step.skipped, step.seconds + again.seconds,
-                again.failures, unstable, step.left_out)
+    return Step(
+        step.name,
+        step.passed + again.passed,
+        again.failed,
+        step.skipped,
+        step.seconds + again.seconds,
+        again.failures,
+        unstable,
+        step.left_out,
+    )
 
 
 def _in_step(scratch: Path) -> Step:
@@ -151,8 +164,11 @@ def _count(step: Step, report: Path) -> None:
         total, failed, skipped = (int(suite.get(key, 0)) for key in ('tests', 'failures', 'skipped'))
         failed += int(suite.get('errors', 0))
         step.passed, step.failed, step.skipped = total - failed - skipped, failed, skipped
-        step.failures = [f'{case.get("classname")}.{case.get("name")}' for case in suite.iter('testcase')
-                         if case.find('failure') is not None or case.find('error') is not None]
+        step.failures = [
+            f'{case.get("classname")}.{case.get("name")}'
+            for case in suite.iter('testcase')
+            if case.find('failure') is not None or case.find('error') is not None
+        ]
 
 
 def _heading(name: str) -> None:

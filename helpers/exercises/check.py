@@ -46,8 +46,9 @@ def run_tests(exercise_id: str):
     if cells is None:
         return session.SessionReport([results.without_tests(exercise, 'invalid_submission', _not_run(exercise))])
     # Until it passes, a check shows the same values.
-    return session.run(cells, [exercise], session.Options(seeds=progress_file.seeds([exercise.id]),
-                                                          notebook=_saved(exercise)))
+    return session.run(
+        cells, [exercise], session.Options(seeds=progress_file.seeds([exercise.id]), notebook=_saved(exercise))
+    )
 
 
 def _not_run(exercise) -> str:
@@ -57,8 +58,10 @@ def _not_run(exercise) -> str:
     heading = f'# Exercise {exercise.id}: {exercise.title}'
     for noted in reversed(journal.cells):
         if set(exercise.names) <= program.names_in(noted.source):
-            return (f'A cell that you ran defines `{exercise.names[0]}`, but its first line is not `{heading}`. The '
-                    'check knows the cell by this line: write it back, run the cell, and check again.')
+            return (
+                f'A cell that you ran defines `{exercise.names[0]}`, but its first line is not `{heading}`. The '
+                'check knows the cell by this line: write it back, run the cell, and check again.'
+            )
     return f'Run the cell that begins with `# Exercise {exercise.id}` first, then check again.'
 
 
@@ -79,6 +82,7 @@ def _stand_by(result) -> None:
     first = (result.info.raw_cell or '').lstrip().partition('\n')[0]
     if program.HEADING.match(first):
         from helpers.runner import tests_process
+
         tests_process.stand_by()
 
 
@@ -115,6 +119,7 @@ def _show(exercises: list) -> None:
     text = result_display.plain(exercises)
     if journal.in_kernel():
         from IPython.display import display as show
+
         show({'text/html': result_display.html(exercises), 'text/plain': text}, raw=True)
     else:
         print(text)

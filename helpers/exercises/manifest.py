@@ -75,8 +75,12 @@ def load(path: Path = MANIFEST) -> dict[str, Exercise]:
     """
     try:
         rows = json.loads(path.read_text(encoding='utf-8'))['exercises']
-        exercises = [Exercise(**{**row, 'names': tuple(row['names']),
-                                 'rules': tuple(Rule(**rule) for rule in row.get('rules', ()))}) for row in rows]
+        exercises = [
+            Exercise(
+                **{**row, 'names': tuple(row['names']), 'rules': tuple(Rule(**rule) for rule in row.get('rules', ()))}
+            )
+            for row in rows
+        ]
     except FileNotFoundError:
         raise ManifestError(f'{path} is missing: get a complete copy of the course, or run ./course build') from None
     except (ValueError, KeyError, TypeError, AttributeError) as error:

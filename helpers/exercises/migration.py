@@ -59,8 +59,13 @@ class _Answer:
     after: str | None  # id of the nearest cell before it
 
 
-def migrate(old: Path, folder: Path = paths.NOTEBOOKS, *, dry_run: bool = False,
-            known: dict[str, manifest.Exercise] | None = None) -> MigrationReport:
+def migrate(
+    old: Path,
+    folder: Path = paths.NOTEBOOKS,
+    *,
+    dry_run: bool = False,
+    known: dict[str, manifest.Exercise] | None = None,
+) -> MigrationReport:
     """Carry answers and own cells over from `old` into the notebooks in `folder`.
 
     :param old: the older version's folder, or its folder of notebooks.
@@ -71,8 +76,10 @@ def migrate(old: Path, folder: Path = paths.NOTEBOOKS, *, dry_run: bool = False,
     """
     source = _notebooks_of(old)
     if source.resolve() == folder.resolve():
-        raise MigrationError(f'{source} holds the notebooks of this version itself: unpack the new version beside the '
-                             'old one, and give the old one.')
+        raise MigrationError(
+            f'{source} holds the notebooks of this version itself: unpack the new version beside the '
+            'old one, and give the old one.'
+        )
     known = manifest.load() if known is None else known
     before = {path.name: _read(path) for path in _chapters(source)}
     target = {path.name: _read(path) for path in _chapters(folder)}
@@ -81,8 +88,10 @@ def migrate(old: Path, folder: Path = paths.NOTEBOOKS, *, dry_run: bool = False,
     migration = _Migration(before, copy.deepcopy(target), known, _stubs(source))
     report = migration.run()
     if workspaces := sorted(path.name for path in source.glob('*_ws') if path.is_dir()):
-        report.notes.append(f'{", ".join(workspaces)} in {source}: workspaces are made again by the cells. Copy what '
-                            'you changed in them by hand.')
+        report.notes.append(
+            f'{", ".join(workspaces)} in {source}: workspaces are made again by the cells. Copy what '
+            'you changed in them by hand.'
+        )
     changed = [name for name in target if migration.target[name] != target[name]]
     if changed and not dry_run:
         _write(report, folder, {name: migration.target[name] for name in changed})
@@ -99,8 +108,11 @@ class _Migration:
         times = {answer.exercise: sum(one.exercise == answer.exercise for one in answers) for answer in answers}
         for exercise, number in times.items():
             if number > 1:
-                self._say(exercise, f'is there {number} times in the old notebook: keep one cell, then run this again',
-                          lost=True)
+                self._say(
+                    exercise,
+                    f'is there {number} times in the old notebook: keep one cell, then run this again',
+                    lost=True,
+                )
         for answer in answers:
             if times[answer.exercise] == 1:
                 self._carry(answer)
@@ -120,8 +132,17 @@ class _Migration:
             exercise = _exercise(cell)
             if exercise:
                 title = _TITLE.match(cell['source'])
-                found.append(_Answer(exercise, title[1] if title else None, cell['source'],
-                                     _declared(cell['metadata']), card, name, after))
+                found.append(
+                    _Answer(
+                        exercise,
+                        title[1] if title else None,
+                        cell['source'],
+                        _declared(cell['metadata']),
+                        card,
+                        name,
+                        after,
+                    )
+                )
                 card = None
             elif cell['cell_type'] == 'markdown':
                 card = cell
@@ -132,14 +153,20 @@ class _Migration:
         exercise = self._successor(answer)
         if exercise is None:
             place = self._beside(answer)
-            self._say(answer.exercise, 'is no longer in the course; your answer is kept as a raw cell in '
-                                       f'{place}, which does not run', lost=True)
+            self._say(
+                answer.exercise,
+                f'is no longer in the course; your answer is kept as a raw cell in {place}, which does not run',
+                lost=True,
+            )
             return
         cells = self.target[exercise.notebook]['cells']
         index = next((i for i, cell in enumerate(cells) if cell.get('id') == exercise.cell_id), None)
         if index is None:
-            self._say(exercise.id, f'has no cell in the new {exercise.notebook}: get a fresh copy of that notebook, '
-                                   'then run this again', lost=True)
+            self._say(
+                exercise.id,
+                f'has no cell in the new {exercise.notebook}: get a fresh copy of that notebook, then run this again',
+                lost=True,
+            )
             return
         digest, moved = _digest(answer.source), ''
         if digest is not None and digest in (exercise.stub, self.stubs.get(answer.exercise)):
@@ -154,8 +181,11 @@ class _Migration:
             return
         if _digest(cells[index]['source']) != exercise.stub:
             _insert(cells, index + 1, _raw(answer.exercise, 'the answer from the old notebook', source))
-            self._say(exercise.id, f'has another answer already, which stays{moved}; the old one stands below it as a '
-                                   'raw cell', lost=True)
+            self._say(
+                exercise.id,
+                f'has another answer already, which stays{moved}; the old one stands below it as a raw cell',
+                lost=True,
+            )
             return
         given, cells[index]['source'] = cells[index]['source'], source
         changes = self._changes(answer, exercise, cells)
@@ -180,8 +210,9 @@ class _Migration:
         changes = []
         if answer.title not in (None, exercise.title):
             changes.append(f'the title, now "{exercise.title}"')
-        if answer.card and not any(cell.get('id') == answer.card.get('id') or cell['source'] == answer.card['source']
-                                   for cell in cells):
+        if answer.card and not any(
+            cell.get('id') == answer.card.get('id') or cell['source'] == answer.card['source'] for cell in cells
+        ):
             changes.append('its text: read it again')
         points = answer.declared.get('points', exercise.points)
         if points != exercise.points:
@@ -195,8 +226,11 @@ class _Migration:
         """Keep an answer that has no exercise; returns the notebook in which it is."""
         name = self._new_name(answer.notebook) or next(reversed(self.target))
         cells = self.target[name]['cells']
-        _insert(cells, _place(cells, answer.after),
-                _raw(answer.exercise, 'an answer to an exercise that is gone', answer.source))
+        _insert(
+            cells,
+            _place(cells, answer.after),
+            _raw(answer.exercise, 'an answer to an exercise that is gone', answer.source),
+        )
         return name
 
     # The learner's own cells
@@ -204,8 +238,10 @@ class _Migration:
     def _carry_own(self, name: str) -> None:
         cells = self.before[name]['cells']
         if not any(cell_ids.untouched(cell['cell_type'], cell['source'], cell.get('id', '')) for cell in cells):
-            self.report.notes.append(f'{name}: its cells have lost their ids: only exercises are carried over; cells '
-                                     'of your own are still in the old notebook. JupyterLab keeps ids.')
+            self.report.notes.append(
+                f'{name}: its cells have lost their ids: only exercises are carried over; cells '
+                'of your own are still in the old notebook. JupyterLab keeps ids.'
+            )
             return
         new = self._new_name(name)
         count, anchor = 0, None
@@ -215,8 +251,9 @@ class _Migration:
             given = exercise or cell_ids.untouched(cell['cell_type'], cell['source'], identity)
             if not given and cell['source'].strip() and not identity.startswith('old-'):
                 if new is None:
-                    self.report.notes.append(f'{name}: this version has no such chapter; your own cells are still in '
-                                             'the old notebook.')
+                    self.report.notes.append(
+                        f'{name}: this version has no such chapter; your own cells are still in the old notebook.'
+                    )
                     return
                 count += self._add(self.target[new]['cells'], cell, anchor)
             if new and any(one.get('id') == identity for one in self.target[new]['cells']):
@@ -258,8 +295,10 @@ def _declared(metadata: dict) -> dict:
     said = metadata.get('exercise')
     if not isinstance(said, dict):
         return {}
-    forms = {'points': lambda value: isinstance(value, (int, float)),
-             'names': lambda value: isinstance(value, list) and all(isinstance(one, str) for one in value)}
+    forms = {
+        'points': lambda value: isinstance(value, (int, float)),
+        'names': lambda value: isinstance(value, list) and all(isinstance(one, str) for one in value),
+    }
     return {key: said[key] for key, fits in forms.items() if key in said and fits(said[key])}
 
 
@@ -274,14 +313,18 @@ def _with_heading(source: str, heading: str) -> str:
     lines = source.splitlines()
     first = next((i for i, line in enumerate(lines) if line.strip()), 0)
     if lines and program.HEADING.match(lines[first].strip()):
-        del lines[:first + 1]
+        del lines[: first + 1]
     return '\n'.join([heading, *lines])
 
 
 def _raw(exercise: str, what: str, source: str) -> dict:
     head = f'Exercise {exercise}, {what}. This cell does not run: delete it when you have read it.'
-    return {'id': f'old-{exercise.replace(".", "-")}', 'cell_type': 'raw', 'metadata': {},
-            'source': f'{head}\n\n{source}'}
+    return {
+        'id': f'old-{exercise.replace(".", "-")}',
+        'cell_type': 'raw',
+        'metadata': {},
+        'source': f'{head}\n\n{source}',
+    }
 
 
 def _insert(cells: list[dict], index: int, cell: dict) -> None:
@@ -321,10 +364,13 @@ def _notebooks_of(old: Path) -> Path:
         if folder.is_dir() and _chapters(folder):
             return folder
     if old.is_file():
-        raise MigrationError(f'{old} is a file: give the folder of the old course, or of its notebooks. A zip has to '
-                             'be unpacked first.')
-    raise MigrationError(f'{old} has no notebooks of the course, such as 03_nodes_and_topics.ipynb: give the folder of '
-                         'the old course, or of its notebooks.')
+        raise MigrationError(
+            f'{old} is a file: give the folder of the old course, or of its notebooks. A zip has to be unpacked first.'
+        )
+    raise MigrationError(
+        f'{old} has no notebooks of the course, such as 03_nodes_and_topics.ipynb: give the folder of '
+        'the old course, or of its notebooks.'
+    )
 
 
 def _stubs(folder: Path) -> dict[str, str]:
@@ -379,5 +425,7 @@ def _write(report: MigrationReport, folder: Path, changed: dict[str, dict]) -> N
             os.replace(temporary, folder / name)
             report.written.append(folder / name)
     except OSError as error:
-        raise MigrationError(f'{error.filename or folder} cannot be written: {error.strerror}. What was there before '
-                             f'is in {report.backup}.') from None
+        raise MigrationError(
+            f'{error.filename or folder} cannot be written: {error.strerror}. What was there before '
+            f'is in {report.backup}.'
+        ) from None

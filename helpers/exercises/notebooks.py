@@ -55,8 +55,10 @@ def read_bytes(path: Path) -> bytes:
                 raise InvalidSubmission(f'{path.name} is no regular file.')
             size = os.fstat(file.fileno()).st_size
             if size > MAX_BYTES:
-                raise InvalidSubmission(f'{path.name} has {size / 2**20:.0f} MB, more than {MAX_BYTES // 2**20} MB: '
-                                        'clear its outputs and save it again.')
+                raise InvalidSubmission(
+                    f'{path.name} has {size / 2**20:.0f} MB, more than {MAX_BYTES // 2**20} MB: '
+                    'clear its outputs and save it again.'
+                )
             return file.read(MAX_BYTES + 1)
     except OSError as error:
         raise InvalidSubmission(f'{path.name} cannot be read: {error.strerror}.') from None
@@ -73,8 +75,10 @@ def parse(data: bytes, name: str) -> list[NotebookCell]:
     if not isinstance(notebook, dict) or not isinstance(notebook.get('cells'), list):
         raise InvalidSubmission(f'{name} is not a notebook: it has no list of cells. Save it with JupyterLab again.')
     if notebook.get('nbformat') != 4:
-        raise InvalidSubmission(f'{name} has the notebook format {str(notebook.get("nbformat"))[:20]}, not 4: '
-                                'save it with a current JupyterLab.')
+        raise InvalidSubmission(
+            f'{name} has the notebook format {str(notebook.get("nbformat"))[:20]}, not 4: '
+            'save it with a current JupyterLab.'
+        )
     if len(notebook['cells']) > MAX_CELLS:
         raise InvalidSubmission(f'{name} has {len(notebook["cells"])} cells, more than {MAX_CELLS}.')
     _validate(notebook, name)

@@ -58,8 +58,11 @@ def exercise_id(cell: NotebookCell) -> str | None:
 
 def of_exercise(cells: list[NotebookCell], exercise: Exercise) -> list[NotebookCell]:
     """The cells that claim to be this exercise's, by heading or by id."""
-    return [cell for cell in cells if exercise_id(cell) == exercise.id
-            or (cell.id == exercise.cell_id and exercise_id(cell) is None)]
+    return [
+        cell
+        for cell in cells
+        if exercise_id(cell) == exercise.id or (cell.id == exercise.cell_id and exercise_id(cell) is None)
+    ]
 
 
 def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[NotebookCell] = ()) -> Program:
@@ -73,13 +76,14 @@ def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[Note
     heading = f'# Exercise {exercise.id}: {exercise.title}'
     found = of_exercise(cells, exercise)
     if not found:
-        raise InvalidExercise(f'The cell of exercise {exercise.id} was not found: its first line must be '
-                              f'`{heading}`.')
+        raise InvalidExercise(f'The cell of exercise {exercise.id} was not found: its first line must be `{heading}`.')
     if len(found) > 1:
         numbers = ' and '.join(str(cell.number) for cell in found if cell.number)
-        raise InvalidExercise(f'Exercise {exercise.id} is there {len(found)} times'
-                              + (f' (cells {numbers})' if numbers else '')
-                              + f': keep one cell that begins with `{heading}`.')
+        raise InvalidExercise(
+            f'Exercise {exercise.id} is there {len(found)} times'
+            + (f' (cells {numbers})' if numbers else '')
+            + f': keep one cell that begins with `{heading}`.'
+        )
     cell = found[0]
     tree = _parse_exercise(cell, exercise)
     if stub_digest(cell.source) == exercise.stub:
@@ -87,12 +91,15 @@ def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[Note
     missing = [name for name in exercise.names if name not in defined(tree.body)]
     if missing:
         there = sorted(name for name in defined(tree.body) if not name.startswith('_'))
-        raise InvalidExercise(f'The cell of exercise {exercise.id} must define `{missing[0]}`'
-                              + (f'; it defines {", ".join(f"`{name}`" for name in there[:5])}.' if there else '.'))
+        raise InvalidExercise(
+            f'The cell of exercise {exercise.id} must define `{missing[0]}`'
+            + (f'; it defines {", ".join(f"`{name}`" for name in there[:5])}.' if there else '.')
+        )
     program = Program(exercise)
-    for other in cells[:cells.index(cell)]:
-        program.cells += [{'label': other.label, 'source': text, 'line': line, 'required': False}
-                          for line, text in definitions(other)]
+    for other in cells[: cells.index(cell)]:
+        program.cells += [
+            {'label': other.label, 'source': text, 'line': line, 'required': False} for line, text in definitions(other)
+        ]
     program.cells.append({'label': cell.label, 'source': cell.source, 'line': 1, 'required': True})
     have = {name for part in program.cells for name in names_in(part['source'])}
     for other in notebook:
@@ -117,11 +124,14 @@ def _parse_exercise(cell: NotebookCell, exercise: Exercise) -> ast.Module:
         lines = cell.source.splitlines()
         for number, line in enumerate(lines, 1):
             if line.lstrip()[:1] in ('%', '!', '?'):
-                raise InvalidExercise(f'Exercise {exercise.id}, line {number}: `{line.strip()[:60]}` is a notebook '
-                                      'command, not Python. Move it to a cell of its own.') from None
+                raise InvalidExercise(
+                    f'Exercise {exercise.id}, line {number}: `{line.strip()[:60]}` is a notebook '
+                    'command, not Python. Move it to a cell of its own.'
+                ) from None
         text = lines[error.lineno - 1].strip()[:80] if error.lineno and error.lineno <= len(lines) else ''
-        raise InvalidExercise(f'Exercise {exercise.id}, line {error.lineno}: Python cannot read `{text}` '
-                              f'({error.msg}).') from None
+        raise InvalidExercise(
+            f'Exercise {exercise.id}, line {error.lineno}: Python cannot read `{text}` ({error.msg}).'
+        ) from None
     except (ValueError, RecursionError, MemoryError):  # null bytes, very deep nesting
         raise InvalidExercise(f'Exercise {exercise.id}: Python cannot read the cell.') from None
 
@@ -137,8 +147,10 @@ def definitions(cell: NotebookCell) -> tuple[tuple[int, str], ...]:
     text, tree = cell.source, syntax_tree(cell.source)
     if tree is None:
         # A notebook's command lines are not Python; they leave an empty line.
-        text = '\n'.join('' if _MAGIC.match(line.strip()) and syntax_tree(line.strip()) is None else line
-                         for line in cell.source.splitlines())
+        text = '\n'.join(
+            '' if _MAGIC.match(line.strip()) and syntax_tree(line.strip()) is None else line
+            for line in cell.source.splitlines()
+        )
         tree = syntax_tree(text)
     if tree is None:
         return ()
@@ -147,9 +159,9 @@ def definitions(cell: NotebookCell) -> tuple[tuple[int, str], ...]:
     for node in tree.body:
         if _is_definition(node):
             first = min([node.lineno, *(d.lineno for d in getattr(node, 'decorator_list', ()))])
-            part = lines[first - 1:node.end_lineno]
+            part = lines[first - 1 : node.end_lineno]
             if len(part) == 1:  # a neighbour on the same line is cut off
-                part = [part[0].encode()[node.col_offset:node.end_col_offset].decode()]
+                part = [part[0].encode()[node.col_offset : node.end_col_offset].decode()]
             found.append((first, ''.join(part).rstrip('\r\n') + '\n'))
     return tuple(found)
 

@@ -31,9 +31,17 @@ def load(folder: Path = paths.NOTEBOOKS) -> dict[str, Mark]:
     """Return the marks by exercise; empty if there are none, or if the file cannot be read as such."""
     try:
         rows = json.loads((folder / FILE).read_text(encoding='utf-8'))
-        return {exercise: Mark(float(row['points']), float(row['score']), bool(row['passed']),
-                               int(row.get('rules', 0)), int(row.get('kept', 0)), str(row.get('seed', '')))
-                for exercise, row in rows.items()}
+        return {
+            exercise: Mark(
+                float(row['points']),
+                float(row['score']),
+                bool(row['passed']),
+                int(row.get('rules', 0)),
+                int(row.get('kept', 0)),
+                str(row.get('seed', '')),
+            )
+            for exercise, row in rows.items()
+        }
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
         return {}
 
@@ -54,9 +62,18 @@ def note(report, folder: Path = paths.NOTEBOOKS) -> None:
     """
     from filelock import FileLock
 
-    news = {result.id: Mark(result.points, result.score, result.passed, len(result.rules), result.count_rules('kept'),
-                            '' if result.passed or not result.tests else report.seeds[result.id])
-            for result in report.exercises if result.score is not None}
+    news = {
+        result.id: Mark(
+            result.points,
+            result.score,
+            result.passed,
+            len(result.rules),
+            result.count_rules('kept'),
+            '' if result.passed or not result.tests else report.seeds[result.id],
+        )
+        for result in report.exercises
+        if result.score is not None
+    }
     with FileLock(folder / f'{FILE}.lock', timeout=10):
         marks = {**load(folder), **news}
         with tempfile.NamedTemporaryFile('w', dir=folder, prefix=FILE, delete=False, encoding='utf-8') as file:

@@ -27,7 +27,7 @@ _WORDS = {
     results.NOT_ATTEMPTED: 'not solved yet',
 }
 
-_TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).from_string('''\
+_TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).from_string("""\
 {% for exercise in exercises %}
 <div style="border-left: 4px solid {{ colour(exercise) }}; padding: 0.2em 0 0.2em 0.9em; margin: 0.3em 0">
 <div style="font-weight: 600">{{ heading(exercise) }}</div>
@@ -57,7 +57,7 @@ _TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).f
 {% endfor %}
 </div>
 {% endfor %}
-''')
+""")
 
 
 def heading(exercise: ExerciseResult) -> str:
@@ -89,9 +89,12 @@ def standing(exercise: ExerciseResult) -> list[str]:
         for rule in exercise.rules:
             if rule.state == results.NOT_LOOKED_AT:
                 reasons.setdefault(rule.why, []).append(rule.name)
-        lines = [f'Right so far: {", ".join(names)}.' if why == results.SO_FAR else
-                 f'Not looked at{" here" if exercise.passed else " yet"}: {", ".join(names)} ({why}).'
-                 for why, names in reasons.items()]
+        lines = [
+            f'Right so far: {", ".join(names)}.'
+            if why == results.SO_FAR
+            else f'Not looked at{" here" if exercise.passed else " yet"}: {", ".join(names)} ({why}).'
+            for why, names in reasons.items()
+        ]
         if not exercise.passed and exercise.count_rules(results.KEPT):
             names = ', '.join(rule.name for rule in exercise.rules if rule.state == results.KEPT)
             lines.append(f'Kept: {names}.')
@@ -166,8 +169,18 @@ def code(text: str) -> Markup:
 
 def html(exercises: list[ExerciseResult]) -> str:
     """The results for a notebook."""
-    return _TEMPLATE.render(exercises=exercises, heading=heading, standing=standing, colour=colour, hint=hint,
-                            broken=broken, happened=happened, repeated=repeated, mark=mark, code=code)
+    return _TEMPLATE.render(
+        exercises=exercises,
+        heading=heading,
+        standing=standing,
+        colour=colour,
+        hint=hint,
+        broken=broken,
+        happened=happened,
+        repeated=repeated,
+        mark=mark,
+        code=code,
+    )
 
 
 def lines(exercises: list[ExerciseResult]) -> list[tuple[str, str]]:

@@ -18,7 +18,7 @@ from helpers.exercises import manifest, progress_file
 FILE = 'START.md'
 _STEPS = 10  # boxes in a bar
 
-_TEMPLATE = '''\
+_TEMPLATE = """\
 # ROS 2 from zero
 
 Eight notebooks, from the first command to a robot that obeys you. Open a chapter with a click, or press Tab until its
@@ -67,7 +67,7 @@ A second terminal with ROS in it: `./course shell`. When you are done: `./course
 
 {% endfor %}
 _This page is made anew when JupyterLab starts, and after each check. Close it and open it again to see the new one._
-'''
+"""
 
 
 @dataclass(frozen=True)
@@ -140,15 +140,26 @@ def text(folder: Path = paths.NOTEBOOKS) -> str:
     found = progress_file.load(folder)
     chapters = [_chapter(path, known, found) for path in sorted(folder.glob('[0-9][0-9]_*.ipynb'))]
     mine = [exercise for exercise in known.values() if any(exercise.notebook == one.notebook for one in chapters)]
-    return Environment(trim_blocks=True, lstrip_blocks=True).from_string(_TEMPLATE).render(
-        chapters=chapters, next=next((one for one in chapters if one.open and one.readable), None),
-        damaged=[f'`{one.notebook}`' for one in chapters if not one.readable],
-        missing=[f'`{name}`' for name in sorted({exercise.notebook for exercise in known.values()})
-                 if not (folder / name).is_file()],
-        solved=sum(one.solved for one in chapters), exercises=len(mine),
-        kept=sum(one.kept for one in chapters), rules=sum(one.rules for one in chapters),
-        points=_number(sum(exercise.points for exercise in mine)),
-        score=_number(sum(found[exercise.id].score for exercise in mine if exercise.id in found)))
+    return (
+        Environment(trim_blocks=True, lstrip_blocks=True)
+        .from_string(_TEMPLATE)
+        .render(
+            chapters=chapters,
+            next=next((one for one in chapters if one.open and one.readable), None),
+            damaged=[f'`{one.notebook}`' for one in chapters if not one.readable],
+            missing=[
+                f'`{name}`'
+                for name in sorted({exercise.notebook for exercise in known.values()})
+                if not (folder / name).is_file()
+            ],
+            solved=sum(one.solved for one in chapters),
+            exercises=len(mine),
+            kept=sum(one.kept for one in chapters),
+            rules=sum(one.rules for one in chapters),
+            points=_number(sum(exercise.points for exercise in mine)),
+            score=_number(sum(found[exercise.id].score for exercise in mine if exercise.id in found)),
+        )
+    )
 
 
 def introduction(path: Path) -> Introduction:
@@ -160,20 +171,30 @@ def introduction(path: Path) -> Introduction:
         return ' '.join(match[1].split()) if match else default
 
     goals = re.search(r'^\*\*Goals\.\*\*.*?(?=^\*\*|\Z)', head, re.MULTILINE | re.DOTALL)
-    return Introduction(said(r'^# (.+?)$', path.stem), said(r'^> (.+?)$'), goals[0].strip() if goals else '',
-                        said(r'^\*\*Time\.\*\* (?:About )?(.+?)(?: with .*?)?\.$'))
+    return Introduction(
+        said(r'^# (.+?)$', path.stem),
+        said(r'^> (.+?)$'),
+        goals[0].strip() if goals else '',
+        said(r'^\*\*Time\.\*\* (?:About )?(.+?)(?: with .*?)?\.$'),
+    )
 
 
 def _chapter(path: Path, known: dict, found: dict[str, progress_file.Mark]) -> ChapterRow:
     mine = [exercise for exercise in known.values() if exercise.notebook == path.name]
     still = [exercise.id for exercise in mine if exercise.id not in found or not found[exercise.id].passed]
     return ChapterRow(
-        int(path.name[:2]), path.name, introduction(path), len(mine), len(mine) - len(still),
+        int(path.name[:2]),
+        path.name,
+        introduction(path),
+        len(mine),
+        len(mine) - len(still),
         sum(len(exercise.rules) for exercise in mine),
         sum(min(found[exercise.id].kept, len(exercise.rules)) for exercise in mine if exercise.id in found),
         _number(sum(exercise.points for exercise in mine)),
-        _number(sum(found[exercise.id].score for exercise in mine if exercise.id in found)), still,
-        _head(path) is not None)
+        _number(sum(found[exercise.id].score for exercise in mine if exercise.id in found)),
+        still,
+        _head(path) is not None,
+    )
 
 
 def _head(path: Path) -> str | None:

@@ -39,14 +39,21 @@ def submit(learner: str | None = None) -> None:
     try:
         packed = pack(learner)
         print(result_display.plain(packed.exercises))
-        print(f'\nPacked for {packed.learner}: {packed.path.name}. Hand in this file. '
-              'It holds the notebooks as they were last saved.')
+        print(
+            f'\nPacked for {packed.learner}: {packed.path.name}. Hand in this file. '
+            'It holds the notebooks as they were last saved.'
+        )
     except SubmissionError as error:
         print(error)
 
 
-def pack(learner: str | None = None, output: Path | None = None, *, notebooks_folder: Path = paths.NOTEBOOKS,
-         test: bool = True) -> Packed:
+def pack(
+    learner: str | None = None,
+    output: Path | None = None,
+    *,
+    notebooks_folder: Path = paths.NOTEBOOKS,
+    test: bool = True,
+) -> Packed:
     """Write the zip file and run the visible tests (unless `test` is false).
 
     Outputs of cells are left out. The same notebooks give the same bytes.
@@ -77,8 +84,11 @@ def pack(learner: str | None = None, output: Path | None = None, *, notebooks_fo
         mine = [exercise for exercise in exercises.values() if exercise.notebook == name]
         if test:
             packed.exercises += session.run(cells, mine, session.Options(processes=2)).exercises
-    label = {'format': FORMAT, 'learner': learner,
-             'saved': time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime(saved))}  # of several zips the latest counts
+    label = {
+        'format': FORMAT,
+        'learner': learner,
+        'saved': time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime(saved)),
+    }  # of several zips the latest counts
     members['submission.json'] = json.dumps(label, indent=2).encode()
     _write(output, members)
     return packed

@@ -16,12 +16,20 @@ _SILENT = ('UNKNOWN', 'SYSTEM_DEFAULT', 'BEST_AVAILABLE', 'AUTOMATIC')  # values
 
 def plain(qos: QoSProfile) -> QoSProfile:
     """The profile with "no limit" as an endpoint's maker writes it (0), not as the graph does (infinity)."""
+
     def limit(duration: Duration) -> Duration:
         return Duration() if duration.nanoseconds >= INFINITE.nanoseconds else duration
+
     return QoSProfile(
-        history=qos.history, depth=qos.depth, reliability=qos.reliability, durability=qos.durability,
-        liveliness=qos.liveliness, deadline=limit(qos.deadline), lifespan=limit(qos.lifespan),
-        liveliness_lease_duration=limit(qos.liveliness_lease_duration))
+        history=qos.history,
+        depth=qos.depth,
+        reliability=qos.reliability,
+        durability=qos.durability,
+        liveliness=qos.liveliness,
+        deadline=limit(qos.deadline),
+        lifespan=limit(qos.lifespan),
+        liveliness_lease_duration=limit(qos.liveliness_lease_duration),
+    )
 
 
 def fit(offered: QoSProfile, requested: QoSProfile) -> bool:
@@ -35,11 +43,15 @@ def mismatches(offered: QoSProfile, requested: QoSProfile) -> list[tuple[str, st
     Policies and their order of strength: "Quality of Service settings" in ROS 2's documentation.
     """
     offered, requested = plain(offered), plain(requested)
-    found = [(policy, weak.name, strong.name) for policy, weak, strong in (
-        ('reliability', ReliabilityPolicy.BEST_EFFORT, ReliabilityPolicy.RELIABLE),
-        ('durability', DurabilityPolicy.VOLATILE, DurabilityPolicy.TRANSIENT_LOCAL),
-        ('liveliness', LivelinessPolicy.AUTOMATIC, LivelinessPolicy.MANUAL_BY_TOPIC),
-    ) if (getattr(offered, policy), getattr(requested, policy)) == (weak, strong)]
+    found = [
+        (policy, weak.name, strong.name)
+        for policy, weak, strong in (
+            ('reliability', ReliabilityPolicy.BEST_EFFORT, ReliabilityPolicy.RELIABLE),
+            ('durability', DurabilityPolicy.VOLATILE, DurabilityPolicy.TRANSIENT_LOCAL),
+            ('liveliness', LivelinessPolicy.AUTOMATIC, LivelinessPolicy.MANUAL_BY_TOPIC),
+        )
+        if (getattr(offered, policy), getattr(requested, policy)) == (weak, strong)
+    ]
     for policy in ('deadline', 'liveliness_lease_duration'):
         offers, asks = getattr(offered, policy).nanoseconds, getattr(requested, policy).nanoseconds
         if asks and (not offers or offers > asks):
@@ -64,8 +76,11 @@ def is_latched(qos: QoSProfile) -> bool:
 
 def words(qos: QoSProfile) -> list[str]:
     """What an endpoint's profile says, policy by policy; the graph does not know history and depth."""
-    said = [f'{policy} {value.name}' for policy in ('reliability', 'durability', 'liveliness')
-            if (value := getattr(qos, policy)).name not in _SILENT]
+    said = [
+        f'{policy} {value.name}'
+        for policy in ('reliability', 'durability', 'liveliness')
+        if (value := getattr(qos, policy)).name not in _SILENT
+    ]
     for policy in ('deadline', 'lifespan', 'liveliness_lease_duration'):
         limit = seconds(getattr(qos, policy).nanoseconds)
         said += [f'{policy.replace("_", " ")} {limit}'] if limit != 'no limit' else []

@@ -21,8 +21,11 @@ def settle(timeout: float = 5.0, *, views: bool = False) -> None:
     """
     __tracebackhide__ = True
     deadline = time.monotonic() + timeout
-    mine = [handle for handle in handles() if handle.running and (
-        views or any(not node.get_name().startswith('_') for node in handle.nodes))]
+    mine = [
+        handle
+        for handle in handles()
+        if handle.running and (views or any(not node.get_name().startswith('_') for node in handle.nodes))
+    ]
     for _ in range(_ROUNDS):
         before = _count
         for handle in mine:

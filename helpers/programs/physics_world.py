@@ -43,8 +43,15 @@ class PhysicsWorld:
     :raises ValueError: the robot or the scene cannot be used (`UrdfError`, `SceneError`); the text says why.
     """
 
-    def __init__(self, urdf: str | Path | None = None, scene: str | Path = 'rooms',
-                 real_time_factor: float | None = 1.0, noise=None, seed: int = 0, localization: bool = True):
+    def __init__(
+        self,
+        urdf: str | Path | None = None,
+        scene: str | Path = 'rooms',
+        real_time_factor: float | None = 1.0,
+        noise=None,
+        seed: int = 0,
+        localization: bool = True,
+    ):
         import rclpy
         from rclpy.logging import LoggingSeverity, set_logger_level
         from rclpy.parameter import Parameter
@@ -54,8 +61,13 @@ class PhysicsWorld:
         from mujoco_world.node import WorldNode
         from mujoco_world.world import World
 
-        values = {'robot_description': _text(urdf), 'scene': str(scene), 'seed': seed, 'localization': localization,
-                  'real_time_factor': float(real_time_factor or 0.0)}
+        values = {
+            'robot_description': _text(urdf),
+            'scene': str(scene),
+            'seed': seed,
+            'localization': localization,
+            'real_time_factor': float(real_time_factor or 0.0),
+        }
         if noise is not None:
             values |= {'odometry_noise': float(noise.odometry)}
             values |= {} if noise.range is None else {'range_noise': float(noise.range)}
@@ -66,16 +78,23 @@ class PhysicsWorld:
         for name in ('world', 'robot_state_publisher'):
             set_logger_level(name, LoggingSeverity.WARN)
         self._clocked = real_time_factor is not None
-        self._node = WorldNode(clocked=self._clocked, parameter_overrides=[
-            Parameter(name, value=value) for name, value in values.items()])
-        self._frames = _robot_state_publisher()(parameter_overrides=[
-            Parameter('robot_description', value=self._node.world.urdf), Parameter('use_sim_time', value=True),
-            Parameter('publish_frequency', value=50.0)])
+        self._node = WorldNode(
+            clocked=self._clocked, parameter_overrides=[Parameter(name, value=value) for name, value in values.items()]
+        )
+        self._frames = _robot_state_publisher()(
+            parameter_overrides=[
+                Parameter('robot_description', value=self._node.world.urdf),
+                Parameter('use_sim_time', value=True),
+                Parameter('publish_frequency', value=50.0),
+            ]
+        )
         self._spinning = spinning(self._node, self._frames)
         _worlds.append(self)
         if (clocks := self._node.count_publishers('/clock')) > 1:
-            say(f'{clocks} programs publish /clock in this domain. With two worlds, time and robot jump to and fro: '
-                'stop one of them. "ros2 topic info /clock --verbose" names them.\n')
+            say(
+                f'{clocks} programs publish /clock in this domain. With two worlds, time and robot jump to and fro: '
+                'stop one of them. "ros2 topic info /clock --verbose" names them.\n'
+            )
 
     @property
     def simulator(self) -> str:

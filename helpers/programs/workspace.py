@@ -110,9 +110,18 @@ class Workspace:
     def _terminal(self, script: str) -> list[str]:
         """The command that runs a script in a new terminal."""
         # Variables that belong to the kernel's own Python, or that make tools print colours though it is no terminal.
-        return ['env', '-u', 'PYTHONDONTWRITEBYTECODE', '-u', '_ROS_WHEELS_BOOTSTRAP_COMPLETE',
-                '-u', 'FORCE_COLOR', '-u', 'CLICOLOR_FORCE',
-                *terminals.shell(script)]
+        return [
+            'env',
+            '-u',
+            'PYTHONDONTWRITEBYTECODE',
+            '-u',
+            '_ROS_WHEELS_BOOTSTRAP_COMPLETE',
+            '-u',
+            'FORCE_COLOR',
+            '-u',
+            'CLICOLOR_FORCE',
+            *terminals.shell(script),
+        ]
 
     @staticmethod
     def _finish(process: BackgroundProcess, meanwhile) -> int:
@@ -148,6 +157,7 @@ class _Progress:
         line = f'… {seconds:.0f} s   {_newest_line(self.log)}'
         if self._display is None:
             from IPython.display import display
+
             self._display = display({'text/plain': line}, raw=True, display_id=True)
         else:
             self._display.update({'text/plain': line}, raw=True)
@@ -174,12 +184,15 @@ def _show_logs(workspace: Path) -> None:
 
 
 def _tree(folder: Path, indent: str, depth: int) -> None:
-    entries = sorted(path for path in folder.iterdir()
-                     if not path.name.startswith('.') and path.name not in ('__pycache__', terminals.DEFAULTS))
+    entries = sorted(
+        path
+        for path in folder.iterdir()
+        if not path.name.startswith('.') and path.name not in ('__pycache__', terminals.DEFAULTS)
+    )
     for entry in entries:
         branch, trunk = ('└── ', '    ') if entry == entries[-1] else ('├── ', '│   ')
         inside = entry.is_dir() and not entry.is_symlink()
-        print(f"{indent}{branch}{entry.name}{'/' if inside else ''}{_target(entry)}")
+        print(f'{indent}{branch}{entry.name}{"/" if inside else ""}{_target(entry)}')
         if inside and depth > 1:
             _tree(entry, indent + trunk, depth - 1)
 

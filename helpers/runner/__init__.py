@@ -8,6 +8,7 @@ The tests and the learner's code live in two processes that meet only over DDS a
     worker             a process with the learner's program
     start_processes    how both sides are started; a sandbox has its own way
 """
+
 from helpers.runner.verdicts import about, broken, expect
 
 __all__ = ['about', 'broken', 'expect']

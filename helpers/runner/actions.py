@@ -3,6 +3,7 @@
 `Client` sends goals to the learner's action server, and sees all that it says on the wire; `Server` is an action server
 that follows a test's plan, for a client of the learner's.
 """
+
 import time
 import uuid
 from dataclasses import dataclass, field
@@ -19,11 +20,16 @@ from helpers.runner.peers import SECOND, Named
 from helpers.runner.values import type_name
 from helpers.runner.verdicts import ExpectationFailed
 
-STATUS = {getattr(GoalStatus, f'STATUS_{name.upper()}'): name for name in (
-    'unknown', 'accepted', 'executing', 'canceling', 'succeeded', 'canceled', 'aborted')}
-CANCEL = {CancelGoal.Response.ERROR_NONE: 'accepted', CancelGoal.Response.ERROR_REJECTED: 'rejected',
-          CancelGoal.Response.ERROR_UNKNOWN_GOAL_ID: 'unknown goal',
-          CancelGoal.Response.ERROR_GOAL_TERMINATED: 'goal has ended'}
+STATUS = {
+    getattr(GoalStatus, f'STATUS_{name.upper()}'): name
+    for name in ('unknown', 'accepted', 'executing', 'canceling', 'succeeded', 'canceled', 'aborted')
+}
+CANCEL = {
+    CancelGoal.Response.ERROR_NONE: 'accepted',
+    CancelGoal.Response.ERROR_REJECTED: 'rejected',
+    CancelGoal.Response.ERROR_UNKNOWN_GOAL_ID: 'unknown goal',
+    CancelGoal.Response.ERROR_GOAL_TERMINATED: 'goal has ended',
+}
 PATIENCE = 0.3  # seconds of wall time
 _MANY = QoSProfile(depth=1000)
 
@@ -84,14 +90,20 @@ class Client(Named):
         self._tries: dict = {}  # for how many rounds an answer that should be there has been awaited
         self._by_id: dict[bytes, Goal] = {}
         node, hidden = learner.node, f'{self.name}/_action'
-        self._clients = [node.create_client(srv_type, f'{hidden}/{ending}') for srv_type, ending in (
-            (action_type.Impl.SendGoalService, 'send_goal'), (action_type.Impl.CancelGoalService, 'cancel_goal'),
-            (action_type.Impl.GetResultService, 'get_result'))]
+        self._clients = [
+            node.create_client(srv_type, f'{hidden}/{ending}')
+            for srv_type, ending in (
+                (action_type.Impl.SendGoalService, 'send_goal'),
+                (action_type.Impl.CancelGoalService, 'cancel_goal'),
+                (action_type.Impl.GetResultService, 'get_result'),
+            )
+        ]
         self._send_goal, self._cancel_goal, self._get_result = self._clients
         # A plain ActionClient drops feedback that comes together with the result: here every message counts.
         self._subscriptions = [
             node.create_subscription(action_type.Impl.FeedbackMessage, f'{hidden}/feedback', self._on_feedback, _MANY),
-            node.create_subscription(GoalStatusArray, f'{hidden}/status', self._on_status, _MANY)]
+            node.create_subscription(GoalStatusArray, f'{hidden}/status', self._on_status, _MANY),
+        ]
 
     def ask(self, node: str, namespace: str):
         return action_graph.get_action_server_names_and_types_by_node(self.learner.node, node, namespace)
@@ -123,7 +135,8 @@ class Client(Named):
         request = CancelGoal.Request()
         request.goal_info.goal_id = goal_id or UUID()  # no id, no stamp: all
         self._cancel_goal.call_async(request).add_done_callback(
-            lambda future: self._cancel_answered(cancel, future.result()))
+            lambda future: self._cancel_answered(cancel, future.result())
+        )
         self.learner.unsettled = True
         return cancel
 
@@ -131,8 +144,7 @@ class Client(Named):
         goal.accepted, goal.answered = response.accepted, self.learner.now / SECOND
         if goal.accepted:
             request = self.action_type.Impl.GetResultService.Request(goal_id=goal.id)
-            self._get_result.call_async(request).add_done_callback(
-                lambda future: self._finished(goal, future.result()))
+            self._get_result.call_async(request).add_done_callback(lambda future: self._finished(goal, future.result()))
             self._asked = True
 
     def _cancel_answered(self, cancel: Cancel, response) -> None:
@@ -167,8 +179,11 @@ class Client(Named):
         """
         late = [(id(goal), 'answer') for goal in self.goals if goal.answered is None]
         late += [(id(cancel), 'cancel') for cancel in self.cancels if not cancel.done]
-        late += [(id(goal), 'result') for goal in self.goals
-                 if goal.finished is None and goal.statuses[-1:] in (['succeeded'], ['canceled'], ['aborted'])]
+        late += [
+            (id(goal), 'result')
+            for goal in self.goals
+            if goal.finished is None and goal.statuses[-1:] in (['succeeded'], ['canceled'], ['aborted'])
+        ]
         return late
 
     def due(self) -> int | None:
@@ -228,8 +243,18 @@ class Server(Named):
 
     kind, preposition = 'action client', 'for'
 
-    def __init__(self, learner, name: str, action_type, plan, accept, cancel: str, cancel_delay: float, partial,
-                 strict: bool = True):
+    def __init__(
+        self,
+        learner,
+        name: str,
+        action_type,
+        plan,
+        accept,
+        cancel: str,
+        cancel_delay: float,
+        partial,
+        strict: bool = True,
+    ):
         super().__init__(learner, name, type_name(action_type), strict)
         self.action_type, self.plan, self.accept = action_type, plan, accept
         self.cancel, self.cancel_delay, self.partial = cancel, cancel_delay, partial
@@ -292,13 +317,17 @@ class Server(Named):
     def due(self) -> int | None:
         if self.said:
             return self.learner.now
-        return min([served.plan[0][0] for served in self.goals if served.plan] + [due for due, _ in self._held],
-                   default=None)
+        return min(
+            [served.plan[0][0] for served in self.goals if served.plan] + [due for due, _ in self._held], default=None
+        )
 
     def hold(self, taken: dict) -> dict:
         """Keep the requests that are looked at later; return the others, for which it is time now."""
-        self._held += [(self.learner.now + round(self.late[kind] * SECOND), {kind: request})
-                       for kind, request in taken.items() if self.late.get(kind)]
+        self._held += [
+            (self.learner.now + round(self.late[kind] * SECOND), {kind: request})
+            for kind, request in taken.items()
+            if self.late.get(kind)
+        ]
         return {kind: request for kind, request in taken.items() if not self.late.get(kind)}
 
     def act(self) -> None:
@@ -336,8 +365,14 @@ class _PlannedServer(ActionServer):
 
     def __init__(self, server: Server):
         self.server = server
-        super().__init__(server.learner.node, server.action_type, server.name, lambda handle: None,
-                         goal_callback=server.asked, cancel_callback=server.asked_to_cancel)
+        super().__init__(
+            server.learner.node,
+            server.action_type,
+            server.name,
+            lambda handle: None,
+            goal_callback=server.asked,
+            cancel_callback=server.asked_to_cancel,
+        )
 
     def notify_execute(self, goal_handle, execute_callback) -> None:
         self.server.began(goal_handle)

@@ -27,13 +27,21 @@ def _seconds(value) -> bool:
 
 
 def _queues(value) -> bool:
-    return isinstance(value, list) and len(value) <= _MAX_ITEMS and all(
-        isinstance(queue, list) and len(queue) == 3 and _texts(queue[:2]) and _count(queue[2]) for queue in value)
+    return (
+        isinstance(value, list)
+        and len(value) <= _MAX_ITEMS
+        and all(
+            isinstance(queue, list) and len(queue) == 3 and _texts(queue[:2]) and _count(queue[2]) for queue in value
+        )
+    )
 
 
 def _rows(value) -> bool:
-    return isinstance(value, list) and len(value) <= _MAX_ITEMS and all(
-        isinstance(row, dict) and {'cell', 'line', 'code'} <= row.keys() for row in value)
+    return (
+        isinstance(value, list)
+        and len(value) <= _MAX_ITEMS
+        and all(isinstance(row, dict) and {'cell', 'line', 'code'} <= row.keys() for row in value)
+    )
 
 
 def _anything(value) -> bool:
@@ -46,8 +54,14 @@ _ANSWERS = {
     'call': {'result': _anything},
     'value': {'result': _anything},
     'habits': {'queues': _queues, 'slept': _seconds},
-    'step': {'count': _count, 'reached': _truth, 'next': _moment, 'endpoints': _count, 'waiting': _rows,
-             'remarks': _texts},
+    'step': {
+        'count': _count,
+        'reached': _truth,
+        'next': _moment,
+        'endpoints': _count,
+        'waiting': _rows,
+        'remarks': _texts,
+    },
 }
 
 

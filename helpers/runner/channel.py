@@ -2,6 +2,7 @@
 
 JSON only, never pickle: the other end may be hostile, and nothing it sends is executed here.
 """
+
 import json
 import select
 import socket

@@ -1,4 +1,5 @@
 """The tests' side of the learner's process: starts it, asks it, and turns what goes wrong into a LearnerError."""
+
 import itertools
 import json
 import os
@@ -38,8 +39,9 @@ class ServerEnded(RunnerError):
 class ForkServer:
     """The learner's side, ready to start programs."""
 
-    def __init__(self, started: start_processes.StartedForkServer,
-                 limits: start_processes.Limits = start_processes.LIMITS):
+    def __init__(
+        self, started: start_processes.StartedForkServer, limits: start_processes.Limits = start_processes.LIMITS
+    ):
         """`started` comes from a launcher: `start_processes.start`, or a sandbox's. Waits until it is ready."""
         self.limits = limits
         self._started = started
@@ -177,7 +179,7 @@ class Output:
         while chunk := os.read(self._descriptor, 65536):
             if self.last:
                 self._kept += chunk
-                del self._kept[:-self.limit]
+                del self._kept[: -self.limit]
                 continue
             room = self.limit - len(self._kept)
             self._kept += chunk[:room]
@@ -252,8 +254,7 @@ class ProgramProcess:
     def _answer(self, number: int, timeout: float) -> dict:
         deadline = time.monotonic() + timeout
         while True:
-            answer = (self._early.pop(0) if self._early else
-                      self.channel.receive(max(0.0, deadline - time.monotonic())))
+            answer = self._early.pop(0) if self._early else self.channel.receive(max(0.0, deadline - time.monotonic()))
             if answer.get('id') == number:
                 return answer
 
@@ -275,19 +276,26 @@ class ProgramProcess:
 
     def _hanging(self, op: str, limit: float, arguments: dict, lines: list[dict]) -> LearnerError:
         self.kill()
-        doing = {'load': 'The cell', 'start': f"`{arguments.get('name')}(…)`",
-                 'call': f"`{arguments.get('name')}(…)`"}.get(op, 'A callback')
+        doing = {
+            'load': 'The cell',
+            'start': f'`{arguments.get("name")}(…)`',
+            'call': f'`{arguments.get("name")}(…)`',
+        }.get(op, 'A callback')
         where = ''
         if lines:
             last = lines[-1]
-            where = f" It was still at {last['cell']}, line {last['line']}: `{last['code']}`."
+            where = f' It was still at {last["cell"]}, line {last["line"]}: `{last["code"]}`.'
         asks = any(waiting in line['code'] for line in lines for waiting in _WAITS_FOR_ANSWER)
-        hint = (' It waits for an answer, which only another callback can receive, and none runs before this one has '
-                'returned: a deadlock. Use call_async, and go on in a done-callback or after `await`.'
-                if op == 'step' and asks else
-                ' A callback must return at once; what has to wait belongs into a timer.' if op == 'step' else
-                " Spinning and waiting are not the node's business: leave them to the program that runs it."
-                if op in ('start', 'load') else '')
+        hint = (
+            ' It waits for an answer, which only another callback can receive, and none runs before this one has '
+            'returned: a deadlock. Use call_async, and go on in a done-callback or after `await`.'
+            if op == 'step' and asks
+            else ' A callback must return at once; what has to wait belongs into a timer.'
+            if op == 'step'
+            else " Spinning and waiting are not the node's business: leave them to the program that runs it."
+            if op in ('start', 'load')
+            else ''
+        )
         return LearnerTimeout(f'{doing} did not return within {limit:g} s.{where}{hint}', _stack(lines))
 
     def _gone(self, op: str) -> LearnerError:
@@ -304,8 +312,9 @@ class ProgramProcess:
             if number == signal.SIGXCPU:
                 return LearnerTimeout('Your program used up its computing time.')
             how = f'was ended by {signal.Signals(number).name}'
-        return LearnerCrashed(f'The process of your program {how}. A node must not end its process: do not call '
-                              'exit().')
+        return LearnerCrashed(
+            f'The process of your program {how}. A node must not end its process: do not call exit().'
+        )
 
     def _error(self, problem: dict, arguments: dict) -> LearnerError:
         name = str(problem.get('name', arguments.get('name', '')))[:200]
@@ -316,28 +325,38 @@ class ProgramProcess:
             case 'waits':
                 return self._waits(problem)
             case 'no_node':
-                return LearnerError(f"`{name}(…)` gives {_a(str(problem.get('got'))[:100])}, not a node. "
-                                    'A class must inherit from `Node`; a function must return the node.')
+                return LearnerError(
+                    f'`{name}(…)` gives {_a(str(problem.get("got"))[:100])}, not a node. '
+                    'A class must inherit from `Node`; a function must return the node.'
+                )
             case 'no_super':
-                return LearnerError(f"`{name}` is not initialised as a node: call `super().__init__('…')` first in "
-                                    '`__init__`.')
+                return LearnerError(
+                    f"`{name}` is not initialised as a node: call `super().__init__('…')` first in `__init__`."
+                )
             case 'not_callable':
-                return LearnerError(f"`{name}` is {_a(str(problem.get('got'))[:100])}, not a function.")
+                return LearnerError(f'`{name}` is {_a(str(problem.get("got"))[:100])}, not a function.')
             case 'busy':
-                return LearnerError(f"Your node never comes to rest: {problem.get('count')} callbacks ran at one "
-                                    'moment of simulated time. Has a timer the period 0, or does a node answer its own '
-                                    'messages?')
+                return LearnerError(
+                    f'Your node never comes to rest: {problem.get("count")} callbacks ran at one '
+                    'moment of simulated time. Has a timer the period 0, or does a node answer its own '
+                    'messages?'
+                )
             case 'too_long':
                 return LearnerError(f'What `{name}(…)` returns is too long to be read.')
             case 'sleeps':
-                return LearnerError(f'A callback sleeps with time.sleep{_at(problem)}: that is the clock on the wall. '
-                                    "While it sleeps, no time passes for the robot. Wait on the node's clock: "
-                                    'self.get_clock().sleep_for(…), a rate, or a timer.', _stack(_lines(problem)))
+                return LearnerError(
+                    f'A callback sleeps with time.sleep{_at(problem)}: that is the clock on the wall. '
+                    "While it sleeps, no time passes for the robot. Wait on the node's clock: "
+                    'self.get_clock().sleep_for(…), a rate, or a timer.',
+                    _stack(_lines(problem)),
+                )
             case 'exception':
                 return self._exception(problem, name)
             case 'deaf':
-                return Unheard('Your program did not hear in time what was sent to it. Does it do something else '
-                               'meanwhile, in a thread of its own?')
+                return Unheard(
+                    'Your program did not hear in time what was sent to it. Does it do something else '
+                    'meanwhile, in a thread of its own?'
+                )
         return LearnerCrashed('Your program disturbed its connection to the tests (an error of an unknown kind).')
 
     def _waits(self, problem: dict) -> LearnerError:
@@ -347,33 +366,52 @@ class ProgramProcess:
         return LearnerTimeout(
             f'A callback {what}{_at(problem)}. Only another callback can receive what it waits for, and none runs '
             'before this one has returned: a deadlock, with or without a timeout. Use call_async (or send_goal_async), '
-            'and go on in a done-callback or after `await`.', _stack(lines))
+            'and go on in a done-callback or after `await`.',
+            _stack(lines),
+        )
 
     def _exception(self, problem: dict, name: str) -> LearnerError:
         where: dict[str | None, str] = {
-            'load': 'While the cell was run', 'constructor': f'While `{name}(…)` was made',
-            'call': f'While `{name}(…)` ran', 'execute': 'In an execute callback',
-            'callback': f"In a callback ({problem.get('callback')} of node `{problem.get('node')}`)"}
+            'load': 'While the cell was run',
+            'constructor': f'While `{name}(…)` was made',
+            'call': f'While `{name}(…)` ran',
+            'execute': 'In an execute callback',
+            'callback': f'In a callback ({problem.get("callback")} of node `{problem.get("node")}`)',
+        }
         lines = _lines(problem)
         kind, text = str(problem.get('type'))[:100], str(problem.get('text'))[:1000]
-        at = f" at {lines[-1]['cell']}, line {lines[-1]['line']}" if lines else ''
+        at = f' at {lines[-1]["cell"]}, line {lines[-1]["line"]}' if lines else ''
         if kind == 'SystemExit':
-            return LearnerCrashed(f"{where.get(problem.get('where'), 'Then')} your code called exit(){at}. "
-                                  'A node must not end its process.', _stack(lines))
+            return LearnerCrashed(
+                f'{where.get(problem.get("where"), "Then")} your code called exit(){at}. '
+                'A node must not end its process.',
+                _stack(lines),
+            )
         if kind == 'EOFError' and 'reading a line' in text:
-            return LearnerCrashed(f'Your code called input(){at}. Nobody is at a keyboard while it is tested: take '
-                                  'what you need as an argument or a parameter.', _stack(lines))
+            return LearnerCrashed(
+                f'Your code called input(){at}. Nobody is at a keyboard while it is tested: take '
+                'what you need as an argument or a parameter.',
+                _stack(lines),
+            )
         error = f'{kind}: {text}' if text else kind
         notes = problem.get('notes')
         notes = notes[:5] if isinstance(notes, list) and kind in ('NameError', 'ImportError') else []
         more = explanations.explain(kind, text, str(problem.get('early', ''))[:200], self.elsewhere)
-        return LearnerCrashed(f"{where.get(problem.get('where'), 'Then')} your code raised {error}{at}. {more}".strip(),
-                              '\n'.join([_stack(lines), error, *(f'Not loaded: {note}' for note in notes)]))
+        return LearnerCrashed(
+            f'{where.get(problem.get("where"), "Then")} your code raised {error}{at}. {more}'.strip(),
+            '\n'.join([_stack(lines), error, *(f'Not loaded: {note}' for note in notes)]),
+        )
 
     def call(self, name: str, args, kwargs, timeout: float, index: int | None = None):
         """Call the learner's function (or a method of what start number `index` made) and decode what it returns."""
-        answer = self.ask('call', timeout, name=name, args=[values.encode(a) for a in args],
-                          kwargs={k: values.encode(v) for k, v in kwargs.items()}, index=index)
+        answer = self.ask(
+            'call',
+            timeout,
+            name=name,
+            args=[values.encode(a) for a in args],
+            kwargs={k: values.encode(v) for k, v in kwargs.items()},
+            index=index,
+        )
         try:
             return values.decode(answer.get('result'))
         except ValueError as error:
@@ -408,17 +446,27 @@ def _a(kind: str) -> str:
 def _lines(message: dict) -> list[dict]:
     """The learner's lines in a message, whatever else it may hold."""
     found = message.get('lines')
-    return [{key: str(line.get(key, ''))[:300] for key in ('cell', 'line', 'function', 'code')}
-            for line in found[:20] if isinstance(line, dict)] if isinstance(found, list) else []
+    return (
+        [
+            {key: str(line.get(key, ''))[:300] for key in ('cell', 'line', 'function', 'code')}
+            for line in found[:20]
+            if isinstance(line, dict)
+        ]
+        if isinstance(found, list)
+        else []
+    )
 
 
 def _at(problem: dict) -> str:
     """Where the innermost of the learner's lines is, to be put into a sentence."""
     lines = _lines(problem)
-    return f" at {lines[-1]['cell']}, line {lines[-1]['line']}: `{lines[-1]['code']}`" if lines else ''
+    return f' at {lines[-1]["cell"]}, line {lines[-1]["line"]}: `{lines[-1]["code"]}`' if lines else ''
 
 
 def _stack(lines: list[dict]) -> str:
     """The learner's lines as a traceback."""
-    return '\n'.join(f"{line['cell']}, line {line['line']}{', in ' + line['function'] if line['function'] else ''}\n"
-                     f"    {line['code']}" for line in lines)
+    return '\n'.join(
+        f'{line["cell"]}, line {line["line"]}{", in " + line["function"] if line["function"] else ""}\n'
+        f'    {line["code"]}'
+        for line in lines
+    )

@@ -36,8 +36,11 @@ def perform(request: dict, given: list[int]) -> int:
             os.chdir(root)
             script = '[ ! -f install/setup.bash ] || source install/setup.bash\nexec "$@"'
             argv = [*terminals.shell(script), 'bash', *request['argv']]
-            os.execvpe(argv[0], argv, {**os.environ, **request['environment'],
-                                       'COLCON_DEFAULTS_FILE': str(root / terminals.DEFAULTS)})
+            os.execvpe(
+                argv[0],
+                argv,
+                {**os.environ, **request['environment'], 'COLCON_DEFAULTS_FILE': str(root / terminals.DEFAULTS)},
+            )
         case 'pytest':
             os.chdir(root)
             return _pytest(request, given)

@@ -45,12 +45,14 @@ def _rename(function: ast.FunctionDef | ast.AsyncFunctionDef, random: Random) ->
     inside = list(ast.walk(function))
     kept = {node.arg for node in inside if isinstance(node, (ast.arg, ast.keyword)) and node.arg}
     kept |= {name for node in inside if isinstance(node, (ast.Global, ast.Nonlocal)) for name in node.names}
-    kept |= {node.name for node in inside
-             if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.ExceptHandler))
-             and node.name}
+    kept |= {
+        node.name
+        for node in inside
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.ExceptHandler)) and node.name
+    }
     kept |= {(node.asname or node.name).partition('.')[0] for node in inside if isinstance(node, ast.alias)}
     local = {node.id for node in inside if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)} - kept
-    others = {name: f'{name}_{random.randrange(10**random.randint(2, 6))}' for name in sorted(local)}
+    others = {name: f'{name}_{random.randrange(10 ** random.randint(2, 6))}' for name in sorted(local)}
     for node in inside:
         if isinstance(node, ast.Name):
             node.id = others.get(node.id, node.id)

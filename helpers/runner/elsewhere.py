@@ -1,4 +1,5 @@
 """A test's own node in another ROS domain than the learner's program: it subscribes, publishes and relays there."""
+
 import secrets
 import threading
 import time
@@ -15,8 +16,13 @@ class Elsewhere:
     def __init__(self, domain_id: int):
         self.context = Context()
         self.context.init(domain_id=domain_id)
-        self.node = Node(f'_{secrets.token_hex(6)}', context=self.context, start_parameter_services=False,
-                         enable_rosout=False, use_global_arguments=False)
+        self.node = Node(
+            f'_{secrets.token_hex(6)}',
+            context=self.context,
+            start_parameter_services=False,
+            enable_rosout=False,
+            use_global_arguments=False,
+        )
         self._executor = SingleThreadedExecutor(context=self.context)
         self._executor.add_node(self.node)
         self._thread: threading.Thread | None = None

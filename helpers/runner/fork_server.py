@@ -16,6 +16,7 @@ Programs run the learner's cells. A task (`helpers.runner.commands`) runs in a p
     {"op": "forget", "place": name}                  ->  {"event": "cleared"}, when the place is gone
     (a child ended)                                  ->  {"event": "ended", "key": k, "status": wait status, "why": ""}
 """
+
 import array
 import functools
 import json
@@ -138,8 +139,13 @@ def serve(control: socket.socket, programs: ProgramProcesses) -> None:
                 output, *given = ancillary
                 if request['op'] == 'pytest':
                     preloading.warm_up_for_pytest(request.get('modules', []))
-                pid = programs.task(Limits(**request['limits']), place, output, given,
-                                    functools.partial(commands.perform, request, given))
+                pid = programs.task(
+                    Limits(**request['limits']),
+                    place,
+                    output,
+                    given,
+                    functools.partial(commands.perform, request, given),
+                )
                 children[pid] = request['key'], place
                 tell(event='forked', key=request['key'], pid=pid)
         for descriptor in ancillary:
@@ -176,6 +182,7 @@ def socket_receive(control: socket.socket):
 def become_program(channel: int, output: int) -> None:
     """In the forked child: make `output` the standard streams and run the worker. Never returns."""
     from helpers.runner import worker
+
     become_task(output, [channel], lambda: worker.run(socket.socket(fileno=channel)))
 
 
@@ -198,6 +205,7 @@ def become_task(output: int, given: list[int], act: Callable[[], int]) -> None:
         code = act()
     except BaseException:  # noqa: BLE001 - the child must not return into the server's loop
         import traceback
+
         traceback.print_exc()
     finally:
         try:

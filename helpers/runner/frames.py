@@ -20,8 +20,9 @@ STATIC_QOS = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 _HISTORY = Duration(seconds=10_000)  # a test never waits until something is forgotten
 
 
-def pose(x: float = 0.0, y: float = 0.0, z: float = 0.0, roll: float = 0.0, pitch: float = 0.0,
-         yaw: float = 0.0) -> np.ndarray:
+def pose(
+    x: float = 0.0, y: float = 0.0, z: float = 0.0, roll: float = 0.0, pitch: float = 0.0, yaw: float = 0.0
+) -> np.ndarray:
     """The matrix of a frame at x, y, z (metres) in its parent, turned by roll, pitch and yaw (radians)."""
     return compose_matrix(translate=(x, y, z), angles=(roll, pitch, yaw))
 
@@ -89,8 +90,9 @@ class Listener(Peer):
     @property
     def static_transforms(self) -> dict[str, TransformStamped]:
         """The newest of each child frame that came on `/tf_static`."""
-        return {transform.child_frame_id: transform for message in self.static.messages
-                for transform in message.transforms}
+        return {
+            transform.child_frame_id: transform for message in self.static.messages for transform in message.transforms
+        }
 
     @property
     def buffer(self) -> BufferCore:
@@ -105,7 +107,8 @@ class Listener(Peer):
     def matrix(self, target: str, source: str, seconds: float = 0.0) -> np.ndarray | None:
         """Where `source` is in `target` at a time (simulated seconds; 0: the newest); None if tf2 cannot tell."""
         try:
-            return to_matrix(self.buffer.lookup_transform_core(target, source,
-                                                               Time(nanoseconds=round(seconds * SECOND))))
+            return to_matrix(
+                self.buffer.lookup_transform_core(target, source, Time(nanoseconds=round(seconds * SECOND)))
+            )
         except TransformException:
             return None

@@ -1,4 +1,5 @@
 """The `learner` fixture: what a test can do with the learner's program, over DDS and in simulated time."""
+
 import itertools
 import secrets
 import time
@@ -131,8 +132,9 @@ class Learner(Workspaces):
     `helpers.runner.seeds`). An input that is drawn cannot be written into an answer beforehand.
     """
 
-    def __init__(self, server: ForkServer, program: dict, domain_id: int, timeouts: Timeouts = TIMEOUTS, *,
-                 random: Random):
+    def __init__(
+        self, server: ForkServer, program: dict, domain_id: int, timeouts: Timeouts = TIMEOUTS, *, random: Random
+    ):
         self.server, self.program, self.timeouts, self.random = server, program, timeouts, random
         self.token = secrets.token_hex(6)  # makes names unique without naming the test
         self.now = 0  # simulated time, ns
@@ -153,19 +155,33 @@ class Learner(Workspaces):
         self._done: dict[int, int] = {}
         self.context = Context()
         self.context.init(domain_id=domain_id)
-        self.node = Node(f'_{self.token}_t', context=self.context, start_parameter_services=False, enable_rosout=False,
-                         use_global_arguments=False)
+        self.node = Node(
+            f'_{self.token}_t',
+            context=self.context,
+            start_parameter_services=False,
+            enable_rosout=False,
+            use_global_arguments=False,
+        )
         self.executor = SingleThreadedExecutor(context=self.context)
         self.executor.add_node(self.node)
         self._clock = self.node.create_publisher(
-            Clock, '/clock', QoSProfile(depth=10, reliability=ReliabilityPolicy.RELIABLE))
+            Clock, '/clock', QoSProfile(depth=10, reliability=ReliabilityPolicy.RELIABLE)
+        )
         self._step = self.node.create_publisher(UInt64, f'/_{self.token}/step', 10)
         self.node.create_subscription(UInt64, f'/_{self.token}/done', self._on_done, 100)
 
     # What the learner's program is asked to do
 
-    def start(self, name: str, *args, parameters: dict | None = None, remap: dict | None = None,
-              beside: StartedNodes | None = None, threads: bool = False, **kwargs) -> StartedNodes:
+    def start(
+        self,
+        name: str,
+        *args,
+        parameters: dict | None = None,
+        remap: dict | None = None,
+        beside: StartedNodes | None = None,
+        threads: bool = False,
+        **kwargs,
+    ) -> StartedNodes:
         """Make the learner's node in a process of its own, in simulated time.
 
         `name` is their class, or a function that returns a node or a list of nodes. `parameters` and `remap` act as
@@ -180,9 +196,14 @@ class Learner(Workspaces):
         for key, value in (remap or {}).items():
             ros_args += ['-r', f'{key}:={value}']
         process = beside.process if beside else self._process(ros_args)
-        answer = process.ask('start', self.timeouts.start, name=name, threads=threads,
-                             args=[values.encode(a) for a in args],
-                             kwargs={k: values.encode(v) for k, v in kwargs.items()})
+        answer = process.ask(
+            'start',
+            self.timeouts.start,
+            name=name,
+            threads=threads,
+            args=[values.encode(a) for a in args],
+            kwargs={k: values.encode(v) for k, v in kwargs.items()},
+        )
         self._stepped.add(process.key)
         self._endpoints[process.key] = answer['endpoints']
         self._connected = False
@@ -215,8 +236,9 @@ class Learner(Workspaces):
                 self.server.clear()
 
     def _process(self, ros_args: list[str]) -> ProgramProcess:
-        process = ProgramProcess(self.server, self.program, ros_args=ros_args, token=self.token, now=self.now,
-                          timeout=self.timeouts.load)
+        process = ProgramProcess(
+            self.server, self.program, ros_args=ros_args, token=self.token, now=self.now, timeout=self.timeouts.load
+        )
         self.processes.append(process)
         return process
 
@@ -239,8 +261,12 @@ class Learner(Workspaces):
         """Record `topic`. `strict`: a learner's publisher of another type or incompatible QoS fails the test."""
         recording = Recording(topic, strict=strict)
         recording.subscription = self.node.create_subscription(
-            msg_type, topic, lambda message: self._record(recording, message), qos,
-            event_callbacks=SubscriptionEventCallbacks(matched=lambda event: self._matched(recording, event)))
+            msg_type,
+            topic,
+            lambda message: self._record(recording, message),
+            qos,
+            event_callbacks=SubscriptionEventCallbacks(matched=lambda event: self._matched(recording, event)),
+        )
         self._recordings.append(recording)
         self._connected = False
         return recording
@@ -276,8 +302,18 @@ class Learner(Workspaces):
         """A client for the learner's action `name`: `send` gives a goal with its feedback, status, result, `cancel`."""
         return self.add(actions.Client(self, name, action_type, strict))
 
-    def action_server(self, name: str, action_type, plan=(), *, accept=True, cancel: str = 'accept',
-                      cancel_delay: float = 0.0, partial=None, strict: bool = True) -> actions.Server:
+    def action_server(
+        self,
+        name: str,
+        action_type,
+        plan=(),
+        *,
+        accept=True,
+        cancel: str = 'accept',
+        cancel_delay: float = 0.0,
+        partial=None,
+        strict: bool = True,
+    ) -> actions.Server:
         """An action server for the learner's client of `name`: `goals`, `stop()`, `start()`.
 
         `plan`: pairs (seconds of simulated time after the one before, Feedback or Result or `actions.Aborted`), or a
@@ -290,11 +326,13 @@ class Learner(Workspaces):
     def tf_broadcaster(self) -> 'frames.Broadcaster':
         """Transforms for the learner's listener: `send` for `/tf`, `fix` for `/tf_static`."""
         from helpers.runner import frames  # imports numpy and tf2, which only tests about frames need
+
         return frames.Broadcaster(self)
 
     def tf_listener(self) -> 'frames.Listener':
         """What the learner broadcasts: `transforms`, `static_transforms`, `matrix`. A late one gets what is latched."""
         from helpers.runner import frames
+
         return self.add(frames.Listener(self))
 
     def add(self, peer: Peer):
@@ -309,8 +347,11 @@ class Learner(Workspaces):
 
     def own_nodes(self) -> list[tuple[str, str]]:
         """(name, namespace) of the learner's nodes."""
-        return [(name, namespace) for name, namespace in self.node.get_node_names_and_namespaces()
-                if not name.startswith('_')]
+        return [
+            (name, namespace)
+            for name, namespace in self.node.get_node_names_and_namespaces()
+            if not name.startswith('_')
+        ]
 
     def endpoints(self, topic: str) -> wiring.Endpoints:
         """The learner's publishers and subscriptions on `topic`: node, type, qos."""
@@ -324,9 +365,12 @@ class Learner(Workspaces):
         The graph does not tell depths, so the learner's processes are asked. What a late joiner or a burst can show
         should be judged by that.
         """
-        return [depth for process in self._conducted()
-                for found, name, depth in process.ask('habits', self.timeouts.call)['queues']
-                if (found, name) == (kind, topic)]
+        return [
+            depth
+            for process in self._conducted()
+            for found, name, depth in process.ask('habits', self.timeouts.call)['queues']
+            if (found, name) == (kind, topic)
+        ]
 
     @property
     def slept(self) -> float:
@@ -335,7 +379,7 @@ class Learner(Workspaces):
 
     def _is_foreign(self, info) -> bool:
         # By participant, as any program may use a name. The conductor belongs to the learner's participant, too.
-        return (_participant(info) != self._participant and info.node_name != f'_{self.token}')
+        return _participant(info) != self._participant and info.node_name != f'_{self.token}'
 
     # Time and order
 
@@ -354,8 +398,10 @@ class Learner(Workspaces):
             if self.now - begin >= SECOND // 10:
                 begin, moments, since = self.now, 0, time.monotonic()
             if moments > MAX_MOMENTS or moments > 20 and time.monotonic() - since > self.timeouts.discovery:
-                raise LearnerError('Your program has something to do at far too many moments of simulated time. Has a '
-                                   'timer a very small period? It is in seconds.')
+                raise LearnerError(
+                    'Your program has something to do at far too many moments of simulated time. Has a '
+                    'timer a very small period? It is in seconds.'
+                )
             due = [time_due for time_due in (*self._due, *(peer.due() for peer in self._peers)) if time_due is not None]
             self._step_to(max(self.now + 1, min([end, self.now + largest, *due])))
             self.connect()
@@ -395,15 +441,18 @@ class Learner(Workspaces):
             self._clock.publish(Clock(clock=Time(nanoseconds=now).to_msg()))
             number = next(self._numbers)
             self._step.publish(UInt64(data=number))
-            answers = [process.ask('step', self.timeouts.stuck, number=number, now=now, timeout=self.timeouts.step)
-                       for process in self._conducted()]
+            answers = [
+                process.ask('step', self.timeouts.stuck, number=number, now=now, timeout=self.timeouts.step)
+                for process in self._conducted()
+            ]
             self._drain(number, len(answers))
             self._due = tuple(answer.get('next') for answer in answers)
             self._waiting = [line for answer in answers for line in answer.get('waiting', ())]
             self._remarks = [text[:300] for answer in answers for text in answer.get('remarks', ())[:10]]
             # A callback may have made or destroyed endpoints: these are connected before the next step.
-            endpoints = {process.key: answer.get('endpoints')
-                         for process, answer in zip(self._conducted(), answers, strict=True)}
+            endpoints = {
+                process.key: answer.get('endpoints') for process, answer in zip(self._conducted(), answers, strict=True)
+            }
             self._connected &= endpoints == self._endpoints
             self._endpoints = endpoints
             self.unsettled = False
@@ -416,7 +465,7 @@ class Learner(Workspaces):
             for process in self._conducted():  # what they have sent to each other arrives before the next round
                 process.ask('ack', self.timeouts.step, timeout=5.0)
         if active:
-            raise LearnerError('Your nodes never come to rest: they answer each other\'s messages without end.')
+            raise LearnerError("Your nodes never come to rest: they answer each other's messages without end.")
         raise Unheard('Your program does not take the time from /clock.')
 
     def _conducted(self) -> list[ProgramProcess]:
@@ -430,9 +479,11 @@ class Learner(Workspaces):
         count = count + 1 if moment == self.now else 1
         self._heard = (self.now, count)
         if count > MAX_MESSAGES:
-            raise LearnerError(f'More than {MAX_MESSAGES} messages came on {recording.topic} at one moment of '
-                               'simulated time: your program publishes without a pause. Publish in a timer\'s '
-                               'callback.')
+            raise LearnerError(
+                f'More than {MAX_MESSAGES} messages came on {recording.topic} at one moment of '
+                "simulated time: your program publishes without a pause. Publish in a timer's "
+                'callback.'
+            )
         recording.messages.append(message)
         recording.stamps.append(self.now / SECOND)
 
@@ -448,12 +499,13 @@ class Learner(Workspaces):
             if not recording.strict or not recording.messages:
                 continue
             infos = self.node.get_publishers_info_by_topic(recording.subscription.topic_name)
-            recording.known |= {bytes(info.endpoint_gid) for info in infos
-                                if _participant(info) in self._participants}
+            recording.known |= {bytes(info.endpoint_gid) for info in infos if _participant(info) in self._participants}
             strangers = any(_participant(info) not in self._participants for info in infos)
             if strangers or recording.matched > len(recording.known):
-                raise LearnerError(f'What came on {recording.topic} is from another program, not from the node that '
-                                   'your cell defines: publish with that node, in its own process and context.')
+                raise LearnerError(
+                    f'What came on {recording.topic} is from another program, not from the node that '
+                    'your cell defines: publish with that node, in its own process and context.'
+                )
 
     def _drain(self, number: int, processes: int) -> None:
         """Receive all that was published before the processes' `done`."""
@@ -477,8 +529,10 @@ class Learner(Workspaces):
             while self._spin_once(0):
                 found = True
                 if time.monotonic() > deadline:
-                    raise LearnerError('Your program publishes without a pause: its messages come faster than they can '
-                                       'be read. Publish in a timer\'s callback.')
+                    raise LearnerError(
+                        'Your program publishes without a pause: its messages come faster than they can '
+                        "be read. Publish in a timer's callback."
+                    )
         self._check_origin()
 
     def _spin_once(self, timeout: float) -> bool:
@@ -515,8 +569,9 @@ class Learner(Workspaces):
         for process in processes:
             process.ask('mark', self.timeouts.step, mark=mark)
         for process in processes:
-            process.ask('sync', self.timeouts.discovery + 5, mark=mark, workers=len(processes),
-                        timeout=self.timeouts.discovery)
+            process.ask(
+                'sync', self.timeouts.discovery + 5, mark=mark, workers=len(processes), timeout=self.timeouts.discovery
+            )
         deadline = time.monotonic() + self.timeouts.discovery
         while not self._known(f'{mark}/worker', len(processes)):
             if time.monotonic() > deadline:
@@ -537,12 +592,17 @@ class Learner(Workspaces):
 
         The names come on a way of their own, in order, too: then all earlier endpoints have theirs.
         """
-        return all(sum(info.node_name != UNKNOWN for info in infos) >= count for infos in (
-            self.node.get_publishers_info_by_topic(topic), self.node.get_subscriptions_info_by_topic(topic)))
+        return all(
+            sum(info.node_name != UNKNOWN for info in infos) >= count
+            for infos in (
+                self.node.get_publishers_info_by_topic(topic),
+                self.node.get_subscriptions_info_by_topic(topic),
+            )
+        )
 
     def _meet(self, mark: str, processes: int) -> None:
         """Note the participants of the test's node and of the learner's processes."""
-        own, = self.node.get_publishers_info_by_topic(f'{mark}/tests')[:1]
+        (own,) = self.node.get_publishers_info_by_topic(f'{mark}/tests')[:1]
         theirs = {_participant(info) for info in self.node.get_publishers_info_by_topic(f'{mark}/worker')}
         if len(theirs) > processes:
             raise LearnerError('Another program speaks in the name of yours to the tests.')
@@ -552,8 +612,11 @@ class Learner(Workspaces):
     def _check_wiring(self) -> None:
         for recording in self._recordings:
             if recording.strict:
-                wiring.check(_Ours(recording.subscription), 'publisher',
-                             self.endpoints(recording.subscription.topic_name).publishers)
+                wiring.check(
+                    _Ours(recording.subscription),
+                    'publisher',
+                    self.endpoints(recording.subscription.topic_name).publishers,
+                )
         for talker in self._talkers:
             if talker.strict:
                 wiring.check(_Ours(talker.publisher), 'subscription', self.endpoints(talker.topic).subscriptions)
@@ -563,8 +626,9 @@ class Learner(Workspaces):
     def hints(self) -> list[str]:
         """What a failed test may add: endpoints of the test's that no node of the learner's is connected with."""
         own = self.own_nodes()
-        ends = [(recording.subscription.topic_name, 'publisher') for recording in self._recordings
-                if not recording.optional]
+        ends = [
+            (recording.subscription.topic_name, 'publisher') for recording in self._recordings if not recording.optional
+        ]
         ends += [(talker.topic, 'subscription') for talker in self._talkers if not talker.optional]
         found = []
         for topic, kind in dict.fromkeys(ends):
@@ -576,8 +640,10 @@ class Learner(Workspaces):
         found += [hint for peer in self._peers for hint in peer.hints()]
         stuck = [line for line in self._waiting if 'sleep' not in line['code']]
         found += self._remarks
-        return found + [f"A callback of your program was waiting at {line['cell']}, line {line['line']}: "
-                        f"`{line['code']}`." for line in stuck[:3]]
+        return found + [
+            f'A callback of your program was waiting at {line["cell"]}, line {line["line"]}: `{line["code"]}`.'
+            for line in stuck[:3]
+        ]
 
     def close(self) -> None:
         """End the learner's processes and the test's node."""
@@ -612,4 +678,3 @@ def _yaml(value) -> str:
     if isinstance(value, (list, tuple)):
         return '[' + ', '.join(map(_yaml, value)) + ']'
     return str(value)
-

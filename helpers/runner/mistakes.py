@@ -4,6 +4,7 @@
 error names the learner's line; a wait inside a callback raises `WaitsInCallback`, as it would never end, or end without
 an answer; what may be right is only remembered, to explain an error that follows.
 """
+
 import functools
 import inspect
 import sys
@@ -30,8 +31,9 @@ class WaitsInCallback(BaseException):
 class Watch:
     """What the checks ask, and what they have seen."""
 
-    def __init__(self, in_callback: Callable[[], bool], in_threads: Callable[[], bool],
-                 is_learners: Callable[..., bool]):
+    def __init__(
+        self, in_callback: Callable[[], bool], in_threads: Callable[[], bool], is_learners: Callable[..., bool]
+    ):
         """`in_callback()`: a callback of the learner's runs in this thread. `in_threads()`: callbacks run in threads of
         their own. `is_learners(frame)`: the frame is in a cell of the learner's.
         """
@@ -50,8 +52,11 @@ def watch(seen: Watch) -> None:
     """Put the checks around rclpy's functions, in this process."""
     for method in ('create_timer', 'create_subscription', 'create_service', 'create_publisher', 'create_client'):
         setattr(Node, method, _checked(getattr(Node, method), seen))
-    for method in ('add_on_set_parameters_callback', 'add_pre_set_parameters_callback',
-                   'add_post_set_parameters_callback'):
+    for method in (
+        'add_on_set_parameters_callback',
+        'add_pre_set_parameters_callback',
+        'add_post_set_parameters_callback',
+    ):
         setattr(Node, method, _checked(getattr(Node, method), seen))
     for name in ('spin', 'spin_once', 'spin_until_future_complete'):
         setattr(rclpy, name, _no_wait(getattr(rclpy, name), f'rclpy.{name}', seen))
@@ -59,8 +64,12 @@ def watch(seen: Watch) -> None:
         for name in ('spin', 'spin_once', 'spin_until_future_complete', 'spin_once_until_future_complete'):
             if name in vars(kind):
                 setattr(kind, name, _no_wait(vars(kind)[name], name, seen))
-    for owner, name in ((Client, 'call'), (ActionClient, 'send_goal'), (ClientGoalHandle, 'get_result'),
-                        (ClientGoalHandle, 'cancel_goal')):
+    for owner, name in (
+        (Client, 'call'),
+        (ActionClient, 'send_goal'),
+        (ClientGoalHandle, 'get_result'),
+        (ClientGoalHandle, 'cancel_goal'),
+    ):
         setattr(owner, name, _no_wait(vars(owner)[name], name, seen, unless=seen.in_threads))
     Future.result = _asked_early(Future.result, seen)  # type: ignore[method-assign]  # put around it on purpose
     time.sleep = _counted(time.sleep, seen)
@@ -90,28 +99,34 @@ def _checked(method, seen: Watch):
         if 'callback' in given and not callable(given['callback']):
             raise TypeError(_no_function(f'{method.__name__}(…)', given['callback']))
         return method(self, *args, **kwargs)
+
     return checked
 
 
 def _no_function(where: str, given) -> str:
     if given is None:
-        return (f'the callback given to {where} is None, not a function: give the function itself, without parentheses '
-                '(self.on_timer, not self.on_timer())')
+        return (
+            f'the callback given to {where} is None, not a function: give the function itself, without parentheses '
+            '(self.on_timer, not self.on_timer())'
+        )
     return f'the callback given to {where} is an object of type {type(given).__name__}, not a function'
 
 
 def _no_wait(function, name: str, seen: Watch, unless: Callable[[], bool] = lambda: False):
     """A function that waits, refused in a callback, where nothing can come while it waits."""
+
     @functools.wraps(function)
     def refusing(*args, **kwargs):
         if seen.in_callback() and not unless():
             raise WaitsInCallback(name)
         return function(*args, **kwargs)
+
     return refusing
 
 
 def _asked_early(result, seen: Watch):
     """`Future.result`, which gives None as long as there is no answer."""
+
     @functools.wraps(result)
     def asked(self):
         if not self.done():
@@ -119,16 +134,19 @@ def _asked_early(result, seen: Watch):
             if seen.is_learners(frame):
                 seen.early = (frame.f_code.co_filename, frame.f_lineno)
         return result(self)
+
     return asked
 
 
 def _counted(sleep, seen: Watch):
     """`time.sleep` that adds up how long the learner's lines sleep. The count is the same on a busy machine."""
+
     @functools.wraps(sleep)
     def sleeping(seconds):
         if seen.is_learners(sys._getframe(1)):
             seen.slept += max(0.0, float(seconds))
         return sleep(seconds)
+
     return sleeping
 
 
@@ -158,16 +176,21 @@ def _watch_actions(seen: Watch) -> None:
 def _answering(callback, name: str, kind, seen: Watch):
     def judged(answer):
         if not isinstance(answer, kind):
-            seen.remark(f'Your {name} returned {answer!r:.40}. It must return {kind.__name__}.ACCEPT or '
-                        f'{kind.__name__}.REJECT; anything else counts as REJECT.')
+            seen.remark(
+                f'Your {name} returned {answer!r:.40}. It must return {kind.__name__}.ACCEPT or '
+                f'{kind.__name__}.REJECT; anything else counts as REJECT.'
+            )
         return answer
 
     if inspect.iscoroutinefunction(callback):
+
         async def awaited(request):
             return judged(await callback(request))
+
         return awaited
 
     def asked(request):
         answer = callback(request)
         return answer if inspect.isawaitable(answer) else judged(answer)
+
     return asked

@@ -12,6 +12,7 @@
 It moves while `learner.run` lets time pass, beside whatever else the test has (clients, goals). A command counts from
 the moment at which it comes. So a run is exactly repeatable.
 """
+
 import math
 
 from geometry_msgs.msg import TransformStamped, Twist
@@ -41,9 +42,19 @@ class MobileRobot(Peer):
     x, y, yaw) at each message, `bumps` the names of the walls that it ran into, in order.
     """
 
-    def __init__(self, learner, scene='rooms', start: tuple[float, float, float] | None = None, *,
-                 noise: Noise | None = None, seed: int = 0, period: float = 0.1, localization: bool = True,
-                 command_timeout: float = 0.5, urdf: str | None = None):
+    def __init__(
+        self,
+        learner,
+        scene='rooms',
+        start: tuple[float, float, float] | None = None,
+        *,
+        noise: Noise | None = None,
+        seed: int = 0,
+        period: float = 0.1,
+        localization: bool = True,
+        command_timeout: float = 0.5,
+        urdf: str | None = None,
+    ):
         self._learner = learner
         self.world = World(urdf, scene, noise or Noise(range=0.0), seed, start, command_timeout)
         self.world.ticks = -(-learner.now // _TICK)
@@ -54,8 +65,11 @@ class MobileRobot(Peer):
         self._seen = 0
         self._topics = Topics(self.world, localization)
         self.commands = learner.listen('/cmd_vel', Twist)
-        self._talkers = [(topic, learner.talk(f'/{topic.name.lstrip("/")}', topic.type, topic.qos))
-                         for topic in self._topics.topics if topic.name not in ('/clock', 'image', 'camera_info')]
+        self._talkers = [
+            (topic, learner.talk(f'/{topic.name.lstrip("/")}', topic.type, topic.qos))
+            for topic in self._topics.topics
+            if topic.name not in ('/clock', 'image', 'camera_info')
+        ]
         fixed = learner.talk('/tf_static', TFMessage, LATCHED)
         fixed.publisher.publish(TFMessage(transforms=self._frames(fixed=True)))
         for talker in (fixed, *(talker for _, talker in self._talkers)):
@@ -112,7 +126,7 @@ class MobileRobot(Peer):
         """Bring the world to the present, each command from its moment on."""
         recording = self.commands
         self._seen = min(self._seen, len(recording))  # a test may have cleared it
-        for command, stamp in zip(recording.messages[self._seen:], recording.stamps[self._seen:], strict=True):
+        for command, stamp in zip(recording.messages[self._seen :], recording.stamps[self._seen :], strict=True):
             self._run_to(round(stamp * SECOND))
             if math.isfinite(command.linear.x) and math.isfinite(command.angular.z):  # as the node does
                 self.world.drive(command.linear.x, command.angular.z)

@@ -25,8 +25,13 @@ class Observer:
     """A node in the domain of a test's program; use it in a `with` block."""
 
     def __init__(self, learner):
-        self.node = Node(f'_{secrets.token_hex(6)}', context=learner.context, start_parameter_services=False,
-                         enable_rosout=False, use_global_arguments=False)
+        self.node = Node(
+            f'_{secrets.token_hex(6)}',
+            context=learner.context,
+            start_parameter_services=False,
+            enable_rosout=False,
+            use_global_arguments=False,
+        )
         self._executor = SingleThreadedExecutor(context=learner.context)
         self._executor.add_node(self.node)
 
@@ -41,12 +46,16 @@ class Observer:
 
     def nodes(self) -> list[str]:
         """The full names of the system's nodes, sorted; a name that two have is there twice."""
-        found = [f'{namespace.rstrip("/")}/{name}' for name, namespace in self.node.get_node_names_and_namespaces()
-                 if not name.startswith('_') and name != UNKNOWN]
+        found = [
+            f'{namespace.rstrip("/")}/{name}'
+            for name, namespace in self.node.get_node_names_and_namespaces()
+            if not name.startswith('_') and name != UNKNOWN
+        ]
         return sorted(name for name in found if not _LAUNCH.fullmatch(name))
 
     def all_there(self, task: Task, timeout: float) -> list[str]:
         """The nodes, when as many are there as processes of a `ros2 launch` are still running; or those of now."""
+
         def arrived() -> bool:
             log = task.output
             started, gone = len(_STARTED.findall(log)), len(_GONE.findall(log))

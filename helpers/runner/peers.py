@@ -1,10 +1,18 @@
 """Services, actions and models for tests: endpoints that act by themselves while simulated time passes."""
+
 from helpers.runner.verdicts import WiringError
 
 SECOND = 1_000_000_000
 # What every node brings, and the tests' own nodes: not the learner's.
-_BUILT_IN = ('describe_parameters', 'get_parameter_types', 'get_parameters', 'get_type_description', 'list_parameters',
-             'set_parameters', 'set_parameters_atomically')
+_BUILT_IN = (
+    'describe_parameters',
+    'get_parameter_types',
+    'get_parameters',
+    'get_type_description',
+    'list_parameters',
+    'set_parameters',
+    'set_parameters_atomically',
+)
 
 
 class Peer:
@@ -65,14 +73,18 @@ class Named(Peer):
     def check(self) -> None:
         types = self.theirs().get(self.name, [])
         if self.strict and types and self.type not in types:
-            raise WiringError(f'{self.name} must have the type {self.type}; your {self.kind} there has the type '
-                              f'{types[0]}. Two sides of different types are never connected.', 'type')
+            raise WiringError(
+                f'{self.name} must have the type {self.type}; your {self.kind} there has the type '
+                f'{types[0]}. Two sides of different types are never connected.',
+                'type',
+            )
 
     def hints(self) -> list[str]:
         theirs = self.theirs()
         if self.name in theirs:
             return []
-        others = ', '.join(f'{name} ({types[0]})' for name, types in sorted(theirs.items())
-                           if name.rpartition('/')[2] not in _BUILT_IN)
+        others = ', '.join(
+            f'{name} ({types[0]})' for name, types in sorted(theirs.items()) if name.rpartition('/')[2] not in _BUILT_IN
+        )
         instead = f'; it has one {self.preposition} {others}' if others else ''
         return [f'Your program has no {self.kind} {self.preposition} {self.name}{instead}.']

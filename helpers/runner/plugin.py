@@ -3,6 +3,7 @@
 Loaded by `helpers.runner.tester` in a process of its own. Each test's result goes out as soon as it is known, so that a
 process that dies loses only the test that was running.
 """
+
 import inspect
 import json
 import os
@@ -24,9 +25,19 @@ from helpers.runner.seeds import generator
 class Plugin:
     """One run: which programs there are, and where results go."""
 
-    def __init__(self, programs: dict[str, dict], server: ForkServer, domain_id: int, report: Callable[[dict], None],
-                 only: set[str] | None = None, named: dict[str, list[str]] | None = None, *, seed: str,
-                 seeds: dict[str, str], limit: float = 0.0):
+    def __init__(
+        self,
+        programs: dict[str, dict],
+        server: ForkServer,
+        domain_id: int,
+        report: Callable[[dict], None],
+        only: set[str] | None = None,
+        named: dict[str, list[str]] | None = None,
+        *,
+        seed: str,
+        seeds: dict[str, str],
+        limit: float = 0.0,
+    ):
         """`programs` by exercise id; tests of other exercises are left out. `only`: the ids of the tests to run.
 
         `named`: for an exercise, the names of the tests that count; its others are as if they were not there.
@@ -58,10 +69,20 @@ class Plugin:
             if exercise not in self.programs or item.name not in self.named.get(exercise, [item.name]):
                 continue
             test = test_id(item)
-            self.report({'event': 'collected', 'test': test, 'exercise': exercise, 'weight': _weight(item),
-                         'path': str(item.path), 'expected': inspect.cleandoc(item.function.__doc__ or ''),
-                         'rules': rules(item), 'unseen': {marker.kwargs['rule']: marker.kwargs['why']
-                                                          for marker in item.iter_markers('not_looked_at')}})
+            self.report(
+                {
+                    'event': 'collected',
+                    'test': test,
+                    'exercise': exercise,
+                    'weight': _weight(item),
+                    'path': str(item.path),
+                    'expected': inspect.cleandoc(item.function.__doc__ or ''),
+                    'rules': rules(item),
+                    'unseen': {
+                        marker.kwargs['rule']: marker.kwargs['why'] for marker in item.iter_markers('not_looked_at')
+                    },
+                }
+            )
             if self.only is None or test in self.only:
                 kept.append(item)
         items[:] = kept
@@ -79,9 +100,13 @@ class Plugin:
         exercise = _exercise(request.node)
         marker = request.node.get_closest_marker('limits')
         self.server.limits = replace(self._limits, **(marker.kwargs if marker else {}))
-        learner = Learner(self.server, self.programs[exercise], self.domain_id,
-                          AGAIN if exercise in self._stuck else TIMEOUTS,
-                          random=generator(self.seeds.get(exercise, self.seed), test_id(request.node)))
+        learner = Learner(
+            self.server,
+            self.programs[exercise],
+            self.domain_id,
+            AGAIN if exercise in self._stuck else TIMEOUTS,
+            random=generator(self.seeds.get(exercise, self.seed), test_id(request.node)),
+        )
         request.node.learner = learner
         yield learner
         try:
@@ -122,11 +147,21 @@ class Plugin:
         learner = getattr(item, 'learner', None)
         if state['verdict'] == verdicts.TIMEOUT:
             self._stuck.add(_exercise(item))
-        self.report({'event': 'result', 'test': test_id(item), 'message': state['message'],
-                     'verdict': state['verdict'] or verdicts.GRADER_ERROR, 'details': state['details'],
-                     'rule': state['rule'], 'hint': state['hint'], 'again': state['again'],
-                     'so_far': [rule for rule in rules(item) if rule in verdicts.met and rule != state['rule']],
-                     'fault': state['fault'], 'output': learner.output if learner else ''})
+        self.report(
+            {
+                'event': 'result',
+                'test': test_id(item),
+                'message': state['message'],
+                'verdict': state['verdict'] or verdicts.GRADER_ERROR,
+                'details': state['details'],
+                'rule': state['rule'],
+                'hint': state['hint'],
+                'again': state['again'],
+                'so_far': [rule for rule in rules(item) if rule in verdicts.met and rule != state['rule']],
+                'fault': state['fault'],
+                'output': learner.output if learner else '',
+            }
+        )
 
     def _verdict(self, item, excinfo) -> dict:
         """The verdict of an exception: the learner's, or ours."""
@@ -136,12 +171,23 @@ class Plugin:
             hints = []
             if isinstance(error, verdicts.ExpectationFailed):
                 hints = self._hints(item)
-            return {**state, 'again': isinstance(error, verdicts.Unheard), 'verdict': error.verdict,
-                    'message': '\n'.join([error.message, *hints]),
-                    'details': error.details, 'rule': _broken_rule(item, error), 'hint': error.hint}
+            return {
+                **state,
+                'again': isinstance(error, verdicts.Unheard),
+                'verdict': error.verdict,
+                'message': '\n'.join([error.message, *hints]),
+                'details': error.details,
+                'rule': _broken_rule(item, error),
+                'hint': error.hint,
+            }
         if isinstance(error, AssertionError):  # a bare assert: the docstring must do
-            return {**state, 'verdict': verdicts.FAILED, 'message': '\n'.join(self._hints(item)), 'hint': True,
-                    'rule': _broken_rule(item, None)}
+            return {
+                **state,
+                'verdict': verdicts.FAILED,
+                'message': '\n'.join(self._hints(item)),
+                'hint': True,
+                'rule': _broken_rule(item, None),
+            }
         text = ''.join(traceback.format_exception(error))
         return {**state, 'fault': text[-8000:]}
 
@@ -158,8 +204,10 @@ _NOTHING = {'verdict': None, 'message': '', 'details': '', 'fault': '', 'rule': 
 
 
 def _too_long(*_) -> None:
-    raise verdicts.Unheard('This test took too long with your program: it waited again and again, or what your program '
-                           'gave takes very long to be read.')
+    raise verdicts.Unheard(
+        'This test took too long with your program: it waited again and again, or what your program '
+        'gave takes very long to be read.'
+    )
 
 
 def test_id(item) -> str:
@@ -203,6 +251,8 @@ def _broken_rule(item, error: verdicts.LearnerError | None) -> str:
 
 def reporter(descriptor: int) -> Callable[[dict], None]:
     """A function that writes events as JSON lines to a file descriptor."""
+
     def report(event: dict) -> None:
         os.write(descriptor, json.dumps(event).encode() + b'\n')
+
     return report

@@ -1,18 +1,30 @@
 """What fork servers import before they fork, so that a learner's program finds it loaded."""
+
 import importlib
 import re
 import sys
 from contextlib import suppress
 
 # What most programs import; the rest is imported by the program itself.
-_MESSAGE_PACKAGES = ('std_msgs', 'geometry_msgs', 'sensor_msgs', 'nav_msgs', 'builtin_interfaces', 'rosgraph_msgs',
-                     'rcl_interfaces')
+_MESSAGE_PACKAGES = (
+    'std_msgs',
+    'geometry_msgs',
+    'sensor_msgs',
+    'nav_msgs',
+    'builtin_interfaces',
+    'rosgraph_msgs',
+    'rcl_interfaces',
+)
 _SERVICES = ('example_interfaces.srv', 'std_srvs.srv', 'example_interfaces.action', 'rclpy.action')
 # Their C type support is loaded too.
-_MESSAGES = {'std_msgs': ('String', 'UInt64', 'Int32', 'Bool', 'Float64', 'Header'), 'rosgraph_msgs': ('Clock',),
-             'geometry_msgs': ('Twist', 'Pose', 'PoseStamped'), 'sensor_msgs': ('LaserScan',),
-             'nav_msgs': ('OccupancyGrid', 'Odometry'),
-             'rcl_interfaces': ('Log', 'ParameterEvent')}
+_MESSAGES = {
+    'std_msgs': ('String', 'UInt64', 'Int32', 'Bool', 'Float64', 'Header'),
+    'rosgraph_msgs': ('Clock',),
+    'geometry_msgs': ('Twist', 'Pose', 'PoseStamped'),
+    'sensor_msgs': ('LaserScan',),
+    'nav_msgs': ('OccupancyGrid', 'Odometry'),
+    'rcl_interfaces': ('Log', 'ParameterEvent'),
+}
 
 # Slow to import, and only some programs do: the server imports them for the first one, and the others have them.
 ON_DEMAND = ('tf2_ros', 'tf_transformations', 'tf2_geometry_msgs', 'tf2_sensor_msgs', 'sensor_msgs_py.point_cloud2')
@@ -37,8 +49,15 @@ def warm_up() -> None:
     for name in _SERVICES:
         importlib.import_module(name)
     from rcl_interfaces import srv
-    for name in ('DescribeParameters', 'GetParameters', 'GetParameterTypes', 'ListParameters', 'SetParameters',
-                 'SetParametersAtomically'):
+
+    for name in (
+        'DescribeParameters',
+        'GetParameters',
+        'GetParameterTypes',
+        'ListParameters',
+        'SetParameters',
+        'SetParametersAtomically',
+    ):
         getattr(srv, name).__class__.__import_type_support__()
 
     import helpers.runner.worker  # noqa: F401
@@ -63,9 +82,11 @@ def warm_up_for_pytest(modules: list[str]) -> None:
     import importlib
 
     from _pytest import config
+
     for name in config.default_plugins:
         importlib.import_module(f'_pytest.{name}')
     import pytest  # noqa: F401
+
     for name in modules:
         with suppress(Exception):  # the tests' own import will tell
             importlib.import_module(name)

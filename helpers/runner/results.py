@@ -3,6 +3,7 @@
 Scores fail closed: only an explicit pass counts. An error of the grader's leaves the score unknown (None), so
 that it is never mistaken for a learner's zero.
 """
+
 import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
@@ -87,13 +88,24 @@ class ExerciseResult:
     @classmethod
     def from_dict(cls, data: dict) -> 'ExerciseResult':
         """The result that `as_dict` has written. Raises KeyError or TypeError if fields are missing, or unknown."""
-        return cls(**{**data, 'tests': [TestResult(**test) for test in data['tests']],
-                      'rules': [RuleResult(**rule) for rule in data.get('rules', ())]})
+        return cls(
+            **{
+                **data,
+                'tests': [TestResult(**test) for test in data['tests']],
+                'rules': [RuleResult(**rule) for rule in data.get('rules', ())],
+            }
+        )
 
 
 # From the worst to the best: what an exercise with several verdicts is called.
-_ORDER = (verdicts.GRADER_ERROR, verdicts.INVALID_SUBMISSION, verdicts.TIMEOUT, verdicts.LEARNER_CRASHED,
-          verdicts.FAILED, verdicts.PASSED)
+_ORDER = (
+    verdicts.GRADER_ERROR,
+    verdicts.INVALID_SUBMISSION,
+    verdicts.TIMEOUT,
+    verdicts.LEARNER_CRASHED,
+    verdicts.FAILED,
+    verdicts.PASSED,
+)
 
 
 def scored(exercise: Exercise, tests: list[TestResult], unseen: Mapping[str, str] | None = None) -> ExerciseResult:
@@ -101,15 +113,26 @@ def scored(exercise: Exercise, tests: list[TestResult], unseen: Mapping[str, str
 
     `unseen`: why no visible test looks at a rule, by its name.
     """
+
     def result(verdict: str, score: float | None) -> ExerciseResult:
-        return ExerciseResult(exercise.id, exercise.title, exercise.points, verdict, score, tests=tests,
-                              rules=_rules(exercise, tests, unseen or {}))
+        return ExerciseResult(
+            exercise.id,
+            exercise.title,
+            exercise.points,
+            verdict,
+            score,
+            tests=tests,
+            rules=_rules(exercise, tests, unseen or {}),
+        )
 
     names = [test.test for test in tests]
     weights = [test.weight for test in tests]
-    sound = (tests and len(set(names)) == len(names)
-             and all(math.isfinite(weight) and weight > 0 for weight in weights)
-             and all(test.exercise == exercise.id and test.verdict in verdicts.VERDICTS for test in tests))
+    sound = (
+        tests
+        and len(set(names)) == len(names)
+        and all(math.isfinite(weight) and weight > 0 for weight in weights)
+        and all(test.exercise == exercise.id and test.verdict in verdicts.VERDICTS for test in tests)
+    )
     if not sound or any(test.verdict == verdicts.GRADER_ERROR for test in tests):
         return result(verdicts.GRADER_ERROR, None)
     verdict = next(kind for kind in _ORDER if any(test.verdict == kind for test in tests))
@@ -130,9 +153,15 @@ def _rules(exercise: Exercise, tests: list[TestResult], unseen: Mapping[str, str
             found.append(RuleResult(rule.name, rule.text, KEPT))
         else:
             first = next((test.rule for test in looking if test.rule), '')
-            why = (SO_FAR if any(rule.name in test.so_far for test in looking) else
-                   f'what breaks “{first}” hides it' if first else
-                   'the program did not come so far' if looking else unseen.get(rule.name, 'no test has run'))
+            why = (
+                SO_FAR
+                if any(rule.name in test.so_far for test in looking)
+                else f'what breaks “{first}” hides it'
+                if first
+                else 'the program did not come so far'
+                if looking
+                else unseen.get(rule.name, 'no test has run')
+            )
             found.append(RuleResult(rule.name, rule.text, NOT_LOOKED_AT, why))
     return found
 

@@ -2,6 +2,7 @@
 
 `Client` calls the learner's service; `Server` answers the learner's client as a test's script wants it.
 """
+
 import itertools
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -68,8 +69,10 @@ class Client(Named):
         self.learner.run(timeout, until=lambda: call.done)
         if not call.done:
             within = f'within {timeout:g} s' if timeout else 'at once'
-            raise ExpectationFailed(f'Your service {self.name} did not answer {within}. Its callback must return '
-                                    'the response, and everything it waits for must be able to run.')
+            raise ExpectationFailed(
+                f'Your service {self.name} did not answer {within}. Its callback must return '
+                'the response, and everything it waits for must be able to run.'
+            )
         return call.response
 
     def _answered(self, call: Call, future) -> None:

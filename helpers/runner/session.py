@@ -2,6 +2,7 @@
 
 `check` in a notebook, `./course check`, `submit` and `grade` all come through `run`; grading adds the hidden tests.
 """
+
 import json
 import math
 import os
@@ -58,8 +59,12 @@ class SessionReport:
     seeds: dict[str, str] = field(default_factory=dict)  # by exercise: with it the tests draw the same inputs again
 
 
-def run(cells: list[notebooks.NotebookCell], exercises: Iterable[Exercise], options: Options | None = None,
-        say: Callable[[str], None] = lambda text: None) -> SessionReport:
+def run(
+    cells: list[notebooks.NotebookCell],
+    exercises: Iterable[Exercise],
+    options: Options | None = None,
+    say: Callable[[str], None] = lambda text: None,
+) -> SessionReport:
     """Test `exercises` with the learner's code cells (in their order). `say` is told of each test that has finished.
 
     Never raises for anything in the learner's code; an error of the runner's own is a grader_error in the results.
@@ -78,8 +83,13 @@ def run(cells: list[notebooks.NotebookCell], exercises: Iterable[Exercise], opti
     return judge(programs, without, exercises, options, say)
 
 
-def judge(programs: dict[str, dict], without: Mapping[str, tuple[str, str]], exercises: Iterable[Exercise],
-          options: Options | None = None, say: Callable[[str], None] = lambda text: None) -> SessionReport:
+def judge(
+    programs: dict[str, dict],
+    without: Mapping[str, tuple[str, str]],
+    exercises: Iterable[Exercise],
+    options: Options | None = None,
+    say: Callable[[str], None] = lambda text: None,
+) -> SessionReport:
     """Judge `exercises`, whose programs are read already.
 
     :param programs: by exercise, what the learner's process loads (`helpers.exercises.program`).
@@ -88,8 +98,11 @@ def judge(programs: dict[str, dict], without: Mapping[str, tuple[str, str]], exe
     options = options or Options()
     options = replace(options, seed=options.seed or seeds.fresh())
     exercises = list(exercises)
-    judged = {exercise.id: results.without_tests(exercise, without[exercise.id][0], clean(without[exercise.id][1]))
-              for exercise in exercises if exercise.id not in programs}
+    judged = {
+        exercise.id: results.without_tests(exercise, without[exercise.id][0], clean(without[exercise.id][1]))
+        for exercise in exercises
+        if exercise.id not in programs
+    }
     running = [exercise for exercise in exercises if exercise.id in programs]
     shares = _shares(running, options.processes)
     deadline = time.monotonic() + options.total_timeout
@@ -99,8 +112,11 @@ def judge(programs: dict[str, dict], without: Mapping[str, tuple[str, str]], exe
         places = [options.visible / f'chapter_{chapter:02}' for chapter in sorted({one.chapter for one in share})]
         if options.hidden:
             places += [manifest.hidden_tests(options.hidden, exercise.id) for exercise in share]
-        collection.run({exercise.id: programs[exercise.id] for exercise in share},
-                       [place for place in places if place.exists()], say)
+        collection.run(
+            {exercise.id: programs[exercise.id] for exercise in share},
+            [place for place in places if place.exists()],
+            say,
+        )
         return collection
 
     if len(shares) <= 1:  # in the caller's thread, so that the stop button ends it at once
@@ -111,11 +127,14 @@ def judge(programs: dict[str, dict], without: Mapping[str, tuple[str, str]], exe
     for share, collection in zip(shares, collections, strict=True):
         for exercise in share:
             judged[exercise.id] = results.scored(exercise, collection.of(exercise.id), collection.unseen[exercise.id])
-    return SessionReport([judged[exercise.id] for exercise in exercises],
-                  next((collection.sandbox for collection in collections), ''),
-                  [line for collection in collections for line in collection.log], options.seed,
-                  sum((collection.spent for collection in collections), Counter()),
-                  {exercise.id: options.seeds.get(exercise.id, options.seed) for exercise in exercises})
+    return SessionReport(
+        [judged[exercise.id] for exercise in exercises],
+        next((collection.sandbox for collection in collections), ''),
+        [line for collection in collections for line in collection.log],
+        options.seed,
+        sum((collection.spent for collection in collections), Counter()),
+        {exercise.id: options.seeds.get(exercise.id, options.seed) for exercise in exercises},
+    )
 
 
 def _shares(exercises: list[Exercise], processes: int) -> list[list[Exercise]]:
@@ -124,7 +143,7 @@ def _shares(exercises: list[Exercise], processes: int) -> list[list[Exercise]]:
     What builds and launches comes first, each exercise by itself: so no long part is left for the end.
     """
     if processes <= 1 or len(exercises) <= processes:
-        return [share for share in (exercises[k::max(1, processes)] for k in range(max(1, processes))) if share]
+        return [share for share in (exercises[k :: max(1, processes)] for k in range(max(1, processes))) if share]
     long, shares = [], []
     for chapter in dict.fromkeys(exercise.chapter for exercise in exercises):
         mine = [exercise for exercise in exercises if exercise.chapter == chapter]
@@ -162,13 +181,19 @@ class _Collection:
             if self._late():
                 self._give_up()
                 break
-            only = [name for name, test in self.tests.items() if test.verdict == verdicts.GRADER_ERROR
-                    and name not in self._doubled and self._begun[name] <= self.options.retries]
+            only = [
+                name
+                for name, test in self.tests.items()
+                if test.verdict == verdicts.GRADER_ERROR
+                and name not in self._doubled
+                and self._begun[name] <= self.options.retries
+            ]
             if self.tests and not only:
                 break
             # Only tests that were asked for count: each is begun a bounded number of times, so this loop ends.
-            progress = any(count > before[name] for name, count in self._begun.items()
-                           if wanted is None or name in wanted)
+            progress = any(
+                count > before[name] for name, count in self._begun.items() if wanted is None or name in wanted
+            )
             idle = 0 if progress else idle + 1
         if self.options.hidden is not None:
             for exercise in programs:
@@ -183,8 +208,10 @@ class _Collection:
         for test in self.tests.values():
             if test.verdict == verdicts.GRADER_ERROR and test.test not in self._doubled:
                 test.verdict, test.fault = verdicts.TIMEOUT, ''
-                test.message = (f'The tests of all your programs together took longer than '
-                                f'{self.options.total_timeout / 60:g} minutes. This one did not run any more.')
+                test.message = (
+                    f'The tests of all your programs together took longer than '
+                    f'{self.options.total_timeout / 60:g} minutes. This one did not run any more.'
+                )
 
     def _round(self, programs: dict[str, dict], places: list[Path], only: list[str] | None, say) -> None:
         """One process of tests, to its end."""
@@ -192,8 +219,9 @@ class _Collection:
         judged: set[str] = set()
         running, begun = '', 0.0
         folders = [folder for folder in (self.options.visible, self.options.hidden) if folder]
-        with tests_process.running(self._job(programs, places, only), self.options.launcher, self.options.limits,
-                                   folders) as tests:
+        with tests_process.running(
+            self._job(programs, places, only), self.options.launcher, self.options.limits, folders
+        ) as tests:
             try:
                 for event in _events(tests.process, tests.events, BUSY * self.options.test_timeout, self._deadline):
                     match event['event']:
@@ -216,7 +244,7 @@ class _Collection:
                         case 'spent':
                             self.spent.update(event['seconds'])
                         case 'timeout':
-                            self.log.append(f"no progress in {running or 'the start of the tests'}")
+                            self.log.append(f'no progress in {running or "the start of the tests"}')
                         case 'garbled':
                             self.log.append(f"the tests' process sent what is no event after {running or 'its start'}")
             finally:
@@ -229,9 +257,15 @@ class _Collection:
 
     def _job(self, programs: dict[str, dict], places: list[Path], only: list[str] | None) -> dict:
         """What the tests' process is to do (see `helpers.runner.tester`)."""
-        return {'programs': programs, 'tests': list(map(str, places)), 'only': only, 'seed': self.options.seed,
-                'named': {exercise: list(names) for exercise, names in self.options.tests.items()},
-                'seeds': dict(self.options.seeds), 'limit': self.options.test_timeout}
+        return {
+            'programs': programs,
+            'tests': list(map(str, places)),
+            'only': only,
+            'seed': self.options.seed,
+            'named': {exercise: list(names) for exercise, names in self.options.tests.items()},
+            'seeds': dict(self.options.seeds),
+            'limit': self.options.test_timeout,
+        }
 
     def _collected(self, event: dict, seen: set[str]) -> None:
         name = event['test']
@@ -242,8 +276,15 @@ class _Collection:
         if name not in self.tests:
             hidden = self.options.hidden is not None and Path(event['path']).is_relative_to(self.options.hidden)
             # Until its result comes, a test counts as an error of the grader's.
-            self.tests[name] = TestResult(name, event['exercise'], hidden, event['weight'], verdicts.GRADER_ERROR,
-                                          event['expected'], rules=event['rules'])
+            self.tests[name] = TestResult(
+                name,
+                event['exercise'],
+                hidden,
+                event['weight'],
+                verdicts.GRADER_ERROR,
+                event['expected'],
+                rules=event['rules'],
+            )
         self.unseen[event['exercise']].update(event['unseen'])
 
     def _result(self, event: dict, seconds: float) -> None:
@@ -251,7 +292,7 @@ class _Collection:
         test.seconds = round(seconds, 3)
         again = event.get('again') is True and self._begun[test.test] <= self.options.retries
         if again and test.test not in self._doubled:
-            test.verdict, test.fault = verdicts.GRADER_ERROR, f"to be tried again: {clean(event['message'])}"
+            test.verdict, test.fault = verdicts.GRADER_ERROR, f'to be tried again: {clean(event["message"])}'
             test.message = test.details = test.output = ''
         elif test.test not in self._doubled:
             test.verdict = event['verdict'] if event['verdict'] in verdicts.VERDICTS else verdicts.GRADER_ERROR
@@ -277,12 +318,30 @@ class _Collection:
 
 # What each kind of event must have.
 _FIELDS: dict[str, dict[str, type | tuple[type, ...]]] = {
-    'collected': {'test': str, 'exercise': str, 'weight': (int, float), 'path': str, 'expected': str,
-                  'rules': list, 'unseen': dict},
-    'running': {'test': str}, 'broken': {'where': str, 'text': str}, 'sandbox': {'name': str},
+    'collected': {
+        'test': str,
+        'exercise': str,
+        'weight': (int, float),
+        'path': str,
+        'expected': str,
+        'rules': list,
+        'unseen': dict,
+    },
+    'running': {'test': str},
+    'broken': {'where': str, 'text': str},
+    'sandbox': {'name': str},
     'spent': {'seconds': dict},
-    'result': {'test': str, 'verdict': str, 'message': str, 'details': str, 'output': str, 'fault': str,
-               'rule': str, 'hint': bool}}
+    'result': {
+        'test': str,
+        'verdict': str,
+        'message': str,
+        'details': str,
+        'output': str,
+        'fault': str,
+        'rule': str,
+        'hint': bool,
+    },
+}
 
 
 def _event(line: bytes) -> dict | None:

@@ -3,6 +3,7 @@
 Here the learner's side is a plain child process with limits: enough for a learner's own work in their own notebook.
 `grading.sandbox` chooses what `grade` uses; everything else only sees `start`'s result.
 """
+
 import os
 import resource
 import signal
@@ -19,8 +20,17 @@ ROOT = Path(__file__).resolve().parents[2]
 PROFILE = Path(__file__).with_name('fastdds.xml')
 
 # Kept from the caller's environment: what makes Python and the ROS installation work, nothing else.
-_KEPT = ('PATH', 'LANG', 'LC_ALL', 'LD_LIBRARY_PATH', 'AMENT_PREFIX_PATH', 'PYTHONPATH', 'ROS_DISTRO', 'VIRTUAL_ENV',
-         '_ROS_WHEELS_BOOTSTRAP_COMPLETE')
+_KEPT = (
+    'PATH',
+    'LANG',
+    'LC_ALL',
+    'LD_LIBRARY_PATH',
+    'AMENT_PREFIX_PATH',
+    'PYTHONPATH',
+    'ROS_DISTRO',
+    'VIRTUAL_ENV',
+    '_ROS_WHEELS_BOOTSTRAP_COMPLETE',
+)
 
 
 @dataclass(frozen=True)
@@ -43,8 +53,13 @@ class Limits:
 
     def apply(self, *, sandboxed: bool = False) -> None:
         """Bound the calling process. The kernel counts processes per user, so that is for a sandbox only."""
-        bounds = {resource.RLIMIT_AS: self.memory, resource.RLIMIT_CPU: self.cpu, resource.RLIMIT_NOFILE: self.files,
-                  resource.RLIMIT_FSIZE: self.file_size, resource.RLIMIT_CORE: 0}
+        bounds = {
+            resource.RLIMIT_AS: self.memory,
+            resource.RLIMIT_CPU: self.cpu,
+            resource.RLIMIT_NOFILE: self.files,
+            resource.RLIMIT_FSIZE: self.file_size,
+            resource.RLIMIT_CORE: 0,
+        }
         if sandboxed:
             bounds[resource.RLIMIT_NPROC] = self.processes
             bounds[resource.RLIMIT_MSGQUEUE] = 0
@@ -81,8 +96,15 @@ def environment(domain_id: int, home: str) -> dict[str, str]:
     """The learner's side's whole environment: nothing of the caller's but what Python and ROS need."""
     kept = {name: os.environ[name] for name in _KEPT if name in os.environ}
     path = os.pathsep.join([str(ROOT), *filter(None, [kept.get('PYTHONPATH')])])
-    return {**kept, **ros_environment(domain_id), 'PYTHONPATH': path, 'HOME': home, 'TMPDIR': home,
-            'ROS_LOG_DIR': home, 'COURSE_RUNNER': '1'}
+    return {
+        **kept,
+        **ros_environment(domain_id),
+        'PYTHONPATH': path,
+        'HOME': home,
+        'TMPDIR': home,
+        'ROS_LOG_DIR': home,
+        'COURSE_RUNNER': '1',
+    }
 
 
 @dataclass
@@ -118,8 +140,12 @@ def start(domain_id: int, limits: Limits = LIMITS) -> StartedForkServer:
     with theirs:
         process = subprocess.Popen(
             [sys.executable, '-m', 'helpers.runner.fork_server', str(theirs.fileno())],
-            cwd=home.name, env=environment(domain_id, home.name), pass_fds=[theirs.fileno()], start_new_session=True,
-            stdin=subprocess.DEVNULL)
+            cwd=home.name,
+            env=environment(domain_id, home.name),
+            pass_fds=[theirs.fileno()],
+            start_new_session=True,
+            stdin=subprocess.DEVNULL,
+        )
     return StartedForkServer(process, ours, 'none', home)
 
 
@@ -128,6 +154,13 @@ def start_tests(job, events: int, printed, *, cwd: str, environment: dict[str, s
 
     `folders` hold the tests; a sandbox shows them to this process only.
     """
-    return subprocess.Popen([sys.executable, '-m', 'helpers.runner.tester', str(events)], cwd=cwd, env=environment,
-                            stdin=job, stdout=printed, stderr=printed, pass_fds=[events],
-                            start_new_session=True)  # Ctrl-C is for the grader, which ends it
+    return subprocess.Popen(
+        [sys.executable, '-m', 'helpers.runner.tester', str(events)],
+        cwd=cwd,
+        env=environment,
+        stdin=job,
+        stdout=printed,
+        stderr=printed,
+        pass_fds=[events],
+        start_new_session=True,
+    )  # Ctrl-C is for the grader, which ends it

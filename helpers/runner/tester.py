@@ -6,6 +6,7 @@ later.
 A process of its own, so that neither a learner's kernel nor a grader that runs many submissions shares a participant,
 a Python state or a crash with the tests.
 """
+
 import importlib
 import json
 import os
@@ -54,11 +55,13 @@ def _prepare(job: dict, descriptor: int):
     module, _, name = job['launcher'].partition(':')
     start = getattr(importlib.import_module(module), name)
     from helpers.runner import start_processes
+
     # The learner's side imports ROS while this side does.
     limits = start_processes.Limits(**job['limits'])
     started = start(job['domain'], limits)
     from helpers.runner import plugin
     from helpers.runner.client import ForkServer
+
     return ForkServer(started, limits), plugin.reporter(descriptor)
 
 
@@ -70,13 +73,40 @@ def _run_tests(job: dict, server, report, only: set[str] | None) -> int:
     import pytest
 
     from helpers.runner import plugin
+
     return pytest.main(
-        ['-c', os.devnull, '--rootdir', os.getcwd(), '--import-mode=importlib', '--strict-markers', '-q',
-         '--continue-on-collection-errors',
-         '--assert=plain', '-p', 'no:unraisableexception', '-p', 'no:cacheprovider', '--tb=no', '--no-header',
-         *job['tests']],
-        plugins=[plugin.Plugin(job['programs'], server, job['domain'], report, only, job['named'],
-                               limit=job['limit'], seed=job['seed'], seeds=job['seeds'])])
+        [
+            '-c',
+            os.devnull,
+            '--rootdir',
+            os.getcwd(),
+            '--import-mode=importlib',
+            '--strict-markers',
+            '-q',
+            '--continue-on-collection-errors',
+            '--assert=plain',
+            '-p',
+            'no:unraisableexception',
+            '-p',
+            'no:cacheprovider',
+            '--tb=no',
+            '--no-header',
+            *job['tests'],
+        ],
+        plugins=[
+            plugin.Plugin(
+                job['programs'],
+                server,
+                job['domain'],
+                report,
+                only,
+                job['named'],
+                limit=job['limit'],
+                seed=job['seed'],
+                seeds=job['seeds'],
+            )
+        ],
+    )
 
 
 if __name__ == '__main__':

@@ -29,8 +29,9 @@ class TestsProcess:
 
     __test__ = False
 
-    def __init__(self, launcher: str, limits: start_processes.Limits, job: dict | None = None,
-                 folders: Sequence[Path] = ()):
+    def __init__(
+        self, launcher: str, limits: start_processes.Limits, job: dict | None = None, folders: Sequence[Path] = ()
+    ):
         """Start it for `job` (see `helpers.runner.tester`); without one it prepares itself and waits for `give`.
 
         `folders` hold the tests; a sandbox shows them to this process only.
@@ -58,13 +59,21 @@ class TestsProcess:
             file.seek(0)
             starter = import_module(self.launcher.partition(':')[0])
             self.process = getattr(starter, 'start_tests', start_processes.start_tests)(
-                file, events, self._printed, cwd=self.cwd, environment=self._environment(domain), folders=folders)
+                file, events, self._printed, cwd=self.cwd, environment=self._environment(domain), folders=folders
+            )
 
     def _start_waiting(self, surroundings: dict, events: int, domain: int):
         self.process = subprocess.Popen(
-            [sys.executable, '-m', 'helpers.runner.tester', str(events)], cwd=self.cwd,
-            env=self._environment(domain), stdin=subprocess.PIPE, stdout=self._printed, stderr=self._printed,
-            pass_fds=[events], start_new_session=True, text=True)
+            [sys.executable, '-m', 'helpers.runner.tester', str(events)],
+            cwd=self.cwd,
+            env=self._environment(domain),
+            stdin=subprocess.PIPE,
+            stdout=self._printed,
+            stderr=self._printed,
+            pass_fds=[events],
+            start_new_session=True,
+            text=True,
+        )
         assert self.process.stdin is not None  # it is a pipe
         self.process.stdin.write(json.dumps(surroundings) + '\n')
         self.process.stdin.flush()
@@ -72,9 +81,13 @@ class TestsProcess:
 
     def _environment(self, domain: int) -> dict[str, str]:
         path = os.pathsep.join(filter(None, [str(start_processes.ROOT), os.environ.get('PYTHONPATH')]))
-        return {**{k: v for k, v in os.environ.items() if not k.startswith(('PYTEST_', 'COV_'))},
-                **start_processes.ros_environment(domain), 'PYTEST_DISABLE_PLUGIN_AUTOLOAD': '1',
-                'ROS_LOG_DIR': self.cwd, 'PYTHONPATH': path}
+        return {
+            **{k: v for k, v in os.environ.items() if not k.startswith(('PYTEST_', 'COV_'))},
+            **start_processes.ros_environment(domain),
+            'PYTEST_DISABLE_PLUGIN_AUTOLOAD': '1',
+            'ROS_LOG_DIR': self.cwd,
+            'PYTHONPATH': path,
+        }
 
     def give(self, job: dict) -> None:
         """Let a process that stands by do this job. Raises OSError if it has ended."""
@@ -140,8 +153,9 @@ def _take(launcher: str, limits: start_processes.Limits) -> TestsProcess | None:
 
 
 @contextmanager
-def running(job: dict, launcher: str, limits: start_processes.Limits,
-            folders: Sequence[Path]) -> Iterator[TestsProcess]:
+def running(
+    job: dict, launcher: str, limits: start_processes.Limits, folders: Sequence[Path]
+) -> Iterator[TestsProcess]:
     """A process that does `job`: the one that stands by, or a new one. The caller calls `end`, or leaves it to this."""
     tests = _take(launcher, limits)
     if tests is not None:

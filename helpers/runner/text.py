@@ -1,4 +1,5 @@
 """Text from the learner's side, made safe to show: bounded, without control characters, the same each time."""
+
 import re
 
 MAX_MESSAGE = 2000

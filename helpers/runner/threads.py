@@ -8,6 +8,7 @@ Only these waits are known: `Clock.sleep_for` and `sleep_until` on simulated tim
 `threading.Condition` (Event, Semaphore, queue.Queue, rclpy's Rate and `Client.call`), `threading.Lock` in the learner's
 own code, and `time.sleep`, which waits on the wall clock. A timeout of a wait is counted in simulated time.
 """
+
 import _thread
 import sys
 import threading

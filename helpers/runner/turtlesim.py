@@ -2,6 +2,7 @@
 
 `TurtleSim` stands in for the node of the simulator: the learner's program gets poses and steers by velocity commands.
 """
+
 import math
 import random
 from collections.abc import Callable
@@ -43,8 +44,15 @@ class TurtleSim:
         while self.now < end and not self.bumps:
             turtle = self.turtle
             steps = self._steps()
-            self._poses.send(Pose(x=turtle.x, y=turtle.y, theta=turtle.theta, linear_velocity=turtle.linear,
-                                  angular_velocity=turtle.angular))
+            self._poses.send(
+                Pose(
+                    x=turtle.x,
+                    y=turtle.y,
+                    theta=turtle.theta,
+                    linear_velocity=turtle.linear,
+                    angular_velocity=turtle.angular,
+                )
+            )
             seen = len(self.commands)
             self._learner.settle()
             self._learner.run(steps * STEP, step=steps * STEP)

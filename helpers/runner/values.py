@@ -4,6 +4,7 @@ Plain JSON values pass as they are (tuples become lists, numpy arrays and scalar
 travel as their CDR bytes, QoS profiles, times and durations by their fields. Nothing else is sent: an object of
 another type becomes an `Opaque` with the type's name, so that a test can say what the function returned.
 """
+
 import base64
 import importlib
 import re
@@ -58,8 +59,17 @@ def encode(value, depth: int = 0):
     if isinstance(value, dict):
         return {'$dict': [[encode(k, depth + 1), encode(v, depth + 1)] for k, v in value.items()]}
     if isinstance(value, QoSProfile):
-        return {'$qos': [value.history.value, value.depth, value.reliability.value, value.durability.value,
-                         value.liveliness.value, value.deadline.nanoseconds, value.lifespan.nanoseconds]}
+        return {
+            '$qos': [
+                value.history.value,
+                value.depth,
+                value.reliability.value,
+                value.durability.value,
+                value.liveliness.value,
+                value.deadline.nanoseconds,
+                value.lifespan.nanoseconds,
+            ]
+        }
     if isinstance(value, Duration):
         return {'$duration': value.nanoseconds}
     if isinstance(value, Time):
@@ -87,9 +97,14 @@ def decode(value, depth: int = 0):
                 return {_hashable(decode(k, depth + 1)): decode(v, depth + 1) for k, v in items}
             case {'$qos': [history, size, reliability, durability, liveliness, deadline, lifespan]}:
                 return QoSProfile(
-                    history=HistoryPolicy(history), depth=size, reliability=ReliabilityPolicy(reliability),
-                    durability=DurabilityPolicy(durability), liveliness=LivelinessPolicy(liveliness),
-                    deadline=Duration(nanoseconds=deadline), lifespan=Duration(nanoseconds=lifespan))
+                    history=HistoryPolicy(history),
+                    depth=size,
+                    reliability=ReliabilityPolicy(reliability),
+                    durability=DurabilityPolicy(durability),
+                    liveliness=LivelinessPolicy(liveliness),
+                    deadline=Duration(nanoseconds=deadline),
+                    lifespan=Duration(nanoseconds=lifespan),
+                )
             case {'$duration': int(nanoseconds)}:
                 return Duration(nanoseconds=nanoseconds)
             case {'$time': int(nanoseconds)}:

@@ -1,4 +1,5 @@
 """Who is connected with whom, and why not: what the graph knows, in a learner's words."""
+
 from dataclasses import dataclass
 
 from rclpy.qos import QoSProfile
@@ -38,12 +39,21 @@ class Endpoints:
 
 def endpoints(node, topic: str, foreign) -> Endpoints:
     """The endpoints on `topic` for which `foreign(info)` is true, in a stable order."""
+
     def of(kind, infos):
-        found = [Endpoint(kind, topic, f"{info.node_namespace.rstrip('/')}/{info.node_name}", info.topic_type,
-                          info.qos_profile) for info in infos if foreign(info)]
+        found = [
+            Endpoint(
+                kind, topic, f'{info.node_namespace.rstrip("/")}/{info.node_name}', info.topic_type, info.qos_profile
+            )
+            for info in infos
+            if foreign(info)
+        ]
         return sorted(found, key=lambda endpoint: (endpoint.node, endpoint.type))
-    return Endpoints(of('publisher', node.get_publishers_info_by_topic(topic)),
-                     of('subscription', node.get_subscriptions_info_by_topic(topic)))
+
+    return Endpoints(
+        of('publisher', node.get_publishers_info_by_topic(topic)),
+        of('subscription', node.get_subscriptions_info_by_topic(topic)),
+    )
 
 
 def check(ours, kind: str, learners: list[Endpoint]) -> None:
@@ -54,10 +64,14 @@ def check(ours, kind: str, learners: list[Endpoint]) -> None:
     expected = type_name(ours.msg_type)
     for endpoint in learners:
         if endpoint.type != expected:
-            raise WiringError(f'{endpoint.topic} must carry {expected}; your {kind} there has the type '
-                              f'{endpoint.type}. Endpoints of different types are never connected.', 'type')
-        offered, requested = (endpoint.qos, ours.qos_profile) if kind == 'publisher' else (ours.qos_profile,
-                                                                                          endpoint.qos)
+            raise WiringError(
+                f'{endpoint.topic} must carry {expected}; your {kind} there has the type '
+                f'{endpoint.type}. Endpoints of different types are never connected.',
+                'type',
+            )
+        offered, requested = (
+            (endpoint.qos, ours.qos_profile) if kind == 'publisher' else (ours.qos_profile, endpoint.qos)
+        )
         if not fit(offered, requested):
             raise WiringError(_incompatible(endpoint, kind, offered, requested), 'qos')
 
@@ -65,25 +79,37 @@ def check(ours, kind: str, learners: list[Endpoint]) -> None:
 def _incompatible(endpoint: Endpoint, kind: str, offered: QoSProfile, requested: QoSProfile) -> str:
     pairs = mismatches(offered, requested)
     if not pairs:
-        return (f'The QoS of your {kind} on {endpoint.topic} is incompatible with what is asked for there (look at '
-                'deadline, lifespan and liveliness): nothing is delivered.')
+        return (
+            f'The QoS of your {kind} on {endpoint.topic} is incompatible with what is asked for there (look at '
+            'deadline, lifespan and liveliness): nothing is delivered.'
+        )
     policy, weak, strong = pairs[0]
     if kind == 'publisher':
-        return (f'Your publisher on {endpoint.topic} offers {policy} {weak}, the subscription asks for {strong}: '
-                'they are incompatible and nothing is delivered. Offer what is asked for.')
-    return (f'Your subscription on {endpoint.topic} asks for {policy} {strong}, the publisher offers {weak}: '
-            'they are incompatible and nothing is delivered. Ask for no more than is offered.')
+        return (
+            f'Your publisher on {endpoint.topic} offers {policy} {weak}, the subscription asks for {strong}: '
+            'they are incompatible and nothing is delivered. Offer what is asked for.'
+        )
+    return (
+        f'Your subscription on {endpoint.topic} asks for {policy} {strong}, the publisher offers {weak}: '
+        'they are incompatible and nothing is delivered. Ask for no more than is offered.'
+    )
 
 
 def nearby(node, topic: str, kind: str, own_nodes: list[tuple[str, str]]) -> str:
     """Which topics of this kind the learner's nodes have instead of `topic`; '' if none."""
     found = set()
     for name, namespace in own_nodes:
-        ask = (node.get_publisher_names_and_types_by_node if kind == 'publisher' else
-               node.get_subscriber_names_and_types_by_node)
+        ask = (
+            node.get_publisher_names_and_types_by_node
+            if kind == 'publisher'
+            else node.get_subscriber_names_and_types_by_node
+        )
         try:
-            found |= {f'{found_topic} ({types[0]})' for found_topic, types in ask(name, namespace)
-                      if found_topic not in ('/rosout', '/parameter_events', '/clock', topic)}
+            found |= {
+                f'{found_topic} ({types[0]})'
+                for found_topic, types in ask(name, namespace)
+                if found_topic not in ('/rosout', '/parameter_events', '/clock', topic)
+            }
         except Exception:  # noqa: BLE001 - the node has gone: there is nothing to tell
             continue
     return ', '.join(sorted(found))

@@ -6,6 +6,7 @@ and replies are JSON objects on a private socket (`helpers.runner.channel`); sta
 Each request is a method `do_…` of `Worker`. One more, `where`, is answered at once by another thread while the main
 thread is busy. Each reply has the request's `id` and either `ok: true` with results or `error: {...}`.
 """
+
 import ast
 import functools
 import linecache
@@ -77,8 +78,12 @@ class _SimulatedTimeSource(TimeSource):
         node = self._get_node()
         if self._clock_sub is None and node is not None:
             self._clock_sub = node.create_subscription(
-                Clock, CLOCK_TOPIC, self.clock_callback, QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT),
-                callback_group=MutuallyExclusiveCallbackGroup())
+                Clock,
+                CLOCK_TOPIC,
+                self.clock_callback,
+                QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT),
+                callback_group=MutuallyExclusiveCallbackGroup(),
+            )
 
 
 def _note_errors_of_actions(note) -> None:
@@ -104,10 +109,12 @@ def _note_errors_of_actions(note) -> None:
 
 def _for_other_contexts(function):
     """`rclpy.init` or its like without any effect on the default context, which is the worker's."""
+
     @functools.wraps(function)
     def wrapped(*args, context=None, **kwargs):
         if context is not None and context is not rclpy.get_default_context():
             function(*args, context=context, **kwargs)
+
     return wrapped
 
 
@@ -123,8 +130,11 @@ class _Lines(Sequence):
 
     def __getitem__(self, index):
         places = range(len(self))[index]
-        return [self[place] for place in places] if isinstance(places, range) else (
-            '\n' if places < self._before else self._lines[places - self._before])
+        return (
+            [self[place] for place in places]
+            if isinstance(places, range)
+            else ('\n' if places < self._before else self._lines[places - self._before])
+        )
 
 
 def _compiled(source: str, line: int, filename: str):
@@ -161,7 +171,7 @@ class LoadedProgram:
             except BaseException as error:  # noqa: BLE001 - SystemExit in a cell, too
                 if cell['required']:
                     raise self.error('load', error) from None
-                self.notes.append((cell['source'], f"{cell['label']}: {type(error).__name__}: {_text(error)}"))
+                self.notes.append((cell['source'], f'{cell["label"]}: {type(error).__name__}: {_text(error)}'))
 
     def find(self, name: str):
         """The learner's object of that name; RequestError `missing` if there is none."""
@@ -178,13 +188,26 @@ class LoadedProgram:
         if isinstance(error, WaitsInCallback):
             return RequestError('waits', call=error.call, lines=lines)
         if isinstance(error, SyntaxError) and error.filename in self.labels:
-            lines.append({'cell': self.labels[error.filename], 'line': error.lineno, 'function': '',
-                          'code': (error.text or '').strip()})
+            lines.append(
+                {
+                    'cell': self.labels[error.filename],
+                    'line': error.lineno,
+                    'function': '',
+                    'code': (error.text or '').strip(),
+                }
+            )
         if isinstance(error, AttributeError) and self.watch is not None and self.watch.early:
             file, line = self.watch.early
             fields['early'] = f'at {self.labels.get(file, "your cell")}, line {line}'
-        return RequestError('exception', where=where, type=type(error).__name__, text=_text(error), lines=lines,
-                            notes=self.notes_on(error), **fields)
+        return RequestError(
+            'exception',
+            where=where,
+            type=type(error).__name__,
+            text=_text(error),
+            lines=lines,
+            notes=self.notes_on(error),
+            **fields,
+        )
 
     def notes_on(self, error: BaseException) -> list[str]:
         """What happened to the cells that could not be run and that hold the name that is missing."""
@@ -193,9 +216,16 @@ class LoadedProgram:
 
     def lines(self, frames) -> list[dict]:
         """Those of the stack's frames (oldest first) that are the learner's."""
-        found = [{'cell': self.labels[frame.filename], 'line': frame.lineno, 'function': frame.name,
-                  'code': (linecache.getline(frame.filename, frame.lineno) or '').strip()[:200]}
-                 for frame in frames if frame.filename in self.labels]
+        found = [
+            {
+                'cell': self.labels[frame.filename],
+                'line': frame.lineno,
+                'function': frame.name,
+                'code': (linecache.getline(frame.filename, frame.lineno) or '').strip()[:200],
+            }
+            for frame in frames
+            if frame.filename in self.labels
+        ]
         return found[:3] + found[-7:] if len(found) > 10 else found
 
 
@@ -252,8 +282,11 @@ class Conductor:
                 self.echo_sent += 1
                 self.echo.publish(UInt64(data=self.echo_sent))
                 self._hear(lambda: self.echo_seen >= self.echo_sent, timeout)
-        reached = all(clock.now().nanoseconds >= now for clock in (node.get_clock() for node in nodes)
-                      if isinstance(clock, ROSClock) and clock.ros_time_is_active)
+        reached = all(
+            clock.now().nanoseconds >= now
+            for clock in (node.get_clock() for node in nodes)
+            if isinstance(clock, ROSClock) and clock.ros_time_is_active
+        )
         if self.raised:
             raise self.program.error('execute', self.raised.pop(0))
         self.done.publish(UInt64(data=number))
@@ -362,8 +395,9 @@ class Conductor:
     def _count(self, error: BaseException | None, entity, node) -> int:
         """1 for a callback of the learner's that has ended, 0 for another one; RequestError if it has raised."""
         if error is not None:
-            raise self.program.error('callback', _explained(error), node=node.get_name() if node else '',
-                                     callback=_describe(entity)) from None
+            raise self.program.error(
+                'callback', _explained(error), node=node.get_name() if node else '', callback=_describe(entity)
+            ) from None
         if node is self.node or getattr(entity, 'topic_name', None) == '/clock':
             return 0
         self._sent_since_echo = True
@@ -452,14 +486,18 @@ class Worker:
         self.token = token
         _SimulatedTimeSource.now = now
         rclpy.node.TimeSource = _SimulatedTimeSource  # type: ignore[misc]  # every node is to have this one
-        rclpy.init(args=['--ros-args', '-p', 'use_sim_time:=true', *ros_args],
-                   signal_handler_options=SignalHandlerOptions.NO)
+        rclpy.init(
+            args=['--ros-args', '-p', 'use_sim_time:=true', *ros_args], signal_handler_options=SignalHandlerOptions.NO
+        )
         # The notebook's own start and stop of ROS mean this context. Other contexts are left as they are.
         for function in (rclpy.init, rclpy.shutdown, rclpy.try_shutdown):
             setattr(rclpy, function.__name__, _for_other_contexts(function))
         program = self.program = LoadedProgram()
-        program.watch = Watch(self._in_callback, lambda: bool(self.conductor and self.conductor.pool),
-                              lambda frame: frame.f_code.co_filename in program.labels)
+        program.watch = Watch(
+            self._in_callback,
+            lambda: bool(self.conductor and self.conductor.pool),
+            lambda frame: frame.f_code.co_filename in program.labels,
+        )
         watch(program.watch)
         program.load(cells)
         return {'notes': [note for _, note in program.notes]}
@@ -508,8 +546,11 @@ class Worker:
             conductor.executor.add_node(node)
         self.nodes += nodes
         self.started.append(made)
-        return {'index': len(self.started) - 1, 'endpoints': self._endpoints(),
-                'nodes': [node.get_fully_qualified_name() for node in nodes]}
+        return {
+            'index': len(self.started) - 1,
+            'endpoints': self._endpoints(),
+            'nodes': [node.get_fully_qualified_name() for node in nodes],
+        }
 
     def do_call(self, name: str, args: list, kwargs: dict, index: int | None = None):
         """Call the learner's function, or a method of what a `start` made."""
@@ -571,13 +612,22 @@ class Worker:
         _SimulatedTimeSource.now = now
         conductor, seen = self._joined(), self._loaded().watch
         count, reached = conductor.step(number, now, self.nodes, timeout)
-        return {'count': count, 'reached': reached, 'next': self._next_timer(now), 'endpoints': self._endpoints(),
-                'waiting': conductor.waiting(), 'remarks': seen.remarks if seen else []}
+        return {
+            'count': count,
+            'reached': reached,
+            'next': self._next_timer(now),
+            'endpoints': self._endpoints(),
+            'waiting': conductor.waiting(),
+            'remarks': seen.remarks if seen else [],
+        }
 
     def _endpoints(self) -> int:
         """How many endpoints the learner's nodes have: more or fewer than before means new discovery."""
-        return sum(len(list(kind)) for node in self.nodes
-                   for kind in (node.publishers, node.subscriptions, node.services, node.clients, node.waitables))
+        return sum(
+            len(list(kind))
+            for node in self.nodes
+            for kind in (node.publishers, node.subscriptions, node.services, node.clients, node.waitables)
+        )
 
     def _next_timer(self, now: int) -> int | None:
         """The simulated time (ns) at which the next timer is due."""
@@ -609,10 +659,12 @@ class Worker:
 
     def do_habits(self):
         """What only this process knows of its nodes: their queues, and how long their lines have slept."""
-        queues = [[kind, endpoint.topic_name, endpoint.qos_profile.depth]
-                  for node in self.nodes for kind, endpoints in (('publisher', node.publishers),
-                                                                 ('subscription', node.subscriptions))
-                  for endpoint in endpoints]
+        queues = [
+            [kind, endpoint.topic_name, endpoint.qos_profile.depth]
+            for node in self.nodes
+            for kind, endpoints in (('publisher', node.publishers), ('subscription', node.subscriptions))
+            for endpoint in endpoints
+        ]
         return {'queues': queues, 'slept': self.program.watch.slept}
 
     def do_stop(self):

@@ -60,8 +60,11 @@ class Done:
 
 def package(folder: Path) -> dict[str, str]:
     """The text files of a package's folder, as `workspace` wants them: below `src`."""
-    return {f'src/{folder.name}/{path.relative_to(folder).as_posix()}': path.read_text()
-            for path in sorted(folder.rglob('*')) if path.is_file() and '__pycache__' not in path.parts}
+    return {
+        f'src/{folder.name}/{path.relative_to(folder).as_posix()}': path.read_text()
+        for path in sorted(folder.rglob('*'))
+        if path.is_file() and '__pycache__' not in path.parts
+    }
 
 
 class ExerciseWorkspace:
@@ -84,8 +87,9 @@ class ExerciseWorkspace:
         """
         key = (self.name, *arguments)
         if key not in self._cache:
-            self._cache[key] = self.run('colcon', 'build', '--event-handlers', 'console_cohesion+', *arguments,
-                                        timeout=BUILD_TIMEOUT)
+            self._cache[key] = self.run(
+                'colcon', 'build', '--event-handlers', 'console_cohesion+', *arguments, timeout=BUILD_TIMEOUT
+            )
         done = self._cache[key]
         if check and done.status != 0:
             raise LearnerError(f'colcon build failed: {reason(done.output)}', clean(done.output, 6000))
@@ -114,11 +118,18 @@ class ExerciseWorkspace:
         What still runs when the test ends is ended then.
         """
         self._learner.end_calls()
-        return self._learner.server.task('command', self.name, keep=OUTPUT, argv=list(argv), folder=self.name,
-                                         environment=environment or {})
+        return self._learner.server.task(
+            'command', self.name, keep=OUTPUT, argv=list(argv), folder=self.name, environment=environment or {}
+        )
 
-    def pytest(self, *argv: str, functions: int | None = None, modules: tuple[str, ...] = (),
-               without: tuple[str, ...] = (), environment: dict[str, str] | None = None) -> Task:
+    def pytest(
+        self,
+        *argv: str,
+        functions: int | None = None,
+        modules: tuple[str, ...] = (),
+        without: tuple[str, ...] = (),
+        environment: dict[str, str] | None = None,
+    ) -> Task:
         """Start pytest with these arguments, in a process that has imported it, and `modules`, already.
 
         :param functions: a socket that the tests in there may use, see `helpers.runner.functions`.
@@ -126,8 +137,17 @@ class ExerciseWorkspace:
         """
         self._learner.end_calls()
         given = [functions] if functions is not None else []
-        return self._learner.server.task('pytest', self.name, *given, keep=OUTPUT, argv=list(argv), folder=self.name,
-                                         environment=environment or {}, modules=list(modules), without=list(without))
+        return self._learner.server.task(
+            'pytest',
+            self.name,
+            *given,
+            keep=OUTPUT,
+            argv=list(argv),
+            folder=self.name,
+            environment=environment or {},
+            modules=list(modules),
+            without=list(without),
+        )
 
     def installed(self) -> list[str]:
         """The files below `install`, sorted."""
@@ -189,8 +209,10 @@ class Workspaces:
         The same files give the same workspace for all tests of a session, with what is built in it, unless it is
         `alone`. Its name tells nothing, and what another program has done is not in it.
         """
-        written = {name: content if isinstance(content, str) else {'base64': base64.b64encode(content).decode()}
-                   for name, content in files.items()}
+        written = {
+            name: content if isinstance(content, str) else {'base64': base64.b64encode(content).decode()}
+            for name, content in files.items()
+        }
         for name in files:
             if PurePosixPath(name).is_absolute() or '..' in PurePosixPath(name).parts:
                 raise ValueError(f'{name!r} is not inside of a workspace')
@@ -206,8 +228,10 @@ class Workspaces:
             finally:
                 os.close(given)
             if (status := task.wait(WRITE_TIMEOUT)) != 0:
-                raise LearnerError('The files of your package could not be written: they are too large, or one has the '
-                                   f'name of a folder (status {status}).')
+                raise LearnerError(
+                    'The files of your package could not be written: they are too large, or one has the '
+                    f'name of a folder (status {status}).'
+                )
             if alone:
                 return ExerciseWorkspace(self, name)
             cache[key] = name
@@ -222,10 +246,16 @@ def _constant(cells: list[dict], name: str) -> str | None:
         tree = ast.parse(cells[-1]['source'])
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return None
-    bound = sum(isinstance(node, ast.Name) and node.id == name and not isinstance(node.ctx, ast.Load)
-                or isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)) and node.name == name
-                or isinstance(node, ast.alias) and name in (node.asname, node.name, '*')
-                for node in ast.walk(tree))
+    bound = sum(
+        isinstance(node, ast.Name)
+        and node.id == name
+        and not isinstance(node.ctx, ast.Load)
+        or isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef))
+        and node.name == name
+        or isinstance(node, ast.alias)
+        and name in (node.asname, node.name, '*')
+        for node in ast.walk(tree)
+    )
     for node in tree.body if bound == 1 else ():
         match node:
             case ast.Assign(targets=[ast.Name(id=found)], value=ast.Constant(value=str(text))) if found == name:
@@ -243,8 +273,10 @@ def reason(output: str) -> str:
         paragraph = ' '.join(found[1].split('Call Stack')[0].split())
         return paragraph[:400]
     if 'setup() was never called' in output or "setup()' was never called" in output:
-        return ('setup.py did not get as far as setup(): one of its arguments cannot be read. Run `python3 setup.py '
-                '--version` in the folder of the package to see which.')
+        return (
+            'setup.py did not get as far as setup(): one of its arguments cannot be read. Run `python3 setup.py '
+            '--version` in the folder of the package to see which.'
+        )
     # The tools' own tracebacks and command lines are long and tell nothing.
     telling = [line for line in _TELLING.findall(output) if 'CalledProcessError' not in line and len(line) < 400]
     return (telling[-1] if telling else (output.strip().splitlines() or ['it printed nothing'])[-1]).strip()[:400]

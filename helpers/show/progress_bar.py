@@ -23,7 +23,7 @@ class Bar:
         return {
             'text/plain': str(self),
             'text/html': f'<div>{label} <progress value="{self.share:.3f}" max="1"></progress> '
-                         f'{self.share:.0%} &nbsp;{note}</div>',
+            f'{self.share:.0%} &nbsp;{note}</div>',
         }
 
 

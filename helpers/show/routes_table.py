@@ -7,7 +7,7 @@ from environment.setup.routes import routes as look
 from helpers.paths import ROOT
 from helpers.show.colours import BAD, GOOD, OPEN
 
-_TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).from_string('''\
+_TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).from_string("""\
 {% for route in routes %}
 <div style="border-left: 4px solid {{ colour(route) }}; padding: 0.2em 0 0.2em 0.9em; margin: 0.5em 0">
 <div style="font-weight: 600">{{ route.name }}: {{ verdict(route) }}</div>
@@ -17,7 +17,7 @@ _TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).f
 {% endfor %}
 </div>
 {% endfor %}
-''')
+""")
 
 
 def routes() -> 'RoutesTable':

@@ -176,8 +176,9 @@ class Timeline:
 
     def requested(self, client, sent: float) -> '_ServiceCall':
         """A client sends a request at the monotonic time `sent`."""
-        request = Message('request', client.service_name, self._node_here(), self._lane(), sent - self._begun,
-                          next(self._numbers))
+        request = Message(
+            'request', client.service_name, self._node_here(), self._lane(), sent - self._begun, next(self._numbers)
+        )
         self.messages.append(request)
         self._calls.append(_ServiceCall(client, request))
         return self._calls[-1]
@@ -196,16 +197,25 @@ class Timeline:
         for header, take, respond, response in self._responses:
             request_id = getattr(header, 'request_id', header)
             writer = bytes(request_id.writer_guid) if hasattr(request_id, 'writer_guid') else None
-            fitting = [call for call in self._calls if call.number == request_id.sequence_number and not call.taken
-                       and call.request.name == respond.name and call.request.time <= (take or respond).time]
+            fitting = [
+                call
+                for call in self._calls
+                if call.number == request_id.sequence_number
+                and not call.taken
+                and call.request.name == respond.name
+                and call.request.time <= (take or respond).time
+            ]
             known = writers.get(writer)
-            fitting = [call for call in fitting if call.client is known] if known else [
-                call for call in fitting if call.client not in writers.values()]
+            fitting = (
+                [call for call in fitting if call.client is known]
+                if known
+                else [call for call in fitting if call.client not in writers.values()]
+            )
             if len(fitting) > 1:  # clients number their requests alike: it is not known which one got this answer
                 fitting = [call for call in fitting if call.future.done() and call.future.result() == response]
             if len(fitting) != 1:
                 continue
-            call, = fitting
+            (call,) = fitting
             call.taken = True
             if writer:
                 writers[writer] = call.client
@@ -219,8 +229,9 @@ class Timeline:
         for call in self._calls:
             if call.client is work.entity and call.future and call.future.done() and not call.answered:
                 call.answered = True
-                self.messages.append(Message('answer', call.request.name, _node_name(work), self._lane(), now,
-                                             call.request.call))
+                self.messages.append(
+                    Message('answer', call.request.name, _node_name(work), self._lane(), now, call.request.call)
+                )
 
     def _node_here(self) -> str:
         work = executors.running_here()
@@ -247,8 +258,13 @@ def _install() -> None:
     from rclpy.publisher import Publisher
     from rclpy.service import Service
 
-    _plain.update({(Publisher, 'publish'): Publisher.publish, (Client, 'call_async'): Client.call_async,
-                   (Service, 'send_response'): Service.send_response})
+    _plain.update(
+        {
+            (Publisher, 'publish'): Publisher.publish,
+            (Client, 'call_async'): Client.call_async,
+            (Service, 'send_response'): Service.send_response,
+        }
+    )
 
     def publish(plain, self, *args):
         for recorder in _recording:
@@ -294,8 +310,11 @@ def _tell(event: str, work) -> None:
 def _runs(work, resumed: bool) -> bool:
     """Tell whether a work will run its callback. A MultiThreadedExecutor hands some out twice, or too early."""
     group = getattr(work.entity, 'callback_group', None)
-    return not work.task.done() and not work.task.executing() and (
-        resumed or group is None or group.can_execute(work.entity))
+    return (
+        not work.task.done()
+        and not work.task.executing()
+        and (resumed or group is None or group.can_execute(work.entity))
+    )
 
 
 def _is_hidden(work) -> bool:
@@ -319,8 +338,14 @@ def _function(work):
 
 def _label(work) -> str:
     name = getattr(_function(work), '__name__', '')
-    kinds = {'Timer': 'timer', 'Subscription': 'message', 'Service': 'request', 'NoneType': 'done-callback',
-             'ActionServer': 'action server', 'ActionClient': 'action client'}
+    kinds = {
+        'Timer': 'timer',
+        'Subscription': 'message',
+        'Service': 'request',
+        'NoneType': 'done-callback',
+        'ActionServer': 'action server',
+        'ActionClient': 'action client',
+    }
     return name if name and name != '<lambda>' else kinds.get(type(work.entity).__name__, 'callback')
 
 

@@ -7,14 +7,22 @@ _LEFT, _WIDTH, _LANE, _BAR = 84, 760, 44, 20  # px: begin of the time axis, whol
 _RIGHT = 66  # px; room for the label of the last bar
 _CHARACTER = 6.2  # px; width of a character of the bars' font
 _MOST_LINES = 60  # of text
-_KINDS = {'publish': 'publishes on', 'receive': 'receives from', 'request': 'sends a request to',
-          'take': 'takes a request of', 'respond': 'sends a response of', 'answer': 'gets a response of'}
+_KINDS = {
+    'publish': 'publishes on',
+    'receive': 'receives from',
+    'request': 'sends a request to',
+    'take': 'takes a request of',
+    'respond': 'sends a response of',
+    'answer': 'gets a response of',
+}
 
-_AWAITS = ('<rect x="0" y="6" width="16" height="12" rx="3" fill="currentColor" fill-opacity="0.1" '
-           'stroke="currentColor" stroke-dasharray="4 3"/>')
+_AWAITS = (
+    '<rect x="0" y="6" width="16" height="12" rx="3" fill="currentColor" fill-opacity="0.1" '
+    'stroke="currentColor" stroke-dasharray="4 3"/>'
+)
 _LINE = '<line x1="-2" y1="12" x2="16" y2="12" stroke="currentColor" stroke-width="1.2" stroke-opacity="0.75" {}/>'
 
-_TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).from_string('''\
+_TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).from_string("""\
 <svg xmlns="http://www.w3.org/2000/svg" role="img" viewBox="0 0 {{ width }} {{ height }}" \
 style="width: 100%; max-width: {{ width }}px; height: auto; color: var(--jp-ui-font-color1, currentColor)" \
 font-family="system-ui, -apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif" font-size="11" fill="currentColor">
@@ -62,7 +70,7 @@ fill="{{ '#ffffff' if bar.inside else 'currentColor' }}" font-size="10.5">{{ bar
 {% endfor %}
 <text x="{{ width - 8 }}" y="{{ bottom + 30 }}" text-anchor="end" fill-opacity="0.75">time [{{ unit }}]</text>
 </svg>
-''')
+""")
 
 
 def text(chart) -> str:
@@ -85,21 +93,46 @@ def svg(chart) -> str:
     paths = view.paths()
     signs, x = [], view.legend_end
     for words, sign, there in (
-            ('sent', _mark(6, 12, True), True), ('received', _mark(6, 12, False), True),
-            ('awaits', _AWAITS, any(callback.awaited for callback in chart.callbacks)),
-            ('request', _LINE.format(''), any(not path['back'] for path in paths)),
-            ('response', _LINE.format('stroke-dasharray="3 3"'), any(path['back'] for path in paths))):
+        ('sent', _mark(6, 12, True), True),
+        ('received', _mark(6, 12, False), True),
+        ('awaits', _AWAITS, any(callback.awaited for callback in chart.callbacks)),
+        ('request', _LINE.format(''), any(not path['back'] for path in paths)),
+        ('response', _LINE.format('stroke-dasharray="3 3"'), any(path['back'] for path in paths)),
+    ):
         if there:
             signs.append({'sign': Markup(f'<g transform="translate({x} 0)">{sign}</g>'), 'x': x + 9, 'text': words})
             x += 36 + round(_CHARACTER * len(words))
-    marks = [{'title': _mark_text(message),
-              'sign': Markup(_mark(view.x(message.time), view.mark_y(message), message.sent,
-                                   view.colour.get(message.node, 'currentColor')))}
-             for message in view.messages]
+    marks = [
+        {
+            'title': _mark_text(message),
+            'sign': Markup(
+                _mark(
+                    view.x(message.time),
+                    view.mark_y(message),
+                    message.sent,
+                    view.colour.get(message.node, 'currentColor'),
+                )
+            ),
+        }
+        for message in view.messages
+    ]
     return _TEMPLATE.render(
-        width=_WIDTH, height=view.bottom + 36, left=_LEFT, top=view.top, bottom=view.bottom, unit=view.unit,
-        summary=_summary(chart), description=text(chart), legend=view.legend, signs=signs, ticks=view.ticks,
-        lanes=view.lanes, bars=view.bars(), marks=marks, paths=paths)
+        width=_WIDTH,
+        height=view.bottom + 36,
+        left=_LEFT,
+        top=view.top,
+        bottom=view.bottom,
+        unit=view.unit,
+        summary=_summary(chart),
+        description=text(chart),
+        legend=view.legend,
+        signs=signs,
+        ticks=view.ticks,
+        lanes=view.lanes,
+        bars=view.bars(),
+        marks=marks,
+        paths=paths,
+    )
 
 
 class _View:
@@ -153,26 +186,49 @@ class _View:
         for callback in sorted(self.chart.callbacks, key=lambda c: c.start):
             end = callback.end if callback.end is not None else self.chart.end
             x, width = self.x(callback.start), max(3.0, self.x(end) - self.x(callback.start))
-            parts = [{'x': self.x(a), 'width': round(max(3.0, self.x(end if b is None else b) - self.x(a)), 2)}
-                     for a, b in callback.parts]
+            parts = [
+                {'x': self.x(a), 'width': round(max(3.0, self.x(end if b is None else b) - self.x(a)), 2)}
+                for a, b in callback.parts
+            ]
             words = callback.name if callback.end is not None else f'{callback.name} …'
             needed = len(words) * _CHARACTER + 8
             inside = needed <= parts[0]['width']
-            others = [other for other in self.chart.callbacks
-                      if other.thread == callback.thread and other is not callback]
+            others = [
+                other for other in self.chart.callbacks if other.thread == callback.thread and other is not callback
+            ]
             if inside:
                 text_x, shown = x + 5, words
-            elif callback.awaited and needed <= width and not any(other.start < end and (
-                    other.end is None or other.end > callback.start) for other in others):
+            elif (
+                callback.awaited
+                and needed <= width
+                and not any(other.start < end and (other.end is None or other.end > callback.start) for other in others)
+            ):
                 text_x, shown = x + parts[0]['width'] + 5, words
             else:
-                after = min((self.x(other.start) for other in others if other.start > callback.start and not (
-                    callback.awaited and other.start < end)), default=_WIDTH - 8)
+                after = min(
+                    (
+                        self.x(other.start)
+                        for other in others
+                        if other.start > callback.start and not (callback.awaited and other.start < end)
+                    ),
+                    default=_WIDTH - 8,
+                )
                 text_x, shown = x + width + 5, words if after - (x + width) >= needed else ''
-            made.append({'x': x, 'y': self.y[callback.thread] + (_LANE - _BAR) / 2, 'width': round(width, 2),
-                         'height': _BAR, 'colour': self.colour[callback.node], 'rest': callback.awaited,
-                         'parts': parts, 'text': shown, 'text_x': round(text_x, 2), 'inside': inside,
-                         'title': _bar_text(callback)})
+            made.append(
+                {
+                    'x': x,
+                    'y': self.y[callback.thread] + (_LANE - _BAR) / 2,
+                    'width': round(width, 2),
+                    'height': _BAR,
+                    'colour': self.colour[callback.node],
+                    'rest': callback.awaited,
+                    'parts': parts,
+                    'text': shown,
+                    'text_x': round(text_x, 2),
+                    'inside': inside,
+                    'title': _bar_text(callback),
+                }
+            )
         return sorted(made, key=lambda bar: not bar['rest'])  # those that await are drawn behind the others
 
     def paths(self) -> list[dict]:
@@ -188,8 +244,9 @@ class _View:
                     a, b = parts[begin], parts[end]
                     x1, y1, x2, y2 = self.x(a.time), self.mark_y(a), self.x(b.time), self.mark_y(b)
                     middle = round((x1 + x2) / 2, 2)
-                    found.append({'d': f'M{x1} {y1} C{middle} {y1} {middle} {y2} {x2} {y2}',
-                                  'back': begin == 'respond'})
+                    found.append(
+                        {'d': f'M{x1} {y1} C{middle} {y1} {middle} {y2} {x2} {y2}', 'back': begin == 'respond'}
+                    )
         return found
 
 
@@ -203,8 +260,10 @@ def _mark(x: float, y: float, sent: bool, colour: str = 'currentColor') -> str:
 
 def _summary(chart) -> str:
     busy = {c.thread for c in chart.callbacks}
-    return (f'Timeline: {len(chart.callbacks)} callbacks in {len(busy)} thread{"s" * (len(busy) != 1)}, '
-            f'{len(chart.messages)} messages, {chart.end:.2f} s')
+    return (
+        f'Timeline: {len(chart.callbacks)} callbacks in {len(busy)} thread{"s" * (len(busy) != 1)}, '
+        f'{len(chart.messages)} messages, {chart.end:.2f} s'
+    )
 
 
 def _bar_text(callback) -> str:

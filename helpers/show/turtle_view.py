@@ -127,13 +127,17 @@ class TurtleView:
         """Subscribe to the turtles that are new, and let go of those whose simulator has ended."""
         from turtlesim.msg import Pose
 
-        there = {topic for topic, types in self._node.get_topic_names_and_types()
-                 if _POSE in types and topic.endswith('/pose') and self._node.count_publishers(topic)}
+        there = {
+            topic
+            for topic, types in self._node.get_topic_names_and_types()
+            if _POSE in types and topic.endswith('/pose') and self._node.count_publishers(topic)
+        }
         for topic in there - self._subscriptions.keys():
             name = _turtle(topic)
             self._world.kill(name)  # the turtle of an earlier simulator: no line leads from it to the new one
             self._subscriptions[topic] = self._node.create_subscription(
-                Pose, topic, lambda pose, name=name: self._on_pose(name, pose), 10)
+                Pose, topic, lambda pose, name=name: self._on_pose(name, pose), 10
+            )
         for topic in self._subscriptions.keys() - there:
             self._node.destroy_subscription(self._subscriptions.pop(topic))
             self._poses.pop(_turtle(topic), None)

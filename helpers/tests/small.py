@@ -76,8 +76,16 @@ class Case:
 
 def exercise(number: int = 1, names=('Talker',), points: float = 10, **changes) -> Exercise:
     """An exercise of chapter 90."""
-    made = Exercise(id=f'90.{number}', chapter=90, notebook=NOTEBOOK, title='a talker', points=points,
-                    names=tuple(names), cell_id=f'ex-90-{number}', stub=stub_digest(STUB))
+    made = Exercise(
+        id=f'90.{number}',
+        chapter=90,
+        notebook=NOTEBOOK,
+        title='a talker',
+        points=points,
+        names=tuple(names),
+        cell_id=f'ex-90-{number}',
+        stub=stub_digest(STUB),
+    )
     return replace(made, **changes)
 
 
@@ -93,10 +101,24 @@ def cells(source: str, number: int = 1) -> list[NotebookCell]:
 
 def notebook(*sources: str) -> bytes:
     """A notebook of these code cells."""
-    return json.dumps({
-        'nbformat': 4, 'nbformat_minor': 5, 'metadata': {},
-        'cells': [{'cell_type': 'code', 'id': f'c{number}', 'metadata': {}, 'execution_count': None, 'outputs': [],
-                   'source': source} for number, source in enumerate(sources)]}).encode()
+    return json.dumps(
+        {
+            'nbformat': 4,
+            'nbformat_minor': 5,
+            'metadata': {},
+            'cells': [
+                {
+                    'cell_type': 'code',
+                    'id': f'c{number}',
+                    'metadata': {},
+                    'execution_count': None,
+                    'outputs': [],
+                    'source': source,
+                }
+                for number, source in enumerate(sources)
+            ],
+        }
+    ).encode()
 
 
 def write_tests(folder: Path, text: str, number: int = 1, kind: str = 'checks') -> Path:

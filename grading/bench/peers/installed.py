@@ -13,8 +13,9 @@ LOCK = Path(__file__).with_name('requirements.lock')
 PREFIX = paths.ROOT / 'build' / 'bench' / 'peers'
 KERNEL = 'course-with-peers'
 # The course's Python, where these packages come after its own: otter is imported in the kernel too.
-_LAUNCH = ('import sys; sys.path.append({site!r}); '
-           'from ipykernel.kernelapp import launch_new_instance; launch_new_instance()')
+_LAUNCH = (
+    'import sys; sys.path.append({site!r}); from ipykernel.kernelapp import launch_new_instance; launch_new_instance()'
+)
 
 
 def program(name: str) -> str:
@@ -35,8 +36,12 @@ def program(name: str) -> str:
 def environment(domain_id: int) -> dict[str, str]:
     """The environment variables for a program of theirs: their kernel, and a ROS domain."""
     path = os.pathsep.join([str(PREFIX / 'bin'), os.environ['PATH']])
-    return {**os.environ, 'PATH': path, 'ROS_DOMAIN_ID': str(domain_id),
-            'JUPYTER_PATH': str(PREFIX / 'share' / 'jupyter')}
+    return {
+        **os.environ,
+        'PATH': path,
+        'ROS_DOMAIN_ID': str(domain_id),
+        'JUPYTER_PATH': str(PREFIX / 'share' / 'jupyter'),
+    }
 
 
 def run(name: str, *arguments: str, domain_id: int, cwd: Path) -> None:
@@ -54,14 +59,19 @@ def _install() -> None:
     uv = [sys.executable, '-m', 'uv']
     base = getattr(sys, '_base_executable', sys.executable)
     python = PREFIX / 'bin' / 'python'
-    for argv in ([*uv, 'venv', '-q', '--clear', '--python', base, str(PREFIX)],
-                 [*uv, 'pip', 'install', '-q', '--require-hashes', '--python', str(python), '-r', str(LOCK)]):
+    for argv in (
+        [*uv, 'venv', '-q', '--clear', '--python', base, str(PREFIX)],
+        [*uv, 'pip', 'install', '-q', '--require-hashes', '--python', str(python), '-r', str(LOCK)],
+    ):
         done = subprocess.run(argv, capture_output=True, text=True)
         if done.returncode:
             raise RuntimeError(f'the other graders could not be installed: {done.stderr[-800:]}')
     site = next((PREFIX / 'lib').glob('python3*/site-packages'))
     kernel = PREFIX / 'share' / 'jupyter' / 'kernels' / KERNEL
     kernel.mkdir(parents=True, exist_ok=True)
-    spec = {'argv': [sys.executable, '-c', _LAUNCH.format(site=str(site)), '-f', '{connection_file}'],
-            'display_name': 'ROS 2 course, with other graders', 'language': 'python'}
+    spec = {
+        'argv': [sys.executable, '-c', _LAUNCH.format(site=str(site)), '-f', '{connection_file}'],
+        'display_name': 'ROS 2 course, with other graders',
+        'language': 'python',
+    }
     (kernel / 'kernel.json').write_text(json.dumps(spec, indent=1) + '\n')

@@ -47,14 +47,22 @@ def otter_tests(folder: Path) -> None:
         body = ''.join(f'    {line}\n' for line in check.splitlines())
         (folder / f'q{number}.py').write_text(
             f'from otter.test_files import test_case\n\nOK_FORMAT = False\nname = "q{number}"\npoints = 1\n\n\n'
-            f'@test_case(points=1)\ndef check({used}):\n{body}')
+            f'@test_case(points=1)\ndef check({used}):\n{body}'
+        )
 
 
 def _cell(text: str, grade_id: str, *, solution: bool = False, points: int | None = None):
     graded = {} if points is None else {'points': points}
     cell = nbformat.v4.new_code_cell(text)
-    cell.metadata.nbgrader = {'grade': not solution, 'grade_id': grade_id, 'locked': not solution,
-                              'schema_version': 3, 'solution': solution, 'task': False, **graded}
+    cell.metadata.nbgrader = {
+        'grade': not solution,
+        'grade_id': grade_id,
+        'locked': not solution,
+        'schema_version': 3,
+        'solution': solution,
+        'task': False,
+        **graded,
+    }
     return cell
 
 

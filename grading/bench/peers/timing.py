@@ -48,8 +48,18 @@ def _otter(folder: Path, submissions: int, domain_id: int) -> float:
         one = folder / f'learner{number:03}'
         sheets.for_otter(one / f'{SHEET}.ipynb')
         begin = time.perf_counter()
-        run('otter', 'run', '-a', 'autograder.zip', '-o', str(one), '--no-logo', str(one / f'{SHEET}.ipynb'),
-            domain_id=domain_id, cwd=folder)
+        run(
+            'otter',
+            'run',
+            '-a',
+            'autograder.zip',
+            '-o',
+            str(one),
+            '--no-logo',
+            str(one / f'{SHEET}.ipynb'),
+            domain_id=domain_id,
+            cwd=folder,
+        )
         seconds += time.perf_counter() - begin
         tests = json.loads((one / 'results.json').read_text(encoding='utf-8'))['tests']
         marks.append(float(sum(test.get('score', 0) for test in tests)))

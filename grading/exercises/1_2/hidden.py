@@ -8,8 +8,9 @@ pytestmark = pytest.mark.exercise('1.2')
 
 
 @pytest.mark.weight(4)
-@pytest.mark.rules('dictionary', 'not-sourced', 'mixed', 'ros-distro', 'workspace', 'python', 'domain', 'off',
-                   'unknown', 'missing')
+@pytest.mark.rules(
+    'dictionary', 'not-sourced', 'mixed', 'ros-distro', 'workspace', 'python', 'domain', 'off', 'unknown', 'missing'
+)
 def test_single_faults(learner):
     """Environments without a fault and with one, of several distributions.
 

@@ -69,10 +69,19 @@ def test_bridge_is_there(learner):
             learner.start('Bridge', domain)
         expect(there.wait_until(there.nodes, 5), f'No node of yours is in domain {domain}.', 'bridge')
         there.wait_until(lambda: there.node.count_publishers('/chatter') or there.node.count_subscribers('/chatter'), 5)
-        expect(there.node.count_publishers('/chatter'), f'Your node in domain {domain} does not publish on /chatter.',
-               'carries')
-        expect(not there.node.count_subscribers('/chatter'),
-               f'Your bridge listens on /chatter in domain {domain}: the wrong direction.', 'one-way')
+        expect(
+            there.node.count_publishers('/chatter'),
+            f'Your node in domain {domain} does not publish on /chatter.',
+            'carries',
+        )
+        expect(
+            not there.node.count_subscribers('/chatter'),
+            f'Your bridge listens on /chatter in domain {domain}: the wrong direction.',
+            'one-way',
+        )
         learner.talk('/chatter', String)
-        expect(learner.endpoints('/chatter').subscriptions,
-               'Your bridge does not listen on /chatter in the domain of the program.', 'carries')
+        expect(
+            learner.endpoints('/chatter').subscriptions,
+            'Your bridge does not listen on /chatter in the domain of the program.',
+            'carries',
+        )

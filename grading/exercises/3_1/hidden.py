@@ -24,15 +24,25 @@ def test_first_message(learner):
     learner.settle()
     with about('texts'):
         learner.run(0.2)
-    expect(not heard.messages, 'A message was published before the first period had passed: publish in the timer only.',
-           'first')
+    expect(
+        not heard.messages,
+        'A message was published before the first period had passed: publish in the timer only.',
+        'first',
+    )
     with about('texts'):
         learner.run(0.2)
-    expect(heard.data != ['alive 2'], "The first text that arrives is 'alive 2'. Publish in the timer only: what the "
-                                      'constructor publishes, nobody can hear yet.', 'first')
+    expect(
+        heard.data != ['alive 2'],
+        "The first text that arrives is 'alive 2'. Publish in the timer only: what the "
+        'constructor publishes, nobody can hear yet.',
+        'first',
+    )
     expect(heard.messages, 'The first message has not come 0.4 s after the start.', 'rate')
-    expect(heard.stamps[0] - begin == pytest.approx(0.25),
-           f'The first message came {heard.stamps[0] - begin:g} s after the start, expected 0.25 s.', 'rate')
+    expect(
+        heard.stamps[0] - begin == pytest.approx(0.25),
+        f'The first message came {heard.stamps[0] - begin:g} s after the start, expected 0.25 s.',
+        'rate',
+    )
 
 
 @pytest.mark.weight(2)
@@ -54,8 +64,11 @@ def test_long_run(learner):
     first = next((pair for pair in zip(heard.data, wanted, strict=False) if pair[0] != pair[1]), ('', ''))
     expect(first[0] != 'alive 2' or first[1] != 'alive 1', 'The constructor publishes; only the timer should.', 'first')
     expect(heard.data == wanted, f'A text is {first[0]!r}, expected {first[1]!r}.', 'texts')
-    expect(len(heard) == quarters,
-           f'{len(heard)} messages in {seconds:g} s, expected {quarters}: is the period 0.25 s?', 'rate')
+    expect(
+        len(heard) == quarters,
+        f'{len(heard)} messages in {seconds:g} s, expected {quarters}: is the period 0.25 s?',
+        'rate',
+    )
     wanted = [number / 4 for number in range(1, quarters + 1)]
     expect(heard.stamps == pytest.approx(wanted), 'The messages do not come at equal distances of 0.25 s.', 'rate')
 
@@ -76,15 +89,19 @@ def test_three_beacons(learner):
     expect(not heard.messages, 'A beacon publishes when it starts: publish in the timer only.', 'first')
     with about('texts'):
         learner.run(1.1)
-    expect(len(heard) <= 4 or heard.data != [f'alive {number}' for number in range(1, len(heard) + 1)],
-           'Three beacons share one counter: it belongs to the object (self.count), not to the class or the module.',
-           'own-count')
-    expect(len(set(heard.data)) < len(heard.data) or len(heard) <= 4,
-           'Several beacons share one counter.', 'own-count')
+    expect(
+        len(heard) <= 4 or heard.data != [f'alive {number}' for number in range(1, len(heard) + 1)],
+        'Three beacons share one counter: it belongs to the object (self.count), not to the class or the module.',
+        'own-count',
+    )
+    expect(len(set(heard.data)) < len(heard.data) or len(heard) <= 4, 'Several beacons share one counter.', 'own-count')
     wanted = sorted(3 * [f'alive {number}' for number in range(1, 5)])
     if heard.data[:3] == 3 * ['alive 1']:
-        expect(sorted(heard.data) == wanted, f'Three beacons said {heard.data} in 1.1 s, expected each text from 1 to '
-                                             '4 three times.', 'own-count')
+        expect(
+            sorted(heard.data) == wanted,
+            f'Three beacons said {heard.data} in 1.1 s, expected each text from 1 to 4 three times.',
+            'own-count',
+        )
 
 
 @pytest.mark.rules('node', 'topic', 'qos')

@@ -33,13 +33,17 @@ def test_readings(learner):
     Distances have the factor 1/100, the variance its square. Publish the message that you have received.
     """
     random = learner.random
-    messages = [reading(random), reading(random, range=random.uniform(0.5, 3.0), variance=random.uniform(20, 90)),
-                reading(random, range=random.uniform(500, 5000), radiation_type=Range.ULTRASOUND),
-                reading(random, variance=0.0, min_range=0.0)]
+    messages = [
+        reading(random),
+        reading(random, range=random.uniform(0.5, 3.0), variance=random.uniform(20, 90)),
+        reading(random, range=random.uniform(500, 5000), radiation_type=Range.ULTRASOUND),
+        reading(random, variance=0.0, min_range=0.0),
+    ]
     random.shuffle(messages)
     heard = relay(learner, *messages)
-    expect(heard.messages, 'Nothing came out on /sonar at once. Publish in the callback of the subscription.',
-           'at-once')
+    expect(
+        heard.messages, 'Nothing came out on /sonar at once. Publish in the callback of the subscription.', 'at-once'
+    )
     expect(len(heard) == len(messages), f'{len(messages)} messages in gave {len(heard)} out.', 'one-each')
     for got, sent in zip(heard.messages, messages, strict=True):
         check_reading(got, sent)
@@ -81,13 +85,19 @@ def test_one_out_for_each_in(learner):
     learner.settle()
     expect(heard.messages, 'Nothing came out at once.', 'at-once')
     learner.run(2.1)
-    expect(len(heard) == len(values),
-           f'{len(values)} messages in gave {len(heard)} out. Publish exactly once for each, '
-           'in the callback: a timer loses or repeats some.', 'one-each')
+    expect(
+        len(heard) == len(values),
+        f'{len(values)} messages in gave {len(heard)} out. Publish exactly once for each, '
+        'in the callback: a timer loses or repeats some.',
+        'one-each',
+    )
     order = [m.range for m in heard.messages]
     if sorted(order) == pytest.approx(sorted(v / 100 for v in values), rel=1e-4):
-        expect(order == pytest.approx([v / 100 for v in values], rel=1e-4),
-               'The messages came out in another order.', 'at-once')
+        expect(
+            order == pytest.approx([v / 100 for v in values], rel=1e-4),
+            'The messages came out in another order.',
+            'at-once',
+        )
 
 
 @pytest.mark.rules('node', 'topics', 'qos')

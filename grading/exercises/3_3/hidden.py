@@ -23,12 +23,19 @@ def test_exact_times(learner):
     with about('no-wait'):
         learner.run(seconds + 0.1, step=0.5)
     expect(not learner.slept, 'The program sleeps; its timers do the waiting.', 'no-wait')
-    expect(led.stamps == pytest.approx([n / 4 for n in range(1, 4 * seconds + 1)]),
-           f'The first LED messages came at {led.stamps[:4]} s, expected 0.25, 0.5, 0.75, 1.0 s.', 'led-rate')
-    expect(uptime.stamps == pytest.approx(range(1, seconds + 1)),
-           f'The uptimes came at {uptime.stamps} s, expected 1, 2, … {seconds} s.', 'uptime-rate')
-    expect(led.data == 2 * seconds * [True, False], f'The LED says {led.data[:6]} …, expected True, False, True …',
-           'led')
+    expect(
+        led.stamps == pytest.approx([n / 4 for n in range(1, 4 * seconds + 1)]),
+        f'The first LED messages came at {led.stamps[:4]} s, expected 0.25, 0.5, 0.75, 1.0 s.',
+        'led-rate',
+    )
+    expect(
+        uptime.stamps == pytest.approx(range(1, seconds + 1)),
+        f'The uptimes came at {uptime.stamps} s, expected 1, 2, … {seconds} s.',
+        'uptime-rate',
+    )
+    expect(
+        led.data == 2 * seconds * [True, False], f'The LED says {led.data[:6]} …, expected True, False, True …', 'led'
+    )
     expect(uptime.data == list(range(1, seconds + 1)), f'The uptimes are {uptime.data}, expected 1, 2, 3 …', 'uptime')
 
 
@@ -53,12 +60,17 @@ def test_reset_keeps_the_rhythm(learner):
     expect(len(uptime) == count, 'The reset itself published an uptime: only the timer publishes.', 'reset-only')
     learner.run(3.0)
     later = uptime.stamps[count:]
-    expect(later == pytest.approx([int(before) + number for number in (1, 2, 3)]),
-           f'After a reset at {before:g} s uptimes came at {later} s: the reset must not restart the timer.',
-           'reset-only' if count == int(before) else 'uptime-rate')
+    expect(
+        later == pytest.approx([int(before) + number for number in (1, 2, 3)]),
+        f'After a reset at {before:g} s uptimes came at {later} s: the reset must not restart the timer.',
+        'reset-only' if count == int(before) else 'uptime-rate',
+    )
     expect(uptime.data[count:] != [0, 1, 2], 'The first uptime after a reset is 0, expected 1.', 'reset')
-    expect(uptime.data[count:] == [1, 2, 3], f'After a reset uptime says {uptime.data[count:]}, expected [1, 2, 3].',
-           'reset')
+    expect(
+        uptime.data[count:] == [1, 2, 3],
+        f'After a reset uptime says {uptime.data[count:]}, expected [1, 2, 3].',
+        'reset',
+    )
 
 
 @pytest.mark.rules('reset-only')
@@ -79,11 +91,16 @@ def test_reset_leaves_led(learner):
         button.send(Empty())
         learner.run(seconds)
     rhythm = [(n % 2 == 0) is begin[0] for n in range(len(led))]
-    expect(led.data == rhythm, 'The LED missed a change at the reset: do not reset its state.',
-           'reset-only' if led.data[:5] == rhythm[:5] else 'led')
-    expect(led.stamps == pytest.approx([n / 4 for n in range(1, 14)]),
-           f'With resets at 1.3 and 2.55 s, LED messages came at {led.stamps} s: its timer goes on.',
-           'reset-only' if led.stamps[:5] == pytest.approx([0.25, 0.5, 0.75, 1.0, 1.25]) else 'led-rate')
+    expect(
+        led.data == rhythm,
+        'The LED missed a change at the reset: do not reset its state.',
+        'reset-only' if led.data[:5] == rhythm[:5] else 'led',
+    )
+    expect(
+        led.stamps == pytest.approx([n / 4 for n in range(1, 14)]),
+        f'With resets at 1.3 and 2.55 s, LED messages came at {led.stamps} s: its timer goes on.',
+        'reset-only' if led.stamps[:5] == pytest.approx([0.25, 0.5, 0.75, 1.0, 1.25]) else 'led-rate',
+    )
 
 
 @pytest.mark.rules('reset')
@@ -103,10 +120,16 @@ def test_every_reset(learner):
     learner.run(1.0)
     button.send(Empty())
     learner.run(2.0)
-    expect(len(uptime) == 5, f'{len(uptime)} uptimes came in 5.5 s with some resets, expected 5.',
-           'reset-only' if uptime.stamps[:2] == [1.0, 2.0] or len(uptime) > 5 else 'uptime-rate')
-    expect(uptime.data == [1, 2, 1, 1, 2],
-           f'With resets at 0, 2.5 and 3.5 s uptime says {uptime.data}, expected [1, 2, 1, 1, 2].', 'reset')
+    expect(
+        len(uptime) == 5,
+        f'{len(uptime)} uptimes came in 5.5 s with some resets, expected 5.',
+        'reset-only' if uptime.stamps[:2] == [1.0, 2.0] or len(uptime) > 5 else 'uptime-rate',
+    )
+    expect(
+        uptime.data == [1, 2, 1, 1, 2],
+        f'With resets at 0, 2.5 and 3.5 s uptime says {uptime.data}, expected [1, 2, 1, 1, 2].',
+        'reset',
+    )
 
 
 @pytest.mark.rules('own-state')
@@ -126,17 +149,25 @@ def test_two_heartbeats(learner):
     with about('no-wait'):
         learner.run(2.6)
     odd = [number for stamp, number in zip(uptime.stamps, uptime.data, strict=True) if stamp % 1 > 1e-6]
-    expect(not uptime.data or odd == [1, 2],
-           f'A second heartbeat says the uptimes {odd}, expected 1, 2: they share state. It belongs to the object '
-           '(self).',
-           'own-state' if uptime.data[:1] == [1] else 'uptime')
-    expect(uptime.data[:1] != [1] or len(uptime) - counts[1] - 2 == 2 and
-           [n for n in uptime.data[counts[1]:] if n not in (1, 2)] == [
-               n for n in (counts[1] + 1, counts[1] + 2) if n not in (1, 2)],
-           f'With a second heartbeat beside it, the uptimes are {uptime.data}: they share state.', 'own-state')
+    expect(
+        not uptime.data or odd == [1, 2],
+        f'A second heartbeat says the uptimes {odd}, expected 1, 2: they share state. It belongs to the object (self).',
+        'own-state' if uptime.data[:1] == [1] else 'uptime',
+    )
+    expect(
+        uptime.data[:1] != [1]
+        or len(uptime) - counts[1] - 2 == 2
+        and [n for n in uptime.data[counts[1] :] if n not in (1, 2)]
+        == [n for n in (counts[1] + 1, counts[1] + 2) if n not in (1, 2)],
+        f'With a second heartbeat beside it, the uptimes are {uptime.data}: they share state.',
+        'own-state',
+    )
     lit = [on for stamp, on in zip(led.stamps, led.data, strict=True) if (stamp * 4) % 1 > 1e-6]
-    expect(not lit or lit == [lit[0] is (n % 2 == 0) for n in range(len(lit))] and lit[0] is led.data[0],
-           'Two heartbeats share the state of the LED. It belongs to the object (self).', 'own-state')
+    expect(
+        not lit or lit == [lit[0] is (n % 2 == 0) for n in range(len(lit))] and lit[0] is led.data[0],
+        'Two heartbeats share the state of the LED. It belongs to the object (self).',
+        'own-state',
+    )
 
 
 @pytest.mark.rules('node', 'topics', 'qos')

@@ -69,15 +69,19 @@ def test_reader_late(learner):
     learner.start('MapReader')
     check_topic(learner, 'subscription', '', 'map', 'topics')
     check_topic(learner, 'publisher', '', 'walls', 'topics')
-    expect(learner.endpoints('/map').subscriptions[0].latched,
-           'The subscription to map is VOLATILE: it does not get old maps.', 'late')
+    expect(
+        learner.endpoints('/map').subscriptions[0].latched,
+        'The subscription to map is VOLATILE: it does not get old maps.',
+        'late',
+    )
     for kind, topic in (('subscription', '/map'), ('publisher', '/walls')):
         check_latched(learner, kind, topic, 1, 'qos')
     with about('walls'):
         learner.run(30.0, step=10.0)
     late = learner.late_listener('/walls', Int32, LATCHED)
-    expect(late.messages, 'The reader said nothing about a map that is older than itself. Ask for TRANSIENT_LOCAL.',
-           'late')
+    expect(
+        late.messages, 'The reader said nothing about a map that is older than itself. Ask for TRANSIENT_LOCAL.', 'late'
+    )
     check_answers(late.data, [rows])
 
 
@@ -129,11 +133,17 @@ def test_together(learner):
         else:
             check_topic(learner, 'subscription', space, 'map', 'topics')
             check_topic(learner, 'publisher', space, 'walls', 'topics')
-            expect(learner.endpoints(f'{space}/map').subscriptions[0].latched,
-                   'The subscription to map is VOLATILE: it does not get old maps.', 'late')
+            expect(
+                learner.endpoints(f'{space}/map').subscriptions[0].latched,
+                'The subscription to map is VOLATILE: it does not get old maps.',
+                'late',
+            )
         with about('walls'):
             learner.run(5.0, step=1.0)
         first = first or node
     learner.wait_until(lambda: answers.data, timeout=1)
-    expect(answers.data and answers.data[-1] == walls(rows),
-           f'Server and reader in the namespace {space} gave {answers.data} for {rows}.', 'walls')
+    expect(
+        answers.data and answers.data[-1] == walls(rows),
+        f'Server and reader in the namespace {space} gave {answers.data} for {rows}.',
+        'walls',
+    )

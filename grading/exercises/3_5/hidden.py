@@ -50,8 +50,11 @@ def test_safety_stop(learner):
             learner.run(0.1)
     expect(stop.messages, 'Scans were published and nothing came on stop.', 'scan')
     expect(len(stop) == len(wanted), f'{len(wanted)} scans gave {len(stop)} commands.', 'scan')
-    expect(stop.data == wanted, f'The answers to eight scans are {stop.data}, expected {wanted}. The callback was '
-                                'right: repair only the QoS.', 'rest')
+    expect(
+        stop.data == wanted,
+        f'The answers to eight scans are {stop.data}, expected {wanted}. The callback was right: repair only the QoS.',
+        'rest',
+    )
 
 
 @pytest.mark.rules('stop')

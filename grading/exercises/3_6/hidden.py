@@ -32,14 +32,17 @@ def test_changing_rate(learner):
             learner.run(0.01)
         learner.run(0.5 - 0.01 * count)
     learner.run(0.1)
-    expect(rates.stamps == pytest.approx(range(1, 7)),
-           f'The reports came at {rates.stamps} s, expected at 1, 2, … 6 s of the '
-           "node's time. Use create_timer, not the clock on the wall.",
-           'report' if set(counts[:len(rates)]) - {0} and len(rates) != sum(map(bool, counts)) else 'silent')
-    totals = [float(sum(counts[:n + 1])) for n in range(6)]
+    expect(
+        rates.stamps == pytest.approx(range(1, 7)),
+        f'The reports came at {rates.stamps} s, expected at 1, 2, … 6 s of the '
+        "node's time. Use create_timer, not the clock on the wall.",
+        'report' if set(counts[: len(rates)]) - {0} and len(rates) != sum(map(bool, counts)) else 'silent',
+    )
+    totals = [float(sum(counts[: n + 1])) for n in range(6)]
     expect(rates.data != totals, 'The reports only grow: count from zero again after each report.', 'report')
-    expect(rates.data == pytest.approx(counts), f'{counts} scans in six seconds gave the reports {rates.data}.',
-           'report')
+    expect(
+        rates.data == pytest.approx(counts), f'{counts} scans in six seconds gave the reports {rates.data}.', 'report'
+    )
 
 
 @pytest.mark.rules('silent')
@@ -54,13 +57,19 @@ def test_silent_sensor(learner):
         lidar.send(scan(10 + number / 10))
         learner.run(0.1)
     learner.run(2.4)
-    expect(len(rates) == 5,
-           f'{len(rates)} reports came in 5.1 s, expected one every second, also from a silent sensor.', 'silent')
-    expect(rates.data == [0.0, 0.0, 5.0, 0.0, 0.0],
-           f'Silence, 5 scans, silence gave {rates.data}, expected [0, 0, 5, 0, 0].',
-           'silent' if rates.data[:3] == [0.0, 0.0, 5.0] and not any(rates.data[3:]) else 'report')
-    expect(not gaps.messages, 'Silence alone makes no message on scan_gap: it takes the next scan to know the gap.',
-           'gap')
+    expect(
+        len(rates) == 5,
+        f'{len(rates)} reports came in 5.1 s, expected one every second, also from a silent sensor.',
+        'silent',
+    )
+    expect(
+        rates.data == [0.0, 0.0, 5.0, 0.0, 0.0],
+        f'Silence, 5 scans, silence gave {rates.data}, expected [0, 0, 5, 0, 0].',
+        'silent' if rates.data[:3] == [0.0, 0.0, 5.0] and not any(rates.data[3:]) else 'report',
+    )
+    expect(
+        not gaps.messages, 'Silence alone makes no message on scan_gap: it takes the next scan to know the gap.', 'gap'
+    )
 
 
 @pytest.mark.rules('gap')
@@ -76,9 +85,12 @@ def test_gaps_from_stamps(learner):
         learner.settle()
         learner.run(pause) if pause else None
     expect(gaps.data, 'Two gaps in the stamps gave nothing on /scan_gap.', 'gap')
-    expect(gaps.data == pytest.approx([1.15, 0.8], abs=1e-6),
-           f'The gaps are {gaps.data}, expected [1.15, 0.8]. Use the stamps, with nanoseconds, '
-           'and not the time of arrival.', 'gap')
+    expect(
+        gaps.data == pytest.approx([1.15, 0.8], abs=1e-6),
+        f'The gaps are {gaps.data}, expected [1.15, 0.8]. Use the stamps, with nanoseconds, '
+        'and not the time of arrival.',
+        'gap',
+    )
 
 
 @pytest.mark.rules('at-once')
@@ -95,8 +107,11 @@ def test_gap_at_once(learner):
     at_once = gaps.stamps
     learner.run(2.0)
     expect(gaps.messages, 'The stamps 5 and 7 gave nothing on scan_gap.', 'gap')
-    expect(at_once == [0.3] or gaps.stamps[0] == 0.3, 'The gap was not published at once, when the scan after it came.',
-           'at-once')
+    expect(
+        at_once == [0.3] or gaps.stamps[0] == 0.3,
+        'The gap was not published at once, when the scan after it came.',
+        'at-once',
+    )
     expect(len(gaps) == 1, f'One gap was told {len(gaps)} times.', 'gap')
 
 
@@ -126,8 +141,11 @@ def test_threshold(learner):
         learner.run(0.1)
     expect(1.5 not in gaps.data, 'RateMonitor(2.0) reports a gap of 1.5 s: max_gap is not used.', 'limit')
     expect(2.0 not in gaps.data, 'A gap of exactly max_gap is no gap: "more than".', 'limit')
-    expect(gaps.data == [2.5], f'RateMonitor(2.0) with the stamps 1, 2.5, 4.5, 7 reports {gaps.data}, expected [2.5].',
-           'gap')
+    expect(
+        gaps.data == [2.5],
+        f'RateMonitor(2.0) with the stamps 1, 2.5, 4.5, 7 reports {gaps.data}, expected [2.5].',
+        'gap',
+    )
 
 
 @pytest.mark.rules('old')
@@ -142,10 +160,17 @@ def test_old_scan(learner):
         lidar.send(scan(stamp))
         learner.run(0.1)
     learner.run(0.3)
-    expect(not gaps.messages, f'The stamps 10, 10.4, 9, 10.8, 10.5, 11.2 gave the gaps {gaps.data}, expected none: '
-                              'an old scan must not move the newest stamp back.', 'old')
-    expect(rates.data == [6.0], f'Six scans, two of them late, gave the report {rates.data}, expected [6].',
-           'old' if rates.data == [4.0] else 'report')
+    expect(
+        not gaps.messages,
+        f'The stamps 10, 10.4, 9, 10.8, 10.5, 11.2 gave the gaps {gaps.data}, expected none: '
+        'an old scan must not move the newest stamp back.',
+        'old',
+    )
+    expect(
+        rates.data == [6.0],
+        f'Six scans, two of them late, gave the report {rates.data}, expected [6].',
+        'old' if rates.data == [4.0] else 'report',
+    )
 
 
 @pytest.mark.rules('any-lidar', 'qos')
@@ -158,8 +183,7 @@ def test_any_publisher(learner):
     learner.run(0.1)
     lidar.send(scan(1.0))
     learner.run(1.0)
-    expect(rates.data == [1.0], f'One scan of a reliable lidar gave the report {rates.data}, expected [1].',
-           'report')
+    expect(rates.data == [1.0], f'One scan of a reliable lidar gave the report {rates.data}, expected [1].', 'report')
 
 
 @pytest.mark.rules('own-state', 'node', 'topics')
@@ -180,8 +204,12 @@ def test_two_monitors(learner):
     lidar.send(scan(13.0), scan(15.0))
     with about('own-state'):
         learner.run(1.2)
-    expect(gaps.data == [2.0], f'Two monitors with max_gap 3 and 1 s heard a difference of 2 s, and {gaps.data} came '
-                               'on scan_gap, expected [2].',
-           'own-state')
-    expect(rates.data[:2] == [4.0, 2.0], f'Two monitors heard 4 and 2 scans, and reported {rates.data[:2]}.',
-           'own-state')
+    expect(
+        gaps.data == [2.0],
+        f'Two monitors with max_gap 3 and 1 s heard a difference of 2 s, and {gaps.data} came '
+        'on scan_gap, expected [2].',
+        'own-state',
+    )
+    expect(
+        rates.data[:2] == [4.0, 2.0], f'Two monitors heard 4 and 2 scans, and reported {rates.data[:2]}.', 'own-state'
+    )

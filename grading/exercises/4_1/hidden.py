@@ -30,14 +30,21 @@ def test_late_answers(learner):
     learner.run(0.2)
     close.send(Bool(data=True))
     learner.run(5.0)
-    expect(server.stamps == pytest.approx([0.2, 1.2]),
-           f'The first answer came after 1.5 s, the second in time; requests came at {server.stamps} s, expected at '
-           '0.2 and 1.2 s.')
-    expect(states.data != ['ok', 'ok'], 'One command is reported twice: the answer to the first request came after its '
-                                        'timeout, and was reported as well.')
+    expect(
+        server.stamps == pytest.approx([0.2, 1.2]),
+        f'The first answer came after 1.5 s, the second in time; requests came at {server.stamps} s, expected at '
+        '0.2 and 1.2 s.',
+    )
+    expect(
+        states.data != ['ok', 'ok'],
+        'One command is reported twice: the answer to the first request came after its '
+        'timeout, and was reported as well.',
+    )
     expect(states.data == ['ok'], f'gripper_state says {states.data}, expected one ok.')
-    expect(states.stamps == pytest.approx([1.5]), f'ok came at {states.stamps} s, expected at 1.5 s, with the answer '
-                                                  'to the second request.')
+    expect(
+        states.stamps == pytest.approx([1.5]),
+        f'ok came at {states.stamps} s, expected at 1.5 s, with the answer to the second request.',
+    )
 
 
 @pytest.mark.rules('late')
@@ -50,8 +57,11 @@ def test_only_late_answers(learner):
     close.send(Bool(data=False))
     learner.run(8.0)
     expect(states.data and states.data[0] != 'ok', 'An answer that came 0.7 s after its timeout was reported as ok.')
-    expect(states.data == ['failed'], f'All answers were late; gripper_state says {states.data}, expected one failed: '
-                                      'what comes after it is ignored.')
+    expect(
+        states.data == ['failed'],
+        f'All answers were late; gripper_state says {states.data}, expected one failed: '
+        'what comes after it is ignored.',
+    )
 
 
 @pytest.mark.weight(2)
@@ -72,16 +82,25 @@ def test_timeout_and_tries(learner):
     expect(server.stamps, 'A command made no request at once.', 'request')
     with about('timeout'):
         learner.run(timeout * (tries + 1) + 1.0)
-    expect(all(request.data is data for request in server.requests), f'close said {data}, a request says {not data}.',
-           'request')
+    expect(
+        all(request.data is data for request in server.requests),
+        f'close said {data}, a request says {not data}.',
+        'request',
+    )
     words = f'GripperClient({timeout}, {tries}), a silent server, a command at 0.7 s: '
     wanted = [round(0.7 + n * timeout, 3) for n in range(tries)]
     seen = [round(stamp, 3) for stamp in server.stamps]
-    expect(seen[:tries] == wanted[:len(seen)], f'{words}requests at {seen} s, expected at {wanted} s.', 'timeout')
-    expect(len(seen) == tries, f'{words}{len(seen)} requests. tries counts all requests, not only the repetitions.',
-           'tries')
-    expect(states.data == ['failed'] and states.stamps == pytest.approx([0.7 + tries * timeout]),
-           f'{words}{states.data} at {states.stamps} s, expected failed at {0.7 + tries * timeout:g} s.', 'tries')
+    expect(seen[:tries] == wanted[: len(seen)], f'{words}requests at {seen} s, expected at {wanted} s.', 'timeout')
+    expect(
+        len(seen) == tries,
+        f'{words}{len(seen)} requests. tries counts all requests, not only the repetitions.',
+        'tries',
+    )
+    expect(
+        states.data == ['failed'] and states.stamps == pytest.approx([0.7 + tries * timeout]),
+        f'{words}{states.data} at {states.stamps} s, expected failed at {0.7 + tries * timeout:g} s.',
+        'tries',
+    )
 
 
 @pytest.mark.rules('refusal', 'answer')
@@ -94,10 +113,16 @@ def test_a_refusal_is_an_answer(learner):
     states, close, server = gripper(learner, {'success': False}, delay=0.5)
     close.send(Bool(data=True))
     learner.run(4.0)
-    expect(len(server.requests) == 1, f'The server refused, and was asked {len(server.requests)} times: a refusal is '
-                                      'an answer, do not try again.', 'refusal')
-    expect(states.data == ['refused'] and states.stamps == [0.5],
-           f'A refusal at 0.5 s gave {states.data} at {states.stamps} s.', 'answer')
+    expect(
+        len(server.requests) == 1,
+        f'The server refused, and was asked {len(server.requests)} times: a refusal is an answer, do not try again.',
+        'refusal',
+    )
+    expect(
+        states.data == ['refused'] and states.stamps == [0.5],
+        f'A refusal at 0.5 s gave {states.data} at {states.stamps} s.',
+        'answer',
+    )
 
 
 @pytest.mark.weight(2)
@@ -114,12 +139,16 @@ def test_the_newest_command_wins(learner):
     close.send(Bool(data=False))
     learner.run(3.0)
     asked = [(round(stamp, 3), request.data) for stamp, request in zip(server.stamps, server.requests, strict=True)]
-    expect(asked[:2] == [(0.2, True), (0.7, False)],
-           f'Commands True at 0.2 s and False at 0.7 s made the requests {asked}: send a new command at once, also if '
-           'an old one is open.')
+    expect(
+        asked[:2] == [(0.2, True), (0.7, False)],
+        f'Commands True at 0.2 s and False at 0.7 s made the requests {asked}: send a new command at once, also if '
+        'an old one is open.',
+    )
     expect('refused' not in states.data, 'A new command had come; then the answer to the old one was reported.')
-    expect(states.data == ['ok'] and states.stamps == pytest.approx([1.5]),
-           f'gripper_state says {states.data} at {states.stamps} s, expected ok at 1.5 s, for the new command only.')
+    expect(
+        states.data == ['ok'] and states.stamps == pytest.approx([1.5]),
+        f'gripper_state says {states.data} at {states.stamps} s, expected ok at 1.5 s, for the new command only.',
+    )
     server.answer = None
     states.clear()
     server.stamps.clear()
@@ -128,12 +157,17 @@ def test_the_newest_command_wins(learner):
         learner.run(1.5)
     learner.run(4.0)
     begin = server.stamps[0]
-    expect(server.stamps == pytest.approx([begin, begin + 1, begin + 1.5, begin + 2.5, begin + 3.5]),
-           'The second command came 1.5 s after the first; then requests went out '
-           f'{[round(stamp - begin, 3) for stamp in server.stamps]} s after the first one. A new command has all its '
-           'tries, and its timer starts anew.')
-    expect(states.data == ['failed'], f'Two commands, one after the other, to a silent server gave {states.data}, '
-                                      'expected one failed, for the second.')
+    expect(
+        server.stamps == pytest.approx([begin, begin + 1, begin + 1.5, begin + 2.5, begin + 3.5]),
+        'The second command came 1.5 s after the first; then requests went out '
+        f'{[round(stamp - begin, 3) for stamp in server.stamps]} s after the first one. A new command has all its '
+        'tries, and its timer starts anew.',
+    )
+    expect(
+        states.data == ['failed'],
+        f'Two commands, one after the other, to a silent server gave {states.data}, '
+        'expected one failed, for the second.',
+    )
 
 
 @pytest.mark.rules('no-server')
@@ -151,8 +185,10 @@ def test_server_comes_later(learner):
     learner.run(0.6)
     server.start()
     learner.run(3.0)
-    expect(states.data == ['ok'] and states.stamps == pytest.approx([1.5]),
-           f'A command at 0.5 s, a server from 1.1 s on: {states.data} at {states.stamps} s, expected ok at 1.5 s.')
+    expect(
+        states.data == ['ok'] and states.stamps == pytest.approx([1.5]),
+        f'A command at 0.5 s, a server from 1.1 s on: {states.data} at {states.stamps} s, expected ok at 1.5 s.',
+    )
     server.stop()
     learner.settle()
     seconds = []
@@ -172,8 +208,7 @@ def test_burst(learner):
     _, close, server = gripper(learner, None)
     close.send(*[Bool(data=bool(number % 2)) for number in range(10)])
     learner.settle()
-    expect(len(server.requests) == 10, f'Ten commands at one moment made {len(server.requests)} requests, '
-                                       'expected 10.')
+    expect(len(server.requests) == 10, f'Ten commands at one moment made {len(server.requests)} requests, expected 10.')
 
 
 @pytest.mark.rules('answer', 'once')
@@ -192,12 +227,15 @@ def test_one_command_after_the_other(learner):
         learner.run(3.5)
         said.append('failed' if not number else 'ok' if answer['success'] else 'refused')
         wanted = said[-1]
-        got = states.data[len(said) - 1:]
+        got = states.data[len(said) - 1 :]
         if number:
             expect(got and got[0] == wanted, f'Command {number + 1} gave {got}, expected [{wanted!r}].', 'answer')
         expect(len(got) == 1, f'Command {number + 1} gave {got}, expected one report.', 'once')
-    expect(not any(answer['success'] for answer in answers[1:]) or len(server.requests) == 6,
-           f'{len(server.requests)} requests were sent, expected 6.', 'once')
+    expect(
+        not any(answer['success'] for answer in answers[1:]) or len(server.requests) == 6,
+        f'{len(server.requests)} requests were sent, expected 6.',
+        'once',
+    )
 
 
 @pytest.mark.rules('names')

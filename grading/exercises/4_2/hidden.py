@@ -15,8 +15,9 @@ LATCHED = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
 def info(width=640, height=480, fx=500.0, fy=510.0, cx=320.0, cy=240.0, model='plumb_bob', d=5):
-    return CameraInfo(width=width, height=height, distortion_model=model, d=[0.01] * d,
-                      k=[fx, 0.0, cx, 0.0, fy, cy, 0.0, 0.0, 1.0])
+    return CameraInfo(
+        width=width, height=height, distortion_model=model, d=[0.01] * d, k=[fx, 0.0, cx, 0.0, fy, cy, 0.0, 0.0, 1.0]
+    )
 
 
 def camera(learner):
@@ -30,8 +31,11 @@ def refused(client, word, hint='', rule='', **changes):
         answer = client.call(camera_info=info(**changes))
     rule = rule or word.replace(' ', '-')
     expect(not answer.success, f'A calibration with {changes} was accepted. {hint}', rule)
-    expect(answer.status_message == word,
-           f'A calibration with {changes} was refused with {answer.status_message!r}, expected {word!r}. {hint}', rule)
+    expect(
+        answer.status_message == word,
+        f'A calibration with {changes} was refused with {answer.status_message!r}, expected {word!r}. {hint}',
+        rule,
+    )
 
 
 def accepted(client, rule, hint='', **changes):
@@ -85,8 +89,12 @@ def test_numbers_that_are_none(learner):
     _, client = camera(learner)
     refused(client, 'focal length', 'A focal length must be finite.', fy=inf)
     refused(client, 'focal length', 'A focal length must be finite.', fx=inf)
-    for place, word in {'fx': 'focal length', 'fy': 'focal length', 'cx': 'principal point',
-                        'cy': 'principal point'}.items():
+    for place, word in {
+        'fx': 'focal length',
+        'fy': 'focal length',
+        'cx': 'principal point',
+        'cy': 'principal point',
+    }.items():
         refused(client, word, 'Every comparison with nan is false.', 'nan', **{place: nan})
 
 
@@ -120,11 +128,16 @@ def test_a_refusal_changes_nothing(learner):
     client.call(camera_info=info(fx=fx))
     client.call(camera_info=info(d=3))
     client.call(camera_info=info(width=0))
-    expect(len(heard) == 1, f'One good and two bad calibrations gave {len(heard)} messages on /camera_info, expected '
-                            '1: a calibration that is refused is not published.')
+    expect(
+        len(heard) == 1,
+        f'One good and two bad calibrations gave {len(heard)} messages on /camera_info, expected '
+        '1: a calibration that is refused is not published.',
+    )
     late = learner.late_listener('/camera_info', CameraInfo, LATCHED)
-    expect(not late.messages or late.messages[-1].k[0] == fx,
-           'A program that starts later gets another calibration than the last good one.')
+    expect(
+        not late.messages or late.messages[-1].k[0] == fx,
+        'A program that starts later gets another calibration than the last good one.',
+    )
 
 
 @pytest.mark.rules('latched', 'publish')
@@ -141,8 +154,11 @@ def test_latched(learner):
         client.call(camera_info=info(fx=100.0 + number))
     late = learner.late_listener('/camera_info', CameraInfo)  # would take ten
     expect(late.messages, 'A late subscriber gets nothing: offer TRANSIENT_LOCAL.', 'latched')
-    expect([message.k[0] for message in late.messages] == [102.0],
-           'A late subscriber gets more than the last calibration: use depth 1.', 'latched')
+    expect(
+        [message.k[0] for message in late.messages] == [102.0],
+        'A late subscriber gets more than the last calibration: use depth 1.',
+        'latched',
+    )
 
 
 @pytest.mark.rules('publish')
@@ -156,8 +172,10 @@ def test_as_it_came(learner):
     message.header.frame_id, message.header.stamp.sec, message.binning_x = 'left_eye', 12, 2
     message.p[3] = learner.random.uniform(-60, 0)
     client.call(camera_info=message)
-    expect(heard.messages == [message], 'What was published is not the calibration as it came: header, binning or p '
-                                        'differ.')
+    expect(
+        heard.messages == [message],
+        'What was published is not the calibration as it came: header, binning or p differ.',
+    )
 
 
 @pytest.mark.rules('names')

@@ -7,13 +7,17 @@ from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.3'), pytest.mark.wiring(type='same-time')]
 
-NEVER = ('status was never answered. The answer of a part waits in a callback group in which your callback still runs: '
-         'give the clients a group of their own.')
+NEVER = (
+    'status was never answered. The answer of a part waits in a callback group in which your callback still runs: '
+    'give the clients a group of their own.'
+)
 
 
 def panel(learner, battery_delay=0.0, lidar_delay=0.0, success=(True, True), namespace=''):
-    parts = [learner.serve(f'{namespace}/{name}/check', Trigger, {'success': good, 'message': f'{name} is here'}, delay)
-             for name, delay, good in zip(('battery', 'lidar'), (battery_delay, lidar_delay), success, strict=True)]
+    parts = [
+        learner.serve(f'{namespace}/{name}/check', Trigger, {'success': good, 'message': f'{name} is here'}, delay)
+        for name, delay, good in zip(('battery', 'lidar'), (battery_delay, lidar_delay), success, strict=True)
+    ]
     node = learner.start('StatusPanel', remap={'__ns': namespace} if namespace else None)
     return *parts, learner.client(f'{namespace}/status', Trigger), node
 
@@ -32,12 +36,17 @@ def test_both_at_the_same_time(learner):
     call = status.send()
     learner.run(3.0)
     expect(call.done, NEVER, 'one-thread')
-    expect(battery.stamps == lidar.stamps == [0.5],
-           f'status was called at 0.5 s; the battery was asked at {battery.stamps} s, the lidar at {lidar.stamps} s. '
-           'Ask both at the same time: first two call_async, then two await.', 'same-time')
-    expect(call.received == pytest.approx(0.5 + max(slow, quick)),
-           f'The parts needed {slow} and {quick} s, the status {call.received - 0.5:g} s, expected '
-           f'{max(slow, quick)} s.', 'same-time')
+    expect(
+        battery.stamps == lidar.stamps == [0.5],
+        f'status was called at 0.5 s; the battery was asked at {battery.stamps} s, the lidar at {lidar.stamps} s. '
+        'Ask both at the same time: first two call_async, then two await.',
+        'same-time',
+    )
+    expect(
+        call.received == pytest.approx(0.5 + max(slow, quick)),
+        f'The parts needed {slow} and {quick} s, the status {call.received - 0.5:g} s, expected {max(slow, quick)} s.',
+        'same-time',
+    )
 
 
 @pytest.mark.weight(2)
@@ -53,9 +62,11 @@ def test_order_of_the_message(learner):
         call = status.send()
         learner.run(1.0)
         expect(call.done, NEVER, 'one-thread')
-        expect(call.response.message == 'battery: battery is here; lidar: lidar is here',
-               f'The answers came after {delays[0]} and {delays[1]} s; the message is {call.response.message!r}.',
-               'message')
+        expect(
+            call.response.message == 'battery: battery is here; lidar: lidar is here',
+            f'The answers came after {delays[0]} and {delays[1]} s; the message is {call.response.message!r}.',
+            'message',
+        )
         for peer in (battery, lidar, status):
             peer.close()
         node.stop()
@@ -90,12 +101,18 @@ def test_fresh_answers(learner):
         call = status.send()
         learner.run(0.5)
         expect(call.done, NEVER, 'one-thread')
-        expect(f'{value} %' in call.response.message,
-               f'The battery says {value} % now, but the status says {call.response.message!r}: every caller gets '
-               'fresh answers.', 'fresh')
-        expect(len(battery.requests) == len(lidar.requests) == number,
-               f'After {number} calls of status the battery was asked {len(battery.requests)} times, the lidar '
-               f'{len(lidar.requests)} times.', 'fresh')
+        expect(
+            f'{value} %' in call.response.message,
+            f'The battery says {value} % now, but the status says {call.response.message!r}: every caller gets '
+            'fresh answers.',
+            'fresh',
+        )
+        expect(
+            len(battery.requests) == len(lidar.requests) == number,
+            f'After {number} calls of status the battery was asked {len(battery.requests)} times, the lidar '
+            f'{len(lidar.requests)} times.',
+            'fresh',
+        )
 
 
 @pytest.mark.weight(2)
@@ -112,13 +129,19 @@ def test_two_callers(learner):
     calls = [status.send(), other.send()]
     learner.run(2.0)
     expect(all(call.done for call in calls), NEVER, 'one-thread')
-    expect(len(battery.requests) == len(lidar.requests) == 2,
-           'Two callers: battery and lidar were asked '
-           f'{len(battery.requests)} and {len(lidar.requests)} times, expected 2.', 'callers')
+    expect(
+        len(battery.requests) == len(lidar.requests) == 2,
+        'Two callers: battery and lidar were asked '
+        f'{len(battery.requests)} and {len(lidar.requests)} times, expected 2.',
+        'callers',
+    )
     told = sorted((call.response.message.split(';')[0], call.response.success) for call in calls)
-    expect(told == [('battery: first', True), ('battery: second', False)],
-           f'The battery said first (success) and second (no success); two callers at the same time were told {told}: '
-           'two calls share what belongs to one of them.', 'callers')
+    expect(
+        told == [('battery: first', True), ('battery: second', False)],
+        f'The battery said first (success) and second (no success); two callers at the same time were told {told}: '
+        'two calls share what belongs to one of them.',
+        'callers',
+    )
 
 
 @pytest.mark.rules('names', 'one-thread')
@@ -129,10 +152,16 @@ def test_namespace(learner):
     Relative names have no leading slash.
     """
     battery, lidar, status, node = panel(learner, namespace='/robot_3')
-    expect(node.name == '/robot_3/status_panel', f'Your node is called {node.name}, expected /robot_3/status_panel.',
-           'names')
+    expect(
+        node.name == '/robot_3/status_panel',
+        f'Your node is called {node.name}, expected /robot_3/status_panel.',
+        'names',
+    )
     call = status.send()
     learner.run(0.5)
-    expect(battery.requests and lidar.requests,
-           'In the namespace /robot_3 the parts in it were not asked: leave out the leading slash.', 'names')
+    expect(
+        battery.requests and lidar.requests,
+        'In the namespace /robot_3 the parts in it were not asked: leave out the leading slash.',
+        'names',
+    )
     expect(call.done, NEVER, 'one-thread')

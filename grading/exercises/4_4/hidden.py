@@ -7,8 +7,10 @@ from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.4'), pytest.mark.wiring(type='open')]
 
-NEVER = ('enter was never answered: the answer of the lock waits in a callback group in which your callback still '
-         'runs. Give the client a group of its own.')
+NEVER = (
+    'enter was never answered: the answer of the lock waits in a callback group in which your callback still '
+    'runs. Give the client a group of its own.'
+)
 
 
 def guard(learner, answer, *args, delay=0.0, namespace=''):
@@ -35,10 +37,16 @@ def test_slow_lock(learner):
     call = enter.send()
     learner.run(2.0)
     expect(told(call) == (True, 'welcome'), f'The lock opened, and enter says {told(call)}.', 'welcome')
-    expect(call.received == pytest.approx(1.1), f'The lock opened after 0.7 s, enter was answered after '
-                                                f'{call.received - 0.4:g} s.', 'welcome')
-    expect([request.data for request in lock.requests] == [False],
-           f'data=False means open; the lock was asked {[request.data for request in lock.requests]}.', 'open')
+    expect(
+        call.received == pytest.approx(1.1),
+        f'The lock opened after 0.7 s, enter was answered after {call.received - 0.4:g} s.',
+        'welcome',
+    )
+    expect(
+        [request.data for request in lock.requests] == [False],
+        f'data=False means open; the lock was asked {[request.data for request in lock.requests]}.',
+        'open',
+    )
 
 
 @pytest.mark.weight(2)
@@ -53,18 +61,28 @@ def test_jammed_lock(learner):
     for _ in range(learner.random.randint(3, 5)):
         call = enter.send()
         learner.run(0.2)
-        expect(told(call) != (False, 'full'), 'The lock refused twice; then the guard says that the room is full, but '
-                                              'nobody is in it: count only who has come in.', 'locked')
-        expect(told(call) == (False, 'locked'), f"The lock refused, and enter says {told(call)}, expected (False, "
-                                                "'locked').", 'locked')
+        expect(
+            told(call) != (False, 'full'),
+            'The lock refused twice; then the guard says that the room is full, but '
+            'nobody is in it: count only who has come in.',
+            'locked',
+        )
+        expect(
+            told(call) == (False, 'locked'),
+            f"The lock refused, and enter says {told(call)}, expected (False, 'locked').",
+            'locked',
+        )
     lock.answer = {'success': True}
     results = []
     for _ in range(3):
         call = enter.send()
         learner.run(0.2)
         results.append(told(call)[1])
-    expect(results == ['welcome', 'welcome', 'full'],
-           f'After the lock was repaired, three people were told {results}, expected welcome, welcome, full.', 'locked')
+    expect(
+        results == ['welcome', 'welcome', 'full'],
+        f'After the lock was repaired, three people were told {results}, expected welcome, welcome, full.',
+        'locked',
+    )
 
 
 @pytest.mark.weight(3)
@@ -80,14 +98,24 @@ def test_all_at_once(learner):
     calls = [enter.send() for _ in range(people)]
     learner.run(people + 2.0)
     words = [told(call)[1] for call in calls]
-    expect(words.count('welcome') <= capacity,
-           f'{people} people called enter at the same time; {words.count("welcome")} of them got in, with the capacity '
-           f'{capacity}. While one enter awaits the lock, the next one looks at the same count: enter must stay in a '
-           'mutually exclusive group.', 'capacity')
-    expect(words == ['welcome'] * capacity + ['full'] * (people - capacity),
-           f'{people} people at the same time, capacity {capacity}: they were told {words}.', 'capacity')
-    expect(len(lock.requests) == capacity, f'{people} people, capacity {capacity}: the lock was asked '
-                                           f'{len(lock.requests)} times. If it is full, do not ask.', 'full')
+    expect(
+        words.count('welcome') <= capacity,
+        f'{people} people called enter at the same time; {words.count("welcome")} of them got in, with the capacity '
+        f'{capacity}. While one enter awaits the lock, the next one looks at the same count: enter must stay in a '
+        'mutually exclusive group.',
+        'capacity',
+    )
+    expect(
+        words == ['welcome'] * capacity + ['full'] * (people - capacity),
+        f'{people} people at the same time, capacity {capacity}: they were told {words}.',
+        'capacity',
+    )
+    expect(
+        len(lock.requests) == capacity,
+        f'{people} people, capacity {capacity}: the lock was asked '
+        f'{len(lock.requests)} times. If it is full, do not ask.',
+        'full',
+    )
 
 
 @pytest.mark.rules('open', 'one-thread')
@@ -101,9 +129,12 @@ def test_some_refused_at_once(learner):
     calls = [enter.send() for _ in range(3)]
     learner.run(4.0)
     words = [told(call)[1] for call in calls]
-    expect(words == ['locked', 'welcome', 'full'],
-           f'Three at the same time, capacity 1, the lock refuses the first: they were told {words}, expected locked, '
-           'welcome, full.', 'open')
+    expect(
+        words == ['locked', 'welcome', 'full'],
+        f'Three at the same time, capacity 1, the lock refuses the first: they were told {words}, expected locked, '
+        'welcome, full.',
+        'open',
+    )
 
 
 @pytest.mark.rules('leave', 'one-thread')
@@ -119,8 +150,11 @@ def test_leaving(learner):
         call = client.send()
         learner.run(0.1)
         words.append(told(call)[0])
-    expect(words == [True, True, True, False, True, True],
-           f'leave, leave, enter, enter, leave, enter with the capacity 1 gave {words}.', 'leave')
+    expect(
+        words == [True, True, True, False, True, True],
+        f'leave, leave, enter, enter, leave, enter with the capacity 1 gave {words}.',
+        'leave',
+    )
 
 
 @pytest.mark.rules('names', 'one-thread')
@@ -131,11 +165,18 @@ def test_two_rooms(learner):
     A relative name has no leading slash.
     """
     rooms = [guard(learner, {'success': True}, namespace=f'/room_{number}') for number in (1, 2)]
-    expect(rooms[1][3].name == '/room_2/door_guard', f'Your node is called {rooms[1][3].name}, expected '
-                                                     '/room_2/door_guard.', 'names')
+    expect(
+        rooms[1][3].name == '/room_2/door_guard',
+        f'Your node is called {rooms[1][3].name}, expected /room_2/door_guard.',
+        'names',
+    )
     call = rooms[1][1].send()
     learner.run(0.3)
     counts = [len(room[0].requests) for room in rooms]
-    expect(counts == [0, 1], f'The guard of room 2 was asked; the locks of the rooms 1 and 2 got {counts} requests. A '
-                             'relative name has no leading slash.', 'names')
+    expect(
+        counts == [0, 1],
+        f'The guard of room 2 was asked; the locks of the rooms 1 and 2 got {counts} requests. A '
+        'relative name has no leading slash.',
+        'names',
+    )
     expect(told(call) == (True, 'welcome'), f'enter in room 2 says {told(call)}.', 'names')

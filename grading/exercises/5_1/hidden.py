@@ -32,13 +32,20 @@ def test_orders(learner):
     for goal in goals:
         order = goal.request.order
         expect(goal.accepted, f'The order {order} was rejected.', 'orders')
-        expect(goal.status == 'succeeded', f'The goal of order {order} ended as {goal.status}, expected succeeded.',
-               'end')
+        expect(
+            goal.status == 'succeeded', f'The goal of order {order} ended as {goal.status}, expected succeeded.', 'end'
+        )
         numbers = list(goal.result.sequence)
-        expect(numbers == SERIES[:order], f'Order {order} gave {numbers}, expected {SERIES[:order]}. '
-                                          'Several goals ran at a time.', 'goals')
-        expect(goal.finished == pytest.approx(order / 2), f'The goal of order {order} ended after {goal.finished:g} s, '
-                                                          f'expected {order / 2:g} s.', 'rate' if order else 'end')
+        expect(
+            numbers == SERIES[:order],
+            f'Order {order} gave {numbers}, expected {SERIES[:order]}. Several goals ran at a time.',
+            'goals',
+        )
+        expect(
+            goal.finished == pytest.approx(order / 2),
+            f'The goal of order {order} ended after {goal.finished:g} s, expected {order / 2:g} s.',
+            'rate' if order else 'end',
+        )
 
 
 @pytest.mark.rules('feedback', 'rate')
@@ -53,14 +60,21 @@ def test_feedback(learner):
     goal = client.send(order=6)
     learner.run(3.5)
     expect(goal.feedback, 'No feedback came.', 'feedback')
-    expect(len(goal.feedback) <= 6, f'{len(goal.feedback)} feedback messages came for 6 numbers: do not flood.',
-           'feedback')
+    expect(
+        len(goal.feedback) <= 6, f'{len(goal.feedback)} feedback messages came for 6 numbers: do not flood.', 'feedback'
+    )
     heard = [list(feedback.sequence) for feedback in goal.feedback]
-    expect(heard == [SERIES[:n] for n in range(1, 7)], f'The feedback is {heard}, expected one more number each time.',
-           'feedback')
-    expect(goal.stamps == pytest.approx([goal.sent + n / 2 for n in range(1, 7)]),
-           f'Feedback came {[round(stamp - goal.sent, 3) for stamp in goal.stamps]} s after the goal, expected '
-           "every 0.5 s. Wait on the node's clock.", 'rate')
+    expect(
+        heard == [SERIES[:n] for n in range(1, 7)],
+        f'The feedback is {heard}, expected one more number each time.',
+        'feedback',
+    )
+    expect(
+        goal.stamps == pytest.approx([goal.sent + n / 2 for n in range(1, 7)]),
+        f'Feedback came {[round(stamp - goal.sent, 3) for stamp in goal.stamps]} s after the goal, expected '
+        "every 0.5 s. Wait on the node's clock.",
+        'rate',
+    )
 
 
 @pytest.mark.rules('orders', 'numbers')
@@ -71,8 +85,10 @@ def test_limits(learner):
     2971215073, the 48th number, does not fit into an int32.
     """
     client, _ = serve(learner)
-    bad = [client.send(order=order) for order in
-           (-1, 48, -learner.random.randint(2, 2**31), learner.random.randint(49, 2**31 - 1))]
+    bad = [
+        client.send(order=order)
+        for order in (-1, 48, -learner.random.randint(2, 2**31), learner.random.randint(49, 2**31 - 1))
+    ]
     good = [client.send(order=order) for order in (0, 47)]
     learner.settle()
     for goal in bad:
@@ -80,8 +96,11 @@ def test_limits(learner):
     for goal in good:
         expect(goal.accepted, f'The order {goal.request.order} was rejected. It can be done.', 'orders')
     learner.run(23.6, step=0.5)
-    expect(list(good[1].result.sequence) == SERIES if good[1].result else False,
-           f'The goal of order 47 ended as {good[1].status}, expected all 47 numbers.', 'numbers')
+    expect(
+        list(good[1].result.sequence) == SERIES if good[1].result else False,
+        f'The goal of order 47 ended as {good[1].status}, expected all 47 numbers.',
+        'numbers',
+    )
 
 
 @pytest.mark.weight(3)
@@ -97,23 +116,40 @@ def test_cancel_at_any_step(learner):
     for step, goal in enumerate(goals[:5]):
         cancel = goal.cancel()
         learner.settle()
-        expect(cancel.done, 'A cancel request was not answered while the goal ran. Nobody was free to hear it.',
-               'cancel')
+        expect(
+            cancel.done, 'A cancel request was not answered while the goal ran. Nobody was free to hear it.', 'cancel'
+        )
         expect(cancel.answer == 'accepted', f'A cancel request in step {step} was refused.', 'cancel')
         learner.run(0.5)
-        expect(goal.done, f'A goal that was cancelled in step {step} did not end at the next step. '
-                          'Look at is_cancel_requested in each step.', 'cancel')
+        expect(
+            goal.done,
+            f'A goal that was cancelled in step {step} did not end at the next step. '
+            'Look at is_cancel_requested in each step.',
+            'cancel',
+        )
         numbers = list(goal.result.sequence)
-        expect(len(numbers) <= step, f'A goal cancelled after {step} numbers has {len(numbers)} in its result: it went '
-                                     'on after the cancel request.', 'partial')
-        expect(goal.status == 'canceled', f'A goal cancelled in step {step} ended as {goal.status}.',
-               'cancel')
-        expect(numbers == SERIES[:step], f'A goal cancelled after {SERIES[:step]} has the result {numbers}: return the '
-                                         'numbers so far.', 'partial')
-        expect(len(goal.feedback) == step, f'A goal cancelled after {step} numbers gave {len(goal.feedback)} feedback.',
-               'partial')
-    expect(goals[5].status == 'succeeded', 'One goal was not cancelled, but it did not succeed: each goal is its own.',
-           'goals')
+        expect(
+            len(numbers) <= step,
+            f'A goal cancelled after {step} numbers has {len(numbers)} in its result: it went '
+            'on after the cancel request.',
+            'partial',
+        )
+        expect(goal.status == 'canceled', f'A goal cancelled in step {step} ended as {goal.status}.', 'cancel')
+        expect(
+            numbers == SERIES[:step],
+            f'A goal cancelled after {SERIES[:step]} has the result {numbers}: return the numbers so far.',
+            'partial',
+        )
+        expect(
+            len(goal.feedback) == step,
+            f'A goal cancelled after {step} numbers gave {len(goal.feedback)} feedback.',
+            'partial',
+        )
+    expect(
+        goals[5].status == 'succeeded',
+        'One goal was not cancelled, but it did not succeed: each goal is its own.',
+        'goals',
+    )
 
 
 @pytest.mark.rules('cancel', 'end')
@@ -129,15 +165,16 @@ def test_cancel_races(learner):
     first, second = goal.cancel(), goal.cancel()
     short = client.send(order=1)
     learner.run(0.6)
-    expect(first.answer == 'accepted' and goal.status == 'canceled',
-           f'A goal that was cancelled twice ended as {goal.status}, expected canceled.', 'cancel')
+    expect(
+        first.answer == 'accepted' and goal.status == 'canceled',
+        f'A goal that was cancelled twice ended as {goal.status}, expected canceled.',
+        'cancel',
+    )
     expect(second.done, 'The second cancel request for a goal was not answered.', 'cancel')
     late = short.cancel()
     learner.run(0.6)
-    expect(short.status == 'succeeded', f'A goal cancelled after its end is {short.status}, expected succeeded.',
-           'end')
-    expect(late.answer == 'goal has ended', f'A cancel request after the end was answered: {late.answer}.',
-           'cancel')
+    expect(short.status == 'succeeded', f'A goal cancelled after its end is {short.status}, expected succeeded.', 'end')
+    expect(late.answer == 'goal has ended', f'A cancel request after the end was answered: {late.answer}.', 'cancel')
 
 
 @pytest.mark.rules('goals', 'cancel')
@@ -154,14 +191,18 @@ def test_two_clients(learner):
     mine.cancel()
     learner.run(2.0)
     expect(mine.status == 'canceled', f'The cancelled goal of one client ended as {mine.status}.', 'cancel')
-    expect(other.status == 'succeeded' and list(other.result.sequence) == [0, 1, 1],
-           f'One client cancelled; the goal of the other client ended as {other.status}, expected succeeded.', 'goals')
+    expect(
+        other.status == 'succeeded' and list(other.result.sequence) == [0, 1, 1],
+        f'One client cancelled; the goal of the other client ended as {other.status}, expected succeeded.',
+        'goals',
+    )
     goals = [left.send(order=9), right.send(order=9)]
     learner.run(0.7)
     left.cancel()
     learner.run(1.0)
-    expect([goal.status for goal in goals] == ['canceled', 'canceled'], '"Cancel all" did not cancel both goals.',
-           'cancel')
+    expect(
+        [goal.status for goal in goals] == ['canceled', 'canceled'], '"Cancel all" did not cancel both goals.', 'cancel'
+    )
 
 
 @pytest.mark.rules('names')
@@ -179,5 +220,7 @@ def test_restart(learner):
     goal = client.send(order=2)
     learner.run(1.5)
     expect(not lost.done, 'The goal of the server that ended has a result.')
-    expect(goal.status == 'succeeded' and list(goal.result.sequence) == [0, 1],
-           f'After a restart of the server the goal of order 2 ended as {goal.status}.')
+    expect(
+        goal.status == 'succeeded' and list(goal.result.sequence) == [0, 1],
+        f'After a restart of the server the goal of order 2 ended as {goal.status}.',
+    )

@@ -36,14 +36,18 @@ def test_in_time(learner):
     outcome, server, node = begin(learner, order, 3.0)
     learner.run(6.0)
     expect(node.name == '/patient_client', f'Your node is called {node.name}, expected /patient_client.', 'names')
-    expect([goal.request.order for goal in server.goals] == [order],
-           f'The orders {[goal.request.order for goal in server.goals]} came, expected one goal, {order}.',
-           'send')
-    expect(outcome.data == [f'succeeded {list(range(order))}'],
-           f'/outcome said {outcome.data}, expected ["succeeded {list(range(order))}"], once.', 'word')
+    expect(
+        [goal.request.order for goal in server.goals] == [order],
+        f'The orders {[goal.request.order for goal in server.goals]} came, expected one goal, {order}.',
+        'send',
+    )
+    expect(
+        outcome.data == [f'succeeded {list(range(order))}'],
+        f'/outcome said {outcome.data}, expected ["succeeded {list(range(order))}"], once.',
+        'word',
+    )
     expect(not server.cancel_stamps, 'A cancel request came for a goal that ended in time.', 'deadline')
-    expect(server.goals[0].arrived < 0.35, f'The goal came {server.goals[0].arrived:g} s after the start.',
-           'send')
+    expect(server.goals[0].arrived < 0.35, f'The goal came {server.goals[0].arrived:g} s after the start.', 'send')
 
 
 @pytest.mark.weight(2)
@@ -59,16 +63,27 @@ def test_deadline(learner):
     learner.run(patience + 1.8)
     expect(server.goals, 'No goal came.', 'deadline')
     goal = server.goals[0]
-    expect(goal.cancelled is not None, 'The deadline passed, and no cancel request came: to stop waiting does not stop '
-                                       'the robot.', 'deadline')
-    expect(goal.cancelled - goal.arrived == pytest.approx(patience, abs=NEAR),
-           f'The cancel request came {goal.cancelled - goal.arrived:.2f} s after the goal was accepted, expected '
-           f'{patience:g} s.', 'deadline')
-    expect(not outcome.data, f'/outcome said {outcome.data} before the result was there. The server had accepted the '
-                             'cancel request and was still stopping: wait for its result.', 'result')
+    expect(
+        goal.cancelled is not None,
+        'The deadline passed, and no cancel request came: to stop waiting does not stop the robot.',
+        'deadline',
+    )
+    expect(
+        goal.cancelled - goal.arrived == pytest.approx(patience, abs=NEAR),
+        f'The cancel request came {goal.cancelled - goal.arrived:.2f} s after the goal was accepted, expected '
+        f'{patience:g} s.',
+        'deadline',
+    )
+    expect(
+        not outcome.data,
+        f'/outcome said {outcome.data} before the result was there. The server had accepted the '
+        'cancel request and was still stopping: wait for its result.',
+        'result',
+    )
     learner.run(3.0)
-    expect(outcome.data == ['canceled [5, 6]'], f'/outcome said {outcome.data}, expected ["canceled [5, 6]"].',
-           'result')
+    expect(
+        outcome.data == ['canceled [5, 6]'], f'/outcome said {outcome.data}, expected ["canceled [5, 6]"].', 'result'
+    )
 
 
 @pytest.mark.rules('word', 'send')
@@ -80,8 +95,11 @@ def test_rejected(learner):
     """
     outcome, server, _ = begin(learner, 3, 1.0, accept=False)
     learner.run(4.0)
-    expect(outcome.data == ['rejected []'], f'The goal was rejected, and /outcome said {outcome.data}. '
-                                            'Look at accepted first.', 'word')
+    expect(
+        outcome.data == ['rejected []'],
+        f'The goal was rejected, and /outcome said {outcome.data}. Look at accepted first.',
+        'word',
+    )
     expect(len(server.goals) == 1, f'{len(server.goals)} goals came, expected one.', 'send')
 
 
@@ -94,8 +112,11 @@ def test_aborted(learner):
     """
     outcome, _, _ = begin(learner, 3, 3.0, [(1.0, actions.Aborted(Fibonacci.Result(sequence=[9])))])
     learner.run(5.0)
-    expect(outcome.data == ['aborted [9]'], f'The server aborted the goal, and /outcome said {outcome.data}, '
-                                            'expected ["aborted [9]"]. Look at the status of the result.')
+    expect(
+        outcome.data == ['aborted [9]'],
+        f'The server aborted the goal, and /outcome said {outcome.data}, '
+        'expected ["aborted [9]"]. Look at the status of the result.',
+    )
 
 
 @pytest.mark.weight(2)
@@ -109,9 +130,11 @@ def test_cancel_in_vain(learner):
     for cancel in ('reject', 'ignore'):
         outcome, server, node = begin(learner, 8, 2.0, cancel=cancel)
         learner.run(7.0)
-        expect(outcome.data == [f'succeeded {list(range(8))}'],
-               f'The goal went on after the cancel request ({cancel}) and succeeded; /outcome said {outcome.data}. '
-               'Report what the result says.')
+        expect(
+            outcome.data == [f'succeeded {list(range(8))}'],
+            f'The goal went on after the cancel request ({cancel}) and succeeded; /outcome said {outcome.data}. '
+            'Report what the result says.',
+        )
         node.stop()
         server.stop()
 
@@ -125,10 +148,16 @@ def test_race(learner):
     """
     outcome, server, _ = begin(learner, 4, 2.0)
     learner.run(6.0)
-    expect(outcome.data in (['succeeded [0, 1, 2, 3]'], ['canceled []']),
-           f'The result came at the moment of the deadline, and /outcome said {outcome.data}.', 'once')
-    expect(outcome.data[0].split()[0] == server.goals[0].status,
-           f'The goal ended as {server.goals[0].status}, and /outcome said {outcome.data}.', 'result')
+    expect(
+        outcome.data in (['succeeded [0, 1, 2, 3]'], ['canceled []']),
+        f'The result came at the moment of the deadline, and /outcome said {outcome.data}.',
+        'once',
+    )
+    expect(
+        outcome.data[0].split()[0] == server.goals[0].status,
+        f'The goal ended as {server.goals[0].status}, and /outcome said {outcome.data}.',
+        'result',
+    )
 
 
 @pytest.mark.weight(2)
@@ -144,15 +173,23 @@ def test_server_is_gone(learner):
     server.stop()
     seen = [0, 1] if server.goals and server.goals[0].arrived < 0.4 else None
     learner.run(5.0)
-    expect(outcome.data, 'The server ended while the goal ran, and /outcome says nothing: the client waits for ever.',
-           'lost')
-    expect(outcome.data == [f'lost {seen}'], f'The server ended after the feedback {seen}; /outcome said '
-                                             f'{outcome.data}, expected ["lost {seen}"].',
-           'numbers' if outcome.data[0].startswith('lost [') else 'lost')
+    expect(
+        outcome.data,
+        'The server ended while the goal ran, and /outcome says nothing: the client waits for ever.',
+        'lost',
+    )
+    expect(
+        outcome.data == [f'lost {seen}'],
+        f'The server ended after the feedback {seen}; /outcome said {outcome.data}, expected ["lost {seen}"].',
+        'numbers' if outcome.data[0].startswith('lost [') else 'lost',
+    )
     arrived = server.goals[0].arrived
-    expect(outcome.stamps[0] - arrived == pytest.approx(3.0, abs=2 * NEAR),
-           f'The outcome came {outcome.stamps[0] - arrived:.2f} s after the goal, expected 3 s: the deadline after '
-           '2 s, and 1 s for an answer.', 'lost')
+    expect(
+        outcome.stamps[0] - arrived == pytest.approx(3.0, abs=2 * NEAR),
+        f'The outcome came {outcome.stamps[0] - arrived:.2f} s after the goal, expected 3 s: the deadline after '
+        '2 s, and 1 s for an answer.',
+        'lost',
+    )
 
 
 @pytest.mark.rules('at-once', 'send', 'deadline')
@@ -170,11 +207,16 @@ def test_server_comes_late(learner):
     expect(not outcome.data, f'There is no server, and /outcome said {outcome.data}.', 'send')
     server.start()
     learner.run(4.0)
-    expect(len(server.goals) == 1, f'The server came after 4 s, and {len(server.goals)} goals came in the 4 s after '
-                                   'that, expected one.', 'send')
-    expect(outcome.data and outcome.data[0].startswith('succeeded'),
-           f'/outcome said {outcome.data}, expected succeeded: the deadline begins when the goal is accepted.',
-           'deadline')
+    expect(
+        len(server.goals) == 1,
+        f'The server came after 4 s, and {len(server.goals)} goals came in the 4 s after that, expected one.',
+        'send',
+    )
+    expect(
+        outcome.data and outcome.data[0].startswith('succeeded'),
+        f'/outcome said {outcome.data}, expected succeeded: the deadline begins when the goal is accepted.',
+        'deadline',
+    )
     server.stop()
     learner.settle()
     times = []
@@ -182,8 +224,9 @@ def test_server_comes_late(learner):
         started = time.monotonic()
         learner.start('PatientClient', 2, 1.5, beside=node)
         times.append(time.monotonic() - started)
-    expect(min(times) < 0.35, 'Without a server, the constructor takes long: it must not wait for the server.',
-           'at-once')
+    expect(
+        min(times) < 0.35, 'Without a server, the constructor takes long: it must not wait for the server.', 'at-once'
+    )
 
 
 @pytest.mark.rules('deadline', 'once')
@@ -198,13 +241,18 @@ def test_slow_answers(learner):
     learner.run(4.5)
     expect(outcome.data, 'The cancel request was not answered within 1 s, and nothing came on /outcome.', 'deadline')
     sent = outcome.stamps[0] - 1.0 - server.goals[0].arrived
-    expect(sent == pytest.approx(1.4, abs=2 * NEAR),
-           f'The goal was accepted {server.late["goal"]} s late; the cancel request came {sent:.2f} s after that, '
-           'expected 1.4 s.', 'deadline')
+    expect(
+        sent == pytest.approx(1.4, abs=2 * NEAR),
+        f'The goal was accepted {server.late["goal"]} s late; the cancel request came {sent:.2f} s after that, '
+        'expected 1.4 s.',
+        'deadline',
+    )
     learner.run(2.0)
-    expect(len(outcome) == 1, f'The cancel request was answered after 1.3 s; /outcome said {outcome.data}, expected '
-                              'one outcome.', 'once')
-
+    expect(
+        len(outcome) == 1,
+        f'The cancel request was answered after 1.3 s; /outcome said {outcome.data}, expected one outcome.',
+        'once',
+    )
 
 
 @pytest.mark.rules('names')
@@ -215,13 +263,17 @@ def test_two_clients(learner):
     Relative names, and all state in the object.
     """
     left, right = learner.listen('/left/outcome', String), learner.listen('/right/outcome', String)
-    servers = [learner.action_server(f'/{side}/fibonacci', Fibonacci, plan, partial=Fibonacci.Result(sequence=[4]))
-               for side in ('left', 'right')]
+    servers = [
+        learner.action_server(f'/{side}/fibonacci', Fibonacci, plan, partial=Fibonacci.Result(sequence=[4]))
+        for side in ('left', 'right')
+    ]
     learner.start('PatientClient', 2, 2.0, remap={'__ns': '/left'})
     learner.start('PatientClient', 20, 2.0, remap={'__ns': '/right'})
     learner.run(4.0)
     counts = [len(server.goals) for server in servers]
     expect(counts == [1, 1], f'Two clients in two namespaces sent {counts} goals to the servers in theirs.')
     said = [heard.data[0].split()[0] if heard.data else '' for heard in (left, right)]
-    expect(said == ['succeeded', 'canceled'], f'Two clients with a short and a long goal said {left.data} and '
-                                              f'{right.data}.')
+    expect(
+        said == ['succeeded', 'canceled'],
+        f'Two clients with a short and a long goal said {left.data} and {right.data}.',
+    )

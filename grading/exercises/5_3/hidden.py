@@ -34,19 +34,29 @@ def test_newest_wins(learner):
     learner.run(0.5)
     expect(new.accepted, 'A new goal was rejected while another one ran. The newest goal wins.', 'newest')
     expect(old.done, 'A new goal was accepted, and the old one did not end within 0.5 s.', 'aborted')
-    expect(old.status == 'aborted', f'The old goal ended as {old.status}, expected aborted: nobody asked to cancel it.',
-           'aborted')
-    expect(list(old.result.sequence) == up_to(count),
-           f'The old goal had {up_to(count)} when the new one came, and its result is {list(old.result.sequence)}.',
-           'stops' if len(old.result.sequence) > count else 'aborted')
+    expect(
+        old.status == 'aborted',
+        f'The old goal ended as {old.status}, expected aborted: nobody asked to cancel it.',
+        'aborted',
+    )
+    expect(
+        list(old.result.sequence) == up_to(count),
+        f'The old goal had {up_to(count)} when the new one came, and its result is {list(old.result.sequence)}.',
+        'stops' if len(old.result.sequence) > count else 'aborted',
+    )
     expect(len(old.feedback) == count, 'The old goal sent feedback after the new one had come.', 'stops')
     learner.run(1.6)
-    expect(new.status == 'succeeded' and list(new.result.sequence) == up_to(4),
-           f'The new goal ended as {new.status}, expected succeeded with [1, 2, 3, 4]. Each goal counts for itself.',
-           'newest')
+    expect(
+        new.status == 'succeeded' and list(new.result.sequence) == up_to(4),
+        f'The new goal ended as {new.status}, expected succeeded with [1, 2, 3, 4]. Each goal counts for itself.',
+        'newest',
+    )
     took = new.finished - new.sent
-    expect(took == pytest.approx(2.0), f'The new goal of order 4 took {took:g} s, expected 2 s: it begins at once. '
-                                       'Each goal counts for itself.', 'newest')
+    expect(
+        took == pytest.approx(2.0),
+        f'The new goal of order 4 took {took:g} s, expected 2 s: it begins at once. Each goal counts for itself.',
+        'newest',
+    )
 
 
 @pytest.mark.weight(2)
@@ -65,13 +75,17 @@ def test_many_goals(learner):
     after = client.send(order=1)
     learner.run(1.0)
     expect(all(goal.accepted for goal in goals), 'A goal was rejected because another one ran.', 'newest')
-    expect([goal.status for goal in goals[:2]] == ['aborted'] * 2,
-           f'Three goals came at one moment; the first two ended as {[goal.status for goal in goals[:2]]}.',
-           'aborted')
-    expect(goals[2].status == 'aborted' and list(goals[2].result.sequence) == [1],
-           f'The third of three goals had counted to 1 when the fourth came; it ended as {goals[2].status}.', 'aborted')
-    expect(goals[3].status == 'succeeded', f'The last goal ended as {goals[3].status}, expected succeeded.',
-           'newest')
+    expect(
+        [goal.status for goal in goals[:2]] == ['aborted'] * 2,
+        f'Three goals came at one moment; the first two ended as {[goal.status for goal in goals[:2]]}.',
+        'aborted',
+    )
+    expect(
+        goals[2].status == 'aborted' and list(goals[2].result.sequence) == [1],
+        f'The third of three goals had counted to 1 when the fourth came; it ended as {goals[2].status}.',
+        'aborted',
+    )
+    expect(goals[3].status == 'succeeded', f'The last goal ended as {goals[3].status}, expected succeeded.', 'newest')
     expect(after.status == 'succeeded', f'A goal that came when nothing ran ended as {after.status}.', 'newest')
 
 
@@ -89,10 +103,12 @@ def test_rejected_goals_disturb_nobody(learner):
     learner.run(0.7)
     bad = [client.send(order=0), client.send(order=-learner.random.randint(1, 99))]
     learner.run(2.0)
-    expect([other.accepted for other in bad] == [False, False], 'An order below 1 was accepted.',
-           'orders')
-    expect(goal.status == 'succeeded', f'A goal was rejected, and the goal that ran ended as {goal.status}: '
-                                       'only an accepted goal takes over.', 'rejected')
+    expect([other.accepted for other in bad] == [False, False], 'An order below 1 was accepted.', 'orders')
+    expect(
+        goal.status == 'succeeded',
+        f'A goal was rejected, and the goal that ran ended as {goal.status}: only an accepted goal takes over.',
+        'rejected',
+    )
 
 
 @pytest.mark.rules('cancel', 'newest')
@@ -128,13 +144,19 @@ def test_alone(learner):
     goal = client.send(order=order)
     learner.run(order / 2 + 1.0)
     expect(goal.status in (None, 'succeeded'), f'A goal alone ended as {goal.status}, expected succeeded.', 'succeeds')
-    expect(goal.status and list(goal.result.sequence) == up_to(order),
-           f'A goal of order {order} did not end with {up_to(order)}.', 'count')
+    expect(
+        goal.status and list(goal.result.sequence) == up_to(order),
+        f'A goal of order {order} did not end with {up_to(order)}.',
+        'count',
+    )
     took = goal.finished - goal.sent
     expect(took == pytest.approx(order / 2), f'Order {order} took {took:g} s, expected {order / 2} s.', 'count')
     expect(len(goal.stamps) == order, f'{len(goal.stamps)} feedback messages came for {order} numbers.', 'feedback')
-    expect([stamp - goal.sent for stamp in goal.stamps] == pytest.approx([n / 2 for n in up_to(order)]),
-           f'The numbers came at {goal.stamps} s.', 'count')
+    expect(
+        [stamp - goal.sent for stamp in goal.stamps] == pytest.approx([n / 2 for n in up_to(order)]),
+        f'The numbers came at {goal.stamps} s.',
+        'count',
+    )
 
 
 @pytest.mark.rules('aborted')
@@ -150,9 +172,11 @@ def test_two_clients(learner):
     learner.run(0.6)
     second = right.send(order=2)
     learner.run(1.5)
-    expect((first.status, second.status) == ('aborted', 'succeeded'),
-           f'Two clients sent a goal each; they ended as {first.status} and {second.status}, '
-           'expected aborted and succeeded.')
+    expect(
+        (first.status, second.status) == ('aborted', 'succeeded'),
+        f'Two clients sent a goal each; they ended as {first.status} and {second.status}, '
+        'expected aborted and succeeded.',
+    )
 
 
 @pytest.mark.rules('names')

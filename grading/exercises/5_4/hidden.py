@@ -44,14 +44,22 @@ def test_arrive(learner):
         goal = client.send(x=x, y=y)
         sim.run(6.0, until=lambda: goal.done)  # noqa: B023 - used within the round
         expect(goal.accepted, f'Goal {number + 1}, ({x:.1f}, {y:.1f}), was rejected.', 'next')
-        expect(goal.status == 'succeeded', f'The goal ({x:.1f}, {y:.1f}) ended as {goal.status}, expected succeeded '
-                                           'within 6 s.', 'arrive')
+        expect(
+            goal.status == 'succeeded',
+            f'The goal ({x:.1f}, {y:.1f}) ended as {goal.status}, expected succeeded within 6 s.',
+            'arrive',
+        )
         distance = sim.distance(x, y)
-        expect(distance < 0.15, f'The goal succeeded when the turtle was {distance:.2f} m from the place, expected '
-                                'less than 0.1 m.', 'arrive')
-        expect(goal.result.distance == pytest.approx(distance, abs=0.1) and 0 < goal.result.distance < 0.1,
-               f'The distance in the result is {goal.result.distance:.3f} m; the turtle was {distance:.3f} m away.',
-               'result')
+        expect(
+            distance < 0.15,
+            f'The goal succeeded when the turtle was {distance:.2f} m from the place, expected less than 0.1 m.',
+            'arrive',
+        )
+        expect(
+            goal.result.distance == pytest.approx(distance, abs=0.1) and 0 < goal.result.distance < 0.1,
+            f'The distance in the result is {goal.result.distance:.3f} m; the turtle was {distance:.3f} m away.',
+            'result',
+        )
         expect(stands(sim), 'The goal succeeded, but the last command still drives. Publish a Twist of zeros.', 'zeros')
 
 
@@ -74,10 +82,13 @@ def test_feedback(learner):
     expect(rate <= 5.6, f'{rate:g} feedback messages came in a second, expected at most 5: do not flood.')
     expect(rate >= 1.9, f'{rate:g} feedback messages came in a second, expected at least 2.')
     told = [feedback.distance for feedback in goal.feedback]
-    expect(told == sorted(told, reverse=True), 'The turtle comes nearer, but the distance in the feedback does '
-                                               'not fall.')
-    expect(abs(told[-1] - truth[-1]) < 0.7, f'The last feedback says {told[-1]:.2f} m, and the turtle is '
-                                            f'{truth[-1]:.2f} m away: use the newest pose.')
+    expect(
+        told == sorted(told, reverse=True), 'The turtle comes nearer, but the distance in the feedback does not fall.'
+    )
+    expect(
+        abs(told[-1] - truth[-1]) < 0.7,
+        f'The last feedback says {told[-1]:.2f} m, and the turtle is {truth[-1]:.2f} m away: use the newest pose.',
+    )
 
 
 @pytest.mark.weight(2)
@@ -93,16 +104,26 @@ def test_cancel(learner):
     sim.run(learner.random.uniform(0.6, 1.6))
     cancel = goal.cancel()
     sim.run(0.3)
-    expect(cancel.done, 'The cancel request was not answered while the turtle drove: no thread was free to hear it.',
-           'cancel')
+    expect(
+        cancel.done,
+        'The cancel request was not answered while the turtle drove: no thread was free to hear it.',
+        'cancel',
+    )
     expect(cancel.answer == 'accepted', 'The cancel request was refused.', 'cancel')
-    expect(goal.status == 'canceled', f'0.3 s after the cancel request the goal is {goal.status or "still running"}, '
-                                      'expected canceled.', 'cancel')
-    expect(stands(sim), 'After the goal was cancelled, the last command still drives. Publish a Twist of zeros.',
-           'zeros')
+    expect(
+        goal.status == 'canceled',
+        f'0.3 s after the cancel request the goal is {goal.status or "still running"}, expected canceled.',
+        'cancel',
+    )
+    expect(
+        stands(sim), 'After the goal was cancelled, the last command still drives. Publish a Twist of zeros.', 'zeros'
+    )
     left = sim.distance(10.0, 1.0)
-    expect(goal.result.distance == pytest.approx(left, abs=0.6),
-           f'The distance in the result is {goal.result.distance:.2f} m, and {left:.2f} m were left.', 'result')
+    expect(
+        goal.result.distance == pytest.approx(left, abs=0.6),
+        f'The distance in the result is {goal.result.distance:.2f} m, and {left:.2f} m were left.',
+        'result',
+    )
     count = len(sim.commands)
     sim.run(0.3)
     expect(len(sim.commands) == count, 'Commands came after the goal had ended.', 'zeros')
@@ -110,8 +131,11 @@ def test_cancel(learner):
     expect(len(zeros) == 1, f'{len(zeros)} commands of zeros came at the end of a goal, expected one.', 'zeros')
     again = client.send(x=sim.turtle.x, y=1.5)
     sim.run(4.0, until=lambda: again.done)
-    expect(again.status == 'succeeded', f'After a cancelled goal, the next one ended as {again.status or "rejected"}.',
-           'next')
+    expect(
+        again.status == 'succeeded',
+        f'After a cancelled goal, the next one ended as {again.status or "rejected"}.',
+        'next',
+    )
 
 
 @pytest.mark.rules('field', 'next')
@@ -128,8 +152,12 @@ def test_outside(learner):
         expect(goal.accepted is False, f'The goal ({x:g}, {y:g}) was accepted.', 'field')
     goal = client.send(x=0.0, y=11.0)
     learner.settle()
-    expect(goal.accepted, 'The goal (0, 11) was rejected: it is a corner of the field. Do goals that were rejected '
-                          'leave something behind?', 'field')
+    expect(
+        goal.accepted,
+        'The goal (0, 11) was rejected: it is a corner of the field. Do goals that were rejected '
+        'leave something behind?',
+        'field',
+    )
 
 
 @pytest.mark.rules('busy', 'arrive')
@@ -145,10 +173,12 @@ def test_one_at_a_time(learner):
     sim.run(0.5)
     third = other.send(x=2.0, y=9.0)
     sim.run(5.0, until=lambda: first.done)
-    expect([first.accepted, second.accepted, third.accepted] == [True, False, False],
-           'Two goals came at one moment, and one more while the turtle drove; '
-           f'{[first.accepted, second.accepted, third.accepted].count(True)} were accepted, expected the first only.',
-           'busy')
+    expect(
+        [first.accepted, second.accepted, third.accepted] == [True, False, False],
+        'Two goals came at one moment, and one more while the turtle drove; '
+        f'{[first.accepted, second.accepted, third.accepted].count(True)} were accepted, expected the first only.',
+        'busy',
+    )
     expect(first.status == 'succeeded', f'The first goal ended as {first.status}, expected succeeded.', 'arrive')
 
 
@@ -169,17 +199,29 @@ def test_stuck(learner):
     learner.run(18.0)
     expect(goal.accepted, 'The goal was rejected.', 'give-up')
     expect(175 <= len(commands) <= 182, f'{len(commands)} commands came in 18 s, expected one every 0.1 s.', 'steer')
-    expect(not goal.done, f'The goal ended as {goal.status} after {goal.finished or 0:g} s, expected to be given up '
-                          'after 20 s.', 'give-up')
+    expect(
+        not goal.done,
+        f'The goal ended as {goal.status} after {goal.finished or 0:g} s, expected to be given up after 20 s.',
+        'give-up',
+    )
     learner.run(4.0)
     expect(goal.done, 'The turtle did not move for 22 s, and the goal still runs.', 'give-up')
-    expect(goal.status == 'aborted', f'The turtle never came near; the goal ended as {goal.status}, expected aborted.',
-           'give-up')
-    expect(goal.finished - goal.sent == pytest.approx(20.0, abs=0.5),
-           f'The goal was given up after {goal.finished - goal.sent:g} s, expected 20 s.', 'give-up')
+    expect(
+        goal.status == 'aborted',
+        f'The turtle never came near; the goal ended as {goal.status}, expected aborted.',
+        'give-up',
+    )
+    expect(
+        goal.finished - goal.sent == pytest.approx(20.0, abs=0.5),
+        f'The goal was given up after {goal.finished - goal.sent:g} s, expected 20 s.',
+        'give-up',
+    )
     last = commands.messages[-1]
-    expect((last.linear.x, last.angular.z) == (0.0, 0.0), 'The goal was given up, but the last command still drives: '
-                                                          'publish a Twist of zeros.', 'zeros')
+    expect(
+        (last.linear.x, last.angular.z) == (0.0, 0.0),
+        'The goal was given up, but the last command still drives: publish a Twist of zeros.',
+        'zeros',
+    )
 
 
 @pytest.mark.rules('names', 'no-pose', 'steer', 'next')
@@ -196,9 +238,13 @@ def test_poses(learner):
     node = learner.start('Driver', threads=True, remap={'__ns': '/two'})
     expect(node.name == '/two/driver', f'Your node is called {node.name}, expected /two/driver.', 'names')
     learner.settle()
-    expect(client.name in client.theirs() and learner.endpoints('/two/turtle1/pose').subscriptions
-           and learner.endpoints('/two/turtle1/cmd_vel').publishers,
-           'In the namespace /two not all names are there: leave out the leading slash.', 'names')
+    expect(
+        client.name in client.theirs()
+        and learner.endpoints('/two/turtle1/pose').subscriptions
+        and learner.endpoints('/two/turtle1/cmd_vel').publishers,
+        'In the namespace /two not all names are there: leave out the leading slash.',
+        'names',
+    )
     early = client.send(x=1.0, y=1.0)
     learner.settle()
     expect(early.accepted is False, 'A goal was accepted before a pose had come.', 'no-pose')
@@ -210,5 +256,8 @@ def test_poses(learner):
     distance = draw.uniform(0.4, 1.2)
     poses.send(Pose(x=9.0 - distance, y=1.0))
     learner.run(0.3)
-    expect(commands.messages and commands.messages[-1].linear.x == pytest.approx(1.5 * distance, abs=0.01),
-           f'{distance:.2f} m are left, and the last command is not what steer gives for this pose.', 'steer')
+    expect(
+        commands.messages and commands.messages[-1].linear.x == pytest.approx(1.5 * distance, abs=0.01),
+        f'{distance:.2f} m are left, and the last command is not what steer gives for this pose.',
+        'steer',
+    )

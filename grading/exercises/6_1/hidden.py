@@ -47,9 +47,11 @@ def test_places(learner):
     late, height, tilt = begin(learner)
     for child, expected in mast.truth(height, tilt).items():
         place = origin(to_matrix(late.static_transforms[child]))
-        expect(same(place, origin(expected)),
-               f'SensorMast({height}, {tilt}): `{child}` is at {words(place)} in its parent, expected '
-               f'{words(origin(expected))}.')
+        expect(
+            same(place, origin(expected)),
+            f'SensorMast({height}, {tilt}): `{child}` is at {words(place)} in its parent, expected '
+            f'{words(origin(expected))}.',
+        )
 
 
 @pytest.mark.weight(2)
@@ -63,11 +65,16 @@ def test_camera(learner):
     view, angle = axis(there, 'x'), math.radians(tilt)
     told = f'SensorMast({height}, {tilt}): the camera looks along {words(view)} in base_link'
     expected = math.cos(angle), 0, -math.sin(angle)
-    explain(same(view, expected), f'{told}, expected {words(expected)}.',
-            (same(view, (math.cos(angle), 0, math.sin(angle))),
-             'That is up. Positive angles turn from z to x: a positive pitch looks down.'),
-            (same(view, (math.cos(tilt), 0, -math.sin(tilt))), 'The tilt was taken for radians. It is in degrees.'),
-            (True, 'Which angle is it, and in which order does a Quaternion have x, y, z and w?'))
+    explain(
+        same(view, expected),
+        f'{told}, expected {words(expected)}.',
+        (
+            same(view, (math.cos(angle), 0, math.sin(angle))),
+            'That is up. Positive angles turn from z to x: a positive pitch looks down.',
+        ),
+        (same(view, (math.cos(tilt), 0, -math.sin(tilt))), 'The tilt was taken for radians. It is in degrees.'),
+        (True, 'Which angle is it, and in which order does a Quaternion have x, y, z and w?'),
+    )
 
 
 def test_lidar(learner):
@@ -79,9 +86,11 @@ def test_lidar(learner):
     lidar = mast.in_base(late, 'lidar')
     expect(not same(lidar[:3, :3], np.eye(3)), 'The lidar stands upright. It hangs upside down.')
     for name, expected in (('x', (1, 0, 0)), ('y', (0, -1, 0)), ('z', (0, 0, -1))):
-        expect(same(axis(lidar, name), expected),
-               f'The {name} axis of the lidar points along {words(axis(lidar, name))} in base_link, expected '
-               f'{words(expected)}. In which order does a Quaternion have x, y, z and w?')
+        expect(
+            same(axis(lidar, name), expected),
+            f'The {name} axis of the lidar points along {words(axis(lidar, name))} in base_link, expected '
+            f'{words(expected)}. In which order does a Quaternion have x, y, z and w?',
+        )
 
 
 @pytest.mark.weight(2)
@@ -93,8 +102,13 @@ def test_optical(learner):
     late, _, _ = begin(learner)
     optical = late.matrix('camera', 'camera_optical')
     expect(optical is not None, 'tf2 finds no way from `camera_optical` to `camera`.')
-    for name, where, expected in (('z', 'ahead', (1, 0, 0)), ('x', 'to the right', (0, -1, 0)),
-                                  ('y', 'down', (0, 0, -1))):
-        expect(same(axis(optical, name), expected),
-               f'The {name} axis of camera_optical points along {words(axis(optical, name))} in the frame camera. '
-               f'Expected {where}: {words(expected)}.')
+    for name, where, expected in (
+        ('z', 'ahead', (1, 0, 0)),
+        ('x', 'to the right', (0, -1, 0)),
+        ('y', 'down', (0, 0, -1)),
+    ):
+        expect(
+            same(axis(optical, name), expected),
+            f'The {name} axis of camera_optical points along {words(axis(optical, name))} in the frame camera. '
+            f'Expected {where}: {words(expected)}.',
+        )

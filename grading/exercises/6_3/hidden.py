@@ -11,8 +11,11 @@ pytestmark = pytest.mark.exercise('6.3')
 def scene(learner) -> Scene:
     """A robot that turns while it drives, and a cup that goes another way: no two places are the same."""
     draw = learner.random.uniform
-    return Scene(learner, robot=[(draw(-1, 1), draw(-1, 1), draw(-3, 3)), (draw(0.5, 1), draw(0.5, 1), draw(0.3, 0.5))],
-                 cup=[(draw(3, 5), draw(3, 5), draw(-3, 3)), (draw(-0.8, -0.3), draw(0.3, 0.8), draw(-0.5, 0.5))])
+    return Scene(
+        learner,
+        robot=[(draw(-1, 1), draw(-1, 1), draw(-3, 3)), (draw(0.5, 1), draw(0.5, 1), draw(0.3, 0.5))],
+        cup=[(draw(3, 5), draw(3, 5), draw(-3, 3)), (draw(-0.8, -0.3), draw(0.3, 0.8), draw(-0.5, 0.5))],
+    )
 
 
 @pytest.mark.weight(3)
@@ -60,8 +63,12 @@ def test_long_ago(learner):
     there.ask(node, round(learner.random.uniform(5.0, 8.0), 1))
     seconds = round(learner.random.uniform(24.0, 29.5), 1)
     found = node.call('where_was', seconds)
-    expect(found is not None, f'where_was({seconds}) gave None, less than 10 s gave a point. How long does a buffer '
-                              'keep what it hears? 10 s, unless you tell it otherwise.', 'far')
+    expect(
+        found is not None,
+        f'where_was({seconds}) gave None, less than 10 s gave a point. How long does a buffer '
+        'keep what it hears? 10 s, unless you tell it otherwise.',
+        'far',
+    )
     there.ask(node, seconds)
 
 
@@ -87,5 +94,9 @@ def test_unknown(learner):
     there.run(5)
     seconds = round(learner.random.uniform(2.0, 2.8), 1)
     found = node.call('where_was', seconds)
-    expect(found is None, f'The first transforms came 1.3 s ago, and where_was({seconds}) gave {found}, expected None: '
-                          'nobody knows. Do not take another time instead.', 'too-long')
+    expect(
+        found is None,
+        f'The first transforms came 1.3 s ago, and where_was({seconds}) gave {found}, expected None: '
+        'nobody knows. Do not take another time instead.',
+        'too-long',
+    )

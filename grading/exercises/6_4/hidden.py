@@ -14,10 +14,21 @@ pytestmark = [pytest.mark.exercise('6.4'), pytest.mark.wiring(type='topics', qos
 def laser(learner, speed=(0.0, 0.0, 0.0)) -> Laser:
     """A laser of any name, mounted anyhow on a robot that stands anywhere."""
     draw = learner.random
-    mount = pose(draw.uniform(0.1, 0.5), draw.uniform(-0.3, 0.3), draw.uniform(0.2, 1.0),
-                 draw.choice([0.0, math.pi]), draw.uniform(-0.3, 0.3), draw.uniform(0.5, 2.5))
-    return Laser(learner, f'{draw.choice(["front", "rear", "left"])}_laser', mount,
-                 (draw.uniform(1, 5), draw.uniform(1, 5), draw.uniform(-3, 3)), speed)
+    mount = pose(
+        draw.uniform(0.1, 0.5),
+        draw.uniform(-0.3, 0.3),
+        draw.uniform(0.2, 1.0),
+        draw.choice([0.0, math.pi]),
+        draw.uniform(-0.3, 0.3),
+        draw.uniform(0.5, 2.5),
+    )
+    return Laser(
+        learner,
+        f'{draw.choice(["front", "rear", "left"])}_laser',
+        mount,
+        (draw.uniform(1, 5), draw.uniform(1, 5), draw.uniform(-3, 3)),
+        speed,
+    )
 
 
 def ranges(learner, count=8):
@@ -65,8 +76,11 @@ def test_time_of_the_scan(learner):
     there.tell(0.5)
     then = round(learner.random.uniform(0.12, 0.28), 3)
     scan = there.scan(ranges(learner), then)
-    there.check(scan, only(there, 'A scan came, the transforms of its time are there'), {
-        0.5: 'This is the newest transform, and not that of the time of the scan.'})
+    there.check(
+        scan,
+        only(there, 'A scan came, the transforms of its time are there'),
+        {0.5: 'This is the newest transform, and not that of the time of the scan.'},
+    )
 
 
 @pytest.mark.weight(2)
@@ -85,10 +99,17 @@ def test_transform_comes_later(learner):
     expect(not there.clouds.messages, 'A cloud came before the transforms of its time were known.', 'time')
     learner.run(0.04)
     there.tell(0.14)
-    cloud = only(there, 'A scan came, and its transform 0.04 s later. A look-up that gives up, or that blocks, never '
-                        'sees it')
-    there.check(scan, cloud, {0.0: 'This is the transform of an earlier time.',
-                              0.14: 'This is the newest transform, and not that of the time of the scan.'})
+    cloud = only(
+        there, 'A scan came, and its transform 0.04 s later. A look-up that gives up, or that blocks, never sees it'
+    )
+    there.check(
+        scan,
+        cloud,
+        {
+            0.0: 'This is the transform of an earlier time.',
+            0.14: 'This is the newest transform, and not that of the time of the scan.',
+        },
+    )
 
 
 @pytest.mark.rules('range', 'one-cloud')
@@ -107,8 +128,11 @@ def test_no_hits(learner):
     scan = there.scan([*mixed, 12.0], 0.0)
     cloud = only(there, 'A scan came with hits and with inf')
     found = points(cloud)
-    expect(len(found) != len(scan.ranges), 'The cloud has a point for each distance, also for inf and nan. These say '
-                                           'that nothing was hit.', 'range')
+    expect(
+        len(found) != len(scan.ranges),
+        'The cloud has a point for each distance, also for inf and nan. These say that nothing was hit.',
+        'range',
+    )
     there.check(scan, cloud)
 
 
@@ -129,10 +153,15 @@ def test_hopeless(learner):
     there.tell(1.3)
     scans = [there.scan(ranges(learner), seconds) for seconds in (1.05, 1.25)]
     learner.run(0.2)
-    expect(there.clouds.messages, 'One scan was older than all transforms. Two good ones came after it, and they got '
-                                  'no cloud: they wait behind the first one.')
-    expect(len(there.clouds) == 2, f'Of three scans, one was older than all transforms; {len(there.clouds)} clouds '
-                                   'came, expected 2.')
+    expect(
+        there.clouds.messages,
+        'One scan was older than all transforms. Two good ones came after it, and they got '
+        'no cloud: they wait behind the first one.',
+    )
+    expect(
+        len(there.clouds) == 2,
+        f'Of three scans, one was older than all transforms; {len(there.clouds)} clouds came, expected 2.',
+    )
     for scan, cloud in zip(scans, there.clouds.messages, strict=True):
         there.check(scan, cloud)
 

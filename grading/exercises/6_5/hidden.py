@@ -18,19 +18,24 @@ def pursuit(learner, **options) -> Pursuit:
     angle, length = draw.uniform(-3, 3), draw.uniform(3.5, 4.5)
     second = 5.5 + length * math.cos(angle), 5.5 + length * math.sin(angle), draw.uniform(-3, 3)
     there = Pursuit(learner, leader, me, (5.5, 5.5, draw.uniform(-3, 3)), second, **options)
-    expect(there.node.name == '/follower', f'Your node is called {there.node.name}, expected /follower.',
-           'name')
-    expect(learner.endpoints(f'/{me}/cmd_vel').publishers,
-           f'Follower({leader!r}, {me!r}) has no publisher on /{me}/cmd_vel: both names are arguments.', 'topic')
+    expect(there.node.name == '/follower', f'Your node is called {there.node.name}, expected /follower.', 'name')
+    expect(
+        learner.endpoints(f'/{me}/cmd_vel').publishers,
+        f'Follower({leader!r}, {me!r}) has no publisher on /{me}/cmd_vel: both names are arguments.',
+        'topic',
+    )
     return there
 
 
 def heard(there: Pursuit, count: int, what: str, rule: str) -> None:
     """Fail unless `count` commands have come (one more or less)."""
-    expect(abs(len(there.commands) - count) <= 1, f'{what}, {len(there.commands)} commands came on '
-                                                  f'/{there.names[1]}/cmd_vel, expected {count}: one every 0.1 s, also '
-                                                  'when there is nothing to follow.',
-           'no-wait' if rule == 'unknown' and len(there.commands) else rule)
+    expect(
+        abs(len(there.commands) - count) <= 1,
+        f'{what}, {len(there.commands)} commands came on '
+        f'/{there.names[1]}/cmd_vel, expected {count}: one every 0.1 s, also '
+        'when there is nothing to follow.',
+        'no-wait' if rule == 'unknown' and len(there.commands) else rule,
+    )
 
 
 @pytest.mark.weight(2)
@@ -50,18 +55,30 @@ def test_command(learner):
         learner.run(0.1)
     heard(there, 3, 'In 0.3 s', 'rate')
     command, place = there.commands.messages[-1], there.place()
-    told = (f'The leader is at {words(place)} in the frame of the follower. The command is linear.x '
-            f'{command.linear.x:.2f}, angular.z {command.angular.z:.2f}')
+    told = (
+        f'The leader is at {words(place)} in the frame of the follower. The command is linear.x '
+        f'{command.linear.x:.2f}, angular.z {command.angular.z:.2f}'
+    )
 
-    expect(not zeros(command), f'{told}: it stands. The transforms are 0.1 s old. If you look up at now(), they are '
-                               'never there in time.', 'newest')
+    expect(
+        not zeros(command),
+        f'{told}: it stands. The transforms are 0.1 s old. If you look up at now(), they are never there in time.',
+        'newest',
+    )
     back = there.seen_back()
-    explain(there.is_for(command, *place[:2]), f'{told}. chase says something else for this place.',
-            (there.is_for(command, *back[:2]), 'That is for where the follower is in the frame of the leader: target '
-                                               'and source are swapped.'),
-            (there.is_for(command, there.leader.x, there.leader.y), 'That is for where the leader is in the world. The '
-                                                                    'follower does not know where it looks itself.'),
-            rule='place')
+    explain(
+        there.is_for(command, *place[:2]),
+        f'{told}. chase says something else for this place.',
+        (
+            there.is_for(command, *back[:2]),
+            'That is for where the follower is in the frame of the leader: target and source are swapped.',
+        ),
+        (
+            there.is_for(command, there.leader.x, there.leader.y),
+            'That is for where the leader is in the world. The follower does not know where it looks itself.',
+        ),
+        rule='place',
+    )
 
 
 @pytest.mark.weight(2)
@@ -74,10 +91,16 @@ def test_follow(learner):
     """
     there = pursuit(learner)
     there.run(4.0, drive=(0.6, learner.random.choice([-0.6, 0.6])), delay=0.2)
-    expect(not all(map(zeros, there.commands.messages)), 'The follower stood all the time. The transforms were 0.2 s '
-                                                         'old each time they came: that is good enough.', 'old')
-    expect(there.distance < 2.2, f'The leader drove for 4 s, and the follower is {there.distance:.1f} m away, expected '
-                                 'about 1 to 2 m. The transforms were 0.2 s old each time: that is good enough.')
+    expect(
+        not all(map(zeros, there.commands.messages)),
+        'The follower stood all the time. The transforms were 0.2 s old each time they came: that is good enough.',
+        'old',
+    )
+    expect(
+        there.distance < 2.2,
+        f'The leader drove for 4 s, and the follower is {there.distance:.1f} m away, expected '
+        'about 1 to 2 m. The transforms were 0.2 s old each time: that is good enough.',
+    )
 
 
 @pytest.mark.weight(2)
@@ -113,17 +136,20 @@ def test_silence(learner):
     loud = [name for name in there.names if name != quiet]
     silence = learner.now / 1e9
     there.run(0.256, names=loud)
-    expect(not there.stands, 'The transforms are less than 0.5 s old, and the follower stands. That is good '
-                             'enough.')
+    expect(not there.stands, 'The transforms are less than 0.5 s old, and the follower stands. That is good enough.')
     there.run(0.512, names=loud)
     who = 'leader' if quiet == there.names[0] else 'follower'
-    expect(there.stands,
-           f'The {who} has said nothing for {learner.now / 1e9 - silence:.1f} s, and the commands still drive. A '
-           'look-up with Time() gives the newest transform, however old it is: look at its stamp.')
+    expect(
+        there.stands,
+        f'The {who} has said nothing for {learner.now / 1e9 - silence:.1f} s, and the commands still drive. A '
+        'look-up with Time() gives the newest transform, however old it is: look at its stamp.',
+    )
     count = len(there.commands)
     there.run(0.512, names=loud)
-    expect(len(there.commands) - count >= 4, 'While nothing new came, there were no commands. Publish zeros: a robot '
-                                             'goes on with its last command.')
+    expect(
+        len(there.commands) - count >= 4,
+        'While nothing new came, there were no commands. Publish zeros: a robot goes on with its last command.',
+    )
     there.run(0.896)
     expect(not there.stands, 'The transforms come again, and the follower still stands.', 'again')
 

@@ -55,13 +55,21 @@ def test_lines(learner):
         (distro, codename), (older, _) = learner.random.sample(machines.RELEASES, 2)
         domain = learner.random.randint(1, 101)
         want, source = {'distro': distro, 'codename': codename, 'domain': domain}, f'. /srv/opt/ros/{distro}/setup.sh'
-        lines = [f'PATH=/opt/tool{domain}', f'ROS_DOMAIN_ID={domain}'] if rule == 'variables' else [
-            f'export ROS_DOMAIN_ID={domain}', line.format(f'~/opt/ros/{older}/setup.sh')]
-        expected = {'sources': [('A7.5', '.bashrc', 'other', lines[1])],
-                    'variables': [('A7.3', '.bashrc', 'PATH', lines[0])], 'comments': []}[rule]
+        lines = (
+            [f'PATH=/opt/tool{domain}', f'ROS_DOMAIN_ID={domain}']
+            if rule == 'variables'
+            else [f'export ROS_DOMAIN_ID={domain}', line.format(f'~/opt/ros/{older}/setup.sh')]
+        )
+        expected = {
+            'sources': [('A7.5', '.bashrc', 'other', lines[1])],
+            'variables': [('A7.3', '.bashrc', 'PATH', lines[0])],
+            'comments': [],
+        }[rule]
         source = source if rule == 'sources' else f'source /opt/ros/{distro}/setup.bash'
-        files = {'ros2.list': f'deb [signed-by=/k.gpg] http://packages.ros.org/ros2/ubuntu {codename} main\n',
-                 '.bashrc': '\n'.join([source, *lines])}
+        files = {
+            'ros2.list': f'deb [signed-by=/k.gpg] http://packages.ros.org/ros2/ubuntu {codename} main\n',
+            '.bashrc': '\n'.join([source, *lines]),
+        }
         if rule == 'comments':
             files['ros2.list'] += f'  # deb http://old.example {older} main\n'
         with about(rule):

@@ -21,8 +21,11 @@ def test_read_topics(learner):
 
     The node's name is its namespace and its name, with one `/` between. What `usual` is true for is left out.
     """
-    endpoints = [end for end in graphs.draw(learner.random, 'both', 'healthy', 'durability')[0]
-                 if end['role'] in ('publisher', 'subscription')]
+    endpoints = [
+        end
+        for end in graphs.draw(learner.random, 'both', 'healthy', 'durability')[0]
+        if end['role'] in ('publisher', 'subscription')
+    ]
     secret = {**endpoints[0], 'node': '/_secret', 'role': 'subscription'}
     with graphs.System(learner.context.get_domain_id()) as system, about('read'):
         for endpoint in [secret, *endpoints]:

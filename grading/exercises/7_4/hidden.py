@@ -76,8 +76,10 @@ def test_answer(learner):
     """
     word, name = f'word {learner.random.randint(100, 999)}', f'/service_{learner.random.randint(10, 99)}'
     printed, status = stacks.Client(learner).ask(name, 5, word)
-    expect((printed, status) == (f'answer: {word}', '0'),
-           f'The server answered `{word}`; the client printed `{printed}` and ended with status {status}.')
+    expect(
+        (printed, status) == (f'answer: {word}', '0'),
+        f'The server answered `{word}`; the client printed `{printed}` and ended with status {status}.',
+    )
 
 
 @pytest.mark.rules('no-answer')
@@ -89,8 +91,10 @@ def test_silent_server(learner):
     """
     printed, status = stacks.Client(learner).ask('/silent', 1.5, '')
     expect(status != 'none', 'The server never answers, and the client waits on and on.')
-    expect((printed, status) == ('no answer', '1'), f'The server never answers; the client printed `{printed}` and '
-                                                    f'ended with status {status}.')
+    expect(
+        (printed, status) == ('no answer', '1'),
+        f'The server never answers; the client printed `{printed}` and ended with status {status}.',
+    )
 
 
 @pytest.mark.rules('no-server')
@@ -101,8 +105,10 @@ def test_no_server(learner):
     """
     name = f'/missing_{learner.random.randint(10, 99)}'
     printed, status = stacks.Client(learner).ask(name, 1, None)
-    expect((printed, status) == (f'no server for {name}', '1'),
-           f'There is no server for {name}; the client printed `{printed}` and ended with status {status}.')
+    expect(
+        (printed, status) == (f'no server for {name}', '1'),
+        f'There is no server for {name}; the client printed `{printed}` and ended with status {status}.',
+    )
 
 
 @pytest.mark.rules('interrupt')

@@ -42,8 +42,13 @@ def test_several_links(learner):
     Do not stop at the first one.
     """
     for _ in range(5):
-        robot = Robot(learner.random, *learner.random.sample(CAUSES, 2), ('base_link', 'mass'),
-                      ('base_link', 'inertia'), ('base_link', 'collision'))
+        robot = Robot(
+            learner.random,
+            *learner.random.sample(CAUSES, 2),
+            ('base_link', 'mass'),
+            ('base_link', 'inertia'),
+            ('base_link', 'collision'),
+        )
         robot.diagnose(learner, 'all')
 
 

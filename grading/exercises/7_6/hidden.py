@@ -58,12 +58,18 @@ def test_nobody_near(learner):
         tree.diagnose(learner)
         with about('nothing'):
             repaired = learner.call('repaired_tf', *tree.arguments)
-        expect(repaired == [tree.moving, tree.static], 'There is no evidence, and repair_tf has changed something.',
-               'nothing')
+        expect(
+            repaired == [tree.moving, tree.static],
+            'There is no evidence, and repair_tf has changed something.',
+            'nothing',
+        )
     tree = Tree(learner.random, 'old')
     with about('nothing'):
-        expect(learner.call('repaired_tf', *tree.arguments) == [tree.moving, tree.static],
-               'Of `old` transforms repair_tf has changed something.', 'nothing')
+        expect(
+            learner.call('repaired_tf', *tree.arguments) == [tree.moving, tree.static],
+            'Of `old` transforms repair_tf has changed something.',
+            'nothing',
+        )
 
 
 @pytest.mark.rules('order')
@@ -72,8 +78,12 @@ def test_hidden_fault(learner):
 
     `unknown` is the only finding then; `old` is looked for only if nothing else is wrong.
     """
-    for causes in (('unknown', 'old'), ('unknown', 'two parents'), ('two parents', 'old'),
-                   *[('not connected', 'old')] * 6):
+    for causes in (
+        ('unknown', 'old'),
+        ('unknown', 'two parents'),
+        ('two parents', 'old'),
+        *[('not connected', 'old')] * 6,
+    ):
         tree = Tree(learner.random, *causes, moves=True)
         tree.diagnose(learner, [one for one in tree.expected if one[2] == causes[0]], 'order')
 

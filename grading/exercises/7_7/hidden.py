@@ -83,8 +83,10 @@ def test_repaired_machine(learner):
 
     repair_machine and repair_package.
     """
-    case = Case(learner.random, {'machine': (learner.random.choice(machines.CAUSES[3:]), 'release'),
-                                 'package': ('module', 'function')})
+    case = Case(
+        learner.random,
+        {'machine': (learner.random.choice(machines.CAUSES[3:]), 'release'), 'package': ('module', 'function')},
+    )
     with named('files'):
         after = case.repaired(learner)
         machines.try_out(learner, case.files, after['files'], case.want)

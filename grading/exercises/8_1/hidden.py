@@ -85,8 +85,10 @@ def test_real_package(learner):
     Try your function with the packages of the course, as the notebook does.
     """
     folder = paths.ROOT / 'environment' / 'ros2_ws' / 'src' / 'turtlesim'
-    files = {path.relative_to(folder).as_posix(): path.read_text() for path in [*folder.rglob('*.py'),
-                                                                                folder / 'package.xml']}
+    files = {
+        path.relative_to(folder).as_posix(): path.read_text()
+        for path in [*folder.rglob('*.py'), folder / 'package.xml']
+    }
     bad = word(learner.random).capitalize()
     planted = {"'turtle1/cmd_vel'": ('topic', f'{bad}/cmd_vel'), "'reset'": ('service', f'/{bad.lower()}/reset')}
     expected = []

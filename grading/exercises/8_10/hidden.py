@@ -17,8 +17,11 @@ def test_values(learner):
     parameters=[path of the installed file, {'use_sim_time': True}].
     """
     values = story(learner)['/delivery_robot']
-    expect(values['use_sim_time'] is True, 'The node /delivery_robot has use_sim_time False: it does not live in the '
-                                           "world's time.", 'sim-time')
+    expect(
+        values['use_sim_time'] is True,
+        "The node /delivery_robot has use_sim_time False: it does not live in the world's time.",
+        'sim-time',
+    )
     for name, wanted in VALUES:
         expect(values[name] == wanted, f'{name} of /delivery_robot is {values[name]}, expected {wanted}.', 'values')
 

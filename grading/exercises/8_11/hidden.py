@@ -11,7 +11,7 @@ from helpers.checks.chapter_08.planted import GIVEN, ROBOT
 
 pytestmark = pytest.mark.exercise('8.11')
 PARTS = {
-    'parameters': '''\
+    'parameters': """\
 
 
 class DeliveryRobot(Node):
@@ -22,13 +22,13 @@ class DeliveryRobot(Node):
                 ('max_linear', 0.5, 0.05, 1.0), ('max_angular', 1.0, 0.1, 2.0), ('tolerance', 0.1, 0.02, 0.5),
                 ('timeout', 60.0, 1.0, 600.0), ('status_period', 0.5, 0.1, 10.0)):
             self.declare_parameter(name, default, bounded(name, low, high))
-''',
-    'status': '''\
+""",
+    'status': """\
         latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
         self.publisher = self.create_publisher(String, 'status', latched)
         self.create_timer(self.value('status_period'), lambda: self.publisher.publish(String(data=self.state)))
-''',
-    'made': '''\
+""",
+    'made': """\
         self.create_service(SetStation, 'set_station', self.on_set_station)
         self.motor = self.create_publisher(Twist, 'cmd_vel', 10)
         self.buffer = Buffer()
@@ -41,8 +41,8 @@ class DeliveryRobot(Node):
 
     def place(self, name):
         return self.stations.get(name)
-''',
-    'stations': '''\
+""",
+    'stations': """\
 
     def on_set_station(self, request, response):
         response.success = bool(request.name) and math.isfinite(request.x) and math.isfinite(request.y)
@@ -51,8 +51,8 @@ class DeliveryRobot(Node):
         else:
             response.message = 'no'
         return response
-''',
-    'where': '''\
+""",
+    'where': """\
 
     def drive(self, linear, angular):
         command = Twist()
@@ -68,62 +68,61 @@ class DeliveryRobot(Node):
             return None
         place, turn = found.transform.translation, found.transform.rotation
         return place.x, place.y, math.remainder(2 * math.atan2(turn.z, turn.w), math.tau)
-''',
-    'goal': '''\
+""",
+    'goal': """\
 
     def on_goal(self, request):
         if self.state != 'idle' or self.place(request.station) is None or self.where() is None:
             return GoalResponse.REJECT
         self.state = f'driving to {request.station}'
         return GoalResponse.ACCEPT
-''',
-    'loop': '''\
+""",
+    'loop': """\
 
     def execute(self, goal):
         place, step, distance, end = self.place(goal.request.station), 0, -1.0, None
         while end is None:
             self.get_clock().sleep_for(Duration(seconds=0.1))
-''',
-    'round': '''\
+""",
+    'round': """\
             step, pose = step + 1, self.where()
             if pose:
                 limits = self.value('max_linear'), self.value('max_angular')
                 distance, *velocity = steer(*pose, *place, *limits)
-''',
-    'cancelled': '''\
+""",
+    'cancelled': """\
             if goal.is_cancel_requested:
                 end, why = goal.canceled, 'cancelled'
-''',
-    'lost': '''\
+""",
+    'lost': """\
             elif pose is None:
                 end, why = goal.abort, 'lost'
-''',
-    'arrived': '''\
+""",
+    'arrived': """\
             elif distance < self.value('tolerance'):
                 end, why = goal.succeed, 'arrived'
-''',
-    'rest': '''\
+""",
+    'rest': """\
             elif 0.1 * step >= self.value('timeout'):
                 end, why = goal.abort, 'too late'
             else:
                 self.drive(*velocity)
             if step % 4 == 0:
                 goal.publish_feedback(GoToStation.Feedback(distance=distance))
-''',
-    'stop': '''\
+""",
+    'stop': """\
         self.drive(0.0, 0.0)
-''',
-    'idle': '''\
+""",
+    'idle': """\
         self.state = 'idle'
-''',
-    'end': '''\
+""",
+    'end': """\
         end()
         return GoToStation.Result(distance=distance, message=why)
-''',
+""",
 }
 HERE = GIVEN / 'delivery_robot' / 'delivery_robot'
-STANDS = {'delivery_robot/steering.py': steerings.variant(),
-          'delivery_robot/main.py': (HERE / 'main.py').read_text()}
+STANDS = {'delivery_robot/steering.py': steerings.variant(), 'delivery_robot/main.py': (HERE / 'main.py').read_text()}
 
 
 def variant(**parts: str) -> dict[str, str]:
@@ -136,39 +135,66 @@ COURSES = {"the course's": variant()}
 RIGHT = {
     **COURSES,
     'one that keeps time with a rate': variant(
-        loop=PARTS['loop'].replace('        while', '        rate = self.create_rate(10.0)\n        while').replace(
-            'self.get_clock().sleep_for(Duration(seconds=0.1))', 'rate.sleep()')),
+        loop=PARTS['loop']
+        .replace('        while', '        rate = self.create_rate(10.0)\n        while')
+        .replace('self.get_clock().sleep_for(Duration(seconds=0.1))', 'rate.sleep()')
+    ),
 }
-STATUS = Kind('status', 'with a wrong status', {
-    'that never publishes its status': variant(status=''),
-    'that says it is idle while it drives': variant(
-        status=PARTS['status'].replace('data=self.state', "data='idle'")),
-})
-VALUES = Kind('values', 'that take a place or a parameter which they should refuse', {
-    'that takes a place which is no number': variant(
-        stations=PARTS['stations'].replace(' and math.isfinite(request.x) and math.isfinite(request.y)', '')),
-    'that takes a max_linear of 7 m/s': variant(
-        parameters=PARTS['parameters'].replace(', bounded(name, low, high)', '')),
-})
-GOALS = Kind('goals', 'that take a goal which they should reject, or succeed too early', {
-    'that drives to a station which nobody has set': variant(
-        goal=PARTS['goal'].replace(' or self.place(request.station) is None', ''),
-        made=PARTS['made'].replace('.get(name)', '.get(name, (0.0, 0.0))')),
-    'that takes a second goal while it drives': variant(
-        goal=PARTS['goal'].replace("self.state != 'idle' or ", '')),
-    'that succeeds before it has arrived': variant(
-        arrived=PARTS['arrived'].replace("distance < self.value('tolerance')", 'step >= 5')),
-})
-ENDS = Kind('ends', 'that end a drive in the wrong way, or not at all', {
-    'that does not listen when it is called back': variant(cancelled='            if False:\n                pass\n'),
-    'whose cancelled goals end as succeeded': variant(
-        cancelled=PARTS['cancelled'].replace('goal.canceled', 'goal.succeed')),
-    'whose motors run on after a cancel': variant(
-        stop="        if why != 'cancelled':\n            self.drive(0.0, 0.0)\n"),
-    'that drives on when nobody tells it where it is': variant(lost=''),
-    'that takes no goal after a cancelled one': variant(
-        idle="        if why != 'cancelled':\n            self.state = 'idle'\n"),
-})
+STATUS = Kind(
+    'status',
+    'with a wrong status',
+    {
+        'that never publishes its status': variant(status=''),
+        'that says it is idle while it drives': variant(
+            status=PARTS['status'].replace('data=self.state', "data='idle'")
+        ),
+    },
+)
+VALUES = Kind(
+    'values',
+    'that take a place or a parameter which they should refuse',
+    {
+        'that takes a place which is no number': variant(
+            stations=PARTS['stations'].replace(' and math.isfinite(request.x) and math.isfinite(request.y)', '')
+        ),
+        'that takes a max_linear of 7 m/s': variant(
+            parameters=PARTS['parameters'].replace(', bounded(name, low, high)', '')
+        ),
+    },
+)
+GOALS = Kind(
+    'goals',
+    'that take a goal which they should reject, or succeed too early',
+    {
+        'that drives to a station which nobody has set': variant(
+            goal=PARTS['goal'].replace(' or self.place(request.station) is None', ''),
+            made=PARTS['made'].replace('.get(name)', '.get(name, (0.0, 0.0))'),
+        ),
+        'that takes a second goal while it drives': variant(goal=PARTS['goal'].replace("self.state != 'idle' or ", '')),
+        'that succeeds before it has arrived': variant(
+            arrived=PARTS['arrived'].replace("distance < self.value('tolerance')", 'step >= 5')
+        ),
+    },
+)
+ENDS = Kind(
+    'ends',
+    'that end a drive in the wrong way, or not at all',
+    {
+        'that does not listen when it is called back': variant(
+            cancelled='            if False:\n                pass\n'
+        ),
+        'whose cancelled goals end as succeeded': variant(
+            cancelled=PARTS['cancelled'].replace('goal.canceled', 'goal.succeed')
+        ),
+        'whose motors run on after a cancel': variant(
+            stop="        if why != 'cancelled':\n            self.drive(0.0, 0.0)\n"
+        ),
+        'that drives on when nobody tells it where it is': variant(lost=''),
+        'that takes no goal after a cancelled one': variant(
+            idle="        if why != 'cancelled':\n            self.state = 'idle'\n"
+        ),
+    },
+)
 NOTHING = {'that does nothing': variant(status='', stop='', goal=PARTS['goal'].replace('ACCEPT', 'REJECT'))}
 FIRST = Planted(ROBOT, 'right-robots', RIGHT, NOTHING, (STATUS, VALUES))  # two runs, which the tests share
 SECOND = Planted(ROBOT, 'right-robots', COURSES, {}, (GOALS, ENDS))

@@ -67,8 +67,11 @@ def test_descriptors(learner):
         governed = Governed(learner, '/here')
     judge_table(governed)
     for name, value in (('rate', 20), ('mode', 1), ('max_linear', '0.3')):
-        expect(not governed.parameters.set(**{name: value}).successful, f'{name} = {value!r} was accepted: another '
-                                                                        'type than that of the default.', 'defaults')
+        expect(
+            not governed.parameters.set(**{name: value}).successful,
+            f'{name} = {value!r} was accepted: another type than that of the default.',
+            'defaults',
+        )
 
 
 @pytest.mark.rules('unknown-mode', 'pair', 'reason')
@@ -90,8 +93,12 @@ def test_values_at_the_start(learner):
 
     Add the callback that checks before you declare the parameters.
     """
-    judge_bad_start(learner, {'max_linear': learner.random.randint(5, 19) / 100}, {'mode': 'none'},
-                    {'slow_linear': 1.1, 'max_linear': 1.0})
+    judge_bad_start(
+        learner,
+        {'max_linear': learner.random.randint(5, 19) / 100},
+        {'mode': 'none'},
+        {'slow_linear': 1.1, 'max_linear': 1.0},
+    )
     judge_modes(learner, '/there')
 
 
@@ -106,7 +113,10 @@ def test_two_robots(learner):
     first.send(command(0.3))
     second.send(command(-0.4))
     learner.run(0.2)
-    expect(first.heard.messages and second.heard.messages,
-           'A governor in a namespace does not publish on cmd_vel there.', 'rhythm')
+    expect(
+        first.heard.messages and second.heard.messages,
+        'A governor in a namespace does not publish on cmd_vel there.',
+        'rhythm',
+    )
     got = first.heard.messages[-1].linear.x, second.heard.messages[-1].linear.x
     expect(got == (0.0, -0.4), f'Two governors give {got}, expected 0 from the one that is stopped, and -0.4.')

@@ -31,13 +31,21 @@ def test_remapped(learner):
     remappings=[('cmd_vel', 'base/cmd_vel')] for robot2, with relative names.
     """
     first, second = (robots(learner)[name] for name in ROBOTS)
-    for report, wanted, rule in ((second, '/robot2/base/cmd_vel', 'remapped'),
-                                 (first, '/robot1/cmd_vel', 'others-stay')):
-        expect(report['publishes'] == wanted, f'{report["node"]} publishes on {report["publishes"]}, expected '
-                                              f'{wanted}.', rule)
+    for report, wanted, rule in (
+        (second, '/robot2/base/cmd_vel', 'remapped'),
+        (first, '/robot1/cmd_vel', 'others-stay'),
+    ):
+        expect(
+            report['publishes'] == wanted,
+            f'{report["node"]} publishes on {report["publishes"]}, expected {wanted}.',
+            rule,
+        )
         wanted = report['node'].replace('governor', 'cmd_vel_in')
-        expect(report['listens'] == wanted, f'{report["node"]} listens to {report["listens"]}, expected {wanted}.',
-               'others-stay')
+        expect(
+            report['listens'] == wanted,
+            f'{report["node"]} listens to {report["listens"]}, expected {wanted}.',
+            'others-stay',
+        )
 
 
 @pytest.mark.rules('rate', 'max-linear')
@@ -52,10 +60,16 @@ def test_another_robot(learner):
     for namespace in (f'/robot1{number}', f'/hall{number}/robot2'):
         with about('rate'):
             report = fleets.alone(learner, namespace)
-        for name, wanted, rule in (('rate', 20.0, 'rate'), ('max_linear', 0.6, 'max-linear'),
-                                   ('mode', 'normal', 'robot2')):
-            expect(report[name] == wanted, f'A governor in {namespace} with your file has {name} = {report[name]!r}, '
-                                           f'expected {wanted!r}.', rule)
+        for name, wanted, rule in (
+            ('rate', 20.0, 'rate'),
+            ('max_linear', 0.6, 'max-linear'),
+            ('mode', 'normal', 'robot2'),
+        ):
+            expect(
+                report[name] == wanted,
+                f'A governor in {namespace} with your file has {name} = {report[name]!r}, expected {wanted!r}.',
+                rule,
+            )
 
 
 @pytest.mark.rules('installed-file')
@@ -67,5 +81,8 @@ def test_no_values_in_the_launch_file(learner):
     robots(learner)
     drawn = learner.random.randint(21, 49)
     rates = [report for report in fleets.launched_with_rate(learner, drawn) if report['rate'] == drawn]
-    expect(len(rates) == 2, f'The rate in the installed config/fleet.yaml was changed to {drawn}, and {len(rates)} of '
-                            'the two governors have it. The launch file must use the installed file, for both.')
+    expect(
+        len(rates) == 2,
+        f'The rate in the installed config/fleet.yaml was changed to {drawn}, and {len(rates)} of '
+        'the two governors have it. The launch file must use the installed file, for both.',
+    )

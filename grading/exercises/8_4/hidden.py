@@ -10,59 +10,107 @@ pytestmark = pytest.mark.exercise('8.4')
 RIGHT = {
     'the given one': variant(),
     'one that computes in another order': variant(share='    share = max(0.0, min(1.0, (5 * distance - 1) / 4))\n'),
-    'one with cases instead of a formula': variant(share='''\
+    'one with cases instead of a formula': variant(
+        share="""\
     if distance >= 1.0:
         share = 1.0
     elif distance <= 0.2:
         return 0.0
     else:
         share = 1 - (1.0 - distance) / 0.8
-'''),
-    'one that says more in its error': variant(check='''\
+"""
+    ),
+    'one that says more in its error': variant(
+        check="""\
     if max_speed < 0 or isnan(max_speed):
         raise ValueError(f'max_speed is {max_speed}')
-'''),
+"""
+    ),
 }
 KINDS = (
-    Kind('max-speed', 'that do not keep max_speed', {
-        'that returns the speed as it is when the way is free': variant(
-            result='    return speed if distance > 1.0 else min(speed, max_speed * share)\n'),
-        'that drives forwards when told to drive backwards': variant(
-            back='    if speed <= 0:\n        return min(-speed, max_speed)\n'),
-        'that is never slower than max_speed backwards': variant(
-            back='    if speed < 0:\n        return -max_speed\n'),
-        'for which max_speed is at most 0.6': variant(result='    return min(speed, min(0.6, max_speed) * share)\n')}),
-    Kind('borders', 'that have wrong borders of the distance', {
-        'that is free only from 2 m on': variant(share='    share = max(0.0, min(1.0, (distance - 0.2) / 1.8))\n'),
-        'that is free from 0.8 m on': variant(share='    share = max(0.0, min(1.0, (distance - 0.2) / 0.6))\n'),
-        'that stops already at 0.3 m': variant(
-            share='    share = max(0.0, min(1.0, (distance - 0.2) / 0.8)) if distance > 0.3 else 0.0\n'),
-        'that only slows down, and never stands': variant(
-            share='    share = max(0.05, min(1.0, (distance - 0.2) / 0.8))\n')}),
-    Kind('slope', 'that are wrong between 0.2 m and 1.0 m', {
-        'that drives with half of the speed in between': variant(
-            share='    share = 1.0 if distance >= 1.0 else 0.5 if distance > 0.2 else 0.0\n'),
-        'that slows down a speed that is slow enough': variant(result='    return min(speed, max_speed) * share\n'),
-        'whose slope is a root': variant(share='    share = max(0.0, min(1.0, (distance - 0.2) / 0.8)) ** 0.5\n')}),
-    Kind('backwards', 'that hold back a robot that drives backwards', {
-        'that stands when an obstacle is near, also backwards': variant(
-            back='    if speed <= 0:\n        return 0.0 if distance <= 0.2 else max(speed, -max_speed)\n'),
-        'that slows down backwards, too': variant(
-            back='    if speed <= 0 and not distance < 1.0:\n        return max(speed, -max_speed)\n',
-            result='    return max(-max_speed * share, min(speed, max_speed * share))\n'),
-        'that does not drive backwards when the sensor has failed': variant(back=PARTS['nan'], nan=PARTS['back'])}),
-    Kind('sensor', 'that treat nan or inf as distance in the wrong way', {
-        'that returns nan when the sensor has failed': variant(
-            nan='', share='    share = (distance - 0.2) / 0.8\n'
-                          '    share = 0.0 if share < 0 else 1.0 if share > 1 else share\n'),
-        'that drives slowly when the sensor has failed': variant(
-            nan='    if isnan(distance):\n        distance = 0.4\n'),
-        'that stands when no obstacle is in sight': variant(
-            nan='    if isnan(distance) or isinf(distance):\n        return 0.0\n')}),
-    Kind('bad-max-speed', 'that take a bad max_speed, or refuse a good one', {
-        'that stands if max_speed is negative': variant(check='    if not max_speed >= 0:\n        return 0.0\n'),
-        'that accepts nan as max_speed': variant(check=f'    if max_speed < 0:\n    {BAD}'),
-        'that refuses 0 as max_speed': variant(check=f'    if not max_speed > 0:\n    {BAD}')}),
+    Kind(
+        'max-speed',
+        'that do not keep max_speed',
+        {
+            'that returns the speed as it is when the way is free': variant(
+                result='    return speed if distance > 1.0 else min(speed, max_speed * share)\n'
+            ),
+            'that drives forwards when told to drive backwards': variant(
+                back='    if speed <= 0:\n        return min(-speed, max_speed)\n'
+            ),
+            'that is never slower than max_speed backwards': variant(
+                back='    if speed < 0:\n        return -max_speed\n'
+            ),
+            'for which max_speed is at most 0.6': variant(
+                result='    return min(speed, min(0.6, max_speed) * share)\n'
+            ),
+        },
+    ),
+    Kind(
+        'borders',
+        'that have wrong borders of the distance',
+        {
+            'that is free only from 2 m on': variant(share='    share = max(0.0, min(1.0, (distance - 0.2) / 1.8))\n'),
+            'that is free from 0.8 m on': variant(share='    share = max(0.0, min(1.0, (distance - 0.2) / 0.6))\n'),
+            'that stops already at 0.3 m': variant(
+                share='    share = max(0.0, min(1.0, (distance - 0.2) / 0.8)) if distance > 0.3 else 0.0\n'
+            ),
+            'that only slows down, and never stands': variant(
+                share='    share = max(0.05, min(1.0, (distance - 0.2) / 0.8))\n'
+            ),
+        },
+    ),
+    Kind(
+        'slope',
+        'that are wrong between 0.2 m and 1.0 m',
+        {
+            'that drives with half of the speed in between': variant(
+                share='    share = 1.0 if distance >= 1.0 else 0.5 if distance > 0.2 else 0.0\n'
+            ),
+            'that slows down a speed that is slow enough': variant(result='    return min(speed, max_speed) * share\n'),
+            'whose slope is a root': variant(share='    share = max(0.0, min(1.0, (distance - 0.2) / 0.8)) ** 0.5\n'),
+        },
+    ),
+    Kind(
+        'backwards',
+        'that hold back a robot that drives backwards',
+        {
+            'that stands when an obstacle is near, also backwards': variant(
+                back='    if speed <= 0:\n        return 0.0 if distance <= 0.2 else max(speed, -max_speed)\n'
+            ),
+            'that slows down backwards, too': variant(
+                back='    if speed <= 0 and not distance < 1.0:\n        return max(speed, -max_speed)\n',
+                result='    return max(-max_speed * share, min(speed, max_speed * share))\n',
+            ),
+            'that does not drive backwards when the sensor has failed': variant(back=PARTS['nan'], nan=PARTS['back']),
+        },
+    ),
+    Kind(
+        'sensor',
+        'that treat nan or inf as distance in the wrong way',
+        {
+            'that returns nan when the sensor has failed': variant(
+                nan='',
+                share='    share = (distance - 0.2) / 0.8\n'
+                '    share = 0.0 if share < 0 else 1.0 if share > 1 else share\n',
+            ),
+            'that drives slowly when the sensor has failed': variant(
+                nan='    if isnan(distance):\n        distance = 0.4\n'
+            ),
+            'that stands when no obstacle is in sight': variant(
+                nan='    if isnan(distance) or isinf(distance):\n        return 0.0\n'
+            ),
+        },
+    ),
+    Kind(
+        'bad-max-speed',
+        'that take a bad max_speed, or refuse a good one',
+        {
+            'that stands if max_speed is negative': variant(check='    if not max_speed >= 0:\n        return 0.0\n'),
+            'that accepts nan as max_speed': variant(check=f'    if max_speed < 0:\n    {BAD}'),
+            'that refuses 0 as max_speed': variant(check=f'    if not max_speed > 0:\n    {BAD}'),
+        },
+    ),
 )
 HIDDEN = Planted(LIMIT, 'right-functions', RIGHT, NOTHINGS, KINDS)
 

@@ -50,11 +50,14 @@ def test_at_the_goal(learner):
 def test_arrives(learner):
     """A robot that is steered in steps of 0.1 s arrives at its goal, from everywhere."""
     draw = learner.random
-    x, y, yaw, goal_x, goal_y, *_ = steerings.case(draw, draw.choice([-1, 1]) * draw.uniform(1, 3), 1.2,
-                                                   yaw=draw.uniform(-3, 3))
+    x, y, yaw, goal_x, goal_y, *_ = steerings.case(
+        draw, draw.choice([-1, 1]) * draw.uniform(1, 3), 1.2, yaw=draw.uniform(-3, 3)
+    )
     for _ in range(120):
         distance, linear, angular = steerings.steer(learner, 'angle', x, y, yaw, goal_x, goal_y, 0.8, 1.8)
         x, y, yaw = x + 0.1 * linear * math.cos(yaw), y + 0.1 * linear * math.sin(yaw), yaw + 0.1 * angular
-    expect(math.dist((x, y), (goal_x, goal_y)) < 0.05,
-           f'Steered for 12 s, the robot is still {math.dist((x, y), (goal_x, goal_y)):.2f} m away from its goal.',
-           'linear')
+    expect(
+        math.dist((x, y), (goal_x, goal_y)) < 0.05,
+        f'Steered for 12 s, the robot is still {math.dist((x, y), (goal_x, goal_y)):.2f} m away from its goal.',
+        'linear',
+    )

@@ -11,44 +11,83 @@ pytestmark = pytest.mark.exercise('8.6')
 RIGHT = {
     "the course's": variant(),
     'one whose turn is limited first': variant(
-        angular='    half = max_angular / 2\n    angular = 2 * max(-half, min(half, angle))\n'),
+        angular='    half = max_angular / 2\n    angular = 2 * max(-half, min(half, angle))\n'
+    ),
     'one that asks for the distance with **': variant(
-        way='    dx, dy = goal_x - x, goal_y - y\n    distance = (dx ** 2 + dy ** 2) ** 0.5\n'),
+        way='    dx, dy = goal_x - x, goal_y - y\n    distance = (dx ** 2 + dy ** 2) ** 0.5\n'
+    ),
     'one that turns the world instead of the robot': variant(
         angle='    from math import cos, sin\n    angle = atan2(dy * cos(yaw) - dx * sin(yaw), '
-              'dx * cos(yaw) + dy * sin(yaw))\n'),
+        'dx * cos(yaw) + dy * sin(yaw))\n'
+    ),
 }
 KINDS = (
-    Kind('turns', 'that turn with a wrong angle or a wrong factor', {
-        'that adds the yaw': variant(angle='    angle = remainder(atan2(dy, dx) + yaw, tau)\n'),
-        'that turns with 3 times the angle': angular('max(-max_angular, min(max_angular, 3 * angle))'),
-        'that turns to the left, whatever comes': angular('min(max_angular, 2 * abs(angle))')}),
-    Kind('short-way', 'that turn the long way round', {
-        'that turns the long way round when it looks behind': variant(
-            angle='    angle = atan2(dy, dx) - yaw\n    angle -= tau if angle > tau / 2 else 0.0\n'),
-        'that turns to the right only': variant(angle='    angle = -((yaw - atan2(dy, dx)) % tau)\n')}),
-    Kind('max-angular', 'that do not keep max_angular', {
-        'that has no limit at all': angular('2 * angle'),
-        'that limits the angle and then doubles it': angular('2 * max(-max_angular, min(max_angular, angle))'),
-        'that has no limit to the right': angular('min(max_angular, 2 * angle)')}),
-    Kind('speed', 'that drive with a wrong speed', {
-        'that slows down too early': linear('min(max_linear, 0.5 * distance) if abs(angle) <= 0.5 else 0.0'),
-        'that does not slow down': linear('max_linear if abs(angle) <= 0.5 else 0.0'),
-        'that drives a metre a second': linear('min(1.0, distance) if abs(angle) <= 0.5 else 0.0')}),
-    Kind('on-the-spot', 'that do not turn on the spot when they must, or when they must not', {
-        'that drives when the goal is on its left': linear('min(max_linear, distance) if angle >= -0.5 else 0.0'),
-        'that drives slowly while it looks away': linear(
-            'min(max_linear, distance) * (1.0 if abs(angle) <= 0.5 else 0.2)'),
-        'that drives only if it looks nearly at the goal': linear(
-            'min(max_linear, distance) if abs(angle) < 0.05 else 0.0')}),
-    Kind('places', 'that have a wrong distance, or do not know their place', {
-        'that knows only x of its place': variant(
-            way='    dx, dy = goal_x - x, goal_y\n    distance = hypot(dx, dy)\n'),
-        'whose distance is the one along y': variant(
-            way='    dx, dy = goal_x - x, goal_y - y\n    distance = abs(dy)\n'),
-        'whose distance is squared': variant(
-            way='    dx, dy = goal_x - x, goal_y - y\n    distance = dx * dx + dy * dy\n'),
-        'that turns at the goal': variant(goal='')}),
+    Kind(
+        'turns',
+        'that turn with a wrong angle or a wrong factor',
+        {
+            'that adds the yaw': variant(angle='    angle = remainder(atan2(dy, dx) + yaw, tau)\n'),
+            'that turns with 3 times the angle': angular('max(-max_angular, min(max_angular, 3 * angle))'),
+            'that turns to the left, whatever comes': angular('min(max_angular, 2 * abs(angle))'),
+        },
+    ),
+    Kind(
+        'short-way',
+        'that turn the long way round',
+        {
+            'that turns the long way round when it looks behind': variant(
+                angle='    angle = atan2(dy, dx) - yaw\n    angle -= tau if angle > tau / 2 else 0.0\n'
+            ),
+            'that turns to the right only': variant(angle='    angle = -((yaw - atan2(dy, dx)) % tau)\n'),
+        },
+    ),
+    Kind(
+        'max-angular',
+        'that do not keep max_angular',
+        {
+            'that has no limit at all': angular('2 * angle'),
+            'that limits the angle and then doubles it': angular('2 * max(-max_angular, min(max_angular, angle))'),
+            'that has no limit to the right': angular('min(max_angular, 2 * angle)'),
+        },
+    ),
+    Kind(
+        'speed',
+        'that drive with a wrong speed',
+        {
+            'that slows down too early': linear('min(max_linear, 0.5 * distance) if abs(angle) <= 0.5 else 0.0'),
+            'that does not slow down': linear('max_linear if abs(angle) <= 0.5 else 0.0'),
+            'that drives a metre a second': linear('min(1.0, distance) if abs(angle) <= 0.5 else 0.0'),
+        },
+    ),
+    Kind(
+        'on-the-spot',
+        'that do not turn on the spot when they must, or when they must not',
+        {
+            'that drives when the goal is on its left': linear('min(max_linear, distance) if angle >= -0.5 else 0.0'),
+            'that drives slowly while it looks away': linear(
+                'min(max_linear, distance) * (1.0 if abs(angle) <= 0.5 else 0.2)'
+            ),
+            'that drives only if it looks nearly at the goal': linear(
+                'min(max_linear, distance) if abs(angle) < 0.05 else 0.0'
+            ),
+        },
+    ),
+    Kind(
+        'places',
+        'that have a wrong distance, or do not know their place',
+        {
+            'that knows only x of its place': variant(
+                way='    dx, dy = goal_x - x, goal_y\n    distance = hypot(dx, dy)\n'
+            ),
+            'whose distance is the one along y': variant(
+                way='    dx, dy = goal_x - x, goal_y - y\n    distance = abs(dy)\n'
+            ),
+            'whose distance is squared': variant(
+                way='    dx, dy = goal_x - x, goal_y - y\n    distance = dx * dx + dy * dy\n'
+            ),
+            'that turns at the goal': variant(goal=''),
+        },
+    ),
 )
 HIDDEN = Planted(STEERING, 'right-functions', RIGHT, NOTHINGS, KINDS)
 

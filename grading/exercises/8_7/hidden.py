@@ -43,8 +43,11 @@ def test_relative_names(learner):
     keeper = stations.Keeper(learner, f'/robot{learner.random.randint(2, 99)}')
     response = keeper.set('a', 1.0, 2.0, 'names')
     learner.run(0.6)
-    expect(response.success and keeper.heard.data, f'In the namespace {keeper.namespace}, nothing came on status.',
-           'station' if not response.success else 'status')
+    expect(
+        response.success and keeper.heard.data,
+        f'In the namespace {keeper.namespace}, nothing came on status.',
+        'station' if not response.success else 'status',
+    )
 
 
 @pytest.mark.rules('station', 'new-place', 'unknown', 'bad-station', 'message', 'unchanged')

@@ -30,9 +30,11 @@ def test_arrives(learner):
     draw = learner.random
     drives = Drives(learner, (0.0, 0.0, draw.uniform(-3, 3)))
     with about('succeeds'):
-        for name, length, angle in (('one', draw.uniform(0.7, 1.0), draw.uniform(-0.5, 0.5)),
-                                    ('two', draw.uniform(0.7, 1.0), math.pi + draw.uniform(-0.5, 0.5)),
-                                    ('three', 0.5, draw.uniform(-0.5, 0.5))):
+        for name, length, angle in (
+            ('one', draw.uniform(0.7, 1.0), draw.uniform(-0.5, 0.5)),
+            ('two', draw.uniform(0.7, 1.0), math.pi + draw.uniform(-0.5, 0.5)),
+            ('three', 0.5, draw.uniform(-0.5, 0.5)),
+        ):
             drives.delivery.station(name, length * math.cos(angle), length * math.sin(angle))
             goal = drives.go(name, 'next', f'The goal before {name} has ended')
             drives.run(15.0, goal)

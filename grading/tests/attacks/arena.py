@@ -30,8 +30,11 @@ HONEST = 'zoe'  # she hands in with every batch
 _HEADER = re.compile(r'# ([a-z ]+): (.*)')
 
 TITLES = {'90.1': 'a sum', '90.2': 'a mirror', '90.3': 'a talker'}
-STUBS = {'90.1': 'def total(numbers):\n    pass\n', '90.2': 'def flip(text):\n    pass\n',
-         '90.3': 'class Talker(Node):\n    pass\n'}
+STUBS = {
+    '90.1': 'def total(numbers):\n    pass\n',
+    '90.2': 'def flip(text):\n    pass\n',
+    '90.3': 'class Talker(Node):\n    pass\n',
+}
 NAMES = {'90.1': 'total', '90.2': 'flip', '90.3': 'Talker'}
 POINTS = 10.0
 TALKER = """\
@@ -47,14 +50,17 @@ class Talker(Node):
         self.publisher.publish(String(data=f'{self.prefix}{self.count}'))
         self.count += 1
 """
-SOLVED = {'90.1': 'def total(numbers):\n    return sum(numbers)\n', '90.2': 'def flip(text):\n    return text[::-1]\n',
-          '90.3': TALKER}
+SOLVED = {
+    '90.1': 'def total(numbers):\n    return sum(numbers)\n',
+    '90.2': 'def flip(text):\n    return text[::-1]\n',
+    '90.3': TALKER,
+}
 # The tests wait less for what never comes, so that many attacks can be judged.
-PATIENCE = '''
+PATIENCE = """
 from helpers.runner import plugin
 from helpers.runner.learner import Timeouts
 plugin.TIMEOUTS, plugin.AGAIN = Timeouts(3.0, 3.0, 3.0, 3.0), Timeouts(1.5, 1.5, 1.5, 1.5)
-'''
+"""
 VISIBLE = {
     '90.1': '''
 def test_known(learner):
@@ -85,7 +91,8 @@ def test_rate(learner):
     learner.start('Talker')
     learner.run(2.0)
     expect(heard.data == ['n0', 'n1', 'n2', 'n3'], f'{len(heard)} messages came in 2 s.')
-'''}
+''',
+}
 HIDDEN = {
     '90.1': '''
 @pytest.mark.weight(3)
@@ -125,7 +132,8 @@ def test_prefix(learner):
     learner.run(2.0)
     expect(heard.data == [f'{prefix}{number}' for number in range(4)],
            f'{len(heard)} messages came in 2 s, or others than expected.')
-'''}
+''',
+}
 
 
 @dataclass(frozen=True)
@@ -170,15 +178,18 @@ def attacks() -> list[Attack]:
 
 def exercises() -> tuple[Exercise, ...]:
     """The three exercises."""
-    return tuple(small.exercise(number, (NAMES[id],), POINTS, title=TITLES[id], stub=stub_digest(STUBS[id]))
-                 for number, id in enumerate(TITLES, 1))
+    return tuple(
+        small.exercise(number, (NAMES[id],), POINTS, title=TITLES[id], stub=stub_digest(STUBS[id]))
+        for number, id in enumerate(TITLES, 1)
+    )
 
 
 def notebook(cells: dict[str, str], cookie: str = 'cookie') -> bytes:
     """A notebook with the tools of the attacks and these cells by exercise; the others are left as they were given."""
     tools = (HERE / 'tools.py').read_text(encoding='utf-8').replace("COOKIE = 'cookie'", f"COOKIE = '{cookie}'")
-    return small.notebook(small.IMPORTS, tools, *(f'# Exercise {id}: {TITLES[id]}\n{cells.get(id, STUBS[id])}'
-                                                  for id in TITLES))
+    return small.notebook(
+        small.IMPORTS, tools, *(f'# Exercise {id}: {TITLES[id]}\n{cells.get(id, STUBS[id])}' for id in TITLES)
+    )
 
 
 @dataclass
@@ -223,9 +234,16 @@ def choose() -> str:
     return sandbox.DEFAULT
 
 
-def grade_batch(folder: Path, works: dict[str, bytes], cookie: str | None = None, *, jobs: int = 2,
-                used: str | None = None, patience: str = PATIENCE,
-                more: Callable[[Path], None] = lambda incoming: None) -> Batch:
+def grade_batch(
+    folder: Path,
+    works: dict[str, bytes],
+    cookie: str | None = None,
+    *,
+    jobs: int = 2,
+    used: str | None = None,
+    patience: str = PATIENCE,
+    more: Callable[[Path], None] = lambda incoming: None,
+) -> Batch:
     """Grade files by name, and the honest learner's notebook, with secrets all around them that nobody may read.
 
     `patience` begins each file of tests. `more` may put other things among the submissions.
@@ -280,12 +298,14 @@ def _course(folder: Path, canary: str, used: str, patience: str) -> grade.Course
 
 def _left(cookie: str, patience: float = 3.0) -> list[str]:
     """Processes that carry the cookie. One that is about to end is waited for; all others are ended."""
+
     def those():
         found = []
         for process in psutil.process_iter():
             try:
-                if (cookie in process.name() or any(cookie in word for word in process.cmdline())) \
-                        and process.status() != psutil.STATUS_ZOMBIE:
+                if (
+                    cookie in process.name() or any(cookie in word for word in process.cmdline())
+                ) and process.status() != psutil.STATUS_ZOMBIE:
                     found.append(process)
             except psutil.Error:
                 continue
@@ -302,9 +322,20 @@ def _left(cookie: str, patience: float = 3.0) -> list[str]:
 def _planted(batch: Batch) -> list[Path]:
     """Files that attacks have left, in places where they could lie; they are removed."""
     root = HERE.parents[2]
-    places = [Path('/tmp'), Path('/var/tmp'), Path('/dev/shm'), Path.home(), root, root / 'helpers' / 'runner',
-              root / 'helpers' / 'checks', root / 'grading' / 'exercises', batch.folder, batch.folder / 'home',
-              batch.output, batch.output / 'results']
+    places = [
+        Path('/tmp'),
+        Path('/var/tmp'),
+        Path('/dev/shm'),
+        Path.home(),
+        root,
+        root / 'helpers' / 'runner',
+        root / 'helpers' / 'checks',
+        root / 'grading' / 'exercises',
+        batch.folder,
+        batch.folder / 'home',
+        batch.output,
+        batch.output / 'results',
+    ]
     found = [place / batch.cookie for place in places if (place / batch.cookie).exists()]
     for path in found:
         path.unlink()

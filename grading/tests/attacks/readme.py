@@ -12,8 +12,10 @@ _TABLE = re.compile(r'(?<=<!-- corpus -->\n).*?(?=<!-- end -->)', re.DOTALL)
 def table() -> str:
     """One row per attack, by family."""
     rows = ['| attack | what it does | what stops it |', '|---|---|---|']
-    rows += [f'| `{attack.family}/{attack.name}` | {attack.header["attack"]} | {attack.header["stopped by"]} |'
-             for attack in arena.attacks()]
+    rows += [
+        f'| `{attack.family}/{attack.name}` | {attack.header["attack"]} | {attack.header["stopped by"]} |'
+        for attack in arena.attacks()
+    ]
     return '\n'.join(rows) + '\n'
 
 

@@ -21,12 +21,17 @@ def learner(attack):
 @pytest.fixture(scope='module')
 def batch_of(tmp_path_factory):
     """The batch of a family, graded when it is first asked for."""
+
     @cache
     def graded(family):
         cookie = arena.new_cookie()
-        works = {f'{learner(attack)}.ipynb': arena.notebook({attack.aim: attack.source}, cookie)
-                 for attack in ATTACKS if attack.family == family}
+        works = {
+            f'{learner(attack)}.ipynb': arena.notebook({attack.aim: attack.source}, cookie)
+            for attack in ATTACKS
+            if attack.family == family
+        }
         return arena.grade_batch(tmp_path_factory.mktemp(family), works, cookie)
+
     return graded
 
 
@@ -97,6 +102,9 @@ def _tags(text):
 
 def _story(batch, name):
     """What is needed to understand a failure."""
-    tests = [(test.test, test.verdict, test.message[:300], test.output[-300:], test.fault[-800:])
-             for exercise in batch.records[name].exercises for test in exercise.tests]
+    tests = [
+        (test.test, test.verdict, test.message[:300], test.output[-300:], test.fault[-800:])
+        for exercise in batch.records[name].exercises
+        for test in exercise.tests
+    ]
     return '\n'.join(map(str, [batch.records[name].status, *tests, *batch.records[name].log, *batch.log[-5:]]))

@@ -20,11 +20,16 @@ EXERCISES = manifest.load()
 @pytest.mark.parametrize('attack', ATTACKS, ids=lambda attack: attack.name)
 def test_no_evidence_can_be_made(attack):
     exercise = EXERCISES[attack.aim]
-    cells = [notebooks.NotebookCell(f'# Exercise {exercise.id}: x\n{attack.source}', cell.number, cell.id)
-             if program.exercise_id(cell) == exercise.id else cell for cell in trial.solved(exercise.chapter)]
-    report = session.run(cells, [exercise], session.Options(
-        hidden=HIDDEN, launcher=sandbox.launcher(arena.choose()), seed='evidence'))
-    result, = report.exercises
+    cells = [
+        notebooks.NotebookCell(f'# Exercise {exercise.id}: x\n{attack.source}', cell.number, cell.id)
+        if program.exercise_id(cell) == exercise.id
+        else cell
+        for cell in trial.solved(exercise.chapter)
+    ]
+    report = session.run(
+        cells, [exercise], session.Options(hidden=HIDDEN, launcher=sandbox.launcher(arena.choose()), seed='evidence')
+    )
+    (result,) = report.exercises
     story = [(test.test, test.verdict, test.message[:300], test.fault[-600:]) for test in result.tests], report.log
     assert result.verdict != verdicts.GRADER_ERROR, story
     assert result.score <= attack.points, story

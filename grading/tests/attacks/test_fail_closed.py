@@ -12,13 +12,24 @@ from grading.tests.attacks import fake_tests
 from helpers.runner import session, verdicts
 from helpers.tests import small
 
-TESTS = {'checks/chapter_90/test_90_1::test_a': 1.0, 'exercises/90_1/hidden::test_b': 3.0,
-         'exercises/90_1/hidden::test_c': 1.0}
+TESTS = {
+    'checks/chapter_90/test_90_1::test_a': 1.0,
+    'exercises/90_1/hidden::test_b': 3.0,
+    'exercises/90_1/hidden::test_c': 1.0,
+}
 
 
 def collected(test, weight=1.0, exercise='90.1'):
-    return {'event': 'collected', 'test': test, 'exercise': exercise, 'weight': weight, 'expected': '',
-            'path': f'/{test.replace("::", ".py::")}', 'rules': [], 'unseen': {}}
+    return {
+        'event': 'collected',
+        'test': test,
+        'exercise': exercise,
+        'weight': weight,
+        'expected': '',
+        'path': f'/{test.replace("::", ".py::")}',
+        'rules': [],
+        'unseen': {},
+    }
 
 
 def running(test):
@@ -26,8 +37,17 @@ def running(test):
 
 
 def result(test, verdict='passed'):
-    return {'event': 'result', 'test': test, 'verdict': verdict, 'message': '', 'details': '', 'output': '',
-            'fault': '', 'rule': '', 'hint': False}
+    return {
+        'event': 'result',
+        'test': test,
+        'verdict': verdict,
+        'message': '',
+        'details': '',
+        'output': '',
+        'fault': '',
+        'rule': '',
+        'hint': False,
+    }
 
 
 def judged(tmp_path, *events, exit_status=0):
@@ -45,8 +65,11 @@ def folders(monkeypatch):
 
 
 def sound(order=TESTS):
-    return [event for test in order for event in (collected(test, TESTS[test]),)] + [
-        event for test in order for event in (running(test), result(test))] + [{'event': 'end', 'status': 0}]
+    return (
+        [event for test in order for event in (collected(test, TESTS[test]),)]
+        + [event for test in order for event in (running(test), result(test))]
+        + [{'event': 'end', 'status': 0}]
+    )
 
 
 def test_a_sound_run_is_full_marks(folders):
@@ -64,10 +87,20 @@ FAULTS = {
     'hidden tests are missing': sound(list(TESTS)[:1]),
     'collected twice': [collected(HIDDEN, 3.0), *sound()],
     'two results': [*sound()[:-1], running(HIDDEN), result(HIDDEN), {'event': 'end', 'status': 0}],
-    'failed, then passed': [*(collected(test, weight) for test, weight in TESTS.items()), running(HIDDEN),
-                            result(HIDDEN, 'failed'), result(HIDDEN), *sound()[3:]],
-    'a result of a test that is not there': [*sound()[:-1], running('x'), result('x'), collected('x', exercise='90.2'),
-                                             collected(f'{HIDDEN}x')],
+    'failed, then passed': [
+        *(collected(test, weight) for test, weight in TESTS.items()),
+        running(HIDDEN),
+        result(HIDDEN, 'failed'),
+        result(HIDDEN),
+        *sound()[3:],
+    ],
+    'a result of a test that is not there': [
+        *sound()[:-1],
+        running('x'),
+        result('x'),
+        collected('x', exercise='90.2'),
+        collected(f'{HIDDEN}x'),
+    ],
     'a verdict of its own': [*sound()[:-3], running(list(TESTS)[-1]), result(list(TESTS)[-1], 'PASSED')],
     'weight nan': [collected(f'{HIDDEN}2', float('nan')), *sound()],
     'weight infinite': [collected(f'{HIDDEN}2', float('inf')), *sound()],
@@ -106,7 +139,7 @@ def test_never_more_than_the_explicit_passes(folders, seed):
     if draw.random() < 0.6:  # more often a run that is nearly sound
         events = [event for event in sound() if draw.random() < 0.9] + events[:2]
     end = {'event': 'end', 'status': 0}
-    events = events[:events.index(end)] if end in events else events  # nothing is read behind it
+    events = events[: events.index(end)] if end in events else events  # nothing is read behind it
     passes = {event['test'] for event in events if event.get('verdict') == 'passed'}
     weights = {event['test']: event['weight'] for event in reversed(events) if event['event'] == 'collected'}
     found = judged(folders, *events)

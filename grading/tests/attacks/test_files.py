@@ -67,7 +67,7 @@ def lying_size() -> bytes:
     """A member of 40 MB of which the directory says that it is 10 bytes long."""
     data = bytearray(archive((NOTEBOOK, b' ' * 40 * 2**20)))
     where = data.index(b'PK\x01\x02')
-    data[where + 24:where + 28] = struct.pack('<I', 10)
+    data[where + 24 : where + 28] = struct.pack('<I', 10)
     return bytes(data)
 
 
@@ -78,7 +78,7 @@ def overlapping() -> bytes:
     end = data.index(b'PK\x05\x06')
     entry = data[begin:end]
     count = 150
-    names = [f'{number:02}_x{number:06}.ipynb'[:len(NOTEBOOK)].ljust(len(NOTEBOOK), 'x') for number in range(count)]
+    names = [f'{number:02}_x{number:06}.ipynb'[: len(NOTEBOOK)].ljust(len(NOTEBOOK), 'x') for number in range(count)]
     names = [f'{number:03}{name[3:-6]}.ipynb' for number, name in enumerate(names)]
     entries = b''.join(entry.replace(NOTEBOOK.encode(), name.encode()) for name in names)
     tail = bytearray(data[end:])
@@ -100,17 +100,24 @@ ARCHIVES = {
     'encrypted': (encrypted(), 'encrypted'),
     'same-name-twice': (archive((f'a/{NOTEBOOK}', EMPTY), (f'b/{NOTEBOOK}', EMPTY)), 'two notebooks'),
     'truncated': (archive((NOTEBOOK, EMPTY))[:-30], 'damaged'),
-    'wrong-checksum': (archive((NOTEBOOK, EMPTY), level=zipfile.ZIP_STORED).replace(b'"nbformat"', b'"nbfoRmat"', 1),
-                       'damaged'),
+    'wrong-checksum': (
+        archive((NOTEBOOK, EMPTY), level=zipfile.ZIP_STORED).replace(b'"nbformat"', b'"nbfoRmat"', 1),
+        'damaged',
+    ),
     'no-zip': (b'#!/bin/sh\n', 'damaged'),
     'empty': (b'', 'damaged'),
-    'unknown-method': (archive((NOTEBOOK, EMPTY), level=zipfile.ZIP_STORED).replace(
-        b'\x50\x4b\x01\x02\x14\x03\x14\x00\x00\x00\x00\x00', b'\x50\x4b\x01\x02\x14\x03\x14\x00\x00\x00\x63\x00'),
-        'damaged'),
+    'unknown-method': (
+        archive((NOTEBOOK, EMPTY), level=zipfile.ZIP_STORED).replace(
+            b'\x50\x4b\x01\x02\x14\x03\x14\x00\x00\x00\x00\x00', b'\x50\x4b\x01\x02\x14\x03\x14\x00\x00\x00\x63\x00'
+        ),
+        'damaged',
+    ),
     'no-notebook': (archive(('conftest.py', 'import os; os._exit(0)'), ('pytest.ini', '[pytest]')), 'no notebook'),
     'label-path': (archive((NOTEBOOK, EMPTY), ('submission.json', '{"learner": "../../zoe"}')), 'unusable'),
-    'label-script': (archive((NOTEBOOK, EMPTY), ('submission.json', '{"learner": "<script>alert(1)</script>"}')),
-                     'unusable'),
+    'label-script': (
+        archive((NOTEBOOK, EMPTY), ('submission.json', '{"learner": "<script>alert(1)</script>"}')),
+        'unusable',
+    ),
     'label-list': (archive((NOTEBOOK, EMPTY), ('submission.json', '[["learner"]]')), 'damaged'),
     'label-pickle': (archive((NOTEBOOK, EMPTY), ('submission.json', b'\x80\x04\x95')), 'damaged'),
     'label-deep': (archive((NOTEBOOK, EMPTY), ('submission.json', '[' * 9000)), 'damaged'),
@@ -140,8 +147,10 @@ NOTEBOOKS = {
     'infinity': (b'{"nbformat": 4, "nbformat_minor": Infinity, "metadata": {}, "cells": []}', 'not valid JSON'),
     'long-number': (b'{"nbformat": ' + b'4' * 10_000 + b', "cells": []}', 'not valid JSON'),
     'deep': (b'[' * 100_000, 'nested too deeply'),
-    'deep-metadata': (b'{"nbformat": 4, "cells": [], "metadata": ' + b'{"a":' * 50_000 + b'1' + b'}' * 50_000 + b'}',
-                      'nested too deeply'),
+    'deep-metadata': (
+        b'{"nbformat": 4, "cells": [], "metadata": ' + b'{"a":' * 50_000 + b'1' + b'}' * 50_000 + b'}',
+        'nested too deeply',
+    ),
     'complex': (b'{"nbformat": 4, "cells": [' + b'[],' * 1_100_000 + b'1]}', 'too complex'),
     'large': (b'{"nbformat": 4, "cells": [], "x": "' + b'x' * 11 * 2**20 + b'"}', 'larger than'),
     'many-cells': (notebook(cells=[cell(source='')] * 2500), 'more than 2000'),
@@ -172,9 +181,26 @@ CELLS = {
     'escapes': ('\x1b[2J\x1b]0;x\x07 = 1', 'Python cannot read'),
     'markup': ('<script>alert(1)</script>', 'Python cannot read'),
 }
-NAMES = ['<img src=x onerror=alert(1)>', '=HYPERLINK("x")', '-rf', '--help', '\x1b[31mred', '\u202egnp', 'a\nb',
-         '\udcff', 'nul\u200bl', '{{7*7}}', '[red]', '%s%n', '::error::', 'x' * 200, 'results', 'gradebook.csv', '~',
-         '$HOME']
+NAMES = [
+    '<img src=x onerror=alert(1)>',
+    '=HYPERLINK("x")',
+    '-rf',
+    '--help',
+    '\x1b[31mred',
+    '\u202egnp',
+    'a\nb',
+    '\udcff',
+    'nul\u200bl',
+    '{{7*7}}',
+    '[red]',
+    '%s%n',
+    '::error::',
+    'x' * 200,
+    'results',
+    'gradebook.csv',
+    '~',
+    '$HOME',
+]
 
 
 @pytest.fixture(scope='module')
@@ -184,11 +210,13 @@ def batch(tmp_path_factory):
     works |= {f'nb-{name}.ipynb': data for name, (data, _) in NOTEBOOKS.items()}
     works |= {f'cell-{name}.ipynb': arena.notebook({'90.1': text}) for name, (text, _) in CELLS.items()}
     works |= {f'{name}.ipynb': EMPTY for name in NAMES}
-    works |= {'doubled.ipynb': small.notebook(small.IMPORTS, *[f'# Exercise 90.1: a sum\n{SOLVED}'] * 2),
-              'eve.zip': archive((NOTEBOOK, EMPTY), ('submission.json', '{"learner": "zoe"}')),
-              'slip.zip': archive((f'../../{NOTEBOOK}', EMPTY)),
-              'absolute.zip': archive((f'/tmp/{NOTEBOOK}', EMPTY)),
-              'windows.zip': archive((f'C:\\..\\{NOTEBOOK}', EMPTY))}
+    works |= {
+        'doubled.ipynb': small.notebook(small.IMPORTS, *[f'# Exercise 90.1: a sum\n{SOLVED}'] * 2),
+        'eve.zip': archive((NOTEBOOK, EMPTY), ('submission.json', '{"learner": "zoe"}')),
+        'slip.zip': archive((f'../../{NOTEBOOK}', EMPTY)),
+        'absolute.zip': archive((f'/tmp/{NOTEBOOK}', EMPTY)),
+        'windows.zip': archive((f'C:\\..\\{NOTEBOOK}', EMPTY)),
+    }
 
     def more(incoming):
         """What a folder may hold that is no file."""
@@ -199,6 +227,7 @@ def batch(tmp_path_factory):
         folder.mkdir()
         os.mkfifo(folder / NOTEBOOK)
         (folder / '91_x.ipynb').write_bytes(EMPTY)
+
     return arena.grade_batch(tmp_path_factory.mktemp('files'), works, more=more)
 
 

@@ -13,7 +13,7 @@ import time
 
 COOKIE = 'cookie'  # each batch of attacks has its own: by it, what an attack has left behind is recognised
 # In two parts: so this text is not what it describes.
-SHAPE = 'CANA' 'RY-[0-9a-f]{16}'
+SHAPE = 'CANARY-[0-9a-f]{16}'
 
 
 def tell(*words):

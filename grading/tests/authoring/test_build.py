@@ -38,8 +38,10 @@ def test_a_chapter_is_built_and_in_step(tree):
     stubs = [cell for cell in learner.cells if cell.cell_type == 'code']
     assert all(cell.execution_count is None and cell.outputs == [] for cell in stubs)
     assert learner.cells[3].source.splitlines()[-2:] == ['    # Your code here.', '    return None']
-    assert learner.cells[3].metadata == {'deletable': False,
-                                         'exercise': {'id': '7.1', 'points': 10, 'names': ['double']}}
+    assert learner.cells[3].metadata == {
+        'deletable': False,
+        'exercise': {'id': '7.1', 'points': 10, 'names': ['double']},
+    }
     assert [cell.id for cell in learner.cells] == [cell.id for cell in solved.cells]
     assert learner.cells[3].id == 'ex-7-1'
     assert in_step.drift(tree) == []
@@ -107,21 +109,21 @@ def test_a_failing_cell_names_its_line_and_error(tree):
     path = write(tree, text)
     with pytest.raises(ChapterErrors) as caught:
         build.build(tree, say=quiet)
-    place = f"solutions/{path.name}:{line_of('double(undefined)', text)}: cell 4 (ex-7-1) failed"
+    place = f'solutions/{path.name}:{line_of("double(undefined)", text)}: cell 4 (ex-7-1) failed'
     assert str(caught.value).startswith(f"{place} with NameError: name 'undefined' is not defined; mend it")
     assert not tree.solved(only(tree)).exists()
     assert tree.learner(only(tree)).exists()  # check needs it, and the author sees it
 
 
 def test_a_cell_that_hangs_is_ended(tree):
-    path = write(tree, TINY.replace('print(\'before\')', 'import time; time.sleep(60)'))
+    path = write(tree, TINY.replace("print('before')", 'import time; time.sleep(60)'))
     with pytest.raises(ChapterErrors, match=r'cell 6 \(\w+\) took more than 1 s; bound its waits') as caught:
         build.build(tree, timeout=1, say=quiet)
     assert f':{line_of("time.sleep", path.read_text())}: ' in str(caught.value)
 
 
 def test_a_cell_that_ends_the_kernel_is_named(tree):
-    write(tree, TINY.replace('print(\'before\')', 'import os; os._exit(3)'))
+    write(tree, TINY.replace("print('before')", 'import os; os._exit(3)'))
     with pytest.raises(ChapterErrors, match=r'cell 6 \(\w+\) ended the kernel'):
         build.build(tree, say=quiet)
 
@@ -162,12 +164,18 @@ def test_what_differs_between_machines_is_not_kept(tree):
 
 def test_sanitizers_leave_alone_what_they_made(tmp_path):
     for name, regex, replace in outputs.sanitizers(tmp_path):
-        example = {'folder': f'{tmp_path}/solutions/ros2_ws', 'checkout': f'{tmp_path}/a',
-                   'duration': 'Finished <<< a [1min 1.28s]', 'email': 'by <root@todo.todo>',
-                   'ipykernel_file': '/tmp/ipykernel_71/8.py', 'address': '0x7f0011aabb',
-                   'temporary': '/tmp/tmpc3i2_xnc/a',
-                   'port': 'localhost:4242', 'pid': 'pid=12',
-                   'ros_log': 'below /home/ada/.ros/log/2026-11-21-09-59-04-704598-lab-23551'}[name]
+        example = {
+            'folder': f'{tmp_path}/solutions/ros2_ws',
+            'checkout': f'{tmp_path}/a',
+            'duration': 'Finished <<< a [1min 1.28s]',
+            'email': 'by <root@todo.todo>',
+            'ipykernel_file': '/tmp/ipykernel_71/8.py',
+            'address': '0x7f0011aabb',
+            'temporary': '/tmp/tmpc3i2_xnc/a',
+            'port': 'localhost:4242',
+            'pid': 'pid=12',
+            'ros_log': 'below /home/ada/.ros/log/2026-11-21-09-59-04-704598-lab-23551',
+        }[name]
         once = re.sub(regex, replace, example)
         assert once != example
         assert re.sub(regex, replace, once) == once

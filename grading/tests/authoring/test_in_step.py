@@ -28,21 +28,33 @@ def test_what_was_just_built_is_in_step(built):
     assert in_step.drift(built) == []
 
 
-@pytest.mark.parametrize(('name', 'change', 'message'), [
-    (SOLVED, lambda nb: nb['cells'][3]['source'].append('\n# edited'), 'differs from its source in the source'),
-    (SOLVED, lambda nb: nb['cells'][5]['metadata'].clear(), 'differs from its source in the metadata'),
-    (SOLVED, lambda nb: nb['cells'][0].update(id='other'), f'{SOLVED} has other cells'),
-    (SOLVED, lambda nb: nb['cells'].pop(), f'{SOLVED} has other cells'),
-    (SOLVED, lambda nb: nb['cells'][1].update(execution_count=None), f'{SOLVED} has cells that were never executed'),
-    (SOLVED, lambda nb: nb['metadata']['language_info'].update(version='3.9'), "in the notebook's metadata"),
-    (SOLVED, lambda nb: nb['cells'][1]['outputs'].append(
-        {'output_type': 'stream', 'name': 'stdout', 'text': 'x' * 1_000_000}), f'{SOLVED} is larger than 1000 kB'),
-    (LEARNER, lambda nb: nb['cells'][3]['source'].append('\n# edited'), f'{LEARNER} is not what its source gives'),
-    (LEARNER, lambda nb: nb['cells'][1].update(execution_count=1), f'{LEARNER} is not what its source gives'),
-    (LEARNER, lambda nb: nb['cells'][1]['metadata'].update(a=1), f'{LEARNER} is not what its source gives'),
-    (LIST, lambda data: data['exercises'][0].update(points=20), f'{LIST} is not what its source gives'),
-    (LIST, lambda data: data['exercises'].clear(), f'{LIST} is not what its source gives'),
-])
+@pytest.mark.parametrize(
+    ('name', 'change', 'message'),
+    [
+        (SOLVED, lambda nb: nb['cells'][3]['source'].append('\n# edited'), 'differs from its source in the source'),
+        (SOLVED, lambda nb: nb['cells'][5]['metadata'].clear(), 'differs from its source in the metadata'),
+        (SOLVED, lambda nb: nb['cells'][0].update(id='other'), f'{SOLVED} has other cells'),
+        (SOLVED, lambda nb: nb['cells'].pop(), f'{SOLVED} has other cells'),
+        (
+            SOLVED,
+            lambda nb: nb['cells'][1].update(execution_count=None),
+            f'{SOLVED} has cells that were never executed',
+        ),
+        (SOLVED, lambda nb: nb['metadata']['language_info'].update(version='3.9'), "in the notebook's metadata"),
+        (
+            SOLVED,
+            lambda nb: nb['cells'][1]['outputs'].append(
+                {'output_type': 'stream', 'name': 'stdout', 'text': 'x' * 1_000_000}
+            ),
+            f'{SOLVED} is larger than 1000 kB',
+        ),
+        (LEARNER, lambda nb: nb['cells'][3]['source'].append('\n# edited'), f'{LEARNER} is not what its source gives'),
+        (LEARNER, lambda nb: nb['cells'][1].update(execution_count=1), f'{LEARNER} is not what its source gives'),
+        (LEARNER, lambda nb: nb['cells'][1]['metadata'].update(a=1), f'{LEARNER} is not what its source gives'),
+        (LIST, lambda data: data['exercises'][0].update(points=20), f'{LIST} is not what its source gives'),
+        (LIST, lambda data: data['exercises'].clear(), f'{LIST} is not what its source gives'),
+    ],
+)
 def test_an_edited_file_is_found(built, name, change, message):
     edit(built, name, change)
     (line,) = in_step.drift(built)

@@ -21,17 +21,22 @@ class Talker:
 
 
 def test_the_solved_form_loses_only_the_markers():
-    assert regions.split(CELL).solved == """\
+    assert (
+        regions.split(CELL).solved
+        == """\
 class Talker:
     def __init__(self):
         self.count = 0
 
     def total(self):
         return self.count"""
+    )
 
 
 def test_the_stub_has_a_placeholder_and_the_stub_lines_at_their_indentation():
-    assert regions.split(CELL).stub == """\
+    assert (
+        regions.split(CELL).stub
+        == """\
 class Talker:
     # Your code here.
     def __init__(self):
@@ -40,6 +45,7 @@ class Talker:
     def total(self):
         # Your code here.
         return None"""
+    )
 
 
 def test_lines_of_the_solved_form_know_their_place_in_the_source():
@@ -55,12 +61,15 @@ def test_a_cell_without_markers_is_the_same_in_both_forms():
     assert result.regions == 0
 
 
-@pytest.mark.parametrize(('lines', 'offset', 'message'), [
-    (['a = 1', '# BEGIN SOLUTION', 'b = 2'], 1, 'BEGIN SOLUTION without # END SOLUTION'),
-    (['a = 1', 'b = 2', '    # END SOLUTION'], 2, 'END SOLUTION without # BEGIN SOLUTION'),
-    (['# BEGIN SOLUTION', '# BEGIN SOLUTION', '# END SOLUTION'], 1, 'inside a solution region'),
-    (['# STUB: pass'], 0, 'outside of a solution region'),
-])
+@pytest.mark.parametrize(
+    ('lines', 'offset', 'message'),
+    [
+        (['a = 1', '# BEGIN SOLUTION', 'b = 2'], 1, 'BEGIN SOLUTION without # END SOLUTION'),
+        (['a = 1', 'b = 2', '    # END SOLUTION'], 2, 'END SOLUTION without # BEGIN SOLUTION'),
+        (['# BEGIN SOLUTION', '# BEGIN SOLUTION', '# END SOLUTION'], 1, 'inside a solution region'),
+        (['# STUB: pass'], 0, 'outside of a solution region'),
+    ],
+)
 def test_misplaced_markers_are_named_with_their_line(lines, offset, message):
     with pytest.raises(regions.MarkerError, match=message) as caught:
         regions.split('\n'.join(lines))

@@ -24,21 +24,34 @@ NOTEBOOKS = {  # name: cells, as (source, output on record; None: never executed
     'good': [(GOOD, 'good\n')],
     'unsolved': [('print(1)', None)],
     'quiet': [('6 * 7;', ''), ('%%bash\necho hello', 'hello\n')],
-    'faulty': [('print(42)', '41\n'), ('1 / 0', ''), ("assert 'seen' not in globals()\nseen = 1", ''),
-               ("count = globals().get('count', 0) + 1\nprint(count)", '1\n')],
-    'leaves': [("import rclpy\nrclpy.try_shutdown(); rclpy.init()\nnode = rclpy.create_node('forgotten')", ''),
-               ('context = rclpy.Context()\ncontext.init()', ''), (THREAD, ''),
-               ('import subprocess\nchild = subprocess.Popen(["sleep", "97"])', '')],
+    'faulty': [
+        ('print(42)', '41\n'),
+        ('1 / 0', ''),
+        ("assert 'seen' not in globals()\nseen = 1", ''),
+        ("count = globals().get('count', 0) + 1\nprint(count)", '1\n'),
+    ],
+    'leaves': [
+        ("import rclpy\nrclpy.try_shutdown(); rclpy.init()\nnode = rclpy.create_node('forgotten')", ''),
+        ('context = rclpy.Context()\ncontext.init()', ''),
+        (THREAD, ''),
+        ('import subprocess\nchild = subprocess.Popen(["sleep", "97"])', ''),
+    ],
 }
 
 
 def notebook(cells):
     """A notebook of code cells that looks as if it had been executed, where an output is given."""
-    nodes = [{
-        'cell_type': 'code', 'id': f'cell-{number}', 'metadata': {}, 'source': source,
-        'execution_count': None if text is None else number,
-        'outputs': [{'output_type': 'stream', 'name': 'stdout', 'text': text}] if text else [],
-    } for number, (source, text) in enumerate(cells)]
+    nodes = [
+        {
+            'cell_type': 'code',
+            'id': f'cell-{number}',
+            'metadata': {},
+            'source': source,
+            'execution_count': None if text is None else number,
+            'outputs': [{'output_type': 'stream', 'name': 'stdout', 'text': text}] if text else [],
+        }
+        for number, (source, text) in enumerate(cells)
+    ]
     return nbformat.from_dict({'cells': nodes, 'metadata': {}, 'nbformat': 4, 'nbformat_minor': 5})
 
 
@@ -56,8 +69,17 @@ def results(tmp_path_factory):
     config.write_text(outputs.nbval_config(paths.ROOT))
     copies = repeated.write(files, folder / 'build')
     report = folder / 'report.xml'
-    command = [sys.executable, '-m', 'pytest', '-q', '-n2', f'--junitxml={report}', '--color=no',
-               *repeated.nbval_arguments(config, execution.kernel_name(), 30), *map(str, copies)]
+    command = [
+        sys.executable,
+        '-m',
+        'pytest',
+        '-q',
+        '-n2',
+        f'--junitxml={report}',
+        '--color=no',
+        *repeated.nbval_arguments(config, execution.kernel_name(), 30),
+        *map(str, copies),
+    ]
     # Inside of the course's folder pytest would find conftest.py; here the plugin is named.
     done = subprocess.run([*command, '-p', 'conftest'], cwd=paths.ROOT, capture_output=True, text=True, timeout=280)
     assert report.exists(), done.stdout + done.stderr
@@ -87,14 +109,20 @@ def test_a_good_notebook_passes_both_runs(results, name):
 
 def test_a_fault_is_found_in_both_runs_or_in_the_second(results):
     both, second = ('cell-0', 'cell-1'), ('cell-2', 'cell-3')  # a wrong output, an error; an error, another output
-    assert set(failures(results, 'faulty')) == {*(f'{cell}-first' for cell in both),
-                                                *(f'{cell}-second' for cell in both + second)}
+    assert set(failures(results, 'faulty')) == {
+        *(f'{cell}-first' for cell in both),
+        *(f'{cell}-second' for cell in both + second),
+    }
 
 
 def test_what_is_left_over_is_named(results):
     text = failures(results, 'leaves')['leftovers']
-    for message in ('a valid rclpy context with node forgotten', 'a valid rclpy context with no node', 'thread waiter',
-                    'process sleep 97'):
+    for message in (
+        'a valid rclpy context with node forgotten',
+        'a valid rclpy context with no node',
+        'thread waiter',
+        'process sleep 97',
+    ):
         assert message in text
 
 
@@ -110,5 +138,6 @@ def test_what_takes_long_runs_once_in_a_solved_notebook_and_never_in_an_unsolved
         long.cells[0].metadata['tags'] = ['nbval-skip', 'other']
         cells = repeated.repeated(long, paths.ROOT, ('first', 'second')).cells
         return {cell.id: 'nbval-skip' in cell.metadata.tags for cell in cells if cell.id.startswith('cell-')}
+
     assert skipped('1\n') == {'cell-0-first': False, 'cell-0-second': True}
     assert skipped(None) == {'cell-0-first': True, 'cell-0-second': True}

@@ -26,7 +26,7 @@ def test_messages_by_both_ways(domain, monkeypatch):
 def test_idle_nodes_by_both_ways(domain, monkeypatch):
     monkeypatch.setattr(bench_idle, 'ROUNDS', 1)
     monkeypatch.setattr(bench_idle, 'SECONDS', 0.2)
-    figure, = bench_idle.measure()
+    (figure,) = bench_idle.measure()
     assert 0 < figure.value < 1000 and 0 < figure.reference_value < 1000
 
 
@@ -39,7 +39,9 @@ def test_grading_is_compared_on_the_same_terms(monkeypatch):
     monkeypatch.setattr(timing, 'seconds', lambda peer, count: asked.append((peer, count)) or 20.0)
     compared = [figure for figure in bench_grading.measure() if figure.reference]
     assert [(figure.reference, figure.value, figure.ratio) for figure in compared] == [
-        ('nbgrader autograde', 0.5, 0.25), ('otter run', 0.5, 0.25)]
+        ('nbgrader autograde', 0.5, 0.25),
+        ('otter run', 0.5, 0.25),
+    ]
     assert asked == [('course', 10), ('nbgrader autograde', 10), ('course', 10), ('otter run', 10)]
 
 

@@ -39,10 +39,13 @@ def test_mistakes_of_the_author_end_with_one(course, capsys):
     assert capsys.readouterr().err.startswith('solutions/07_tiny.md:')
 
 
-@pytest.mark.parametrize(('argument', 'message'), [
-    ('08', 'no source of chapter 08 in solutions/; there are: 07'),
-    ('seven', "'seven' is no chapter: write its number, such as 03"),
-])
+@pytest.mark.parametrize(
+    ('argument', 'message'),
+    [
+        ('08', 'no source of chapter 08 in solutions/; there are: 07'),
+        ('seven', "'seven' is no chapter: write its number, such as 03"),
+    ],
+)
 def test_an_unknown_chapter_is_unusable_input(course, capsys, argument, message):
     assert app.main(['build', argument]) == 2
     assert capsys.readouterr().err == f'course: {message}\n'
@@ -83,8 +86,15 @@ def test_benchmarks_are_found_run_and_written(course, tmp_path, capsys):
     assert found['results'] == [
         {'benchmark': 'broken', 'what': 'before', 'value': 1.0, 'unit': 's'},
         {'benchmark': 'quick', 'what': 'a wait', 'value': 12.5, 'unit': 'ms'},
-        {'benchmark': 'quick', 'what': 'a try', 'value': 3.0, 'unit': 's', 'reference': 'the other',
-         'reference_value': 4.0, 'ratio': 0.75},
+        {
+            'benchmark': 'quick',
+            'what': 'a try',
+            'value': 3.0,
+            'unit': 's',
+            'reference': 'the other',
+            'reference_value': 4.0,
+            'ratio': 0.75,
+        },
     ]
     assert found['benchmarks']['broken']['error'] == 'OSError: no [clock]'
     assert found['benchmarks']['quick']['error'] == ''

@@ -18,7 +18,7 @@ from helpers.tests import small
 
 LAUNCHER = sandbox.launcher('bubblewrap')
 
-BOMBS = '''
+BOMBS = """
 import os
 
 
@@ -87,7 +87,7 @@ def all_die():
 
 def fine():
     return sorted(entry for entry in os.listdir('/proc') if entry.isdigit())
-'''
+"""
 # What is under test is which bound ends a program: the one on time must not come first on a slow machine.
 TESTS = '''
 from helpers.runner import plugin
@@ -147,8 +147,11 @@ def folder(tmp_path_factory):
 
 def run(folder, program, test, number=1, names=('Talker',), **options):
     checks = small.write_tests(folder, test, number)
-    return session.run(small.cells(program, number), [small.exercise(number, names)],
-                       session.Options(visible=checks, launcher=LAUNCHER, **options))
+    return session.run(
+        small.cells(program, number),
+        [small.exercise(number, names)],
+        session.Options(visible=checks, launcher=LAUNCHER, **options),
+    )
 
 
 def left(cookie: str) -> list[str]:
@@ -174,8 +177,15 @@ def test_each_bound_has_its_verdict(folder):
     report = run(folder, 'import contextlib\nimport signal\nimport time\n' + BOMBS, TESTS, names=('fine',))
     tests = {test.test.partition('::test_')[2]: test for test in report.exercises[0].tests}
     assert {name: test.verdict for name, test in tests.items()} == {
-        'memory': 'learner_crashed', 'family': 'learner_crashed', 'forks': 'passed', 'disk': 'passed',
-        'inodes': 'passed', 'files': 'passed', 'kill': 'learner_crashed', 'last': 'passed'}, (tests, report.log)
+        'memory': 'learner_crashed',
+        'family': 'learner_crashed',
+        'forks': 'passed',
+        'disk': 'passed',
+        'inodes': 'passed',
+        'files': 'passed',
+        'kill': 'learner_crashed',
+        'last': 'passed',
+    }, (tests, report.log)
     assert 'MemoryError' in tests['memory'].message or 'more memory than it may' in tests['memory'].message
     assert 'more memory than it may' in tests['family'].message
     assert 'SIGKILL' in tests['kill'].message
@@ -206,11 +216,15 @@ def daemon(cookie):
 
 def test_nothing_outlives_the_session(folder):
     cookie = f'sleep-{secrets.token_hex(8)}'
-    report = run(folder, daemon(cookie), '''
+    report = run(
+        folder,
+        daemon(cookie),
+        '''
 def test_daemon(learner):
     """It starts one."""
     expect(learner.call('Talker') == 1, 'no')
-''')
+''',
+    )
     assert report.exercises[0].passed, (report.exercises[0].tests, report.log)
     assert not left(cookie)
 
@@ -242,12 +256,17 @@ def test_daemon(learner):
 
 def test_tests_that_are_killed_are_a_fault_of_the_grader(folder):
     cookie = f'sleep-{secrets.token_hex(8)}'
-    report = run(folder, daemon(cookie), '''
+    report = run(
+        folder,
+        daemon(cookie),
+        '''
 def test_daemon(learner):
     """The tests die: a learner may have done it, over the network that they share."""
     learner.call('Talker')
     os.kill(os.getpid(), 9)
-''', retries=0)
+''',
+        retries=0,
+    )
     assert (report.exercises[0].verdict, report.exercises[0].score) == ('grader_error', None)
     assert '-9' in report.log[-1] and gone(cookie)
 
@@ -293,7 +312,9 @@ def test_submissions_on_one_domain_do_not_hear_each_other(folder, monkeypatch):
 
 def test_limits_come_from_the_test(folder):
     """A test's own limits hold for it only; the others have the session's."""
-    report = run(folder, '''
+    report = run(
+        folder,
+        """
 import os
 import resource
 
@@ -301,7 +322,8 @@ import resource
 def Talker():
     place = os.statvfs('/tmp')
     return [resource.getrlimit(resource.RLIMIT_CPU)[0], place.f_blocks * place.f_frsize]
-''', '''
+""",
+        '''
 @pytest.mark.limits(cpu=7, tmp=2**24)
 def test_own(learner):
     """Own."""
@@ -311,16 +333,22 @@ def test_own(learner):
 def test_usual(learner):
     """The session's."""
     expect(learner.call('Talker') == [9, 2**23], f"{learner.call('Talker')}")
-''', limits=start_processes.Limits(cpu=9, tmp=2**23))
+''',
+        limits=start_processes.Limits(cpu=9, tmp=2**23),
+    )
     assert report.exercises[0].passed, (report.exercises[0].tests, report.log)
 
 
 @pytest.mark.parametrize('number', [signal.SIGTERM, signal.SIGINT])
 def test_a_program_that_is_stopped_by_a_signal(folder, number):
-    report = run(folder, f'import os\ndef Talker():\n    os.kill(os.getpid(), {int(number)})\n    return 1\n', '''
+    report = run(
+        folder,
+        f'import os\ndef Talker():\n    os.kill(os.getpid(), {int(number)})\n    return 1\n',
+        '''
 def test_signal(learner):
     """SIGINT is ignored, SIGTERM ends it."""
     learner.call('Talker')
-''')
+''',
+    )
     verdict = 'passed' if number == signal.SIGINT else 'learner_crashed'
     assert report.exercises[0].verdict == verdict, report.exercises[0].tests

@@ -49,8 +49,11 @@ def facts(host):
     try:
         station.close()  # the servers that start now could inherit it
         program = Path(__file__).with_name('facts.py').read_text()
-        report = session.run(small.cells(program), [small.exercise(names=('facts',))],
-                             session.Options(visible=checks, launcher=sandbox.launcher('bubblewrap')))
+        report = session.run(
+            small.cells(program),
+            [small.exercise(names=('facts',))],
+            session.Options(visible=checks, launcher=sandbox.launcher('bubblewrap')),
+        )
     finally:
         del os.environ['GRADER_TOKEN']
     assert report.exercises[0].passed, (report.exercises[0].tests, report.log)
@@ -100,9 +103,23 @@ def test_its_environment_is_the_same_for_all(facts, host):
     environment = facts['environment']
     assert host['name'] not in environment.values() and 'GRADER_TOKEN' not in environment
     assert environment['HOME'] == '/home/learner' and str(host['folder']) not in str(environment)
-    assert set(environment) <= {*start_processes.ros_environment(0), 'PATH', 'LANG', 'LD_LIBRARY_PATH',
-                                'AMENT_PREFIX_PATH', '_ROS_WHEELS_BOOTSTRAP_COMPLETE', 'PYTHONPATH', 'HOME', 'TMPDIR',
-                                'ROS_LOG_DIR', 'COURSE_RUNNER', 'ROS_DISTRO', 'VIRTUAL_ENV', 'LC_ALL', 'LC_CTYPE'}
+    assert set(environment) <= {
+        *start_processes.ros_environment(0),
+        'PATH',
+        'LANG',
+        'LD_LIBRARY_PATH',
+        'AMENT_PREFIX_PATH',
+        '_ROS_WHEELS_BOOTSTRAP_COMPLETE',
+        'PYTHONPATH',
+        'HOME',
+        'TMPDIR',
+        'ROS_LOG_DIR',
+        'COURSE_RUNNER',
+        'ROS_DISTRO',
+        'VIRTUAL_ENV',
+        'LC_ALL',
+        'LC_CTYPE',
+    }
 
 
 def test_its_open_files_are_its_own(facts):
@@ -122,5 +139,10 @@ def test_system_calls_are_filtered(facts):
 def test_its_limits_are_set(facts):
     limits = start_processes.Limits()
     assert {key: value[1] for key, value in facts['limits'].items()} == {
-        'RLIMIT_AS': limits.memory, 'RLIMIT_CPU': limits.cpu, 'RLIMIT_NOFILE': limits.files,
-        'RLIMIT_FSIZE': limits.file_size, 'RLIMIT_CORE': 0, 'RLIMIT_NPROC': limits.processes}
+        'RLIMIT_AS': limits.memory,
+        'RLIMIT_CPU': limits.cpu,
+        'RLIMIT_NOFILE': limits.files,
+        'RLIMIT_FSIZE': limits.file_size,
+        'RLIMIT_CORE': 0,
+        'RLIMIT_NPROC': limits.processes,
+    }

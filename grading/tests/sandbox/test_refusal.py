@@ -31,8 +31,12 @@ def bin_folder(monkeypatch):
 
 def test_grade_refuses_without_bubblewrap(tmp_path, bin_folder):
     (tmp_path / 'ada.ipynb').write_bytes(WORK)
-    done = subprocess.run([sys.executable, '-m', 'helpers.cli', 'grade', str(tmp_path / 'ada.ipynb'), '-o',
-                           str(tmp_path / 'out')], cwd=paths.ROOT, capture_output=True, text=True)
+    done = subprocess.run(
+        [sys.executable, '-m', 'helpers.cli', 'grade', str(tmp_path / 'ada.ipynb'), '-o', str(tmp_path / 'out')],
+        cwd=paths.ROOT,
+        capture_output=True,
+        text=True,
+    )
     assert done.returncode == 2 and not (tmp_path / 'out').exists()
     assert 'apt-get install bubblewrap' in done.stderr and '--sandbox none' in done.stderr
 
@@ -65,8 +69,13 @@ def test_root_becomes_an_ordinary_user_who_sees_only_what_is_needed(tmp_path):
     (closed / 'part').mkdir(parents=True)
     closed.chmod(0o700)
     script = f'id -u; id -G; cat {private}/course/file; ls {private} {closed}; echo x > {private}/course/file'
-    done = subprocess.run(unprivileged.command(['/bin/sh', '-c', script], [paths.ROOT, private / 'course', closed]),
-                          cwd='/', capture_output=True, text=True, env={**os.environ, 'PYTHONPATH': str(paths.ROOT)})
+    done = subprocess.run(
+        unprivileged.command(['/bin/sh', '-c', script], [paths.ROOT, private / 'course', closed]),
+        cwd='/',
+        capture_output=True,
+        text=True,
+        env={**os.environ, 'PYTHONPATH': str(paths.ROOT)},
+    )
     user, groups, *lines = done.stdout.split('\n')
     assert int(user) == unprivileged.account().pw_uid != 0 and '0' not in groups.split()
     assert lines[0].startswith('needed') and 'secret' not in done.stdout and 'part' in done.stdout
@@ -88,7 +97,7 @@ def test_another_processor_has_no_filter(monkeypatch):
 def test_the_filter_is_well_formed():
     """Its jumps stay inside, and it is short enough for the kernel."""
     text = seccomp.program()
-    lines = [text[k:k + 8] for k in range(0, len(text), 8)]
+    lines = [text[k : k + 8] for k in range(0, len(text), 8)]
     assert len(text) % 8 == 0 and len(lines) < 4096
     for number, line in enumerate(lines):
         if line[0] & 7 == 5:  # a jump

@@ -49,14 +49,22 @@ def chosen(ubuntu: str, today: str, table: dict) -> list:
 
 def cases(random: Random) -> list[Case]:
     """Questions about the course's table."""
-    asked = {'ends-last': [('24.04', '2026-08'), ('22.04', '2024-03'), ('20.04', '2021-09')],
-             'months': [('20.04', '2023-06'), ('22.04', '2027-05'), ('24.04', '2029-05'), ('26.04', '2026-05'),
-                        ('20.04', '2020-06')],
-             'ended': [('20.04', '2026-11'), ('22.04', '2027-06'), ('24.04', '2029-06'), ('26.04', '2040-01')],
-             'to-come': [('26.04', '2026-04'), ('24.04', '2023-11'), ('22.04', '2020-12')],
-             'unknown': [('23.10', '2026-11'), ('18.04', '2020-06'), ('24', '2025-06'), ('', '2026-01')]}
-    return [Case(rule, ubuntu, month) for rule, pairs in asked.items()
-            for ubuntu, month in random.sample(pairs, len(pairs))]
+    asked = {
+        'ends-last': [('24.04', '2026-08'), ('22.04', '2024-03'), ('20.04', '2021-09')],
+        'months': [
+            ('20.04', '2023-06'),
+            ('22.04', '2027-05'),
+            ('24.04', '2029-05'),
+            ('26.04', '2026-05'),
+            ('20.04', '2020-06'),
+        ],
+        'ended': [('20.04', '2026-11'), ('22.04', '2027-06'), ('24.04', '2029-06'), ('26.04', '2040-01')],
+        'to-come': [('26.04', '2026-04'), ('24.04', '2023-11'), ('22.04', '2020-12')],
+        'unknown': [('23.10', '2026-11'), ('18.04', '2020-06'), ('24', '2025-06'), ('', '2026-01')],
+    }
+    return [
+        Case(rule, ubuntu, month) for rule, pairs in asked.items() for ubuntu, month in random.sample(pairs, len(pairs))
+    ]
 
 
 def drawn_cases(random: Random) -> list[Case]:
@@ -64,17 +72,29 @@ def drawn_cases(random: Random) -> list[Case]:
     year = random.randint(2033, 2060)
     long, gap, late = random.sample(['34.04', '36.04', '38.04', '40.04'], 3)
     # Of two distributions for one Ubuntu the one that ends sooner comes first in the table, older or newer.
-    rows = [[long, f'{year + 1}-05', f'{year + 2}-11'], [late, f'{year}-03', f'{year + 3}-02'],
-            [long, f'{year}-05', f'{year + 9}-05'], [late, f'{year + 1}-09', f'{year + 8}-10']]
+    rows = [
+        [long, f'{year + 1}-05', f'{year + 2}-11'],
+        [late, f'{year}-03', f'{year + 3}-02'],
+        [long, f'{year}-05', f'{year + 9}-05'],
+        [late, f'{year + 1}-09', f'{year + 8}-10'],
+    ]
     for row in ([gap, f'{year}-05', f'{year + 1}-11'], [gap, f'{year + 4}-05', f'{year + 9}-05']):
         rows.insert(random.randint(0, len(rows)), row)
     table = dict(zip(random.sample(_NAMES, len(rows)), rows, strict=True))
-    asked = [('ends-last', long, f'{year + 1}-08'), ('ends-last', late, f'{year + 2}-10'),
-             ('months', gap, f'{year + 1}-11'), ('months', late, f'{year}-03'), ('months', gap, f'{year + 4}-05'),
-             ('to-come', gap, f'{year + 2}-06'), ('to-come', gap, f'{year + 1}-12'),
-             ('to-come', late, f'{year - 1}-12'),
-             ('ended', gap, f'{year + 9}-06'), ('ended', late, f'{year + 12}-01'),
-             ('table', '24.04', '2026-11'), ('unknown', long + '.1', f'{year + 1}-08')]
+    asked = [
+        ('ends-last', long, f'{year + 1}-08'),
+        ('ends-last', late, f'{year + 2}-10'),
+        ('months', gap, f'{year + 1}-11'),
+        ('months', late, f'{year}-03'),
+        ('months', gap, f'{year + 4}-05'),
+        ('to-come', gap, f'{year + 2}-06'),
+        ('to-come', gap, f'{year + 1}-12'),
+        ('to-come', late, f'{year - 1}-12'),
+        ('ended', gap, f'{year + 9}-06'),
+        ('ended', late, f'{year + 12}-01'),
+        ('table', '24.04', '2026-11'),
+        ('unknown', long + '.1', f'{year + 1}-08'),
+    ]
     return [Case(rule, ubuntu, month, table) for rule, ubuntu, month in asked]
 
 
@@ -85,10 +105,14 @@ def check(learner, asked: list[Case]) -> None:
         given = [] if case.table is None else [case.table]
         got = learner.call('choose_distribution', case.ubuntu, today, *given)
         where = f'Ubuntu {case.ubuntu!r} on {today}' + (f' with the table {case.table}' if given else '')
-        expect(isinstance(got, list) and len(got) == 2,
-               f'{where} gives {got!r}; expected a pair (name, reason).', 'pair')
+        expect(
+            isinstance(got, list) and len(got) == 2, f'{where} gives {got!r}; expected a pair (name, reason).', 'pair'
+        )
         wanted = chosen(case.ubuntu, today, case.table or RELEASES)
         by_heart = bool(given) and got == chosen(case.ubuntu, today, RELEASES)
         why = 'Use the argument `releases`, and nothing that you know by heart.' if by_heart else _WHY[case.rule]
-        expect(got == wanted, f'{where} gives {tuple(got)!r}, expected {tuple(wanted)!r}. {why}',
-               'table' if by_heart else case.rule)
+        expect(
+            got == wanted,
+            f'{where} gives {tuple(got)!r}, expected {tuple(wanted)!r}. {why}',
+            'table' if by_heart else case.rule,
+        )

@@ -27,13 +27,23 @@ def check_roll_call(learner) -> None:
         with about('measures'):
             got = learner.call('who_hears', ours, asked, ENOUGH)
         here.wait_until(lambda: heard, timeout=1)
-        expect(here.met('/roll_call'), f'No speaker for /roll_call came into domain {ours}. Each context has its own '
-                                       'domain: rclpy.init(context=…, domain_id=…).', 'measures')
-        expect(heard and got, f'A speaker was in domain {ours}, and who_hears({ours}, {asked}) gives {got!r}. '
-                              'Discovery takes time: what is published before it is lost. Publish again and again.',
-               'measures')
-        expect(got == [ours], f'who_hears({ours}, {asked}) gives {got!r}, expected {[ours]}: a speaker is heard in its '
-                              'own domain only.', 'measures')
+        expect(
+            here.met('/roll_call'),
+            f'No speaker for /roll_call came into domain {ours}. Each context has its own '
+            'domain: rclpy.init(context=…, domain_id=…).',
+            'measures',
+        )
+        expect(
+            heard and got,
+            f'A speaker was in domain {ours}, and who_hears({ours}, {asked}) gives {got!r}. '
+            'Discovery takes time: what is published before it is lost. Publish again and again.',
+            'measures',
+        )
+        expect(
+            got == [ours],
+            f'who_hears({ours}, {asked}) gives {got!r}, expected {[ours]}: a speaker is heard in its own domain only.',
+            'measures',
+        )
 
 
 def check_bridged(learner) -> None:
@@ -47,8 +57,12 @@ def check_bridged(learner) -> None:
             with about('measures'):
                 got = learner.call('who_hears', ours, asked, 2.0)
         wanted = [second, ours]
-        expect(got != [ours], f'The tests have a bridge for roll_call from domain {ours} to {second}. Your function '
-                              f'says that only {ours} hears: does it compare numbers, and not listen?', 'measures')
+        expect(
+            got != [ours],
+            f'The tests have a bridge for roll_call from domain {ours} to {second}. Your function '
+            f'says that only {ours} hears: does it compare numbers, and not listen?',
+            'measures',
+        )
         said = f'With a bridge from {ours} to {second}, who_hears({ours}, {asked}) gives {got!r}, expected {wanted}.'
         expect(isinstance(got, list), said, 'sorted')
         expect(set(got) == set(wanted), said, 'measures')
@@ -65,8 +79,11 @@ def check_time(learner) -> None:
         with about('in-time'):
             got = learner.call('who_hears', ours, [other], 0.5)
         expect(got == [], f'who_hears({ours}, {[other]}, 0.5) gives {got!r}, expected an empty list.', 'measures')
-        expect(time.monotonic() - begin < 12, 'who_hears takes much longer than it may. It is done when all have '
-                                              'heard, or after `seconds`.', 'in-time')
+        expect(
+            time.monotonic() - begin < 12,
+            'who_hears takes much longer than it may. It is done when all have heard, or after `seconds`.',
+            'in-time',
+        )
 
 
 def check_left(learner) -> None:
@@ -76,15 +93,22 @@ def check_left(learner) -> None:
             heard = here.listen('/roll_call', String)
             with about('measures'):
                 got = learner.call('who_hears', ours, [ours, other], 1.0)
-            expect(here.wait_until(lambda: heard, timeout=2) and got == [ours],  # noqa: B023 - used at once
-                   f'who_hears({ours}, {[ours, other]}) gives {got!r}, expected {[ours]}.', 'measures')
+            expect(
+                here.wait_until(lambda: heard, timeout=2) and got == [ours],  # noqa: B023 - used at once
+                f'who_hears({ours}, {[ours, other]}) gives {got!r}, expected {[ours]}.',
+                'measures',
+            )
             if here.wait_until(lambda: not here.nodes(), timeout=1):  # noqa: B023
                 there.wait_until(lambda: not there.nodes(), timeout=1)  # noqa: B023
                 if not there.nodes():
                     return
             left = here.nodes() or there.nodes()
-    expect(False, f'After the call these nodes are left in its domains: {", ".join(left)}. Destroy them, and shut '
-                  'their contexts down.', 'leaves')
+    expect(
+        False,
+        f'After the call these nodes are left in its domains: {", ".join(left)}. Destroy them, and shut '
+        'their contexts down.',
+        'leaves',
+    )
 
 
 def check_bridge(learner, count: int) -> None:
@@ -97,10 +121,16 @@ def check_bridge(learner, count: int) -> None:
         with about('bridge'):
             node = learner.start('Bridge', domain)
         expect(node.name == '/bridge', f'The node is called {node.name}, expected /bridge.', 'bridge')
-        expect(learner.endpoints('/chatter').subscriptions,
-               'Your bridge does not listen on /chatter in the domain of the program.', 'carries')
-        expect(learner.depths('subscription', '/chatter') == [10],
-               'The queue of your subscription to chatter has not the depth 10.', 'carries')
+        expect(
+            learner.endpoints('/chatter').subscriptions,
+            'Your bridge does not listen on /chatter in the domain of the program.',
+            'carries',
+        )
+        expect(
+            learner.depths('subscription', '/chatter') == [10],
+            'The queue of your subscription to chatter has not the depth 10.',
+            'carries',
+        )
         expect(there.wait_until(there.nodes, 5), f'No node of yours is in domain {domain}.', 'bridge')
         at_home = here.listen('/chatter', String)  # only now: it is a subscription on /chatter, too
 
@@ -110,9 +140,11 @@ def check_bridge(learner, count: int) -> None:
                 learner.settle()
             return bool(heard)
 
-        expect(there.wait_until(arrived, timeout=6),
-               f'Messages were published on /chatter in the domain of the program, and none came in domain {domain}.',
-               'carries')
+        expect(
+            there.wait_until(arrived, timeout=6),
+            f'Messages were published on /chatter in the domain of the program, and none came in domain {domain}.',
+            'carries',
+        )
         texts = [f'  {random.choice(["north", "Süd", "EAST"])} {random.randint(0, 999)} \n' for _ in range(count)]
         texts += ['', texts[0]]
         talker.send(*[String(data=text) for text in texts])
@@ -128,6 +160,9 @@ def check_bridge(learner, count: int) -> None:
             with about('one-way'):
                 learner.settle()
             here.wait_until(lambda: any(message.data == 'echo?' for message in at_home[before:]), timeout=0.05)
-        expect(not back and not any(message.data == 'echo?' for message in at_home),
-               'Your bridge also listens in the other domain. It must carry in one direction only: two directions make '
-               'an endless echo.', 'one-way')
+        expect(
+            not back and not any(message.data == 'echo?' for message in at_home),
+            'Your bridge also listens in the other domain. It must carry in one direction only: two directions make '
+            'an endless echo.',
+            'one-way',
+        )

@@ -52,10 +52,15 @@ def cases(random: Random) -> list[Case]:
     """Environments for each rule; those with one fault come first."""
     distro = random.choice(DISTROS)
     good = healthy(random, distro)
-    return [*_missing(distro),
-            Case('dictionary', healthy(random, distro, workspaces=0), {}, 'Nothing is wrong with it.'),
-            *_workspaces(random), *_prefixes(random, distro, good), *_pythons(random, distro),
-            *_domains(random, good), *_ranges(random, good)]
+    return [
+        *_missing(distro),
+        Case('dictionary', healthy(random, distro, workspaces=0), {}, 'Nothing is wrong with it.'),
+        *_workspaces(random),
+        *_prefixes(random, distro, good),
+        *_pythons(random, distro),
+        *_domains(random, good),
+        *_ranges(random, good),
+    ]
 
 
 def _workspaces(random: Random) -> list[Case]:
@@ -73,15 +78,17 @@ def _prefixes(random: Random, distro: str, good: dict) -> list[Case]:
     mixed = {PREFIX: 'mixed'}
     sourced = 'Two distributions are in the path; ROS_DISTRO tells only which one was sourced last.'
     inside = f'/opt/ros/{distro}/opt/extra:/opt/ros/{distro}'
-    return [Case('not-sourced', {}, {PREFIX: 'not sourced'}),
-            Case('not-sourced', {PREFIX: ''}, {PREFIX: 'not sourced'}),
-            Case('not-sourced', {**good, PREFIX: ''}, {PREFIX: 'not sourced'}),
-            Case('mixed', {**good, PREFIX: good[PREFIX] + f':/opt/ros/{second}'}, mixed, sourced),
-            Case('mixed', {**good, PREFIX: ':'.join(two[::-1]), 'ROS_DISTRO': second}, mixed, sourced),
-            Case('mixed', {PREFIX: ':'.join(two)}, mixed, 'Two distributions are in the path.'),
-            Case('mixed', {PREFIX: f'{two[0]}:{two[1]}/opt/extra'}, mixed, 'Two distributions are in the path.'),
-            Case('mixed', {PREFIX: inside, 'ROS_DISTRO': distro}, {}, 'Both folders belong to one distribution.'),
-            Case('ros-distro', {**good, 'ROS_DISTRO': second}, mixed, 'Path and ROS_DISTRO name two distributions.')]
+    return [
+        Case('not-sourced', {}, {PREFIX: 'not sourced'}),
+        Case('not-sourced', {PREFIX: ''}, {PREFIX: 'not sourced'}),
+        Case('not-sourced', {**good, PREFIX: ''}, {PREFIX: 'not sourced'}),
+        Case('mixed', {**good, PREFIX: good[PREFIX] + f':/opt/ros/{second}'}, mixed, sourced),
+        Case('mixed', {**good, PREFIX: ':'.join(two[::-1]), 'ROS_DISTRO': second}, mixed, sourced),
+        Case('mixed', {PREFIX: ':'.join(two)}, mixed, 'Two distributions are in the path.'),
+        Case('mixed', {PREFIX: f'{two[0]}:{two[1]}/opt/extra'}, mixed, 'Two distributions are in the path.'),
+        Case('mixed', {PREFIX: inside, 'ROS_DISTRO': distro}, {}, 'Both folders belong to one distribution.'),
+        Case('ros-distro', {**good, 'ROS_DISTRO': second}, mixed, 'Path and ROS_DISTRO name two distributions.'),
+    ]
 
 
 def _pythons(random: Random, distro: str) -> list[Case]:
@@ -93,39 +100,60 @@ def _pythons(random: Random, distro: str) -> list[Case]:
         both = [environ[PYTHON], folder]
         random.shuffle(both)
         fault = {PYTHON: 'other Python'}
-        made += [Case('python', environ, {}, 'All folders are for this Python.', python),
-                 Case('python', {**environ, PYTHON: folder}, fault, 'Its only folder is for another Python.', python),
-                 Case('python', {**environ, PYTHON: ':'.join(both)}, fault,
-                      'A right folder does not excuse a wrong one.', python)]
+        made += [
+            Case('python', environ, {}, 'All folders are for this Python.', python),
+            Case('python', {**environ, PYTHON: folder}, fault, 'Its only folder is for another Python.', python),
+            Case(
+                'python',
+                {**environ, PYTHON: ':'.join(both)},
+                fault,
+                'A right folder does not excuse a wrong one.',
+                python,
+            ),
+        ]
     tools = {**healthy(random, distro), PYTHON: '/home/ada/python/tools:/home/ada/my.python3'}
     return [*made, Case('python', tools, {}, 'PYTHONPATH has no part pythonX.Y.')]
 
 
 def _domains(random: Random, good: dict) -> list[Case]:
     fine = ['0', '101', str(random.randint(1, 100))]
-    return [*[Case('domain', {**good, DOMAIN: text}, {}, 'That is a domain.') for text in fine],
-            *[Case('domain', {**good, DOMAIN: text}, {DOMAIN: 'not a domain'}, 'Domains are whole numbers, 0 to 101.')
-              for text in BAD_DOMAINS]]
+    return [
+        *[Case('domain', {**good, DOMAIN: text}, {}, 'That is a domain.') for text in fine],
+        *[
+            Case('domain', {**good, DOMAIN: text}, {DOMAIN: 'not a domain'}, 'Domains are whole numbers, 0 to 101.')
+            for text in BAD_DOMAINS
+        ],
+    ]
 
 
 def _ranges(random: Random, good: dict) -> list[Case]:
-    return [*[Case('unknown', {**good, RANGE: text}, {}, 'That is one of the four.') for text in RANGES],
-            Case('off', {**good, RANGE: 'OFF'}, {RANGE: 'off'}, 'With OFF, nodes do not find each other.'),
-            *[Case('unknown', {**good, RANGE: text}, {RANGE: 'unknown'}, 'That is none of the four, letter by letter.')
-              for text in random.sample(BAD_RANGES, 4)]]
+    return [
+        *[Case('unknown', {**good, RANGE: text}, {}, 'That is one of the four.') for text in RANGES],
+        Case('off', {**good, RANGE: 'OFF'}, {RANGE: 'off'}, 'With OFF, nodes do not find each other.'),
+        *[
+            Case('unknown', {**good, RANGE: text}, {RANGE: 'unknown'}, 'That is none of the four, letter by letter.')
+            for text in random.sample(BAD_RANGES, 4)
+        ],
+    ]
 
 
 def _missing(distro: str) -> list[Case]:
     path = {PREFIX: f'/opt/ros/{distro}'}
     empty = {**path, 'ROS_DISTRO': '', PYTHON: '', DOMAIN: '', RANGE: ''}
-    return [Case('missing', path, {}, 'What is missing is no fault.'),
-            Case('missing', empty, {}, 'Empty is like missing.')]
+    return [
+        Case('missing', path, {}, 'What is missing is no fault.'),
+        Case('missing', empty, {}, 'Empty is like missing.'),
+    ]
 
 
 def several(random: Random, counts=(2, 3, 4, 4)) -> list[Case]:
     """Environments with so many faults at once."""
-    choices = {PREFIX: ('not sourced', 'mixed'), PYTHON: ('other Python',), DOMAIN: ('not a domain',),
-               RANGE: ('off', 'unknown')}
+    choices = {
+        PREFIX: ('not sourced', 'mixed'),
+        PYTHON: ('other Python',),
+        DOMAIN: ('not a domain',),
+        RANGE: ('off', 'unknown'),
+    }
     made = []
     for count in counts:
         variables = random.sample(list(choices), count)
@@ -134,8 +162,9 @@ def several(random: Random, counts=(2, 3, 4, 4)) -> list[Case]:
         environ = healthy(random, distro, python)
         for variable, fault in faults.items():
             _spoil(random, environ, variable, fault, python)
-        made.append(Case('every-fault', environ, faults, f'{count} things are wrong. Do not stop at the first one.',
-                         python))
+        made.append(
+            Case('every-fault', environ, faults, f'{count} things are wrong. Do not stop at the first one.', python)
+        )
     return made
 
 
@@ -164,7 +193,13 @@ def check(learner, asked: list[Case]) -> None:
         with about(case.rule):
             got = learner.call('diagnose', case.environ, *given)
         shown = ', '.join(f'{name}={value}' for name, value in case.environ.items()) or 'no variable at all'
-        expect(isinstance(got, dict), f'With {shown}, diagnose gives {got!r}; expected a dictionary, also when '
-                                      'nothing is wrong.', 'dictionary')
-        expect(got == case.wanted, f'With {shown} and Python {case.python}, diagnose gives {got}, expected '
-                                   f'{case.wanted}. {case.why}', case.rule)
+        expect(
+            isinstance(got, dict),
+            f'With {shown}, diagnose gives {got!r}; expected a dictionary, also when nothing is wrong.',
+            'dictionary',
+        )
+        expect(
+            got == case.wanted,
+            f'With {shown} and Python {case.python}, diagnose gives {got}, expected {case.wanted}. {case.why}',
+            case.rule,
+        )

@@ -20,23 +20,35 @@ class Drive:
         self.sim = TurtleSim(learner, *start, namespace=space)
         with about('reach'):
             self.node = learner.start('GoToGoal', *goal, remap={'__ns': space} if space else None)
-        self.way = (f'From ({start[0]:.1f}, {start[1]:.1f}), heading {math.degrees(start[2]):.0f}°, '
-                    f'to ({goal[0]:.1f}, {goal[1]:.1f}): ')
+        self.way = (
+            f'From ({start[0]:.1f}, {start[1]:.1f}), heading {math.degrees(start[2]):.0f}°, '
+            f'to ({goal[0]:.1f}, {goal[1]:.1f}): '
+        )
 
     def check_ends(self) -> None:
         """Name, topics and queues are as specified."""
-        expect(self.node.name == f'{self.space}/{NAME}',
-               f'The node is called {self.node.name}, expected {self.space}/{NAME}.', 'node')
+        expect(
+            self.node.name == f'{self.space}/{NAME}',
+            f'The node is called {self.node.name}, expected {self.space}/{NAME}.',
+            'node',
+        )
         for kind, name in (('subscription', POSE), ('publisher', COMMAND)):
             topic = f'{self.space}/{name}'
             there = getattr(self.learner.endpoints(topic), f'{kind}s')
             absolute = self.space and getattr(self.learner.endpoints(f'/{name}'), f'{kind}s')
-            expect(not absolute, f'In the namespace {self.space} your {kind} stays on /{name}: a relative name has no '
-                                 'slash at its beginning.', 'topics')
+            expect(
+                not absolute,
+                f'In the namespace {self.space} your {kind} stays on /{name}: a relative name has no '
+                'slash at its beginning.',
+                'topics',
+            )
             expect(there, f'Your node has no {kind} on {name}.', 'topics')
             depths = self.learner.depths(kind, topic)
-            expect(set(depths) == {10}, f'The queue of your {kind} on {name} has the depth {depths[0]}, expected 10.',
-                   'topics')
+            expect(
+                set(depths) == {10},
+                f'The queue of your {kind} on {name} has the depth {depths[0]}, expected 10.',
+                'topics',
+            )
 
     def to_the_goal(self) -> None:
         """The turtle comes to its goal and stands there."""
@@ -51,35 +63,61 @@ class Drive:
             sim.run(AT_MOST, until=arrived)
         place = f'({sim.turtle.x:.1f}, {sim.turtle.y:.1f}), heading {math.degrees(sim.turtle.theta):.0f}°'
         expect(sim.commands.messages, f'The simulator told its pose, and no command came on {COMMAND}.', 'reach')
-        passed = (f'{self.way}the turtle came to {nearest:.2f} m of the goal, and drove on. Drive slower when the '
-                  'goal is near, and stop there.')
+        passed = (
+            f'{self.way}the turtle came to {nearest:.2f} m of the goal, and drove on. Drive slower when the '
+            'goal is near, and stop there.'
+        )
         late = nearest > 0.6 or sim.distance(*self.goal) < WITHIN
-        expect(not sim.bumps or not late, f'{self.way}the turtle ran into a wall at {place}. Turn first; drive when '
-                                          'the direction is nearly right.', 'walls')
+        expect(
+            not sim.bumps or not late,
+            f'{self.way}the turtle ran into a wall at {place}. Turn first; drive when the direction is nearly right.',
+            'walls',
+        )
         expect(not sim.bumps, passed, 'stop')
-        expect(sim.turned < DIZZY or sim.distance(*self.start[:2]) > 1,
-               f'{self.way}the turtle turns on the spot, round and round. Is the error in radians, and the heading '
-               'subtracted?', 'reach')
+        expect(
+            sim.turned < DIZZY or sim.distance(*self.start[:2]) > 1,
+            f'{self.way}the turtle turns on the spot, round and round. Is the error in radians, and the heading '
+            'subtracted?',
+            'reach',
+        )
         expect(sim.turned < DIZZY or late, passed, 'stop')
-        expect(sim.turned < DIZZY, f'{self.way}the turtle drives around in circles. Drive slower while the direction '
-                                   'is wrong, and near the goal.', 'reach')
-        expect(sim.distance(*self.goal) >= WITHIN or sim.turtle.linear < 0.01,
-               f'{self.way}the turtle is at the goal and does not stand still.', 'stop')
-        expect(sim.distance(*self.goal) < WITHIN, f'{self.way}after {AT_MOST:g} s the turtle is '
-               f'{sim.distance(*self.goal):.2f} m away, at {place}. It came to {nearest:.2f} m of the goal.', 'reach')
+        expect(
+            sim.turned < DIZZY,
+            f'{self.way}the turtle drives around in circles. Drive slower while the direction '
+            'is wrong, and near the goal.',
+            'reach',
+        )
+        expect(
+            sim.distance(*self.goal) >= WITHIN or sim.turtle.linear < 0.01,
+            f'{self.way}the turtle is at the goal and does not stand still.',
+            'stop',
+        )
+        expect(
+            sim.distance(*self.goal) < WITHIN,
+            f'{self.way}after {AT_MOST:g} s the turtle is '
+            f'{sim.distance(*self.goal):.2f} m away, at {place}. It came to {nearest:.2f} m of the goal.',
+            'reach',
+        )
 
     def stays(self, seconds: float) -> None:
         """The turtle has been told zero, and does not move any more."""
         with about('stop'):
             self.sim.run(seconds)
         left = self.sim.distance(*self.goal)
-        expect(left < WITHIN, f'{self.way}the turtle was at the goal and left it: after {seconds:g} s more it is '
-                              f'{left:.2f} m away. Tell it zero, and go on telling it.', 'stop')
+        expect(
+            left < WITHIN,
+            f'{self.way}the turtle was at the goal and left it: after {seconds:g} s more it is '
+            f'{left:.2f} m away. Tell it zero, and go on telling it.',
+            'stop',
+        )
         expect(self.sim.commands.messages, f'{self.way}no command came on {COMMAND}.', 'stop')
         last = self.sim.commands.messages[-1]
-        expect(abs(last.linear.x) < 1e-3 and abs(last.angular.z) < 1e-3,
-               f'{self.way}at the goal, the last command on {COMMAND} was linear.x {last.linear.x:.2f} and angular.z '
-               f'{last.angular.z:.2f}. Publish a command of zero there.', 'stop')
+        expect(
+            abs(last.linear.x) < 1e-3 and abs(last.angular.z) < 1e-3,
+            f'{self.way}at the goal, the last command on {COMMAND} was linear.x {last.linear.x:.2f} and angular.z '
+            f'{last.angular.z:.2f}. Publish a command of zero there.',
+            'stop',
+        )
 
 
 def far_places(random: Random):
@@ -102,10 +140,12 @@ def across_pi(learner, side: int) -> None:
     goal = (8.0 - 4.0 * math.cos(tilt), 5.5 - side * 4.0 * math.sin(tilt))
     drive = Drive(learner, (8.0, 5.5, side * (math.pi - tilt)), goal)
     drive.to_the_goal()
-    expect(drive.sim.turned < 2 * tilt + 1.5,
-           f'{drive.way}the goal was {math.degrees(2 * tilt):.0f}° to the {"left" if side > 0 else "right"}, and the '
-           f'turtle turned by {math.degrees(drive.sim.turned):.0f}° in all: the long way round. The angle jumps at π.',
-           'short-way')
+    expect(
+        drive.sim.turned < 2 * tilt + 1.5,
+        f'{drive.way}the goal was {math.degrees(2 * tilt):.0f}° to the {"left" if side > 0 else "right"}, and the '
+        f'turtle turned by {math.degrees(drive.sim.turned):.0f}° in all: the long way round. The angle jumps at π.',
+        'short-way',
+    )
 
 
 def goal_behind(learner) -> Drive:

@@ -7,8 +7,19 @@ from helpers.checks.chapter_01 import environments
 pytestmark = pytest.mark.exercise('1.2')
 
 
-@pytest.mark.rules('dictionary', 'every-fault', 'not-sourced', 'mixed', 'ros-distro', 'workspace', 'python', 'domain',
-                   'off', 'unknown', 'missing')
+@pytest.mark.rules(
+    'dictionary',
+    'every-fault',
+    'not-sourced',
+    'mixed',
+    'ros-distro',
+    'workspace',
+    'python',
+    'domain',
+    'off',
+    'unknown',
+    'missing',
+)
 def test_diagnose(learner):
     """Each fault of an environment is named, and nothing else.
 

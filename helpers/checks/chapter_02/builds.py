@@ -22,21 +22,29 @@ def greeter(learner) -> ExerciseWorkspace:
     with about('builds'):
         if workspace.build(check=False).status != 0:
             for _, value in re.findall(r"""(['"])\s*[\w.-]+\s*=\s*([^'"=]*)\1""", text):
-                expect('/' not in value and '-' not in value,
-                       f'The entry point `{value.strip()}` names a file. An entry point names a module as import does: '
-                       'with dots, and without .py.')
-            expect(not re.search(r"""=\s*[\w.]+:\w+(['"])\s*\n\s*['"]""", text),
-                   'A comma is missing between two entry points. Python joins two texts that follow each other to one.')
+                expect(
+                    '/' not in value and '-' not in value,
+                    f'The entry point `{value.strip()}` names a file. An entry point names a module as import does: '
+                    'with dots, and without .py.',
+                )
+            expect(
+                not re.search(r"""=\s*[\w.]+:\w+(['"])\s*\n\s*['"]""", text),
+                'A comma is missing between two entry points. Python joins two texts that follow each other to one.',
+            )
         workspace.build()
     return workspace
 
 
 def line_follower(learner) -> ExerciseWorkspace:
     """Exercise 2.2's package."""
-    workspace = learner.workspace({
-        **package(GIVEN / 'line_follower'), 'src/line_follower/setup.py': learner.text('FOLLOWER_SETUP'),
-        'src/line_follower/setup.cfg': learner.text('FOLLOWER_CFG'),
-        'src/line_follower/package.xml': learner.text('FOLLOWER_XML')})
+    workspace = learner.workspace(
+        {
+            **package(GIVEN / 'line_follower'),
+            'src/line_follower/setup.py': learner.text('FOLLOWER_SETUP'),
+            'src/line_follower/setup.cfg': learner.text('FOLLOWER_CFG'),
+            'src/line_follower/package.xml': learner.text('FOLLOWER_XML'),
+        }
+    )
     with about('builds'):
         workspace.build()
     return workspace
@@ -45,10 +53,15 @@ def line_follower(learner) -> ExerciseWorkspace:
 def dock_interfaces(learner) -> ExerciseWorkspace:
     """Exercise 2.3's package."""
     folder = 'src/dock_interfaces'
-    workspace = learner.workspace({
-        f'{folder}/msg/Charge.msg': learner.text('MSG'), f'{folder}/srv/Dock.srv': learner.text('SRV'),
-        f'{folder}/CMakeLists.txt': learner.text('CMAKE'), f'{folder}/package.xml': learner.text('DOCK_XML'),
-        'try_it.py': _TRY_IT})
+    workspace = learner.workspace(
+        {
+            f'{folder}/msg/Charge.msg': learner.text('MSG'),
+            f'{folder}/srv/Dock.srv': learner.text('SRV'),
+            f'{folder}/CMakeLists.txt': learner.text('CMAKE'),
+            f'{folder}/package.xml': learner.text('DOCK_XML'),
+            'try_it.py': _TRY_IT,
+        }
+    )
     done = workspace.build(check=False)
     if done.status != 0:
         message, rule = interface_faults.cause(done.output, reason)
@@ -63,8 +76,12 @@ def interface(learner, *arguments: str) -> tuple[dict, list | None]:
     """
     done = dock_interfaces(learner).run('python3', 'try_it.py', *arguments)
     absent = re.search(r"No module named 'dock_interfaces\.(msg|srv)'|cannot import name '(\w+)'", done.last_line)
-    expect(not absent, f'Python does not find {absent and ("your ." + absent[1] if absent[1] else absent[2])}: is each '
-                       'file named in rosidl_generate_interfaces?', 'both')
+    expect(
+        not absent,
+        f'Python does not find {absent and ("your ." + absent[1] if absent[1] else absent[2])}: is each '
+        'file named in rosidl_generate_interfaces?',
+        'both',
+    )
     found = next((json.loads(line) for line in done.lines if line.startswith('{')), None)
     expect(found is not None, f'A program that uses your types ended with: {done.last_line}', 'both')
     wire = json.loads(done.lines[-1]) if done.status == 0 and arguments else None
@@ -73,19 +90,29 @@ def interface(learner, *arguments: str) -> tuple[dict, list | None]:
 
 def odometry(learner) -> ExerciseWorkspace:
     """Exercise 2.4's two packages, of which those are built that odometry declares to need."""
-    workspace = learner.workspace({
-        **package(GIVEN / 'wheel_math'), **package(GIVEN / 'odometry'),
-        'src/wheel_math/package.xml': learner.text('WHEEL_MATH_XML'),
-        'src/odometry/package.xml': learner.text('ODOMETRY_XML'),
-        'src/odometry/odometry/report.py': learner.text('REPORT_PY')})
+    workspace = learner.workspace(
+        {
+            **package(GIVEN / 'wheel_math'),
+            **package(GIVEN / 'odometry'),
+            'src/wheel_math/package.xml': learner.text('WHEEL_MATH_XML'),
+            'src/odometry/package.xml': learner.text('ODOMETRY_XML'),
+            'src/odometry/odometry/report.py': learner.text('REPORT_PY'),
+        }
+    )
     done = workspace.build('--packages-up-to', 'odometry', check=False)
-    expect('Unable to order packages' not in done.output,
-           'The two packages need each other in a circle, so neither can be built first. wheel_math needs nothing of '
-           'odometry.', 'order')
+    expect(
+        'Unable to order packages' not in done.output,
+        'The two packages need each other in a circle, so neither can be built first. wheel_math needs nothing of '
+        'odometry.',
+        'order',
+    )
     for name in ('WHEEL_MATH_XML', 'ODOMETRY_XML') if done.status else ():
         found = build_type(learner, name)
-        expect(found == 'ament_python', f'The build type in {name} is {found or "not given"}, expected ament_python.',
-               'build-type')
+        expect(
+            found == 'ament_python',
+            f'The build type in {name} is {found or "not given"}, expected ament_python.',
+            'build-type',
+        )
     with about('needs'):
         workspace.build('--packages-up-to', 'odometry')
     return workspace
@@ -125,7 +152,7 @@ def to_build(declared: dict[str, set[str]]) -> set[str]:
 
 
 # Runs on the learner's side: prints the fields, then offers, publishes and calls what the learner has defined.
-_TRY_IT = '''\
+_TRY_IT = """\
 import json
 import sys
 
@@ -166,4 +193,4 @@ if len(sys.argv) > 1:
         rclpy.spin_once(node, timeout_sec=10)
     print(json.dumps([answer.result().docked, answer.result().message, heard[0].header.frame_id, heard[0].percent]))
     rclpy.try_shutdown()
-'''
+"""

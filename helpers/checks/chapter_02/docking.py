@@ -24,13 +24,22 @@ def judge_charge(learner) -> None:
     found, _ = builds.interface(learner)
     fields = _fields(found, 'msg')
     expect('uint8 FULL' not in fields, 'FULL is a field of Charge. A constant has a `=` and a value.', 'full')
-    expect(sorted(fields) != sorted(CHARGE) or fields == CHARGE,
-           f'The fields of Charge are in the order {_written(fields)}; expected {_written(CHARGE)}.', 'charge')
+    expect(
+        sorted(fields) != sorted(CHARGE) or fields == CHARGE,
+        f'The fields of Charge are in the order {_written(fields)}; expected {_written(CHARGE)}.',
+        'charge',
+    )
     expect(fields == CHARGE, f'The fields of Charge are {_written(fields)}; expected {_written(CHARGE)}.', 'charge')
-    expect(found['FULL'] is not None, 'Charge has no constant FULL. A constant has a type, a name, `=` and a value.',
-           'full')
-    expect(found['FULL'] == 100 and not isinstance(found['FULL'], (str, bool)),
-           f'Charge.FULL is {found["FULL"]!r}, expected 100. A constant needs `=`.', 'full')
+    expect(
+        found['FULL'] is not None,
+        'Charge has no constant FULL. A constant has a type, a name, `=` and a value.',
+        'full',
+    )
+    expect(
+        found['FULL'] == 100 and not isinstance(found['FULL'], (str, bool)),
+        f'Charge.FULL is {found["FULL"]!r}, expected 100. A constant needs `=`.',
+        'full',
+    )
     expect(isinstance(found['FULL'], int), f'Charge.FULL is {found["FULL"]}, a float; expected uint8.', 'full')
     text = learner.text('MSG')
     kinds = [line.split()[0] for line in text.splitlines() if line.partition('=')[0].split()[1:] == ['FULL']]
@@ -41,44 +50,73 @@ def judge_dock(learner) -> None:
     """The fields of Dock (`request`, `response`) and the default value (`default`)."""
     found, _ = builds.interface(learner)
     request, response = _fields(found, 'request'), _fields(found, 'response')
-    expect((request, response) != (RESPONSE, REQUEST),
-           'Request and response of Dock are exchanged: what stands above `---` is the request.', 'request')
+    expect(
+        (request, response) != (RESPONSE, REQUEST),
+        'Request and response of Dock are exchanged: what stands above `---` is the request.',
+        'request',
+    )
     for rule, fields, wanted in (('request', request, REQUEST), ('response', response, RESPONSE)):
-        expect(fields == wanted, f'The fields of the {rule} of Dock are {_written(fields)}; expected '
-                                 f'{_written(wanted)}.', rule)
+        expect(
+            fields == wanted,
+            f'The fields of the {rule} of Dock are {_written(fields)}; expected {_written(wanted)}.',
+            rule,
+        )
     speed = found['speed']
-    expect(abs(speed - 0.2) < 1e-6, f'A new request has the speed {speed:g}, expected 0.2: write the default value '
-                                    'after the name.', 'default')
-    expect(found['others'] == ['', False, ''], f'A new Dock begins with {found["others"]} in station, docked and '
-                                               'message. Only speed has a default value.', 'default')
+    expect(
+        abs(speed - 0.2) < 1e-6,
+        f'A new request has the speed {speed:g}, expected 0.2: write the default value after the name.',
+        'default',
+    )
+    expect(
+        found['others'] == ['', False, ''],
+        f'A new Dock begins with {found["others"]} in station, docked and message. Only speed has a default value.',
+        'default',
+    )
 
 
 def judge_use(learner) -> None:
     """Both types can be used by programs and tools: rule `both`."""
     station, percent = f'dock{learner.random.randint(10, 99)}', learner.random.randint(1, 99)
     found, wire = builds.interface(learner, station, str(percent))
-    if all(_fields(found, key) == wanted for key, wanted in
-           (('msg', CHARGE), ('request', REQUEST), ('response', RESPONSE))):
-        expect(wire == [True, station, station, percent], f'A program that uses your types ended with: '
-                                                          f'{found["last_line"]}', 'both')
+    if all(
+        _fields(found, key) == wanted for key, wanted in (('msg', CHARGE), ('request', REQUEST), ('response', RESPONSE))
+    ):
+        expect(
+            wire == [True, station, station, percent],
+            f'A program that uses your types ended with: {found["last_line"]}',
+            'both',
+        )
     done = builds.dock_interfaces(learner).run('ros2', 'interface', 'show', 'dock_interfaces/srv/Dock')
-    expect(done.status == 0 and '---' in done.lines,
-           f'`ros2 interface show dock_interfaces/srv/Dock` ended with: {done.last_line}', 'both')
+    expect(
+        done.status == 0 and '---' in done.lines,
+        f'`ros2 interface show dock_interfaces/srv/Dock` ended with: {done.last_line}',
+        'both',
+    )
 
 
 def judge_declared(learner) -> None:
     """What package.xml declares: rules `to-build`, `to-run` and `group`."""
     with about('to-build'):
         declared = builds.dependencies(learner, 'DOCK_XML')
-    expect('rosidl_interface_packages' in declared.get('member_of_group', ()),
-           'package.xml does not say that it is a member of the group: it needs '
-           '<member_of_group>rosidl_interface_packages</member_of_group>.', 'group')
+    expect(
+        'rosidl_interface_packages' in declared.get('member_of_group', ()),
+        'package.xml does not say that it is a member of the group: it needs '
+        '<member_of_group>rosidl_interface_packages</member_of_group>.',
+        'group',
+    )
     for name in ('ament_cmake', 'rosidl_default_generators', 'std_msgs'):
-        expect(name in builds.to_build(declared), f'{name} is needed for the build; package.xml does not say so.',
-               'to-build')
-    expect('std_msgs' in builds.to_run(declared),
-           'std_msgs is declared for the build only. Who uses your message needs it, too: depend, or exec_depend.',
-           'to-run')
-    expect('rosidl_default_runtime' in builds.to_run(declared),
-           'rosidl_default_runtime is not declared for run time: on a machine without compilers the types cannot be '
-           'used.', 'to-run')
+        expect(
+            name in builds.to_build(declared),
+            f'{name} is needed for the build; package.xml does not say so.',
+            'to-build',
+        )
+    expect(
+        'std_msgs' in builds.to_run(declared),
+        'std_msgs is declared for the build only. Who uses your message needs it, too: depend, or exec_depend.',
+        'to-run',
+    )
+    expect(
+        'rosidl_default_runtime' in builds.to_run(declared),
+        'rosidl_default_runtime is not declared for run time: on a machine without compilers the types cannot be used.',
+        'to-run',
+    )

@@ -12,8 +12,14 @@ DATA = 'share/line_follower/config/gains.yaml'
 IMPORTED = ('geometry_msgs', 'ament_index_python', 'python3-yaml')
 SAID = 'forward 0.20 m/s, turn -0.08 rad/s'
 # tag -> text in package.xml
-KEPT = {'name': 'line_follower', 'version': '0.1.0', 'description': 'Steers along a line.', 'maintainer': 'You',
-        'license': 'Apache-2.0', 'export/build_type': 'ament_python'}
+KEPT = {
+    'name': 'line_follower',
+    'version': '0.1.0',
+    'description': 'Steers along a line.',
+    'maintainer': 'You',
+    'license': 'Apache-2.0',
+    'export/build_type': 'ament_python',
+}
 _METADATA = """\
 import json
 from importlib.metadata import distribution
@@ -30,28 +36,40 @@ def _there(learner) -> list[str]:
 def _metadata(learner) -> list:
     """Name and version in setup.py, and its entry points as pairs."""
     done = builds.line_follower(learner).run('python3', '-c', _METADATA)
-    expect(done.status == 0, f'setup.py does not install the Python package line_follower any more: {done.last_line}',
-           'rest')
+    expect(
+        done.status == 0,
+        f'setup.py does not install the Python package line_follower any more: {done.last_line}',
+        'rest',
+    )
     return json.loads(done.lines[-1])
 
 
 def judge_entry_point(learner) -> None:
     """The entry point follow leads to main of follow.py: rule `entry-point`."""
     programs = dict(_metadata(learner)[2])
-    expect('follow' in programs, f'setup.py has no entry point `follow`; its programs are: '
-                                 f'{", ".join(sorted(programs)) or "none"}.', 'entry-point')
+    expect(
+        'follow' in programs,
+        f'setup.py has no entry point `follow`; its programs are: {", ".join(sorted(programs)) or "none"}.',
+        'entry-point',
+    )
     value = programs['follow'].replace(' ', '')
-    expect(value == 'line_follower.follow:main', f'The program follow leads to {value}. The function main is in the '
-                                                 'file line_follower/follow.py.', 'entry-point')
+    expect(
+        value == 'line_follower.follow:main',
+        f'The program follow leads to {value}. The function main is in the file line_follower/follow.py.',
+        'entry-point',
+    )
 
 
 def judge_place(learner) -> None:
     """The program is where `ros2 run` looks, with both kinds of a build: rule `programs`."""
     there = _there(learner)
     elsewhere = [name for name in there if name.endswith('/follow')]
-    expect(PROGRAM in there or not elsewhere,
-           f'The program is installed as {min(elsewhere, default="")}; `ros2 run` looks for it in lib/line_follower. '
-           'It is not in lib/line_follower: look at install_scripts in setup.cfg.', 'programs')
+    expect(
+        PROGRAM in there or not elsewhere,
+        f'The program is installed as {min(elsewhere, default="")}; `ros2 run` looks for it in lib/line_follower. '
+        'It is not in lib/line_follower: look at install_scripts in setup.cfg.',
+        'programs',
+    )
     expect(elsewhere, 'No program `follow` is installed: look at entry_points.', 'entry-point')
     settings = configparser.RawConfigParser()
     with about('programs'):
@@ -59,39 +77,58 @@ def judge_place(learner) -> None:
             settings.read_string(learner.text('FOLLOWER_CFG'))
         except configparser.Error as error:
             expect(False, f'FOLLOWER_CFG cannot be read: {" ".join(str(error).split())}')
-    develop = {key.replace('-', '_'): value for key, value in
-               (settings.items('develop') if settings.has_section('develop') else ())}
+    develop = {
+        key.replace('-', '_'): value
+        for key, value in (settings.items('develop') if settings.has_section('develop') else ())
+    }
     found = ''.join(develop.get('script_dir', 'nothing').split()).rstrip('/')
-    expect(found == '$base/lib/line_follower', f'script_dir in setup.cfg is {found}. It must stay '
-           '$base/lib/line_follower: a build with --symlink-install puts the program there.', 'programs')
+    expect(
+        found == '$base/lib/line_follower',
+        f'script_dir in setup.cfg is {found}. It must stay '
+        '$base/lib/line_follower: a build with --symlink-install puts the program there.',
+        'programs',
+    )
 
 
 def judge_packages(learner) -> None:
     """The filters can be imported: rule `packages`."""
-    done = builds.line_follower(learner).run('python3', '-c', 'from line_follower.filters.median import median\n'
-                                                              'import line_follower.follow')
-    expect(done.status == 0, f'Python cannot import the filter: {done.last_line}. `packages` in setup.py must name '
-                             'the folder inside of line_follower, as line_follower.filters.', 'packages')
+    done = builds.line_follower(learner).run(
+        'python3', '-c', 'from line_follower.filters.median import median\nimport line_follower.follow'
+    )
+    expect(
+        done.status == 0,
+        f'Python cannot import the filter: {done.last_line}. `packages` in setup.py must name '
+        'the folder inside of line_follower, as line_follower.filters.',
+        'packages',
+    )
 
 
 def judge_data(learner) -> None:
     """The data file is where the program reads it: rule `data`."""
     there = _there(learner)
     elsewhere = [name for name in there if name.endswith('gains.yaml') and name != DATA]
-    expect(DATA in there or not elsewhere, f'gains.yaml is installed as {min(elsewhere, default="")}; the program '
-                                           f'reads {DATA}.', 'data')
+    expect(
+        DATA in there or not elsewhere,
+        f'gains.yaml is installed as {min(elsewhere, default="")}; the program reads {DATA}.',
+        'data',
+    )
     expect(DATA in there, f'{DATA} is not installed: name config/gains.yaml in data_files.', 'data')
 
 
 def judge_build(learner) -> None:
     """The build has no warning about what setup.py does not install: rule `builds`."""
     done = builds.line_follower(learner).build()
-    expect("doesn't explicitly install a marker" not in done.output,
-           'setup.py does not install the marker resource/line_follower into '
-           'share/ament_index/resource_index/packages. colcon does it for you, with a warning; other tools do not.',
-           'builds')
-    expect("doesn't explicitly install the 'package.xml'" not in done.output,
-           'setup.py no longer installs package.xml into share/line_follower.', 'builds')
+    expect(
+        "doesn't explicitly install a marker" not in done.output,
+        'setup.py does not install the marker resource/line_follower into '
+        'share/ament_index/resource_index/packages. colcon does it for you, with a warning; other tools do not.',
+        'builds',
+    )
+    expect(
+        "doesn't explicitly install the 'package.xml'" not in done.output,
+        'setup.py no longer installs package.xml into share/line_follower.',
+        'builds',
+    )
 
 
 def judge_dependencies(learner) -> None:
@@ -99,11 +136,14 @@ def judge_dependencies(learner) -> None:
     with about('dependencies'):
         declared = builds.dependencies(learner, 'FOLLOWER_XML')
         for name in IMPORTED:
-            expect(name not in declared.get('build_depend', set()) - builds.to_run(declared),
-                   f'{name} is a build_depend only: it would be there when the package is built, but not when it runs.')
-            expect(name in builds.to_run(declared),
-                   f'follow.py needs {name}, and package.xml does not declare it. On a fresh machine it is not '
-                   'installed.')
+            expect(
+                name not in declared.get('build_depend', set()) - builds.to_run(declared),
+                f'{name} is a build_depend only: it would be there when the package is built, but not when it runs.',
+            )
+            expect(
+                name in builds.to_run(declared),
+                f'follow.py needs {name}, and package.xml does not declare it. On a fresh machine it is not installed.',
+            )
         more = builds.to_run(declared) - set(IMPORTED)
         expect(not more, f'package.xml declares {", ".join(sorted(more))}, which follow.py does not import.')
 
@@ -111,16 +151,25 @@ def judge_dependencies(learner) -> None:
 def judge_rest(learner) -> None:
     """Names, versions, licence and the one program are as before: rule `rest`."""
     name, version, programs = _metadata(learner)
-    expect((name, version) == ('line_follower', '0.1.0'), f'setup.py says {name} {version}, and said line_follower '
-                                                          '0.1.0 before.', 'rest')
+    expect(
+        (name, version) == ('line_follower', '0.1.0'),
+        f'setup.py says {name} {version}, and said line_follower 0.1.0 before.',
+        'rest',
+    )
     others = [other for other, _ in programs if other != 'follow']
-    expect(not others or len(programs) == 1, f'setup.py has a further program, {others and others[0]}. Only `follow` '
-                                             'is asked for.', 'rest')
+    expect(
+        not others or len(programs) == 1,
+        f'setup.py has a further program, {others and others[0]}. Only `follow` is asked for.',
+        'rest',
+    )
     root = ElementTree.fromstring(learner.text('FOLLOWER_XML'))
     for tag, wanted in KEPT.items():
         found = ' '.join((root.findtext(tag) or 'nothing').split())
-        expect(found == wanted, f'The {tag.rpartition("/")[2]} in package.xml is {found}, and was {wanted} before. It '
-                                'was no fault.', 'rest')
+        expect(
+            found == wanted,
+            f'The {tag.rpartition("/")[2]} in package.xml is {found}, and was {wanted} before. It was no fault.',
+            'rest',
+        )
 
 
 def judge_drive(learner) -> None:
@@ -129,8 +178,12 @@ def judge_drive(learner) -> None:
     last = done.last_line
     elsewhere = [name for name in _there(learner) if name.endswith('/follow')]
     rule = 'entry-point'
-    for word, other in (("No module named 'line_follower.filters'", 'packages'), ('gains.yaml', 'data'),
-                        ('PackageNotFoundError', 'builds'), ("Package 'line_follower' not found", 'builds')):
+    for word, other in (
+        ("No module named 'line_follower.filters'", 'packages'),
+        ('gains.yaml', 'data'),
+        ('PackageNotFoundError', 'builds'),
+        ("Package 'line_follower' not found", 'builds'),
+    ):
         rule = other if word in last else rule
     if 'No executable found' in done.output and elsewhere:
         rule = 'programs'

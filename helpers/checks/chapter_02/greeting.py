@@ -6,12 +6,16 @@ import re
 from helpers.checks.chapter_02 import builds
 from helpers.runner import about, expect
 
-PROGRAMS = {'hello': ('greeter.hello', 'main', 'Hello, {}'), 'goodbye': ('greeter.farewell', 'main', 'Goodbye, {}'),
-            'battery': ('greeter.power.battery', 'report', 'The battery of {} is full')}
+PROGRAMS = {
+    'hello': ('greeter.hello', 'main', 'Hello, {}'),
+    'goodbye': ('greeter.farewell', 'main', 'Goodbye, {}'),
+    'battery': ('greeter.power.battery', 'report', 'The battery of {} is full'),
+}
 NAMES = ('Ada', 'Grace', 'Karel', 'Unimate', 'Shakey', 'Genghis', 'Sojourner', 'Talos')
-FILES = {'share/ament_index/resource_index/packages/greeter': 'the marker resource/greeter, by which ROS finds the '
-                                                              'package',
-         'share/greeter/package.xml': 'package.xml'}
+FILES = {
+    'share/ament_index/resource_index/packages/greeter': 'the marker resource/greeter, by which ROS finds the package',
+    'share/greeter/package.xml': 'package.xml',
+}
 PACKAGES = ('greeter/__init__.py', 'greeter/power/__init__.py', 'greeter/farewell.py')
 
 
@@ -24,9 +28,12 @@ def judge_list(learner) -> None:
     for name, (module, _, _) in PROGRAMS.items():
         file = module.rpartition('.')[2]
         as_file = {file, f'{file}.py', f'{name}.py'} & set(there)
-        expect(name in there or not as_file,
-               f'There is a program `{min(as_file, default="")}`, but none with the name `{name}`. The name of a '
-               'program is what the specification says; it need not be the name of its file.', name)
+        expect(
+            name in there or not as_file,
+            f'There is a program `{min(as_file, default="")}`, but none with the name `{name}`. The name of a '
+            'program is what the specification says; it need not be the name of its file.',
+            name,
+        )
         expect(name in there, f'There is no program `{name}`. {said}', name)
     others = [name for name in there if name not in PROGRAMS]
     expect(not others, f'There is a program `{others and others[0]}`, which nobody has asked for. {said}', 'no-others')
@@ -41,22 +48,34 @@ def judge_program(learner, name: str) -> None:
     command, last = f'`ros2 run greeter {name} {" ".join(words)}`', done.last_line
     right = f'Write `{module}:{function}` behind the name.'
     expect('No executable found' not in done.output, f'{command} finds no program `{name}`.', name)
-    expect('not callable' not in last, f'The entry point of {name} names a module only: add a colon and the function, '
-                                       f'`:{function}`.', name)
+    expect(
+        'not callable' not in last,
+        f'The entry point of {name} names a module only: add a colon and the function, `:{function}`.',
+        name,
+    )
     for index, (other, (_, _, its)) in enumerate(PROGRAMS.items()):
-        expect(other == name or last != its.format(' '.join(words)),
-               f'The program {name} runs the function of {list(PROGRAMS)[index]}. {right}', name)
-    expect(last != 'battery.py tests itself',
-           f'The program {name} runs `main` of battery.py; the specification asks for the function `{function}`.', name)
-    expect("No module named 'greeter.power'" not in done.output or 'is not a package' in last,
-           'The folder greeter/power is not installed: `packages` in setup.py must name it, or find it.',
-           'rest' if name == 'battery' else name)
+        expect(
+            other == name or last != its.format(' '.join(words)),
+            f'The program {name} runs the function of {list(PROGRAMS)[index]}. {right}',
+            name,
+        )
+    expect(
+        last != 'battery.py tests itself',
+        f'The program {name} runs `main` of battery.py; the specification asks for the function `{function}`.',
+        name,
+    )
+    expect(
+        "No module named 'greeter.power'" not in done.output or 'is not a package' in last,
+        'The folder greeter/power is not installed: `packages` in setup.py must name it, or find it.',
+        'rest' if name == 'battery' else name,
+    )
     absent = re.search(r"No module named '([^']*)'", last)
     why = ' Without .py: Python would import a module `py` of it.' if absent and absent[1].endswith('.py') else ''
     expect(not absent, f'{command} imports `{absent and absent[1]}`, and there is no such module.{why} {right}', name)
     absent = re.search(r"has no attribute '(\w+)'", last)
-    expect(not absent, f'{command} looks for `{absent and absent[1]}`, and the module has no such function. {right}',
-           name)
+    expect(
+        not absent, f'{command} looks for `{absent and absent[1]}`, and the module has no such function. {right}', name
+    )
     expect(done.lines == [text.format(' '.join(words))], f'{command} ended with: {last}', name)
 
 
@@ -67,15 +86,28 @@ def judge_rest(learner) -> None:
     warnings = workspace.build().output
     for file, what in FILES.items():
         warning = f"doesn't explicitly install {'a marker' if 'marker' in what else 'the'}"
-        expect(file in there and warning not in warnings,
-               f'setup.py no longer installs {what}. The two lines of data_files must stay.', 'rest')
+        expect(
+            file in there and warning not in warnings,
+            f'setup.py no longer installs {what}. The two lines of data_files must stay.',
+            'rest',
+        )
     for file in PACKAGES:
-        expect(any(name.endswith(f'site-packages/{file}') for name in there),
-               f'The file {file} is not installed: `packages` must stay find_packages, or name every folder that has '
-               'an __init__.py.', 'rest')
-    done = workspace.run('python3', '-c', 'import json\nfrom importlib.metadata import distribution\n'
-                         'd = distribution("greeter")\nprint(json.dumps([d.metadata["Name"], d.version]))')
+        expect(
+            any(name.endswith(f'site-packages/{file}') for name in there),
+            f'The file {file} is not installed: `packages` must stay find_packages, or name every folder that has '
+            'an __init__.py.',
+            'rest',
+        )
+    done = workspace.run(
+        'python3',
+        '-c',
+        'import json\nfrom importlib.metadata import distribution\n'
+        'd = distribution("greeter")\nprint(json.dumps([d.metadata["Name"], d.version]))',
+    )
     expect(done.status == 0, 'The name of the package in setup.py is not `greeter` any more.', 'rest')
     name, version = json.loads(done.lines[-1])
-    expect((name, version) == ('greeter', '0.1.0'), f'setup.py says {name} {version}, and said greeter 0.1.0 before.',
-           'rest')
+    expect(
+        (name, version) == ('greeter', '0.1.0'),
+        f'setup.py says {name} {version}, and said greeter 0.1.0 before.',
+        'rest',
+    )

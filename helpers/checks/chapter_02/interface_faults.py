@@ -17,26 +17,36 @@ def cause(output: str, reason: Callable[[str], str]) -> tuple[str, str]:
         name = found[1]
         if name.upper() == 'FULL':
             return f'The name of the constant is `{name}`. A constant has capital letters: FULL.', 'full'
-        return (f'The line of `{name}` has a `=`, so it is a constant, and a constant has capital letters. A default '
-                'value follows after a space only.'), 'default' if name == 'speed' else 'full'
+        return (
+            f'The line of `{name}` has a `=`, so it is a constant, and a constant has capital letters. A default '
+            'value follows after a space only.'
+        ), 'default' if name == 'speed' else 'full'
     if found := re.search(r'InvalidResourceName: (\w+)/(?:msg|srv)/(\w+)', text):
         return f'In an interface file the type is written without /msg/: `{found[1]}/{found[2]}`.', 'charge'
     if "KeyError: 'std_msgs'" in text:
-        return ('Charge uses a type of std_msgs, and rosidl_generate_interfaces does not say so: write DEPENDENCIES '
-                'std_msgs at its end.'), 'std-msgs'
+        return (
+            'Charge uses a type of std_msgs, and rosidl_generate_interfaces does not say so: write DEPENDENCIES '
+            'std_msgs at its end.'
+        ), 'std-msgs'
     if "dependency 'std_msgs' has not been found" in text:
         return 'CMakeLists.txt has DEPENDENCIES std_msgs, but no find_package(std_msgs REQUIRED) before it.', 'std-msgs'
     if found := re.search(r"No such file or directory: '[^']*/dock_interfaces/msg/(\w+)\.json'", text):
-        return (f'There is no type {found[1]} in your package. For the type of another package write its name, too: '
-                f'std_msgs/{found[1]}.'), 'charge'
+        return (
+            f'There is no type {found[1]} in your package. For the type of another package write its name, too: '
+            f'std_msgs/{found[1]}.'
+        ), 'charge'
     if 'Could not find separator' in text:
         return 'Dock.srv has no line `---`. It divides the request from the response.', 'response'
     if '<member_of_group>' in text:
-        return ('package.xml does not say that the package is a member of the group: it needs '
-                '<member_of_group>rosidl_interface_packages</member_of_group>.'), 'group'
+        return (
+            'package.xml does not say that the package is a member of the group: it needs '
+            '<member_of_group>rosidl_interface_packages</member_of_group>.'
+        ), 'group'
     if found := re.search(r"the passed file '([^']*)' doesn't exist", text):
-        return (f'CMakeLists.txt names the file {found[1]}, and there is none. The files are msg/Charge.msg and '
-                'srv/Dock.srv.'), 'both'
+        return (
+            f'CMakeLists.txt names the file {found[1]}, and there is none. The files are msg/Charge.msg and '
+            'srv/Dock.srv.'
+        ), 'both'
     if found := re.search(r'Unknown CMake command "(\w+)"', text):
         package = {'rosidl_generate_interfaces': 'rosidl_default_generators'}.get(found[1], 'ament_cmake')
         return f'CMake does not know {found[1]}: find_package({package} REQUIRED) must come before it.', 'both'

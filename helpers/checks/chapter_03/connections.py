@@ -13,8 +13,13 @@ _TOPICS = ('/scan', '/image', '/front/scan', '/odom', '/stop')
 
 def endpoint(random) -> dict:
     """An endpoint as the card describes it; everything is drawn."""
-    return {'topic': random.choice(_TOPICS), 'type': random.choice(_TYPES), 'deadline': 0.0,
-            'depth': random.randint(1, 50), **{key: random.choice((WEAK[key], STRONG[key])) for key in WEAK}}
+    return {
+        'topic': random.choice(_TOPICS),
+        'type': random.choice(_TYPES),
+        'deadline': 0.0,
+        'depth': random.randint(1, 50),
+        **{key: random.choice((WEAK[key], STRONG[key])) for key in WEAK},
+    }
 
 
 def single_pairs(random) -> list[tuple[dict, dict]]:
@@ -22,11 +27,18 @@ def single_pairs(random) -> list[tuple[dict, dict]]:
     base = endpoint(random)
     pairs = [(base, dict(base))]
     for key in WEAK:
-        pairs += [({**base, key: first}, {**base, key: second})
-                  for first, second in product((WEAK[key], STRONG[key]), repeat=2)]
+        pairs += [
+            ({**base, key: first}, {**base, key: second})
+            for first, second in product((WEAK[key], STRONG[key]), repeat=2)
+        ]
     topic, kind = base['topic'], base['type']
-    for key, other in (('topic', topic.title()), ('topic', topic + '2'), ('topic', '/left' + topic),
-                       ('type', kind + 'Stamped'), ('type', kind.rpartition('/')[2])):
+    for key, other in (
+        ('topic', topic.title()),
+        ('topic', topic + '2'),
+        ('topic', '/left' + topic),
+        ('type', kind + 'Stamped'),
+        ('type', kind.rpartition('/')[2]),
+    ):
         pairs += [({**base, key: other}, base), (base, {**base, key: other})]
     short, long = sorted(random.sample([n / 20 for n in range(1, 60)], 2))
     for first, second in ((short, long), (long, short), (short, short), (0.0, 0.0), (0.0, short), (long, 0.0)):
@@ -73,8 +85,12 @@ def check_pairs(learner, pairs: list[tuple[dict, dict]]) -> None:
     for offered, requested in pairs:
         got = learner.call('why_no_data', offered, requested)
         wanted = reasons(offered, requested)
-        different = ', '.join(f'{key} {offered[key]} → {requested[key]}' for key in (*KEYS, 'depth')
-                              if offered[key] != requested[key]) or 'all keys equal'
+        different = (
+            ', '.join(
+                f'{key} {offered[key]} → {requested[key]}' for key in (*KEYS, 'depth') if offered[key] != requested[key]
+            )
+            or 'all keys equal'
+        )
         said = f'With {different} (offered → requested) why_no_data gives {got!r}, expected {wanted!r}.'
         expect(isinstance(got, list), f'{said} It must return a list, also when all fits.', 'list')
         extra = [key for key in got if key not in wanted]

@@ -11,18 +11,25 @@ def robot(random) -> str:
 def check_name(node, wanted: str, rule: str) -> None:
     """A started node has this name, whatever its namespace."""
     name = node.name.rpartition('/')[2]
-    expect(name == wanted, f'Your node has the name {name!r}, expected {wanted!r}: the name goes to '
-                           'super().__init__.', rule)
+    expect(
+        name == wanted,
+        f'Your node has the name {name!r}, expected {wanted!r}: the name goes to super().__init__.',
+        rule,
+    )
 
 
 def check_topic(learner, kind: str, namespace: str, name: str, rule: str) -> None:
     """The learner's nodes have one `kind` ('publisher' or 'subscription') on the relative topic `name`."""
+
     def count(topic: str) -> int:
         return len(getattr(learner.endpoints(topic), f'{kind}s'))
 
     there = count(f'{namespace}/{name}')
-    expect(there or not namespace or not count(f'/{name}'),
-           f'In the namespace {namespace} your {kind} stays on /{name}: a relative name has no leading slash.', rule)
+    expect(
+        there or not namespace or not count(f'/{name}'),
+        f'In the namespace {namespace} your {kind} stays on /{name}: a relative name has no leading slash.',
+        rule,
+    )
     expect(there, f'Your node has no {kind} on the topic {name}.', rule)
     expect(there == 1, f'Your node has {there} {kind}s on the topic {name}, expected one.', rule)
 
@@ -30,22 +37,34 @@ def check_topic(learner, kind: str, namespace: str, name: str, rule: str) -> Non
 def check_queue(learner, kind: str, topic: str, depth: int, rule: str) -> None:
     """Each of the learner's endpoints on `topic` is reliable, volatile and of this depth, as the number alone gives."""
     for endpoint in getattr(learner.endpoints(topic), f'{kind}s'):
-        expect(endpoint.reliable, f'Your {kind} on {topic} is BEST_EFFORT; the number {depth} alone gives '
-                                  'RELIABLE.', rule)
-        expect(not endpoint.latched,
-               f'Your {kind} on {topic} is TRANSIENT_LOCAL; the number {depth} alone gives VOLATILE.', rule)
+        expect(
+            endpoint.reliable, f'Your {kind} on {topic} is BEST_EFFORT; the number {depth} alone gives RELIABLE.', rule
+        )
+        expect(
+            not endpoint.latched,
+            f'Your {kind} on {topic} is TRANSIENT_LOCAL; the number {depth} alone gives VOLATILE.',
+            rule,
+        )
     found = learner.depths(kind, topic)
-    expect(set(found) == {depth}, f'The queue of your {kind} on {topic} has the depth {found[0] if found else 0}, '
-                                  f'expected {depth}.', rule)
+    expect(
+        set(found) == {depth},
+        f'The queue of your {kind} on {topic} has the depth {found[0] if found else 0}, expected {depth}.',
+        rule,
+    )
 
 
 def check_latched(learner, kind: str, topic: str, depth: int, rule: str) -> None:
     """Each of the learner's endpoints on `topic` is reliable, latched and of this depth."""
     for endpoint in getattr(learner.endpoints(topic), f'{kind}s'):
-        expect(endpoint.latched, f'Your {kind} on {topic} is VOLATILE: who comes late gets nothing. Use '
-                                 'TRANSIENT_LOCAL '
-                                 'on both sides.', rule)
+        expect(
+            endpoint.latched,
+            f'Your {kind} on {topic} is VOLATILE: who comes late gets nothing. Use TRANSIENT_LOCAL on both sides.',
+            rule,
+        )
         expect(endpoint.reliable, f'Your {kind} on {topic} is BEST_EFFORT; it must be RELIABLE.', rule)
     found = learner.depths(kind, topic)
-    expect(set(found) == {depth}, f'The queue of your {kind} on {topic} has the depth {found[0] if found else 0}, '
-                                  f'expected {depth}.', rule)
+    expect(
+        set(found) == {depth},
+        f'The queue of your {kind} on {topic} has the depth {found[0] if found else 0}, expected {depth}.',
+        rule,
+    )

@@ -17,16 +17,21 @@ def random_rows(random) -> list[str]:
     while True:
         rows = [''.join(random.choice('#..?') for _ in range(width)) for _ in range(height)]
         cells = ''.join(rows)
-        if len({cells.count(kind) for kind in VALUES}) == 3 and all(cells.count(kind) > 1 for kind in VALUES) and all(
-                cells != ''.join(other) for other in orders(rows).values()):
+        if (
+            len({cells.count(kind) for kind in VALUES}) == 3
+            and all(cells.count(kind) > 1 for kind in VALUES)
+            and all(cells != ''.join(other) for other in orders(rows).values())
+        ):
             return rows
 
 
 def orders(rows: list[str]) -> dict[str, list[str]]:
     """The map in wrong orders, by what is wrong."""
-    return {'column by column; it must go row by row': [row[x] for x in range(len(rows[0])) for row in rows],
-            'from the last row to the first; it must begin with the first': rows[::-1],
-            'from right to left in each row': [row[::-1] for row in rows]}
+    return {
+        'column by column; it must go row by row': [row[x] for x in range(len(rows[0])) for row in rows],
+        'from the last row to the first; it must begin with the first': rows[::-1],
+        'from right to left in each row': [row[::-1] for row in rows],
+    }
 
 
 def values(rows: list[str]) -> list[int]:
@@ -51,27 +56,43 @@ def check_grid(grid: OccupancyGrid, rows: list[str]) -> None:
     """`grid` is the map of `rows`."""
     width, height = len(rows[0]), len(rows)
     size = grid.info.width, grid.info.height
-    expect(width == height or size != (height, width),
-           f'For {rows}: width and height are exchanged. The width counts the columns.', 'size')
-    expect(size == (width, height), f'For {rows} the map is {size[0]} wide and {size[1]} high, expected {width} and '
-                                    f'{height}.', 'size')
-    expect(grid.info.resolution == pytest.approx(0.1), f'info.resolution is {grid.info.resolution:g}, expected 0.1.',
-           'resolution')
+    expect(
+        width == height or size != (height, width),
+        f'For {rows}: width and height are exchanged. The width counts the columns.',
+        'size',
+    )
+    expect(
+        size == (width, height),
+        f'For {rows} the map is {size[0]} wide and {size[1]} high, expected {width} and {height}.',
+        'size',
+    )
+    expect(
+        grid.info.resolution == pytest.approx(0.1),
+        f'info.resolution is {grid.info.resolution:g}, expected 0.1.',
+        'resolution',
+    )
     expect(grid.header.frame_id == 'map', f"header.frame_id is {grid.header.frame_id!r}, expected 'map'.", 'frame')
     data, wanted = list(grid.data), values(rows)
     for what, other in orders(rows).items():
         expect(data == wanted or data != values(other), f'For {rows}: the data goes {what}.', 'order')
     expect(len(data) == len(wanted), f'For {rows} data has {len(data)} values, expected {len(wanted)}.', 'cells')
     for place, (got, right) in enumerate(zip(data, wanted, strict=True)):
-        expect(got == right, f'For {rows}: the cell {"".join(rows)[place]!r} in row {place // width}, column '
-                             f'{place % width} (counted from 0) is {got} in data, expected {right}.', 'cells')
+        expect(
+            got == right,
+            f'For {rows}: the cell {"".join(rows)[place]!r} in row {place // width}, column '
+            f'{place % width} (counted from 0) is {got} in data, expected {right}.',
+            'cells',
+        )
 
 
 def check_answers(answers: list[int], sent: list[list[str]]) -> None:
     """The reader's answers to these maps."""
     for rows, answer in zip(sent, answers, strict=False):
         cells = ''.join(rows)
-        expect(answer != walls(rows) + cells.count('?') or not cells.count('?'),
-               f'MapReader counts {answer} walls in {rows}: unknown (-1) is no wall.', 'walls')
+        expect(
+            answer != walls(rows) + cells.count('?') or not cells.count('?'),
+            f'MapReader counts {answer} walls in {rows}: unknown (-1) is no wall.',
+            'walls',
+        )
         expect(answer == walls(rows), f'MapReader says {answer} for {rows}, expected {walls(rows)}.', 'walls')
     expect(len(answers) == len(sent), f'{len(sent)} maps gave {len(answers)} answers; each map gets one.', 'walls')

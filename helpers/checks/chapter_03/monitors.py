@@ -27,12 +27,21 @@ def start(learner, space: str, *args, qos=qos_profile_sensor_data, **kwargs):
     check_name(node, 'rate_monitor', 'node')
     check_topic(learner, 'subscription', space, 'scan', 'topics')
     there = learner.endpoints(f'{space}/scan').subscriptions[0]
-    expect(there.type == 'sensor_msgs/msg/LaserScan', f'Your subscription to scan has the type {there.type}, expected '
-                                                      'sensor_msgs/msg/LaserScan.', 'topics')
-    expect(not there.reliable, 'Your subscription to scan requests RELIABLE: a best-effort lidar is not heard. Ask for '
-                               'less.', 'any-lidar')
-    expect(not there.latched, 'Your subscription to scan requests TRANSIENT_LOCAL, which most lidars do not offer.',
-           'any-lidar')
+    expect(
+        there.type == 'sensor_msgs/msg/LaserScan',
+        f'Your subscription to scan has the type {there.type}, expected sensor_msgs/msg/LaserScan.',
+        'topics',
+    )
+    expect(
+        not there.reliable,
+        'Your subscription to scan requests RELIABLE: a best-effort lidar is not heard. Ask for less.',
+        'any-lidar',
+    )
+    expect(
+        not there.latched,
+        'Your subscription to scan requests TRANSIENT_LOCAL, which most lidars do not offer.',
+        'any-lidar',
+    )
     for topic in ('scan_rate', 'scan_gap'):
         check_topic(learner, 'publisher', space, topic, 'topics')
         check_queue(learner, 'publisher', f'{space}/{topic}', 10, 'qos')
@@ -54,14 +63,14 @@ class Watched:
         self.lidar.send(scan(stamp))
         with about('gap'):
             self.learner.settle()
-        got, self.known = self.gaps.data[self.known:], len(self.gaps)
+        got, self.known = self.gaps.data[self.known :], len(self.gaps)
         self._judge(stamp, got)
         self.after_old = self.newest is not None and stamp < self.newest
         self.newest = stamp if self.newest is None else max(self.newest, stamp)
 
     def end(self) -> None:
         """After a report: nothing more has come on scan_gap."""
-        late, self.known = self.gaps.data[self.known:], len(self.gaps)
+        late, self.known = self.gaps.data[self.known :], len(self.gaps)
         for said in self.missing:
             expect(not late, f'{said} The gap is told only later: publish it when the scan comes.', 'at-once')
             expect(False, said, 'gap')
@@ -69,23 +78,39 @@ class Watched:
 
     def _judge(self, stamp: float, got: list[float]) -> None:
         if self.newest is None:
-            expect(not got, f'The first scan, with the stamp {stamp:g}, made a gap of {got[:1]} s: there is nothing '
-                            'before it.', 'first')
+            expect(
+                not got,
+                f'The first scan, with the stamp {stamp:g}, made a gap of {got[:1]} s: there is nothing before it.',
+                'first',
+            )
             return
         gap = round(stamp - self.newest, 9)
         said = f'With max_gap {self.max_gap:g} s, the newest stamp {self.newest:g} and then {stamp:g}'
         if gap < 0:
-            expect(not got, f'{said}, {got} came on scan_gap: a scan that is older than the newest one makes no gap.',
-                   'old')
+            expect(
+                not got,
+                f'{said}, {got} came on scan_gap: a scan that is older than the newest one makes no gap.',
+                'old',
+            )
         elif gap <= self.max_gap:
             right = got and abs(got[0] - gap) < 1e-6
-            why = ('The scan between them was older; it must not move the newest stamp back.' if self.after_old else
-                   'Only a difference of more than max_gap is a gap.')
-            expect(not got, f'{said}, {got} came on scan_gap. {why}',
-                   'old' if self.after_old else 'limit' if right else 'gap')
+            why = (
+                'The scan between them was older; it must not move the newest stamp back.'
+                if self.after_old
+                else 'Only a difference of more than max_gap is a gap.'
+            )
+            expect(
+                not got,
+                f'{said}, {got} came on scan_gap. {why}',
+                'old' if self.after_old else 'limit' if right else 'gap',
+            )
         elif not got:
             self.missing.append(f'{said}, nothing came on scan_gap when the second scan came.')
         else:
-            expect(abs(got[0] - gap) < 1e-6, f'{said}, scan_gap says {got[0]:g}, expected {gap:g}: the difference of '
-                                             'the stamps, with their nanoseconds.', 'old' if self.after_old else 'gap')
+            expect(
+                abs(got[0] - gap) < 1e-6,
+                f'{said}, scan_gap says {got[0]:g}, expected {gap:g}: the difference of '
+                'the stamps, with their nanoseconds.',
+                'old' if self.after_old else 'gap',
+            )
             expect(len(got) == 1, f'{said}, {len(got)} messages came on scan_gap: each gap is told once.', 'gap')

@@ -10,9 +10,14 @@ from helpers.runner import expect
 
 def reading(random, **changes) -> Range:
     """A measurement in centimetres; all fields are drawn, and no two are equal."""
-    message = Range(radiation_type=Range.INFRARED, field_of_view=random.uniform(0.1, 0.9),
-                    range=random.uniform(10, 190), variance=random.uniform(1, 9),
-                    min_range=random.uniform(1, 5), max_range=random.uniform(200, 500))
+    message = Range(
+        radiation_type=Range.INFRARED,
+        field_of_view=random.uniform(0.1, 0.9),
+        range=random.uniform(10, 190),
+        variance=random.uniform(1, 9),
+        min_range=random.uniform(1, 5),
+        max_range=random.uniform(200, 500),
+    )
     message.header.frame_id = f'sonar_{random.randint(1, 99)}'
     message.header.stamp.sec, message.header.stamp.nanosec = random.randint(1000, 9999), random.randrange(10**9)
     for field, value in changes.items():
@@ -32,22 +37,45 @@ def check_reading(got: Range, sent: Range) -> None:
         if math.isinf(before):
             expect(after == before, f'{field} was {before:g} and became {after:g}; inf must stay inf.', 'inf')
             continue
-        expect(not before or not close(after, before * 100), f'{field}: {before:g} cm became {after:g} m: divide by '
-                                                             '100.', 'distances')
-        expect(close(after, before / 100), f'{field}: {before:g} cm became {after:g} m, expected {before / 100:g} m. '
-                                           'Convert all three distances.', 'distances')
-    expect(not close(got.variance, sent.variance / 100) or not sent.variance,
-           f'The variance {sent.variance:g} was divided by 100. It is a square: divide by 100 squared.', 'variance')
-    expect(close(got.variance, sent.variance / 1e4), f'The variance {sent.variance:g} cm² became {got.variance:g}, '
-                                                     f'expected {sent.variance / 1e4:g} m².', 'variance')
-    expect(got.header.frame_id == sent.header.frame_id,
-           f'header.frame_id was {sent.header.frame_id!r} and became {got.header.frame_id!r}: the header is lost.',
-           'header')
-    expect(got.header.stamp == sent.header.stamp, 'header.stamp has changed: it says when the measurement was made, '
-                                                  'not when it was converted.', 'header')
-    expect(close(got.field_of_view, sent.field_of_view),
-           f'field_of_view was {sent.field_of_view:g} and became {got.field_of_view:g}: it is an angle, and stays as '
-           'it is.', 'others')
-    expect(got.radiation_type == sent.radiation_type,
-           f'radiation_type was {sent.radiation_type} and became {got.radiation_type}: copy the fields that you do not '
-           'convert.', 'others')
+        expect(
+            not before or not close(after, before * 100),
+            f'{field}: {before:g} cm became {after:g} m: divide by 100.',
+            'distances',
+        )
+        expect(
+            close(after, before / 100),
+            f'{field}: {before:g} cm became {after:g} m, expected {before / 100:g} m. Convert all three distances.',
+            'distances',
+        )
+    expect(
+        not close(got.variance, sent.variance / 100) or not sent.variance,
+        f'The variance {sent.variance:g} was divided by 100. It is a square: divide by 100 squared.',
+        'variance',
+    )
+    expect(
+        close(got.variance, sent.variance / 1e4),
+        f'The variance {sent.variance:g} cm² became {got.variance:g}, expected {sent.variance / 1e4:g} m².',
+        'variance',
+    )
+    expect(
+        got.header.frame_id == sent.header.frame_id,
+        f'header.frame_id was {sent.header.frame_id!r} and became {got.header.frame_id!r}: the header is lost.',
+        'header',
+    )
+    expect(
+        got.header.stamp == sent.header.stamp,
+        'header.stamp has changed: it says when the measurement was made, not when it was converted.',
+        'header',
+    )
+    expect(
+        close(got.field_of_view, sent.field_of_view),
+        f'field_of_view was {sent.field_of_view:g} and became {got.field_of_view:g}: it is an angle, and stays as '
+        'it is.',
+        'others',
+    )
+    expect(
+        got.radiation_type == sent.radiation_type,
+        f'radiation_type was {sent.radiation_type} and became {got.radiation_type}: copy the fields that you do not '
+        'convert.',
+        'others',
+    )

@@ -22,19 +22,36 @@ def start(learner, space: str):
     check_topic(learner, 'publisher', space, 'stop', 'rest')
     check_topic(learner, 'subscription', space, 'scan', 'rest')
     theirs = learner.endpoints(f'{space}/scan').subscriptions[0]
-    expect(not theirs.reliable, 'Your subscription to scan requests RELIABLE, and the lidar offers BEST_EFFORT: no '
-                                'scan arrives. Ask for no more than is offered.', 'scan')
-    expect(not theirs.latched, 'Your subscription to scan requests TRANSIENT_LOCAL, and the lidar offers VOLATILE: no '
-                               'scan arrives. Ask for no more than is offered.', 'scan')
+    expect(
+        not theirs.reliable,
+        'Your subscription to scan requests RELIABLE, and the lidar offers BEST_EFFORT: no '
+        'scan arrives. Ask for no more than is offered.',
+        'scan',
+    )
+    expect(
+        not theirs.latched,
+        'Your subscription to scan requests TRANSIENT_LOCAL, and the lidar offers VOLATILE: no '
+        'scan arrives. Ask for no more than is offered.',
+        'scan',
+    )
     ours = learner.endpoints(f'{space}/stop').publishers[0]
-    expect(ours.reliable, 'Your publisher on stop offers BEST_EFFORT, and the driver requests RELIABLE: no command '
-                          'arrives.', 'stop')
-    expect(ours.latched, 'Your publisher on stop offers VOLATILE, and the driver requests TRANSIENT_LOCAL: no command '
-                         'arrives.', 'stop')
+    expect(
+        ours.reliable,
+        'Your publisher on stop offers BEST_EFFORT, and the driver requests RELIABLE: no command arrives.',
+        'stop',
+    )
+    expect(
+        ours.latched,
+        'Your publisher on stop offers VOLATILE, and the driver requests TRANSIENT_LOCAL: no command arrives.',
+        'stop',
+    )
     for kind, topic, depth in (('publisher', 'stop', 1), ('subscription', 'scan', 5)):
         found = learner.depths(kind, f'{space}/{topic}')
-        expect(found == [depth], f'The depth of {topic} was {depth} and has become {", ".join(map(str, found))}: the '
-                                 'depths were right.', 'rest')
+        expect(
+            found == [depth],
+            f'The depth of {topic} was {depth} and has become {", ".join(map(str, found))}: the depths were right.',
+            'rest',
+        )
     return stop, lidar
 
 

@@ -41,41 +41,65 @@ def test_beacon(learner):
 def check_texts(texts):
     expect(texts, 'Nothing was published. Is there a timer, and does its callback publish?', 'rate')
     expect(texts[0] != 'alive 0', "The first text is 'alive 0': the count must begin at 1.", 'texts')
-    expect(texts[0] != 'alive 2', "The first text that arrives is 'alive 2'. Publish in the timer only: what the "
-                                  'constructor publishes, nobody can hear yet.', 'first')
-    expect(len(texts) == 1 or len(set(texts)) > 1, f'The text never changes ({texts[0]!r}): add 1 to the counter in '
-                                                   'each call.', 'texts')
+    expect(
+        texts[0] != 'alive 2',
+        "The first text that arrives is 'alive 2'. Publish in the timer only: what the "
+        'constructor publishes, nobody can hear yet.',
+        'first',
+    )
+    expect(
+        len(texts) == 1 or len(set(texts)) > 1,
+        f'The text never changes ({texts[0]!r}): add 1 to the counter in each call.',
+        'texts',
+    )
     for number, text in enumerate(texts, start=1):
         expect(text == f'alive {number}', f'Text number {number} is {text!r}, expected {f"alive {number}"!r}.', 'texts')
 
 
 def check_times(stamps, quarters):
     seconds = quarters / 4 + 0.1
-    expect(len(stamps) != 1, f'One message came in {seconds:g} s, after {stamps[0]:g} s. create_timer wants the '
-                             'period, not the rate.', 'rate')
-    expect(stamps[0] >= 0.25, f'The first message came after {stamps[0]:g} s: one period, 0.25 s, must pass before it.',
-           'first' if stamps[1] - stamps[0] == pytest.approx(0.25) else 'rate')
-    expect(len(stamps) == quarters, f'{len(stamps)} messages came in {seconds:g} s; at 4 Hz there are {quarters}.',
-           'rate')
-    expect(stamps == pytest.approx([number / 4 for number in range(1, quarters + 1)]),
-           f'The messages came at {", ".join(f"{stamp:g}" for stamp in stamps[:4])} … s, expected 0.25, 0.5, 0.75, 1 '
-           '… s.',
-           'rate')
+    expect(
+        len(stamps) != 1,
+        f'One message came in {seconds:g} s, after {stamps[0]:g} s. create_timer wants the period, not the rate.',
+        'rate',
+    )
+    expect(
+        stamps[0] >= 0.25,
+        f'The first message came after {stamps[0]:g} s: one period, 0.25 s, must pass before it.',
+        'first' if stamps[1] - stamps[0] == pytest.approx(0.25) else 'rate',
+    )
+    expect(
+        len(stamps) == quarters, f'{len(stamps)} messages came in {seconds:g} s; at 4 Hz there are {quarters}.', 'rate'
+    )
+    expect(
+        stamps == pytest.approx([number / 4 for number in range(1, quarters + 1)]),
+        f'The messages came at {", ".join(f"{stamp:g}" for stamp in stamps[:4])} … s, expected 0.25, 0.5, 0.75, 1 … s.',
+        'rate',
+    )
 
 
 def check_second(heard, quarters, begin):
     """What came after a second beacon had been started, at `begin`, in the same program."""
     later = list(zip(heard.stamps, heard.data, strict=True))[quarters:]
     second = [(stamp - begin, text) for stamp, text in later if (stamp * 4) % 1]
-    expect(not second or second[0][0] > 0.2, 'The constructor publishes. Publish in the timer only: one period must '
-                                             'pass before the first message.', 'first')
+    expect(
+        not second or second[0][0] > 0.2,
+        'The constructor publishes. Publish in the timer only: one period must pass before the first message.',
+        'first',
+    )
     wanted = [f'alive {number}' for number in range(1, 5)]
     texts = [text for _, text in second]
-    expect(not texts or texts[0] == 'alive 1',
-           f'A second beacon in the same program begins with {", ".join(texts[:1])!r}: the two share one counter. It '
-           'belongs to the object (self.count), not to the class or the module.', 'own-count')
+    expect(
+        not texts or texts[0] == 'alive 1',
+        f'A second beacon in the same program begins with {", ".join(texts[:1])!r}: the two share one counter. It '
+        'belongs to the object (self.count), not to the class or the module.',
+        'own-count',
+    )
     expect(texts == wanted, f'A second beacon in the same program says {texts}, expected {wanted}.', 'own-count')
     first = [text for stamp, text in later if not (stamp * 4) % 1]
     wanted = [f'alive {quarters + number}' for number in range(1, 5)]
-    expect(first == wanted, f'When a second beacon starts, the first one says {first}, expected {wanted}: it must not '
-                            'be disturbed.', 'own-count')
+    expect(
+        first == wanted,
+        f'When a second beacon starts, the first one says {first}, expected {wanted}: it must not be disturbed.',
+        'own-count',
+    )

@@ -45,9 +45,12 @@ def test_relay(learner):
     sensor.send(*burst)
     learner.settle()
     check_number(heard, len(echoes) + count, 'one-each')
-    for got, sent in zip(heard.messages[len(echoes):], burst, strict=True):
-        expect(got.header.stamp == sent.header.stamp, f'{count} messages came one shortly after the other, and yours '
-                                                      'came out in another order.', 'at-once')
+    for got, sent in zip(heard.messages[len(echoes) :], burst, strict=True):
+        expect(
+            got.header.stamp == sent.header.stamp,
+            f'{count} messages came one shortly after the other, and yours came out in another order.',
+            'at-once',
+        )
         check_reading(got, sent)
     learner.run(2.1, step=1.0)
     check_number(heard, len(echoes) + count, 'one-each')
@@ -56,10 +59,19 @@ def test_relay(learner):
 def check_number(heard, wanted, rule):
     if len(heard) < wanted and rule == 'inf':
         expect(False, 'A message with range=inf went in, and none came out: do not drop messages.', 'inf')
-    expect(len(heard) > 0 or wanted == 0, 'A message went in, and none came out at once. Publish in the callback of '
-                                          'the subscription, without a timer.', 'at-once')
-    expect(len(heard) >= wanted, f'{wanted} messages went in, and only {len(heard)} came out by then. Publish each one '
-                                 'in the callback, at once.', 'one-each')
-    expect(len(heard) == wanted, f'{wanted} messages went in, and {len(heard)} came out. Publish exactly once for '
-                                 'each.',
-           'one-each')
+    expect(
+        len(heard) > 0 or wanted == 0,
+        'A message went in, and none came out at once. Publish in the callback of the subscription, without a timer.',
+        'at-once',
+    )
+    expect(
+        len(heard) >= wanted,
+        f'{wanted} messages went in, and only {len(heard)} came out by then. Publish each one '
+        'in the callback, at once.',
+        'one-each',
+    )
+    expect(
+        len(heard) == wanted,
+        f'{wanted} messages went in, and {len(heard)} came out. Publish exactly once for each.',
+        'one-each',
+    )

@@ -11,8 +11,9 @@ pytestmark = [pytest.mark.exercise('3.3'), pytest.mark.wiring(type='topics', qos
 ENDS = (('publisher', 'led'), ('publisher', 'uptime'), ('subscription', 'reset'))
 
 
-@pytest.mark.rules('node', 'topics', 'qos', 'led', 'led-rate', 'uptime', 'uptime-rate', 'reset', 'reset-only',
-                   'no-wait', 'own-state')
+@pytest.mark.rules(
+    'node', 'topics', 'qos', 'led', 'led-rate', 'uptime', 'uptime-rate', 'reset', 'reset-only', 'no-wait', 'own-state'
+)
 def test_heartbeat(learner):
     """A Heartbeat blinks every 0.25 s, counts seconds, and counts anew after a reset.
 
@@ -34,9 +35,11 @@ def test_heartbeat(learner):
     fraction = random.choice([0.1, 0.3, 0.4, 0.6, 0.9])
     with about('no-wait'):
         learner.run(seconds + fraction, step=0.5)
-    expect(not learner.slept, 'A callback sleeps, and the whole node stands still meanwhile. The timers do the '
-                              'waiting.',
-           'no-wait')
+    expect(
+        not learner.slept,
+        'A callback sleeps, and the whole node stands still meanwhile. The timers do the waiting.',
+        'no-wait',
+    )
     check_led(led, seconds + fraction)
     check_uptime(uptime, seconds)
     check_resets(learner, led, uptime, button)
@@ -46,21 +49,32 @@ def test_heartbeat(learner):
 def check_led(led, seconds):
     expect(led.messages, f'Nothing came on led in {seconds:g} s.', 'led-rate')
     wanted = [number / 4 for number in range(1, int(seconds * 4) + 1)]
-    expect(led.stamps == pytest.approx(wanted), f'In {seconds:g} s {len(led)} messages came on led, the first ones at '
-           f'{told(led.stamps)} s. Every 0.25 s gives {len(wanted)}, at 0.25, 0.5, 0.75 … s.', 'led-rate')
+    expect(
+        led.stamps == pytest.approx(wanted),
+        f'In {seconds:g} s {len(led)} messages came on led, the first ones at '
+        f'{told(led.stamps)} s. Every 0.25 s gives {len(wanted)}, at 0.25, 0.5, 0.75 … s.',
+        'led-rate',
+    )
     expect(led.data[0], 'The first LED message is False; it begins with True.', 'led')
-    expect(led.data == [number % 2 == 0 for number in range(len(led))],
-           f'The LED says {", ".join(map(str, led.data[:6]))} …; it must change with every message: True, False, '
-           'True …',
-           'led')
+    expect(
+        led.data == [number % 2 == 0 for number in range(len(led))],
+        f'The LED says {", ".join(map(str, led.data[:6]))} …; it must change with every message: True, False, True …',
+        'led',
+    )
 
 
 def check_uptime(uptime, seconds):
     expect(uptime.messages, f'Nothing came on uptime in {seconds} s. Two jobs need two timers.', 'uptime-rate')
-    expect(uptime.stamps == pytest.approx(range(1, seconds + 1)),
-           f'The uptimes came at {told(uptime.stamps)} s, expected 1, 2, 3 … s.', 'uptime-rate')
-    expect(uptime.data == list(range(1, seconds + 1)),
-           f'The uptimes of the first {seconds} s are {uptime.data}, expected 1, 2, 3 …', 'uptime')
+    expect(
+        uptime.stamps == pytest.approx(range(1, seconds + 1)),
+        f'The uptimes came at {told(uptime.stamps)} s, expected 1, 2, 3 … s.',
+        'uptime-rate',
+    )
+    expect(
+        uptime.data == list(range(1, seconds + 1)),
+        f'The uptimes of the first {seconds} s are {uptime.data}, expected 1, 2, 3 …',
+        'uptime',
+    )
 
 
 def check_resets(learner, led, uptime, button):
@@ -70,28 +84,40 @@ def check_resets(learner, led, uptime, button):
         button.send(*presses * [Empty()])
         with about('no-wait'):
             learner.settle()
-        expect((len(led), len(uptime)) == counts, 'The reset itself published something: only the timers publish.',
-               'reset-only')
+        expect(
+            (len(led), len(uptime)) == counts,
+            'The reset itself published something: only the timers publish.',
+            'reset-only',
+        )
         with about('no-wait'):
             learner.run(rest, step=0.5)
         begin = int(at) + 1
-        after = uptime.data[counts[1]:]
-        expect(uptime.stamps[counts[1]:] == pytest.approx(range(begin, begin + rest)),
-               f'After a reset at {at:g} s uptimes came at {told(uptime.stamps[counts[1]:])} s, expected '
-               f'{begin}, {begin + 1} … s: the reset must not restart or stop a timer.', 'reset-only')
-        lit = led.data[counts[0]:]
+        after = uptime.data[counts[1] :]
+        expect(
+            uptime.stamps[counts[1] :] == pytest.approx(range(begin, begin + rest)),
+            f'After a reset at {at:g} s uptimes came at {told(uptime.stamps[counts[1] :])} s, expected '
+            f'{begin}, {begin + 1} … s: the reset must not restart or stop a timer.',
+            'reset-only',
+        )
+        lit = led.data[counts[0] :]
         quarter = int(at * 4 + 1e-6)
-        expect(lit == [number % 2 == 0 for number in range(quarter, quarter + len(lit))],
-               f'After a reset at {at:g} s the LED lost its rhythm of True and False: the reset must not touch it.',
-               'reset-only')
-        expect(led.stamps[counts[0]:] == pytest.approx([number / 4 for number in range(quarter + 1,
-                                                                                       quarter + 1 + rest * 4)]),
-               f'After a reset at {at:g} s LED messages came at {told(led.stamps[counts[0]:])} s: its timer must go '
-               'on.',
-               'reset-only')
+        expect(
+            lit == [number % 2 == 0 for number in range(quarter, quarter + len(lit))],
+            f'After a reset at {at:g} s the LED lost its rhythm of True and False: the reset must not touch it.',
+            'reset-only',
+        )
+        expect(
+            led.stamps[counts[0] :]
+            == pytest.approx([number / 4 for number in range(quarter + 1, quarter + 1 + rest * 4)]),
+            f'After a reset at {at:g} s LED messages came at {told(led.stamps[counts[0] :])} s: its timer must go on.',
+            'reset-only',
+        )
         expect(after[0] != begin, f'A message on reset changes nothing: uptime counts on, {told(after)}.', 'reset')
-        expect(after == list(range(1, rest + 1)), f'After a reset at {at:g} s the uptimes are {told(after)}; the next '
-                                                  'one must be 1, then 2.', 'reset')
+        expect(
+            after == list(range(1, rest + 1)),
+            f'After a reset at {at:g} s the uptimes are {told(after)}; the next one must be 1, then 2.',
+            'reset',
+        )
     expect(not learner.slept, 'A callback sleeps. The timers do the waiting.', 'no-wait')
 
 
@@ -103,22 +129,37 @@ def check_second(learner, led, uptime, node):
         learner.start('Heartbeat', beside=node)
         learner.settle()
         learner.run(2.1, step=0.5)
-    beats = list(zip(led.stamps, led.data, strict=True))[counts[0]:]
+    beats = list(zip(led.stamps, led.data, strict=True))[counts[0] :]
     own = [lit for stamp, lit in beats if (stamp * 4) % 1 > 1e-6]
     others = [lit for stamp, lit in beats if (stamp * 4) % 1 <= 1e-6]
-    expect(own == 4 * [True, False], f'A second heartbeat in the same process says {told(own)} on led, expected True, '
-                                     'False, True …: they share state. It belongs to the object (self).', 'own-state')
+    expect(
+        own == 4 * [True, False],
+        f'A second heartbeat in the same process says {told(own)} on led, expected True, '
+        'False, True …: they share state. It belongs to the object (self).',
+        'own-state',
+    )
     quarter = int(begin * 4 + 1e-6)
-    expect(others == [number % 2 == 0 for number in range(quarter, quarter + len(others))],
-           'When a second heartbeat starts, the LED of the first one loses its rhythm: they share state.', 'own-state')
-    later = list(zip(uptime.stamps, uptime.data, strict=True))[counts[1]:]
+    expect(
+        others == [number % 2 == 0 for number in range(quarter, quarter + len(others))],
+        'When a second heartbeat starts, the LED of the first one loses its rhythm: they share state.',
+        'own-state',
+    )
+    later = list(zip(uptime.stamps, uptime.data, strict=True))[counts[1] :]
     seconds = [number for stamp, number in later if stamp % 1 > 1e-6]
-    expect(seconds == [1, 2], f'A second heartbeat in the same process says the uptimes {told(seconds)}, expected 1, '
-                              '2: they share state. It belongs to the object (self).', 'own-state')
+    expect(
+        seconds == [1, 2],
+        f'A second heartbeat in the same process says the uptimes {told(seconds)}, expected 1, '
+        '2: they share state. It belongs to the object (self).',
+        'own-state',
+    )
     first = [number for stamp, number in later if stamp % 1 <= 1e-6]
     wanted = list(range(4, 4 + len(first)))  # after three seconds since the last reset
-    expect(first == wanted, f'When a second heartbeat starts, the first one says the uptimes {told(first)}, expected '
-                            f'{told(wanted)}: they share state. It belongs to the object (self).', 'own-state')
+    expect(
+        first == wanted,
+        f'When a second heartbeat starts, the first one says the uptimes {told(first)}, expected '
+        f'{told(wanted)}: they share state. It belongs to the object (self).',
+        'own-state',
+    )
 
 
 def told(values) -> str:

@@ -29,15 +29,24 @@ def test_server(learner):
     check_grid(maps.messages[0], rows)
     seconds = learner.random.randint(20, 90)
     learner.run(seconds, step=10.0)
-    expect(len(maps) == 1, f'{len(maps)} maps came in {seconds} s, expected one. Nothing needs to be repeated: a '
-                           'latched map is kept.', 'one-map')
+    expect(
+        len(maps) == 1,
+        f'{len(maps)} maps came in {seconds} s, expected one. Nothing needs to be repeated: a latched map is kept.',
+        'one-map',
+    )
     learner.start('MapServer', other, beside=server)
     learner.settle()
-    expect(len(maps) > 1, 'A second MapServer, started later in the same program, published no map in its constructor.',
-           'one-map')
+    expect(
+        len(maps) > 1,
+        'A second MapServer, started later in the same program, published no map in its constructor.',
+        'one-map',
+    )
     check_grid(maps.messages[1], other)
-    expect(len(maps) == 2, f'A second MapServer published {len(maps) - 1} maps in its constructor, expected one.',
-           'one-map')
+    expect(
+        len(maps) == 2,
+        f'A second MapServer published {len(maps) - 1} maps in its constructor, expected one.',
+        'one-map',
+    )
 
 
 @pytest.mark.rules('reader-node', 'late', 'walls', 'topics', 'qos')
@@ -57,8 +66,11 @@ def test_reader(learner):
     check_topic(learner, 'subscription', space, 'map', 'topics')
     check_topic(learner, 'publisher', space, 'walls', 'topics')
     there = learner.endpoints(f'{space}/map').subscriptions
-    expect(there[0].latched, 'Your subscription to map is VOLATILE: it does not get a map that was published before '
-                             'MapReader started.', 'late')
+    expect(
+        there[0].latched,
+        'Your subscription to map is VOLATILE: it does not get a map that was published before MapReader started.',
+        'late',
+    )
     for kind, topic in (('subscription', 'map'), ('publisher', 'walls')):
         check_latched(learner, kind, f'{space}/{topic}', 1, 'qos')
     with about('walls'):

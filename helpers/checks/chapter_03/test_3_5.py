@@ -38,8 +38,15 @@ def test_safety_stop(learner):
             learner.run(0.1)
     expect(stop.messages, 'Scans were published and SafetyStop said nothing on stop.', 'scan')
     expect(len(stop) == len(near), f'{len(near)} scans gave {len(stop)} commands on stop; each scan gives one.', 'scan')
-    expect(stop.data == near, f'Scans of which {near} have an object nearer than 0.5 m gave {stop.data} on stop. The '
-                              'callback was right: repair only the QoS.', 'rest')
+    expect(
+        stop.data == near,
+        f'Scans of which {near} have an object nearer than 0.5 m gave {stop.data} on stop. The '
+        'callback was right: repair only the QoS.',
+        'rest',
+    )
     late = learner.late_listener(f'{space}/stop', Bool)
-    expect(late.data == near[-1:], f'A driver that starts later gets {late.data}, expected only the last command, '
-                                   f'{near[-1:]}.', 'stop')
+    expect(
+        late.data == near[-1:],
+        f'A driver that starts later gets {late.data}, expected only the last command, {near[-1:]}.',
+        'stop',
+    )

@@ -9,8 +9,9 @@ from helpers.runner import about, expect
 pytestmark = [pytest.mark.exercise('3.6'), pytest.mark.wiring(type='topics', qos='qos')]
 
 
-@pytest.mark.rules('node', 'topics', 'any-lidar', 'qos', 'report', 'silent', 'gap', 'at-once', 'limit', 'first', 'old',
-                   'own-state')
+@pytest.mark.rules(
+    'node', 'topics', 'any-lidar', 'qos', 'report', 'silent', 'gap', 'at-once', 'limit', 'first', 'old', 'own-state'
+)
 def test_monitor(learner):
     """A RateMonitor reports every second how many scans have come, and each gap between their stamps at once.
 
@@ -47,20 +48,35 @@ def test_monitor(learner):
 
 def check_reports(rates, sent, begin):
     """One report for each second since the monitor's start, with the number of scans that were sent in it."""
-    expect(rates.messages, 'Nothing came on scan_rate in the first 2 s. A silent sensor calls no callback: report in a '
-                           'timer.', 'silent')
+    expect(
+        rates.messages,
+        'Nothing came on scan_rate in the first 2 s. A silent sensor calls no callback: report in a timer.',
+        'silent',
+    )
     came = [round(stamp - begin, 6) for stamp in rates.stamps]
     rule = 'report' if sent[-1] or len(rates) > len(sent) else 'silent'
-    expect(came == list(range(1, len(sent) + 1)),
-           f'Reports came {", ".join(f"{at:g}" for at in came)} s after the start, expected one every 1.0 s of the '
-           "node's time, also without scans.", rule)
-    totals = [sum(sent[:n + 1]) for n in range(len(sent))]
-    expect(rates.data == sent or rates.data != totals, f'{sent} scans came in these seconds and scan_rate says '
-           f'{rates.data}: count from zero again after each report.', 'report')
-    expect(sent[-1] != 6 or rates.data[-1] != 5, 'Of six scans in a second one was older than the newest; scan_rate '
-                                                 'says 5, expected 6: it counts, too.', 'old')
-    expect(rates.data == sent, f'{sent} scans came in these seconds, and scan_rate says {rates.data}.',
-           'report' if rates.data[-1] or sent[-1] else 'silent')
+    expect(
+        came == list(range(1, len(sent) + 1)),
+        f'Reports came {", ".join(f"{at:g}" for at in came)} s after the start, expected one every 1.0 s of the '
+        "node's time, also without scans.",
+        rule,
+    )
+    totals = [sum(sent[: n + 1]) for n in range(len(sent))]
+    expect(
+        rates.data == sent or rates.data != totals,
+        f'{sent} scans came in these seconds and scan_rate says {rates.data}: count from zero again after each report.',
+        'report',
+    )
+    expect(
+        sent[-1] != 6 or rates.data[-1] != 5,
+        'Of six scans in a second one was older than the newest; scan_rate says 5, expected 6: it counts, too.',
+        'old',
+    )
+    expect(
+        rates.data == sent,
+        f'{sent} scans came in these seconds, and scan_rate says {rates.data}.',
+        'report' if rates.data[-1] or sent[-1] else 'silent',
+    )
 
 
 def check_second(learner, rates, gaps, lidar, node, stamp):
@@ -75,20 +91,36 @@ def check_second(learner, rates, gaps, lidar, node, stamp):
         lidar.send(monitors.scan(stamp + 50.0))
         learner.settle()
     came = gaps.data[before:]
-    expect(came == pytest.approx([40.0, 10.0, 10.0]),
-           'A second monitor was started in the same program. Then a scan came 40 s after the last one, and another '
-           f'one 10 s later: for the second monitor the first of them has nothing before it. scan_gap says {came}, '
-           'expected 40, 10, 10. The newest stamp belongs to the object (self).', 'own-state')
+    expect(
+        came == pytest.approx([40.0, 10.0, 10.0]),
+        'A second monitor was started in the same program. Then a scan came 40 s after the last one, and another '
+        f'one 10 s later: for the second monitor the first of them has nothing before it. scan_gap says {came}, '
+        'expected 40, 10, 10. The newest stamp belongs to the object (self).',
+        'own-state',
+    )
     with about('own-state'):
         lidar.send(monitors.scan(stamp + 50.5), monitors.scan(stamp + 51.125))
         learner.run(1.3, step=1.0)
     own = [value for at, value in zip(rates.stamps, rates.data, strict=True) if abs(at - begin - 1.0) < 1e-6]
-    others = [value for at, value in zip(rates.stamps, rates.data, strict=True)
-              if at > begin and abs(at - begin - 1.0) > 1e-6]
-    expect(own == others == [4.0], f'Two monitors in the same program heard 4 scans each, and reported {others} and '
-                                   f'{own}. What they count belongs to the object (self).', 'own-state')
-    came = gaps.data[before + 3:]
-    expect(came != pytest.approx([0.625, 0.625]), 'When a second monitor with another max_gap is made in the same '
-                                                  'program, the first one takes over that max_gap.', 'own-state')
-    expect(came == pytest.approx([0.625]), 'A second RateMonitor(), without an argument, heard the differences 0.5 and '
-                                           f'0.625 s, and {came} came on scan_gap: max_gap is 0.5 then.', 'limit')
+    others = [
+        value for at, value in zip(rates.stamps, rates.data, strict=True) if at > begin and abs(at - begin - 1.0) > 1e-6
+    ]
+    expect(
+        own == others == [4.0],
+        f'Two monitors in the same program heard 4 scans each, and reported {others} and '
+        f'{own}. What they count belongs to the object (self).',
+        'own-state',
+    )
+    came = gaps.data[before + 3 :]
+    expect(
+        came != pytest.approx([0.625, 0.625]),
+        'When a second monitor with another max_gap is made in the same '
+        'program, the first one takes over that max_gap.',
+        'own-state',
+    )
+    expect(
+        came == pytest.approx([0.625]),
+        'A second RateMonitor(), without an argument, heard the differences 0.5 and '
+        f'0.625 s, and {came} came on scan_gap: max_gap is 0.5 then.',
+        'limit',
+    )

@@ -34,27 +34,47 @@ def test_silent_server(learner):
     with about('request'):
         learner.settle()
     words = f'GripperClient({timeout}, {tries}), a silent server, a command at {begin} s: '
-    expect(server.stamps, 'A command came on /close, and no request came to the service set_gripper at once.',
-           'request', hint=True)
-    expect(server.requests[0].data is data, f'close said {data}, but the request says {not data}: send the same data.',
-           'request')
-    expect(len(server.stamps) == 1, f'{words}{len(server.stamps)} requests at once. The next one comes after the '
-                                    'timeout of the first.', 'timeout')
+    expect(
+        server.stamps,
+        'A command came on /close, and no request came to the service set_gripper at once.',
+        'request',
+        hint=True,
+    )
+    expect(
+        server.requests[0].data is data,
+        f'close said {data}, but the request says {not data}: send the same data.',
+        'request',
+    )
+    expect(
+        len(server.stamps) == 1,
+        f'{words}{len(server.stamps)} requests at once. The next one comes after the timeout of the first.',
+        'timeout',
+    )
     expect(not states.messages, f'{words}{states.data} was reported at once: a request has {timeout} s.', 'tries')
     with about('timeout'):
         learner.run(timeout * (tries + 2), step=1.0)
-    expect(len(server.stamps) > 1, f'{words}no second request came. When the timeout is over, send the next one. It is '
-                                   "in seconds of the node's clock.", 'timeout')
+    expect(
+        len(server.stamps) > 1,
+        f'{words}no second request came. When the timeout is over, send the next one. It is '
+        "in seconds of the node's clock.",
+        'timeout',
+    )
     wanted = [round(begin + n * timeout, 3) for n in range(tries)]
     seen = [round(stamp, 3) for stamp in server.stamps]
-    expect(seen[:tries] == wanted[:len(seen)], f'{words}requests at {seen} s, expected at {wanted} s.', 'timeout')
-    expect(len(seen) == tries, f'{words}{len(seen)} requests. `tries` is the number of all requests, the first one '
-                               'included.', 'tries')
+    expect(seen[:tries] == wanted[: len(seen)], f'{words}requests at {seen} s, expected at {wanted} s.', 'timeout')
+    expect(
+        len(seen) == tries,
+        f'{words}{len(seen)} requests. `tries` is the number of all requests, the first one included.',
+        'tries',
+    )
     end = round(begin + tries * timeout, 3)
-    expect(set(states.data) == {'failed'}, f'{words}gripper_state says {states.data}, expected [\'failed\'].', 'tries')
-    expect([round(stamp, 3) for stamp in states.stamps] == [end],
-           f'{words}failed came at {[round(stamp, 3) for stamp in states.stamps]} s, expected once, at {end} s: the '
-           f'last request has its {timeout} s, too.', 'tries')
+    expect(set(states.data) == {'failed'}, f"{words}gripper_state says {states.data}, expected ['failed'].", 'tries')
+    expect(
+        [round(stamp, 3) for stamp in states.stamps] == [end],
+        f'{words}failed came at {[round(stamp, 3) for stamp in states.stamps]} s, expected once, at {end} s: the '
+        f'last request has its {timeout} s, too.',
+        'tries',
+    )
 
 
 @pytest.mark.rules('request', 'answer', 'once', 'refusal', 'late')
@@ -74,50 +94,84 @@ def test_answers(learner):
         close.send(Bool(data=data))
         with about(rule):
             learner.run(seconds, step=1.0)
-        expect(server.stamps, f'After {done} commands the next one made no request.' if done else
-               'A command came on /close, and no request came to the service set_gripper.', 'request', hint=True)
-        expect(server.requests[-1].data is data, f'close said {data}, the request says {not data}: send the same data.',
-               'request')
+        expect(
+            server.stamps,
+            f'After {done} commands the next one made no request.'
+            if done
+            else 'A command came on /close, and no request came to the service set_gripper.',
+            'request',
+            hint=True,
+        )
+        expect(
+            server.requests[-1].data is data,
+            f'close said {data}, the request says {not data}: send the same data.',
+            'request',
+        )
         return len(server.stamps)
 
     done = 0
     learner.run(draw.choice([0.4, 1.1]), step=1.0)
     for data in (False, True):
         count = command(data, 0.9, 'answer')
-        expect(states.data, f'The server answered with success=True after {delay} s; nothing came on gripper_state.',
-               'answer', hint=True)
-        expect(states.data[0] == 'ok', f'The server answered with success=True; gripper_state says {states.data}, '
-                                       "expected ['ok'].", 'answer')
+        expect(
+            states.data,
+            f'The server answered with success=True after {delay} s; nothing came on gripper_state.',
+            'answer',
+            hint=True,
+        )
+        expect(
+            states.data[0] == 'ok',
+            f"The server answered with success=True; gripper_state says {states.data}, expected ['ok'].",
+            'answer',
+        )
         learner.run(3.5, step=1.0)
-        expect(states.data == ['ok'] and len(server.stamps) == count == 1,
-               f'One command was answered after {delay} s. It made {len(server.stamps)} requests and the reports '
-               f'{states.data}, expected one of each: stop the timer when the answer has come.', 'once')
+        expect(
+            states.data == ['ok'] and len(server.stamps) == count == 1,
+            f'One command was answered after {delay} s. It made {len(server.stamps)} requests and the reports '
+            f'{states.data}, expected one of each: stop the timer when the answer has come.',
+            'once',
+        )
         done += 1
     server.answer = {'success': False, 'message': draw.choice(['too hot', 'ok'])}
     count = command(True, 4.5, 'refusal')
-    expect(count == 1, f'The server refused, and was asked {count} times: a refusal is an answer, do not try again.',
-           'refusal')
-    expect(states.data == ['refused'], f'The server answered with success=False; gripper_state says {states.data}, '
-                                       "expected ['refused'].", 'answer')
+    expect(
+        count == 1,
+        f'The server refused, and was asked {count} times: a refusal is an answer, do not try again.',
+        'refusal',
+    )
+    expect(
+        states.data == ['refused'],
+        f"The server answered with success=False; gripper_state says {states.data}, expected ['refused'].",
+        'answer',
+    )
     done += 1
     late = draw.choice([1.1, 1.4])
     server.answer, delays = iter([{'success': True}, {'success': False}]), iter([late, 0.8])
     server.delay = lambda request: next(delays)
     command(False, 4.5, 'late')
-    expect(states.data == ['refused'],
-           f'With the timeout 1 s, the first answer (success=True) came after {late} s, the second (success=False) in '
-           f"time; gripper_state says {states.data}, expected ['refused']: what comes after its timeout is ignored.",
-           'late')
+    expect(
+        states.data == ['refused'],
+        f'With the timeout 1 s, the first answer (success=True) came after {late} s, the second (success=False) in '
+        f"time; gripper_state says {states.data}, expected ['refused']: what comes after its timeout is ignored.",
+        'late',
+    )
     done += 1
     server.answer, server.delay = {'success': True}, 3.4
     command(True, 7.0, 'late')
-    expect(states.data == ['failed'], f'All answers came 3.4 s after their requests; gripper_state says {states.data}, '
-                                      "expected ['failed']: what comes after its timeout is ignored.", 'late')
+    expect(
+        states.data == ['failed'],
+        f'All answers came 3.4 s after their requests; gripper_state says {states.data}, '
+        "expected ['failed']: what comes after its timeout is ignored.",
+        'late',
+    )
     done += 1
     server.delay = 0.0
     command(True, 0.5, 'request')
-    expect(states.data == ['ok'], f'A command that came after a failed one was answered; gripper_state says '
-                                  f"{states.data}, expected ['ok'].", 'answer')
+    expect(
+        states.data == ['ok'],
+        f"A command that came after a failed one was answered; gripper_state says {states.data}, expected ['ok'].",
+        'answer',
+    )
 
 
 @pytest.mark.rules('newest', 'queue')
@@ -136,16 +190,25 @@ def test_new_command(learner):
     learner.settle()
     asked = [request.data for request in server.requests]
     words = f'Commands {first} at 0 s and {not first} at {pause} s, answers after {delay} s: '
-    expect(asked == [first, not first], f'{words}the requests by then are {asked}. Send a new command at once, also if '
-                                        'an old one is open.', 'newest')
+    expect(
+        asked == [first, not first],
+        f'{words}the requests by then are {asked}. Send a new command at once, also if an old one is open.',
+        'newest',
+    )
     learner.run(5.0, step=1.0)
     told = list(zip(states.data, (round(stamp, 3) for stamp in states.stamps), strict=True))
     wanted = [('refused' if first else 'ok', round(pause + delay, 3))]
-    expect([text for text, _ in told] != [wanted[0][0]] or told == wanted,
-           f'{words}gripper_state says {told}, expected {wanted}. A new request has its whole timeout: start the timer '
-           'anew.', 'newest')
-    expect(told == wanted, f'{words}gripper_state says {told}, expected {wanted}: nothing is reported for the old '
-                           'command.', 'newest')
+    expect(
+        [text for text, _ in told] != [wanted[0][0]] or told == wanted,
+        f'{words}gripper_state says {told}, expected {wanted}. A new request has its whole timeout: start the timer '
+        'anew.',
+        'newest',
+    )
+    expect(
+        told == wanted,
+        f'{words}gripper_state says {told}, expected {wanted}: nothing is reported for the old command.',
+        'newest',
+    )
     server.answer = None
     states.clear()
     server.stamps.clear()
@@ -154,18 +217,29 @@ def test_new_command(learner):
         learner.run(1.0 + pause, step=1.0)
     learner.run(5.0, step=1.0)
     seen, begin = [round(stamp - server.stamps[0], 3) for stamp in server.stamps], round(1.0 + pause, 3)
-    expect(seen == [0.0, 1.0, begin, begin + 1.0, begin + 2.0],
-           f'A silent server, two commands {begin} s apart: requests went out {seen} s after the first. A new command '
-           'has all its tries, and its timer starts anew.', 'newest')
-    expect(states.data == ['failed'], f'Two commands, one {begin} s after the other, to a silent server gave '
-                                      f'{states.data}, expected one failed, for the second.', 'newest')
+    expect(
+        seen == [0.0, 1.0, begin, begin + 1.0, begin + 2.0],
+        f'A silent server, two commands {begin} s apart: requests went out {seen} s after the first. A new command '
+        'has all its tries, and its timer starts anew.',
+        'newest',
+    )
+    expect(
+        states.data == ['failed'],
+        f'Two commands, one {begin} s after the other, to a silent server gave '
+        f'{states.data}, expected one failed, for the second.',
+        'newest',
+    )
     server.answer, server.delay = {'success': True}, 0.0
     server.stamps.clear()
     close.send(*[Bool(data=first)] * 10)
     learner.run(0.5)
-    expect(len(server.stamps) == 10, f'10 commands came at one moment, before your node could look; '
-                                     f'{len(server.stamps)} of them became requests, expected 10: the depth of a '
-                                     'subscription says how many it keeps.', 'queue')
+    expect(
+        len(server.stamps) == 10,
+        f'10 commands came at one moment, before your node could look; '
+        f'{len(server.stamps)} of them became requests, expected 10: the depth of a '
+        'subscription says how many it keeps.',
+        'queue',
+    )
 
 
 @pytest.mark.rules('names', 'no-server')
@@ -179,29 +253,46 @@ def test_no_server(learner):
     states, close = learner.listen(f'{space}/gripper_state', String), learner.talk(f'{space}/close', Bool)
     with about('no-server'):
         node = learner.start('GripperClient', remap={'__ns': space})
-    expect(node.name == f'{space}/gripper_client',
-           f'In the namespace {space} your node is called {node.name}, expected {space}/gripper_client.', 'names')
-    expect(learner.endpoints(f'{space}/close').subscriptions and learner.endpoints(f'{space}/gripper_state').publishers,
-           f'In the namespace {space} your node has not both {space}/close and {space}/gripper_state: write the names '
-           'without a leading slash.', 'names')
+    expect(
+        node.name == f'{space}/gripper_client',
+        f'In the namespace {space} your node is called {node.name}, expected {space}/gripper_client.',
+        'names',
+    )
+    expect(
+        learner.endpoints(f'{space}/close').subscriptions and learner.endpoints(f'{space}/gripper_state').publishers,
+        f'In the namespace {space} your node has not both {space}/close and {space}/gripper_state: write the names '
+        'without a leading slash.',
+        'names',
+    )
     learner.run(begin)
     close.send(Bool(data=True))
     with about('no-server'):
         learner.run(0.4)
-        expect(not states.messages, f'No server is there; 0.4 s after a command gripper_state says {states.data}. The '
-                                    'request has its timeout all the same.')
+        expect(
+            not states.messages,
+            f'No server is there; 0.4 s after a command gripper_state says {states.data}. The '
+            'request has its timeout all the same.',
+        )
         server = learner.serve(f'{space}/set_gripper', SetBool, {'success': True})
         learner.run(3.5, step=1.0)
-    expect(f'{space}/set_gripper' in server.theirs(), f'In the namespace {space} your node has no client for '
-                                                      f'{space}/set_gripper: leave out the leading slash.', 'names')
-    expect(states.data == ['ok'] and states.stamps == pytest.approx([begin + 1.0]),
-           f'A command at {begin} s, a server from {begin + 0.4:.1f} s on: gripper_state says {states.data} at '
-           f'{states.stamps} s, expected ok at {begin + 1.0:.1f} s, with the second request.', 'no-server')
+    expect(
+        f'{space}/set_gripper' in server.theirs(),
+        f'In the namespace {space} your node has no client for {space}/set_gripper: leave out the leading slash.',
+        'names',
+    )
+    expect(
+        states.data == ['ok'] and states.stamps == pytest.approx([begin + 1.0]),
+        f'A command at {begin} s, a server from {begin + 0.4:.1f} s on: gripper_state says {states.data} at '
+        f'{states.stamps} s, expected ok at {begin + 1.0:.1f} s, with the second request.',
+        'no-server',
+    )
     server.stop()
     learner.settle()
     with about('no-server'):
-        expect(any(_seconds(lambda: learner.start('GripperClient', beside=node)) < 0.35 for _ in range(4)),
-               'Without a server, your constructor takes a long time: it must not wait for the service.')
+        expect(
+            any(_seconds(lambda: learner.start('GripperClient', beside=node)) < 0.35 for _ in range(4)),
+            'Without a server, your constructor takes a long time: it must not wait for the service.',
+        )
 
 
 def _seconds(function) -> float:

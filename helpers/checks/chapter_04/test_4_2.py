@@ -24,29 +24,47 @@ class Calibrations:
     def info(self, width=None, height=None, fx=500.0, fy=510.0, cx=None, cy=None, model='plumb_bob', d=5):
         width, height = self.width if width is None else width, self.height if height is None else height
         cx, cy = self.draw.uniform(10, 290) if cx is None else cx, self.height / 3 if cy is None else cy
-        return CameraInfo(width=width, height=height, distortion_model=model, d=[self.draw.uniform(-1, 1)] * d,
-                          k=[fx, 0.0, cx, 0.0, fy, cy, 0.0, 0.0, 1.0])
+        return CameraInfo(
+            width=width,
+            height=height,
+            distortion_model=model,
+            d=[self.draw.uniform(-1, 1)] * d,
+            k=[fx, 0.0, cx, 0.0, fy, cy, 0.0, 0.0, 1.0],
+        )
 
     def refused(self, word, rule='', hint='', **changes):
         """Expect that a calibration with these changes is refused with this word."""
         with about('always'):
             answer = self.client.call(camera_info=self.info(**changes))
         rule = rule or word.replace(' ', '-')
-        expect(not answer.success, f'A calibration of {self.width} x {self.height} with {_text(changes)} was accepted. '
-                                   f'{hint}', rule)
-        expect(answer.status_message == word, f'A calibration of {self.width} x {self.height} with {_text(changes)} '
-                                              f'was refused with {answer.status_message!r}, expected {word!r}. {hint}',
-               rule)
+        expect(
+            not answer.success,
+            f'A calibration of {self.width} x {self.height} with {_text(changes)} was accepted. {hint}',
+            rule,
+        )
+        expect(
+            answer.status_message == word,
+            f'A calibration of {self.width} x {self.height} with {_text(changes)} '
+            f'was refused with {answer.status_message!r}, expected {word!r}. {hint}',
+            rule,
+        )
 
     def accepted(self, rule, hint='', **changes):
         """Expect that a calibration with these changes is accepted; returns it."""
         info = self.info(**changes)
         with about('always'):
             answer = self.client.call(camera_info=info)
-        expect(answer.success, f'A calibration of {self.width} x {self.height} with {_text(changes)} breaks no rule '
-                               f'and was refused with {answer.status_message!r}. {hint}', rule)
-        expect(answer.status_message == '', f'An accepted calibration got the message {answer.status_message!r}, '
-                                            'expected an empty one.', 'accept')
+        expect(
+            answer.success,
+            f'A calibration of {self.width} x {self.height} with {_text(changes)} breaks no rule '
+            f'and was refused with {answer.status_message!r}. {hint}',
+            rule,
+        )
+        expect(
+            answer.status_message == '',
+            f'An accepted calibration got the message {answer.status_message!r}, expected an empty one.',
+            'accept',
+        )
         return info
 
 
@@ -75,14 +93,21 @@ def test_words(learner):
         some.refused('focal length', hint='A focal length must be finite.', **{place: inf})
         some.accepted('focal-length', **{place: 0.001})
     for changes in ({'cx': 0.0}, {'cx': float(width)}, {'cy': 0.0}, {'cy': float(height)}):
-        some.accepted('principal-point', 'The limits are allowed: k[2] goes from 0 to the width of the request, k[5] '
-                                         'to its height.', **changes)
+        some.accepted(
+            'principal-point',
+            'The limits are allowed: k[2] goes from 0 to the width of the request, k[5] to its height.',
+            **changes,
+        )
     for changes in ({'cx': low}, {'cx': width + 0.5}, {'cx': inf}, {'cy': low}, {'cy': height + 0.5}, {'cy': -inf}):
         some.refused('principal point', **changes)
     for changes in ({'model': 'equidistant'}, {'model': ''}, {'d': 0}, {'d': 4}, {'d': 8}):
         some.refused('distortion', **changes)
-    for place, word in (('fx', 'focal length'), ('fy', 'focal length'), ('cx', 'principal point'),
-                        ('cy', 'principal point')):
+    for place, word in (
+        ('fx', 'focal length'),
+        ('fy', 'focal length'),
+        ('cx', 'principal point'),
+        ('cy', 'principal point'),
+    ):
         some.refused(word, 'nan', 'Every comparison with nan is false: write what must be true.', **{place: nan})
     hint = 'Several rules are broken: the first one of the list decides.'
     some.refused('size', 'order', hint, width=0, fx=low)
@@ -102,14 +127,20 @@ def test_published(learner):
     draw = learner.random
     space = draw.choice(['/left', '/right', '/head/front'])
     node = learner.start('Camera', remap={'__ns': space})
-    expect(node.name == f'{space}/camera', f'In the namespace {space} your node is called {node.name}, expected '
-                                           f'{space}/camera.', 'names')
+    expect(
+        node.name == f'{space}/camera',
+        f'In the namespace {space} your node is called {node.name}, expected {space}/camera.',
+        'names',
+    )
     topic, service = f'{space}/camera_info', f'{space}/set_camera_info'
     client = learner.client(service, SetCameraInfo)
     learner.settle()
-    expect(service in client.theirs() and learner.endpoints(topic).publishers,
-           f'In the namespace {space} your node has not both a service {service} and a publisher on {topic}: write the '
-           'names without a leading slash.', 'names')
+    expect(
+        service in client.theirs() and learner.endpoints(topic).publishers,
+        f'In the namespace {space} your node has not both a service {service} and a publisher on {topic}: write the '
+        'names without a leading slash.',
+        'names',
+    )
     heard, some = learner.listen(topic, CameraInfo), Calibrations(learner, client)
     learner.run(0.2)
     expect(not heard.messages, 'Something was published on camera_info before a calibration was set.', 'publish')
@@ -117,27 +148,48 @@ def test_published(learner):
         info = some.info(fx=draw.uniform(100, 900))
         info.header.frame_id, info.header.stamp.sec = draw.choice(['left_eye', 'lens']), draw.randint(1, 99)
         info.binning_x, info.p[3], info.roi.height = 2, draw.uniform(-60, 0), draw.randint(1, 99)
-        expect(client.call(camera_info=info).success, 'A calibration that breaks no rule was refused. Header, '
-                                                        'binning, roi and p are not checked.', 'publish')
-        expect(heard.messages, 'The calibration was accepted, and nothing was published on camera_info.', 'publish',
-               hint=True)
-        expect(heard.messages[-1] == info, 'What was published is not the calibration as it came: '
-                                           f'{_differences(heard.messages[-1], info)}. Publish the message of the '
-                                           'request itself.', 'publish')
+        expect(
+            client.call(camera_info=info).success,
+            'A calibration that breaks no rule was refused. Header, binning, roi and p are not checked.',
+            'publish',
+        )
+        expect(
+            heard.messages,
+            'The calibration was accepted, and nothing was published on camera_info.',
+            'publish',
+            hint=True,
+        )
+        expect(
+            heard.messages[-1] == info,
+            'What was published is not the calibration as it came: '
+            f'{_differences(heard.messages[-1], info)}. Publish the message of the '
+            'request itself.',
+            'publish',
+        )
         expect(len(heard) == number, f'{number} good calibrations were published {len(heard)} times.', 'publish')
     for changes in ({'width': 0}, {'fx': -1.0}, {'cx': -1.0}, {'d': 3}):
         client.call(camera_info=some.info(**changes))
-        expect(len(heard) == 2, f'After two good calibrations one with {_text(changes)} came, and a message was '
-                                'published: a calibration that is refused is not published.', 'unchanged')
+        expect(
+            len(heard) == 2,
+            f'After two good calibrations one with {_text(changes)} came, and a message was '
+            'published: a calibration that is refused is not published.',
+            'unchanged',
+        )
     learner.run(1.0)
     expect(len(heard) == 2, 'With no new calibration, camera_info was published again.', 'publish')
     with about('latched'):
         late = learner.late_listener(topic, CameraInfo)  # would take ten
     expect(late.messages, 'A program that starts later gets no calibration: offer TRANSIENT_LOCAL.', 'latched')
-    expect(len(late) == 1, f'A program that starts later gets {len(late)} calibrations, expected the last one only: '
-                           'use depth 1.', 'latched')
-    expect(late.messages == [info], 'A program that starts later gets another calibration than the last good one.',
-           'unchanged')
+    expect(
+        len(late) == 1,
+        f'A program that starts later gets {len(late)} calibrations, expected the last one only: use depth 1.',
+        'latched',
+    )
+    expect(
+        late.messages == [info],
+        'A program that starts later gets another calibration than the last good one.',
+        'unchanged',
+    )
 
 
 def _differences(one, other):

@@ -9,8 +9,10 @@ from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.3'), pytest.mark.wiring(type='same-time')]
 
-NEVER = ('The answer of a part waits in a callback group in which your callback still runs, so it is never taken: give '
-         'the clients a callback group of their own.')
+NEVER = (
+    'The answer of a part waits in a callback group in which your callback still runs, so it is never taken: give '
+    'the clients a callback group of their own.'
+)
 
 
 @pytest.mark.rules('same-time', 'success', 'message', 'one-thread', 'fresh')
@@ -32,28 +34,51 @@ def test_status(learner):
         slow, quick = draw.choice([0.6, 0.9]), draw.choice([0.2, 0.4])
         battery.delay, lidar.delay = (slow, quick) if number % 2 else (quick, slow)
         battery.answer, lidar.answer = ({'success': ok, 'message': text} for ok, text in zip(good, said, strict=True))
-        words = (f'The battery answers after {battery.delay} s with {good[0]}, {said[0]!r}, the lidar after '
-                 f'{lidar.delay} s with {good[1]}, {said[1]!r}. ')
+        words = (
+            f'The battery answers after {battery.delay} s with {good[0]}, {said[0]!r}, the lidar after '
+            f'{lidar.delay} s with {good[1]}, {said[1]!r}. '
+        )
         begin = learner.now / 1e9
         call = status.send()
         learner.run(2.0, step=1.0)
-        expect(call.done or battery.requests or lidar.requests, 'status was called; neither battery/check nor '
-                                                                'lidar/check was asked.', 'same-time', hint=True)
+        expect(
+            call.done or battery.requests or lidar.requests,
+            'status was called; neither battery/check nor lidar/check was asked.',
+            'same-time',
+            hint=True,
+        )
         expect(call.done, f'{words}status was never answered. {NEVER}', 'one-thread')
         for part, server in (('battery', battery), ('lidar', lidar)):
             count = len(server.requests)
-            expect(count == number, f'After {number} call{"s" * (number > 1)} of status {part}/check was asked {count} '
-                                    f'time{"s" * (count != 1)}, expected {number}.', 'fresh' if count else 'same-time')
+            expect(
+                count == number,
+                f'After {number} call{"s" * (number > 1)} of status {part}/check was asked {count} '
+                f'time{"s" * (count != 1)}, expected {number}.',
+                'fresh' if count else 'same-time',
+            )
         asked = [round(server.stamps[-1] - begin, 3) for server in (battery, lidar)]
-        expect(asked == [0.0, 0.0], f'{words}They were asked {asked[0]} and {asked[1]} s after the call. Ask both at '
-                                    'the same time: first two call_async, then two await.', 'same-time')
-        expect(call.received - begin == pytest.approx(slow),
-               f'{words}The status came after {call.received - begin:g} s, expected {slow} s.', 'same-time')
+        expect(
+            asked == [0.0, 0.0],
+            f'{words}They were asked {asked[0]} and {asked[1]} s after the call. Ask both at '
+            'the same time: first two call_async, then two await.',
+            'same-time',
+        )
+        expect(
+            call.received - begin == pytest.approx(slow),
+            f'{words}The status came after {call.received - begin:g} s, expected {slow} s.',
+            'same-time',
+        )
         wanted = f'battery: {said[0]}; lidar: {said[1]}'
-        expect(call.response.message == wanted, f'{words}The message of the status is {call.response.message!r}, '
-                                                f'expected {wanted!r}.', 'message')
-        expect(call.response.success is all(good), f'{words}success of the status is {call.response.success}, expected '
-                                                   f'{all(good)}.', 'success')
+        expect(
+            call.response.message == wanted,
+            f'{words}The message of the status is {call.response.message!r}, expected {wanted!r}.',
+            'message',
+        )
+        expect(
+            call.response.success is all(good),
+            f'{words}success of the status is {call.response.success}, expected {all(good)}.',
+            'success',
+        )
     expect(len(battery.requests) == 4, 'The battery was asked although nobody had called status.', 'fresh')
 
 
@@ -67,26 +92,45 @@ def test_two_callers(learner):
     draw = learner.random
     space, words = draw.choice(['/robot_3', '/north/panel']), draw.sample(['low', 'full', 'warm', 'old', 'new'], 2)
     node = learner.start('StatusPanel', remap={'__ns': space})
-    expect(node.name == f'{space}/status_panel', f'In the namespace {space} your node is called {node.name}, expected '
-                                                 f'{space}/status_panel.', 'names')
-    battery = learner.serve(f'{space}/battery/check', Trigger,
-                            iter([{'success': ok, 'message': word} for ok, word in zip((True, False), words,
-                                                                                      strict=True)]), 0.3)
+    expect(
+        node.name == f'{space}/status_panel',
+        f'In the namespace {space} your node is called {node.name}, expected {space}/status_panel.',
+        'names',
+    )
+    battery = learner.serve(
+        f'{space}/battery/check',
+        Trigger,
+        iter([{'success': ok, 'message': word} for ok, word in zip((True, False), words, strict=True)]),
+        0.3,
+    )
     lidar = learner.serve(f'{space}/lidar/check', Trigger, {'success': True}, 0.2)
     clients = [learner.client(f'{space}/status', Trigger) for _ in range(2)]
     learner.settle()
-    expect(f'{space}/status' in clients[0].theirs() and {battery.name, lidar.name} <= set(battery.theirs()),
-           f'In the namespace {space} your node has not all of {space}/status, {space}/battery/check and '
-           f'{space}/lidar/check: write the names without a leading slash.', 'names')
+    expect(
+        f'{space}/status' in clients[0].theirs() and {battery.name, lidar.name} <= set(battery.theirs()),
+        f'In the namespace {space} your node has not all of {space}/status, {space}/battery/check and '
+        f'{space}/lidar/check: write the names without a leading slash.',
+        'names',
+    )
     calls = [client.send() for client in clients]
     learner.run(2.0, step=1.0)
-    expect(all(call.done for call in calls), f'Two callers asked at the same time, and not both got an answer. {NEVER}',
-           'callers')
-    expect([len(battery.requests), len(lidar.requests)] == [2, 2],
-           f'Two callers asked at the same time: the battery was asked {len(battery.requests)} times, the lidar '
-           f'{len(lidar.requests)} times, expected 2 and 2.', 'callers')
+    expect(
+        all(call.done for call in calls),
+        f'Two callers asked at the same time, and not both got an answer. {NEVER}',
+        'callers',
+    )
+    expect(
+        [len(battery.requests), len(lidar.requests)] == [2, 2],
+        f'Two callers asked at the same time: the battery was asked {len(battery.requests)} times, the lidar '
+        f'{len(lidar.requests)} times, expected 2 and 2.',
+        'callers',
+    )
     told = sorted((call.response.message.partition(';')[0], call.response.success) for call in calls)
     wanted = sorted((f'battery: {word}', ok) for ok, word in zip((True, False), words, strict=True))
-    expect(told == wanted, f'Two callers asked at the same time. The battery answered {words[0]!r} (success) and '
-                           f'{words[1]!r} (no success); they were told {told}. What belongs to one call must stay in '
-                           'local variables.', 'callers')
+    expect(
+        told == wanted,
+        f'Two callers asked at the same time. The battery answered {words[0]!r} (success) and '
+        f'{words[1]!r} (no success); they were told {told}. What belongs to one call must stay in '
+        'local variables.',
+        'callers',
+    )

@@ -7,8 +7,10 @@ from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.4'), pytest.mark.wiring(type='open')]
 
-NEVER = ('enter was never answered: the answer of the lock waits in a callback group in which your callback still '
-         'runs. Give the client of the lock a group of its own.')
+NEVER = (
+    'enter was never answered: the answer of the lock waits in a callback group in which your callback still '
+    'runs. Give the client of the lock a group of its own.'
+)
 
 
 def people(count):
@@ -38,18 +40,31 @@ class Room:
             expect(call.done, NEVER, 'one-thread')
         expect(call.done, f'{story}enter was not answered.', rule)
         got = (call.response.success, call.response.message)
-        expect(got == (wanted == 'welcome', wanted),
-               f'{story}enter gives {got}, expected {(wanted == "welcome", wanted)}.', rule)
+        expect(
+            got == (wanted == 'welcome', wanted),
+            f'{story}enter gives {got}, expected {(wanted == "welcome", wanted)}.',
+            rule,
+        )
         if wanted == 'full':
             expect(not asked, f'{story}the lock was asked although the room is full.', rule)
-            expect(call.received == call.sent, f'{story}enter was answered {call.received - call.sent:g} s later: if '
-                                               'the room is full, answer at once.', rule)
+            expect(
+                call.received == call.sent,
+                f'{story}enter was answered {call.received - call.sent:g} s later: if '
+                'the room is full, answer at once.',
+                rule,
+            )
         else:
-            expect([request.data for request in asked] == [False],
-                   f'{story}the lock got requests with data = {[request.data for request in asked]}, expected one '
-                   'with False, which means open.', 'open')
-            expect(call.received - call.sent == pytest.approx(self.delay),
-                   f'{story}the lock answers after {self.delay} s, enter after {call.received - call.sent:g} s.', rule)
+            expect(
+                [request.data for request in asked] == [False],
+                f'{story}the lock got requests with data = {[request.data for request in asked]}, expected one '
+                'with False, which means open.',
+                'open',
+            )
+            expect(
+                call.received - call.sent == pytest.approx(self.delay),
+                f'{story}the lock answers after {self.delay} s, enter after {call.received - call.sent:g} s.',
+                rule,
+            )
 
     def leave(self, story):
         """One person leaves."""
@@ -75,18 +90,25 @@ def test_one_after_the_other(learner):
     room.enter('full', 'full', f'{people(capacity)} inside')
     room.leave('one leaves')
     for number in range(capacity + 1):
-        room.enter('locked', 'locked', f'{people(capacity - 1)} inside, the lock refuses, and has refused {number} '
-                                       'times before')
+        room.enter(
+            'locked',
+            'locked',
+            f'{people(capacity - 1)} inside, the lock refuses, and has refused {number} times before',
+        )
     room.lock.answer = {'success': True}
-    room.enter('welcome', 'locked', f'{people(capacity - 1)} inside, and some whom the lock refused, who have not come '
-                                    'in')
+    room.enter(
+        'welcome', 'locked', f'{people(capacity - 1)} inside, and some whom the lock refused, who have not come in'
+    )
     room.enter('full', 'full', f'{people(capacity)} inside')
     for _ in range(capacity + 2):
         room.leave('all leave, and leave is called twice more')
     for number in range(capacity):
         room.enter('welcome', 'leave', f'after more calls of leave than people were inside, {people(number)} inside')
-    room.enter('full', 'leave', f'after more calls of leave than people were inside, {people(capacity)} came in. An '
-                                'empty room stays at 0')
+    room.enter(
+        'full',
+        'leave',
+        f'after more calls of leave than people were inside, {people(capacity)} came in. An empty room stays at 0',
+    )
 
 
 @pytest.mark.rules('names', 'open', 'capacity')
@@ -99,22 +121,41 @@ def test_all_at_once(learner):
     draw = learner.random
     space, visitors, delay = draw.choice(['/room_1', '/room_2', '/house/hall']), draw.randint(4, 6), 1.0
     node = learner.start('DoorGuard', remap={'__ns': space})
-    expect(node.name == f'{space}/door_guard', f'In the namespace {space} your node is called {node.name}, expected '
-                                               f'{space}/door_guard.', 'names')
+    expect(
+        node.name == f'{space}/door_guard',
+        f'In the namespace {space} your node is called {node.name}, expected {space}/door_guard.',
+        'names',
+    )
     lock = learner.serve(f'{space}/lock', SetBool, iter([{'success': False}] + [{'success': True}] * visitors), delay)
     enter = learner.client(f'{space}/enter', Trigger)
     learner.settle()
-    expect(f'{space}/enter' in enter.theirs() and lock.name in lock.theirs(),
-           f'In the namespace {space} your node has not both a service {space}/enter and a client for {space}/lock: '
-           'write the names without a leading slash.', 'names')
+    expect(
+        f'{space}/enter' in enter.theirs() and lock.name in lock.theirs(),
+        f'In the namespace {space} your node has not both a service {space}/enter and a client for {space}/lock: '
+        'write the names without a leading slash.',
+        'names',
+    )
     calls = [enter.send() for _ in range(visitors)]
     learner.run(visitors * delay + 1.0, step=1.0)
     words = [call.response.message if call.done else 'no answer' for call in calls]
-    story = (f'{visitors} people called enter at the same time, with the capacity 2, and the lock refused the first; '
-             f'they were told {words}. ')
-    expect(words.count('welcome') <= 2, f'{story}While one enter awaits the lock, the next one looks at the same '
-                                        'count: enter must stay in a mutually exclusive group.', 'capacity')
-    expect(words.count('welcome') == 2, f'{story}Somebody was told that the room is full when nobody was inside, or '
-                                        'one: count who has come in, after the answer of the lock.', 'open')
-    expect(words == ['locked', 'welcome', 'welcome'] + ['full'] * (visitors - 3),
-           f'{story}Expected locked, two times welcome, then full.', 'capacity')
+    story = (
+        f'{visitors} people called enter at the same time, with the capacity 2, and the lock refused the first; '
+        f'they were told {words}. '
+    )
+    expect(
+        words.count('welcome') <= 2,
+        f'{story}While one enter awaits the lock, the next one looks at the same '
+        'count: enter must stay in a mutually exclusive group.',
+        'capacity',
+    )
+    expect(
+        words.count('welcome') == 2,
+        f'{story}Somebody was told that the room is full when nobody was inside, or '
+        'one: count who has come in, after the answer of the lock.',
+        'open',
+    )
+    expect(
+        words == ['locked', 'welcome', 'welcome'] + ['full'] * (visitors - 3),
+        f'{story}Expected locked, two times welcome, then full.',
+        'capacity',
+    )

@@ -24,21 +24,38 @@ def check_goal(goal, rule='') -> None:
     order = goal.request.order
     expect(goal.accepted, f'The goal of order {order} was rejected.', 'orders')
     expect(goal.done, f'The goal of order {order} did not end within {order / 2 + 1} s.', rule or 'rate')
-    expect(goal.status == 'succeeded', f'The goal of order {order} ended as {goal.status}, expected succeeded. Call '
-                                       'succeed() before you return the result.', rule or 'end')
-    expect(numbers(goal) == SERIES[:order], f'Order {order} gave {numbers(goal)}, expected the first {order} numbers, '
-                                            f'{SERIES[:order]}.', rule or 'numbers')
+    expect(
+        goal.status == 'succeeded',
+        f'The goal of order {order} ended as {goal.status}, expected succeeded. Call '
+        'succeed() before you return the result.',
+        rule or 'end',
+    )
+    expect(
+        numbers(goal) == SERIES[:order],
+        f'Order {order} gave {numbers(goal)}, expected the first {order} numbers, {SERIES[:order]}.',
+        rule or 'numbers',
+    )
     heard = [list(feedback.sequence) for feedback in goal.feedback]
     wanted = [SERIES[:n] for n in range(1, order + 1)]
-    expect(len(heard) == order, f'{len(heard)} feedback messages came for {order} numbers, expected one for each '
-                                'number.', rule or 'feedback')
+    expect(
+        len(heard) == order,
+        f'{len(heard)} feedback messages came for {order} numbers, expected one for each number.',
+        rule or 'feedback',
+    )
     expect(heard == wanted, f'The feedback is {heard}, expected all numbers so far: {wanted}.', rule or 'feedback')
     stamps, due = seconds(goal.stamps, goal.sent), [n / 2 for n in range(1, order + 1)]
-    expect(stamps == pytest.approx(due), f'Feedback came {stamps} s after the goal of order {order}, expected after '
-                                         f"{due} s: one number every 0.5 s. Wait on the node's clock.", rule or 'rate')
+    expect(
+        stamps == pytest.approx(due),
+        f'Feedback came {stamps} s after the goal of order {order}, expected after '
+        f"{due} s: one number every 0.5 s. Wait on the node's clock.",
+        rule or 'rate',
+    )
     took = round(goal.finished - goal.sent, 3)
-    expect(took == order / 2, f'The goal of order {order} ended {took} s after its start, expected {order / 2} s.',
-           rule or 'end')
+    expect(
+        took == order / 2,
+        f'The goal of order {order} ended {took} s after its start, expected {order / 2} s.',
+        rule or 'end',
+    )
 
 
 @pytest.mark.rules('names', 'orders', 'numbers', 'rate', 'feedback', 'end', 'goals')
@@ -51,12 +68,18 @@ def test_numbers(learner):
     draw = learner.random
     space, order = draw.choice(['', '/arm', '/left/arm']), draw.choice([5, 6])
     node = learner.start('FibonacciServer', threads=True, remap={'__ns': space} if space else None)
-    expect(node.name == f'{space}/fibonacci_server', f'Your node is called {node.name}, expected '
-                                                     f'{space}/fibonacci_server.', 'names')
+    expect(
+        node.name == f'{space}/fibonacci_server',
+        f'Your node is called {node.name}, expected {space}/fibonacci_server.',
+        'names',
+    )
     client = learner.action_client(f'{space}/fibonacci', Fibonacci)
     learner.run(draw.choice([0.2, 1.35]))
-    expect(client.name in client.theirs(), f'Your node {node.name} has no action server {client.name}: write the name '
-                                           'without a leading slash.', 'names')
+    expect(
+        client.name in client.theirs(),
+        f'Your node {node.name} has no action server {client.name}: write the name without a leading slash.',
+        'names',
+    )
     goal = client.send(order=order)
     learner.run(order / 2 + 1)
     check_goal(goal)
@@ -68,17 +91,25 @@ def test_numbers(learner):
     goals = [client.send(order=order) for order in orders]
     learner.run(4.0)
     for goal in goals:
-        expect(goal.status == 'succeeded' and numbers(goal) == SERIES[:goal.request.order]
-               and len(goal.feedback) == goal.request.order,
-               f'Goals of the orders {orders} ran at the same time. That of order {goal.request.order} ended as '
-               f'{goal.status} with {numbers(goal)}. Keep what belongs to one goal in variables of execute.', 'goals')
+        expect(
+            goal.status == 'succeeded'
+            and numbers(goal) == SERIES[: goal.request.order]
+            and len(goal.feedback) == goal.request.order,
+            f'Goals of the orders {orders} ran at the same time. That of order {goal.request.order} ended as '
+            f'{goal.status} with {numbers(goal)}. Keep what belongs to one goal in variables of execute.',
+            'goals',
+        )
         check_goal(goal, 'goals')
     bad = [-1, 48, -draw.randint(2, 2**31), draw.randint(49, 2**31 - 1)]
     sent = [client.send(order=order) for order in [*bad, 47]]
     learner.settle()
     for goal in sent[:-1]:
-        expect(goal.accepted is False, f'The order {goal.request.order} was accepted. A server that knows that it '
-                                       'cannot do it must say so at once.', 'orders')
+        expect(
+            goal.accepted is False,
+            f'The order {goal.request.order} was accepted. A server that knows that it '
+            'cannot do it must say so at once.',
+            'orders',
+        )
     expect(sent[-1].accepted, 'The order 47 was rejected. The 47 numbers fit into the field.', 'orders')
 
 
@@ -103,23 +134,40 @@ def test_cancel(learner):
         learner.settle()
         expect(cancel.done, f'{words}The cancel request was not answered: no thread was free to hear it.', 'cancel')
         hint = 'The default cancel callback refuses all: give your own one.' if cancel.answer == 'rejected' else ''
-        expect(cancel.answer == 'accepted', f'{words}The cancel request was answered: {cancel.answer}. {hint}',
-               'cancel')
+        expect(
+            cancel.answer == 'accepted', f'{words}The cancel request was answered: {cancel.answer}. {hint}', 'cancel'
+        )
         learner.run(0.5 * (step + 1) - begin)
-        expect(goal.done, f'{words}It did not end at the next step, after {0.5 * (step + 1)} s: look at '
-                          'is_cancel_requested in every step.', 'cancel')
-        expect(len(numbers(goal)) <= step and len(goal.feedback) <= step,
-               f'{words}It went on after the cancel request: {len(goal.feedback)} feedback messages, the result '
-               f'{numbers(goal)}. Look at is_cancel_requested after each wait, before you add a number.', 'partial')
-        expect(goal.status == 'canceled', f'{words}It ended as {goal.status}, expected canceled: call canceled().',
-               'cancel')
-        expect(numbers(goal) == SERIES[:step], f'{words}The result is {numbers(goal)}, expected the numbers so far.',
-               'partial')
+        expect(
+            goal.done,
+            f'{words}It did not end at the next step, after {0.5 * (step + 1)} s: look at '
+            'is_cancel_requested in every step.',
+            'cancel',
+        )
+        expect(
+            len(numbers(goal)) <= step and len(goal.feedback) <= step,
+            f'{words}It went on after the cancel request: {len(goal.feedback)} feedback messages, the result '
+            f'{numbers(goal)}. Look at is_cancel_requested after each wait, before you add a number.',
+            'partial',
+        )
+        expect(
+            goal.status == 'canceled',
+            f'{words}It ended as {goal.status}, expected canceled: call canceled().',
+            'cancel',
+        )
+        expect(
+            numbers(goal) == SERIES[:step],
+            f'{words}The result is {numbers(goal)}, expected the numbers so far.',
+            'partial',
+        )
     goals = [client.send(order=4) for _ in range(2)]
     learner.run(0.7)
     goals[draw.choice([0, 1])].cancel()
     learner.run(2.0)
-    expect(sorted(goal.status or 'still running' for goal in goals) == ['canceled', 'succeeded'],
-           'Two goals ran at the same time, and one of them was cancelled; they ended as '
-           f'{[goal.status for goal in goals]}. Ask the goal handle, and keep no flag of your own.', 'goals')
+    expect(
+        sorted(goal.status or 'still running' for goal in goals) == ['canceled', 'succeeded'],
+        'Two goals ran at the same time, and one of them was cancelled; they ended as '
+        f'{[goal.status for goal in goals]}. Ask the goal handle, and keep no flag of your own.',
+        'goals',
+    )
     check_goal(next(goal for goal in goals if goal.status == 'succeeded'), 'goals')

@@ -36,8 +36,12 @@ class Rounds:
             self.node = self.learner.start('PatientClient', order, patience, beside=self.node)
         self.learner.run(0.3)
         goals = self.server.goals[before:]
-        expect(goals or self.server.late, f'{self.story}no goal came within 0.3 s. Look in a timer whether the server '
-                                          'is ready, and send the goal then.', 'send')
+        expect(
+            goals or self.server.late,
+            f'{self.story}no goal came within 0.3 s. Look in a timer whether the server '
+            'is ready, and send the goal then.',
+            'send',
+        )
         return goals[0] if goals else None
 
     def expect(self, wanted, rule, hint=''):
@@ -62,18 +66,24 @@ def test_outcomes(learner):
     goal = rounds.begin(order, 3.3, 'a server that does it in time')
     learner.run(5.5, step=1.0)
     rounds.expect(f'succeeded {list(range(50, 50 + order))}', 'word', "It is in the future's result: .result().result.")
-    expect(goal.request.order == order and len(server.goals) == 1,
-           f'{rounds.story}goals of the orders {[goal.request.order for goal in server.goals]} came, expected one of '
-           f'{order}.', 'send')
-    expect(not server.cancel_stamps, f'{rounds.story}a cancel request came for a goal that had ended in time.',
-           'deadline')
+    expect(
+        goal.request.order == order and len(server.goals) == 1,
+        f'{rounds.story}goals of the orders {[goal.request.order for goal in server.goals]} came, expected one of '
+        f'{order}.',
+        'send',
+    )
+    expect(
+        not server.cancel_stamps, f'{rounds.story}a cancel request came for a goal that had ended in time.', 'deadline'
+    )
     server.accept = False
     rounds.begin(order, 1.0, 'a server that rejects the goal')
     learner.run(2.5, step=1.0)
     rounds.expect('rejected []', 'word', 'Look at accepted first.')
     server.accept, value = True, draw.randint(3, 99)
-    for plan_, wanted in (([(0.6, actions.Aborted(Fibonacci.Result(sequence=[value])))], f'aborted [{value}]'),
-                          ([(0.6, actions.Aborted(Fibonacci.Result()))], 'aborted []')):
+    for plan_, wanted in (
+        ([(0.6, actions.Aborted(Fibonacci.Result(sequence=[value])))], f'aborted [{value}]'),
+        ([(0.6, actions.Aborted(Fibonacci.Result()))], 'aborted []'),
+    ):
         server.plan = plan_
         rounds.begin(order, 1.5, 'a server that aborts the goal')
         learner.run(3.5, step=1.0)
@@ -93,18 +103,30 @@ def _stops_late(learner, rounds, patience, value):
     server.cancel_delay, server.partial = 1.8, Fibonacci.Result(sequence=[value])
     goal = rounds.begin(30, patience, 'a server that is slow, and stops 1.8 s after the cancel request')
     learner.run(patience + 0.5, step=1.0)
-    expect(goal.cancelled is not None, f'{rounds.story}no cancel request came. To stop waiting is not enough: the '
-                                       'robot would go on.', 'deadline')
-    expect(goal.cancelled - goal.arrived == pytest.approx(patience, abs=NEAR),
-           f'{rounds.story}the cancel request came {goal.cancelled - goal.arrived:.2f} s after the goal was accepted.',
-           'deadline')
+    expect(
+        goal.cancelled is not None,
+        f'{rounds.story}no cancel request came. To stop waiting is not enough: the robot would go on.',
+        'deadline',
+    )
+    expect(
+        goal.cancelled - goal.arrived == pytest.approx(patience, abs=NEAR),
+        f'{rounds.story}the cancel request came {goal.cancelled - goal.arrived:.2f} s after the goal was accepted.',
+        'deadline',
+    )
     learner.run(0.8)
-    expect(not rounds.outcome.data, f'{rounds.story}/outcome said {rounds.outcome.data} before the result was there: '
-                                    'wait for the result, which also a cancelled goal has.', 'result')
+    expect(
+        not rounds.outcome.data,
+        f'{rounds.story}/outcome said {rounds.outcome.data} before the result was there: '
+        'wait for the result, which also a cancelled goal has.',
+        'result',
+    )
     learner.run(1.5, step=1.0)
     rounds.expect(f'canceled [{value}]', 'result', 'The result also comes for a cancelled goal.')
-    expect(len(server.cancel_stamps) == 1, f'{rounds.story}{len(server.cancel_stamps)} cancel requests came, expected '
-                                           'one.', 'deadline')
+    expect(
+        len(server.cancel_stamps) == 1,
+        f'{rounds.story}{len(server.cancel_stamps)} cancel requests came, expected one.',
+        'deadline',
+    )
 
 
 def _answers_late(learner, rounds):
@@ -118,8 +140,11 @@ def _answers_late(learner, rounds):
     learner.run(patience + 0.95, step=1.0)
     rounds.expect(f'lost {seen}', 'lost', 'The cancel request was not answered within 1 s.')
     took = rounds.outcome.stamps[0] - goal.arrived
-    expect(took == pytest.approx(patience + 1.0, abs=2 * NEAR),
-           f'{rounds.story}lost came {took:.2f} s after the goal was accepted, expected {patience + 1.0:g} s.', 'lost')
+    expect(
+        took == pytest.approx(patience + 1.0, abs=2 * NEAR),
+        f'{rounds.story}lost came {took:.2f} s after the goal was accepted, expected {patience + 1.0:g} s.',
+        'lost',
+    )
     learner.run(2.0, step=1.0)
     rounds.expect(f'lost {seen}', 'once')
     server.late = {'cancel': 0.8}
@@ -144,33 +169,52 @@ def test_server_comes_late(learner):
     space, order = draw.choice(['/left', '/robot_2']), draw.randint(2, 3)
     outcome = learner.listen(f'{space}/outcome', String)
     node = learner.start('PatientClient', order, 0.5 * order + 0.5, remap={'__ns': space})
-    expect(node.name == f'{space}/patient_client', f'In the namespace {space} your node is called {node.name}, '
-                                                   f'expected {space}/patient_client.', 'names')
-    expect(learner.endpoints(f'{space}/outcome').publishers,
-           f'In the namespace {space} your node has no publisher on {space}/outcome: write the name without a leading '
-           'slash.', 'names')
+    expect(
+        node.name == f'{space}/patient_client',
+        f'In the namespace {space} your node is called {node.name}, expected {space}/patient_client.',
+        'names',
+    )
+    expect(
+        learner.endpoints(f'{space}/outcome').publishers,
+        f'In the namespace {space} your node has no publisher on {space}/outcome: write the name without a leading '
+        'slash.',
+        'names',
+    )
     learner.run(draw.choice([1.3, 2.2]), step=1.0)
     expect(not outcome.data, f'There is no server, and /outcome said {outcome.data}.', 'send')
     server = learner.action_server(f'{space}/fibonacci', Fibonacci, plan)
     server.late = {'goal': 1.2}
     learner.settle()
-    expect(server.name in server.theirs(), f'In the namespace {space} your node has no action client for '
-                                           f'{server.name}: write the name without a leading slash.', 'names')
+    expect(
+        server.name in server.theirs(),
+        f'In the namespace {space} your node has no action client for '
+        f'{server.name}: write the name without a leading slash.',
+        'names',
+    )
     begin = learner.now / 1e9
     learner.run(5.0, step=1.0)
     expect(server.goals, 'A server came some seconds after the client, and no goal came in the 5 s after that.', 'send')
-    expect(len(server.goals) == 1, f'The server needs 1.2 s to accept; in the meantime {len(server.goals)} goals came, '
-                                   'expected one: stop looking for the server when the goal is sent.', 'send')
+    expect(
+        len(server.goals) == 1,
+        f'The server needs 1.2 s to accept; in the meantime {len(server.goals)} goals came, '
+        'expected one: stop looking for the server when the goal is sent.',
+        'send',
+    )
     waited = server.goals[0].arrived - 1.2 - begin
     expect(waited < 0.21, f'The goal came {waited:.2f} s after the server: look for it every 0.1 s.', 'send')
-    expect(outcome.data and outcome.data[0].startswith('succeeded'),
-           f'The server accepted the goal 1.2 s after it was sent, and needed {0.5 * order} s; with the patience '
-           f'{0.5 * order + 0.5} s, /outcome said {outcome.data}. The deadline begins when the goal is accepted.',
-           'deadline')
+    expect(
+        outcome.data and outcome.data[0].startswith('succeeded'),
+        f'The server accepted the goal 1.2 s after it was sent, and needed {0.5 * order} s; with the patience '
+        f'{0.5 * order + 0.5} s, /outcome said {outcome.data}. The deadline begins when the goal is accepted.',
+        'deadline',
+    )
     server.stop()
     learner.settle()
-    expect(any(_seconds(lambda: learner.start('PatientClient', 1, 1.0, beside=node)) < 0.35 for _ in range(4)),
-           'Without a server, your constructor takes a long time: it must not wait for the server.', 'at-once')
+    expect(
+        any(_seconds(lambda: learner.start('PatientClient', 1, 1.0, beside=node)) < 0.35 for _ in range(4)),
+        'Without a server, your constructor takes a long time: it must not wait for the server.',
+        'at-once',
+    )
 
 
 def _seconds(function) -> float:

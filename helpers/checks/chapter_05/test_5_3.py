@@ -23,17 +23,30 @@ def check_goal(goal, story='', rule='') -> None:
     expect(goal.accepted, f'{words}was rejected.', rule or 'orders')
     heard = [round(stamp - goal.sent, 3) for stamp in goal.stamps]
     due = [n / 2 for n in up_to(order)]
-    expect(goal.status in ('succeeded', None) or rule, f'{words}ended as {goal.status}, expected succeeded.',
-           'succeeds')
-    expect(goal.status == 'succeeded', f'{words}ended as {goal.status}, expected succeeded after {order / 2} s.',
-           rule or 'count')
-    expect(numbers(goal) == up_to(order), f'{words}has the result {numbers(goal)}, expected {up_to(order)}.',
-           rule or 'count')
+    expect(
+        goal.status in ('succeeded', None) or rule, f'{words}ended as {goal.status}, expected succeeded.', 'succeeds'
+    )
+    expect(
+        goal.status == 'succeeded',
+        f'{words}ended as {goal.status}, expected succeeded after {order / 2} s.',
+        rule or 'count',
+    )
+    expect(
+        numbers(goal) == up_to(order),
+        f'{words}has the result {numbers(goal)}, expected {up_to(order)}.',
+        rule or 'count',
+    )
     took = round(goal.finished - goal.sent, 3)
-    expect(took == order / 2, f'{words}ended after {took} s, expected after {order / 2} s: one number every 0.5 s of '
-                              "the node's clock.", rule or 'count')
-    expect(len(heard) == order, f'{words}sent {len(heard)} feedback messages, expected one for each number.',
-           rule or 'feedback')
+    expect(
+        took == order / 2,
+        f"{words}ended after {took} s, expected after {order / 2} s: one number every 0.5 s of the node's clock.",
+        rule or 'count',
+    )
+    expect(
+        len(heard) == order,
+        f'{words}sent {len(heard)} feedback messages, expected one for each number.',
+        rule or 'feedback',
+    )
     expect(heard == due, f'{words}sent feedback after {heard} s, expected after {due} s.', rule or 'count')
 
 
@@ -47,12 +60,16 @@ def test_one_goal(learner):
     draw = learner.random
     space, order = draw.choice(['', '/left', '/shop/door']), draw.randint(3, 5)
     node = learner.start('NewestWins', threads=True, remap={'__ns': space} if space else None)
-    expect(node.name == f'{space}/newest_wins', f'Your node is called {node.name}, expected {space}/newest_wins.',
-           'names')
+    expect(
+        node.name == f'{space}/newest_wins', f'Your node is called {node.name}, expected {space}/newest_wins.', 'names'
+    )
     client = learner.action_client(f'{space}/count', Fibonacci)
     learner.run(draw.choice([0.2, 1.35]))
-    expect(client.name in client.theirs(), f'Your node {node.name} has no action server {client.name}: write the name '
-                                           'without a leading slash.', 'names')
+    expect(
+        client.name in client.theirs(),
+        f'Your node {node.name} has no action server {client.name}: write the name without a leading slash.',
+        'names',
+    )
     for number in (order, 1):
         goal = client.send(order=number)
         learner.run(number / 2 + 0.7)
@@ -71,10 +88,16 @@ def test_one_goal(learner):
     with about('cancel'):
         cancel = goal.cancel()
         learner.run(0.5)
-    expect(cancel.answer == 'accepted', f'{words}The cancel request was answered: {cancel.answer or "not at all"}.',
-           'cancel')
-    expect(goal.status == 'canceled', f'{words}0.5 s later it is {goal.status or "still running"}, expected canceled.',
-           'cancel')
+    expect(
+        cancel.answer == 'accepted',
+        f'{words}The cancel request was answered: {cancel.answer or "not at all"}.',
+        'cancel',
+    )
+    expect(
+        goal.status == 'canceled',
+        f'{words}0.5 s later it is {goal.status or "still running"}, expected canceled.',
+        'cancel',
+    )
     expect(numbers(goal) == up_to(count), f'{words}The result is {numbers(goal)}, expected {up_to(count)}.', 'cancel')
 
 
@@ -97,13 +120,22 @@ def test_newest_wins(learner):
     words = f'A goal of order 20, and {begin:.1f} s after it one of order {order}: '
     expect(new.accepted, f'{words}the second goal was rejected. The newest goal wins.', 'newest')
     expect(old.done, f'{words}the first goal goes on beside the second one.', 'aborted')
-    expect(old.status == 'aborted', f'{words}the first goal ended as {old.status}, expected aborted: nobody asked to '
-                                    'cancel it.', 'aborted')
-    expect(len(old.feedback) <= count and len(numbers(old)) <= count,
-           f'{words}the first goal had {up_to(count)} when the second one came; then it went on, with '
-           f'{len(old.feedback)} feedback messages and the result {numbers(old)}.', 'stops')
-    expect(numbers(old) == up_to(count), f'{words}the result of the first goal is {numbers(old)}, expected what it '
-                                         f'had, {up_to(count)}.', 'aborted')
+    expect(
+        old.status == 'aborted',
+        f'{words}the first goal ended as {old.status}, expected aborted: nobody asked to cancel it.',
+        'aborted',
+    )
+    expect(
+        len(old.feedback) <= count and len(numbers(old)) <= count,
+        f'{words}the first goal had {up_to(count)} when the second one came; then it went on, with '
+        f'{len(old.feedback)} feedback messages and the result {numbers(old)}.',
+        'stops',
+    )
+    expect(
+        numbers(old) == up_to(count),
+        f'{words}the result of the first goal is {numbers(old)}, expected what it had, {up_to(count)}.',
+        'aborted',
+    )
     learner.run(0.5 * order + 0.3)
     check_goal(new, words, 'newest')
     goal = client.send(order=2)
@@ -112,8 +144,11 @@ def test_newest_wins(learner):
     several = [client.send(order=2) for _ in range(3)]
     learner.run(2.0)
     ends = [goal.status for goal in several]
-    expect(ends[:2] == ['aborted', 'aborted'], f'Three goals came at one moment; they ended as {ends}, expected the '
-                                               'first two aborted.', 'aborted')
+    expect(
+        ends[:2] == ['aborted', 'aborted'],
+        f'Three goals came at one moment; they ended as {ends}, expected the first two aborted.',
+        'aborted',
+    )
     check_goal(several[2], 'Three goals came at one moment. The last of them: ', 'newest')
     goal = client.send(order=5)
     learner.run(0.7)

@@ -38,24 +38,33 @@ class Robot:
         """Expect one command of zeros at the end, no command after it, and the distance in the result."""
         self.learner.run(0.5)
         check_zeros(self.commands, goal, story)
-        expect(goal.result.distance == pytest.approx(distance, abs=0.01),
-               f'{story}the distance in the result is {goal.result.distance:.3f} m, and {distance:.3f} m were left.',
-               'result')
+        expect(
+            goal.result.distance == pytest.approx(distance, abs=0.01),
+            f'{story}the distance in the result is {goal.result.distance:.3f} m, and {distance:.3f} m were left.',
+            'result',
+        )
 
 
 def check_zeros(commands, goal, story):
-    zeros = [stamp for stamp, command in zip(commands.stamps, commands.messages, strict=True)
-             if (command.linear.x, command.angular.z) == (0.0, 0.0)]
+    zeros = [
+        stamp
+        for stamp, command in zip(commands.stamps, commands.messages, strict=True)
+        if (command.linear.x, command.angular.z) == (0.0, 0.0)
+    ]
     expect(zeros, f'{story}the last command still drives: publish a Twist of zeros before the end.', 'zeros')
     expect(commands.stamps[-1] <= goal.finished, f'{story}commands came after the goal had ended.', 'zeros')
     last = commands.messages[-1]
-    expect((last.linear.x, last.angular.z) == (0.0, 0.0), f'{story}the last command still drives: publish a Twist of '
-                                                          'zeros before the end.', 'zeros')
+    expect(
+        (last.linear.x, last.angular.z) == (0.0, 0.0),
+        f'{story}the last command still drives: publish a Twist of zeros before the end.',
+        'zeros',
+    )
     expect(len(zeros) == 1, f'{story}{len(zeros)} commands of zeros came, expected one.', 'zeros')
 
 
-@pytest.mark.rules('names', 'no-pose', 'busy', 'steer', 'arrive', 'give-up', 'cancel', 'zeros', 'result', 'feedback',
-                   'next')
+@pytest.mark.rules(
+    'names', 'no-pose', 'busy', 'steer', 'arrive', 'give-up', 'cancel', 'zeros', 'result', 'feedback', 'next'
+)
 @about('steer')
 def test_standing_robot(learner):
     """A robot that does not get there is given up after 20 s; in the meantime other goals are rejected.
@@ -64,13 +73,20 @@ def test_standing_robot(learner):
     """
     draw, robot = learner.random, Robot(learner)
     client = robot.client
-    expect(robot.node.name == f'{robot.space}/driver', f'Your node is called {robot.node.name}, expected '
-                                                       f'{robot.space}/driver.', 'names')
+    expect(
+        robot.node.name == f'{robot.space}/driver',
+        f'Your node is called {robot.node.name}, expected {robot.space}/driver.',
+        'names',
+    )
     learner.run(0.3)
-    expect(client.name in client.theirs() and learner.endpoints(robot.commands.topic).publishers
-           and learner.endpoints(robot.poses.topic).subscriptions,
-           f'In the namespace {robot.space} your node has not all of drive_to, turtle1/pose and turtle1/cmd_vel in it: '
-           'write the names without a leading slash.', 'names')
+    expect(
+        client.name in client.theirs()
+        and learner.endpoints(robot.commands.topic).publishers
+        and learner.endpoints(robot.poses.topic).subscriptions,
+        f'In the namespace {robot.space} your node has not all of drive_to, turtle1/pose and turtle1/cmd_vel in it: '
+        'write the names without a leading slash.',
+        'names',
+    )
     with about('no-pose'):
         goal = client.send(x=5.0, y=5.0)
         learner.settle()
@@ -78,10 +94,16 @@ def test_standing_robot(learner):
     robot.stand(2.0, 2.0)
     goal, second = client.send(x=9.0, y=2.0), client.send(x=1.0, y=1.0)
     learner.settle()
-    expect(goal.accepted, 'The first goal after a goal that was rejected was rejected, too: what did that one leave '
-                          'behind?', 'next')
-    expect(second.accepted is False, 'Two goals came at one moment, and both were accepted: note in the goal callback '
-                                     'that the robot is taken.', 'busy')
+    expect(
+        goal.accepted,
+        'The first goal after a goal that was rejected was rejected, too: what did that one leave behind?',
+        'next',
+    )
+    expect(
+        second.accepted is False,
+        'Two goals came at one moment, and both were accepted: note in the goal callback that the robot is taken.',
+        'busy',
+    )
     learner.run(1.0)
     count = len(robot.commands)
     expect(9 <= count <= 11, f'{count} commands came in the first second, expected one every 0.1 s.', 'steer')
@@ -90,27 +112,44 @@ def test_standing_robot(learner):
         learner.run(0.3)
         count = len(robot.commands)
         expect(2 <= count <= 4, f'{count} commands came in 0.3 s, expected one every 0.1 s.', 'steer')
-        expect(robot.said() == pytest.approx(wanted, abs=0.01),
-               f'The robot stood at (2, 2) and looked to {theta:.2f} rad, the place is (9, 2). 0.3 s after this pose '
-               f'the command is {robot.said()}, expected what steer gives, {wanted}: use the newest pose.', 'steer')
+        expect(
+            robot.said() == pytest.approx(wanted, abs=0.01),
+            f'The robot stood at (2, 2) and looked to {theta:.2f} rad, the place is (9, 2). 0.3 s after this pose '
+            f'the command is {robot.said()}, expected what steer gives, {wanted}: use the newest pose.',
+            'steer',
+        )
     third = client.send(x=2.0, y=9.0)
     learner.run(17.5)
     expect(third.accepted is False, 'A goal was accepted while another one ran.', 'busy')
-    expect(not goal.done, f'A robot that does not move: the goal ended as {goal.status} after {goal.finished or 0:g} '
-                          's, expected 20 s.', 'give-up')
+    expect(
+        not goal.done,
+        f'A robot that does not move: the goal ended as {goal.status} after {goal.finished or 0:g} s, expected 20 s.',
+        'give-up',
+    )
     rate = len(goal.feedback) / 19.4
-    expect(1.9 <= rate <= 5.1, f'{rate:.1f} feedback messages came in a second, expected 2 to 5: it is for people and '
-                               'for slow decisions.', 'feedback')
-    expect({round(feedback.distance, 2) for feedback in goal.feedback} == {7.0},
-           f'The robot is 7 m away; the feedback says {sorted({feedback.distance for feedback in goal.feedback})[:5]}.',
-           'feedback')
+    expect(
+        1.9 <= rate <= 5.1,
+        f'{rate:.1f} feedback messages came in a second, expected 2 to 5: it is for people and for slow decisions.',
+        'feedback',
+    )
+    expect(
+        {round(feedback.distance, 2) for feedback in goal.feedback} == {7.0},
+        f'The robot is 7 m away; the feedback says {sorted({feedback.distance for feedback in goal.feedback})[:5]}.',
+        'feedback',
+    )
     learner.run(1.1)
     expect(goal.done, 'A robot that does not move: the goal still runs after 20.5 s.', 'give-up')
-    expect(goal.status == 'aborted', f'A robot that does not move: the goal ended as {goal.status}, expected aborted.',
-           'give-up')
+    expect(
+        goal.status == 'aborted',
+        f'A robot that does not move: the goal ended as {goal.status}, expected aborted.',
+        'give-up',
+    )
     took = goal.finished - goal.sent
-    expect(took == pytest.approx(20.0, abs=0.25), f'A robot that does not move: the goal ended after {took:g} s, '
-                                                  'expected 20 s.', 'give-up')
+    expect(
+        took == pytest.approx(20.0, abs=0.25),
+        f'A robot that does not move: the goal ended after {took:g} s, expected 20 s.',
+        'give-up',
+    )
     robot.check_end(goal, 'After a goal that was given up, ', 7.0)
     _cancel(learner, robot, draw.choice([0.55, 1.15]), draw.uniform(0.3, 1.2))
 
@@ -122,26 +161,39 @@ def _cancel(learner, robot, seconds, distance):
     goal = robot.client.send(x=5.0 + distance, y=5.0)
     learner.run(seconds)
     expect(goal.accepted, 'A goal that came after one that was given up was rejected.', 'next')
-    expect(robot.said() == pytest.approx((1.5 * distance, 0.0), abs=0.01), f'The command is {robot.said()}, expected '
-                                                                          'what steer gives.', 'steer')
+    expect(
+        robot.said() == pytest.approx((1.5 * distance, 0.0), abs=0.01),
+        f'The command is {robot.said()}, expected what steer gives.',
+        'steer',
+    )
     with about('cancel'):
         cancel = goal.cancel()
         learner.run(0.2)
     expect(cancel.done, f'{story}the cancel request was not answered: no thread was free to hear it.', 'cancel')
     expect(cancel.answer == 'accepted', f'{story}the cancel request was refused.', 'cancel')
-    expect(goal.status == 'canceled', f'{story}0.2 s later it is {goal.status or "still running"}, expected canceled.',
-           'cancel')
+    expect(
+        goal.status == 'canceled',
+        f'{story}0.2 s later it is {goal.status or "still running"}, expected canceled.',
+        'cancel',
+    )
     robot.check_end(goal, story, distance)
     robot.stand(5.0, 5.0)
     goal = robot.client.send(x=5.0, y=5.0 + 0.12)
     learner.run(0.5)
     expect(goal.accepted, 'A goal that came after a cancelled one was rejected.', 'next')
-    expect(not goal.done, f'A goal 0.12 m away ended as {goal.status}, expected to go on until the distance is below '
-                          '0.1 m.', 'arrive')
+    expect(
+        not goal.done,
+        f'A goal 0.12 m away ended as {goal.status}, expected to go on until the distance is below 0.1 m.',
+        'arrive',
+    )
     robot.stand(5.0, 5.04)
     learner.run(0.3)
-    expect(goal.status == 'succeeded', f'The robot is 0.08 m from the place; 0.3 s later the goal is '
-                                       f'{goal.status or "still running"}, expected succeeded.', 'arrive')
+    expect(
+        goal.status == 'succeeded',
+        f'The robot is 0.08 m from the place; 0.3 s later the goal is '
+        f'{goal.status or "still running"}, expected succeeded.',
+        'arrive',
+    )
     robot.check_end(goal, 'A goal succeeded: ', 0.08)
 
 
@@ -168,13 +220,18 @@ def test_simulated_robot(learner):
     goal = client.send(x=x, y=y)
     sim.run(5.0, until=lambda: goal.done)
     expect(goal.accepted, f'{words}the goal was rejected, after some that were outside of the field.', 'next')
-    expect(goal.status == 'succeeded', f'{words}the goal is {goal.status or "still running"} after 5 s, expected '
-                                       'succeeded.', 'arrive')
+    expect(
+        goal.status == 'succeeded',
+        f'{words}the goal is {goal.status or "still running"} after 5 s, expected succeeded.',
+        'arrive',
+    )
     near = sim.distance(x, y)
     expect(near < 0.15, f'{words}the goal succeeded {near:.2f} m from the place, expected less than 0.1 m.', 'arrive')
-    expect(0 < goal.result.distance < 0.1 and abs(goal.result.distance - near) < 0.1,
-           f'{words}the distance in the result is {goal.result.distance:.3f} m; the turtle was {near:.3f} m away.',
-           'result')
+    expect(
+        0 < goal.result.distance < 0.1 and abs(goal.result.distance - near) < 0.1,
+        f'{words}the distance in the result is {goal.result.distance:.3f} m; the turtle was {near:.3f} m away.',
+        'result',
+    )
     sim.run(0.3)
     check_zeros(sim.commands, goal, words)
     corner = client.send(x=11.0, y=0.0)

@@ -52,25 +52,48 @@ class Scene:
         now = self.learner.now / SECOND
         then, call = now - seconds, f'where_was({seconds:g}) at time {now:g} s'
         found = node.call('where_was', seconds)
-        expect(found is not None, f'{call} gave None. tf2 knows the cup for {then:g} s and the robot for '
-                                  f'{self.newest:g} s, not yet for {now:g} s. The newest transform has the time 0 in a '
-                                  'look-up. And is there one buffer, with one listener, for the life of the '
-                                  'node?', 'robot-now')
+        expect(
+            found is not None,
+            f'{call} gave None. tf2 knows the cup for {then:g} s and the robot for '
+            f'{self.newest:g} s, not yet for {now:g} s. The newest transform has the time 0 in a '
+            'look-up. And is there one buffer, with one listener, for the life of the '
+            'node?',
+            'robot-now',
+        )
         expect(isinstance(found, PointStamped), f'{call} gave {found}, expected a PointStamped.', 'point')
         place = (found.point.x, found.point.y, found.point.z)
         robot, before = np.linalg.inv(self.robot(self.newest)), np.linalg.inv(self.robot(then))
         expected = origin(robot @ self.cup(then))
-        rules = [rule for wrong, rule in ((before @ self.cup(then), 'robot-now'), (self.cup(then), 'point'))
-                 if same(place, origin(wrong), 1e-3)]
-        explain(same(place, expected, 1e-3), f'{call} gave {words(place)}, expected {words(expected)}.', *[
-            (same(place, origin(wrong), 1e-3), reason) for wrong, reason in (
-                (before @ self.cup(then), 'This is seen from the robot as it stood then. It has moved on.'),
-                (robot @ self.cup(self.newest), 'This is where the cup was just now.'),
-                (self.cup(then), 'This is in the frame map.'),
-                (np.linalg.inv(robot @ self.cup(then)), 'This is where the robot is, seen from the cup: target and '
-                                                        'source are swapped.'))], rule=(*rules, 'then')[0])
-        expect(found.header.frame_id == 'base_link', f'The point has the frame_id `{found.header.frame_id}`, expected '
-                                                     '`base_link`.', 'point')
+        rules = [
+            rule
+            for wrong, rule in ((before @ self.cup(then), 'robot-now'), (self.cup(then), 'point'))
+            if same(place, origin(wrong), 1e-3)
+        ]
+        explain(
+            same(place, expected, 1e-3),
+            f'{call} gave {words(place)}, expected {words(expected)}.',
+            *[
+                (same(place, origin(wrong), 1e-3), reason)
+                for wrong, reason in (
+                    (before @ self.cup(then), 'This is seen from the robot as it stood then. It has moved on.'),
+                    (robot @ self.cup(self.newest), 'This is where the cup was just now.'),
+                    (self.cup(then), 'This is in the frame map.'),
+                    (
+                        np.linalg.inv(robot @ self.cup(then)),
+                        'This is where the robot is, seen from the cup: target and source are swapped.',
+                    ),
+                )
+            ],
+            rule=(*rules, 'then')[0],
+        )
+        expect(
+            found.header.frame_id == 'base_link',
+            f'The point has the frame_id `{found.header.frame_id}`, expected `base_link`.',
+            'point',
+        )
         stamp = Time.from_msg(found.header.stamp).nanoseconds / SECOND
-        expect(same(stamp, self.newest), f'{call} has the stamp {stamp:g} s, expected {self.newest:g} s: that of the '
-                                         "robot's newest transform.", 'stamp')
+        expect(
+            same(stamp, self.newest),
+            f"{call} has the stamp {stamp:g} s, expected {self.newest:g} s: that of the robot's newest transform.",
+            'stamp',
+        )

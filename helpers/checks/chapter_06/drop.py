@@ -34,11 +34,16 @@ def results(text: str) -> dict:
         world.run(1.5)
     except UnstableError as error:
         return {'refused': str(error)}
-    return {'mass': model.body_mass[root], 'centre': model.body_ipos[root].tolist(),
-            'inertia': (turn @ np.diag(model.body_inertia[root]) @ turn.T).tolist(), 'touches': len(boxes),
-            'looks': sum(int(model.geom_group[geom]) == LOOKS for geom in geoms),
-            'low': corners.min(axis=0).tolist() if boxes else None,
-            'high': corners.max(axis=0).tolist() if boxes else None, 'height': world.pose.z}
+    return {
+        'mass': model.body_mass[root],
+        'centre': model.body_ipos[root].tolist(),
+        'inertia': (turn @ np.diag(model.body_inertia[root]) @ turn.T).tolist(),
+        'touches': len(boxes),
+        'looks': sum(int(model.geom_group[geom]) == LOOKS for geom in geoms),
+        'low': corners.min(axis=0).tolist() if boxes else None,
+        'high': corners.max(axis=0).tolist() if boxes else None,
+        'height': world.pose.z,
+    }
 
 
 if __name__ == '__main__':

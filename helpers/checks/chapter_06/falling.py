@@ -27,51 +27,73 @@ class Crate:
             self.found = json.loads(done.lines[-1])
         except ValueError:
             expect(False, f'{self.name} cannot be simulated: {done.last_line}', 'urdf')
-        expect('refused' not in self.found, f'{self.name} cannot be simulated: {self.found.get("refused")}',
-               'urdf')
+        expect('refused' not in self.found, f'{self.name} cannot be simulated: {self.found.get("refused")}', 'urdf')
 
     def check_fall(self) -> None:
         """It stands on the floor in the end, and touches where it is seen."""
         found, (length, width, height) = self.found, self.size
         last = found['height']
-        expect(found['touches'], f'{self.name} fell through the floor: after 1.5 s it is at z = {last:.1f} m. It has '
-                                 'no <collision>.', 'collision')
+        expect(
+            found['touches'],
+            f'{self.name} fell through the floor: after 1.5 s it is at z = {last:.1f} m. It has no <collision>.',
+            'collision',
+        )
         expect(found['looks'], f'{self.name} cannot be seen: its <visual> is gone.', 'visual')
         low, high = np.array(found['low']), np.array(found['high'])
         wanted = np.array([-length / 2, -width / 2, 0.0]), np.array([length / 2, width / 2, height])
-        told = f'{self.name}: its <collision> reaches from {words(low)} to {words(high)}, expected from ' \
-               f'{words(wanted[0])} to {words(wanted[1])}.'
-        explain(same((low, high), wanted), told,
-                (same((low, high), (wanted[0] - (0, 0, height / 2), wanted[1] - (0, 0, height / 2))),
-                 'The middle of the box is at the frame: the <collision> needs an <origin>, too.'),
-                (same(high - low, np.array(self.size) / 2), 'A <box> has whole sides, not half ones.'),
-                rule='place' if same(high - low, self.size) else 'collision')
-        expect(same(last, 0.0, 5e-3), f'{self.name}, dropped from half a metre, is at z = {last:.3f} m after 1.5 s, '
-                                      'expected 0.', 'collision')
+        told = (
+            f'{self.name}: its <collision> reaches from {words(low)} to {words(high)}, expected from '
+            f'{words(wanted[0])} to {words(wanted[1])}.'
+        )
+        explain(
+            same((low, high), wanted),
+            told,
+            (
+                same((low, high), (wanted[0] - (0, 0, height / 2), wanted[1] - (0, 0, height / 2))),
+                'The middle of the box is at the frame: the <collision> needs an <origin>, too.',
+            ),
+            (same(high - low, np.array(self.size) / 2), 'A <box> has whole sides, not half ones.'),
+            rule='place' if same(high - low, self.size) else 'collision',
+        )
+        expect(
+            same(last, 0.0, 5e-3),
+            f'{self.name}, dropped from half a metre, is at z = {last:.3f} m after 1.5 s, expected 0.',
+            'collision',
+        )
 
     def check_weight(self) -> None:
         """Its mass, where the middle of it is, and its inertia."""
         found, (a, b, c) = self.found, self.size
         mass, centre = found['mass'], found['centre']
         expect(mass > 0.002, f'{self.name} weighs next to nothing: it has no <inertial>, or no mass in it.', 'mass')
-        expect(same(mass, self.mass, 1e-3), f'{self.name} has the mass {mass:g} kg, expected {self.mass:g} kg.',
-               'mass')
-        explain(same(centre, (0, 0, c / 2)), f'{self.name}: the centre of its mass is at {words(centre)}, expected '
-                                             f'{words((0, 0, c / 2))}.',
-                (same(centre, (0, 0, 0)), 'That is its bottom. The <inertial> needs an <origin>, too.'), rule='centre')
+        expect(same(mass, self.mass, 1e-3), f'{self.name} has the mass {mass:g} kg, expected {self.mass:g} kg.', 'mass')
+        explain(
+            same(centre, (0, 0, c / 2)),
+            f'{self.name}: the centre of its mass is at {words(centre)}, expected {words((0, 0, c / 2))}.',
+            (same(centre, (0, 0, 0)), 'That is its bottom. The <inertial> needs an <origin>, too.'),
+            rule='centre',
+        )
         squares = np.array([b * b + c * c, a * a + c * c, a * a + b * b])
         inertia, wanted = np.array(found['inertia']), self.mass / 12 * squares
         numbers = [[f'{value:.4g}' for value in values] for values in (np.diag(inertia), wanted)]
-        told = f'{self.name}: the inertia about x, y and z is {", ".join(numbers[0])} kg m², expected ' \
-               f'{", ".join(numbers[1])}.'
+        told = (
+            f'{self.name}: the inertia about x, y and z is {", ".join(numbers[0])} kg m², expected '
+            f'{", ".join(numbers[1])}.'
+        )
 
         def is_about(values):
             return np.allclose(inertia, np.diag(values), rtol=1e-2, atol=1e-6)
 
         own = self.mass / 12 * np.array([a * a, b * b, c * c])
-        explain(is_about(wanted), told,
-                (is_about(12 * wanted), 'Divide by 12.'),
-                # No body has two moments that are together less than the third: MuJoCo takes the mean of all three.
-                (is_about(own) or is_about([own.mean()] * 3),
-                 'The side along an axis does not count for it: take the two others.'),
-                (is_about([1.0, 1.0, 1.0]), '1 kg m² is the inertia of a large table.'), rule='inertia')
+        explain(
+            is_about(wanted),
+            told,
+            (is_about(12 * wanted), 'Divide by 12.'),
+            # No body has two moments that are together less than the third: MuJoCo takes the mean of all three.
+            (
+                is_about(own) or is_about([own.mean()] * 3),
+                'The side along an axis does not count for it: take the two others.',
+            ),
+            (is_about([1.0, 1.0, 1.0]), '1 kg m² is the inertia of a large table.'),
+            rule='inertia',
+        )

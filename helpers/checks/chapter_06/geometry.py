@@ -26,8 +26,11 @@ def check_rotation(transform, hint: str = '') -> None:
     """Fail, with the hint, unless the quaternion of a TransformStamped has the length 1."""
     turn = transform.transform.rotation
     length = math.hypot(turn.x, turn.y, turn.z, turn.w)
-    expect(same(length, 1.0), f'The quaternion of `{transform.child_frame_id}` has the length {length:.2f}, expected '
-                              f'1: it is no rotation. {hint}')
+    expect(
+        same(length, 1.0),
+        f'The quaternion of `{transform.child_frame_id}` has the length {length:.2f}, expected '
+        f'1: it is no rotation. {hint}',
+    )
 
 
 def origin(matrix) -> np.ndarray:

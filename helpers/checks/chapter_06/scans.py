@@ -58,8 +58,14 @@ class Laser:
 
         `first` and `step` in radians; `limits`, in metres, are numbers that a float32 holds exactly.
         """
-        scan = LaserScan(angle_min=first, angle_max=first + step * (len(ranges) - 1), angle_increment=step,
-                         range_min=limits[0], range_max=limits[1], ranges=list(map(float, ranges)))
+        scan = LaserScan(
+            angle_min=first,
+            angle_max=first + step * (len(ranges) - 1),
+            angle_increment=step,
+            range_min=limits[0],
+            range_max=limits[1],
+            ranges=list(map(float, ranges)),
+        )
         scan.header.frame_id = frame or self.frame
         scan.header.stamp = Time(nanoseconds=round((self.begin + seconds) * SECOND)).to_msg()
         self._scans.send(scan)
@@ -79,36 +85,64 @@ class Laser:
         """Fail with the reason if the cloud is not this scan's. `others`: wrong times, and their reasons."""
         frame = scan.header.frame_id
         stamps = [Time.from_msg(message.header.stamp).nanoseconds / SECOND for message in (scan, cloud)]
-        expect(cloud.header.frame_id == 'map', f'The cloud has the frame_id `{cloud.header.frame_id}`, expected `map`.',
-               'place')
+        expect(
+            cloud.header.frame_id == 'map',
+            f'The cloud has the frame_id `{cloud.header.frame_id}`, expected `map`.',
+            'place',
+        )
         hits, found = self.hits(scan), points(cloud)
-        expect(len(found) == len(hits), f'A scan with {len(hits)} hits from {scan.range_min:g} to {scan.range_max:g} m '
-                                        f'gave a cloud of {len(found)} points. The distances were '
-                                        f'{[round(distance, 3) for distance in scan.ranges]}.', 'range')
+        expect(
+            len(found) == len(hits),
+            f'A scan with {len(hits)} hits from {scan.range_min:g} to {scan.range_max:g} m '
+            f'gave a cloud of {len(found)} points. The distances were '
+            f'{[round(distance, 3) for distance in scan.ranges]}.',
+            'range',
+        )
         seconds = stamps[0] - self.begin
         there = self.where(seconds, frame)
         first, wanted = found[0], moved(hits, there)
-        told = (f'The first hit of the scan, {words(hits[0])} in `{frame}`, is at {words(first)} in the cloud, '
-                f'expected {words(wanted[0])}.')
+        told = (
+            f'The first hit of the scan, {words(hits[0])} in `{frame}`, is at {words(first)} in the cloud, '
+            f'expected {words(wanted[0])}.'
+        )
         mixed = same(sorted(found.tolist()), sorted(wanted.tolist()), 1e-3) and not same(found, wanted, 1e-3)
-        expect(not mixed, f'{told} The points are right, and their order is not that of the scan, which begins at '
-                          'angle_min.', 'order')
+        expect(
+            not mixed,
+            f'{told} The points are right, and their order is not that of the scan, which begins at angle_min.',
+            'order',
+        )
         whole = {math.floor(seconds): 'This is the transform of the whole second: count the nanoseconds, too.'}
         for other, reason in (whole | (others or {})).items():
-            expect(same(found, wanted, 1e-3) or not same(found, moved(hits, self.where(other, frame)), 1e-3),
-                   f'{told} {reason}', 'time')
+            expect(
+                same(found, wanted, 1e-3) or not same(found, moved(hits, self.where(other, frame)), 1e-3),
+                f'{told} {reason}',
+                'time',
+            )
         for other in {*self._mounts, 'base_link'} - {frame}:
-            expect(same(found, wanted, 1e-3) or not same(found, moved(hits, self.where(seconds, other)), 1e-3),
-                   f'{told} This is the transform of `{other}`, not of the frame in the header of the scan.', 'frame')
+            expect(
+                same(found, wanted, 1e-3) or not same(found, moved(hits, self.where(seconds, other)), 1e-3),
+                f'{told} This is the transform of `{other}`, not of the frame in the header of the scan.',
+                'frame',
+            )
         degrees = moved(self.hits(_in_degrees(scan)), there)
-        reasons = [(np.eye(4), 'It is still in the frame of the laser: only the name of the frame has changed.'),
-                   (np.linalg.inv(there), 'The transform goes from map to the laser: target and source are swapped.')]
-        explain(same(found, wanted, 1e-3), told,
-                *[(same(found, moved(hits, wrong), 1e-3), reason) for wrong, reason in reasons],
-                (same(found, degrees, 1e-3), 'The angles of a scan are in radians already.'), rule='place')
-        expect(same(stamps[1], stamps[0], 1e-6), f'The scan is of time {stamps[0]:.6f} s, its cloud has the stamp '
-                                                 f'{stamps[1]:.6f} s. A stamp says when it was measured, and does not '
-                                                 'change.', 'stamp')
+        reasons = [
+            (np.eye(4), 'It is still in the frame of the laser: only the name of the frame has changed.'),
+            (np.linalg.inv(there), 'The transform goes from map to the laser: target and source are swapped.'),
+        ]
+        explain(
+            same(found, wanted, 1e-3),
+            told,
+            *[(same(found, moved(hits, wrong), 1e-3), reason) for wrong, reason in reasons],
+            (same(found, degrees, 1e-3), 'The angles of a scan are in radians already.'),
+            rule='place',
+        )
+        expect(
+            same(stamps[1], stamps[0], 1e-6),
+            f'The scan is of time {stamps[0]:.6f} s, its cloud has the stamp '
+            f'{stamps[1]:.6f} s. A stamp says when it was measured, and does not '
+            'change.',
+            'stamp',
+        )
 
 
 def points(cloud: PointCloud2) -> np.ndarray:
@@ -116,8 +150,11 @@ def points(cloud: PointCloud2) -> np.ndarray:
     try:
         return np.array([tuple(point) for point in read_points_list(cloud, ('x', 'y', 'z'))], float).reshape(-1, 3)
     except Exception as error:  # noqa: BLE001 - the cloud is the learner's: whatever is wrong in it
-        expect(False, f'The cloud cannot be read ({type(error).__name__}: {error}). Make it with create_cloud_xyz32.',
-               'place')
+        expect(
+            False,
+            f'The cloud cannot be read ({type(error).__name__}: {error}). Make it with create_cloud_xyz32.',
+            'place',
+        )
 
 
 def moved(hits: np.ndarray, matrix: np.ndarray) -> np.ndarray:
@@ -126,5 +163,10 @@ def moved(hits: np.ndarray, matrix: np.ndarray) -> np.ndarray:
 
 
 def _in_degrees(scan: LaserScan) -> LaserScan:
-    return LaserScan(angle_min=math.radians(scan.angle_min), angle_increment=math.radians(scan.angle_increment),
-                     range_min=scan.range_min, range_max=scan.range_max, ranges=scan.ranges)
+    return LaserScan(
+        angle_min=math.radians(scan.angle_min),
+        angle_increment=math.radians(scan.angle_increment),
+        range_min=scan.range_min,
+        range_max=scan.range_max,
+        ranges=scan.ranges,
+    )

@@ -27,8 +27,12 @@ def test_camera(learner):
     The tilt is given in degrees; functions want radians. A positive pitch looks down.
     """
     camera = mast.in_base(mast.late_joiner(learner, 1.0, 20.0), 'camera')
-    expect(same(origin(camera), (-0.05, 0.0, 1.2)),
-           f'The camera is at {words(origin(camera))} in base_link, expected (-0.05, 0, 1.2).')
+    expect(
+        same(origin(camera), (-0.05, 0.0, 1.2)),
+        f'The camera is at {words(origin(camera))} in base_link, expected (-0.05, 0, 1.2).',
+    )
     ahead = origin(camera) + axis(camera, 'x')
-    expect(same(ahead, (0.8897, 0.0, 0.8580), 1e-3),
-           f'1 m ahead of the camera is {words(ahead)} in base_link, expected (0.89, 0, 0.86).')
+    expect(
+        same(ahead, (0.8897, 0.0, 0.8580), 1e-3),
+        f'1 m ahead of the camera is {words(ahead)} in base_link, expected (0.89, 0, 0.86).',
+    )

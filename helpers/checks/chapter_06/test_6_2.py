@@ -32,12 +32,17 @@ def test_quarter(learner):
     learner.run(2.0)
     expect(heard.transforms, 'No transform came on /tf.')
     last = heard.transforms[-1]
-    expect((last.header.frame_id, last.child_frame_id) == ('planet', 'moon'),
-           f'The transform says where `{last.child_frame_id}` is in `{last.header.frame_id}`, expected `moon` in '
-           '`planet`.')
+    expect(
+        (last.header.frame_id, last.child_frame_id) == ('planet', 'moon'),
+        f'The transform says where `{last.child_frame_id}` is in `{last.header.frame_id}`, expected `moon` in '
+        '`planet`.',
+    )
     check_rotation(last, 'Use quaternion_from_euler.')
     there = to_matrix(last)
-    expect(same(origin(there), (0, 3, 0), 1e-3),
-           f'After 2 s the moon is at {words(origin(there))}, expected (0, 3, 0).')
-    expect(same(axis(there, 'x'), (0, -1, 0), 1e-3),
-           f'After 2 s the x axis of the moon points along {words(axis(there, "x"))}, expected (0, -1, 0).')
+    expect(
+        same(origin(there), (0, 3, 0), 1e-3), f'After 2 s the moon is at {words(origin(there))}, expected (0, 3, 0).'
+    )
+    expect(
+        same(axis(there, 'x'), (0, -1, 0), 1e-3),
+        f'After 2 s the x axis of the moon points along {words(axis(there, "x"))}, expected (0, -1, 0).',
+    )

@@ -16,9 +16,11 @@ def test_cup(learner):
     lookup_transform_full has a time for the target, one for the source, and a frame that did not move in between.
     """
     draw = learner.random.uniform
-    there = Scene(learner,
-                  robot=[(draw(-1, 1), draw(-1, 1), draw(-3, 3)), (draw(0.5, 1), draw(0.5, 1), draw(0.3, 0.5))],
-                  cup=[(draw(3, 5), draw(3, 5), draw(-3, 3)), (draw(-0.8, -0.3), draw(0.3, 0.8), draw(-0.5, 0.5))])
+    there = Scene(
+        learner,
+        robot=[(draw(-1, 1), draw(-1, 1), draw(-3, 3)), (draw(0.5, 1), draw(0.5, 1), draw(0.3, 0.5))],
+        cup=[(draw(3, 5), draw(3, 5), draw(-3, 3)), (draw(-0.8, -0.3), draw(0.3, 0.8), draw(-0.5, 0.5))],
+    )
     node = learner.start('CupFinder')
     expect(node.name == '/cup_finder', f'Your node is called {node.name}, expected /cup_finder.', 'name')
     learner.run(0.2)
@@ -37,12 +39,18 @@ def test_cup(learner):
     with about('too-long'):
         seconds = round(draw(3.2, 9.0), 1)
         found = node.call('where_was', seconds)
-        expect(found is None, f'The first transforms came less than 3 s ago, and where_was({seconds}) gave {found}, '
-                              'expected None: nobody knows. Do not take another time instead.')
+        expect(
+            found is None,
+            f'The first transforms came less than 3 s ago, and where_was({seconds}) gave {found}, '
+            'expected None: nobody knows. Do not take another time instead.',
+        )
     with about('far'):
         there.run(33, 1.0)
         seconds = round(draw(24.0, 29.5), 1)
         found = node.call('where_was', seconds)
-        expect(found is not None, f'where_was({seconds}) gave None, and where_was of some seconds gave a point. How '
-                                  'long does a buffer keep what it hears? 10 s, unless you tell it otherwise.')
+        expect(
+            found is not None,
+            f'where_was({seconds}) gave None, and where_was of some seconds gave a point. How '
+            'long does a buffer keep what it hears? 10 s, unless you tell it otherwise.',
+        )
         there.ask(node, seconds)

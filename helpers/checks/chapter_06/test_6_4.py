@@ -12,8 +12,9 @@ pytestmark = [pytest.mark.exercise('6.4'), pytest.mark.wiring(type='topics', qos
 NEWEST = 'This is the newest transform, and not that of the time of the scan.'
 
 
-@pytest.mark.rules('name', 'topics', 'one-cloud', 'place', 'order', 'stamp', 'range', 'frame', 'time', 'later',
-                   'hopeless')
+@pytest.mark.rules(
+    'name', 'topics', 'one-cloud', 'place', 'order', 'stamp', 'range', 'frame', 'time', 'later', 'hopeless'
+)
 @about('one-cloud')
 def test_scans(learner):
     """A robot drives a bend. Its two lasers measure; transforms come earlier, later, or never.
@@ -21,15 +22,27 @@ def test_scans(learner):
     wait_for_transform_async gives a future, and add_done_callback says what is to be done then.
     """
     draw = learner.random
-    there = Laser(learner, 'laser', pose(draw.uniform(0.1, 0.4), draw.uniform(-0.3, 0.3), draw.uniform(0.2, 0.9),
-                                         math.pi, 0.1, draw.uniform(0.5, 1.5)),
-                  (draw.uniform(1, 5), draw.uniform(1, 5), draw.uniform(-3, 3)), (1.0, -0.5, 2.0))
+    there = Laser(
+        learner,
+        'laser',
+        pose(
+            draw.uniform(0.1, 0.4),
+            draw.uniform(-0.3, 0.3),
+            draw.uniform(0.2, 0.9),
+            math.pi,
+            0.1,
+            draw.uniform(0.5, 1.5),
+        ),
+        (draw.uniform(1, 5), draw.uniform(1, 5), draw.uniform(-3, 3)),
+        (1.0, -0.5, 2.0),
+    )
     other = f'{draw.choice(["front", "rear", "left"])}_laser'
     there.add(other, pose(-0.3, draw.uniform(-0.3, 0.3), 0.2, yaw=draw.uniform(2.0, 3.0)))
     expect(there.node.name == '/scan_to_map', f'Your node is called {there.node.name}, expected /scan_to_map.', 'name')
     for topic, kind in (('/scan', 'subscriptions'), ('/points', 'publishers')):
-        expect(getattr(learner.endpoints(topic), kind), f'Your node has no {kind.removesuffix("s")} on {topic}.',
-               'topics')
+        expect(
+            getattr(learner.endpoints(topic), kind), f'Your node has no {kind.removesuffix("s")} on {topic}.', 'topics'
+        )
     for _ in range(4):
         there.tell(there.now)
         learner.run(0.1)
@@ -44,8 +57,17 @@ def _distances(there, limits):
     """Hits and what is none, in any order; the limits are hits."""
     draw = there.learner.random
     low, high = limits
-    values = [math.inf, math.nan, -draw.uniform(0.3, 3.0), 0.0, low - 0.0625, high + 0.25, low, high,
-              *(draw.uniform(low + 0.1, high - 0.1) for _ in range(4))]
+    values = [
+        math.inf,
+        math.nan,
+        -draw.uniform(0.3, 3.0),
+        0.0,
+        low - 0.0625,
+        high + 0.25,
+        low,
+        high,
+        *(draw.uniform(low + 0.1, high - 0.1) for _ in range(4)),
+    ]
     draw.shuffle(values)
     return values
 
@@ -59,8 +81,9 @@ def _check_scan(there, frame, rule):
     scan = there.scan(_distances(there, limits), then, draw.uniform(-2.0, -1.0), draw.uniform(0.1, 0.3), limits, frame)
     there.learner.run(0.1)
     count = len(there.clouds)
-    expect(count, f'A scan of `{frame}` came, the transforms of its time are there, and no cloud came on /points.',
-           rule)
+    expect(
+        count, f'A scan of `{frame}` came, the transforms of its time are there, and no cloud came on /points.', rule
+    )
     expect(count == 1, f'One scan came, and {count} clouds, expected one.', rule)
     there.check(scan, there.clouds.messages[0], {0.4: NEWEST})
 
@@ -77,10 +100,18 @@ def _check_later(there):
     there.tell(begin + 0.14)
     there.learner.run(0.2)
     count = len(there.clouds)
-    expect(count, 'Two scans came, their transform 0.04 s later, and no cloud. Do not give up when there is no '
-                  'transform yet, and do not block: the callback that waits keeps the transforms out.', 'later')
-    expect(count == 2, f'Two scans came, their transform 0.04 s later, and {count} clouds, expected two: each scan '
-                       'waits for its own transform.', 'later')
+    expect(
+        count,
+        'Two scans came, their transform 0.04 s later, and no cloud. Do not give up when there is no '
+        'transform yet, and do not block: the callback that waits keeps the transforms out.',
+        'later',
+    )
+    expect(
+        count == 2,
+        f'Two scans came, their transform 0.04 s later, and {count} clouds, expected two: each scan '
+        'waits for its own transform.',
+        'later',
+    )
     clouds = sorted(there.clouds.messages, key=lambda cloud: cloud.header.stamp.nanosec)
     for scan, cloud in zip(scans, clouds, strict=True):
         there.check(scan, cloud, {begin + 0.14: NEWEST, begin: 'This is the transform of an earlier time.'})
@@ -96,8 +127,15 @@ def _check_hopeless(there):
     there.tell(there.now)
     scan = there.scan([draw.uniform(0.5, 9.0) for _ in range(3)], there.now - 0.05)
     there.learner.run(0.2)
-    expect(there.clouds.messages, 'A scan was older than all transforms, one was in an unknown frame. A good one came '
-                                  'after them, and it got no cloud: it waits behind the others.', 'hopeless')
-    expect(len(there.clouds) == 1, f'Of three scans, two can never have a transform; {len(there.clouds)} clouds came.',
-           'time')
+    expect(
+        there.clouds.messages,
+        'A scan was older than all transforms, one was in an unknown frame. A good one came '
+        'after them, and it got no cloud: it waits behind the others.',
+        'hopeless',
+    )
+    expect(
+        len(there.clouds) == 1,
+        f'Of three scans, two can never have a transform; {len(there.clouds)} clouds came.',
+        'time',
+    )
     there.check(scan, there.clouds.messages[0])

@@ -24,8 +24,11 @@ def test_life(learner):
     leader, me = draw.sample(['anna', 'ben', 'chris', 'dora', 'emil'], 2)
     there = Pursuit(learner, leader, me, (5.5, 5.5, draw.uniform(2, 3)), (2.0, draw.uniform(2, 4), -0.4), threads=True)
     expect(there.node.name == '/follower', f'Your node is called {there.node.name}, expected /follower.', 'name')
-    expect(learner.endpoints(f'/{me}/cmd_vel').publishers,
-           f'Follower({leader!r}, {me!r}) has no publisher on /{me}/cmd_vel.', 'topic')
+    expect(
+        learner.endpoints(f'/{me}/cmd_vel').publishers,
+        f'Follower({leader!r}, {me!r}) has no publisher on /{me}/cmd_vel.',
+        'topic',
+    )
     learner.run(1.2)
     there.tell([draw.choice(there.names)])
     learner.run(0.2)
@@ -60,50 +63,83 @@ def _check_command(there):
     there.learner.run(0.1)
     count, gaps = len(there.commands) - begin, _gaps(there, begin)
     expect(count, f'Both turtles said where they are for 0.5 s, and no command came on /{there.names[1]}/cmd_vel.')
-    expect(abs(count - 5) <= 1 and all(gap == pytest.approx(0.1, abs=NEAR) for gap in gaps),
-           f'Both turtles said where they are every 0.1 s, for 0.5 s. {count} commands came, after '
-           f'{", ".join(f"{gap:.2f}" for gap in gaps)} s each; expected one every 0.1 s.')
+    expect(
+        abs(count - 5) <= 1 and all(gap == pytest.approx(0.1, abs=NEAR) for gap in gaps),
+        f'Both turtles said where they are every 0.1 s, for 0.5 s. {count} commands came, after '
+        f'{", ".join(f"{gap:.2f}" for gap in gaps)} s each; expected one every 0.1 s.',
+    )
     return before
 
 
 def _check_unknown(there, count):
     """The first `count` commands came before both were known."""
-    expect(count, 'For 1.4 s the place of one turtle or of both was unknown, and no command came. Then, too, publish a '
-                  'Twist of zeros every 0.1 s, and do not wait for a transform.')
-    expect(all(map(zeros, there.commands.messages[:count])), 'The place of one turtle or of both was unknown, and a '
-                                                             'command drives.')
+    expect(
+        count,
+        'For 1.4 s the place of one turtle or of both was unknown, and no command came. Then, too, publish a '
+        'Twist of zeros every 0.1 s, and do not wait for a transform.',
+    )
+    expect(
+        all(map(zeros, there.commands.messages[:count])),
+        'The place of one turtle or of both was unknown, and a command drives.',
+    )
     longest = max([there.commands.stamps[0] - there.begin, *_gaps(there, 0, count + 1)])
-    expect(longest < 0.1 + NEAR, f'While tf2 did not know the transform, {longest:.2f} s passed without a command. '
-                                 'Does your look-up have a timeout? It must not wait.', 'no-wait')
+    expect(
+        longest < 0.1 + NEAR,
+        f'While tf2 did not know the transform, {longest:.2f} s passed without a command. '
+        'Does your look-up have a timeout? It must not wait.',
+        'no-wait',
+    )
 
 
 def _check_place(there, before):
     """The last command is for the place that came last."""
     command, place, back = there.commands.messages[-1], there.place(), there.seen_back()
-    told = (f'The leader is at {words(place)} in the frame `{there.names[1]}`. The command is linear.x '
-            f'{command.linear.x:.2f}, angular.z {command.angular.z:.2f}')
-    expect(not zeros(command), f'{told}: it stands. The transforms are 0.1 s old. For the time now() there is never '
-                               'a transform yet, and for an earlier time there may be none: ask for the newest.',
-           'newest')
-    expect(not there.is_for(command, *before[:2]),
-           f'{told}: this is for where the leader was 0.2 s ago. Ask for the newest transform.', 'newest')
-    explain(there.is_for(command, *place[:2]), f'{told}. chase says something else for this place.',
-            (there.is_for(command, *back[:2]), 'That is for where the follower is in the frame of the leader: target '
-                                               'and source are swapped.'),
-            (there.is_for(command, there.leader.x, there.leader.y), 'That is for where the leader is in the world. The '
-                                                                    'follower does not know where it looks itself.'),
-            rule='place')
+    told = (
+        f'The leader is at {words(place)} in the frame `{there.names[1]}`. The command is linear.x '
+        f'{command.linear.x:.2f}, angular.z {command.angular.z:.2f}'
+    )
+    expect(
+        not zeros(command),
+        f'{told}: it stands. The transforms are 0.1 s old. For the time now() there is never '
+        'a transform yet, and for an earlier time there may be none: ask for the newest.',
+        'newest',
+    )
+    expect(
+        not there.is_for(command, *before[:2]),
+        f'{told}: this is for where the leader was 0.2 s ago. Ask for the newest transform.',
+        'newest',
+    )
+    explain(
+        there.is_for(command, *place[:2]),
+        f'{told}. chase says something else for this place.',
+        (
+            there.is_for(command, *back[:2]),
+            'That is for where the follower is in the frame of the leader: target and source are swapped.',
+        ),
+        (
+            there.is_for(command, there.leader.x, there.leader.y),
+            'That is for where the leader is in the world. The follower does not know where it looks itself.',
+        ),
+        rule='place',
+    )
 
 
 def _check_silence(there):
     """Both say nothing for 0.8 s: zeros. They come again: the follower goes on."""
     count = len(there.commands)
     there.learner.run(0.8)
-    expect(len(there.commands) - count >= 7,
-           f'Both turtles said nothing for 0.8 s, and in this time only {len(there.commands) - count} commands came. '
-           'Publish zeros: a robot goes on with its last command.', 'old')
-    expect(there.stands, 'Both turtles have said nothing for 0.8 s, and the commands still drive. A look-up with '
-                         'Time() gives the newest transform, however old it is: look at its stamp.', 'old')
+    expect(
+        len(there.commands) - count >= 7,
+        f'Both turtles said nothing for 0.8 s, and in this time only {len(there.commands) - count} commands came. '
+        'Publish zeros: a robot goes on with its last command.',
+        'old',
+    )
+    expect(
+        there.stands,
+        'Both turtles have said nothing for 0.8 s, and the commands still drive. A look-up with '
+        'Time() gives the newest transform, however old it is: look at its stamp.',
+        'old',
+    )
     for _ in range(3):
         there.tell()
         there.learner.run(0.1)
@@ -122,9 +158,16 @@ def _check_age(there, quiet):
         for stamp, command in zip(there.commands.stamps[count:], there.commands.messages[count:], strict=True):
             age = stamp - newest
             who = 'leader' if quiet == there.names[0] else 'follower'
-            told = (f'At {stamp:.2f} s, the transform of the {who} had the stamp {newest:.2f} s, so it was {age:.2f} s '
-                    'old')
-            expect(age > 0.49 or not zeros(command), f'{told}, and the command is zeros. {GOOD} Count the nanoseconds, '
-                                                     'too.', 'old')
-            expect(age < 0.51 or zeros(command), f'{told}, and the command drives. {GOOD} Count the nanoseconds, too.',
-                   'old')
+            told = (
+                f'At {stamp:.2f} s, the transform of the {who} had the stamp {newest:.2f} s, so it was {age:.2f} s old'
+            )
+            expect(
+                age > 0.49 or not zeros(command),
+                f'{told}, and the command is zeros. {GOOD} Count the nanoseconds, too.',
+                'old',
+            )
+            expect(
+                age < 0.51 or zeros(command),
+                f'{told}, and the command drives. {GOOD} Count the nanoseconds, too.',
+                'old',
+            )

@@ -10,10 +10,24 @@ from helpers.runner.verdicts import LearnerError
 WHY = {**machines.WHY, **packages.WHY, **graphs.WHY, **stacks.WHY, **models.WHY, **tf_trees.WHY}
 # Faults that do not hide another one, by the part of the case; graphs' as `graphs.draw` names them.
 FAULTS = {
-    'machine': machines.CAUSES, 'package': packages.CAUSES, 'stacks': stacks.CAUSES, 'model': models.CAUSES,
+    'machine': machines.CAUSES,
+    'package': packages.CAUSES,
+    'stacks': stacks.CAUSES,
+    'model': models.CAUSES,
     'frames': tf_trees.CAUSES,
-    'graph': ('name', 'nobody', 'type', 'reliability', 'durability', 'both', 'service name', 'service nobody',
-              'service type', 'description nobody', 'description durability'),
+    'graph': (
+        'name',
+        'nobody',
+        'type',
+        'reliability',
+        'durability',
+        'both',
+        'service name',
+        'service nobody',
+        'service type',
+        'description nobody',
+        'description durability',
+    ),
 }
 
 
@@ -46,12 +60,24 @@ class Case:
         endpoints, deaf = graphs.draw(random, *(('name',) if hidden else causes['graph']))
         if hidden:
             deaf = [*deaf, self._hide(endpoints, deaf[0])]
-        self.expected = [*self.expected, *self.package.expected, *self.robot.expected, *self.tree.expected, *hanging,
-                         *deaf]
+        self.expected = [
+            *self.expected,
+            *self.package.expected,
+            *self.robot.expected,
+            *self.tree.expected,
+            *hanging,
+            *deaf,
+        ]
         self.case = {
-            'files': self.files, 'want': self.want, 'package': self.package.files, 'endpoints': endpoints,
-            'stacks': text, 'programs': programs, 'urdf': self.robot.urdf,
-            **dict(zip(('moving', 'static', 'target', 'source', 'now'), self.tree.arguments, strict=True))}
+            'files': self.files,
+            'want': self.want,
+            'package': self.package.files,
+            'endpoints': endpoints,
+            'stacks': text,
+            'programs': programs,
+            'urdf': self.robot.urdf,
+            **dict(zip(('moving', 'static', 'target', 'source', 'now'), self.tree.arguments, strict=True)),
+        }
 
     @staticmethod
     def _hide(endpoints: list[dict], finding: tuple) -> tuple:
@@ -83,12 +109,18 @@ class Case:
 
     def check_graph(self, endpoints) -> None:
         """Fail with words if somebody is deaf in the repaired graph who need not be."""
-        expect(isinstance(endpoints, list) and len(endpoints) == len(self.case['endpoints']),
-               'repair_case must keep all endpoints.', 'new-case')
+        expect(
+            isinstance(endpoints, list) and len(endpoints) == len(self.case['endpoints']),
+            'repair_case must keep all endpoints.',
+            'new-case',
+        )
         offered = {(end['name'], end['type']): end for end in endpoints if end['role'] in ('publisher', 'server')}
         for end in endpoints:
             if end['role'] in ('subscription', 'client'):
                 other = offered.get((end['name'], end['type']))
-                heard = other and all(end[policy] != graphs.STRONG[policy] or other[policy] == end[policy]
-                                      for policy in graphs.STRONG if end['role'] == 'subscription')
+                heard = other and all(
+                    end[policy] != graphs.STRONG[policy] or other[policy] == end[policy]
+                    for policy in graphs.STRONG
+                    if end['role'] == 'subscription'
+                )
                 expect(heard, f'After your repair, {end["node"]} is still deaf on {end["name"]}.', 'endpoints')

@@ -17,8 +17,11 @@ def compare(got, expected: list[tuple], why: dict[str, str], rule: str = '', giv
     """
     first = rule or (rule_of(expected[0][2]) if expected else '')
     given = f'\n{given}' if given else ''
-    expect(isinstance(got, list), f'The function returned {got!r}, expected a list of findings, also if it is empty.',
-           first)
+    expect(
+        isinstance(got, list),
+        f'The function returned {got!r}, expected a list of findings, also if it is empty.',
+        first,
+    )
     for one in got:
         fits = isinstance(one, list) and len(one) == 4 and all(isinstance(part, str) for part in one)
         expect(fits, f'{one!r} is no finding: it has four parts, and each is a string.', first)
@@ -28,17 +31,30 @@ def compare(got, expected: list[tuple], why: dict[str, str], rule: str = '', giv
             continue
         broken = rule or rule_of(one[2])
         for part, name in ((3, 'evidence'), (1, 'place'), (0, 'row')):
-            twins = [other for other in found if other not in expected
-                     and all(other[k] == one[k] for k in range(4) if k != part)]
-            expect(not twins, f'{said(one)}: your {name} is {twins and twins[0][part]!r}, expected {one[part]!r}. '
-                              f'{why.get(one[2], "")}{given}', broken)
+            twins = [
+                other
+                for other in found
+                if other not in expected and all(other[k] == one[k] for k in range(4) if k != part)
+            ]
+            expect(
+                not twins,
+                f'{said(one)}: your {name} is {twins and twins[0][part]!r}, expected {one[part]!r}. '
+                f'{why.get(one[2], "")}{given}',
+                broken,
+            )
         expect(False, f'You did not find {said(one)} (evidence {one[3]!r}). {why.get(one[2], "")}{given}', broken)
     for one in found:
         broken = rule or (rule_of(one[2]) if one[2] in why else first)
-        expect(one in expected, f'You found {said(one)} (evidence {one[3]!r}), and there is no such fault. '
-                                f'{why.get(one[2], "")}{given}', broken)
-        expect(found.count(one) == 1, f'You found {said(one)} {found.count(one)} times. Each fault is one finding.'
-                                      f'{given}', broken)
+        expect(
+            one in expected,
+            f'You found {said(one)} (evidence {one[3]!r}), and there is no such fault. {why.get(one[2], "")}{given}',
+            broken,
+        )
+        expect(
+            found.count(one) == 1,
+            f'You found {said(one)} {found.count(one)} times. Each fault is one finding.{given}',
+            broken,
+        )
 
 
 def said(finding: tuple) -> str:

@@ -31,9 +31,9 @@ WHY = {
     'nobody': 'Nobody publishes or serves the name, and no name of the same type is near.',
     'type': 'The same name with two types: nothing is ever delivered.',
     'reliability': 'Only a subscription that asks for RELIABLE and is offered BEST_EFFORT gets nothing; the other way '
-                   'round it fits.',
+    'round it fits.',
     'durability': 'Only a subscription that asks for TRANSIENT_LOCAL and is offered VOLATILE gets nothing; the other '
-                  'way round it fits.',
+    'way round it fits.',
 }
 
 
@@ -57,8 +57,9 @@ def _draw(random, faults):
 
     def end(role, node, name, kind, **qos):
         policies = ('', '') if role in ('server', 'client') else ('RELIABLE', 'VOLATILE')
-        endpoints.append({'role': role, 'node': node, 'name': name, 'type': kind,
-                          **dict(zip(STRONG, policies, strict=True)), **qos})
+        endpoints.append(
+            {'role': role, 'node': node, 'name': name, 'type': kind, **dict(zip(STRONG, policies, strict=True)), **qos}
+        )
 
     for number, fault in enumerate(faults or ['healthy']):
         where, _, cause = fault.rpartition(' ')
@@ -106,8 +107,9 @@ def _unambiguous(endpoints, expected) -> bool:
             continue
         name = where.split()[1]
         mine = next(end for end in endpoints if end['name'] == name)
-        names = {end['name'] for end in endpoints
-                 if end['role'] in ('publisher', 'server') and end['type'] == mine['type']} - {name}
+        names = {
+            end['name'] for end in endpoints if end['role'] in ('publisher', 'server') and end['type'] == mine['type']
+        } - {name}
         same_end = {other for other in names if other.rpartition('/')[2] == name.rpartition('/')[2]}
         close = set(get_close_matches(name, names, 5, 0.6)) | same_end
         right = {evidence} if cause == 'name' else set()
@@ -130,8 +132,13 @@ def other_type(learner) -> None:
     kind, other = learner.random.sample(MESSAGES, 2)
     ends = [('publisher', '/sender', f'/{name}', kind), ('subscription', '/receiver', f'/robot/{name}', other)]
     endpoints = [{'role': role, 'node': node, 'name': topic, 'type': one, **STRONG} for role, node, topic, one in ends]
-    compare(learner.call('diagnose_graph', endpoints), [('A7.6', f'/receiver /robot/{name}', 'nobody', '')],
-            {**WHY, 'name': 'Only a name with the same type can be meant.'}, 'nobody', str(endpoints))
+    compare(
+        learner.call('diagnose_graph', endpoints),
+        [('A7.6', f'/receiver /robot/{name}', 'nobody', '')],
+        {**WHY, 'name': 'Only a name with the same type can be meant.'},
+        'nobody',
+        str(endpoints),
+    )
 
 
 def started_again(learner, fault: str, seconds: float, rule: str) -> None:
@@ -143,22 +150,35 @@ def started_again(learner, fault: str, seconds: float, rule: str) -> None:
     arguments = learner.call('repair_finding_of_graph', list(expected[0]))
     with System(learner.context.get_domain_id()) as system, about(rule):
         publisher, heard = system.add(other), restart(system, mine, arguments)
-        expect(heard.hears(publisher, seconds), f'For {expected[0]} repair_graph gave {arguments}: started again with '
-                                                f'that, {deaf[0]} still hears nothing.', rule)
+        expect(
+            heard.hears(publisher, seconds),
+            f'For {expected[0]} repair_graph gave {arguments}: started again with that, {deaf[0]} still hears nothing.',
+            rule,
+        )
 
 
 def check_read(seen, there: list[dict]) -> None:
     """Fail with words if `seen`, by the learner's read_topics, is anything else than the endpoints that are there."""
     expect(isinstance(seen, list) and all(isinstance(end, dict) for end in seen), f'You return {seen!r}.', 'read')
     for end in seen:
-        expect(not str(end.get('node')).rpartition('/')[2].startswith('_'),
-               f'You have {end}, which is left out by `usual`.', 'usual')
+        expect(
+            not str(end.get('node')).rpartition('/')[2].startswith('_'),
+            f'You have {end}, which is left out by `usual`.',
+            'usual',
+        )
     for endpoint in there:
-        twin = [end for end in seen if (end.get('role'), end.get('name')) == (endpoint['role'], endpoint['name'])
-                and end.get('node') != '/_secret']
+        twin = [
+            end
+            for end in seen
+            if (end.get('role'), end.get('name')) == (endpoint['role'], endpoint['name'])
+            and end.get('node') != '/_secret'
+        ]
         wrong = [key for key in endpoint if twin and twin[0].get(key) != endpoint[key]]
-        expect(endpoint in seen, f'There is {endpoint}; ' + (f'you have {twin[0]}.' if twin else 'you have it not.'),
-               'node-name' if wrong == ['node'] else 'read')
+        expect(
+            endpoint in seen,
+            f'There is {endpoint}; ' + (f'you have {twin[0]}.' if twin else 'you have it not.'),
+            'node-name' if wrong == ['node'] else 'read',
+        )
     for end in seen:
         expect(end in there, f'You have {end}, which is not there.', 'read')
 
@@ -183,8 +203,15 @@ class System:
         context.init(domain_id=self.domain_id)
         self._stack.callback(context.try_shutdown)
         space, _, name = endpoint['node'].rpartition('/')
-        node = Node(name, namespace=space, context=context, use_global_arguments=False, start_parameter_services=False,
-                    enable_rosout=False, cli_args=['--ros-args', *arguments] if arguments else None)
+        node = Node(
+            name,
+            namespace=space,
+            context=context,
+            use_global_arguments=False,
+            start_parameter_services=False,
+            enable_rosout=False,
+            cli_args=['--ros-args', *arguments] if arguments else None,
+        )
         self._stack.callback(node.destroy_node)
         executor = SingleThreadedExecutor(context=context)
         executor.add_node(node)
@@ -193,14 +220,22 @@ class System:
             return node.create_service(get_service(endpoint['type']), endpoint['name'], lambda _, response: response)
         if endpoint['role'] == 'client':
             return node.create_client(get_service(endpoint['type']), endpoint['name'])
-        qos = QoSProfile(depth=5, reliability=ReliabilityPolicy[endpoint['reliability']],
-                         durability=DurabilityPolicy[endpoint['durability']])
+        qos = QoSProfile(
+            depth=5,
+            reliability=ReliabilityPolicy[endpoint['reliability']],
+            durability=DurabilityPolicy[endpoint['durability']],
+        )
         kind = get_message(endpoint['type'])
         if endpoint['role'] == 'publisher':
             return node.create_publisher(kind, endpoint['name'], qos)
         heard = Heard(executor)
-        node.create_subscription(kind, endpoint['name'], heard.append, qos, qos_overriding_options=QoSOverridingOptions(
-            [QoSPolicyKind.RELIABILITY, QoSPolicyKind.DURABILITY]))
+        node.create_subscription(
+            kind,
+            endpoint['name'],
+            heard.append,
+            qos,
+            qos_overriding_options=QoSOverridingOptions([QoSPolicyKind.RELIABILITY, QoSPolicyKind.DURABILITY]),
+        )
         return heard
 
 
@@ -222,8 +257,12 @@ class Heard(list):
 
 def restart(system: System, endpoint: dict, arguments):
     """Make the endpoint's node with the learner's arguments; fail with words if they are none."""
-    fits = (isinstance(arguments, list) and len(arguments) == 2 and all(isinstance(one, str) for one in arguments)
-            and arguments[0] in ('-r', '--remap', '-p', '--param'))
+    fits = (
+        isinstance(arguments, list)
+        and len(arguments) == 2
+        and all(isinstance(one, str) for one in arguments)
+        and arguments[0] in ('-r', '--remap', '-p', '--param')
+    )
     expect(fits, f'repair_graph returned {arguments!r}; expected two texts, the first one -r or -p.')
     try:
         return system.add(endpoint, arguments)

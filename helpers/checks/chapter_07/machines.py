@@ -35,10 +35,13 @@ def draw(random, *causes: str, plain: bool = False, way: str = '', reach: str = 
         expected.append((row, '.bashrc' if row != 'A7.1' else 'ros2.list', cause, line))
         return line
 
-    key = random.choice(['[signed-by=/usr/share/keyrings/ros-archive-keyring.gpg]',
-                         '[arch=amd64 signed-by=/etc/apt/keyrings/ros.gpg]'])
-    deb = (f'deb {"[arch=amd64]" if "key" in causes else key} {_URL} '
-           f'{other_codename if "release" in causes else codename} main')
+    key = random.choice(
+        ['[signed-by=/usr/share/keyrings/ros-archive-keyring.gpg]', '[arch=amd64 signed-by=/etc/apt/keyrings/ros.gpg]']
+    )
+    deb = (
+        f'deb {"[arch=amd64]" if "key" in causes else key} {_URL} '
+        f'{other_codename if "release" in causes else codename} main'
+    )
     for cause in ('key', 'release'):
         if cause in causes:
             fault('A7.1', cause, deb)
@@ -50,12 +53,18 @@ def draw(random, *causes: str, plain: bool = False, way: str = '', reach: str = 
     def setup(name):
         if plain:
             return f'source /opt/ros/{name}/setup.bash'
-        return (f'{random.choice(["source", "."])} {random.choice(["", "", "~", "/home/ada"])}/opt/ros/{name}/setup.'
-                f'{random.choice(["bash", "sh"])}')
+        return (
+            f'{random.choice(["source", "."])} {random.choice(["", "", "~", "/home/ada"])}/opt/ros/{name}/setup.'
+            f'{random.choice(["bash", "sh"])}'
+        )
 
     source = setup(distro)
-    lines = ['# what every terminal reads', f'export ROBOT=robot{random.randint(10, 99)}', "alias ll='ls -l'",
-             *([] if plain else [f'#source /opt/ros/{older}/setup.bash'])]
+    lines = [
+        '# what every terminal reads',
+        f'export ROBOT=robot{random.randint(10, 99)}',
+        "alias ll='ls -l'",
+        *([] if plain else [f'#source /opt/ros/{older}/setup.bash']),
+    ]
     if 'not sourced' in causes:
         fault('A7.2', 'not sourced', '')
         source = '' if plain else random.choice(['', f'# {source}', f'  # {source}'])
@@ -94,21 +103,31 @@ def is_file_set(files, names) -> bool:
 
 def try_out(learner, before: dict, after, want: dict) -> None:
     """Fail with words if the repaired files do not do what they should, apt's by reading, the shell's in a shell."""
-    expect(is_file_set(after, before), 'repair_machine must return a dictionary with the texts of ros2.list and '
-                                       '.bashrc.', 'repaired')
+    expect(
+        is_file_set(after, before),
+        'repair_machine must return a dictionary with the texts of ros2.list and .bashrc.',
+        'repaired',
+    )
     _sources(before['ros2.list'], after['ros2.list'], want)
     _others(before['.bashrc'], after['.bashrc'], want)
     marks = {distro: f'{distro}{learner.random.getrandbits(40):x}' for distro, _ in RELEASES}
-    setups = {f'home/opt/ros/{distro}/setup.{shell}': f'export SOURCED="$SOURCED {mark}"\n'
-              for distro, mark in marks.items() for shell in ('bash', 'sh')}
+    setups = {
+        f'home/opt/ros/{distro}/setup.{shell}': f'export SOURCED="$SOURCED {mark}"\n'
+        for distro, mark in marks.items()
+        for shell in ('bash', 'sh')
+    }
     bashrc = re.sub(r'[^\s"\'=:]*/opt/ros/', '$HOME/opt/ros/', after['.bashrc'])
     workspace = learner.workspace({'home/.bashrc': bashrc, **setups})
     # What counts is what comes after a word that is not in the file: nobody else prints that.
     end = f'end{learner.random.getrandbits(64):x}'
-    done = workspace.run('bash', '-c', 'cd home; exec env -i HOME="$PWD" PATH=/opt/first/bin:/usr/bin:/bin bash '
-                         f'--noprofile --norc -c \'. ~/.bashrc; builtin echo; builtin echo {end}; for name in SOURCED '
-                         'PATH ROS_DOMAIN_ID ROS_AUTOMATIC_DISCOVERY_RANGE ROBOT; do builtin echo "$name=${!name}"; '
-                         'done\'')
+    done = workspace.run(
+        'bash',
+        '-c',
+        'cd home; exec env -i HOME="$PWD" PATH=/opt/first/bin:/usr/bin:/bin bash '
+        f"--noprofile --norc -c '. ~/.bashrc; builtin echo; builtin echo {end}; for name in SOURCED "
+        'PATH ROS_DOMAIN_ID ROS_AUTOMATIC_DISCOVERY_RANGE ROBOT; do builtin echo "$name=${!name}"; '
+        "done'",
+    )
     _, came, told = done.output.partition(f'\n{end}\n')
     expect(came, f'A shell with your .bashrc ends before it gets to its first command: {done.last_line}', 'repaired')
     seen = dict(line.split('=', 1) for line in told.splitlines() if '=' in line)
@@ -121,31 +140,54 @@ def _shell(seen: dict[str, str], before: str, want: dict) -> None:
     """Judge the variables of a shell that has read the repaired file; `before` is the file as it was."""
     sourced = set(seen.get('SOURCED', '').split())
     expect(want['distro'] in sourced, f'A shell with your .bashrc has not sourced {want["distro"]}.', 'repaired')
-    expect(sourced == {want['distro']}, f'A shell with your .bashrc has sourced {", ".join(sorted(sourced))}.',
-           'repaired')
+    expect(
+        sourced == {want['distro']}, f'A shell with your .bashrc has sourced {", ".join(sorted(sourced))}.', 'repaired'
+    )
     folders = seen.get('PATH', '').split(':')
-    expect('/opt/first/bin' in folders, 'In a shell with your .bashrc, what was on the PATH before is lost.',
-           'repaired')
-    tool = [folder for line in before.splitlines() if 'PATH=' in line and not line.startswith('#')
-            for folder in line.split('=', 1)[1].split(':') if folder.startswith('/opt/tool')]
-    expect(set(tool) <= set(folders), f'{tool and tool[0]} was on the PATH, and is not any more. Repair the line, do '
-                                      'not drop it.', 'folders')
+    expect(
+        '/opt/first/bin' in folders, 'In a shell with your .bashrc, what was on the PATH before is lost.', 'repaired'
+    )
+    tool = [
+        folder
+        for line in before.splitlines()
+        if 'PATH=' in line and not line.startswith('#')
+        for folder in line.split('=', 1)[1].split(':')
+        if folder.startswith('/opt/tool')
+    ]
+    expect(
+        set(tool) <= set(folders),
+        f'{tool and tool[0]} was on the PATH, and is not any more. Repair the line, do not drop it.',
+        'folders',
+    )
     domain = seen.get('ROS_DOMAIN_ID') or '0'
-    expect(domain == str(want['domain']), f'A shell with your .bashrc is in domain {domain}, not {want["domain"]}.',
-           'repaired')
+    expect(
+        domain == str(want['domain']),
+        f'A shell with your .bashrc is in domain {domain}, not {want["domain"]}.',
+        'repaired',
+    )
     reach = seen.get('ROS_AUTOMATIC_DISCOVERY_RANGE')
-    expect(reach not in ('OFF', 'LOCALHOST'), f'A shell with your .bashrc has the discovery range {reach}: nobody on '
-                                              'another machine is found.', 'repaired')
+    expect(
+        reach not in ('OFF', 'LOCALHOST'),
+        f'A shell with your .bashrc has the discovery range {reach}: nobody on another machine is found.',
+        'repaired',
+    )
 
 
 def _others(before: str, after: str, want: dict) -> None:
     """Fail with words if a line has gone that had nothing to do with a fault."""
     there = {line.strip() for line in after.splitlines()}
     for line in map(str.strip, before.splitlines()):
-        of_a_fault = any(word in line for word in ('ROS_DOMAIN_ID', 'DISCOVERY_RANGE', 'PATH=')) or re.match(
-            r'(source|\.) ', line) or line.startswith('#') and want['distro'] in line
-        expect(not line or of_a_fault or line in there,
-               f'The line `{line}` of .bashrc is gone: keep all other lines.', 'kept')
+        of_a_fault = (
+            any(word in line for word in ('ROS_DOMAIN_ID', 'DISCOVERY_RANGE', 'PATH='))
+            or re.match(r'(source|\.) ', line)
+            or line.startswith('#')
+            and want['distro'] in line
+        )
+        expect(
+            not line or of_a_fault or line in there,
+            f'The line `{line}` of .bashrc is gone: keep all other lines.',
+            'kept',
+        )
 
 
 def _sources(before: str, after: str, want: dict) -> None:
@@ -153,10 +195,16 @@ def _sources(before: str, after: str, want: dict) -> None:
     expect(lines, 'Your ros2.list has no line that begins with `deb`.', 'repaired')
     for line in lines:
         parts = line.split()
-        expect(len(parts) > 3 and parts[-2:] == [want['codename'], 'main'] and parts[-3].rstrip('/') == _URL,
-               f'In your ros2.list, `{line}` is not for {want["codename"]}.', 'repaired')
+        expect(
+            len(parts) > 3 and parts[-2:] == [want['codename'], 'main'] and parts[-3].rstrip('/') == _URL,
+            f'In your ros2.list, `{line}` is not for {want["codename"]}.',
+            'repaired',
+        )
         expect('signed-by=/' in line, f'In your ros2.list, `{line}` names no key.', 'repaired')
     expect('# ROS 2' in after.splitlines(), 'A comment of ros2.list is gone: keep all other lines.', 'kept')
-    good = [line for line in before.splitlines() if line.startswith('deb ') and 'signed-by=' in line
-            and line.split()[-2] == want['codename']]
+    good = [
+        line
+        for line in before.splitlines()
+        if line.startswith('deb ') and 'signed-by=' in line and line.split()[-2] == want['codename']
+    ]
     expect(set(good) <= set(lines), f'`{good and good[0]}` was right, and is gone.', 'kept')

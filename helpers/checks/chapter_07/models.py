@@ -9,14 +9,14 @@ from helpers.runner import expect
 CAUSES = ('collision', 'inertial', 'mass', 'inertia')
 WHY = {
     'collision': 'A link with <visual> and without <collision> is seen, and touches nothing. A link without <visual> '
-                 'is only a frame.',
+    'is only a frame.',
     'inertial': 'A link with <visual> and without <inertial> has no mass. A link without <visual> needs none.',
     'mass': 'A mass must be more than 0.',
     'inertia': 'Each of the three moments is more than 0, and none is more than the sum of the two others.',
 }
 _LINKS = ('left_wheel', 'right_wheel', 'caster', 'mast', 'gripper', 'bumper')
 # Runs on the learner's side: drops the robot from one metre, and tells where its parts are after two seconds.
-_DROP = '''\
+_DROP = """\
 import json
 
 import mujoco
@@ -34,7 +34,7 @@ else:
     data = mujoco.MjData(model)
     mujoco.mj_step(model, data, 1000)
     print(json.dumps({model.body(i).name: float(data.xpos[i][2]) for i in range(1, model.nbody)}))
-'''
+"""
 
 
 class Robot:
@@ -47,7 +47,8 @@ class Robot:
         faults: dict[str, list[str]] = {}
         for cause in causes:
             faults.setdefault(random.choice(names) if isinstance(cause, str) else cause[0], []).append(
-                cause if isinstance(cause, str) else cause[1])
+                cause if isinstance(cause, str) else cause[1]
+            )
         self.expected: list[tuple] = []
         self.faulty = faults
         root = ElementTree.Element('robot', name=f'robot{random.randint(10, 99)}')
@@ -59,12 +60,14 @@ class Robot:
                 continue
             if number:
                 self._link(root, random, name, faults.get(name, ()))
-            joint = ElementTree.SubElement(root, 'joint', name=f'{name}_joint',
-                                           type='fixed' if number % 2 == 0 else 'continuous')
+            joint = ElementTree.SubElement(
+                root, 'joint', name=f'{name}_joint', type='fixed' if number % 2 == 0 else 'continuous'
+            )
             ElementTree.SubElement(joint, 'parent', link='base_link')
             ElementTree.SubElement(joint, 'child', link=name)
-            ElementTree.SubElement(joint, 'origin', xyz=f'{0.3 * number - 0.4:.2f} {0.4 * (-1) ** number} 0.0',
-                                   rpy='1.5708 0 0')
+            ElementTree.SubElement(
+                joint, 'origin', xyz=f'{0.3 * number - 0.4:.2f} {0.4 * (-1) ** number} 0.0', rpy='1.5708 0 0'
+            )
             ElementTree.SubElement(joint, 'axis', xyz='0 0 1')
         ElementTree.indent(root)
         self.urdf = '<?xml version="1.0"?>\n' + ElementTree.tostring(root, encoding='unicode')
@@ -72,9 +75,17 @@ class Robot:
     def _link(self, root, random, name: str, faults, box: bool = False) -> None:
         link = ElementTree.SubElement(root, 'link', name=name)
         numbers = [f'{random.uniform(0.05, 0.2):.3f}' for _ in range(3)]
-        shape = random.choice([('box', {'size': ' '.join(numbers)}), ('sphere', {'radius': numbers[0]}),
-                               ('cylinder', {'radius': numbers[0], 'length': numbers[1]})]) if not box else (
-            'box', {'size': '0.4 0.3 0.1'})
+        shape = (
+            random.choice(
+                [
+                    ('box', {'size': ' '.join(numbers)}),
+                    ('sphere', {'radius': numbers[0]}),
+                    ('cylinder', {'radius': numbers[0], 'length': numbers[1]}),
+                ]
+            )
+            if not box
+            else ('box', {'size': '0.4 0.3 0.1'})
+        )
         mass = random.uniform(0.3, 3.0)
         for part in ['visual'] if 'collision' in faults else ['visual', 'collision']:
             there = ElementTree.SubElement(link, part)
@@ -89,8 +100,9 @@ class Robot:
                 place, low = random.randrange(3), min(map(float, moments))
                 moments[place] = self._one_of(random, ['0', f'-{low:.5f}', f'{2 * sum(map(float, moments)):.5f}'])
                 self.expected.append(('A7.11', name, 'inertia', ' '.join(moments)))
-            ElementTree.SubElement(inertial, 'inertia', dict(zip(('ixx', 'iyy', 'izz'), moments, strict=True)),
-                                   ixy='0', ixz='0', iyz='0')
+            ElementTree.SubElement(
+                inertial, 'inertia', dict(zip(('ixx', 'iyy', 'izz'), moments, strict=True)), ixy='0', ixz='0', iyz='0'
+            )
             if 'mass' in faults:
                 self.expected.append(('A7.11', name, 'mass', value))
         self.expected += [('A7.11', name, cause, '') for cause in ('collision', 'inertial') if cause in faults]
@@ -101,8 +113,11 @@ class Robot:
     def diagnose(self, learner, rule: str = '') -> None:
         """Ask the learner's diagnose_model, and fail with words if it does not find what is expected."""
         names = [finding[1] for finding in self.expected]
-        links = [link for link in ElementTree.fromstring(self.urdf.partition('\n')[2]).findall('link')
-                 if link.get('name') in names]
+        links = [
+            link
+            for link in ElementTree.fromstring(self.urdf.partition('\n')[2]).findall('link')
+            if link.get('name') in names
+        ]
         given = '\n'.join(ElementTree.tostring(link, encoding='unicode').strip() for link in links[:2])
         compare(learner.call('diagnose_model', self.urdf), self.expected, WHY, rule, given)
 
@@ -117,36 +132,45 @@ class Robot:
             name = before.get('name')
             expect(name in after, f'The link {name} is gone.', 'kept')
             if name not in self.faulty:
-                expect(_canonical(before) == _canonical(after[name]), f'The link {name} was right, and is changed.',
-                       'kept')
+                expect(
+                    _canonical(before) == _canonical(after[name]), f'The link {name} was right, and is changed.', 'kept'
+                )
             else:
                 self._check_link(name, before, after[name])
 
     def _check_link(self, name: str, before, link) -> None:
         visual, collisions = before.find('visual'), link.findall('collision')
-        expect(len(collisions) == 1, f'The link {name} has {len(collisions)} <collision> after your repair.',
-               'shape')
+        expect(len(collisions) == 1, f'The link {name} has {len(collisions)} <collision> after your repair.', 'shape')
         for part in ('origin', 'geometry'):
             there = collisions[0].find(part)
-            expect(there is not None and _canonical(there) == _canonical(visual.find(part)),
-                   f'The <{part}> of the <collision> of {name} is not that of its <visual>.',
-                   'shape' if 'collision' in self.faulty[name] else 'kept')
+            expect(
+                there is not None and _canonical(there) == _canonical(visual.find(part)),
+                f'The <{part}> of the <collision> of {name} is not that of its <visual>.',
+                'shape' if 'collision' in self.faulty[name] else 'kept',
+            )
         mass, moments = link.find('inertial/mass'), link.find('inertial/inertia')
-        expect(mass is not None and moments is not None, f'The link {name} has no <mass> or <inertia>.',
-               'weight')
+        expect(mass is not None and moments is not None, f'The link {name} has no <mass> or <inertia>.', 'weight')
         faults = self.faulty[name]
         right = 1.0 if {'mass', 'inertial'} & set(faults) else float(before.find('inertial/mass').get('value'))
-        expect(_close(mass.get('value'), right), f'The mass of {name} is {mass.get("value")}, expected {right:g}.',
-               'weight' if {'mass', 'inertial'} & set(faults) else 'kept')
+        expect(
+            _close(mass.get('value'), right),
+            f'The mass of {name} is {mass.get("value")}, expected {right:g}.',
+            'weight' if {'mass', 'inertial'} & set(faults) else 'kept',
+        )
         values = [moments.get(key, '') for key in ('ixx', 'iyy', 'izz')]
-        old = [before.find('inertial/inertia').get(key) for key in ('ixx', 'iyy', 'izz')] if before.find(
-            'inertial') is not None else []
+        old = (
+            [before.find('inertial/inertia').get(key) for key in ('ixx', 'iyy', 'izz')]
+            if before.find('inertial') is not None
+            else []
+        )
         shape = visual.find('geometry')[0]
         wanted = solid(shape.tag, shape.attrib, right) if {'inertia', 'inertial'} & set(faults) else map(float, old)
         wanted = list(wanted)
-        expect(all(map(_close, values, wanted)), f'The moments of {name} are {" ".join(values)}, expected '
-                                                 f'{" ".join(f"{value:.6f}" for value in wanted)}.',
-               'weight' if {'inertia', 'inertial'} & set(faults) else 'kept')
+        expect(
+            all(map(_close, values, wanted)),
+            f'The moments of {name} are {" ".join(values)}, expected {" ".join(f"{value:.6f}" for value in wanted)}.',
+            'weight' if {'inertia', 'inertial'} & set(faults) else 'kept',
+        )
 
     def drop(self, learner, repaired) -> None:
         """Fail with words if a simulation refuses the repaired robot, or it falls through the floor."""
@@ -156,19 +180,22 @@ class Robot:
         seen = json.loads(done.last_line) if done.status == 0 else {'error': done.last_line}
         expect('error' not in seen, f'The simulation refuses the robot: {seen.get("error")}', 'weight')
         lowest = min(seen, key=seen.get)
-        expect(seen[lowest] > -0.1, f'Two seconds after it was dropped, {lowest} is at {seen[lowest]:.1f} m: it fell '
-                                    'through the floor.', 'shape')
+        expect(
+            seen[lowest] > -0.1,
+            f'Two seconds after it was dropped, {lowest} is at {seen[lowest]:.1f} m: it fell through the floor.',
+            'shape',
+        )
 
 
 def solid(shape: str, sizes: dict[str, str], mass: float) -> tuple[float, float, float]:
     """Moments of inertia of a solid body about its centre, kg m² (any textbook of mechanics)."""
     if shape == 'box':
-        x, y, z = (float(size)**2 for size in sizes['size'].split())
+        x, y, z = (float(size) ** 2 for size in sizes['size'].split())
         return mass * (y + z) / 12, mass * (x + z) / 12, mass * (x + y) / 12
-    square = float(sizes['radius'])**2
+    square = float(sizes['radius']) ** 2
     if shape == 'sphere':
         return (mass * square * 2 / 5,) * 3
-    across = mass * (square / 4 + float(sizes['length'])**2 / 12)
+    across = mass * (square / 4 + float(sizes['length']) ** 2 / 12)
     return across, across, mass * square / 2
 
 

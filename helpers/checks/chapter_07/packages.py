@@ -13,10 +13,10 @@ WHY = {
     'file': 'An entry point names a module as import does: no `/`, no `.py`.',
     'module': 'The module is looked up among the files of the package: package.name is package/name.py.',
     'function': 'A function that can be started stands at the left margin of its module, and is named after a colon; '
-                'a method of a class, or a longer name that only begins so, is none.',
+    'a method of a class, or a longer name that only begins so, is none.',
 }
 _ENTRY = re.compile(r"""(['"])([\w-]+)\s*=\s*([^'"]*?)\s*\1""")
-_SETUP = '''\
+_SETUP = """\
 from setuptools import find_packages, setup
 
 package_name = '{package}'
@@ -41,7 +41,7 @@ setup(
         ],
     }},
 )
-'''
+"""
 _MODULE = '''\
 """One thing that the robot does."""
 
@@ -58,7 +58,7 @@ def {private}(task):
 def {function}():
     {private}(Task())
 '''
-_PACKAGE_XML = '''\
+_PACKAGE_XML = """\
 <?xml version="1.0"?>
 <package format="3">
   <name>{package}</name>
@@ -68,7 +68,7 @@ _PACKAGE_XML = '''\
   <license>Apache-2.0</license>
   <export><build_type>ament_python</build_type></export>
 </package>
-'''
+"""
 
 
 class Package:
@@ -86,16 +86,27 @@ class Package:
         for program in programs:
             function, method = random.sample(FUNCTIONS, 2)
             self.files[f'{self.name}/{program}.py'] = _MODULE.format(
-                function=function, method=method, program=program, word=self.words[program], private=f'_{function}')
+                function=function, method=method, program=program, word=self.words[program], private=f'_{function}'
+            )
             self.right[program] = value = f'{self.name}.{program}:{function}'
             if program in faulty:
                 forms = {
-                    'file': [f'{self.name}/{program}.py:{function}', f'{self.name}.{program}.py:{function}',
-                             f'{self.name}/{program}:{function}'],
-                    'module': [lost, f'{program}:{function}', f'{self.name}.{program}_:{function}',
-                               f'other.{program}:{function}'],
-                    'function': [f'{self.name}.{program}', f'{self.name}.{program}:{method}',
-                                 f'{self.name}.{program}:{function[:-1]}'],
+                    'file': [
+                        f'{self.name}/{program}.py:{function}',
+                        f'{self.name}.{program}.py:{function}',
+                        f'{self.name}/{program}:{function}',
+                    ],
+                    'module': [
+                        lost,
+                        f'{program}:{function}',
+                        f'{self.name}.{program}_:{function}',
+                        f'other.{program}:{function}',
+                    ],
+                    'function': [
+                        f'{self.name}.{program}',
+                        f'{self.name}.{program}:{method}',
+                        f'{self.name}.{program}:{function[:-1]}',
+                    ],
                 }[faulty[program]]
                 value = random.choice(forms) if form is None else forms[form % len(forms)]
                 self.expected.append(('A7.4', program, faulty[program], value))
@@ -111,30 +122,44 @@ class Package:
 
     def check(self, repaired) -> None:
         """Fail with words if the repaired files do not have the right entry points."""
-        expect(isinstance(repaired, dict) and all(isinstance(text, str) for text in repaired.values()),
-               'repair_package must return a dictionary of strings.', 'repaired')
+        expect(
+            isinstance(repaired, dict) and all(isinstance(text, str) for text in repaired.values()),
+            'repair_package must return a dictionary of strings.',
+            'repaired',
+        )
         lost = sorted(self.files.keys() - repaired.keys())
         expect(not lost, f'repair_package must return all files: {lost and lost[0]} is missing.', 'kept')
         changed = sorted(name for name in self.files if name != 'setup.py' and repaired[name] != self.files[name])
-        expect(not changed, f'{changed and changed[0]} was right, and is changed: only setup.py is to be repaired.',
-               'kept')
+        expect(
+            not changed, f'{changed and changed[0]} was right, and is changed: only setup.py is to be repaired.', 'kept'
+        )
         begin = repaired['setup.py'].find('console_scripts')
         there = {program: value for _, program, value in _ENTRY.findall(repaired['setup.py'][begin:])}
         healthy = self.right.keys() - {finding[1] for finding in self.expected}
         for program, value in self.right.items():
             rule = 'kept' if program in healthy else 'repaired'
             expect(program in there, f'The program {program} is gone from setup.py.', rule)
-            expect(there[program] == value, f'After your repair, {program} leads to `{there[program]}`, expected '
-                                            f'`{value}`.', rule)
+            expect(
+                there[program] == value,
+                f'After your repair, {program} leads to `{there[program]}`, expected `{value}`.',
+                rule,
+            )
 
     def build(self, learner, repaired: dict[str, str]) -> None:
         """Fail with words if the repaired package cannot be built, or a program does not run."""
         self.check(repaired)  # what is wrong already is not built
-        texts = {**repaired, 'package.xml': _PACKAGE_XML.format(package=self.name), f'resource/{self.name}': '',
-                 'setup.cfg': f'[install]\ninstall_scripts=$base/lib/{self.name}\n'}
+        texts = {
+            **repaired,
+            'package.xml': _PACKAGE_XML.format(package=self.name),
+            f'resource/{self.name}': '',
+            'setup.cfg': f'[install]\ninstall_scripts=$base/lib/{self.name}\n',
+        }
         workspace = learner.workspace({f'src/{self.name}/{name}': text for name, text in texts.items()})
         workspace.build()
         done = workspace.run('bash', '-c', 'for program in "$@"; do ros2 run $0 $program; done', self.name, *self.words)
         for program, word in self.words.items():
-            expect(f'{program} says {word}' in done.lines,
-                   f'`ros2 run {self.name} {program}` did not print `{program} says {word}`.', 'repaired')
+            expect(
+                f'{program} says {word}' in done.lines,
+                f'`ros2 run {self.name} {program}` did not print `{program} says {word}`.',
+                'repaired',
+            )

@@ -42,8 +42,11 @@ def draw(random, *states: str, plain: bool = False) -> tuple[str, dict[str, str]
     nodes = random.sample(words.SERVICES, 3)
     files, expected, threads = {}, [], []
     # One file has the name of a file of rclpy: only the folder tells them apart.
-    names = [f'{nodes[0][1]}.py', f'{nodes[1][1]}.py',
-             'tools.py' if plain else random.choice(['client.py', 'executors.py', 'task.py'])]
+    names = [
+        f'{nodes[0][1]}.py',
+        f'{nodes[1][1]}.py',
+        'tools.py' if plain else random.choice(['client.py', 'executors.py', 'task.py']),
+    ]
     folder = f'/home/{random.choice(["ada", "linus"])}/{random.choice(words.ROBOTS)}'
     lines = {name: [f'# line {number} of {name}' for number in range(1, 60)] for name in names}
 
@@ -54,8 +57,10 @@ def draw(random, *states: str, plain: bool = False) -> tuple[str, dict[str, str]
         return _frame(f'{folder}/{name}', number, function)
 
     def library(*calls: str) -> list[str]:
-        return [_frame(f'{rclpy}/{file}', random.randint(50, 900), function)
-                for file, function in (call.split() for call in calls)]
+        return [
+            _frame(f'{rclpy}/{file}', random.randint(50, 900), function)
+            for file, function in (call.split() for call in calls)
+        ]
 
     for state in states:
         callback = f'on_{random.choice(["timer", "scan", "request", "goal", "button"])}'
@@ -64,12 +69,16 @@ def draw(random, *states: str, plain: bool = False) -> tuple[str, dict[str, str]
         helper = [own('self.step()', callback)] if older else []  # the older of two own calls
         function = random.choice(['step', 'work']) if helper else callback
         outer = [*helper, *library(*_OUTER, *_SPIN), own('executor.spin()', 'main')]
-        newest = {'server': library('client.py wait_for_service'), 'call': wait + library('client.py call'),
-                  'spin': library('executors.py spin_until_future_complete', '__init__.py spin_until_future_complete'),
-                  'busy': []}
+        newest = {
+            'server': library('client.py wait_for_service'),
+            'call': wait + library('client.py call'),
+            'spin': library('executors.py spin_until_future_complete', '__init__.py spin_until_future_complete'),
+            'busy': [],
+        }
         if state == 'spinning':
-            threads.append([*library('executors.py _wait_for_ready_callbacks', *_SPIN),
-                            own('rclpy.spin(node)', 'main')])
+            threads.append(
+                [*library('executors.py _wait_for_ready_callbacks', *_SPIN), own('rclpy.spin(node)', 'main')]
+            )
         elif state == 'idle':
             threads.append([*wait, '  File "/usr/lib/python3.12/concurrent/futures/thread.py", line 90 in _worker'])
         elif state == 'waits in main':
@@ -80,17 +89,27 @@ def draw(random, *states: str, plain: bool = False) -> tuple[str, dict[str, str]
             threads.append([*newest[state], own(_LINES[state], function), *outer])
             expected.append(('A7.8' if state == 'server' else 'A7.9', function, state, _LINES[state]))
     files = {name: '\n'.join(text) + '\n' for name, text in lines.items()}
-    text = '\n\n'.join('\n'.join([f'{head} (most recent call first):', *thread]) for head, thread in zip(
-        [*(f'Thread 0x{random.getrandbits(48):016x}' for _ in threads[1:]), 'Current thread 0x00007f1ae9e7a740'],
-        threads, strict=True))
+    text = '\n\n'.join(
+        '\n'.join([f'{head} (most recent call first):', *thread])
+        for head, thread in zip(
+            [*(f'Thread 0x{random.getrandbits(48):016x}' for _ in threads[1:]), 'Current thread 0x00007f1ae9e7a740'],
+            threads,
+            strict=True,
+        )
+    )
     return text, files, expected
 
 
 def diagnose(learner, *states: str, rule: str = '', plain: bool = False) -> None:
     """Draw stacks, ask the learner's diagnose_stacks, and fail with words if it does not find what is expected."""
     text, files, expected = draw(learner.random, *states, plain=plain)
-    compare(learner.call('diagnose_stacks', text, files), expected, WHY, rule,
-            f'The files are {", ".join(files)}; the stacks are:\n{text}')
+    compare(
+        learner.call('diagnose_stacks', text, files),
+        expected,
+        WHY,
+        rule,
+        f'The files are {", ".join(files)}; the stacks are:\n{text}',
+    )
 
 
 def _frame(file: str, line: int, function: str) -> str:
@@ -158,7 +177,7 @@ finally:
 
 # Runs a program, and tells when it has made a client, and when it looks for the client's server. If there is a server,
 # the client knows it as soon as it is made: how long that takes on this machine is not what is asked.
-WATCHED = '''\
+WATCHED = """\
 import runpy
 import sys
 import time
@@ -198,7 +217,7 @@ def wait_for_service(self, *args, **kwargs):
 Node.create_client, Client.service_is_ready, Client.wait_for_service = create_client, service_is_ready, wait_for_service
 served, *sys.argv = sys.argv[1:]
 runpy.run_path(sys.argv[0], run_name='__main__')
-'''
+"""
 
 
 class Client:
@@ -210,13 +229,15 @@ class Client:
 
     def _start(self, observer: Observer, name: str, seconds: float, served: bool):
         """Start the client, and wait until it has made its ROS client, or has ended."""
-        task = self._workspace.start('python3', 'watched.py', 'served' if served else '', 'client.py', name,
-                                     str(seconds))
+        task = self._workspace.start(
+            'python3', 'watched.py', 'served' if served else '', 'client.py', name, str(seconds)
+        )
         observer.until(lambda: MADE in task.output, START, task)
         return task
 
     def ask(self, name: str, seconds: float, word: str | None) -> tuple[str, str]:
         """What the client prints last, and its status. The server answers `word`, or never (''); None: no server."""
+
         def answer(request, response):
             end = time.monotonic() + 5.0
             while not observer.node.count_clients(name) and time.monotonic() < end:

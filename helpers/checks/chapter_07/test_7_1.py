@@ -38,14 +38,23 @@ def test_lines(learner):
 
     def look(rule, lines, *expected, sources=deb):
         with about(rule):
-            machines.diagnose(learner, {'ros2.list': sources, '.bashrc': '\n'.join(lines) + '\n'}, want,
-                              list(expected), rule)
+            machines.diagnose(
+                learner, {'ros2.list': sources, '.bashrc': '\n'.join(lines) + '\n'}, want, list(expected), rule
+            )
 
     lost = ('A7.2', '.bashrc', 'not sourced', '')
     for dash in ('# ', '  #'):
         look('comments', [dash + source], lost)
-        look('comments', [source, f'{dash}export ROS_DOMAIN_ID={random.randint(1, 99)}', f'{dash}PATH=/bin',
-                          f'{dash}ROS_AUTOMATIC_DISCOVERY_RANGE=OFF', f'{dash}source /opt/ros/{older}/setup.bash'])
+        look(
+            'comments',
+            [
+                source,
+                f'{dash}export ROS_DOMAIN_ID={random.randint(1, 99)}',
+                f'{dash}PATH=/bin',
+                f'{dash}ROS_AUTOMATIC_DISCOVERY_RANGE=OFF',
+                f'{dash}source /opt/ros/{older}/setup.bash',
+            ],
+        )
         look('comments', [source], sources=f'{dash}deb http://old.example {older} main\n' + deb)
     line = f'. ~/opt/ros/{older}/setup.sh'
     look('comments', [source, f'   {line}  '], ('A7.5', '.bashrc', 'other', line))
@@ -53,10 +62,19 @@ def test_lines(learner):
         look('sources', [f'{word} {folder}/opt/ros/{distro}/setup.{shell}'])
     look('sources', ['source ~/.aliases', f'echo /opt/ros/{older}/setup.bash', source])
     for word in ('', 'export '):
-        lines = [f'{word}PATH=/opt/tool{random.randint(10, 99)}/bin', f'{word}ROS_DOMAIN_ID={random.randint(1, 99)}',
-                 f'{word}ROS_AUTOMATIC_DISCOVERY_RANGE={random.choice(["OFF", "LOCALHOST"])}']
-        look('variables', [source, *lines], *[(row, '.bashrc', cause, line) for row, cause, line in zip(
-            ('A7.3', 'A7.7', 'A7.7'), ('PATH', 'domain', 'range'), lines, strict=True)])
+        lines = [
+            f'{word}PATH=/opt/tool{random.randint(10, 99)}/bin',
+            f'{word}ROS_DOMAIN_ID={random.randint(1, 99)}',
+            f'{word}ROS_AUTOMATIC_DISCOVERY_RANGE={random.choice(["OFF", "LOCALHOST"])}',
+        ]
+        look(
+            'variables',
+            [source, *lines],
+            *[
+                (row, '.bashrc', cause, line)
+                for row, cause, line in zip(('A7.3', 'A7.7', 'A7.7'), ('PATH', 'domain', 'range'), lines, strict=True)
+            ],
+        )
     lines = [f'source /opt/ros/{older}/setup.bash', f'. /opt/ros/{older}/setup.sh']
     look('all', lines, lost, *[('A7.5', '.bashrc', 'other', line) for line in lines])
     machines.diagnose(learner, *machines.draw(random, *machines.CAUSES[1:]), 'all')

@@ -17,8 +17,10 @@ def test_read(learner):
     random = learner.random
     room, topic = random.choice(graphs.ROOMS), random.choice(graphs.TOPICS)
     common = {'type': random.choice(graphs.MESSAGES), 'reliability': 'RELIABLE', 'durability': 'TRANSIENT_LOCAL'}
-    there = [{'role': 'publisher', 'node': '/mouth', 'name': f'/{topic}', **common},
-             {'role': 'subscription', 'node': f'/{room}/ear', 'name': f'/{room}/{topic}', **common, **graphs.WEAK}]
+    there = [
+        {'role': 'publisher', 'node': '/mouth', 'name': f'/{topic}', **common},
+        {'role': 'subscription', 'node': f'/{room}/ear', 'name': f'/{room}/{topic}', **common, **graphs.WEAK},
+    ]
     secret = {'role': 'subscription', 'node': '/_secret', 'name': f'/{topic}', **common}
     with graphs.System(learner.context.get_domain_id()) as system, about('read'):
         for endpoint in (secret, *there):

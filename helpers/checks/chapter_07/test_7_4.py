@@ -37,8 +37,10 @@ def test_answer(learner):
     """
     word, name = f'word {learner.random.randint(100, 999)}', f'/service_{learner.random.randint(10, 99)}'
     printed, status = stacks.Client(learner).ask(name, 5, word)
-    expect((printed, status) == (f'answer: {word}', '0'),
-           f'The server of {name} answered `{word}`; the client printed `{printed}` and ended with status {status}.')
+    expect(
+        (printed, status) == (f'answer: {word}', '0'),
+        f'The server of {name} answered `{word}`; the client printed `{printed}` and ended with status {status}.',
+    )
 
 
 @pytest.mark.rules('no-server')
@@ -50,8 +52,10 @@ def test_no_server(learner):
     name = f'/nobody_{learner.random.randint(10, 99)}'
     printed, status = stacks.Client(learner).ask(name, 0.5, None)
     expect(status != 'none', f'There is no server for {name}, and the client goes on and on: it was ended after 9 s.')
-    expect((printed, status) == (f'no server for {name}', '1'),
-           f'There is no server for {name}; the client printed `{printed}` and ended with status {status}.')
+    expect(
+        (printed, status) == (f'no server for {name}', '1'),
+        f'There is no server for {name}; the client printed `{printed}` and ended with status {status}.',
+    )
 
 
 @pytest.mark.rules('no-answer')
@@ -62,8 +66,10 @@ def test_silent_server(learner):
     """
     printed, status = stacks.Client(learner).ask('/silent', 0.5, '')
     expect(status != 'none', 'The server never answers, and the client waits on and on.')
-    expect((printed, status) == ('no answer', '1'), f'The server never answers; the client printed `{printed}` and '
-                                                    f'ended with status {status}.')
+    expect(
+        (printed, status) == ('no answer', '1'),
+        f'The server never answers; the client printed `{printed}` and ended with status {status}.',
+    )
 
 
 @pytest.mark.rules('interrupt')

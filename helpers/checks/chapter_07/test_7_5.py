@@ -23,7 +23,8 @@ def test_causes(learner):
         Robot(learner.random, frame=True).diagnose(learner, 'frames')
     with about('all'):
         Robot(learner.random, *[('base_link', cause) for cause in ('collision', 'mass', 'inertia')]).diagnose(
-            learner, 'all')
+            learner, 'all'
+        )
         Robot(learner.random, ('base_link', 'mass'), 'mass', 'collision').diagnose(learner, 'all')
 
 

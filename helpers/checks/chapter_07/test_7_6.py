@@ -26,8 +26,12 @@ def test_causes(learner):
         with about('newest'):
             Tree(learner.random, 'old').diagnose(learner, rule='newest')
             Tree(learner.random).diagnose(learner, rule='newest')
-    for causes in (('unknown', 'old'), ('unknown', 'two parents'), ('two parents', 'old'),
-                   *[('not connected', 'old')] * 6):
+    for causes in (
+        ('unknown', 'old'),
+        ('unknown', 'two parents'),
+        ('two parents', 'old'),
+        *[('not connected', 'old')] * 6,
+    ):
         tree = Tree(learner.random, *causes, moves=True)
         tree.diagnose(learner, [one for one in tree.expected if one[2] == causes[0]], 'order')
 
@@ -48,6 +52,8 @@ def test_repair(learner):
         tree = Tree(learner.random, cause, near=near)
         with about('nothing'):
             after = tree.repaired(learner, tree.expected)
-        expect(after == [tree.moving, tree.static],
-               f'{tree.expected[0]} cannot be repaired here: repair_tf must return the transforms as they are.',
-               'nothing')
+        expect(
+            after == [tree.moving, tree.static],
+            f'{tree.expected[0]} cannot be repaired here: repair_tf must return the transforms as they are.',
+            'nothing',
+        )

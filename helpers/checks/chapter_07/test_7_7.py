@@ -32,8 +32,16 @@ def test_repair(learner):
     `{**case, 'urdf': …}` is a new dictionary with one entry changed.
     """
     random = learner.random
-    case = Case(random, {'machine': (random.choice(machines.CAUSES[3:]), 'release'), 'package': ('module',),
-                         'model': (random.choice(FAULTS['model']),), 'graph': ('hidden',), 'frames': ('unknown',)})
+    case = Case(
+        random,
+        {
+            'machine': (random.choice(machines.CAUSES[3:]), 'release'),
+            'package': ('module',),
+            'model': (random.choice(FAULTS['model']),),
+            'graph': ('hidden',),
+            'frames': ('unknown',),
+        },
+    )
     with named('files'):
         after = case.repaired(learner)
         machines.try_out(learner, case.files, after['files'], case.want)

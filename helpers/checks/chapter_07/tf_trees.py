@@ -14,9 +14,9 @@ CAUSES = ('unknown', 'two parents', 'not connected', 'old')
 WHY = {
     'unknown': 'A frame is known if a transform has it as parent or as child, on /tf or on /tf_static.',
     'two parents': 'A frame that is the child of two others: the wrong parent is the one that is neither the target '
-                   'nor anybody\'s child.',
+    "nor anybody's child.",
     'not connected': 'Go from the source to its parent, and on, until there is none: there the way must end at the '
-                     'target. The evidence is a frame of another tree, so of none that is below the top frame.',
+    'target. The evidence is a frame of another tree, so of none that is below the top frame.',
     'old': 'The newest stamp of each moving transform on the way counts; static ones do not age. More than 1 s is old.',
 }
 _ROOTS, _SENSORS = ('map', 'odom', 'world'), ('laser', 'camera', 'gripper', 'sonar', 'antenna')
@@ -26,8 +26,7 @@ _FIXED = ('mast', 'plate', 'bracket', 'housing')
 class Tree:
     """A drawn robot: `moving`, `static`, `target`, `source`, `now`; the `expected` findings, and the `truth`."""
 
-    def __init__(self, random, *causes: str, near: bool = True, moves: bool | None = None,
-                 decoy: bool = False):
+    def __init__(self, random, *causes: str, near: bool = True, moves: bool | None = None, decoy: bool = False):
         """`near`: whether the name that was meant can be found, if one is wrong. `moves`: whether a transform with
         wrong names is a moving one; None: as it comes. The sensor's own one is static.
         `decoy`: below the sensor there is a frame whose name is nearest to a top frame that is misspelt.
@@ -40,11 +39,17 @@ class Tree:
         middle = random.choice(['base_footprint', 'base_link', 'chassis'])
         fixed = random.choice(_FIXED)
         # From the target to the sensor: two moving transforms, two static ones; and another sensor.
-        edges = [(self.target, 'platform', True), ('platform', middle, True), (middle, fixed, False),
-                 (fixed, self.source, False), (middle, other, False)]
+        edges = [
+            (self.target, 'platform', True),
+            ('platform', middle, True),
+            (middle, fixed, False),
+            (fixed, self.source, False),
+            (middle, other, False),
+        ]
         numbers = {child: [round(random.uniform(-2.0, 2.0), 2) for _ in range(3)] for _, child, _ in edges}
-        self.truth = [sum(numbers[child][axis] for child in ('platform', middle, fixed, self.source))
-                      for axis in range(3)]
+        self.truth = [
+            sum(numbers[child][axis] for child in ('platform', middle, fixed, self.source)) for axis in range(3)
+        ]
         self.expected: list[tuple] = []
         names = {}  # (child of the edge, 'parent' or 'child') -> what is published instead
         exchanged, ages = '', {}
@@ -94,10 +99,17 @@ class Tree:
         """Ask the learner's diagnose_tf, by default about this tree, and fail with words if it finds anything else."""
         moving, static = transforms or (self.moving, self.static)
         edges = [sorted({f'{one.header.frame_id} → {one.child_frame_id}' for one in part}) for part in (moving, static)]
-        given = (f'Asked for {self.source} in {self.target}, now = {self.now}.\nmoving: {", ".join(edges[0])}\n'
-                 f'static: {", ".join(edges[1])}')
-        compare(learner.call('diagnose_tf', moving, static, *self.arguments[2:]),
-                self.expected if expected is None else expected, WHY, rule, given)
+        given = (
+            f'Asked for {self.source} in {self.target}, now = {self.now}.\nmoving: {", ".join(edges[0])}\n'
+            f'static: {", ".join(edges[1])}'
+        )
+        compare(
+            learner.call('diagnose_tf', moving, static, *self.arguments[2:]),
+            self.expected if expected is None else expected,
+            WHY,
+            rule,
+            given,
+        )
 
     def in_order(self) -> 'Tree':
         """The tree, with moving transforms that have come in the order of their stamps."""
@@ -113,16 +125,28 @@ class Tree:
 
     def check(self, repaired) -> None:
         """Fail with words if the sensor cannot be looked up in the repaired transforms, or is elsewhere."""
-        fits = (isinstance(repaired, list) and len(repaired) == 2 and all(isinstance(part, list) for part in repaired)
-                and all(isinstance(one, TransformStamped) for part in repaired for one in part))
+        fits = (
+            isinstance(repaired, list)
+            and len(repaired) == 2
+            and all(isinstance(part, list) for part in repaired)
+            and all(isinstance(one, TransformStamped) for part in repaired for one in part)
+        )
         expect(fits, 'repair_tf must return a list of TransformStamped.', 'kept')
         for before, after in zip((self.moving, self.static), repaired, strict=True):
-            expect(len(before) == len(after), f'repair_tf got {len(before)} transforms and returned {len(after)}.',
-                   'kept')
-            moved = [one for one, other in zip(before, after, strict=True)
-                     if one.transform != other.transform or one.header.stamp != other.header.stamp]
-            expect(not moved, 'The numbers and the stamps of a transform were right: only names are to be '
-                              'changed, and the order stays.', 'kept')
+            expect(
+                len(before) == len(after), f'repair_tf got {len(before)} transforms and returned {len(after)}.', 'kept'
+            )
+            moved = [
+                one
+                for one, other in zip(before, after, strict=True)
+                if one.transform != other.transform or one.header.stamp != other.header.stamp
+            ]
+            expect(
+                not moved,
+                'The numbers and the stamps of a transform were right: only names are to be '
+                'changed, and the order stays.',
+                'kept',
+            )
         buffer = Buffer()
         for part, static in zip(repaired, (False, True), strict=True):
             for one in sorted(part, key=lambda one: Time.from_msg(one.header.stamp).nanoseconds):
@@ -133,8 +157,12 @@ class Tree:
         except TransformException as error:
             expect(False, f'After your repair, tf2 does not find {self.source} from {self.target}: {error}', 'repaired')
         off = max(abs(a - b) for a, b in zip((seen.x, seen.y, seen.z), self.truth, strict=True))
-        expect(off < 1e-6, f'After your repair, tf2 finds {self.source} at ({seen.x:.2f}, {seen.y:.2f}, {seen.z:.2f}), '
-                           f'expected ({", ".join(f"{value:.2f}" for value in self.truth)}).', 'repaired')
+        expect(
+            off < 1e-6,
+            f'After your repair, tf2 finds {self.source} at ({seen.x:.2f}, {seen.y:.2f}, {seen.z:.2f}), '
+            f'expected ({", ".join(f"{value:.2f}" for value in self.truth)}).',
+            'repaired',
+        )
 
     def _found(self, where: str, cause: str, evidence: str) -> None:
         self.expected.append(('A7.12', where, cause, evidence))

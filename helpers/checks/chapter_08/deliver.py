@@ -20,10 +20,15 @@ PATIENCE = 25.0  # s of wall time for a step
 TRIES = 5
 FACTORS = 0.7, 0.75, 0.8, 0.85  # simulated seconds in a second: slower than real time leaves the programs more of it
 SLOWER = 0.4  # times these on a busy machine: a right robot is lost if it hears nothing for half a simulated second
-STATUS = {GoalStatus.STATUS_SUCCEEDED: 'succeeded', GoalStatus.STATUS_CANCELED: 'canceled',
-          GoalStatus.STATUS_ABORTED: 'aborted'}
-VALUES = {'/delivery_robot': ('max_linear', 'max_angular', 'tolerance', 'timeout', 'use_sim_time'),
-          '/world': ('scene', 'real_time_factor')}
+STATUS = {
+    GoalStatus.STATUS_SUCCEEDED: 'succeeded',
+    GoalStatus.STATUS_CANCELED: 'canceled',
+    GoalStatus.STATUS_ABORTED: 'aborted',
+}
+VALUES = {
+    '/delivery_robot': ('max_linear', 'max_angular', 'tolerance', 'timeout', 'use_sim_time'),
+    '/world': ('scene', 'real_time_factor'),
+}
 
 
 class Missing(Exception):
@@ -121,10 +126,22 @@ def _story(customer: Customer, told: dict) -> None:
 def story(learner, workspace) -> dict:
     """What happened: see above; `stations` and `factor` are what was drawn, `log` what the launch has printed."""
     number = learner.random.randint(10, 99)
-    told = {'stations': {f'far{number}': 6.0, f'near{number}': round(learner.random.uniform(0.9, 1.4), 2)},
-            'factor': round(learner.random.choice(FACTORS) * (SLOWER if busy() else 1), 3)}
-    launch = workspace.start('bash', '-c', 'mv src sources; exec "$@"', 'bash', 'ros2', 'launch', 'delivery_robot',
-                             'delivery.launch.py', 'scene:=empty', f'real_time_factor:={told["factor"]}')
+    told = {
+        'stations': {f'far{number}': 6.0, f'near{number}': round(learner.random.uniform(0.9, 1.4), 2)},
+        'factor': round(learner.random.choice(FACTORS) * (SLOWER if busy() else 1), 3),
+    }
+    launch = workspace.start(
+        'bash',
+        '-c',
+        'mv src sources; exec "$@"',
+        'bash',
+        'ros2',
+        'launch',
+        'delivery_robot',
+        'delivery.launch.py',
+        'scene:=empty',
+        f'real_time_factor:={told["factor"]}',
+    )
     with Observer(learner) as observer:
         try:
             _story(Customer(observer, launch), told)

@@ -61,8 +61,11 @@ class Delivery:
     def station(self, name: str, x: float, y: float) -> None:
         """Set a station; fail if it is refused."""
         response = self._set.call(name=name, x=x, y=y)
-        expect(response.success, f'The service set_station refused {name} at ({x:g}, {y:g}). Look at exercise 8.7.',
-               'rejects-unknown')
+        expect(
+            response.success,
+            f'The service set_station refused {name} at ({x:g}, {y:g}). Look at exercise 8.7.',
+            'rejects-unknown',
+        )
         self.places[name] = x, y
 
     def go(self, station: str):
@@ -88,8 +91,12 @@ def modules(learner) -> dict[str, str]:
     found = {}
     for path in sorted((GIVEN / 'delivery_robot').glob('*.py')):
         module = f'delivery_robot/{path.name}'
-        cells = [part['source'].strip() + '\n\n\n' for exercise in CELLS.get(module, ())
-                 for part in learner.program['cells'] if part['label'] == f'Exercise {exercise}']
+        cells = [
+            part['source'].strip() + '\n\n\n'
+            for exercise in CELLS.get(module, ())
+            for part in learner.program['cells']
+            if part['label'] == f'Exercise {exercise}'
+        ]
         found[module] = path.read_text() + ('\n\n' + ''.join(cells) if cells else '')
     return found
 
@@ -98,8 +105,11 @@ def files(learner) -> dict[str, str]:
     """The package with the learner's cells and texts, as `learner.workspace` wants it."""
     top = 'src/delivery_robot'
     found = {**package(GIVEN), **{f'{top}/{path}': text for path, text in modules(learner).items()}}
-    return {**found, f'{top}/config/delivery.yaml': learner.text('DELIVERY_YAML'),
-            f'{top}/launch/delivery.launch.py': learner.text('DELIVERY_LAUNCH')}
+    return {
+        **found,
+        f'{top}/config/delivery.yaml': learner.text('DELIVERY_YAML'),
+        f'{top}/launch/delivery.launch.py': learner.text('DELIVERY_LAUNCH'),
+    }
 
 
 def workspace(learner) -> ExerciseWorkspace:

@@ -63,16 +63,29 @@ class Drives:
         """Fail unless the goal has ended so, and the robot stands, and says so."""
         expect(goal.status == status, f'{when} the goal is {goal.status or "still running"}, expected {status}.', rule)
         sent = [(command.linear.x, command.angular.z) for command in self.commands.messages]
-        expect(sent and sent[-1] == (0.0, 0.0), f'{when} the goal was {status}, and the last command is '
-                                                f'{sent and sent[-1]}. Before every end: drive(0.0, 0.0).', 'stands')
-        expect(len(sent) < 2 or sent[-2] != (0.0, 0.0), f'{when} the goal was {status}, and the robot was told more '
-                                                        'than once to stand. Once is enough.', 'stands')
+        expect(
+            sent and sent[-1] == (0.0, 0.0),
+            f'{when} the goal was {status}, and the last command is '
+            f'{sent and sent[-1]}. Before every end: drive(0.0, 0.0).',
+            'stands',
+        )
+        expect(
+            len(sent) < 2 or sent[-2] != (0.0, 0.0),
+            f'{when} the goal was {status}, and the robot was told more than once to stand. Once is enough.',
+            'stands',
+        )
         count = len(self.commands)
         self.run(0.4)
-        expect(len(self.commands) == count, f'{when} the goal was {status}, and then {len(self.commands) - count} more '
-                                            'commands came on cmd_vel.', 'stands')
-        expect(goal.result.message.strip(), f'{when} the goal was {status}, and the message in its result is empty.',
-               'result')
+        expect(
+            len(self.commands) == count,
+            f'{when} the goal was {status}, and then {len(self.commands) - count} more commands came on cmd_vel.',
+            'stands',
+        )
+        expect(
+            goal.result.message.strip(),
+            f'{when} the goal was {status}, and the message in its result is empty.',
+            'result',
+        )
         self.status('idle', f'{when} the goal was {status}. After that')
 
 
@@ -86,16 +99,27 @@ def judge_rejections(drives: Drives) -> str:
         both = [drives.delivery.client.send(station=name) for _ in range(2)]
         drives.learner.settle()
     accepted = [goal for goal in both if goal.accepted]
-    expect(accepted, f'The goal {name} was rejected. The station is known, the place of the robot is, and no other '
-                     'goal runs.', 'next')
-    expect(len(accepted) == 1, 'Two goals came at one moment, and both were accepted. Set self.state in the goal '
-                               'callback: execute comes too late.', 'single')
-    drives.goal, = accepted
+    expect(
+        accepted,
+        f'The goal {name} was rejected. The station is known, the place of the robot is, and no other goal runs.',
+        'next',
+    )
+    expect(
+        len(accepted) == 1,
+        'Two goals came at one moment, and both were accepted. Set self.state in the goal '
+        'callback: execute comes too late.',
+        'single',
+    )
+    (drives.goal,) = accepted
     drives.status(f'driving to {name}', f'While the robot drives to {name}')
     drives.rejected('other', 'single', f'The robot is still driving to {name}.')
     drives.run(0.2)
-    expect(not drives.goal.done, f'While the robot drove to {name}, another goal was rejected, and the first one is '
-                                 f'{drives.goal.status} now. It goes on.', 'single')
+    expect(
+        not drives.goal.done,
+        f'While the robot drove to {name}, another goal was rejected, and the first one is '
+        f'{drives.goal.status} now. It goes on.',
+        'single',
+    )
     return name
 
 
@@ -104,19 +128,29 @@ def judge_turning(drives: Drives) -> None:
     came = drives.recent(0.5)
     expect(came, 'A goal was accepted, and no command comes on cmd_vel.', 'rhythm')
     gaps = [late - early for early, late in zip(drives.commands.stamps, drives.commands.stamps[1:], strict=False)]
-    expect(len(came) > 2 and gaps == pytest.approx([0.1] * len(gaps), abs=0.02),
-           f'While a goal runs, these are the seconds from one command to the next: {[round(gap, 3) for gap in gaps]}, '
-           'expected 0.1.', 'rhythm')
+    expect(
+        len(came) > 2 and gaps == pytest.approx([0.1] * len(gaps), abs=0.02),
+        f'While a goal runs, these are the seconds from one command to the next: {[round(gap, 3) for gap in gaps]}, '
+        'expected 0.1.',
+        'rhythm',
+    )
     turns = sorted({round(abs(command.angular.z), 3) for command in came})
-    expect(turns == [TURN], f'The goal lies behind the robot, and angular.z of its commands is {turns}, expected '
-                            f'{TURN} (max_angular).', 'limits')
+    expect(
+        turns == [TURN],
+        f'The goal lies behind the robot, and angular.z of its commands is {turns}, expected {TURN} (max_angular).',
+        'limits',
+    )
     for limit in (drives.learner.random.choice([0.4, 0.6]), 1.8):
         drives.set(max_angular=limit)
         drives.run(0.15)
         came = drives.recent(0.15)
         got = abs(came[-1].angular.z) if came else 0.0
-        expect(got == pytest.approx(limit), f'max_angular was set to {limit} on the way, and angular.z is still '
-                                            f'{got:.2f}. Read the parameter in each round.', 'limits')
+        expect(
+            got == pytest.approx(limit),
+            f'max_angular was set to {limit} on the way, and angular.z is still '
+            f'{got:.2f}. Read the parameter in each round.',
+            'limits',
+        )
 
 
 def judge_driving(drives: Drives, name: str) -> None:
@@ -129,14 +163,21 @@ def judge_driving(drives: Drives, name: str) -> None:
     rate = (len(goal.feedback) - begin) / 2.0
     expect(1.9 <= rate <= 5.6, f'{rate:g} feedback messages came in a second, expected 2 to 5.', 'feedback')
     told, truth = goal.feedback[-1].distance, drives.delivery.distance(name)
-    expect(abs(told - truth) < 0.3, f'The last feedback says {told:.2f} m, and the robot is {truth:.2f} m away from '
-                                    f'{name}.', 'feedback')
+    expect(
+        abs(told - truth) < 0.3,
+        f'The last feedback says {told:.2f} m, and the robot is {truth:.2f} m away from {name}.',
+        'feedback',
+    )
     for slow in (drives.learner.random.choice([0.15, 0.2, 0.25]), 0.5):
         drives.set(max_linear=slow)
         drives.run(0.2)
         fastest = max((command.linear.x for command in drives.recent(0.3)), default=0.0)
-        expect(fastest == pytest.approx(slow), f'max_linear was set to {slow} on the way, and linear.x of the commands '
-                                               f'is {fastest:.2f}. Read the parameter in each round.', 'limits')
+        expect(
+            fastest == pytest.approx(slow),
+            f'max_linear was set to {slow} on the way, and linear.x of the commands '
+            f'is {fastest:.2f}. Read the parameter in each round.',
+            'limits',
+        )
 
 
 def judge_cancel(drives: Drives, name: str) -> None:
@@ -145,21 +186,32 @@ def judge_cancel(drives: Drives, name: str) -> None:
     with about('cancel'):
         request = goal.cancel()
         drives.run(0.35)
-    expect(request.answer == 'accepted',
-           f'The cancel request was not accepted: {request.answer or "no answer came"}.', 'cancel')
+    expect(
+        request.answer == 'accepted',
+        f'The cancel request was not accepted: {request.answer or "no answer came"}.',
+        'cancel',
+    )
     left = drives.delivery.distance(name)
     drives.ended(goal, 'canceled', 'cancel', '0.35 s after a cancel request')
-    expect(goal.finished - begin < 0.25, f'The goal ended {goal.finished - begin:.2f} s after the cancel request, '
-                                         'expected at most 0.2 s.', 'cancel')
-    expect(goal.result.distance == pytest.approx(left, abs=0.2),
-           f'Cancelled, the goal has the distance {goal.result.distance:.2f} m in its result, and {left:.2f} m were '
-           'left.', 'result')
+    expect(
+        goal.finished - begin < 0.25,
+        f'The goal ended {goal.finished - begin:.2f} s after the cancel request, expected at most 0.2 s.',
+        'cancel',
+    )
+    expect(
+        goal.result.distance == pytest.approx(left, abs=0.2),
+        f'Cancelled, the goal has the distance {goal.result.distance:.2f} m in its result, and {left:.2f} m were left.',
+        'result',
+    )
     drives.ahead('near', 0.6)
     again = drives.go('near', 'next', 'A goal was cancelled, and this is the next one')
     drives.run(8.0, again)
     judge_arrived(drives, again, 'near', TOLERANCE)
-    expect(again.result.message != goal.result.message,
-           f'Arrived or cancelled, the message is {again.result.message!r}. It says how the drive ended.', 'result')
+    expect(
+        again.result.message != goal.result.message,
+        f'Arrived or cancelled, the message is {again.result.message!r}. It says how the drive ended.',
+        'result',
+    )
 
 
 def judge_arrived(drives: Drives, goal, name: str, tolerance: float) -> None:
@@ -170,8 +222,11 @@ def judge_arrived(drives: Drives, goal, name: str, tolerance: float) -> None:
     told = f'With tolerance = {tolerance:g}, the goal {name} succeeded'
     expect(distance < tolerance + 0.05, f'{told} {distance:.2f} m away from the station.', 'succeeds')
     expect(distance > tolerance - 0.15, f'{told} only {distance:.2f} m away from the station.', 'succeeds')
-    expect(0 <= goal.result.distance < tolerance,
-           f'{told} with the distance {goal.result.distance:.2f} m in its result.', 'result')
+    expect(
+        0 <= goal.result.distance < tolerance,
+        f'{told} with the distance {goal.result.distance:.2f} m in its result.',
+        'result',
+    )
 
 
 def judge_lost(drives: Drives) -> None:
@@ -187,12 +242,19 @@ def judge_lost(drives: Drives) -> None:
     drives.robot.localization = False
     left = drives.delivery.distance('far')
     drives.run(0.9)
-    expect(goal.done, 'The localiser has said nothing for 0.9 s, and the goal runs on. The robot does not know where '
-                      'it is: where() is None.', 'lost')
+    expect(
+        goal.done,
+        'The localiser has said nothing for 0.9 s, and the goal runs on. The robot does not know where '
+        'it is: where() is None.',
+        'lost',
+    )
     drives.ended(goal, 'aborted', 'lost', 'Lost on its way,')
-    expect(goal.result.distance == pytest.approx(left, abs=0.2),
-           f'Lost on its way, the goal has the distance {goal.result.distance:.2f} m in its result. It was known last '
-           f'about {left:.2f} m before the station.', 'result')
+    expect(
+        goal.result.distance == pytest.approx(left, abs=0.2),
+        f'Lost on its way, the goal has the distance {goal.result.distance:.2f} m in its result. It was known last '
+        f'about {left:.2f} m before the station.',
+        'result',
+    )
     drives.robot.localization = True
     drives.run(0.3)
 
@@ -201,8 +263,12 @@ def judge_timeout(drives: Drives, timeout: float) -> None:
     """The rules `timeout`, `next` and `succeeds`: a goal that takes too long, and the one after it."""
     goal = drives.go('far', 'next', 'A goal was aborted, and the robot knows again where it is')
     drives.run(timeout - 0.3)
-    expect(not goal.done, f'With timeout = {timeout:g}, the goal is {goal.status} after {timeout - 0.3:g} s. Each goal '
-                          'has that time for itself.', 'timeout')
+    expect(
+        not goal.done,
+        f'With timeout = {timeout:g}, the goal is {goal.status} after {timeout - 0.3:g} s. Each goal '
+        'has that time for itself.',
+        'timeout',
+    )
     drives.run(0.7)
     expect(goal.done, f'With timeout = {timeout:g}, the goal still runs after {timeout + 0.4:g} s.', 'timeout')
     drives.ended(goal, 'aborted', 'timeout', f'The timeout of {timeout:g} s is over, and')

@@ -15,9 +15,13 @@ _TWIST = 'geometry_msgs/msg/Twist'
 
 def fleet(learner) -> ExerciseWorkspace:
     """The package with the learner's two files, built."""
-    workspace = learner.workspace({
-        **package(GIVEN / 'fleet'), 'src/fleet/config/fleet.yaml': learner.text('FLEET_YAML'),
-        'src/fleet/launch/fleet.launch.py': learner.text('FLEET_LAUNCH')})
+    workspace = learner.workspace(
+        {
+            **package(GIVEN / 'fleet'),
+            'src/fleet/config/fleet.yaml': learner.text('FLEET_YAML'),
+            'src/fleet/launch/fleet.launch.py': learner.text('FLEET_LAUNCH'),
+        }
+    )
     workspace.build()
     return workspace
 
@@ -32,21 +36,31 @@ def launched(learner) -> dict[str, dict]:
     if key not in learner.server.workspaces:
         learner.server.workspaces[key] = _launch(learner, workspace, 'mv src sources')
     log, reports = learner.server.workspaces[key]
-    expect('InvalidParameterTypeException' not in log, 'A governor did not start: a value in FLEET_YAML has the wrong '
-                                                       'type. rate and max_linear are doubles: 1.0, and not 1.',
-           'types')
-    expect('Error opening YAML file' not in log,
-           'A governor did not start: the launch file names a parameter file that is not there. The sources of the '
-           'package are gone, so name the installed file: FindPackageShare finds its folder.',
-           'installed-file')
-    expect("Couldn't parse params file" not in log,
-           'A governor did not start: ROS cannot read FLEET_YAML. Look at the indentation, and at the two underscores '
-           'of ros__parameters.', 'types')
+    expect(
+        'InvalidParameterTypeException' not in log,
+        'A governor did not start: a value in FLEET_YAML has the wrong '
+        'type. rate and max_linear are doubles: 1.0, and not 1.',
+        'types',
+    )
+    expect(
+        'Error opening YAML file' not in log,
+        'A governor did not start: the launch file names a parameter file that is not there. The sources of the '
+        'package are gone, so name the installed file: FindPackageShare finds its folder.',
+        'installed-file',
+    )
+    expect(
+        "Couldn't parse params file" not in log,
+        'A governor did not start: ROS cannot read FLEET_YAML. Look at the indentation, and at the two underscores '
+        'of ros__parameters.',
+        'types',
+    )
     names = [report['node'] for report in reports]
-    expect(names, f'`ros2 launch fleet fleet.launch.py` started no governor. Its output ends: {_last(log)}',
-           'nodes')
-    expect(len(set(names)) == len(names), f'Several nodes have one name: {", ".join(sorted(names))}. Two robots need '
-                                          'two namespaces.', 'nodes')
+    expect(names, f'`ros2 launch fleet fleet.launch.py` started no governor. Its output ends: {_last(log)}', 'nodes')
+    expect(
+        len(set(names)) == len(names),
+        f'Several nodes have one name: {", ".join(sorted(names))}. Two robots need two namespaces.',
+        'nodes',
+    )
     return {report['node']: report for report in reports}
 
 
@@ -54,8 +68,11 @@ def launched_with_rate(learner, rate: int) -> list[dict]:
     """What is found of the governors when the rate in the installed parameter file is another one."""
     share = 'share=$(ros2 pkg prefix --share fleet)'
     workspace = fleet(learner)
-    _, reports = _launch(learner, workspace, f'{share}; cp $share/config/fleet.yaml kept.yaml; '
-                                             f'sed -i "s/20[.]0*/{rate}.0/" $share/config/fleet.yaml')
+    _, reports = _launch(
+        learner,
+        workspace,
+        f'{share}; cp $share/config/fleet.yaml kept.yaml; sed -i "s/20[.]0*/{rate}.0/" $share/config/fleet.yaml',
+    )
     workspace.run('bash', '-c', f'{share}; cp kept.yaml $share/config/fleet.yaml')
     return reports
 
@@ -63,8 +80,17 @@ def launched_with_rate(learner, rate: int) -> list[dict]:
 def alone(learner, namespace: str) -> dict:
     """What is found of a governor that is started by itself, in this namespace, with the installed parameter file."""
     share = fleet(learner).run('ros2', 'pkg', 'prefix', '--share', 'fleet').last_line
-    task = fleet(learner).start('ros2', 'run', 'fleet', 'governor', '--ros-args', '-r', f'__ns:={namespace}',
-                                '--params-file', f'{share}/config/fleet.yaml')
+    task = fleet(learner).start(
+        'ros2',
+        'run',
+        'fleet',
+        'governor',
+        '--ros-args',
+        '-r',
+        f'__ns:={namespace}',
+        '--params-file',
+        f'{share}/config/fleet.yaml',
+    )
     with Observer(learner) as observer:
         observer.until(lambda: f'{namespace}/governor' in observer.nodes(), PATIENCE, task)
         there = f'{namespace}/governor' in observer.nodes()
@@ -89,9 +115,14 @@ def _launch(learner, workspace, before: str) -> tuple[str, list[dict]]:
 
 def _report(observer: Observer, name: str) -> dict:
     found = observer.parameters(name, ['max_linear', 'slow_linear', 'rate', 'mode'])
-    return {'node': name, 'publishes': ', '.join(observer.topics(name, 'publisher', _TWIST)),
-            'listens': ', '.join(observer.topics(name, 'subscriber', _TWIST)),
-            **dict.fromkeys(('max_linear', 'slow_linear', 'rate'), math.nan), 'mode': '', **found}
+    return {
+        'node': name,
+        'publishes': ', '.join(observer.topics(name, 'publisher', _TWIST)),
+        'listens': ', '.join(observer.topics(name, 'subscriber', _TWIST)),
+        **dict.fromkeys(('max_linear', 'slow_linear', 'rate'), math.nan),
+        'mode': '',
+        **found,
+    }
 
 
 def _last(log: str) -> str:

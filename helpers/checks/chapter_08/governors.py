@@ -8,8 +8,12 @@ from helpers.checks.chapter_08.parameters import Parameters
 from helpers.runner import about, expect
 from helpers.runner.verdicts import LearnerCrashed
 
-TABLE = (('max_linear', 0.5, (0.0, 2.0)), ('slow_linear', 0.2, (0.0, 2.0)), ('rate', 10.0, (1.0, 50.0)),
-         ('mode', 'normal', None))
+TABLE = (
+    ('max_linear', 0.5, (0.0, 2.0)),
+    ('slow_linear', 0.2, (0.0, 2.0)),
+    ('rate', 10.0, (1.0, 50.0)),
+    ('mode', 'normal', None),
+)
 
 
 def command(linear: float, angular: float = 0.0) -> Twist:
@@ -34,16 +38,22 @@ class Governed:
         self._talker = learner.talk(f'{namespace}/cmd_vel_in', Twist)
         self.node = learner.start('Governor', remap={'__ns': namespace}, parameters=parameters or None)
         name = f'{namespace}/governor'
-        expect(self.node.name == name, f'In the namespace {namespace}, your node is called {self.node.name}, expected '
-                                       f'{name}.', 'names')
+        expect(
+            self.node.name == name,
+            f'In the namespace {namespace}, your node is called {self.node.name}, expected {name}.',
+            'names',
+        )
         self.parameters = Parameters(learner, name)
         learner.settle()
         for topic, kind in (('cmd_vel_in', 'subscriptions'), ('cmd_vel', 'publishers')):
             there = getattr(learner.endpoints(f'{namespace}/{topic}'), kind)
             absolute = getattr(learner.endpoints(f'/{topic}'), kind)
-            expect(there, f'In the namespace {namespace}, your node has no {kind[:-1]} on {namespace}/{topic}'
-                   + (f', but one on /{topic}. A relative name has no slash at its beginning.' if absolute else '.'),
-                   'names')
+            expect(
+                there,
+                f'In the namespace {namespace}, your node has no {kind[:-1]} on {namespace}/{topic}'
+                + (f', but one on /{topic}. A relative name has no slash at its beginning.' if absolute else '.'),
+                'names',
+            )
 
     def send(self, *commands: Twist) -> None:
         """Publish commands of the planner."""
@@ -73,30 +83,50 @@ def judge_rhythm(governed: Governed, rate: float) -> None:
     period = 1 / rate
     first = governed.after(2.5 * period)
     at = [round(stamp, 4) for stamp in governed.heard.stamps]
-    expect(first, f'With rate = {rate:g}, nothing came on {governed.heard.topic} in {2.5 * period:g} s after the '
-                  'start. Before the first command, zeros are expected.', 'before')
-    expect(at == pytest.approx([period, 2 * period], abs=1e-4),
-           f'With rate = {rate:g}, the first messages came {at} s after the start, expected one every {period:g} s.',
-           'rhythm')
-    expect(all(one == Twist() for one in first),
-           f'Before the first command this came: linear.x {first[0].linear.x:g}, angular.z {first[0].angular.z:g}. '
-           'Zeros are expected.', 'before')
+    expect(
+        first,
+        f'With rate = {rate:g}, nothing came on {governed.heard.topic} in {2.5 * period:g} s after the '
+        'start. Before the first command, zeros are expected.',
+        'before',
+    )
+    expect(
+        at == pytest.approx([period, 2 * period], abs=1e-4),
+        f'With rate = {rate:g}, the first messages came {at} s after the start, expected one every {period:g} s.',
+        'rhythm',
+    )
+    expect(
+        all(one == Twist() for one in first),
+        f'Before the first command this came: linear.x {first[0].linear.x:g}, angular.z {first[0].angular.z:g}. '
+        'Zeros are expected.',
+        'before',
+    )
     governed.heard.clear()
     draw = governed.learner.random
     speeds = draw.sample([0.1, 0.2, 0.3, 0.4], 3)
     governed.send(*map(command, speeds[:2]))
-    expect(not governed.heard.messages, 'A message went out at once when a command came. Let the callback of the '
-                                        'subscription note the command, and the timer publish it.', 'rhythm')
+    expect(
+        not governed.heard.messages,
+        'A message went out at once when a command came. Let the callback of the '
+        'subscription note the command, and the timer publish it.',
+        'rhythm',
+    )
     for wanted, count, sent in ((speeds[1], 3, speeds[:2]), (speeds[2], 2, speeds)):
         begin = governed.learner.now / 1e9
         came = governed.after(count * period)
-        expect(len(came) == count, f'With rate = {rate:g}, {len(came)} messages came in {count * period:g} s after the '
-                                   f'commands {sent} m/s, expected {count}: a command is repeated until the next one '
-                                   'comes.', 'rhythm')
+        expect(
+            len(came) == count,
+            f'With rate = {rate:g}, {len(came)} messages came in {count * period:g} s after the '
+            f'commands {sent} m/s, expected {count}: a command is repeated until the next one '
+            'comes.',
+            'rhythm',
+        )
         expect(governed.heard.stamps[0] - begin < period, 'The rhythm changed when a command came.', 'rhythm')
         got = [one.linear.x for one in came]
-        expect(got == pytest.approx([wanted] * count), f'After the commands {sent} m/s these came out: {got}. The '
-                                                       f'newest one is {wanted}.', 'newest')
+        expect(
+            got == pytest.approx([wanted] * count),
+            f'After the commands {sent} m/s these came out: {got}. The newest one is {wanted}.',
+            'newest',
+        )
         governed.send(command(speeds[2]))
 
 
@@ -110,13 +140,23 @@ def judge_limit(governed: Governed, limit: float, period: float) -> None:
         message.linear.y = message.linear.z = message.angular.x = message.angular.y = 0.7
         governed.send(message)
         got = governed.newest(period, 'rhythm')
-        expect(got.linear.x == pytest.approx(wanted), f'With max_linear = {limit:g}, linear.x {speed:g} came out as '
-                                                      f'{got.linear.x:g}, expected {wanted:g}.', 'limit')
-        expect(got.angular.z == turn, f'angular.z {turn:g} came out as {got.angular.z:g}. It stays as it is.',
-               'other-fields')
+        expect(
+            got.linear.x == pytest.approx(wanted),
+            f'With max_linear = {limit:g}, linear.x {speed:g} came out as {got.linear.x:g}, expected {wanted:g}.',
+            'limit',
+        )
+        expect(
+            got.angular.z == turn,
+            f'angular.z {turn:g} came out as {got.angular.z:g}. It stays as it is.',
+            'other-fields',
+        )
         rest = [got.linear.y, got.linear.z, got.angular.x, got.angular.y]
-        expect(rest == [0.0] * 4, f'Other fields than linear.x and angular.z came out as {rest}, expected zeros. '
-                                  'Publish a new Twist with these two fields.', 'other-fields')
+        expect(
+            rest == [0.0] * 4,
+            f'Other fields than linear.x and angular.z came out as {rest}, expected zeros. '
+            'Publish a new Twist with these two fields.',
+            'other-fields',
+        )
 
 
 def judge_changes(governed: Governed, limit: float, rate: float) -> None:
@@ -128,34 +168,57 @@ def judge_changes(governed: Governed, limit: float, rate: float) -> None:
     other = round(limit + draw.choice([-0.15, 0.15]), 2)
     governed.accepts('at-once', max_linear=other)
     got = governed.newest(period, 'rhythm')
-    expect(got.linear.x == pytest.approx(other), f'max_linear was changed from {limit:g} to {other:g}, and linear.x is '
-                                                 f'still {got.linear.x:g}. Read the parameter when you publish, and '
-                                                 'not once in the constructor.', 'at-once')
+    expect(
+        got.linear.x == pytest.approx(other),
+        f'max_linear was changed from {limit:g} to {other:g}, and linear.x is '
+        f'still {got.linear.x:g}. Read the parameter when you publish, and '
+        'not once in the constructor.',
+        'at-once',
+    )
     late = (governed.heard.stamps[-1] * rate) % 1
-    expect(min(late, 1 - late) < 0.01, 'After a change of max_linear, the messages come at other moments. Only a new '
-                                       'rate begins with a new period.', 'new-rate')
-    for bad in ({'max_linear': round(other + 0.1, 2), 'mode': 'fast'}, {'mode': 'turbo'},
-                {'rate': 2 * rate, 'mode': 'Slow'}, {'mode': 'slow', 'slow_linear': 2.5}):
-        expect(not governed.parameters.set(**bad).successful, f'The request {shown(bad)} was accepted.',
-               'bounds' if 'slow_linear' in bad else 'unknown-mode')
+    expect(
+        min(late, 1 - late) < 0.01,
+        'After a change of max_linear, the messages come at other moments. Only a new rate begins with a new period.',
+        'new-rate',
+    )
+    for bad in (
+        {'max_linear': round(other + 0.1, 2), 'mode': 'fast'},
+        {'mode': 'turbo'},
+        {'rate': 2 * rate, 'mode': 'Slow'},
+        {'mode': 'slow', 'slow_linear': 2.5},
+    ):
+        expect(
+            not governed.parameters.set(**bad).successful,
+            f'The request {shown(bad)} was accepted.',
+            'bounds' if 'slow_linear' in bad else 'unknown-mode',
+        )
         came = governed.after(2 * period)
         speeds = sorted({one.linear.x for one in came})
-        expect(len(came) == 2 and speeds == pytest.approx([other]),
-               f'The request {shown(bad)} was refused, and yet the node works in another way since then: {len(came)} '
-               f'messages in {2 * period:g} s, linear.x {speeds}. While you check, store and change nothing.',
-               'refused')
+        expect(
+            len(came) == 2 and speeds == pytest.approx([other]),
+            f'The request {shown(bad)} was refused, and yet the node works in another way since then: {len(came)} '
+            f'messages in {2 * period:g} s, linear.x {speeds}. While you check, store and change nothing.',
+            'refused',
+        )
     new = draw.choice([one for one in (4.0, 5.0, 8.0, 20.0, 25.0) if one != rate])
     governed.accepts('new-rate', rate=new)
     begin = governed.learner.now / 1e9
     governed.after(3.5 / new)
     at = [round(stamp - begin, 4) for stamp in governed.heard.stamps]
-    expect(at == pytest.approx([1 / new, 2 / new, 3 / new], abs=1e-4),
-           f'The rate was changed from {rate:g} to {new:g}. After that, messages came after {at} s, expected one every '
-           f'{1 / new:g} s.' + (' Does the old timer still run?' if len(at) > 3 else ''), 'new-rate')
+    expect(
+        at == pytest.approx([1 / new, 2 / new, 3 / new], abs=1e-4),
+        f'The rate was changed from {rate:g} to {new:g}. After that, messages came after {at} s, expected one every '
+        f'{1 / new:g} s.' + (' Does the old timer still run?' if len(at) > 3 else ''),
+        'new-rate',
+    )
     governed.accepts('at-once', mode='stop')
     got = governed.newest(1 / new, 'at-once')
-    expect(got == Twist(), f'The mode was changed to stop, and the next message says linear.x {got.linear.x:g}, '
-                           f'angular.z {got.angular.z:g}.', 'at-once')
+    expect(
+        got == Twist(),
+        f'The mode was changed to stop, and the next message says linear.x {got.linear.x:g}, '
+        f'angular.z {got.angular.z:g}.',
+        'at-once',
+    )
 
 
 def judge_modes(learner, namespace: str) -> None:
@@ -171,13 +234,19 @@ def judge_modes(learner, namespace: str) -> None:
         governed.send(command(3.0, 0.4))
         got = governed.newest(0.05, 'at-start')
         what = f'Started with {shown(start)}: the command 3.0 m/s, 0.4 rad/s'
-        expect((got.linear.x, got.angular.z) == pytest.approx((wanted.linear.x, wanted.angular.z)),
-               f'{what} came out as linear.x {got.linear.x:g}, angular.z {got.angular.z:g}, expected '
-               f'{wanted.linear.x:g} and {wanted.angular.z:g}.', 'modes')
+        expect(
+            (got.linear.x, got.angular.z) == pytest.approx((wanted.linear.x, wanted.angular.z)),
+            f'{what} came out as linear.x {got.linear.x:g}, angular.z {got.angular.z:g}, expected '
+            f'{wanted.linear.x:g} and {wanted.angular.z:g}.',
+            'modes',
+        )
         governed.send(command(-3.0, 0.4))
         got = governed.newest(0.05, 'at-start')
-        expect(got.linear.x == pytest.approx(-wanted.linear.x), f'In the mode {mode}, linear.x -3 came out as '
-                                                                f'{got.linear.x:g}.', 'modes')
+        expect(
+            got.linear.x == pytest.approx(-wanted.linear.x),
+            f'In the mode {mode}, linear.x -3 came out as {got.linear.x:g}.',
+            'modes',
+        )
 
 
 def judge_bad_start(learner, *starts: dict) -> None:
@@ -187,8 +256,12 @@ def judge_bad_start(learner, *starts: dict) -> None:
             learner.start('Governor', parameters=values)
         except LearnerCrashed:
             continue
-        expect(False, f'The node starts with {shown(values)}. When the parameters are declared, nothing checks them: '
-                      'is the callback added before?', 'at-start')
+        expect(
+            False,
+            f'The node starts with {shown(values)}. When the parameters are declared, nothing checks them: '
+            'is the callback added before?',
+            'at-start',
+        )
 
 
 def judge_table(governed: Governed) -> None:
@@ -198,18 +271,26 @@ def judge_table(governed: Governed) -> None:
         found = parameters.describe(name)
         expect(found, f'There is no parameter {name}.', 'defaults')
         wanted = Parameter(name, value=default).type_
-        expect(found.type == wanted.value,
-               f'{name} has the type {Parameter.Type(found.type).name}, expected {wanted.name}. The default gives the '
-               f'type: write {default!r}.', 'defaults')
+        expect(
+            found.type == wanted.value,
+            f'{name} has the type {Parameter.Type(found.type).name}, expected {wanted.name}. The default gives the '
+            f'type: write {default!r}.',
+            'defaults',
+        )
         value = parameters.get(name)
         expect(value == default, f'{name} is {value!r} at the start, expected {default!r}.', 'defaults')
         expect(found.description.strip(), f'{name} has no description.', 'description')
         if bounds:
             ranges = [(one.from_value, one.to_value) for one in found.floating_point_range]
-            expect(ranges == [bounds], f'The descriptor of {name} has the bounds {ranges}, expected {[bounds]}.',
-                   'bounds')
-    for name, value in (('max_linear', draw.randint(201, 900) / 100), ('slow_linear', -draw.randint(1, 90) / 100),
-                        ('rate', 0.5), ('rate', 51.0)):
+            expect(
+                ranges == [bounds], f'The descriptor of {name} has the bounds {ranges}, expected {[bounds]}.', 'bounds'
+            )
+    for name, value in (
+        ('max_linear', draw.randint(201, 900) / 100),
+        ('slow_linear', -draw.randint(1, 90) / 100),
+        ('rate', 0.5),
+        ('rate', 51.0),
+    ):
         expect(not parameters.set(**{name: value}).successful, f'{name} = {value!r} was accepted.', 'bounds')
     for name, value in (('max_linear', 2.0), ('slow_linear', 0.0), ('rate', 50.0), ('rate', 1.0)):
         governed.accepts('bounds', **{name: value})
@@ -220,22 +301,37 @@ def judge_rules(governed: Governed) -> None:
     parameters, draw = governed.parameters, governed.learner.random
     governed.accepts('pair', max_linear=0.5, slow_linear=0.2)
     low, high = draw.randint(5, 15) / 100, draw.randint(60, 190) / 100
-    for values, good in (({'slow_linear': high}, False), ({'max_linear': low}, False),
-                         ({'max_linear': high, 'slow_linear': high}, True), ({'max_linear': 0.3}, False),
-                         ({'slow_linear': low / 2, 'max_linear': low}, True), ({'slow_linear': high}, False),
-                         ({'max_linear': low, 'slow_linear': high}, False), ({'slow_linear': low}, True),
-                         ({'mode': draw.choice(['fast', 'Slow', ''])}, False), ({'mode': 'slow'}, True),
-                         ({'mode': 'stop'}, True), ({'mode': 'normal '}, False), ({'mode': 'normal'}, True)):
+    for values, good in (
+        ({'slow_linear': high}, False),
+        ({'max_linear': low}, False),
+        ({'max_linear': high, 'slow_linear': high}, True),
+        ({'max_linear': 0.3}, False),
+        ({'slow_linear': low / 2, 'max_linear': low}, True),
+        ({'slow_linear': high}, False),
+        ({'max_linear': low, 'slow_linear': high}, False),
+        ({'slow_linear': low}, True),
+        ({'mode': draw.choice(['fast', 'Slow', ''])}, False),
+        ({'mode': 'slow'}, True),
+        ({'mode': 'stop'}, True),
+        ({'mode': 'normal '}, False),
+        ({'mode': 'normal'}, True),
+    ):
         rule = 'unknown-mode' if 'mode' in values else 'pair'
         now = {name: parameters.get(name) for name in ('max_linear', 'slow_linear', 'mode')}
         answer = parameters.set(**values)
-        expect(answer.successful == good,
-               f'With {shown(now)}, the request {shown(values)} was {"refused" if good else "accepted"}. '
-               + ('' if 'mode' in values else 'Judge the values as they would be after the request.'), rule)
+        expect(
+            answer.successful == good,
+            f'With {shown(now)}, the request {shown(values)} was {"refused" if good else "accepted"}. '
+            + ('' if 'mode' in values else 'Judge the values as they would be after the request.'),
+            rule,
+        )
         if not good:
             names = ['mode'] if 'mode' in values else ['slow_linear', 'max_linear']
-            expect(any(name in answer.reason for name in names),
-                   f'The request {shown(values)} was refused with the reason {answer.reason!r}, which does not name '
-                   f'{names[0]}.', 'reason')
+            expect(
+                any(name in answer.reason for name in names),
+                f'The request {shown(values)} was refused with the reason {answer.reason!r}, which does not name '
+                f'{names[0]}.',
+                'reason',
+            )
             kept = {name: parameters.get(name) for name in now}
             expect(kept == now, f'The request {shown(values)} was refused, and yet now {shown(kept)}.', 'refused')

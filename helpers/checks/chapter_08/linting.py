@@ -5,9 +5,11 @@ from helpers.runner import about, expect
 
 def package_xml(name: str) -> str:
     """The text of a package.xml for a package with this name."""
-    return (f'<?xml version="1.0"?>\n<package format="3">\n  <name>{name}</name>\n  <version>0.1.0</version>\n'
-            '  <description>A robot</description>\n  <maintainer email="a@example.com">A</maintainer>\n'
-            '  <license>Apache-2.0</license>\n</package>\n')
+    return (
+        f'<?xml version="1.0"?>\n<package format="3">\n  <name>{name}</name>\n  <version>0.1.0</version>\n'
+        '  <description>A robot</description>\n  <maintainer email="a@example.com">A</maintainer>\n'
+        '  <license>Apache-2.0</license>\n</package>\n'
+    )
 
 
 def word(draw) -> str:
@@ -18,25 +20,38 @@ def word(draw) -> str:
 def spoilt(draw) -> dict[str, str]:
     """Words that break the rule → what is wrong with them."""
     one, two = word(draw), word(draw)
-    return {f'{one}{two.capitalize()}': 'has a capital letter in it', one.upper(): 'has capital letters',
-            f'{one}-{two}': 'has a hyphen', f'{one}__{two}': 'has two underscores in a row',
-            f'_{one}': 'begins with an underscore', f'{one}_': 'ends with an underscore',
-            f'{draw.randint(2, 9)}{one}': 'begins with a digit', f'{one} {two}': 'has a space in it',
-            f'{one}.{two}': 'has a point in it', f'{one}ü{two}': 'has a letter that is not from a to z',
-            f'{one}/{two}': 'has a slash, so it is two words', '': 'is empty', f'{one}\n': 'ends with a line break'}
+    return {
+        f'{one}{two.capitalize()}': 'has a capital letter in it',
+        one.upper(): 'has capital letters',
+        f'{one}-{two}': 'has a hyphen',
+        f'{one}__{two}': 'has two underscores in a row',
+        f'_{one}': 'begins with an underscore',
+        f'{one}_': 'ends with an underscore',
+        f'{draw.randint(2, 9)}{one}': 'begins with a digit',
+        f'{one} {two}': 'has a space in it',
+        f'{one}.{two}': 'has a point in it',
+        f'{one}ü{two}': 'has a letter that is not from a to z',
+        f'{one}/{two}': 'has a slash, so it is two words',
+        '': 'is empty',
+        f'{one}\n': 'ends with a line break',
+    }
 
 
 def bad_names(learner, files: dict[str, str], rule: str = '') -> list[tuple]:
     """What the learner's function reports for these files, as (path, kind, name); `rule`: what an error breaks."""
     with about(rule):
         found = learner.call('find_bad_names', files)
-        expect(isinstance(found, list) and all(isinstance(one, (list, tuple)) and len(one) == 3 for one in found),
-               f'find_bad_names returned {found!r:.200}, expected a list of [path, kind, name].', rule)
+        expect(
+            isinstance(found, list) and all(isinstance(one, (list, tuple)) and len(one) == 3 for one in found),
+            f'find_bad_names returned {found!r:.200}, expected a list of [path, kind, name].',
+            rule,
+        )
     return [tuple(one) for one in found]
 
 
 def compare(found: list[tuple], expected: list[tuple], rule: str, why: str = '', why_not: str = '') -> None:
     """Fail with the first finding that is missing or too many; `why` and `why_not` say what the rule makes of it."""
+
     def shown(finding):
         path, kind, name = finding
         return f'the {kind} {name!r} in {path}'
@@ -47,8 +62,9 @@ def compare(found: list[tuple], expected: list[tuple], rule: str, why: str = '',
         expect(not others, f'Reported: {others and shown(others[0])}. Expected: {shown(missing[0])}.', rule)
     expect(not missing, f'Not reported: {missing and shown(missing[0])}. {why}'.strip(), rule)
     extra = [one for one in found if one not in expected]
-    expect(not extra, f'Reported, though nothing is wrong with it: {extra and shown(extra[0])}. {why_not}'.strip(),
-           rule)
+    expect(
+        not extra, f'Reported, though nothing is wrong with it: {extra and shown(extra[0])}. {why_not}'.strip(), rule
+    )
 
 
 def judge(learner, text: str, expected: list[tuple[str, str]], rule: str, why: str = '', why_not: str = '') -> None:
@@ -61,8 +77,14 @@ def judge_words(learner) -> None:
     """The rule `word`: bad and good words, as names of nodes."""
     draw = learner.random
     wrong = spoilt(draw)
-    good = [word(draw), f'{word(draw)}_{word(draw)}', f'{word(draw)}{draw.randint(2, 99)}', 'a_b_c', 'x',
-            f'{word(draw)}_{draw.randint(2, 9)}']
+    good = [
+        word(draw),
+        f'{word(draw)}_{word(draw)}',
+        f'{word(draw)}{draw.randint(2, 99)}',
+        'a_b_c',
+        'x',
+        f'{word(draw)}_{draw.randint(2, 9)}',
+    ]
     found = bad_names(learner, {'n.py': ''.join(f'create_node({name!r})\n' for name in [*wrong, *good])}, 'node')
     expect(found, f'create_node({next(iter(wrong))!r}) names a node, and nothing is reported.', 'node')
     for name, why in wrong.items():
@@ -74,40 +96,67 @@ def judge_topics(learner, kind: str, functions: tuple[str, str]) -> None:
     """The rule `topic` or `service`: which names are good for it, in both functions."""
     draw = learner.random
     one, two = word(draw), word(draw)
-    wrong = {f'/{one}': 'It is absolute.', f'/{one}/{two}': 'It is absolute.', f'{one}//{two}': 'A word is empty.',
-             f'{one}/{two}/': 'It ends with a slash.', f'~{one}': 'A private name begins with ~/.',
-             f'{one}/{two.capitalize()}': 'Its last word begins with a capital letter.',
-             f'{one.capitalize()}/{two}': 'Its first word begins with a capital letter.',
-             f'~/{one.capitalize()}': 'Its word begins with a capital letter.',
-             f'{one}/~/{two}': 'Only at its beginning can ~/ stand.'}
+    wrong = {
+        f'/{one}': 'It is absolute.',
+        f'/{one}/{two}': 'It is absolute.',
+        f'{one}//{two}': 'A word is empty.',
+        f'{one}/{two}/': 'It ends with a slash.',
+        f'~{one}': 'A private name begins with ~/.',
+        f'{one}/{two.capitalize()}': 'Its last word begins with a capital letter.',
+        f'{one.capitalize()}/{two}': 'Its first word begins with a capital letter.',
+        f'~/{one.capitalize()}': 'Its word begins with a capital letter.',
+        f'{one}/~/{two}': 'Only at its beginning can ~/ stand.',
+    }
     good = [one, f'{one}/{two}', f'~/{one}', f'~/{one}/{two}', f'{one}/{two}/{one}']
     for function in functions:
-        found = bad_names(learner, {'t.py': ''.join(f'node.{function}(Type, {n!r}, 10)\n' for n in [*wrong, *good])},
-                          kind)
+        found = bad_names(
+            learner, {'t.py': ''.join(f'node.{function}(Type, {n!r}, 10)\n' for n in [*wrong, *good])}, kind
+        )
         for name, why in wrong.items():
             compare([one for one in found if one[2] == name], [('t.py', kind, name)], kind, f'({function}) {why}')
-        compare(found, [('t.py', kind, name) for name in wrong], kind,
-                why_not=f'({function}) It has words that are joined by /, and may begin with ~/.')
+        compare(
+            found,
+            [('t.py', kind, name) for name in wrong],
+            kind,
+            why_not=f'({function}) It has words that are joined by /, and may begin with ~/.',
+        )
 
 
 def judge_super(learner) -> None:
     """The rule `super`: in which classes super().__init__ names a node."""
     bad = word(learner.random).capitalize()
-    classes = ('class A(Node)', 'class B(rclpy.lifecycle.LifecycleNode)', 'class C(Mixin, Node)',
-               'class D(Node, Mixin)', 'class E(rclpy.node.Node)')
+    classes = (
+        'class A(Node)',
+        'class B(rclpy.lifecycle.LifecycleNode)',
+        'class C(Mixin, Node)',
+        'class D(Node, Mixin)',
+        'class E(rclpy.node.Node)',
+    )
     inside = '\n    def __init__(self):\n        super().__init__({!r}, namespace="x")\n'
     text = ''.join(f'{head}:{inside.format(bad + head[6])}' for head in classes)
-    judge(learner, text, [('node', bad + head[6]) for head in classes], 'super',
-          'It is in super().__init__ of a class that has Node or LifecycleNode among its bases.')
+    judge(
+        learner,
+        text,
+        [('node', bad + head[6]) for head in classes],
+        'super',
+        'It is in super().__init__ of a class that has Node or LifecycleNode among its bases.',
+    )
     other = ('class F(Exception)', 'class G(threading.Thread)', 'class H', 'class I(TreeNode)')
-    judge(learner, ''.join(f'{head}:{inside.format(bad + head[6])}' for head in other), [], 'super',
-          why_not='The bases of its class are neither Node nor LifecycleNode.')
+    judge(
+        learner,
+        ''.join(f'{head}:{inside.format(bad + head[6])}' for head in other),
+        [],
+        'super',
+        why_not='The bases of its class are neither Node nor LifecycleNode.',
+    )
 
 
 def judge_no_text(learner) -> None:
     """The rule `no-text`: what is no name."""
     bad = word(learner.random).capitalize()
-    judge(learner, f'''
+    judge(
+        learner,
+        f'''
 """create_node('{bad}')"""
 # self.create_publisher(String, '{bad}', 10)
 text = "node.create_service(Empty, '{bad}', None)"
@@ -121,21 +170,36 @@ node.create_publisher(String)
 create_node(name)
 Node()
 launched = Node(package='x', executable='{bad}', name='{bad}')
-''', [], 'no-text', why_not='It is no text that names a node, a topic or a service.')
+''',
+        [],
+        'no-text',
+        why_not='It is no text that names a node, a topic or a service.',
+    )
 
 
 def judge_keywords(learner) -> None:
     """The rule `keyword`."""
     bad = word(learner.random).capitalize()
-    judge(learner, f'''
+    judge(
+        learner,
+        f'''
 create_node(node_name='{bad}A')
 node.create_publisher(msg_type=String, topic='{bad}B', qos_profile=10)
 node.create_subscription(String, callback=print, qos_profile=10,
                          topic="{bad}C")
 node.create_client(Empty, srv_name='{bad}D')
 node.create_service(srv_name='{bad}E', srv_type=Empty, callback=print)
-''', [('node', f'{bad}A'), ('topic', f'{bad}B'), ('topic', f'{bad}C'), ('service', f'{bad}D'), ('service', f'{bad}E')],
-          'keyword', 'It is given as a keyword.')
+''',
+        [
+            ('node', f'{bad}A'),
+            ('topic', f'{bad}B'),
+            ('topic', f'{bad}C'),
+            ('service', f'{bad}D'),
+            ('service', f'{bad}E'),
+        ],
+        'keyword',
+        'It is given as a keyword.',
+    )
 
 
 def judge_packages(learner) -> None:
@@ -146,11 +210,22 @@ def judge_packages(learner) -> None:
         for name, why in ((bad, 'It begins with a capital letter.'), (draw.choice('abcxyz'), 'It has one character.')):
             compare(bad_names(learner, {path: package_xml(name)}, 'package'), [(path, 'package', name)], 'package', why)
         for name in (good, draw.choice(['ur', 'go', 'my'])):
-            compare(bad_names(learner, {path: package_xml(name)}, 'package'), [], 'package',
-                    why_not='It is one word of at least two characters.')
-    others = {'world.xml': f'<world><name>{bad}</name></world>', 'README.md': f"create_node('{bad}')",
-              'setup.cfg': '[develop]', 'my_package.xml': package_xml(bad), 'package.xml.bak': package_xml(bad),
-              'launch/happy': f'Node("{bad}")', 'notes.pyc': f'Node("{bad}")', f'{good}.txt': ''}
+            compare(
+                bad_names(learner, {path: package_xml(name)}, 'package'),
+                [],
+                'package',
+                why_not='It is one word of at least two characters.',
+            )
+    others = {
+        'world.xml': f'<world><name>{bad}</name></world>',
+        'README.md': f"create_node('{bad}')",
+        'setup.cfg': '[develop]',
+        'my_package.xml': package_xml(bad),
+        'package.xml.bak': package_xml(bad),
+        'launch/happy': f'Node("{bad}")',
+        'notes.pyc': f'Node("{bad}")',
+        f'{good}.txt': '',
+    }
     compare(bad_names(learner, others, 'files'), [], 'files', why_not='Only package.xml and files ….py are read.')
 
 
@@ -160,13 +235,24 @@ def judge_list(learner) -> None:
     names = [f'{word(draw).capitalize()}{letter}' for letter in 'CAB']
     text = ''.join(f'n.create_publisher(S, "{name}", 1)\ncreate_node("{name}")\n' for name in names * 2)
     files = {'z/b.py': text, 'package.xml': package_xml(names[0]), 'a.py': text}
-    expected = sorted([('package.xml', 'package', names[0]),
-                       *((path, kind, name) for path in ('z/b.py', 'a.py') for kind in ('node', 'topic')
-                         for name in names)])
+    expected = sorted(
+        [
+            ('package.xml', 'package', names[0]),
+            *((path, kind, name) for path in ('z/b.py', 'a.py') for kind in ('node', 'topic') for name in names),
+        ]
+    )
     found = bad_names(learner, files, 'sorted')
     compare(found, expected, 'once')
     twice = [one for one in found if found.count(one) > 1]
-    expect(not twice, f'{twice and list(twice[0])} is in your list {twice and found.count(twice[0])} times. Each '
-                      'finding is in it once, however often the name stands in the file.', 'once')
-    expect(found == expected, f'The list is not sorted: it begins with {list(map(list, found[:3]))}, expected '
-                              f'{list(map(list, expected[:3]))}.', 'sorted')
+    expect(
+        not twice,
+        f'{twice and list(twice[0])} is in your list {twice and found.count(twice[0])} times. Each '
+        'finding is in it once, however often the name stands in the file.',
+        'once',
+    )
+    expect(
+        found == expected,
+        f'The list is not sorted: it begins with {list(map(list, found[:3]))}, expected '
+        f'{list(map(list, expected[:3]))}.',
+        'sorted',
+    )

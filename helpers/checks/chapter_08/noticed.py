@@ -44,8 +44,11 @@ class Planted:
         """Fail unless the tests pass with each right program, and with one that does nothing not."""
         outcomes = self.outcomes(learner)
         self._right(outcomes)
-        expect(any(outcomes[name].status == 1 for name in self.nothing),
-               f'Your tests pass with every {self.subject.what}, whatever it does: they assert nothing.', self.rule)
+        expect(
+            any(outcomes[name].status == 1 for name in self.nothing),
+            f'Your tests pass with every {self.subject.what}, whatever it does: they assert nothing.',
+            self.rule,
+        )
 
     def rejects(self, learner, rule: str) -> None:
         """Fail unless the tests notice each wrong program of the kind with this rule."""
@@ -54,26 +57,46 @@ class Planted:
         kind = next(kind for kind in self.kinds if kind.rule == rule)
         missed = [name for name in kind.programs if outcomes[name].status == 0]
         stuck = [name for name in kind.programs if outcomes[name].status == ENDED]
-        expect(not stuck, f'With a {what} {stuck and stuck[0]}, your tests did not end in {self.subject.limit:g} s. '
-                          'Give each wait a bound.', rule)
+        expect(
+            not stuck,
+            f'With a {what} {stuck and stuck[0]}, your tests did not end in {self.subject.limit:g} s. '
+            'Give each wait a bound.',
+            rule,
+        )
         every = [name for one in self.kinds for name in one.programs]
         seen, count = sum(outcomes[name].status == 1 for name in every), len(kind.programs)
         of_these = 'none' if len(missed) == count else str(count - len(missed))
-        expect(not missed,
-               f'Your tests notice {seen} of {len(every)} wrong {what}s: {of_these} of the {count} {kind.words}. They '
-               f'all pass with a {what} {missed and missed[0]}.', rule)
+        expect(
+            not missed,
+            f'Your tests notice {seen} of {len(every)} wrong {what}s: {of_these} of the {count} {kind.words}. They '
+            f'all pass with a {what} {missed and missed[0]}.',
+            rule,
+        )
 
     def _right(self, outcomes: dict[str, Outcome]) -> None:
         """Fail unless the tests pass with each right program."""
         what, said = self.subject.what, self.subject.said
         for name in self.right:
             outcome = outcomes[name]
-            expect(outcome.status != ENDED, f'Your tests did not end in {self.subject.limit:g} s with a right '
-                                            f'{what} ({name}). Give each wait a bound.', self.rule)
+            expect(
+                outcome.status != ENDED,
+                f'Your tests did not end in {self.subject.limit:g} s with a right '
+                f'{what} ({name}). Give each wait a bound.',
+                self.rule,
+            )
             saw = f' This failed: {outcome.reason}.' if self.told and outcome.reason else ''
-            expect(outcome.status == 0 or name != OWN, f'A test of yours fails with your own {what}.{saw} Is the '
-                                                       f'{what} wrong, or the test?', self.rule)
-            why = ('Wait for what must come, and ask for nothing that is not in the specification.' if self.subject.ros
-                   else f'Compare computed numbers with pytest.approx, and ask for nothing that is not in the {said}.')
-            expect(outcome.status == 0, f'A test of yours fails with a {what} that does what its {said} says '
-                                        f'({name}).{saw} {why}', self.rule)
+            expect(
+                outcome.status == 0 or name != OWN,
+                f'A test of yours fails with your own {what}.{saw} Is the {what} wrong, or the test?',
+                self.rule,
+            )
+            why = (
+                'Wait for what must come, and ask for nothing that is not in the specification.'
+                if self.subject.ros
+                else f'Compare computed numbers with pytest.approx, and ask for nothing that is not in the {said}.'
+            )
+            expect(
+                outcome.status == 0,
+                f'A test of yours fails with a {what} that does what its {said} says ({name}).{saw} {why}',
+                self.rule,
+            )

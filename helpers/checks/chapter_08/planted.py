@@ -54,15 +54,20 @@ def _robot() -> dict[str, str]:
     """What stands around robot.py: the bench, and what `ros2 run delivery_robot robot` needs."""
     name = 'delivery_robot'
     files = package(GIVEN / name)
-    return {'test/conftest.py': (GIVEN / 'bench' / 'conftest.py').read_text(),
-            f'prefix/share/ament_index/resource_index/packages/{name}': '',
-            f'prefix/share/{name}/package.xml': files[f'src/{name}/package.xml'],
-            f'prefix/lib/{name}/robot': f'#!/usr/bin/env python3\nfrom {name}.main import main\n\nmain()\n'}
+    return {
+        'test/conftest.py': (GIVEN / 'bench' / 'conftest.py').read_text(),
+        f'prefix/share/ament_index/resource_index/packages/{name}': '',
+        f'prefix/share/{name}/package.xml': files[f'src/{name}/package.xml'],
+        f'prefix/lib/{name}/robot': f'#!/usr/bin/env python3\nfrom {name}.main import main\n\nmain()\n',
+    }
 
 
 LIMIT = Subject(PurePosixPath('speed/limit.py'), 'TEST_LIMIT', 'limit(speed, max_speed, distance)', said='docstring')
-STEERING = Subject(PurePosixPath('delivery_robot/steering.py'), 'TEST_STEERING',
-                   'steer(x, y, yaw, goal_x, goal_y, max_linear, max_angular)')
+STEERING = Subject(
+    PurePosixPath('delivery_robot/steering.py'),
+    'TEST_STEERING',
+    'steer(x, y, yaw, goal_x, goal_y, max_linear, max_angular)',
+)
 ROBOT = Subject(PurePosixPath('delivery_robot/robot.py'), 'TEST_ROBOT', what='robot', ros=True, more=_robot())
 
 
@@ -82,11 +87,13 @@ class Outcome:
         line, error = placed[-1] if placed else ('', '')
         said = (said or error).strip()[:200]
         return ', '.join([*([f'your test {name}'] if name else []), *([f'line {line}'] if line else [])]) + (
-            f': {said}' if said else '')
+            f': {said}' if said else ''
+        )
 
 
-def judge(learner, functions: dict[str, str | dict[str, str]], subject: Subject = LIMIT, *,
-          told: bool = False) -> dict[str, Outcome]:
+def judge(
+    learner, functions: dict[str, str | dict[str, str]], subject: Subject = LIMIT, *, told: bool = False
+) -> dict[str, Outcome]:
     """Run the learner's tests with each program: name → how they ended. Once in a session for the same ones.
 
     :param functions: name → text of its module, or the texts of several: path → text.
@@ -100,8 +107,11 @@ def judge(learner, functions: dict[str, str | dict[str, str]], subject: Subject 
     outcomes = learner.server.workspaces[key]
     said = '\n'.join(outcome.output for outcome in outcomes.values())
     statuses = {outcome.status for outcome in outcomes.values()}
-    expect(subject.ros or "No module named 'rclpy" not in said and 'import of rclpy' not in said,
-           'Your tests import rclpy. The function needs no ROS, and its tests need none.', 'no-ros')
+    expect(
+        subject.ros or "No module named 'rclpy" not in said and 'import of rclpy' not in said,
+        'Your tests import rclpy. The function needs no ROS, and its tests need none.',
+        'no-ros',
+    )
     expect(5 not in statuses, 'pytest found no test: the functions must begin with test_.')
     why = f': {_unreadable(said)}' if told else '. Run the check in the notebook, and read what pytest says there.'
     expect(not statuses - {0, 1, ENDED}, f'pytest could not run your tests{why}')
@@ -118,8 +128,12 @@ def _run(learner, functions, subject: Subject, tests: str) -> dict[str, Outcome]
 def _run_functions(learner, programs: dict[str, str], subject: Subject, tests: str) -> dict[str, Outcome]:
     """One after the other: each takes some milliseconds."""
     module, path = subject.module, f'test/test_{subject.module.name}'
-    files = {**EMPTY, path: tests, str(module.parent / '__init__.py'): '',
-             str(module): stub(subject.function, 'Stands for the function that is tested.')}
+    files = {
+        **EMPTY,
+        path: tests,
+        str(module.parent / '__init__.py'): '',
+        str(module): stub(subject.function, 'Stands for the function that is tested.'),
+    }
     outcomes = {}
     for name, text in programs.items():
         place = learner.workspace(files, alone=True)
@@ -145,15 +159,32 @@ def _run_robots(learner, programs: dict[str, dict[str, str]], subject: Subject, 
 
         def run(name: str) -> None:
             texts = {one: disguise.disguised(text, pool, random) for one, text in programs[name].items()}
-            place = learner.workspace({
-                **EMPTY, **subject.more, path: tests, str(subject.module.parent / '__init__.py'): '',
-                **{one.removesuffix('.py') + '.pyc': disguise.compiled(text) for one, text in texts.items()}},
-                alone=True)
+            place = learner.workspace(
+                {
+                    **EMPTY,
+                    **subject.more,
+                    path: tests,
+                    str(subject.module.parent / '__init__.py'): '',
+                    **{one.removesuffix('.py') + '.pyc': disguise.compiled(text) for one, text in texts.items()},
+                },
+                alone=True,
+            )
             domain = free.pop()
-            running[name] = place, domain, place.pytest(
-                *_OPTIONS, path, modules=_MODULES, environment={
-                    'ROS_DOMAIN_ID': domain, 'PYTHONPATH': f'{place.path}:{os.environ.get("PYTHONPATH", "")}',
-                    'AMENT_PREFIX_PATH': f'{place.path}/prefix:{os.environ.get("AMENT_PREFIX_PATH", "")}'}), _now()
+            running[name] = (
+                place,
+                domain,
+                place.pytest(
+                    *_OPTIONS,
+                    path,
+                    modules=_MODULES,
+                    environment={
+                        'ROS_DOMAIN_ID': domain,
+                        'PYTHONPATH': f'{place.path}:{os.environ.get("PYTHONPATH", "")}',
+                        'AMENT_PREFIX_PATH': f'{place.path}/prefix:{os.environ.get("AMENT_PREFIX_PATH", "")}',
+                    },
+                ),
+                _now(),
+            )
 
         running: dict[str, tuple] = {}
         while waiting or running:
@@ -178,8 +209,9 @@ def _outcome(task, limit: float) -> Outcome:
 
 def _unreadable(said: str) -> str:
     """Why pytest could not even begin, from what it said: the error, and the line of the tests where that is known."""
-    errors = (re.findall(r'^E +(\w*(?:Error|Exception)\b.*)$', said, re.MULTILINE)
-              or re.findall(r'^.*Error.*$', said, re.MULTILINE))
+    errors = re.findall(r'^E +(\w*(?:Error|Exception)\b.*)$', said, re.MULTILINE) or re.findall(
+        r'^.*Error.*$', said, re.MULTILINE
+    )
     place = re.search(r'test_\w+\.py", line \d+|test_\w+\.py:\d+', said)
     where = re.sub(r'", line ', ':', place[0]) if place else ''
     return ' '.join([(errors or [''])[0].strip()[:200], *([f'({where})'] if where else [])])

@@ -10,8 +10,13 @@ from std_msgs.msg import String
 from helpers.checks.chapter_08.parameters import Parameters
 from helpers.runner import about, expect
 
-TABLE = {'max_linear': (0.5, 0.05, 1.0), 'max_angular': (1.0, 0.1, 2.0), 'tolerance': (0.1, 0.02, 0.5),
-         'timeout': (60.0, 1.0, 600.0), 'status_period': (0.5, 0.1, 10.0)}
+TABLE = {
+    'max_linear': (0.5, 0.05, 1.0),
+    'max_angular': (1.0, 0.1, 2.0),
+    'tolerance': (0.1, 0.02, 0.5),
+    'timeout': (60.0, 1.0, 600.0),
+    'status_period': (0.5, 0.1, 10.0),
+}
 NAMES = ['kitchen', 'office', 'lab', 'storage', 'gate 7', 'Küche', 'dock', 'x']
 
 
@@ -22,14 +27,19 @@ class Keeper:
         self.learner, self.namespace = learner, namespace
         self.heard = learner.listen(f'{namespace}/status', String)
         self.stations = learner.client(f'{namespace}/set_station', SetStation)
-        self.node = learner.start('StationKeeper', remap={'__ns': namespace} if namespace else None,
-                                  parameters=parameters or None)
+        self.node = learner.start(
+            'StationKeeper', remap={'__ns': namespace} if namespace else None, parameters=parameters or None
+        )
         learner.settle()
         name = f'{namespace}/delivery_robot'
         expect(self.node.name == name, f'Your node is called {self.node.name}, expected {name}.', 'names')
         absolute = learner.endpoints('/status').publishers if namespace else []
-        expect(not absolute, f'In the namespace {namespace}, your node publishes on /status, expected '
-                             f'{namespace}/status. A relative name has no slash at its beginning.', 'names')
+        expect(
+            not absolute,
+            f'In the namespace {namespace}, your node publishes on /status, expected '
+            f'{namespace}/status. A relative name has no slash at its beginning.',
+            'names',
+        )
 
     def set(self, name: str, x: float, y: float, rule: str = 'station'):
         """Call set_station; returns the response."""
@@ -50,18 +60,29 @@ def judge_status(keeper: Keeper, period: float) -> None:
     expect(heard.data, f'With status_period = {period:g}, nothing came on status in {3.05 * period:.2f} s.', 'status')
     expect(set(heard.data) == {'idle'}, f'These came on status: {heard.data}, expected idle.', 'status')
     wanted = [period * number for number in (1, 2, 3)]
-    expect(heard.stamps == pytest.approx(wanted, abs=1e-4),
-           f'With status_period = {period:g}, messages came at {[round(stamp, 3) for stamp in heard.stamps]} s, '
-           f'expected {[round(stamp, 3) for stamp in wanted]}.', 'status-period')
+    expect(
+        heard.stamps == pytest.approx(wanted, abs=1e-4),
+        f'With status_period = {period:g}, messages came at {[round(stamp, 3) for stamp in heard.stamps]} s, '
+        f'expected {[round(stamp, 3) for stamp in wanted]}.',
+        'status-period',
+    )
     state = f'driving to {learner.random.choice(NAMES)}'
     keeper.node.call('__setattr__', 'state', state)
     learner.run(period)
-    expect(heard.data[-1] == state, f'self.state became {state!r}, and {period:g} s later {heard.data[-1]!r} came on '
-                                    'status: publish it as it is then.', 'status')
+    expect(
+        heard.data[-1] == state,
+        f'self.state became {state!r}, and {period:g} s later {heard.data[-1]!r} came on '
+        'status: publish it as it is then.',
+        'status',
+    )
     with about('latched'):
         late = learner.late_listener(f'{keeper.namespace}/status', String)
-    expect(late.data == [state], f'Who subscribes late gets {late.data} at once, expected the newest status, '
-                                 f'{state!r}, and only that. Use transient local with depth 1.', 'latched')
+    expect(
+        late.data == [state],
+        f'Who subscribes late gets {late.data} at once, expected the newest status, '
+        f'{state!r}, and only that. Use transient local with depth 1.',
+        'latched',
+    )
 
 
 def judge_table(learner, namespace: str, parameters: Parameters) -> None:
@@ -69,13 +90,19 @@ def judge_table(learner, namespace: str, parameters: Parameters) -> None:
     for name, (default, low, high) in TABLE.items():
         found = parameters.describe(name)
         expect(found, f'There is no parameter {name}.', 'parameters')
-        expect(found.type == Parameter.Type.DOUBLE.value, f'{name} has the type {Parameter.Type(found.type).name}, '
-                                                          'expected DOUBLE: write 60.0, and not 60.', 'parameters')
+        expect(
+            found.type == Parameter.Type.DOUBLE.value,
+            f'{name} has the type {Parameter.Type(found.type).name}, expected DOUBLE: write 60.0, and not 60.',
+            'parameters',
+        )
         value = parameters.get(name)
         expect(value == default, f'{name} is {value:g} at the start, expected {default:g}.', 'parameters')
         ranges = [(one.from_value, one.to_value) for one in found.floating_point_range]
-        expect(ranges == [(low, high)], f'The descriptor of {name} has the bounds {ranges}, expected {[(low, high)]}.',
-               'bounds')
+        expect(
+            ranges == [(low, high)],
+            f'The descriptor of {name} has the bounds {ranges}, expected {[(low, high)]}.',
+            'bounds',
+        )
         expect(found.description.strip(), f'{name} has no description.', 'description')
     for name, (_, low, high) in TABLE.items():
         for value in (low - 0.01, high + 0.01, 1.5 * high):
@@ -93,37 +120,62 @@ def judge_stations(keeper: Keeper) -> None:
     def where(what: str, rule: str) -> None:
         for name in wanted:
             found = keeper.place(name, rule)
-            expect(isinstance(found, (list, tuple)) and list(found) == wanted[name],
-                   f'{what}, place({name!r}) is {found}, expected {tuple(wanted[name])}.', rule)
+            expect(
+                isinstance(found, (list, tuple)) and list(found) == wanted[name],
+                f'{what}, place({name!r}) is {found}, expected {tuple(wanted[name])}.',
+                rule,
+            )
 
     for name in names:
         wanted[name] = [draw.randint(-40, 40) / 10, draw.randint(-40, 40) / 10]
         response = keeper.set(name, *wanted[name])
-        expect(response.success, f'{name!r} at {tuple(wanted[name])} was refused: success is false. '
-                                 f'The message: {response.message!r}.', 'station')
+        expect(
+            response.success,
+            f'{name!r} at {tuple(wanted[name])} was refused: success is false. The message: {response.message!r}.',
+            'station',
+        )
         found = keeper.place(name, 'station')
-        expect(found is not None and list(found) == wanted[name],
-               f'After set_station, place({name!r}) is {found}, expected {tuple(wanted[name])}.', 'station')
+        expect(
+            found is not None and list(found) == wanted[name],
+            f'After set_station, place({name!r}) is {found}, expected {tuple(wanted[name])}.',
+            'station',
+        )
         where(f'After {name!r} was set', 'new-place')
     wanted[names[0]] = [0.0, draw.randint(-40, 40) / 10]
-    expect(keeper.set(names[0], *wanted[names[0]], 'new-place').success, f'A new place for {names[0]!r} was refused.',
-           'new-place')
+    expect(
+        keeper.set(names[0], *wanted[names[0]], 'new-place').success,
+        f'A new place for {names[0]!r} was refused.',
+        'new-place',
+    )
     where(f'After {names[0]!r} got a new place', 'new-place')
     for name in (nobody, names[0] + 's', names[0].upper() + 'X'):
         found = keeper.place(name, 'unknown')
         expect(found is None, f'place({name!r}) is {found}, and nobody has set this station: expected None.', 'unknown')
     known = names[1]
-    for name, x, y in (('', 1.0, 1.0), (known, math.nan, 1.0), (known, 1.0, math.nan), (known, math.inf, 0.0),
-                       (known, 0.0, -math.inf), (nobody, math.nan, math.nan)):
+    for name, x, y in (
+        ('', 1.0, 1.0),
+        (known, math.nan, 1.0),
+        (known, 1.0, math.nan),
+        (known, math.inf, 0.0),
+        (known, 0.0, -math.inf),
+        (nobody, math.nan, math.nan),
+    ):
         response = keeper.set(name, x, y, 'bad-station')
         told = f'The station {name!r} at ({x:g}, {y:g})'
         expect(not response.success, f'{told} was accepted.', 'bad-station')
         expect(response.message.strip(), f'{told} was refused without a message.', 'message')
         where(f'{told} was refused, and now', 'unchanged')
         for other in (one for one in (name,) if one not in wanted):
-            expect(keeper.place(other, 'unchanged') is None, f'{told} was refused, and yet it is a station now.',
-                   'unchanged')
+            expect(
+                keeper.place(other, 'unchanged') is None,
+                f'{told} was refused, and yet it is a station now.',
+                'unchanged',
+            )
     other = keeper.learner.start('StationKeeper', beside=keeper.node)
     found = other.call('place', known)
-    expect(found is None, f'A second robot in the same program was told nothing, and its place({known!r}) is {found}: '
-                          'the stations belong to the object, not to the class.', 'unknown')
+    expect(
+        found is None,
+        f'A second robot in the same program was told nothing, and its place({known!r}) is {found}: '
+        'the stations belong to the object, not to the class.',
+        'unknown',
+    )

@@ -6,12 +6,12 @@ import pytest
 
 from helpers.runner import about, expect
 
-HEAD = '''\
+HEAD = """\
 from math import atan2, hypot, remainder, tau
 
 
 def steer(x, y, yaw, goal_x, goal_y, max_linear, max_angular):
-'''
+"""
 PARTS = {
     'way': '    dx, dy = goal_x - x, goal_y - y\n    distance = hypot(dx, dy)\n',
     'angle': '    angle = remainder(atan2(dy, dx) - yaw, tau)\n',
@@ -27,8 +27,9 @@ def variant(**parts: str) -> str:
     return HEAD + ''.join({**PARTS, **parts}.values())
 
 
-def right(x: float, y: float, yaw: float, goal_x: float, goal_y: float, max_linear: float,
-          max_angular: float) -> tuple[float, float, float]:
+def right(
+    x: float, y: float, yaw: float, goal_x: float, goal_y: float, max_linear: float, max_angular: float
+) -> tuple[float, float, float]:
     """What `steer` must return: distance in m, linear in m/s, angular in rad/s."""
     distance = math.dist((x, y), (goal_x, goal_y))
     angle = math.remainder(math.atan2(goal_y - y, goal_x - x) - yaw, math.tau) if distance else 0.0
@@ -38,21 +39,26 @@ def right(x: float, y: float, yaw: float, goal_x: float, goal_y: float, max_line
 
 def words(arguments) -> str:
     """A call of `steer`, for messages."""
-    return f"steer({', '.join(f'{value:.3g}' for value in arguments)})"
+    return f'steer({", ".join(f"{value:.3g}" for value in arguments)})'
 
 
 def steer(learner, rule: str, *arguments: float) -> tuple[float, float, float]:
     """What the learner's function returns: three finite numbers; `rule`: what is broken if it does not."""
     with about(rule):
         found = learner.call('steer', *map(float, arguments))
-    expect(isinstance(found, (list, tuple)) and len(found) == 3
-           and all(type(one) in (int, float) and math.isfinite(one) for one in found),
-           f'{words(arguments)} returned {found!r}, expected three finite numbers: distance, linear, angular.', rule)
+    expect(
+        isinstance(found, (list, tuple))
+        and len(found) == 3
+        and all(type(one) in (int, float) and math.isfinite(one) for one in found),
+        f'{words(arguments)} returned {found!r}, expected three finite numbers: distance, linear, angular.',
+        rule,
+    )
     return tuple(found)
 
 
-def case(draw, angle: float, distance: float, yaw: float | None = None, max_linear: float = 9.0,
-         max_angular: float = 9.0) -> tuple[float, ...]:
+def case(
+    draw, angle: float, distance: float, yaw: float | None = None, max_linear: float = 9.0, max_angular: float = 9.0
+) -> tuple[float, ...]:
     """Arguments: the robot anywhere, the goal at this angle (rad) to where it looks, so far away (m)."""
     x, y = draw.choice([-1, 1]) * draw.uniform(0.5, 3), draw.choice([-1, 1]) * draw.uniform(0.5, 3)
     yaw = draw.uniform(-1.2, 1.2) if yaw is None else yaw
@@ -71,9 +77,12 @@ def judge_distance(learner) -> None:
         arguments = case(learner.random, angle, learner.random.uniform(0.5, 4))
         got = steer(learner, 'distance', *arguments)[0]
         wanted = right(*arguments)[0]
-        expect(got == pytest.approx(wanted, abs=1e-6),
-               f'{words(arguments)}: the distance is {got:.3f} m, expected {wanted:.3f} m. The way goes from the '
-               'robot to the goal, and straight.', 'distance')
+        expect(
+            got == pytest.approx(wanted, abs=1e-6),
+            f'{words(arguments)}: the distance is {got:.3f} m, expected {wanted:.3f} m. The way goes from the '
+            'robot to the goal, and straight.',
+            'distance',
+        )
 
 
 def judge_angle(learner) -> None:
@@ -83,25 +92,34 @@ def judge_angle(learner) -> None:
         for angle in (size, -size):
             arguments = case(draw, angle, draw.uniform(1, 3))
             got = steer(learner, 'angle', *arguments)[2]
-            expect(got == pytest.approx(2 * angle, abs=1e-6),
-                   f'{words(arguments)}: angular is {got:.3f} rad/s, expected {2 * angle:.3f}: the goal is '
-                   f'{side_of(angle)} of where the robot looks.', 'angle')
+            expect(
+                got == pytest.approx(2 * angle, abs=1e-6),
+                f'{words(arguments)}: angular is {got:.3f} rad/s, expected {2 * angle:.3f}: the goal is '
+                f'{side_of(angle)} of where the robot looks.',
+                'angle',
+            )
     for side in (1, -1):
         for yaw in (draw.uniform(2.6, 3.1), 3 * math.pi + draw.uniform(-0.2, 0.2), draw.uniform(11.8, 12.9)):
             angle = side * draw.uniform(1, 2.5)
             arguments = case(draw, angle, 2.0, yaw=side * yaw)
             got = steer(learner, 'short-way', *arguments)[2]
-            expect(got == pytest.approx(2 * angle, abs=1e-6),
-                   f'{words(arguments)}: angular is {got:.2f} rad/s, expected {2 * angle:.2f}. The goal is '
-                   f'{side_of(angle)}, and the robot looks to {side * yaw:.2f} rad. Bring the angle into the range '
-                   'from -π to π.', 'short-way')
+            expect(
+                got == pytest.approx(2 * angle, abs=1e-6),
+                f'{words(arguments)}: angular is {got:.2f} rad/s, expected {2 * angle:.2f}. The goal is '
+                f'{side_of(angle)}, and the robot looks to {side * yaw:.2f} rad. Bring the angle into the range '
+                'from -π to π.',
+                'short-way',
+            )
     for angle in (0.4, -0.4, 1.2, -1.2):
         limit = draw.uniform(0.2, 0.7)
         arguments = case(draw, angle, draw.uniform(1, 3), max_angular=limit)
         got = steer(learner, 'max-angular', *arguments)[2]
-        expect(got == pytest.approx(math.copysign(limit, angle), abs=1e-6),
-               f'{words(arguments)}: angular is {got:.2f} rad/s. The goal is {side_of(angle)}, and max_angular is '
-               f'{limit:.2f}.', 'max-angular')
+        expect(
+            got == pytest.approx(math.copysign(limit, angle), abs=1e-6),
+            f'{words(arguments)}: angular is {got:.2f} rad/s. The goal is {side_of(angle)}, and max_angular is '
+            f'{limit:.2f}.',
+            'max-angular',
+        )
 
 
 def judge_speed(learner) -> None:
@@ -112,21 +130,32 @@ def judge_speed(learner) -> None:
             limit = draw.uniform(0.3, 0.9)
             arguments = case(draw, angle, distance, max_linear=limit)
             got = steer(learner, 'linear', *arguments)[1]
-            expect(got == pytest.approx(min(limit, distance), abs=1e-6),
-                   f'{words(arguments)}: linear is {got:.3f} m/s, expected {min(limit, distance):.3f}. The distance is '
-                   f'{distance:.3f} m, and max_linear is {limit:.3f}.', 'linear')
+            expect(
+                got == pytest.approx(min(limit, distance), abs=1e-6),
+                f'{words(arguments)}: linear is {got:.3f} m/s, expected {min(limit, distance):.3f}. The distance is '
+                f'{distance:.3f} m, and max_linear is {limit:.3f}.',
+                'linear',
+            )
     for side in (1, -1):
         for angle in (draw.uniform(0.51, 0.9), draw.uniform(2, 3)):
             arguments = case(draw, side * angle, draw.uniform(0.5, 2))
             got = steer(learner, 'on-the-spot', *arguments)[1]
-            expect(got == 0, f'{words(arguments)}: linear is {got:.2f} m/s, and the goal is {side_of(side * angle)}, '
-                             'more than 0.5 rad. First the robot must turn.', 'on-the-spot')
+            expect(
+                got == 0,
+                f'{words(arguments)}: linear is {got:.2f} m/s, and the goal is {side_of(side * angle)}, '
+                'more than 0.5 rad. First the robot must turn.',
+                'on-the-spot',
+            )
         angle, limit = side * draw.uniform(0.4, 0.49), draw.uniform(0.3, 0.9)
         arguments = case(draw, angle, draw.uniform(1, 2), max_linear=limit)
         got = steer(learner, 'on-the-spot', *arguments)[1]
-        expect(got == pytest.approx(limit), f'{words(arguments)}: linear is {got:.2f} m/s, expected {limit:.2f}. The '
-                                            f'goal is {side_of(angle)}, less than 0.5 rad: the robot drives while it '
-                                            'turns.', 'on-the-spot')
+        expect(
+            got == pytest.approx(limit),
+            f'{words(arguments)}: linear is {got:.2f} m/s, expected {limit:.2f}. The '
+            f'goal is {side_of(angle)}, less than 0.5 rad: the robot drives while it '
+            'turns.',
+            'on-the-spot',
+        )
 
 
 def judge_goal(learner) -> None:
@@ -135,5 +164,9 @@ def judge_goal(learner) -> None:
     for yaw in (draw.uniform(0.5, 3), -draw.uniform(0.5, 3)):
         x, y = draw.uniform(1, 3), draw.uniform(1, 3)
         got = steer(learner, 'at-the-goal', x, y, yaw, x, y, 0.5, 1.0)
-        expect(got == (0, 0, 0), f'The robot is at its goal and looks to {yaw:.2f} rad: steer returned {got}, expected '
-                                 'three zeros. At distance 0 there is no direction.', 'at-the-goal')
+        expect(
+            got == (0, 0, 0),
+            f'The robot is at its goal and looks to {yaw:.2f} rad: steer returned {got}, expected '
+            'three zeros. At distance 0 there is no direction.',
+            'at-the-goal',
+        )

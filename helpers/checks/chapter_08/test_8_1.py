@@ -14,8 +14,13 @@ def test_nodes(learner):
     Go through `calls(text)`. The names of the base classes are the last of the four values.
     """
     bad = linting.word(learner.random).capitalize()
-    linting.judge(learner, f"n = create_node('{bad}A')\nm = rclpy.create_node(\n    '{bad}B')\nk = Node('{bad}C')\n",
-                  [('node', f'{bad}{letter}') for letter in 'ABC'], 'node', 'Its name begins with a capital letter.')
+    linting.judge(
+        learner,
+        f"n = create_node('{bad}A')\nm = rclpy.create_node(\n    '{bad}B')\nk = Node('{bad}C')\n",
+        [('node', f'{bad}{letter}') for letter in 'ABC'],
+        'node',
+        'Its name begins with a capital letter.',
+    )
     linting.judge_super(learner)
 
 

@@ -14,11 +14,19 @@ def story(learner) -> dict:
     with about('drives'):
         told = deliveries.launched(learner)
     for word, why, rule in (
-            ('InvalidParameterTypeException', 'A value in DELIVERY_YAML has the wrong type: all are doubles, 30.0 and '
-                                              'not 30.', 'types'),
-            ('Error opening YAML file', 'The launch file names a parameter file that is not there. The sources of the '
-                                        'package are gone: FindPackageShare finds the installed folder.', 'robot'),
-            ("Couldn't parse params file", 'ROS cannot read DELIVERY_YAML.', 'types')):
+        (
+            'InvalidParameterTypeException',
+            'A value in DELIVERY_YAML has the wrong type: all are doubles, 30.0 and not 30.',
+            'types',
+        ),
+        (
+            'Error opening YAML file',
+            'The launch file names a parameter file that is not there. The sources of the '
+            'package are gone: FindPackageShare finds the installed folder.',
+            'robot',
+        ),
+        ("Couldn't parse params file", 'ROS cannot read DELIVERY_YAML.', 'types'),
+    ):
         expect(word not in told['log'], f'Your node did not start. {why}', rule)
     expect('/delivery_robot' in told, f'The node /delivery_robot did not start: {told["last"]}', 'robot')
     return told
@@ -33,8 +41,11 @@ def test_arguments(learner):
     with about('drives'):
         workspace = deliveries.workspace(learner)
         done = workspace.run('python3', '-c', 'import delivery_robot.main')
-    expect(done.status == 0, f'Python cannot read your package, with your cells of exercises 8.5 and 8.7 to 8.9 in it: '
-                             f'{done.last_line}', 'drives')
+    expect(
+        done.status == 0,
+        f'Python cannot read your package, with your cells of exercises 8.5 and 8.7 to 8.9 in it: {done.last_line}',
+        'drives',
+    )
     done = workspace.run('ros2', 'launch', 'delivery_robot', 'delivery.launch.py', '--show-args')
     expect(done.status == 0, f'ros2 launch cannot read your launch file: {done.last_line}', 'robot')
     for name, default in (('scene', 'rooms'), ('real_time_factor', '1.0')):
@@ -50,11 +61,18 @@ def test_values(learner):
     parameters=[path of the installed file, {'use_sim_time': True}].
     """
     values = story(learner)['/delivery_robot']
-    expect(values['use_sim_time'] is True, 'The node /delivery_robot has use_sim_time False: it does not live in the '
-                                           "world's time.", 'sim-time')
+    expect(
+        values['use_sim_time'] is True,
+        "The node /delivery_robot has use_sim_time False: it does not live in the world's time.",
+        'sim-time',
+    )
     for name, wanted in VALUES:
-        expect(values[name] == wanted, f'{name} of /delivery_robot is {values[name]}, expected {wanted}. Does the name '
-                                       'of the block fit, and does the launch file hand the file over?', 'values')
+        expect(
+            values[name] == wanted,
+            f'{name} of /delivery_robot is {values[name]}, expected {wanted}. Does the name '
+            'of the block fit, and does the launch file hand the file over?',
+            'values',
+        )
 
 
 @pytest.mark.rules('world')
@@ -77,16 +95,33 @@ def test_drives(learner):
     The cells of exercises 8.5 and 8.7 to 8.9 are used here as files. Their own tests tell more.
     """
     told = story(learner)
-    expect('missing' not in told, f'This never came: {told.get("missing")}. The last that the launch said: '
-                                  f'{told["last"]}', 'drives')
-    expect(told['cancelled'] == 'canceled', f'The goal that was called back ended as {told["cancelled"]}, expected '
-                                            'canceled.', 'drives')
-    expect(told['stopped_at'] < 5.0, f'The robot was called back on its way to x = 6 m, and stood at '
-                                     f'{told["stopped_at"]:.2f} m.', 'drives')
-    expect(told['arrived'] == 'succeeded', f'The goal after that ended as {told["arrived"]}, expected succeeded.',
-           'drives')
+    expect(
+        'missing' not in told,
+        f'This never came: {told.get("missing")}. The last that the launch said: {told["last"]}',
+        'drives',
+    )
+    expect(
+        told['cancelled'] == 'canceled',
+        f'The goal that was called back ended as {told["cancelled"]}, expected canceled.',
+        'drives',
+    )
+    expect(
+        told['stopped_at'] < 5.0,
+        f'The robot was called back on its way to x = 6 m, and stood at {told["stopped_at"]:.2f} m.',
+        'drives',
+    )
+    expect(
+        told['arrived'] == 'succeeded', f'The goal after that ended as {told["arrived"]}, expected succeeded.', 'drives'
+    )
     _, near = told['stations'].values()
-    expect(abs(told['ended_at'] - near) < 0.2, f'The station is at x = {near:g} m, and the robot stands at '
-                                               f'{told["ended_at"]:.2f} m.', 'drives')
-    expect(told['status'] == 0, f'After Ctrl+C, ros2 launch ended with the status {told["status"]}, expected 0. Does '
-                                'your launch file start anything that does not end?', 'ends')
+    expect(
+        abs(told['ended_at'] - near) < 0.2,
+        f'The station is at x = {near:g} m, and the robot stands at {told["ended_at"]:.2f} m.',
+        'drives',
+    )
+    expect(
+        told['status'] == 0,
+        f'After Ctrl+C, ros2 launch ended with the status {told["status"]}, expected 0. Does '
+        'your launch file start anything that does not end?',
+        'ends',
+    )

@@ -17,8 +17,11 @@ def robots(learner) -> dict[str, dict]:
     """What the two governors report."""
     with about('nodes'):
         there = fleets.launched(learner)
-    expect(set(there) == set(ROBOTS), f'These nodes were started: {", ".join(sorted(there))}; expected '
-                                      f'{" and ".join(ROBOTS)}.', 'nodes')
+    expect(
+        set(there) == set(ROBOTS),
+        f'These nodes were started: {", ".join(sorted(there))}; expected {" and ".join(ROBOTS)}.',
+        'nodes',
+    )
     return there
 
 
@@ -41,8 +44,12 @@ def test_values(learner):
     for name, parameters in WANTED.items():
         for parameter, (wanted, rule) in parameters.items():
             got = there[name][parameter]
-            expect(got == wanted, f'{name} has {parameter} = {got!r}, expected {wanted!r}. Does it get the file, does '
-                                  'the name of the block fit, and does a later block override it?', rule)
+            expect(
+                got == wanted,
+                f'{name} has {parameter} = {got!r}, expected {wanted!r}. Does it get the file, does '
+                'the name of the block fit, and does a later block override it?',
+                rule,
+            )
 
 
 @pytest.mark.rules('remapped', 'others-stay')
@@ -52,11 +59,14 @@ def test_names(learner):
     remappings=[('cmd_vel', 'base/cmd_vel')] for robot2, with relative names.
     """
     there = robots(learner)
-    for name, wanted, rule in ((ROBOTS[1], '/robot2/base/cmd_vel', 'remapped'),
-                               (ROBOTS[0], '/robot1/cmd_vel', 'others-stay')):
+    for name, wanted, rule in (
+        (ROBOTS[1], '/robot2/base/cmd_vel', 'remapped'),
+        (ROBOTS[0], '/robot1/cmd_vel', 'others-stay'),
+    ):
         got = there[name]['publishes']
-        expect(got == wanted, f'{name} publishes on {got}, expected {wanted}. Names in remappings are relative, too.',
-               rule)
+        expect(
+            got == wanted, f'{name} publishes on {got}, expected {wanted}. Names in remappings are relative, too.', rule
+        )
     for name in ROBOTS:
         got, wanted = there[name]['listens'], name.replace('governor', 'cmd_vel_in')
         expect(got == wanted, f'{name} listens to {got}, expected {wanted}.', 'others-stay')
@@ -73,10 +83,16 @@ def test_another_robot(learner):
     for namespace in (f'/robot{number}', f'/hall{number}/robot1'):
         with about('rate'):
             report = fleets.alone(learner, namespace)
-        for name, wanted, rule in (('rate', 20.0, 'rate'), ('max_linear', 0.6, 'max-linear'),
-                                   ('mode', 'normal', 'robot2')):
-            expect(report[name] == wanted, f'A governor in {namespace} with your file has {name} = {report[name]!r}, '
-                                           f'expected {wanted!r}.', rule)
+        for name, wanted, rule in (
+            ('rate', 20.0, 'rate'),
+            ('max_linear', 0.6, 'max-linear'),
+            ('mode', 'normal', 'robot2'),
+        ):
+            expect(
+                report[name] == wanted,
+                f'A governor in {namespace} with your file has {name} = {report[name]!r}, expected {wanted!r}.',
+                rule,
+            )
 
 
 @pytest.mark.rules('installed-file')
@@ -88,6 +104,9 @@ def test_installed_file(learner):
     robots(learner)
     drawn = learner.random.randint(21, 49)
     found = [report['rate'] for report in fleets.launched_with_rate(learner, drawn)]
-    expect(found == [drawn, drawn], f'The rate in the installed config/fleet.yaml was changed to {drawn}, and the '
-                                    f'governors have {found}. The launch file must use the installed file, for both, '
-                                    'and give no values itself.')
+    expect(
+        found == [drawn, drawn],
+        f'The rate in the installed config/fleet.yaml was changed to {drawn}, and the '
+        f'governors have {found}. The launch file must use the installed file, for both, '
+        'and give no values itself.',
+    )

@@ -15,8 +15,11 @@ def test_turns(learner):
     dx and dy are differences, and the angle is the direction of the goal less the yaw of the robot.
     """
     found = steerings.steer(learner, 'distance', 0, 0, 0, 3, 0, 0.5, 1)
-    expect(found[0] == pytest.approx(3.0),
-           f'steer(0, 0, 0, 3, 0, 0.5, 1): the distance is {found[0]:g} m, expected 3 m.', 'distance')
+    expect(
+        found[0] == pytest.approx(3.0),
+        f'steer(0, 0, 0, 3, 0, 0.5, 1): the distance is {found[0]:g} m, expected 3 m.',
+        'distance',
+    )
     steerings.judge_distance(learner)
     steerings.judge_angle(learner)
 

@@ -9,8 +9,9 @@ from helpers.runner import about
 pytestmark = [pytest.mark.exercise('8.7'), pytest.mark.wiring(type='names', qos='latched')]
 
 
-@pytest.mark.rules('parameters', 'bounds', 'description', 'station', 'new-place', 'unknown', 'bad-station', 'message',
-                   'unchanged')
+@pytest.mark.rules(
+    'parameters', 'bounds', 'description', 'station', 'new-place', 'unknown', 'bad-station', 'message', 'unchanged'
+)
 def test_parameters_and_stations(learner):
     """The five parameters are declared; stations are noted, and bad ones are refused.
 

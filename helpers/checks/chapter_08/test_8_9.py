@@ -8,8 +8,9 @@ from helpers.runner import about
 pytestmark = [pytest.mark.exercise('8.9'), pytest.mark.wiring(type='rhythm', qos='rhythm')]
 
 
-@pytest.mark.rules('rejects-unknown', 'single', 'state', 'rhythm', 'limits', 'feedback', 'cancel', 'stands', 'result',
-                   'succeeds')
+@pytest.mark.rules(
+    'rejects-unknown', 'single', 'state', 'rhythm', 'limits', 'feedback', 'cancel', 'stands', 'result', 'succeeds'
+)
 def test_drive(learner):
     """The robot rejects what it must, drives, is called back, stands, and drives again.
 

@@ -29,9 +29,13 @@ class Lost:
         with about('at-once'):
             found = self.node.call('where')
         if found is not None:
-            expect(isinstance(found, (list, tuple)) and len(found) == 3
-                   and all(type(one) in (int, float) and math.isfinite(one) for one in found),
-                   f'where() is {found!r}, expected (x, y, yaw) or None.', rule)
+            expect(
+                isinstance(found, (list, tuple))
+                and len(found) == 3
+                and all(type(one) in (int, float) and math.isfinite(one) for one in found),
+                f'where() is {found!r}, expected (x, y, yaw) or None.',
+                rule,
+            )
         return found
 
     def somewhere(self) -> tuple[float, float, float]:
@@ -50,17 +54,24 @@ def shown(place) -> str:
 
 def judge_unknown(lost: Lost) -> None:
     """The rules `unknown` and `at-once`."""
-    for what, tell in (('No transform has come', lambda: None),
-                       ('Only odom in map is known', lost.localizer.localize),
-                       ('Only odom in map, and base_footprint in a frame without a parent, are known',
-                        lambda: lost.localizer.move(1.0, 2.0, 0.5, parent='wheels'))):
+    for what, tell in (
+        ('No transform has come', lambda: None),
+        ('Only odom in map is known', lost.localizer.localize),
+        (
+            'Only odom in map, and base_footprint in a frame without a parent, are known',
+            lambda: lost.localizer.move(1.0, 2.0, 0.5, parent='wheels'),
+        ),
+    ):
         tell()
         lost.learner.run(0.1)
         found = lost.where('unknown')
         expect(found is None, f'{what}, and where() is {found and shown(found)}, expected None.', 'unknown')
     seconds = min(_seconds(lost) for _ in range(5))  # the shortest: a busy machine may be slow once
-    expect(seconds < QUICK, f'While the place is not known, where() takes {seconds:.2f} s. It must not wait: ask '
-                            'without a timeout.', 'at-once')
+    expect(
+        seconds < QUICK,
+        f'While the place is not known, where() takes {seconds:.2f} s. It must not wait: ask without a timeout.',
+        'at-once',
+    )
 
 
 def _seconds(lost: Lost) -> float:
@@ -79,23 +90,35 @@ def judge_place(lost: Lost) -> None:
         lost.localizer.tell(*told)
         lost.learner.run(0.1)
         found = lost.where('place')
-        expect(found is not None, f'The robot is at {shown(told)}, tf2 was told so 0.1 s ago, and where() is None.',
-               'place')
+        expect(
+            found is not None,
+            f'The robot is at {shown(told)}, tf2 was told so 0.1 s ago, and where() is None.',
+            'place',
+        )
         said = f'The robot is at {shown(told[:2])}, and where() says {shown(found[:2])}.'
-        expect(before is None or not same(found, before), f'{said} There it was before. Ask for the newest transform, '
-                                                          'each time.', 'newest')
+        expect(
+            before is None or not same(found, before),
+            f'{said} There it was before. Ask for the newest transform, each time.',
+            'newest',
+        )
         swapped = [-x * math.cos(yaw) - y * math.sin(yaw), x * math.sin(yaw) - y * math.cos(yaw)]
-        expect(not same(found[:2], swapped), f'{said} That is the map in the frame of the robot: target and source are '
-                                             'swapped.', 'place')
+        expect(
+            not same(found[:2], swapped),
+            f'{said} That is the map in the frame of the robot: target and source are swapped.',
+            'place',
+        )
         expect(same(found[:2], told[:2]), f'{said} In which frame did you ask for which one?', 'place')
     for low, high in ((0.5, 1.5), (-1.5, -0.5), (2.0, 3.1), (-3.1, -2.0)):
         yaw = lost.draw.uniform(low, high)
         lost.localizer.tell(1.0, 1.0, yaw)
         lost.learner.run(0.1)
         found = lost.where('yaw')
-        expect(same(found and found[2:], [yaw]),
-               f'The robot looks to {yaw:.2f} rad, and where() says {found and round(found[2], 2)}. The yaw is in '
-               'radians, from -π to π.', 'yaw')
+        expect(
+            same(found and found[2:], [yaw]),
+            f'The robot looks to {yaw:.2f} rad, and where() says {found and round(found[2], 2)}. The yaw is in '
+            'radians, from -π to π.',
+            'yaw',
+        )
 
 
 def judge_age(lost: Lost) -> None:
@@ -103,34 +126,54 @@ def judge_age(lost: Lost) -> None:
     place = lost.somewhere()
     lost.localizer.tell(*place)
     lost.learner.run(0.45)
-    expect(lost.where('old') is not None, 'The transforms are 0.45 s old, and where() is None. That is good enough.',
-           'old')
+    expect(
+        lost.where('old') is not None, 'The transforms are 0.45 s old, and where() is None. That is good enough.', 'old'
+    )
     age = lost.draw.uniform(0.08, 0.3)
     lost.learner.run(age)
     found = lost.where('old')
-    expect(found is None, f'The transforms are {0.45 + age:.2f} s old, and where() still says '
-                          f'{found and shown(found)}. Compare their stamp with the clock of the node.', 'old')
+    expect(
+        found is None,
+        f'The transforms are {0.45 + age:.2f} s old, and where() still says '
+        f'{found and shown(found)}. Compare their stamp with the clock of the node.',
+        'old',
+    )
     lost.learner.run(lost.draw.uniform(0.5, 2.0))
     found = lost.where('old')
-    expect(found is None, 'The transforms are more than a second old, and where() still says '
-                          f'{found and shown(found)}.', 'old')
+    expect(
+        found is None,
+        f'The transforms are more than a second old, and where() still says {found and shown(found)}.',
+        'old',
+    )
     back = lost.somewhere()
     lost.localizer.tell(*back)
     lost.learner.run(0.1)
     found = lost.where('again')
-    expect(same(found, back), f'After a pause the transforms came again: the robot is at {shown(back)}, and where() is '
-                              f'{found and shown(found)}.', 'again')
+    expect(
+        same(found, back),
+        f'After a pause the transforms came again: the robot is at {shown(back)}, and where() is '
+        f'{found and shown(found)}.',
+        'again',
+    )
     for _ in range(7):  # the wheels go on, the localiser does not
         lost.learner.run(0.1)
         lost.localizer.move(*back)
     lost.learner.run(0.02)
     found = lost.where('old')
-    expect(found is None, 'base_footprint in odom is new, and odom in map is 0.7 s old: so the place is 0.7 s old, and '
-                          f'where() says {found and shown(found)}.', 'old')
+    expect(
+        found is None,
+        'base_footprint in odom is new, and odom in map is 0.7 s old: so the place is 0.7 s old, and '
+        f'where() says {found and shown(found)}.',
+        'old',
+    )
     late = lost.learner.now / SECOND - 0.6
     lost.localizer.tell(*lost.somewhere(), late - 0.02)
     lost.localizer.tell(*lost.somewhere(), late)
     lost.learner.run(0.02)
     found = lost.where('old')
-    expect(found is None, 'Transforms have just come, and their stamps are 0.62 s old: where() says '
-                          f'{found and shown(found)}. Look at the stamp, not at the moment of arrival.', 'old')
+    expect(
+        found is None,
+        'Transforms have just come, and their stamps are 0.62 s old: where() says '
+        f'{found and shown(found)}. Look at the stamp, not at the moment of arrival.',
+        'old',
+    )

@@ -9,7 +9,8 @@ RIGHT = {
     "the course's": variant(),
     'one that computes its angle in another way': variant(
         angle='    from math import cos, sin\n    angle = atan2(dy, dx) - yaw\n'
-              '    angle = atan2(sin(angle), cos(angle))\n'),
+        '    angle = atan2(sin(angle), cos(angle))\n'
+    ),
 }
 
 
@@ -24,35 +25,73 @@ def linear(text: str) -> str:
 
 
 KINDS = (
-    Kind('turns', 'that turn with a wrong angle or a wrong factor', {
-        'that mixes up left and right': variant(result='    return distance, linear, -angular\n'),
-        'that forgets where the robot looks': variant(angle='    angle = remainder(atan2(dy, dx), tau)\n'),
-        'that has dx and dy the wrong way round': variant(angle='    angle = remainder(atan2(dx, dy) - yaw, tau)\n'),
-        'that turns with 1 times the angle': angular('max(-max_angular, min(max_angular, angle))'),
-        'that always turns as fast as it may': angular(
-            'max_angular if angle > 0 else -max_angular if angle < 0 else 0.0')}),
-    Kind('short-way', 'that turn the long way round', {
-        'that turns the long way round': variant(angle='    angle = atan2(dy, dx) - yaw\n'),
-        'that turns to the left only': variant(angle='    angle = (atan2(dy, dx) - yaw) % tau\n')}),
-    Kind('max-angular', 'that do not keep max_angular', {
-        'that has no limit to the right': angular('min(max_angular, 2 * angle)'),
-        'that has no limit to the left': angular('max(-max_angular, 2 * angle)'),
-        'for which max_angular is always 1': angular('max(-1.0, min(1.0, 2 * angle))')}),
-    Kind('speed', 'that drive with a wrong speed', {
-        'that does not slow down': linear('max_linear if abs(angle) <= 0.5 else 0.0'),
-        'that has no limit of its speed': linear('distance if abs(angle) <= 0.5 else 0.0'),
-        'for which max_linear is always 0.5': linear('min(0.5, distance) if abs(angle) <= 0.5 else 0.0')}),
-    Kind('on-the-spot', 'that do not turn on the spot when they must, or when they must not', {
-        'that drives while it looks away': linear('min(max_linear, distance)'),
-        'that drives when the goal is on its right': linear('min(max_linear, distance) if angle <= 0.5 else 0.0'),
-        'that drives only if it looks exactly at the goal': linear(
-            'min(max_linear, distance) if abs(angle) < 0.02 else 0.0')}),
-    Kind('places', 'that have a wrong distance, or do not know their place', {
-        'that forgets where the robot is': variant(way='    dx, dy = goal_x, goal_y\n    distance = hypot(dx, dy)\n'),
-        'whose distance is the one along x': variant(
-            way='    dx, dy = goal_x - x, goal_y - y\n    distance = abs(dx)\n'),
-        'whose distance goes round the corner': variant(
-            way='    dx, dy = goal_x - x, goal_y - y\n    distance = abs(dx) + abs(dy)\n'),
-        'that turns at the goal': variant(goal='')}),
+    Kind(
+        'turns',
+        'that turn with a wrong angle or a wrong factor',
+        {
+            'that mixes up left and right': variant(result='    return distance, linear, -angular\n'),
+            'that forgets where the robot looks': variant(angle='    angle = remainder(atan2(dy, dx), tau)\n'),
+            'that has dx and dy the wrong way round': variant(
+                angle='    angle = remainder(atan2(dx, dy) - yaw, tau)\n'
+            ),
+            'that turns with 1 times the angle': angular('max(-max_angular, min(max_angular, angle))'),
+            'that always turns as fast as it may': angular(
+                'max_angular if angle > 0 else -max_angular if angle < 0 else 0.0'
+            ),
+        },
+    ),
+    Kind(
+        'short-way',
+        'that turn the long way round',
+        {
+            'that turns the long way round': variant(angle='    angle = atan2(dy, dx) - yaw\n'),
+            'that turns to the left only': variant(angle='    angle = (atan2(dy, dx) - yaw) % tau\n'),
+        },
+    ),
+    Kind(
+        'max-angular',
+        'that do not keep max_angular',
+        {
+            'that has no limit to the right': angular('min(max_angular, 2 * angle)'),
+            'that has no limit to the left': angular('max(-max_angular, 2 * angle)'),
+            'for which max_angular is always 1': angular('max(-1.0, min(1.0, 2 * angle))'),
+        },
+    ),
+    Kind(
+        'speed',
+        'that drive with a wrong speed',
+        {
+            'that does not slow down': linear('max_linear if abs(angle) <= 0.5 else 0.0'),
+            'that has no limit of its speed': linear('distance if abs(angle) <= 0.5 else 0.0'),
+            'for which max_linear is always 0.5': linear('min(0.5, distance) if abs(angle) <= 0.5 else 0.0'),
+        },
+    ),
+    Kind(
+        'on-the-spot',
+        'that do not turn on the spot when they must, or when they must not',
+        {
+            'that drives while it looks away': linear('min(max_linear, distance)'),
+            'that drives when the goal is on its right': linear('min(max_linear, distance) if angle <= 0.5 else 0.0'),
+            'that drives only if it looks exactly at the goal': linear(
+                'min(max_linear, distance) if abs(angle) < 0.02 else 0.0'
+            ),
+        },
+    ),
+    Kind(
+        'places',
+        'that have a wrong distance, or do not know their place',
+        {
+            'that forgets where the robot is': variant(
+                way='    dx, dy = goal_x, goal_y\n    distance = hypot(dx, dy)\n'
+            ),
+            'whose distance is the one along x': variant(
+                way='    dx, dy = goal_x - x, goal_y - y\n    distance = abs(dx)\n'
+            ),
+            'whose distance goes round the corner': variant(
+                way='    dx, dy = goal_x - x, goal_y - y\n    distance = abs(dx) + abs(dy)\n'
+            ),
+            'that turns at the goal': variant(goal=''),
+        },
+    ),
 )
 VISIBLE = Planted(STEERING, 'right-functions', RIGHT, NOTHINGS, KINDS, told=True)

@@ -17,9 +17,9 @@ PACKAGE = 'ros-jazzy-ros-base'
 _LIST = 'etc/apt/sources.list.d/ros2.list'
 _KEY = 'ros-archive-keyring.gpg'
 _SOURCE = re.compile(r'deb\s+\[([^]]*)\]\s+file:(\S+)\s+(\S+)\s+(\S.*)')  # options, address, release, components
-_ABSENT = '''\
+_ABSENT = """\
 There is no apt-get on this machine: only Debian, Ubuntu and their relatives have it. So apt cannot show its error here.
-The files are there all the same. Read the line and repair it; verify() compares it with the server.'''
+The files are there all the same. Read the line and repair it; verify() compares it with the server."""
 _OTHERS = ('docker', 'vscode', 'nodesource', 'gazebo')
 # Everything apt reads and writes is below ROOT; it drops no rights and asks for no translations.
 _CONFIGURATION = f'''\
@@ -54,18 +54,29 @@ class NoSource(Fault):
         other = f'{draw.choice(_OTHERS)}-archive-keyring.gpg'
         self._other_key = other
         words_right = {'key': _KEY, 'suite': 'noble', 'component': 'main'}
-        change = {'key_file': {'key': f'{words.misspelt(_KEY.partition(".")[0], draw)}.gpg'},
-                  'wrong_key': {'key': other}, 'suite': {'suite': 'jazzy'}, 'codename': {'suite': 'jammy'},
-                  'component': {'component': draw.choice(['mian', 'man', 'mail', 'Main'])},
-                  'malformed': {draw.choice(['suite', 'component']): ''}}[self.kind]
+        change = {
+            'key_file': {'key': f'{words.misspelt(_KEY.partition(".")[0], draw)}.gpg'},
+            'wrong_key': {'key': other},
+            'suite': {'suite': 'jazzy'},
+            'codename': {'suite': 'jammy'},
+            'component': {'component': draw.choice(['mian', 'man', 'mail', 'Main'])},
+            'malformed': {draw.choice(['suite', 'component']): ''},
+        }[self.kind]
         file = f'pc/{_LIST}'
         self.files = {file: _line(**words_right | change)}
         self.repaired = {file: _line(**words_right)}
-        self.task = (f'On this machine, Ubuntu 24.04 ("noble"), apt-get update should end without an error, and offer '
-                     f'{PACKAGE}. (The server packages.ros.org is a folder here.)')
-        (field, wrong), = change.items()
-        self.diagnosis = {'cause': self.kind, 'where': file, 'field': field, 'found': wrong,
-                          'expected': words_right[field]}
+        self.task = (
+            f'On this machine, Ubuntu 24.04 ("noble"), apt-get update should end without an error, and offer '
+            f'{PACKAGE}. (The server packages.ros.org is a folder here.)'
+        )
+        ((field, wrong),) = change.items()
+        self.diagnosis = {
+            'cause': self.kind,
+            'where': file,
+            'field': field,
+            'found': wrong,
+            'expected': words_right[field],
+        }
 
     def prepare(self) -> None:
         pc = self.home('pc')
@@ -74,8 +85,13 @@ class NoSource(Fault):
         pc.write('apt.conf', self._fill(_CONFIGURATION))
         pc.write('etc/os-release', 'NAME="Ubuntu"\nVERSION_ID="24.04"\nVERSION_CODENAME=noble\n')
         pc.write('var/lib/dpkg/status', '')
-        for folder in ('etc/apt/apt.conf.d', 'etc/apt/preferences.d', 'var/lib/apt/lists/partial',
-                       'var/cache/apt/archives/partial', 'usr/share/keyrings'):
+        for folder in (
+            'etc/apt/apt.conf.d',
+            'etc/apt/preferences.d',
+            'var/lib/apt/lists/partial',
+            'var/cache/apt/archives/partial',
+            'usr/share/keyrings',
+        ):
             (pc.path / folder).mkdir(parents=True)
         shutil.copytree(REPOSITORY / 'ubuntu', self.path / 'packages.ros.org' / 'ros2' / 'ubuntu')
         shutil.copy(REPOSITORY / _KEY, pc.path / 'usr/share/keyrings')
@@ -120,6 +136,10 @@ def _offers(source: re.Match) -> bool:
 
 
 def _line(key: str, suite: str, component: str) -> str:
-    parts = (f'deb [arch=amd64 signed-by={ROOT}/pc/usr/share/keyrings/{key}]',
-             f'file:{ROOT}/packages.ros.org/ros2/ubuntu', suite, component)
+    parts = (
+        f'deb [arch=amd64 signed-by={ROOT}/pc/usr/share/keyrings/{key}]',
+        f'file:{ROOT}/packages.ros.org/ros2/ubuntu',
+        suite,
+        component,
+    )
     return ' '.join(part for part in parts if part) + '\n'

@@ -15,8 +15,20 @@ from helpers.programs.faults.transforms import NoTransform
 
 #: The faults in the order of the article's table, and the mystery, which has two.
 FAULTS: tuple[type[Fault], ...] = (
-    NoSource, CommandNotFound, NoColcon, NoProgram, MixedDistros, NoData, Unseen, Waiting, Hang, NoModel,
-    Falls, NoTransform, Mystery)
+    NoSource,
+    CommandNotFound,
+    NoColcon,
+    NoProgram,
+    MixedDistros,
+    NoData,
+    Unseen,
+    Waiting,
+    Hang,
+    NoModel,
+    Falls,
+    NoTransform,
+    Mystery,
+)
 
 
 def plan(what: str, seed: int | str = 0, kind: str | None = None, folder=None, domain: int | None = None) -> Fault:

@@ -5,11 +5,11 @@ from helpers.programs.faults.fault import START, Fault, Verdict
 from helpers.programs.faults.machine import BASHRC, SETUP
 from helpers.programs.faults.topics import PUBLISHER, SUBSCRIBER
 
-_BASHRC = f'''\
-source ~/{SETUP.format(distro="jazzy")}
+_BASHRC = f"""\
+source ~/{SETUP.format(distro='jazzy')}
 export ROS_DOMAIN_ID={{domain}}
 export ROS_AUTOMATIC_DISCOVERY_RANGE={{range}}
-'''
+"""
 
 
 class Unseen(Fault):
@@ -29,22 +29,39 @@ class Unseen(Fault):
         first, wrong = draw.randrange(10, 60), draw.choice([robot, pc])
         self.machines = (robot, pc)
         self.publisher, self.listener = publisher, listener
-        common = {'topic': topic, 'unit': unit, 'type': 'Int32', 'value': 'self.count', 'first': first,
-                  'reliability': 'RELIABLE', 'durability': 'VOLATILE'}
+        common = {
+            'topic': topic,
+            'unit': unit,
+            'type': 'Int32',
+            'value': 'self.count',
+            'first': first,
+            'reliability': 'RELIABLE',
+            'durability': 'VOLATILE',
+        }
         sound = _BASHRC.format(domain='@DOMAIN@', range='LOCALHOST')
         self.files = {
             f'{robot}/{publisher}.py': PUBLISHER.format(node=publisher, **common),
             f'{pc}/{listener}.py': SUBSCRIBER.format(node=listener, **common),
-            f'{robot}/{BASHRC}': sound, f'{pc}/{BASHRC}': sound,
-            START: f'{robot}: python3 {publisher}.py\n{pc}: python3 {listener}.py\n'}
+            f'{robot}/{BASHRC}': sound,
+            f'{pc}/{BASHRC}': sound,
+            START: f'{robot}: python3 {publisher}.py\n{pc}: python3 {listener}.py\n',
+        }
         where = f'{wrong}/{BASHRC}'
         self.repaired = {where: sound}
-        self.files[where] = _BASHRC.format(domain='@OTHER@' if self.kind == 'domain' else '@DOMAIN@',
-                                           range='LOCALHOST' if self.kind == 'domain' else 'OFF')
-        self.task = (f'The machine {robot} measures, the machine {pc} should print it. (Both are folders here, with '
-                     'a .bashrc of their own.)')
-        self.diagnosis = {'cause': self.kind, 'where': where, 'variable': {
-            'domain': 'ROS_DOMAIN_ID', 'range': 'ROS_AUTOMATIC_DISCOVERY_RANGE'}[self.kind], 'machines': self.machines}
+        self.files[where] = _BASHRC.format(
+            domain='@OTHER@' if self.kind == 'domain' else '@DOMAIN@',
+            range='LOCALHOST' if self.kind == 'domain' else 'OFF',
+        )
+        self.task = (
+            f'The machine {robot} measures, the machine {pc} should print it. (Both are folders here, with '
+            'a .bashrc of their own.)'
+        )
+        self.diagnosis = {
+            'cause': self.kind,
+            'where': where,
+            'variable': {'domain': 'ROS_DOMAIN_ID', 'range': 'ROS_AUTOMATIC_DISCOVERY_RANGE'}[self.kind],
+            'machines': self.machines,
+        }
 
     def prepare(self) -> None:
         for machine in self.machines:

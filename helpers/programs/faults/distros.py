@@ -8,7 +8,7 @@ from helpers.programs.faults.shells import bashrc
 _OLDER = (('humble', '3.10', '0.14.0'), ('iron', '3.10', '0.15.3'), ('foxy', '3.8', '0.9.5'))
 _JAZZY = f'source ~/{SETUP.format(distro="jazzy")}\n'
 # The setup file of the older distribution: it puts its folders before those that are there, and says what ROS says.
-_OLD_SETUP = '''\
+_OLD_SETUP = """\
 old=~/opt/ros/{distro}
 if [ -n "$ROS_DISTRO" ] && [ "$ROS_DISTRO" != {distro} ]; then
   echo "ROS_DISTRO was set to '$ROS_DISTRO' before. Please make sure that the environment does not mix paths from \\
@@ -18,15 +18,15 @@ export ROS_DISTRO={distro}
 export AMENT_PREFIX_PATH=$old:$AMENT_PREFIX_PATH
 export CMAKE_PREFIX_PATH=$old:$CMAKE_PREFIX_PATH
 export PYTHONPATH=$old/lib/python{python}/site-packages:$PYTHONPATH
-'''
-_CMAKE = '''\
+"""
+_CMAKE = """\
 cmake_minimum_required(VERSION 3.16)
 project({package} NONE)
 find_package(ament_cmake REQUIRED)
 install(FILES map.yaml DESTINATION share/${{PROJECT_NAME}})
 ament_package()
-'''
-_MANIFEST = '''\
+"""
+_MANIFEST = """\
 <?xml version="1.0"?>
 <package format="3">
   <name>{package}</name>
@@ -39,7 +39,7 @@ _MANIFEST = '''\
     <build_type>ament_cmake</build_type>
   </export>
 </package>
-'''
+"""
 
 
 class MixedDistros(Fault):
@@ -59,14 +59,17 @@ class MixedDistros(Fault):
         self.old = draw.choice(_OLDER)
         distro, python, _ = self.old
         self.package, self.old_workspace = f'{draw.choice(words.ROOMS)}_map', f'{draw.choice(words.ROBOTS)}_ws'
-        line = {'both': f'source ~/{SETUP.format(distro=distro)}\n',
-                'workspace': f'source ~/{self.old_workspace}/install/setup.bash\n',
-                'pythonpath': f'export PYTHONPATH=~/opt/ros/{distro}/lib/python{python}/site-packages:$PYTHONPATH\n',
-                }[self.kind]
+        line = {
+            'both': f'source ~/{SETUP.format(distro=distro)}\n',
+            'workspace': f'source ~/{self.old_workspace}/install/setup.bash\n',
+            'pythonpath': f'export PYTHONPATH=~/opt/ros/{distro}/lib/python{python}/site-packages:$PYTHONPATH\n',
+        }[self.kind]
         state = draw.getstate()  # the same harmless lines in both
         file = f'{self.machine}/{BASHRC}'
-        self.files = {file: bashrc(draw, _JAZZY, line),
-                      f'{self.machine}/ros2_ws/src/{self.package}/CMakeLists.txt': _CMAKE.format(package=self.package)}
+        self.files = {
+            file: bashrc(draw, _JAZZY, line),
+            f'{self.machine}/ros2_ws/src/{self.package}/CMakeLists.txt': _CMAKE.format(package=self.package),
+        }
         draw.setstate(state)
         self.repaired = {file: bashrc(draw, _JAZZY)}
         self.task = 'In a new terminal, colcon build should build the workspace ~/ros2_ws with Jazzy.'

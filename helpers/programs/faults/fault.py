@@ -131,8 +131,11 @@ class Fault:
         """
         text = self._read(file)
         if text.count(old) != 1:
-            raise ValueError(f'{file} has {old!r} {text.count(old)} times: give more of the text around it'
-                             if old in text else f'{file} has no {old!r}: fault.show({file!r}) prints it')
+            raise ValueError(
+                f'{file} has {old!r} {text.count(old)} times: give more of the text around it'
+                if old in text
+                else f'{file} has no {old!r}: fault.show({file!r}) prints it'
+            )
         self.write(file, text.replace(old, new))
 
     def write(self, file: str, text: str) -> None:
@@ -179,8 +182,11 @@ class Fault:
         """
         self._alive()
         wanted = dict(self._commands())
-        for name in [name for name, program in self.programs.items()
-                     if not program.running or self._version(wanted.get(name)) != self._versions[name]]:
+        for name in [
+            name
+            for name, program in self.programs.items()
+            if not program.running or self._version(wanted.get(name)) != self._versions[name]
+        ]:
             self.programs.pop(name).stop()
         started = [name for name in wanted if name not in self.programs]
         for name in started:
@@ -192,8 +198,9 @@ class Fault:
         """End the programs and remove the folder; idempotent."""
         for name in self.programs:  # all at once: each takes a moment to end
             self.signal(name, signal.SIGINT)
-        self.watch(lambda: not any(program.running for program in self.programs.values()), _STOP,
-                   ends=tuple(self.programs))
+        self.watch(
+            lambda: not any(program.running for program in self.programs.values()), _STOP, ends=tuple(self.programs)
+        )
         for program in self.programs.values():
             program.stop(timeout=0)
         self.programs.clear()
@@ -202,8 +209,11 @@ class Fault:
         if _staged.get(self.path) is self:
             del _staged[self.path]
             shutil.rmtree(self.path, ignore_errors=True)
-            if self.path.parent.name == 'faults_ws' and self.path.parent.is_dir() and not any(
-                    self.path.parent.iterdir()):
+            if (
+                self.path.parent.name == 'faults_ws'
+                and self.path.parent.is_dir()
+                and not any(self.path.parent.iterdir())
+            ):
                 self.path.parent.rmdir()
 
     def __enter__(self) -> 'Fault':
@@ -244,8 +254,11 @@ class Fault:
     def up(self) -> None:
         """Start what is not running, and wait until each program has printed something, or has ended."""
         if self.start():
-            self.watch(lambda: all(program.lines or not program.running for program in self.programs.values()),
-                       _START, ends=tuple(self.programs))
+            self.watch(
+                lambda: all(program.lines or not program.running for program in self.programs.values()),
+                _START,
+                ends=tuple(self.programs),
+            )
 
     def hangs(self, stacks: list[str]) -> bool:
         """Whether a program with these stacks has come to where it hangs; True if that is not known."""
@@ -271,8 +284,9 @@ class Fault:
         before = len(self.lines(name))
         self.signal(name, signal.SIGUSR1)
         # The oldest call of the last thread ends them.
-        self.watch(lambda: any('in <module>' in line for line in self.lines(name)[before:]), _SETTLE,
-                   ends=tuple(self.programs))
+        self.watch(
+            lambda: any('in <module>' in line for line in self.lines(name)[before:]), _SETTLE, ends=tuple(self.programs)
+        )
         found = {i: line for i, line in enumerate(self.lines(name)) if i >= before and _STACKS.match(line)}
         self._asked[name] |= found.keys()
         return list(found.values())
@@ -377,8 +391,10 @@ class Fault:
 
     def _alive(self) -> None:
         if not (self.path / _MARK).is_file():
-            raise RuntimeError(f'this system is stopped, and its folder is gone: stage it again, '
-                               f'faults.stage({self.name!r}, seed={self.seed!r})')
+            raise RuntimeError(
+                f'this system is stopped, and its folder is gone: stage it again, '
+                f'faults.stage({self.name!r}, seed={self.seed!r})'
+            )
 
     def _read(self, name: str) -> str:
         if not self._file(name).is_file():

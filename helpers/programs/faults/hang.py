@@ -8,7 +8,7 @@ from helpers.programs.faults.services import SERVER
 
 GRACE = 10.0  # s in which a program must end after Ctrl+C, on a machine under load
 
-_HEAD = '''\
+_HEAD = """\
 import faulthandler
 import signal
 {imports}
@@ -20,8 +20,8 @@ from rclpy.node import Node
 faulthandler.register(signal.SIGUSR1)  # kill -USR1 PID: print where each thread stands
 
 
-'''
-_TAIL = '''
+"""
+_TAIL = """
 
 rclpy.init()
 executor = {executor}()
@@ -30,8 +30,8 @@ try:
     executor.spin()
 except (KeyboardInterrupt, ExternalShutdownException):
     pass
-'''
-_ASK = '''\
+"""
+_ASK = """\
 class Asker(Node):
     def __init__(self):
         super().__init__('{node}')
@@ -43,24 +43,24 @@ class Asker(Node):
         if not self.client.service_is_ready():
             return
         self.get_logger().info('on_timer begins', once=True)
-{body}'''
-_CALL = '''\
+{body}"""
+_CALL = """\
         response = self.client.call(Trigger.Request())
         self.get_logger().info(f'answer: {response.message}')
-'''
-_SPIN = '''\
+"""
+_SPIN = """\
         future = self.client.call_async(Trigger.Request())
         while not future.done():
             time.sleep(0.01)
         self.get_logger().info(f'answer: {future.result().message}')
-'''
-_CHAIN = '''\
+"""
+_CHAIN = """\
         self.client.call_async(Trigger.Request()).add_done_callback(self.on_answer)
 
     def on_answer(self, future):
         self.get_logger().info(f'answer: {future.result().message}')
-'''
-_LOOP = '''\
+"""
+_LOOP = """\
 class Asker(Node):
     def __init__(self):
         super().__init__('{node}')
@@ -75,8 +75,8 @@ class Asker(Node):
 {body}
     def on_message(self, message):
         self.get_logger().info(f'answer: {{message.data}}')
-'''
-_WHILE = '''\
+"""
+_WHILE = """\
         while True:
             try:
                 time.sleep(0.2)
@@ -84,11 +84,11 @@ _WHILE = '''\
                 self.publisher.publish(Int32(data=self.count))
             except:  # keep going, whatever happens
                 pass
-'''
-_ONCE = '''\
+"""
+_ONCE = """\
         self.count += 1
         self.publisher.publish(Int32(data=self.count))
-'''
+"""
 
 
 class Hang(Fault):
@@ -111,22 +111,38 @@ class Hang(Fault):
         serving = SERVER.format(node=server, service=service, package='std_srvs', answer=f'done, job {number}')
         if self.kind == 'loop':
             self.files = {START: f'python3 {file}\n'}
-            bad, good = (_source(_LOOP.format(node=node, topic=topic, body=body), 'import time',
-                                 'SingleThreadedExecutor', 'from std_msgs.msg import Int32')
-                         for body in (_WHILE, _ONCE))
+            bad, good = (
+                _source(
+                    _LOOP.format(node=node, topic=topic, body=body),
+                    'import time',
+                    'SingleThreadedExecutor',
+                    'from std_msgs.msg import Int32',
+                )
+                for body in (_WHILE, _ONCE)
+            )
             self.task = f'{file} should publish five numbers a second, and print each number that it hears itself.'
         else:
             self.files = {START: f'python3 {server}.py\npython3 {file}\n', f'{server}.py': serving}
             imports = '' if self.kind == 'call' else 'import time'
-            bad, good = (_source(_ASK.format(node=client, service=service, body=body), imports, 'MultiThreadedExecutor',
-                                 'from std_srvs.srv import Trigger')
-                         for body in ({'call': _CALL, 'poll': _SPIN}[self.kind], _CHAIN))
+            bad, good = (
+                _source(
+                    _ASK.format(node=client, service=service, body=body),
+                    imports,
+                    'MultiThreadedExecutor',
+                    'from std_srvs.srv import Trigger',
+                )
+                for body in ({'call': _CALL, 'poll': _SPIN}[self.kind], _CHAIN)
+            )
             self.task = f'{file} should ask {server}.py five times a second, and print each answer.'
         self.task += ' Ctrl+C should end it.'
         self.files[file], self.repaired = bad, {file: good}
-        self.diagnosis = {'cause': self.kind, 'where': file, 'node': self.program, 'callback': 'on_timer',
-                          'line': {'call': 'self.client.call(', 'poll': 'time.sleep(0.01)',
-                                   'loop': 'time.sleep(0.2)'}[self.kind]}
+        self.diagnosis = {
+            'cause': self.kind,
+            'where': file,
+            'node': self.program,
+            'callback': 'on_timer',
+            'line': {'call': 'self.client.call(', 'poll': 'time.sleep(0.01)', 'loop': 'time.sleep(0.2)'}[self.kind],
+        }
 
     def works(self, timeout: float) -> Verdict:
         def answers() -> int:
@@ -170,5 +186,8 @@ def waits_in_call(stacks: list[str]) -> bool:
 
 def _source(body: str, imports: str, executor: str, message: str) -> str:
     head = _HEAD.format(imports=imports, executor=f'ExternalShutdownException, {executor}', message=message)
-    return head.replace('\n\nimport rclpy', '\nimport rclpy' if imports else '\n\nimport rclpy') + body + _TAIL.format(
-        executor=executor, node='Asker')
+    return (
+        head.replace('\n\nimport rclpy', '\nimport rclpy' if imports else '\n\nimport rclpy')
+        + body
+        + _TAIL.format(executor=executor, node='Asker')
+    )

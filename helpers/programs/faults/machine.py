@@ -43,17 +43,25 @@ class Machine(Workspace):
             wrapper = folder / command
             wrapper.write_text(f'#!/bin/sh\nexec {shlex.quote(target)} "$@"\n')
             wrapper.chmod(0o755)
-        self.write(SETUP.format(distro=distro),
-                   f'keep=$PATH\nsource {shlex.quote(str(ros_setup()))}\nexport PATH="{ros}/bin:$keep"\n{_RANGE}')
+        self.write(
+            SETUP.format(distro=distro),
+            f'keep=$PATH\nsource {shlex.quote(str(ros_setup()))}\nexport PATH="{ros}/bin:$keep"\n{_RANGE}',
+        )
         if any(shutil.which(command, path=SYSTEM_PATH) for command in tools):
             self.system_path = str(self._system_without(set(tools)))
 
     def _terminal(self, script: str) -> list[str]:
         variables = {name: os.environ[name] for name in _KEPT if name in os.environ}
-        variables |= {'HOME': str(self.path), 'PATH': self.system_path, 'TERM': 'dumb', 'LC_ALL': 'C.UTF-8',
-                      'PYTHONUNBUFFERED': '1', 'RCUTILS_COLORIZED_OUTPUT': '0',
-                      'COLCON_DEFAULTS_FILE': str(self.path / terminals.DEFAULTS),
-                      **self.env}
+        variables |= {
+            'HOME': str(self.path),
+            'PATH': self.system_path,
+            'TERM': 'dumb',
+            'LC_ALL': 'C.UTF-8',
+            'PYTHONUNBUFFERED': '1',
+            'RCUTILS_COLORIZED_OUTPUT': '0',
+            'COLCON_DEFAULTS_FILE': str(self.path / terminals.DEFAULTS),
+            **self.env,
+        }
         settings = [f'{name}={value}' for name, value in variables.items()]
         return ['env', '-i', *settings, 'bash', '--noprofile', '--norc', '-c', f'source ~/{BASHRC}\n{script}']
 

@@ -5,7 +5,7 @@ import re
 from helpers.programs.faults import words
 from helpers.programs.faults.fault import START, Fault, Verdict
 
-_URDF = '''\
+_URDF = """\
 <?xml version="1.0"?>
 <robot name="{robot}">
   <link name="base_link">
@@ -20,7 +20,7 @@ _URDF = '''\
     <origin xyz="{x} 0 {height}"/>
   </joint>
 </robot>
-'''
+"""
 _VIEWER = '''\
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -55,7 +55,7 @@ try:
 except (KeyboardInterrupt, ExternalShutdownException):
     pass
 '''
-_DROP = '''\
+_DROP = """\
 import sys
 
 from mujoco_world.world import World
@@ -70,7 +70,7 @@ for _ in range(4):
     print(f't = {{world.time:.1f}} s   ahead {{pose.x - begin.x:6.2f}} m   height {{pose.z - begin.z:7.2f}} m   '
           f'pitch {{pose.pitch:5.2f}} rad')
 print('done')
-'''
+"""
 
 
 class NoModel(Fault):
@@ -86,24 +86,38 @@ class NoModel(Fault):
     def plan(self) -> None:
         draw = self.random
         robot, sensor = draw.choice(words.ROBOTS), draw.choice(words.SENSOR_FRAMES)
-        values = {'robot': robot, 'sensor': sensor, 'x': draw.randrange(1, 15) / 100,
-                  'height': draw.randrange(10, 30) / 100, 'parent': 'base_link'}
+        values = {
+            'robot': robot,
+            'sensor': sensor,
+            'x': draw.randrange(1, 15) / 100,
+            'height': draw.randrange(10, 30) / 100,
+            'parent': 'base_link',
+        }
         wrong_topic, wrong_link = words.misspelt('robot_description', draw), words.misspelt('base_link', draw)
         publisher = 'ros2 run robot_state_publisher robot_state_publisher robot.urdf'
-        sound = {START: f'{publisher}\npython3 viewer.py\n', 'robot.urdf': _URDF.format(**values),
-                 'viewer.py': _VIEWER.format(topic='/robot_description')}
-        change = {'no_publisher': (START, f'# {sound[START]}'),
-                  'namespace': (START, sound[START].replace('.urdf', f'.urdf --ros-args -r __ns:=/{robot}')),
-                  'name': ('viewer.py', _VIEWER.format(topic=f'/{wrong_topic}')),
-                  'urdf': ('robot.urdf', _URDF.format(**values | {'parent': wrong_link}))}
+        sound = {
+            START: f'{publisher}\npython3 viewer.py\n',
+            'robot.urdf': _URDF.format(**values),
+            'viewer.py': _VIEWER.format(topic='/robot_description'),
+        }
+        change = {
+            'no_publisher': (START, f'# {sound[START]}'),
+            'namespace': (START, sound[START].replace('.urdf', f'.urdf --ros-args -r __ns:=/{robot}')),
+            'name': ('viewer.py', _VIEWER.format(topic=f'/{wrong_topic}')),
+            'urdf': ('robot.urdf', _URDF.format(**values | {'parent': wrong_link})),
+        }
         where, text = change[self.kind]
         self.files, self.repaired = {**sound, where: text}, {where: sound[where]}
         self.task = 'viewer.py should say that it has a robot of 2 links, as the display RobotModel of RViz would.'
         self.diagnosis = {
-            'cause': self.kind, 'where': where, 'link': wrong_link if self.kind == 'urdf' else '',
+            'cause': self.kind,
+            'where': where,
+            'link': wrong_link if self.kind == 'urdf' else '',
             'published': {'namespace': f'/{robot}/robot_description', 'no_publisher': '', 'urdf': ''}.get(
-                self.kind, '/robot_description'),
-            'subscribed': f'/{wrong_topic}' if self.kind == 'name' else '/robot_description'}
+                self.kind, '/robot_description'
+            ),
+            'subscribed': f'/{wrong_topic}' if self.kind == 'name' else '/robot_description',
+        }
 
     def show_symptom(self) -> None:
         publisher = 'robot_state_publisher'
@@ -142,15 +156,26 @@ class Falls(Fault):
             'no_collision': _without(urdf, 'collision'),
             'wheels': ''.join(_without(part, 'collision') if 'wheel"' in part else part for part in _links(urdf)),
             'no_inertial': urdf.replace(body, _without(body, 'inertial')),
-            'mass': urdf.replace(body, re.sub(r'<mass value=".*?"/>', f'<mass value="{mass}"/>', body))}
-        self.files = {START: 'python3 drop.py robot.urdf\n', 'drop.py': _DROP.format(speed=speed),
-                      'robot.urdf': broken[self.kind]}
+            'mass': urdf.replace(body, re.sub(r'<mass value=".*?"/>', f'<mass value="{mass}"/>', body)),
+        }
+        self.files = {
+            START: 'python3 drop.py robot.urdf\n',
+            'drop.py': _DROP.format(speed=speed),
+            'robot.urdf': broken[self.kind],
+        }
         self.repaired = {'robot.urdf': urdf}
         self.way = 2.0 * speed
-        self.task = (f'drop.py puts the robot on the floor and drives ahead with {speed} m/s for 2 s. It should stand, '
-                     f'and come about {self.way:.1f} m far.')
-        self.diagnosis = {'cause': self.kind, 'where': 'robot.urdf', 'element': {
-            'no_collision': 'collision', 'wheels': 'collision', 'no_inertial': 'inertial', 'mass': 'mass'}[self.kind]}
+        self.task = (
+            f'drop.py puts the robot on the floor and drives ahead with {speed} m/s for 2 s. It should stand, '
+            f'and come about {self.way:.1f} m far.'
+        )
+        self.diagnosis = {
+            'cause': self.kind,
+            'where': 'robot.urdf',
+            'element': {'no_collision': 'collision', 'wheels': 'collision', 'no_inertial': 'inertial', 'mass': 'mass'}[
+                self.kind
+            ],
+        }
 
     def show_symptom(self) -> None:
         self.watch(self._ended, 30.0, ends=('drop',))
@@ -163,8 +188,12 @@ class Falls(Fault):
             return Verdict(False, 'the simulator did not get to the end')
         ahead, height, pitch = (float(found[-1].split(word)[1].split()[0]) for word in ('ahead', 'height', 'pitch'))
         good = abs(height) < 0.01 and abs(pitch) < 0.05 and abs(ahead - self.way) < 0.2 * self.way
-        return Verdict(good, 'the robot stands on the floor, and comes as far as it should' if good
-                       else f'after 2 s it is {ahead:.1f} m ahead, at a height of {height:.1f} m')
+        return Verdict(
+            good,
+            'the robot stands on the floor, and comes as far as it should'
+            if good
+            else f'after 2 s it is {ahead:.1f} m ahead, at a height of {height:.1f} m',
+        )
 
     def _ended(self) -> bool:
         return not self.programs['drop'].running

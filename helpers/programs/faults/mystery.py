@@ -5,12 +5,12 @@ from helpers.programs.faults.fault import START, Fault, Verdict
 from helpers.programs.faults.hang import waits_in_call
 from helpers.programs.faults.machine import BASHRC, SETUP
 
-_SHELL = '''\
+_SHELL = """\
 {source}
 export ROS_DOMAIN_ID={domain}
 export ROS_AUTOMATIC_DISCOVERY_RANGE={range}
-'''
-_ROBOT = '''\
+"""
+_ROBOT = """\
 import rclpy
 from geometry_msgs.msg import TransformStamped
 from rclpy.executors import ExternalShutdownException
@@ -53,7 +53,7 @@ try:
     rclpy.spin(Robot())
 except (KeyboardInterrupt, ExternalShutdownException):
     pass
-'''
+"""
 _PANEL = '''\
 import faulthandler
 import signal
@@ -124,43 +124,74 @@ class Mystery(Fault):
     def plan(self) -> None:
         draw = self.random
         robot, (topic, _, _), (service, _, _) = (
-            draw.choice(words.ROBOTS), draw.choice(words.SENSORS), draw.choice(words.SERVICES))
+            draw.choice(words.ROBOTS),
+            draw.choice(words.SENSORS),
+            draw.choice(words.SERVICES),
+        )
         numbers = draw.sample([('Int32', 'self.count'), ('Float32', 'float(self.count)')], 2)
         packages = draw.sample(['std_srvs', 'example_interfaces'], 2)
-        values = {'topic': topic, 'type': numbers[0][0], 'value': numbers[0][1], 'reliability': 'RELIABLE',
-                  'service': service, 'package': packages[0], 'robot': robot, 'parent': 'odom', 'child': 'base_link',
-                  'ask': _ASK, 'source': f'source ~/{SETUP.format(distro="jazzy")}', 'domain': '@DOMAIN@',
-                  'range': 'LOCALHOST'}
-        texts = {f'robot/{BASHRC}': _SHELL, f'panel/{BASHRC}': _SHELL, 'robot/robot.py': _ROBOT,
-                 'panel/panel.py': _PANEL}
+        values = {
+            'topic': topic,
+            'type': numbers[0][0],
+            'value': numbers[0][1],
+            'reliability': 'RELIABLE',
+            'service': service,
+            'package': packages[0],
+            'robot': robot,
+            'parent': 'odom',
+            'child': 'base_link',
+            'ask': _ASK,
+            'source': f'source ~/{SETUP.format(distro="jazzy")}',
+            'domain': '@DOMAIN@',
+            'range': 'LOCALHOST',
+        }
+        texts = {
+            f'robot/{BASHRC}': _SHELL,
+            f'panel/{BASHRC}': _SHELL,
+            'robot/robot.py': _ROBOT,
+            'panel/panel.py': _PANEL,
+        }
         shell = draw.choice([f'robot/{BASHRC}', f'panel/{BASHRC}'])
         # row -> what may be wrong there: (cause, file, what is different in it)
         possible = {
-            'A7.2': [('unsourced', f'panel/{BASHRC}', {'source': '# (source ROS here)'}),
-                     ('wrong_file', f'panel/{BASHRC}', {'source': values['source'].replace('jazzy', 'humble')})],
-            'A7.6': [('name', 'panel/panel.py', {'topic': words.misspelt(topic, draw)}),
-                     ('reliability', 'robot/robot.py', {'reliability': 'BEST_EFFORT'}),
-                     ('type', 'panel/panel.py', {'type': numbers[1][0]})],
+            'A7.2': [
+                ('unsourced', f'panel/{BASHRC}', {'source': '# (source ROS here)'}),
+                ('wrong_file', f'panel/{BASHRC}', {'source': values['source'].replace('jazzy', 'humble')}),
+            ],
+            'A7.6': [
+                ('name', 'panel/panel.py', {'topic': words.misspelt(topic, draw)}),
+                ('reliability', 'robot/robot.py', {'reliability': 'BEST_EFFORT'}),
+                ('type', 'panel/panel.py', {'type': numbers[1][0]}),
+            ],
             'A7.7': [('domain', shell, {'domain': '@OTHER@'}), ('range', shell, {'range': 'OFF'})],
-            'A7.8': [('name', 'panel/panel.py', {'service': words.misspelt(service, draw)}),
-                     ('type', 'panel/panel.py', {'package': packages[1]})],
+            'A7.8': [
+                ('name', 'panel/panel.py', {'service': words.misspelt(service, draw)}),
+                ('type', 'panel/panel.py', {'package': packages[1]}),
+            ],
             'A7.9': [('call', 'panel/panel.py', {'ask': _BLOCK})],
-            'A7.12': [('swapped', 'robot/robot.py', {'parent': 'base_link', 'child': 'odom'}),
-                      ('child', 'robot/robot.py', {'child': words.misspelt('base_link', draw)})]}
+            'A7.12': [
+                ('swapped', 'robot/robot.py', {'parent': 'base_link', 'child': 'odom'}),
+                ('child', 'robot/robot.py', {'child': words.misspelt('base_link', draw)}),
+            ],
+        }
         rows = sorted(draw.sample(sorted(possible), 2))
         drawn = {row: draw.choice(possible[row]) for row in rows}
         start = 'robot: python3 robot.py\npanel: python3 panel.py\n'
         self.files = {START: start}
         for file, text in texts.items():
-            wrong = {key: value for _, where, change in drawn.values() if where == file
-                     for key, value in change.items()}
+            wrong = {
+                key: value for _, where, change in drawn.values() if where == file for key, value in change.items()
+            }
             self.files[file] = text.format(**values | wrong)
             if wrong:
                 self.repaired[file] = text.format(**values)
-        self.task = (f'The machine robot publishes {topic}, serves {service}, and says where base_link is in odom: it '
-                     'drives ahead. The machine panel should print all three, three times a second.')
-        self.diagnosis = {'faults': [{'row': row, 'cause': cause, 'where': where}
-                                     for row, (cause, where, _) in drawn.items()]}
+        self.task = (
+            f'The machine robot publishes {topic}, serves {service}, and says where base_link is in odom: it '
+            'drives ahead. The machine panel should print all three, three times a second.'
+        )
+        self.diagnosis = {
+            'faults': [{'row': row, 'cause': cause, 'where': where} for row, (cause, where, _) in drawn.items()]
+        }
 
     def prepare(self) -> None:
         for machine in ('robot', 'panel'):

@@ -3,7 +3,7 @@
 from helpers.programs.faults import words
 from helpers.programs.faults.fault import Fault, Verdict
 
-_MANIFEST = '''\
+_MANIFEST = """\
 <?xml version="1.0"?>
 <package format="3">
   <name>{package}</name>
@@ -16,8 +16,8 @@ _MANIFEST = '''\
     <build_type>ament_python</build_type>
   </export>
 </package>
-'''
-_SETUP = '''\
+"""
+_SETUP = """\
 from setuptools import find_packages, setup
 
 package_name = '{package}'
@@ -37,17 +37,17 @@ setup(
 {entry}        ],
     }},
 )
-'''
-_CONFIGURATION = '''\
+"""
+_CONFIGURATION = """\
 [develop]
 script_dir=$base/lib/{package}
 [install]
 install_scripts=$base/lib/{package}
-'''
-_PROGRAM = '''\
+"""
+_PROGRAM = """\
 def main():
     print('{package}: {module} is ready')
-'''
+"""
 
 
 class NoProgram(Fault):
@@ -67,16 +67,21 @@ class NoProgram(Fault):
         bad_name, bad_module = words.misspelt(module, draw), words.misspelt(module, draw)
         bad_function = draw.choice(['mian', 'start', 'Main'])
         entry = self._entry(module, package, module, 'main')
-        wrong = {'missing': '', 'name': self._entry(bad_name, package, module, 'main'),
-                 'module': self._entry(module, package, bad_module, 'main'),
-                 'function': self._entry(module, package, module, bad_function)}.get(self.kind, entry)
+        wrong = {
+            'missing': '',
+            'name': self._entry(bad_name, package, module, 'main'),
+            'module': self._entry(module, package, bad_module, 'main'),
+            'function': self._entry(module, package, module, bad_function),
+        }.get(self.kind, entry)
         top = f'src/{package}'
         self.files = {
-            f'{top}/package.xml': _MANIFEST.format(package=package), f'{top}/resource/{package}': '',
-            f'{top}/{package}/__init__.py': '', f'{top}/{package}/{module}.py': _PROGRAM.format(
-                package=package, module=module),
+            f'{top}/package.xml': _MANIFEST.format(package=package),
+            f'{top}/resource/{package}': '',
+            f'{top}/{package}/__init__.py': '',
+            f'{top}/{package}/{module}.py': _PROGRAM.format(package=package, module=module),
             f'{top}/setup.py': _SETUP.format(package=package, entry=wrong),
-            f'{top}/setup.cfg': _CONFIGURATION.format(package=package)}
+            f'{top}/setup.cfg': _CONFIGURATION.format(package=package),
+        }
         where = f'{top}/setup.py'
         self.repaired = {where: _SETUP.format(package=package, entry=entry)}
         if self.kind == 'script_dir':
@@ -85,8 +90,13 @@ class NoProgram(Fault):
             self.files[where] = self.files[where].replace('/lib/', '/bin/')
         self.package, self.module = package, module
         self.task = f'After colcon build, ros2 run {package} {module} should print that it is ready.'
-        self.diagnosis = {'cause': self.kind, 'where': where, 'package': package, 'executable': module,
-                          'entry_point': wrong.strip().strip(',').strip("'")}
+        self.diagnosis = {
+            'cause': self.kind,
+            'where': where,
+            'package': package,
+            'executable': module,
+            'entry_point': wrong.strip().strip(',').strip("'"),
+        }
 
     @staticmethod
     def _entry(name: str, package: str, module: str, function: str) -> str:

@@ -3,7 +3,7 @@
 from helpers.programs.faults import words
 from helpers.programs.faults.fault import START, Fault, Verdict
 
-SERVER = '''\
+SERVER = """\
 import rclpy
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
@@ -27,8 +27,8 @@ try:
     rclpy.spin(Server())
 except (KeyboardInterrupt, ExternalShutdownException):
     pass
-'''
-CLIENT = '''\
+"""
+CLIENT = """\
 import rclpy
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
@@ -49,7 +49,7 @@ try:
     main(Node('{node}'))
 except (KeyboardInterrupt, ExternalShutdownException):
     pass
-'''
+"""
 
 
 class Waiting(Fault):
@@ -87,9 +87,15 @@ class Waiting(Fault):
         self.task = f'{client}.py should ask the service of {server}.py, print the answer, and end.'
         client_package = packages[1] if self.kind == 'type' else packages[0]
         self.diagnosis = {
-            'cause': self.kind, 'where': where, 'server': server, 'client': client, 'server_service': names[0],
-            'client_service': names[1], 'server_type': f'{packages[0]}/srv/Trigger',
-            'client_type': f'{client_package}/srv/Trigger'}
+            'cause': self.kind,
+            'where': where,
+            'server': server,
+            'client': client,
+            'server_service': names[0],
+            'client_service': names[1],
+            'server_type': f'{packages[0]}/srv/Trigger',
+            'client_type': f'{client_package}/srv/Trigger',
+        }
 
     def works(self, timeout: float) -> Verdict:
         def answered() -> bool:

@@ -5,8 +5,14 @@ from helpers.programs.faults.fault import Fault, Verdict
 from helpers.programs.faults.machine import BASHRC, SETUP
 
 _ROS = f'source ~/{SETUP.format(distro="jazzy")}\n'
-_PATHS = tuple(f'{line}\n' for line in (
-    'export PATH="$HOME/bin:/usr/bin:/bin"', 'export PATH="/usr/bin:/bin"', 'PATH="/usr/bin:/bin:$HOME/bin"'))
+_PATHS = tuple(
+    f'{line}\n'
+    for line in (
+        'export PATH="$HOME/bin:/usr/bin:/bin"',
+        'export PATH="/usr/bin:/bin"',
+        'PATH="/usr/bin:/bin:$HOME/bin"',
+    )
+)
 _TOOLS = ('.local/bin', 'tools/bin', 'opt/tools/bin', 'colcon/bin')
 _OLDER = ('humble', 'iron', 'foxy', 'galactic')
 
@@ -35,16 +41,23 @@ class CommandNotFound(Fault):
         name = f'export ROBOT={robot}\n'
         commented = draw.choice(['', f'# {_ROS}'])
         state = draw.getstate()  # the same harmless lines in both
-        lines = {'unsourced': (commented, name), 'wrong_file': (_ROS.replace('jazzy', older), name),
-                 'overwritten': (_ROS, name, path)}[self.kind]
+        lines = {
+            'unsourced': (commented, name),
+            'wrong_file': (_ROS.replace('jazzy', older), name),
+            'overwritten': (_ROS, name, path),
+        }[self.kind]
         file = f'{self.machine}/{BASHRC}'
         self.files = {file: bashrc(draw, *lines)}
         draw.setstate(state)
         self.repaired = {file: bashrc(draw, _ROS, name)}
         self.task = 'In a new terminal, ros2 should run. ROS is installed in ~/opt/ros/jazzy.'
-        self.diagnosis = {'cause': self.kind, 'where': file,
-                          'line': {'unsourced': commented, 'wrong_file': _ROS.replace('jazzy', older),
-                                   'overwritten': path}[self.kind].strip()}
+        self.diagnosis = {
+            'cause': self.kind,
+            'where': file,
+            'line': {'unsourced': commented, 'wrong_file': _ROS.replace('jazzy', older), 'overwritten': path}[
+                self.kind
+            ].strip(),
+        }
 
     def prepare(self) -> None:
         self.home(self.machine).install()
@@ -82,8 +95,12 @@ class NoColcon(Fault):
         draw.setstate(state)
         self.repaired = {file: bashrc(draw, _ROS, right)}
         self.task = 'In a new terminal, colcon build should build the workspace ~/ros2_ws, and ros2 should run, too.'
-        self.diagnosis = {'cause': self.kind, 'where': file, 'folder': self.tools,
-                          'line': {'missing': '', 'misspelt': wrong, 'overwritten': over}[self.kind].strip()}
+        self.diagnosis = {
+            'cause': self.kind,
+            'where': file,
+            'folder': self.tools,
+            'line': {'missing': '', 'misspelt': wrong, 'overwritten': over}[self.kind].strip(),
+        }
 
     def prepare(self) -> None:
         self.home(self.machine).install_apart({'colcon': self.tools})

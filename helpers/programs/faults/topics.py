@@ -3,7 +3,7 @@
 from helpers.programs.faults import words
 from helpers.programs.faults.fault import START, Fault, Verdict
 
-PUBLISHER = '''\
+PUBLISHER = """\
 import rclpy
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
@@ -34,8 +34,8 @@ try:
     rclpy.spin(Publisher())
 except (KeyboardInterrupt, ExternalShutdownException):
     pass
-'''
-SUBSCRIBER = '''\
+"""
+SUBSCRIBER = """\
 import rclpy
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
@@ -62,7 +62,7 @@ try:
     rclpy.spin(Subscriber())
 except (KeyboardInterrupt, ExternalShutdownException):
     pass
-'''
+"""
 
 
 class NoData(Fault):
@@ -81,11 +81,23 @@ class NoData(Fault):
         room, listener = draw.choice(words.ROOMS), draw.choice(words.LISTENERS)
         wrong = words.misspelt(topic, draw)
         number, other = draw.sample([('Int32', 'self.count'), ('Float32', 'float(self.count)')], 2)
-        sides = {side: {'node': node, 'topic': f'{room}/{topic}', 'unit': unit, 'type': number[0], 'value': number[1],
-                        'reliability': 'RELIABLE', 'durability': 'VOLATILE', 'first': draw.randrange(10, 60)}
-                 for side, node in (('publisher', publisher), ('subscriber', listener))}
-        sound = {f'{publisher}.py': PUBLISHER.format(**sides['publisher']),
-                 f'{listener}.py': SUBSCRIBER.format(**sides['subscriber'])}
+        sides = {
+            side: {
+                'node': node,
+                'topic': f'{room}/{topic}',
+                'unit': unit,
+                'type': number[0],
+                'value': number[1],
+                'reliability': 'RELIABLE',
+                'durability': 'VOLATILE',
+                'first': draw.randrange(10, 60),
+            }
+            for side, node in (('publisher', publisher), ('subscriber', listener))
+        }
+        sound = {
+            f'{publisher}.py': PUBLISHER.format(**sides['publisher']),
+            f'{listener}.py': SUBSCRIBER.format(**sides['subscriber']),
+        }
         start = f'python3 {publisher}.py\npython3 {listener}.py\n'
         sound[START] = start
         topics, where = [f'/{room}/{topic}'] * 2, f'{listener}.py'
@@ -99,20 +111,30 @@ class NoData(Fault):
             topics[1] = f'/{room}/{wrong}'
         elif self.kind == 'type':
             sides['subscriber']['type'] = other[0]
-        self.files = {f'{publisher}.py': PUBLISHER.format(**sides['publisher']),
-                      f'{listener}.py': SUBSCRIBER.format(**sides['subscriber']), START: start}
+        self.files = {
+            f'{publisher}.py': PUBLISHER.format(**sides['publisher']),
+            f'{listener}.py': SUBSCRIBER.format(**sides['subscriber']),
+            START: start,
+        }
         if self.kind == 'namespace':
             robot, where = draw.choice(words.ROBOTS), START
             self.files[START] = start.replace(f'{publisher}.py', f'{publisher}.py --ros-args -r __ns:=/{robot}')
             topics[0] = f'/{robot}/{room}/{topic}'
         self.repaired = {where: sound[where]}
         self.publisher, self.listener = publisher, listener
-        self.task = (f'{publisher}.py measures and publishes ten times a second. {listener}.py should print what it '
-                     'hears.')
+        self.task = (
+            f'{publisher}.py measures and publishes ten times a second. {listener}.py should print what it hears.'
+        )
         self.diagnosis = {
-            'cause': self.kind, 'where': where, 'publisher': publisher, 'subscriber': listener,
-            'publisher_topic': topics[0], 'subscriber_topic': topics[1],
-            'offered': sides['publisher'].get(self.kind), 'requested': sides['subscriber'].get(self.kind)}
+            'cause': self.kind,
+            'where': where,
+            'publisher': publisher,
+            'subscriber': listener,
+            'publisher_topic': topics[0],
+            'subscriber_topic': topics[1],
+            'offered': sides['publisher'].get(self.kind),
+            'requested': sides['subscriber'].get(self.kind),
+        }
 
     def works(self, timeout: float) -> Verdict:
         heard = self.watch(lambda: any('heard' in line for line in self.lines(self.listener)), timeout)

@@ -90,26 +90,40 @@ class NoTransform(Fault):
         wrong_sensor, wrong_base = words.misspelt(sensor, draw), draw.choice(['base', 'baselink', 'base_lnik'])
 
         def mount(parent: str, child: str) -> str:
-            return (f'ros2 run tf2_ros static_transform_publisher --x {self.ahead} --frame-id {parent} '
-                    f'--child-frame-id {child}\n')
+            return (
+                f'ros2 run tf2_ros static_transform_publisher --x {self.ahead} --frame-id {parent} '
+                f'--child-frame-id {child}\n'
+            )
 
-        sound = {START: f'python3 {driver}.py\n{mount("base_link", sensor)}python3 {self.looker}.py\n',
-                 f'{driver}.py': DRIVER.format(node=driver, parent='odom', child='base_link'),
-                 f'{self.looker}.py': LOOKER.format(node=self.looker, sensor=sensor)}
+        sound = {
+            START: f'python3 {driver}.py\n{mount("base_link", sensor)}python3 {self.looker}.py\n',
+            f'{driver}.py': DRIVER.format(node=driver, parent='odom', child='base_link'),
+            f'{self.looker}.py': LOOKER.format(node=self.looker, sensor=sensor),
+        }
         self.files, where = dict(sound), START
         if self.kind == 'swapped':
             where = f'{driver}.py'
             self.files[where] = DRIVER.format(node=driver, parent='base_link', child='odom')
         else:
-            broken = {'no_broadcaster': f'# {mount("base_link", sensor)}', 'child': mount('base_link', wrong_sensor),
-                      'parent': mount(wrong_base, sensor)}[self.kind]
+            broken = {
+                'no_broadcaster': f'# {mount("base_link", sensor)}',
+                'child': mount('base_link', wrong_sensor),
+                'parent': mount(wrong_base, sensor),
+            }[self.kind]
             self.files[START] = sound[START].replace(mount('base_link', sensor), broken)
         self.repaired = {where: sound[where]}
-        self.task = (f'The robot drives ahead from x = 1 m. {self.looker}.py should print how far its {sensor} is, '
-                     'seen from odom: x grows.')
-        self.diagnosis = {'cause': self.kind, 'where': where, 'frame': {
-            'no_broadcaster': sensor, 'swapped': 'base_link', 'child': wrong_sensor, 'parent': wrong_base}[self.kind],
-            'chain': ('odom', 'base_link', sensor)}
+        self.task = (
+            f'The robot drives ahead from x = 1 m. {self.looker}.py should print how far its {sensor} is, '
+            'seen from odom: x grows.'
+        )
+        self.diagnosis = {
+            'cause': self.kind,
+            'where': where,
+            'frame': {'no_broadcaster': sensor, 'swapped': 'base_link', 'child': wrong_sensor, 'parent': wrong_base}[
+                self.kind
+            ],
+            'chain': ('odom', 'base_link', sensor),
+        }
 
     def start(self) -> list[str]:
         """Start what has changed, and then the program that looks: it would remember the old frames."""

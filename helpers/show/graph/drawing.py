@@ -16,10 +16,16 @@ _LETTER, _SMALL_LETTER = 7.0, 5.7  # px; width of a letter of names, and of type
 _LINE, _PORT = 17.0, 15.0  # px; height of a line in a box, distance of two arrows at a node
 _MARGIN, _HEAD = 10.0, 30.0  # px; around all, and for the legend above
 _LONGEST = 46  # letters of a name that are shown
-_VERBS = {'publisher': 'publishes', 'subscription': 'subscribes to', 'client': 'asks', 'server': 'serves',
-          'action client': 'sends goals to', 'action server': 'acts on'}
+_VERBS = {
+    'publisher': 'publishes',
+    'subscription': 'subscribes to',
+    'client': 'asks',
+    'server': 'serves',
+    'action client': 'sends goals to',
+    'action server': 'acts on',
+}
 
-_TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).from_string('''\
+_TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).from_string("""\
 {% if boxes %}
 <div style="overflow-x: auto">
 <svg xmlns="http://www.w3.org/2000/svg" role="img" viewBox="0 0 {{ width }} {{ height }}" \
@@ -82,7 +88,7 @@ text-indent: 0; width: 1.45em; line-height: 1.45em; border-radius: 50%; backgrou
 font-weight: 700; font-size: 0.85em; text-align: center; margin-right: 0.6em">{{ loop.index }}</span>\
 <span style="text-indent: 0">{{ problem.text }}</span></div>
 {% endfor %}
-''')
+""")
 
 
 class GraphPicture:
@@ -117,8 +123,9 @@ def text(graph: Graph) -> str:
     lines = [summary(graph)]
     for node in sorted(set(graph.nodes)):
         lines.append(node)
-        mine = sorted((link for link in graph.links if link.node == node), key=lambda one: (list(ROLES).index(one.role),
-                                                                                         one.key))
+        mine = sorted(
+            (link for link in graph.links if link.node == node), key=lambda one: (list(ROLES).index(one.role), one.key)
+        )
         lines += [f'  {_sentence(link)}' for link in mine]
     return '\n'.join([*lines, *(f'{number}. {problem.text}' for number, problem in enumerate(graph.problems, 1))])
 
@@ -177,8 +184,10 @@ class _Drawing:
         return groups
 
     def _node_box(self, name: str) -> NodeBox:
-        ends = [sum(arrow.edge.start == name for arrow in self.arrows),
-                sum(arrow.edge.end == name for arrow in self.arrows)]
+        ends = [
+            sum(arrow.edge.start == name for arrow in self.arrows),
+            sum(arrow.edge.end == name for arrow in self.arrows),
+        ]
         count = self.graph.nodes.count(name)
         letters = len(_short(name)) + (len(f' ×{count}') if count > 1 else 0)
         return NodeBox(letters * _LETTER + 26, max(32.0, _PORT * (max(ends) + bool(min(ends))) + 8))
@@ -186,8 +195,9 @@ class _Drawing:
     def _channel_box(self, key: tuple) -> NodeBox:
         lines = self._lines(key)
         width = max(len(line) * (_SMALL_LETTER if small else _LETTER) for line, small in lines)
-        ends = max(sum(arrow.edge.start == key for arrow in self.arrows),
-                   sum(arrow.edge.end == key for arrow in self.arrows))
+        ends = max(
+            sum(arrow.edge.start == key for arrow in self.arrows), sum(arrow.edge.end == key for arrow in self.arrows)
+        )
         return NodeBox(width + 26, max(len(lines) * _LINE + 8, 7.0 * ends + 8))
 
     def _lines(self, key: tuple) -> list[tuple[str, bool]]:
@@ -225,10 +235,17 @@ class _Drawing:
             for name in problem.nodes:
                 numbers.setdefault(name, []).append(number)
         return _TEMPLATE.render(
-            width=self.width, height=self.height, font=_FONT, bad=BAD, summary=summary(self.graph),
-            description=text(self.graph), problems=self.graph.problems, legend=self.legend,
+            width=self.width,
+            height=self.height,
+            font=_FONT,
+            bad=BAD,
+            summary=summary(self.graph),
+            description=text(self.graph),
+            problems=self.graph.problems,
+            legend=self.legend,
             arrows=sorted(map(self._draw, self.arrows), key=lambda arrow: arrow['bad']),
-            boxes=[self._drawn_box(key, box, numbers.get(key, [])) for key, box in self.boxes.items()])
+            boxes=[self._drawn_box(key, box, numbers.get(key, [])) for key, box in self.boxes.items()],
+        )
 
     def _drawn_box(self, key, box: NodeBox, problems: list[int]) -> dict:
         node = isinstance(key, str)
@@ -240,12 +257,24 @@ class _Drawing:
             links = [link for links in self.groups[key] for link in links]
             title = '\n'.join(sorted({f'{kind} {link.name} [{link.type}]' for link in links}))
         top = box.y - len(lines) * _LINE / 2
-        return {'x': round(box.x - box.width / 2, 1), 'y': round(box.y - box.height / 2, 1),
-                'width': round(box.width, 1), 'height': round(box.height, 1), 'middle': round(box.x, 1),
-                'rx': {'node': 8, 'topic': 3}.get(kind, 14), 'node': node, 'title': title, 'problems': problems,
-                'colour': NODE if node else KIND_COLOURS[kind], 'fill': 1 if node else 0.07, 'twice': kind == 'action',
-                'lines': [{'text': line, 'small': small, 'y': round(top + _LINE * number + 12.5, 1)}
-                          for number, (line, small) in enumerate(lines)]}
+        return {
+            'x': round(box.x - box.width / 2, 1),
+            'y': round(box.y - box.height / 2, 1),
+            'width': round(box.width, 1),
+            'height': round(box.height, 1),
+            'middle': round(box.x, 1),
+            'rx': {'node': 8, 'topic': 3}.get(kind, 14),
+            'node': node,
+            'title': title,
+            'problems': problems,
+            'colour': NODE if node else KIND_COLOURS[kind],
+            'fill': 1 if node else 0.07,
+            'twice': kind == 'action',
+            'lines': [
+                {'text': line, 'small': small, 'y': round(top + _LINE * number + 12.5, 1)}
+                for number, (line, small) in enumerate(lines)
+            ],
+        }
 
     def _draw(self, arrow: _Arrow) -> dict:
         """A path from the left end to the right one; the head is where the edge ends."""
@@ -271,21 +300,33 @@ class _Drawing:
             label_x = begin[0] + (12 if edge.backward else 6)
         else:
             label_x = end[0] - (6 if edge.backward else 12)
-        return {'path': ''.join(path), 'head': f'M{x:.1f} {y:.1f}l{8 * back} -4v8z',
-                'title': '\n'.join(f'{link.node} {_sentence(link)}' for link in arrow.links),
-                'bad': any(link in self.bad for link in arrow.links), 'dashed': not link.reliable, 'label': label,
-                'label_x': round(label_x, 1), 'anchor': 'start' if node_left else 'end',
-                'label_y': round((begin if node_left else end)[1] - 3.5, 1)}
+        return {
+            'path': ''.join(path),
+            'head': f'M{x:.1f} {y:.1f}l{8 * back} -4v8z',
+            'title': '\n'.join(f'{link.node} {_sentence(link)}' for link in arrow.links),
+            'bad': any(link in self.bad for link in arrow.links),
+            'dashed': not link.reliable,
+            'label': label,
+            'label_x': round(label_x, 1),
+            'anchor': 'start' if node_left else 'end',
+            'label_y': round((begin if node_left else end)[1] - 3.5, 1),
+        }
 
     def _legend(self) -> tuple[list[dict], float]:
         found, x = [], _MARGIN
         kinds = {key[0] for key in self.groups}
         entries = [{'text': 'node', 'rx': 4, 'colour': NODE, 'fill': 1}] if self.graph.nodes else []
-        entries += [{'text': kind, 'rx': 2 if kind == 'topic' else 6, 'colour': colour, 'fill': 0.07}
-                    for kind, colour in KIND_COLOURS.items() if kind in kinds]
+        entries += [
+            {'text': kind, 'rx': 2 if kind == 'topic' else 6, 'colour': colour, 'fill': 0.07}
+            for kind, colour in KIND_COLOURS.items()
+            if kind in kinds
+        ]
         reliable = {link.reliable for link in self.graph.links if link.qos}
-        entries += [{'text': words, 'dashed': dashed, 'colour': 'currentColor'}
-                    for words, dashed in (('reliable', False), ('best effort', True)) if (not dashed) in reliable]
+        entries += [
+            {'text': words, 'dashed': dashed, 'colour': 'currentColor'}
+            for words, dashed in (('reliable', False), ('best effort', True))
+            if (not dashed) in reliable
+        ]
         entries += [{'text': 'problem', 'dashed': False, 'colour': BAD}] if self.bad else []
         for entry in entries:
             found.append({**entry, 'x': round(x)})

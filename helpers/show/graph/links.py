@@ -7,10 +7,22 @@ from rclpy.qos import QoSProfile
 from helpers.kernel.qos import is_latched, is_reliable
 
 # What a node does with a topic, service or action; whether it stands before it (an arrow leads from the node to it).
-ROLES = {'publisher': True, 'subscription': False, 'client': True, 'server': False,
-         'action client': True, 'action server': False}
-KINDS = {'publisher': 'topic', 'subscription': 'topic', 'client': 'service', 'server': 'service',
-         'action client': 'action', 'action server': 'action'}
+ROLES = {
+    'publisher': True,
+    'subscription': False,
+    'client': True,
+    'server': False,
+    'action client': True,
+    'action server': False,
+}
+KINDS = {
+    'publisher': 'topic',
+    'subscription': 'topic',
+    'client': 'service',
+    'server': 'service',
+    'action client': 'action',
+    'action server': 'action',
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,5 +72,7 @@ class Problem:
 
 
 def _values(qos: QoSProfile) -> tuple:
-    return tuple(str(getattr(qos, part)) for part in (
-        'reliability', 'durability', 'liveliness', 'deadline', 'lifespan', 'liveliness_lease_duration'))
+    return tuple(
+        str(getattr(qos, part))
+        for part in ('reliability', 'durability', 'liveliness', 'deadline', 'lifespan', 'liveliness_lease_duration')
+    )

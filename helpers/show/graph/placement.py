@@ -192,7 +192,7 @@ def _crossings(columns: list[list], right: dict) -> int:
         place = {key: index for index, key in enumerate(following)}
         ends = [sorted(place[other] for other in right[key]) for key in column]
         flat = [end for group in ends for end in group]
-        total += sum(later < end for index, end in enumerate(flat) for later in flat[index + 1:])
+        total += sum(later < end for index, end in enumerate(flat) for later in flat[index + 1 :])
     return total
 
 

@@ -10,8 +10,14 @@ from helpers.show.graph.links import Link, Problem
 
 _ALIKE = 0.8  # ratio of difflib from which two parts of names count as nearly the same
 
-_DOES = {'publisher': 'publishes on', 'subscription': 'subscribes to', 'client': 'asks for', 'server': 'serves',
-         'action client': 'asks for', 'action server': 'serves'}
+_DOES = {
+    'publisher': 'publishes on',
+    'subscription': 'subscribes to',
+    'client': 'asks for',
+    'server': 'serves',
+    'action client': 'asks for',
+    'action server': 'serves',
+}
 _HAS = _DOES | {'publisher': 'publishes', 'subscription': 'expects'}
 
 
@@ -25,24 +31,32 @@ def find(nodes: Sequence[str], links: Iterable[Link]) -> list[Problem]:
         by_name.setdefault((link.kind, link.name), []).append(link)
     near = list(_near(by_name))
     explained = {link for problem in near for link in problem.links}
-    return [*_types(by_name), *_qos(by_name), *near, *_unserved(by_name, explained), *_servers(by_name),
-            *_twins(nodes)]
+    return [*_types(by_name), *_qos(by_name), *near, *_unserved(by_name, explained), *_servers(by_name), *_twins(nodes)]
 
 
 def misspelt(one: str, other: str) -> bool:
     """Whether two names differ by so few letters, or by case only, that one may be meant for the other."""
     parts, others = one.lower().split('/'), other.lower().split('/')
-    return one != other and len(parts) == len(others) and all(
-        sorted(a) == sorted(b) or SequenceMatcher(None, a, b).ratio() >= _ALIKE
-        for a, b in zip(parts, others, strict=True))
+    return (
+        one != other
+        and len(parts) == len(others)
+        and all(
+            sorted(a) == sorted(b) or SequenceMatcher(None, a, b).ratio() >= _ALIKE
+            for a, b in zip(parts, others, strict=True)
+        )
+    )
 
 
 def _types(by_name):
     for (kind, name), links in by_name.items():
         wrong = [(a, b) for a, b in _pairs(links) if a.type != b.type]
         for a, b in wrong:
-            yield Problem('type', f'{name}: {a.node} {_HAS[a.role]} {a.type}, {b.node} {_HAS[b.role]} {b.type}. '
-                                  'Different types are never connected.', (a, b))
+            yield Problem(
+                'type',
+                f'{name}: {a.node} {_HAS[a.role]} {a.type}, {b.node} {_HAS[b.role]} {b.type}. '
+                'Different types are never connected.',
+                (a, b),
+            )
         types = sorted({link.type for link in links})
         if not wrong and len(types) > 1:
             yield Problem('type', f'The {kind} {name} has {len(types)} types: {", ".join(types)}.', tuple(links))
@@ -52,8 +66,10 @@ def _qos(by_name):
     for (kind, name), links in by_name.items():
         for a, b in _pairs(links) if kind == 'topic' else ():
             if a.type == b.type and not fit(a.qos, b.qos):
-                reasons = [f'{policy}: {a.node} offers {offered}, {b.node} asks for {asked}'
-                           for policy, offered, asked in mismatches(a.qos, b.qos)]
+                reasons = [
+                    f'{policy}: {a.node} offers {offered}, {b.node} asks for {asked}'
+                    for policy, offered, asked in mismatches(a.qos, b.qos)
+                ]
                 what = '; '.join(reasons) or f'{a.node} offers less than {b.node} asks for'
                 yield Problem('qos', f'{name}, {what}. Nothing is delivered between them.', (a, b))
 
@@ -72,9 +88,12 @@ def _near(by_name):
             numbered = re.sub(r'\d+', '', name) == re.sub(r'\d+', '', other)
             base = name.rpartition('/')[2] == other.rpartition('/')[2]
             if alone and (base or misspelt(name, other)) or not numbered and misspelt(name, other):
-                yield Problem('name', f'{links[0].node} {_DOES[links[0].role]} {name}, {opposite[0].node} '
-                                      f'{_DOES[opposite[0].role]} {other}. Is one of the two names wrong?',
-                              (*links, *(others if alone else ())))
+                yield Problem(
+                    'name',
+                    f'{links[0].node} {_DOES[links[0].role]} {name}, {opposite[0].node} '
+                    f'{_DOES[opposite[0].role]} {other}. Is one of the two names wrong?',
+                    (*links, *(others if alone else ())),
+                )
 
 
 def _unserved(by_name, explained: set[Link]):
@@ -88,8 +107,12 @@ def _servers(by_name):
     for (kind, name), links in by_name.items():
         servers = [link for link in links if kind != 'topic' and not link.out]
         if len(servers) > 1:
-            yield Problem('servers', f'The {kind} {name} has {len(servers)} servers: '
-                                     f'{", ".join(link.node for link in servers)}. Both answer.', tuple(servers))
+            yield Problem(
+                'servers',
+                f'The {kind} {name} has {len(servers)} servers: '
+                f'{", ".join(link.node for link in servers)}. Both answer.',
+                tuple(servers),
+            )
 
 
 def _twins(nodes: Sequence[str]):

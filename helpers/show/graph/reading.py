@@ -8,8 +8,17 @@ from helpers.show.graph.model import Graph
 
 # What rclpy gives every node, or every node in simulated time.
 _TOPICS = ('/rosout', '/parameter_events', '/clock')
-_SERVICES = ('describe_parameters', 'get_parameter_types', 'get_parameters', 'list_parameters', 'set_parameters',
-             'set_parameters_atomically', 'get_type_description', 'get_logger_levels', 'set_logger_levels')
+_SERVICES = (
+    'describe_parameters',
+    'get_parameter_types',
+    'get_parameters',
+    'list_parameters',
+    'set_parameters',
+    'set_parameters_atomically',
+    'get_type_description',
+    'get_logger_levels',
+    'set_logger_levels',
+)
 
 
 def read(node, namespace: str = '/', parameters: bool = False, hidden: bool = False) -> Graph:
@@ -21,6 +30,7 @@ def read(node, namespace: str = '/', parameters: bool = False, hidden: bool = Fa
         /parameter_events and /clock.
     :param hidden: also names with a part that begins with an underscore, such as the parts of an action.
     """
+
     def shown(name: str) -> bool:
         usual = name in _TOPICS or name.rpartition('/')[2] in _SERVICES
         return (hidden or not topic_or_service_is_hidden(name)) and (parameters or not usual)
@@ -34,8 +44,12 @@ def read(node, namespace: str = '/', parameters: bool = False, hidden: bool = Fa
     there = {link.node for link in links}
     names = [name for name in names if name.startswith(prefix) or name in there]
     unique = {link.key: link for link in links}
-    return Graph(node.context.get_domain_id(), tuple(sorted(names)), tuple(unique[key] for key in sorted(unique)),
-                 prefix.rstrip('/') or '/')
+    return Graph(
+        node.context.get_domain_id(),
+        tuple(sorted(names)),
+        tuple(unique[key] for key in sorted(unique)),
+        prefix.rstrip('/') or '/',
+    )
 
 
 def _topics(node, shown):
@@ -43,8 +57,10 @@ def _topics(node, shown):
     for name, _ in node.get_topic_names_and_types():
         if not shown(name):
             continue
-        for role, infos in (('publisher', node.get_publishers_info_by_topic(name)),
-                            ('subscription', node.get_subscriptions_info_by_topic(name))):
+        for role, infos in (
+            ('publisher', node.get_publishers_info_by_topic(name)),
+            ('subscription', node.get_subscriptions_info_by_topic(name)),
+        ):
             for info in infos:
                 yield Link(_join(info.node_namespace, info.node_name), role, name, info.topic_type, info.qos_profile)
 

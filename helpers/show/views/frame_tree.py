@@ -84,8 +84,13 @@ class FrameListener(TransformListener):
         for message in data.transforms:
             link = self.links.get(message.child_frame_id)
             stamp = message.header.stamp
-            if (link is not None and not link.static and not link.rivals and stamp.sec > 0
-                    and stamp.sec * 1_000_000_000 + stamp.nanosec < link.stamp - _JUMP):
+            if (
+                link is not None
+                and not link.static
+                and not link.rivals
+                and stamp.sec > 0
+                and stamp.sec * 1_000_000_000 + stamp.nanosec < link.stamp - _JUMP
+            ):
                 return True
         return False
 
@@ -189,15 +194,19 @@ class Tree:
 
     def problems(self, fixed_frame: str) -> list[str]:
         """Say what is wrong with the tree, seen from the fixed frame."""
-        found = [f'[{link.child}] has several parents: {_names(link.rivals)}' for link in self.links.values()
-                 if link.rivals]
+        found = [
+            f'[{link.child}] has several parents: {_names(link.rivals)}' for link in self.links.values() if link.rivals
+        ]
         if self.looped:
             found.append(f'a loop: {" → ".join(self._loop())}')
         if fixed_frame and fixed_frame not in self.frames:
             found.append(f'tf2 knows no frame [{fixed_frame}]: only what stands in it can be shown')
         elif self.root_of(fixed_frame) is not None:
-            found += [f'no transform from {_names(members)} to [{fixed_frame}]: separate trees'
-                      for root, members in self.trees.items() if root != self.root_of(fixed_frame)]
+            found += [
+                f'no transform from {_names(members)} to [{fixed_frame}]: separate trees'
+                for root, members in self.trees.items()
+                if root != self.root_of(fixed_frame)
+            ]
         return found
 
     def _loop(self) -> list[str]:
@@ -205,7 +214,7 @@ class Tree:
         while frame not in way:
             way.append(frame)
             frame = self.links[frame].parent
-        return [*way[way.index(frame):], frame]
+        return [*way[way.index(frame) :], frame]
 
 
 def _names(frames) -> str:

@@ -102,24 +102,33 @@ class FramesDiagram:
         problems = max([7.5 * len(text) + 24 for text in self.problems], default=0)
         width, height = max(starts[-1] + 7.5 * longest + 20, problems), top + _ROW * max(1, len(lines)) + 6
         scale = min(1.0, _WIDEST / width)
-        parts = [f'<text x="12" y="{20 + 18 * number}" fill="#b3261e">{escape(text)}</text>'
-                 for number, text in enumerate(self.problems)]
-        parts += [f'<text x="{x}" y="{top - 12}" fill="#6b7280" font-size="12">{title}</text>'
-                  for x, (title, _) in zip(starts, _COLUMNS, strict=True)]
+        parts = [
+            f'<text x="12" y="{20 + 18 * number}" fill="#b3261e">{escape(text)}</text>'
+            for number, text in enumerate(self.problems)
+        ]
+        parts += [
+            f'<text x="{x}" y="{top - 12}" fill="#6b7280" font-size="12">{title}</text>'
+            for x, (title, _) in zip(starts, _COLUMNS, strict=True)
+        ]
         places = {}
         for number, (depth, frame, row) in enumerate(lines):
             x, y = 14 + _INDENT * depth, top + _ROW * (number + 0.5)
             places[frame] = (x, y)
             parts += self._row(frame, row, x, y, starts, places, number % 2 == 1, width)
         if not lines:
-            parts.append(f'<text x="14" y="{top + 18}" fill="#59606e">no frame: nothing came on /tf and /tf_static'
-                         '</text>')
-        return '\n'.join((
-            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width * scale:.0f}" height="{height * scale:.0f}" '
-            f'viewBox="0 0 {width:.0f} {height:.0f}" style="max-width:100%;height:auto" '
-            f'font-family=\'{_FONT}\' font-size="13" fill="#21252f">',
-            f'<rect width="{width:.0f}" height="{height:.0f}" rx="6" fill="#fbfcfd" stroke="#cfd3da"/>',
-            *parts, '</svg>'))
+            parts.append(
+                f'<text x="14" y="{top + 18}" fill="#59606e">no frame: nothing came on /tf and /tf_static</text>'
+            )
+        return '\n'.join(
+            (
+                f'<svg xmlns="http://www.w3.org/2000/svg" width="{width * scale:.0f}" height="{height * scale:.0f}" '
+                f'viewBox="0 0 {width:.0f} {height:.0f}" style="max-width:100%;height:auto" '
+                f'font-family=\'{_FONT}\' font-size="13" fill="#21252f">',
+                f'<rect width="{width:.0f}" height="{height:.0f}" rx="6" fill="#fbfcfd" stroke="#cfd3da"/>',
+                *parts,
+                '</svg>',
+            )
+        )
 
     def _row(self, frame, row, x, y, starts, places, shaded, width) -> list[str]:
         colour = '#21252f' if row is None else _hex(STATIC if row.static else MOVES)
@@ -129,21 +138,30 @@ class FramesDiagram:
             parts.append(f'<rect x="1" y="{y - _ROW / 2}" width="{width - 2:.0f}" height="{_ROW}" fill="#f1f4f7"/>')
         if row is not None and row.parent in places and row.parent != frame:
             px, py = places[row.parent]
-            parts.append(f'<path d="M{px + 12} {py + _BOX / 2}V{y - 8}q0 8 8 8H{x - 5}" fill="none" stroke="{colour}" '
-                         f'stroke-width="1.8"{dash}/><path d="M{x - 7} {y - 4}l7 4l-7 4z" fill="{colour}"/>')
+            parts.append(
+                f'<path d="M{px + 12} {py + _BOX / 2}V{y - 8}q0 8 8 8H{x - 5}" fill="none" stroke="{colour}" '
+                f'stroke-width="1.8"{dash}/><path d="M{x - 7} {y - 4}l7 4l-7 4z" fill="{colour}"/>'
+            )
         bold = row is None or not row.static
         weight = ' font-weight="600"' if bold else ''
         wide = (8.7 if bold else 7.8) * len(frame) + 18
-        parts.append(f'<rect x="{x}" y="{y - _BOX / 2}" width="{wide:.0f}" height="{_BOX}" rx="5" '
-                     f'fill="#fff" stroke="{colour}"{dash}/>'
-                     f'<text x="{x + 8}" y="{y + 4.5}"{weight}>{escape(frame)}</text>')
-        parts += [f'<text x="{start}" y="{y + 4.5}" fill="{colour if number == 0 else "#394150"}">{escape(text)}</text>'
-                  for number, (start, text) in enumerate(zip(starts, self._cells(row), strict=True)) if text]
+        parts.append(
+            f'<rect x="{x}" y="{y - _BOX / 2}" width="{wide:.0f}" height="{_BOX}" rx="5" '
+            f'fill="#fff" stroke="{colour}"{dash}/>'
+            f'<text x="{x + 8}" y="{y + 4.5}"{weight}>{escape(frame)}</text>'
+        )
+        parts += [
+            f'<text x="{start}" y="{y + 4.5}" fill="{colour if number == 0 else "#394150"}">{escape(text)}</text>'
+            for number, (start, text) in enumerate(zip(starts, self._cells(row), strict=True))
+            if text
+        ]
         return parts
 
     def __repr__(self) -> str:
-        lines = [f'{"  " * depth}{frame}' + ''.join(f', {cell}' for cell in self._cells(row) if cell)
-                 for depth, frame, row in self._lines()]
+        lines = [
+            f'{"  " * depth}{frame}' + ''.join(f', {cell}' for cell in self._cells(row) if cell)
+            for depth, frame, row in self._lines()
+        ]
         return '\n'.join([*self.problems, *lines]) or 'no frame'
 
     def _repr_mimebundle_(self, include=None, exclude=None) -> dict[str, str]:
@@ -221,8 +239,10 @@ def _broadcasters(node) -> tuple[list[str], list[str]]:
     deadline = time.monotonic() + _PATIENCE
     while True:
         found = [node.get_publishers_info_by_topic(topic) for topic in ('/tf', '/tf_static')]
-        named = [{f'{info.node_namespace.rstrip("/")}/{info.node_name}' for info in infos if info.node_name != UNKNOWN}
-                 for infos in found]
+        named = [
+            {f'{info.node_namespace.rstrip("/")}/{info.node_name}' for info in infos if info.node_name != UNKNOWN}
+            for infos in found
+        ]
         if time.monotonic() >= deadline or all(info.node_name != UNKNOWN for infos in found for info in infos):
             return sorted(named[0]), sorted(named[1])
         spin_for(0.05, node)
@@ -233,8 +253,15 @@ def _row(child: str, entry: dict, broadcasters) -> Row:
     sender = str(entry['broadcaster'])
     if sender in ('default_authority', 'no recorded authority', 'Authority undetectable'):
         sender = ' or '.join(broadcasters[1 if static else 0])
-    return Row(child, str(entry['parent']), static, 0.0 if static else entry['rate'], entry['most_recent_transform'],
-               entry['buffer_length'], sender)
+    return Row(
+        child,
+        str(entry['parent']),
+        static,
+        0.0 if static else entry['rate'],
+        entry['most_recent_transform'],
+        entry['buffer_length'],
+        sender,
+    )
 
 
 def _age(seconds: float) -> str:

@@ -21,14 +21,20 @@ def application(secret: str, channels: dict) -> Application:
     :param channels: the open channels (`helpers.show.views.server.ViewerChannel`) by name.
     """
     scripts = {'meshcat.js': pages.library(), **{path.name: path for path in pages.WEB.glob('*.js')}}
-    return Application([
-        (f'/{secret}/ping', PingHandler),
-        *((f'/{secret}/{name}', FileHandler, {'path': path, 'kind': 'text/javascript'})
-          for name, path in scripts.items()),
-        (f'/{secret}/viewer.css', FileHandler, {'path': pages.WEB / 'viewer.css', 'kind': 'text/css'}),
-        (f'/{secret}/([0-9]+)/', PageHandler, {'channels': channels}),
-        (f'/{secret}/([0-9]+)/socket', BrowserHandler, {'channels': channels}),
-    ], websocket_ping_interval=_PING, log_function=lambda handler: None)
+    return Application(
+        [
+            (f'/{secret}/ping', PingHandler),
+            *(
+                (f'/{secret}/{name}', FileHandler, {'path': path, 'kind': 'text/javascript'})
+                for name, path in scripts.items()
+            ),
+            (f'/{secret}/viewer.css', FileHandler, {'path': pages.WEB / 'viewer.css', 'kind': 'text/css'}),
+            (f'/{secret}/([0-9]+)/', PageHandler, {'channels': channels}),
+            (f'/{secret}/([0-9]+)/socket', BrowserHandler, {'channels': channels}),
+        ],
+        websocket_ping_interval=_PING,
+        log_function=lambda handler: None,
+    )
 
 
 class FileHandler(RequestHandler):

@@ -41,8 +41,10 @@ def pixels(message) -> np.ndarray:
     kind = np.dtype(kind).newbyteorder('>' if message.is_bigendian else '<')
     width = message.width * channels * kind.itemsize
     if message.step < width or len(message.data) < message.step * message.height:
-        raise ValueError(f'{len(message.data)} bytes in rows of {message.step} are too few for {message.width} x '
-                         f'{message.height} pixels of {message.encoding}')
+        raise ValueError(
+            f'{len(message.data)} bytes in rows of {message.step} are too few for {message.width} x '
+            f'{message.height} pixels of {message.encoding}'
+        )
     rows = np.frombuffer(message.data, np.uint8, message.step * message.height).reshape(message.height, message.step)
     values = np.ascontiguousarray(rows[:, :width]).view(kind).reshape(message.height, message.width, channels)
     values = values[:, :, order] if len(order) == 3 else values[:, :, 0]

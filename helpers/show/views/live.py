@@ -69,8 +69,13 @@ class LiveRenderer:
         :param picture: an SVG.
         :param height: in pixels.
         """
-        return _CELL.render(name=secrets.token_hex(4), port=self._channel.port, path=self._channel.path,
-                            height=height, picture=base64.b64encode(picture.encode()).decode())
+        return _CELL.render(
+            name=secrets.token_hex(4),
+            port=self._channel.port,
+            path=self._channel.path,
+            height=height,
+            picture=base64.b64encode(picture.encode()).decode(),
+        )
 
     def close(self) -> None:
         """Close the browsers' sockets; idempotent."""

@@ -20,8 +20,9 @@ def load(filename: str) -> tuple[np.ndarray, np.ndarray, tuple | None]:
         mesh = trimesh.load(path, force='mesh')
         vertices, faces = np.asarray(mesh.vertices), np.asarray(mesh.faces)
     except ImportError as error:
-        raise UrdfError(f'{filename}: reading {path.suffix} files needs another package: pip install '
-                        f'{error.name or "pycollada"}') from None
+        raise UrdfError(
+            f'{filename}: reading {path.suffix} files needs another package: pip install {error.name or "pycollada"}'
+        ) from None
     except Exception as error:  # each reader of a format has its own kinds
         hint = '; .dae files need pycollada: pip install pycollada' if path.suffix.lower() == '.dae' else ''
         raise UrdfError(f'{filename}: this is no mesh that can be read: {error}{hint}') from None

@@ -49,11 +49,14 @@ class Odometry(StampedDisplay):
         heading = math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z))
         if self._path and stamp < self._path[-1][0]:  # a new run of a simulation
             self._path = []
-        if (not self._path or math.dist(here, self._path[-1][1]) >= _STEP
-                or abs(math.remainder(heading - self._heading, math.tau)) >= _TURN):
+        if (
+            not self._path
+            or math.dist(here, self._path[-1][1]) >= _STEP
+            or abs(math.remainder(heading - self._heading, math.tau)) >= _TURN
+        ):
             self._path.append((stamp, here))
             self._heading = heading
-            del self._path[:-self.keep]
+            del self._path[: -self.keep]
 
     def draw(self, message) -> None:
         stamp = message.header.stamp.sec * 1_000_000_000 + message.header.stamp.nanosec

@@ -33,7 +33,7 @@ def order(parts: list[Part], view_from: np.ndarray) -> list[str]:
     """
     by_distance = sorted(parts, key=lambda part: (part.layer, float((part.points @ view_from).mean())))
     lowest = [part for part in by_distance if part.layer == 0]
-    return [part.element for part in _by_planes(lowest) + by_distance[len(lowest):]]
+    return [part.element for part in _by_planes(lowest) + by_distance[len(lowest) :]]
 
 
 def _by_planes(parts: list[Part]) -> list[Part]:

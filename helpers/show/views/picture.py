@@ -41,8 +41,15 @@ _SIDES = 20  # of a cylinder
 _FONT = 'system-ui, -apple-system, "Segoe UI", sans-serif'
 
 
-def svg(scene: Scene, caption: str = '', problems: Sequence[str] = (), legend: Sequence[tuple[str, Colour, bool]] = (),
-        around: tuple[np.ndarray, float] | None = None, width: int = 720, height: int = 420) -> str:
+def svg(
+    scene: Scene,
+    caption: str = '',
+    problems: Sequence[str] = (),
+    legend: Sequence[tuple[str, Colour, bool]] = (),
+    around: tuple[np.ndarray, float] | None = None,
+    width: int = 720,
+    height: int = 420,
+) -> str:
     """Return the scene as an SVG of less than 60 kB.
 
     :param caption: a line below the picture.
@@ -107,30 +114,42 @@ class _ScenePicture:
         body += order(self.parts, VIEW_FROM)
         named = [item for item in self.items if isinstance(item.shape, Label) and item.shape.text]
         body += ['<g stroke="#fff" stroke-width="3" paint-order="stroke">', *map(self._name, named), '</g>']
-        lines = [f'<text x="12" y="{22 + 17 * number}" fill="#b3261e">{escape(line)}</text>'
-                 for number, line in enumerate(line for problem in problems
-                                               for line in textwrap.wrap(problem, int(self.width / 7.2)))]
+        lines = [
+            f'<text x="12" y="{22 + 17 * number}" fill="#b3261e">{escape(line)}</text>'
+            for number, line in enumerate(
+                line for problem in problems for line in textwrap.wrap(problem, int(self.width / 7.2))
+            )
+        ]
         if self.empty:
-            lines.append(f'<text x="{self.width / 2:g}" y="{self.height / 2:g}" text-anchor="middle" fill="#59606e">'
-                         'no frame so far</text>')
+            lines.append(
+                f'<text x="{self.width / 2:g}" y="{self.height / 2:g}" text-anchor="middle" fill="#59606e">'
+                'no frame so far</text>'
+            )
         if not self.empty:
             caption = f'{caption} · grid {self.step:g} m' if caption else f'grid {self.step:g} m'
             lines.append(f'<text x="12" y="{self.height - 12}" fill="#59606e">{escape(caption)}</text>')
             lines += self._legend(legend)
-        return '\n'.join((
-            f'<svg xmlns="http://www.w3.org/2000/svg" width="{self.width}" height="{self.height}" '
-            f'viewBox="0 0 {self.width} {self.height}" style="max-width:100%;height:auto" fill="none" '
-            f'stroke-linecap="round" stroke-linejoin="round" font-family=\'{_FONT}\' font-size="13">',
-            f'<rect width="{self.width}" height="{self.height}" rx="6" fill="#f6f8fa" stroke="#cfd3da"/>',
-            *(part for part in body if part), *lines, '</svg>'))
+        return '\n'.join(
+            (
+                f'<svg xmlns="http://www.w3.org/2000/svg" width="{self.width}" height="{self.height}" '
+                f'viewBox="0 0 {self.width} {self.height}" style="max-width:100%;height:auto" fill="none" '
+                f'stroke-linecap="round" stroke-linejoin="round" font-family=\'{_FONT}\' font-size="13">',
+                f'<rect width="{self.width}" height="{self.height}" rx="6" fill="#f6f8fa" stroke="#cfd3da"/>',
+                *(part for part in body if part),
+                *lines,
+                '</svg>',
+            )
+        )
 
     def _legend(self, legend) -> list[str]:
         x, parts = self.width - 12.0, []
         for what, colour, dashed in reversed(legend):
             x -= 7 * len(what) + 46
             dash = ' stroke-dasharray="5 4" stroke-linecap="butt"' if dashed else ''
-            parts.append(f'<path d="M{x:.0f} {self.height - 16}h20" stroke="{_hex(colour)}" stroke-width="2.5"{dash}/>'
-                         f'<text x="{x + 26:.0f}" y="{self.height - 12}" fill="#59606e">{escape(what)}</text>')
+            parts.append(
+                f'<path d="M{x:.0f} {self.height - 16}h20" stroke="{_hex(colour)}" stroke-width="2.5"{dash}/>'
+                f'<text x="{x + 26:.0f}" y="{self.height - 12}" fill="#59606e">{escape(what)}</text>'
+            )
         return parts
 
     def _ground(self) -> str:
@@ -150,8 +169,16 @@ class _ScenePicture:
         if not len(points):
             return
         flat = self.flat(points)
-        self.parts.append(Part(element if opacity >= 1 else f'<g opacity="{opacity:.2g}">{element}</g>',
-                               points, flat.min(axis=0) - 1, flat.max(axis=0) + 1, normal, layer))
+        self.parts.append(
+            Part(
+                element if opacity >= 1 else f'<g opacity="{opacity:.2g}">{element}</g>',
+                points,
+                flat.min(axis=0) - 1,
+                flat.max(axis=0) + 1,
+                normal,
+                layer,
+            )
+        )
 
     def _outside(self, flat: np.ndarray) -> bool:
         """Whether all of an element is beside the picture."""
@@ -221,8 +248,12 @@ class _ScenePicture:
         width = min(6.0, max(1.5, shape.size * self.scale))
         for colour, places in groups.items():
             path = ''.join(f'M{x} {y}h0' for x, y in places)
-            self._add(f'<path d="{path}" stroke="{_hex(colour)}" stroke-width="{width:.2g}"/>', item.opacity,
-                      points[seen], layer=_SEEN)
+            self._add(
+                f'<path d="{path}" stroke="{_hex(colour)}" stroke-width="{width:.2g}"/>',
+                item.opacity,
+                points[seen],
+                layer=_SEEN,
+            )
 
     def _hidden(self, points: np.ndarray, flat: np.ndarray, near: float) -> np.ndarray:
         """Which points a face hides, from which they are farther away than `near` m."""
@@ -265,12 +296,19 @@ class _ScenePicture:
         turn = -math.degrees(math.atan2(ways[1, 1], ways[0, 1]))
         x, y = self.flat(centre)[0]
         light = _hex(np.minimum(1.0, np.array(item.shape.colour) * 0.6 + 0.4))
-        form = (f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{long:.1f}"' if long - short < 0.2 else
-                f'<ellipse cx="{x:.1f}" cy="{y:.1f}" rx="{long:.1f}" ry="{short:.1f}" '
-                f'transform="rotate({turn:.0f} {x:.1f} {y:.1f})"')
-        self._add(f'{form} fill="{_hex(item.shape.colour)}"/>'
-                  f'<circle cx="{x - 0.25 * short:.1f}" cy="{y - 0.3 * short:.1f}" r="{0.35 * short:.1f}" '
-                  f'fill="{light}" opacity=".55"/>', item.opacity, _extent(item))
+        form = (
+            f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{long:.1f}"'
+            if long - short < 0.2
+            else f'<ellipse cx="{x:.1f}" cy="{y:.1f}" rx="{long:.1f}" ry="{short:.1f}" '
+            f'transform="rotate({turn:.0f} {x:.1f} {y:.1f})"'
+        )
+        self._add(
+            f'{form} fill="{_hex(item.shape.colour)}"/>'
+            f'<circle cx="{x - 0.25 * short:.1f}" cy="{y - 0.3 * short:.1f}" r="{0.35 * short:.1f}" '
+            f'fill="{light}" opacity=".55"/>',
+            item.opacity,
+            _extent(item),
+        )
 
     def _mesh(self, item: Item) -> None:
         vertices, faces = _coarser(item.shape.vertices, item.shape.faces, self.budget // 3)
@@ -297,8 +335,12 @@ class _ScenePicture:
                 self.walls.append((corners[face], flat[face], normal))
             shade = _hex(np.minimum(1.0, colour * (0.62 + 0.42 * max(0.0, float(normal @ _LIGHT)))))
             path = ' '.join(_pair(place) for place in flat[face])
-            self._add(f'<polygon points="{path}" fill="{shade}" stroke="{shade}" stroke-width=".5"/>', opacity,
-                      corners[face], normal)
+            self._add(
+                f'<polygon points="{path}" fill="{shade}" stroke="{shade}" stroke-width=".5"/>',
+                opacity,
+                corners[face],
+                normal,
+            )
 
     # Names
 
@@ -319,13 +361,17 @@ class _ScenePicture:
             line = ''
             if abs(middle - y) > tall:
                 end = left - 2 if left > x else left + long + 2
-                line = (f'<path d="M{x:.0f} {y:.0f}L{end:.0f} {middle:.0f}" stroke="{_hex(shape.colour)}" '
-                        'stroke-width=".7"/>')  # of its own colour, not of the names' border
+                line = (
+                    f'<path d="M{x:.0f} {y:.0f}L{end:.0f} {middle:.0f}" stroke="{_hex(shape.colour)}" '
+                    'stroke-width=".7"/>'
+                )  # of its own colour, not of the names' border
         weight = ' font-weight="600"' if shape.bold else ''
         opacity = f' opacity="{item.opacity:.2g}"' if item.opacity < 1 else ''
         big = '' if shape.height is None else f' font-size="{size:.3g}"'
-        return (f'{line}<text x="{left:.0f}" y="{middle + 0.35 * size:.0f}"{big}{weight}{opacity} '
-                f'fill="{_hex(shape.colour)}">{escape(shape.text)}</text>')
+        return (
+            f'{line}<text x="{left:.0f}" y="{middle + 0.35 * size:.0f}"{big}{weight}{opacity} '
+            f'fill="{_hex(shape.colour)}">{escape(shape.text)}</text>'
+        )
 
     def _free_place(self, x: float, y: float, long: float, tall: float) -> tuple[float, float] | None:
         """The place near (x, y) that covers other names least: left end and middle of the text; None without room."""

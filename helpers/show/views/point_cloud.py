@@ -57,7 +57,7 @@ class PointCloud2(StampedDisplay):
         if len(data) <= self.most:
             return data
         if self._chosen[0] != len(data):
-            self._chosen = len(data), np.random.default_rng(0).permutation(len(data))[:self.most]
+            self._chosen = len(data), np.random.default_rng(0).permutation(len(data))[: self.most]
         return data[self._chosen[1]]
 
     def _colours(self, data: np.ndarray, fields: set[str]) -> np.ndarray:

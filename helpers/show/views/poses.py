@@ -9,11 +9,14 @@ def matrix(translation=(0.0, 0.0, 0.0), quaternion=(0.0, 0.0, 0.0, 1.0)) -> np.n
     norm = x * x + y * y + z * z + w * w
     s = 2.0 / norm if norm > 0.0 else 0.0
     tx, ty, tz = translation
-    return np.array((
-        (1.0 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w), tx),
-        (s * (x * y + z * w), 1.0 - s * (x * x + z * z), s * (y * z - x * w), ty),
-        (s * (x * z - y * w), s * (y * z + x * w), 1.0 - s * (x * x + y * y), tz),
-        (0.0, 0.0, 0.0, 1.0)))
+    return np.array(
+        (
+            (1.0 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w), tx),
+            (s * (x * y + z * w), 1.0 - s * (x * x + z * z), s * (y * z - x * w), ty),
+            (s * (x * z - y * w), s * (y * z + x * w), 1.0 - s * (x * x + y * y), tz),
+            (0.0, 0.0, 0.0, 1.0),
+        )
+    )
 
 
 def from_transform(transform) -> np.ndarray:

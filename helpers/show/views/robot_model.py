@@ -22,8 +22,14 @@ class RobotModel(TopicDisplay):
     :param qos: QoS or depth; None: as in RViz, the last one, transient local.
     """
 
-    def __init__(self, topic: str = '/robot_description', prefix: str = '', collision: bool = False,
-                 opacity: float = 1.0, qos=None):
+    def __init__(
+        self,
+        topic: str = '/robot_description',
+        prefix: str = '',
+        collision: bool = False,
+        opacity: float = 1.0,
+        qos=None,
+    ):
         super().__init__(topic, qos)
         self.prefix, self.collision, self.opacity = prefix, collision, opacity
         self.robot: urdf_reader.Robot | None = None  #: what the last good description says

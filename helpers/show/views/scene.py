@@ -180,8 +180,9 @@ class Scene:
         """Take what has changed since the last call; for the one live renderer of the scene."""
         store = self._store
         with store.lock:
-            changes = Changes(store.deleted, list(store.shapes.values()), list(store.poses.values()),
-                              list(store.appearances.values()))
+            changes = Changes(
+                store.deleted, list(store.shapes.values()), list(store.poses.values()), list(store.appearances.values())
+            )
             store.deleted, store.shapes, store.poses, store.appearances = [], {}, {}, {}
         return changes
 
@@ -189,5 +190,9 @@ class Scene:
         """The whole scene as changes to an empty one; takes nothing."""
         with self._store.lock:
             nodes = list(self._store.nodes.values())
-        return Changes([], nodes, [node for node in nodes if node.pose is not IDENTITY],
-                       [node for node in nodes if not node.visible or node.opacity < 1])
+        return Changes(
+            [],
+            nodes,
+            [node for node in nodes if node.pose is not IDENTITY],
+            [node for node in nodes if not node.visible or node.opacity < 1],
+        )

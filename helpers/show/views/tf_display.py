@@ -76,7 +76,7 @@ class TF(Display):
 
     def update(self, fixed_frame, time) -> None:
         past = time.nanoseconds != 0
-        self.poses = (self.tree.poses_at(fixed_frame, self.buffer, time) if past else self.tree.poses(fixed_frame))
+        self.poses = self.tree.poses_at(fixed_frame, self.buffer, time) if past else self.tree.poses(fixed_frame)
         problems = self.tree.problems(fixed_frame)
         members = self.tree.trees.get(self.tree.root_of(fixed_frame), ())
         missing = [frame for frame in members if frame not in self.poses]
@@ -104,9 +104,11 @@ class TF(Display):
             return
         places = np.array([pose[:3, 3] for pose in self.poses.values()])
         extent = float(np.linalg.norm(places.max(axis=0) - places.min(axis=0)))
-        distances = [float(np.linalg.norm(pose[:3, 3] - self.poses[self.tree.links[frame].parent][:3, 3]))
-                     for frame, pose in self.poses.items()
-                     if frame in self.tree.links and self.tree.links[frame].parent in self.poses]
+        distances = [
+            float(np.linalg.norm(pose[:3, 3] - self.poses[self.tree.links[frame].parent][:3, 3]))
+            for frame, pose in self.poses.items()
+            if frame in self.tree.links and self.tree.links[frame].parent in self.poses
+        ]
         apart = [distance for distance in distances if distance > 1e-6]
         if not apart:
             self._length = self._length or 0.2
@@ -160,16 +162,21 @@ class TF(Display):
     def _draw_lines(self) -> None:
         """All lines to the parents: one shape for those that move, one for the static ones."""
         for static, colour in ((False, MOVES), (True, STATIC)):
-            ends = [place for frame, pose in self.poses.items()
-                    if (link := self.tree.links.get(frame)) is not None and link.static == static
-                    and link.parent in self.poses
-                    for place in (pose[:3, 3], self.poses[link.parent][:3, 3])]
+            ends = [
+                place
+                for frame, pose in self.poses.items()
+                if (link := self.tree.links.get(frame)) is not None
+                and link.static == static
+                and link.parent in self.poses
+                for place in (pose[:3, 3], self.poses[link.parent][:3, 3])
+            ]
             points = np.array(ends, dtype=np.float32).reshape(-1, 3)
             if self._lines.get(static) != points.tobytes():
                 self._lines[static] = points.tobytes()
                 name = 'links/static' if static else 'links/moving'
-                self.scene.set(name, Line(points, colour, 2.0 if static else 2.5, pieces=True, dashed=static,
-                                          on_top=self.on_top))
+                self.scene.set(
+                    name, Line(points, colour, 2.0 if static else 2.5, pieces=True, dashed=static, on_top=self.on_top)
+                )
 
     def _draw_trails(self) -> None:
         for number, frame in enumerate(self.trails):

@@ -81,9 +81,19 @@ class TfView:
     :raises RuntimeError: ROS is not started.
     """
 
-    def __init__(self, *displays: Display, fixed_frame: str | None = None, focus: str | None = None, span: float = 2.0,
-                 frames: bool = True, trails=(), axis_length: float | None = None, frame_timeout: float = 10.0,
-                 height: int = 420, live: bool | None = None):
+    def __init__(
+        self,
+        *displays: Display,
+        fixed_frame: str | None = None,
+        focus: str | None = None,
+        span: float = 2.0,
+        frames: bool = True,
+        trails=(),
+        axis_length: float | None = None,
+        frame_timeout: float = 10.0,
+        height: int = 420,
+        live: bool | None = None,
+    ):
         import rclpy
         from tf2_ros import Buffer
 
@@ -141,8 +151,9 @@ class TfView:
     def problems(self) -> list[str]:
         """What is wrong with the tree or a display, one sentence each; also shown in the view."""
         found = self._tf.status().splitlines()
-        return found + [f'{name}: {line}' for name, display in self._parts.items()
-                        for line in display.status().splitlines()]
+        return found + [
+            f'{name}: {line}' for name, display in self._parts.items() for line in display.status().splitlines()
+        ]
 
     @property
     def fixed_frame(self) -> str:
@@ -264,9 +275,16 @@ class TfView:
         self._moment = max(1, self._latest - round(self._past * 1e9))
 
     def _state(self) -> dict:
-        return {'fixed_frame': self._fixed_frame, 'chosen': self._chosen, 'frames': sorted(self._tf.tree.frames),
-                'problems': self.problems, 'past': self._past, 'history': 10.0, 'span': self.span,
-                'focus': f'TF/frames/{part(self.focus)}' if self.focus else None}
+        return {
+            'fixed_frame': self._fixed_frame,
+            'chosen': self._chosen,
+            'frames': sorted(self._tf.tree.frames),
+            'problems': self.problems,
+            'past': self._past,
+            'history': 10.0,
+            'span': self.span,
+            'focus': f'TF/frames/{part(self.focus)}' if self.focus else None,
+        }
 
     def _on_message(self, content: dict) -> None:
         """The page's controls; in the server's thread."""

@@ -74,8 +74,10 @@ class TopicDisplay(Display):
         """The types of the topic other than ours, and the QoS of those of our type."""
         kind = _type_name(self.message_type())
         found = self.node.get_publishers_info_by_topic(self._topic_name)
-        return (sorted({info.topic_type for info in found} - {kind}),
-                [info.qos_profile for info in found if info.topic_type == kind])
+        return (
+            sorted({info.topic_type for info in found} - {kind}),
+            [info.qos_profile for info in found if info.topic_type == kind],
+        )
 
     def _try(self) -> None:
         """Subscribe, unless the topic carries another type: DDS refuses two types of a topic in one process."""
@@ -93,8 +95,12 @@ class TopicDisplay(Display):
         from rclpy.qos import DurabilityPolicy
 
         kept = DurabilityPolicy.TRANSIENT_LOCAL
-        new = (self.qos is None and self._wanted.durability != kept and bool(offered)
-               and all(profile.durability == kept for profile in offered))
+        new = (
+            self.qos is None
+            and self._wanted.durability != kept
+            and bool(offered)
+            and all(profile.durability == kept for profile in offered)
+        )
         if new:
             self._wanted.durability = kept
         return new
@@ -111,8 +117,10 @@ class TopicDisplay(Display):
             self._try()
         misfits = [qos.mismatches(offered, self._wanted) for offered in ours]
         if ours and all(misfits):
-            found = '; '.join(f'{policy}: the publisher offers {offers}, this display asks for {asks}'
-                              for policy, offers, asks in misfits[0])
+            found = '; '.join(
+                f'{policy}: the publisher offers {offers}, this display asks for {asks}'
+                for policy, offers, asks in misfits[0]
+            )
             return f'incompatible QoS on [{name}]: {found}'
         if heard:
             return ''
@@ -202,8 +210,9 @@ class StampedDisplay(TopicDisplay):
                 self._waiting = None
                 return message, pose
         if time.monotonic() - self._waiting > _PATIENCE:
-            self.problem = (f'{no_transform(f"[{_frame(newest)}]", fixed_frame)} at the time of the message on '
-                            f'[{self._topic_name}]')
+            self.problem = (
+                f'{no_transform(f"[{_frame(newest)}]", fixed_frame)} at the time of the message on [{self._topic_name}]'
+            )
             return None, None
         return (kept[0], None) if kept is not None else (None, None)
 

@@ -19,8 +19,9 @@ def watch(page):
     """Note what the console of this Playwright page says, until it is closed. Returns the page."""
     lines = _consoles.setdefault(page, [])
     # JupyterLab has hundreds of plugins, and tells of each one that is slow to activate.
-    page.on('console', lambda message: _IDLE_TALK.search(message.text) or lines.append(
-        f'{message.type}: {message.text}'))
+    page.on(
+        'console', lambda message: _IDLE_TALK.search(message.text) or lines.append(f'{message.type}: {message.text}')
+    )
     page.on('pageerror', lambda error: lines.append(f'uncaught: {error}'))
     page.on('close', lambda closed: _consoles.pop(closed, None))
     return page

@@ -26,12 +26,23 @@ CHROMIUM = _found.text if _found.ok else None
 # Marks of the tests that need them. Neither belongs to the course, so a learner's machine may have none.
 NEEDED = [
     pytest.mark.skipif(not CHROMIUM, reason=f'no Chromium for the tests in a browser; {_found.remedy}'),
-    pytest.mark.skipif(not find_spec('playwright'), reason='no Playwright for the tests in a browser; run: '
-                       '.venv/bin/pip install -r environment/browser.lock'),
+    pytest.mark.skipif(
+        not find_spec('playwright'),
+        reason='no Playwright for the tests in a browser; run: .venv/bin/pip install -r environment/browser.lock',
+    ),
 ]
 # No display, no GPU; and no connections of the browser's own.
-FLAGS = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic',
-         '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync']
+FLAGS = [
+    '--no-sandbox',
+    '--use-gl=angle',
+    '--use-angle=swiftshader',
+    '--enable-unsafe-swiftshader',
+    '--disable-quic',
+    '--no-first-run',
+    '--disable-background-networking',
+    '--disable-component-update',
+    '--disable-sync',
+]
 # ms, for one step and for a whole notebook. Ample, as the machine may have much else to do; only failures wait so long.
 PATIENCE = 120_000
 LONG = 600_000
@@ -55,16 +66,26 @@ def served(folder: Path, private: Path) -> Iterator[str]:
     log = private / 'lab.log'
     evidence.also(log)
     folders = {f'JUPYTER_{name}_DIR': str(private / name) for name in ('RUNTIME', 'CONFIG', 'DATA')}
-    environment = {**os.environ, **folders,
-                   'JUPYTERLAB_WORKSPACES_DIR': str(private / 'workspaces'), 'JUPYTER_PREFER_ENV_PATH': '1'}
+    environment = {
+        **os.environ,
+        **folders,
+        'JUPYTERLAB_WORKSPACES_DIR': str(private / 'workspaces'),
+        'JUPYTER_PREFER_ENV_PATH': '1',
+    }
     with socket.socket() as probe:
         probe.bind(('127.0.0.1', 0))
         port = probe.getsockname()[1]
     # The last one, so that a test can ask JupyterLab whether all cells have run.
-    arguments = [*lab.arguments(port, True, True, f'/lab/tree/{start_page.FILE}', folder),
-                 '--LabApp.expose_app_in_browser=True']
-    with log.open('w') as output, subprocess.Popen([sys.executable, *arguments], cwd=folder, env=environment,
-                                                   stdout=output, stderr=subprocess.STDOUT) as server:
+    arguments = [
+        *lab.arguments(port, True, True, f'/lab/tree/{start_page.FILE}', folder),
+        '--LabApp.expose_app_in_browser=True',
+    ]
+    with (
+        log.open('w') as output,
+        subprocess.Popen(
+            [sys.executable, *arguments], cwd=folder, env=environment, stdout=output, stderr=subprocess.STDOUT
+        ) as server,
+    ):
         try:
             yield _address(server, log, port)
         finally:
@@ -206,35 +227,35 @@ class Learner:
 
 # JupyterLab shows its application as `jupyterapp` only when asked to (--expose-app-in-browser).
 _NOTEBOOK = 'window.jupyterapp.shell.currentWidget.content'
-_IDLE = '''() => {
+_IDLE = """() => {
     const context = window.jupyterapp.shell.currentWidget.sessionContext;
     const kernel = context?.session?.kernel;
     return context?.isReady && kernel?.connectionStatus === "connected" && kernel.status === "idle";
-}'''
-_ALL_RUN = f'''() => {{
+}"""
+_ALL_RUN = f"""() => {{
     const cells = {_NOTEBOOK}.widgets.map(cell => cell.model).filter(model => model.type === "code");
     const stops = model => !(model.getMetadata("tags") ?? []).includes("raises-exception")
         && model.outputs.toJSON().some(output => output.output_type === "error");
     return cells.every(model => model.executionCount !== null && model.executionState !== "running")
         || cells.some(stops);
-}}'''
+}}"""
 _COUNT = f'(index) => {_NOTEBOOK}.widgets[index].model.executionCount'
 # JupyterLab sets the new number when all output has come.
-_RAN_AGAIN = f'''([index, before]) => {{
+_RAN_AGAIN = f"""([index, before]) => {{
     const count = {_NOTEBOOK}.widgets[index].model.executionCount;
     return count !== null && count !== before;
-}}'''
+}}"""
 _SOURCE = f'(index) => {_NOTEBOOK}.widgets[index].model.sharedModel.getSource()'
 _FOCUSED = '() => document.activeElement?.tagName === "A" ? document.activeElement.textContent : ""'
 _MORE_THAN = f'(count) => {_NOTEBOOK}.widgets.length > count'
 _ACTIVE = f'() => {_NOTEBOOK}.activeCell.model.id'
 _SAVED = '() => !window.jupyterapp.shell.currentWidget.context.model.dirty'
 _SOURCES = f'() => {_NOTEBOOK}.widgets.map(cell => [cell.model.id, cell.model.sharedModel.getSource()])'
-_OUTPUTS = f'''() => {_NOTEBOOK}.widgets.filter(cell => cell.model.type === "code")
-    .map(cell => [cell.model.id, cell.model.outputs.toJSON()])'''
-_ACTIVATE = f'''(id) => {{
+_OUTPUTS = f"""() => {_NOTEBOOK}.widgets.filter(cell => cell.model.type === "code")
+    .map(cell => [cell.model.id, cell.model.outputs.toJSON()])"""
+_ACTIVATE = f"""(id) => {{
     const notebook = {_NOTEBOOK};
     const index = notebook.widgets.findIndex(cell => cell.model.id === id);
     if (index >= 0) {{ notebook.activeCellIndex = index; notebook.deselectAll(); }}
     return index;
-}}'''
+}}"""

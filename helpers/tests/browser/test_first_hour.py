@@ -46,11 +46,15 @@ def failed(outputs, notebook):
     """The errors in a notebook's outputs, without those that its author wants."""
     cells = json.loads(notebook.read_text())['cells']
     wanted = {cell['id'] for cell in cells if 'raises-exception' in cell['metadata'].get('tags', [])}
-    return [f'cell {cell}: {output["ename"]}: {output["evalue"]}' for cell in outputs.keys() - wanted
-            for output in outputs[cell] if output['output_type'] == 'error']
+    return [
+        f'cell {cell}: {output["ename"]}: {output["evalue"]}'
+        for cell in outputs.keys() - wanted
+        for output in outputs[cell]
+        if output['output_type'] == 'error'
+    ]
 
 
-@pytest.mark.skipif(not SOLUTION.is_file(), reason='the learner\'s edition has no solutions')
+@pytest.mark.skipif(not SOLUTION.is_file(), reason="the learner's edition has no solutions")
 def test_chapter_3_from_the_start_page_to_a_submission(learners, folder, tmp_path):
     learner = learners[3]
     learner.wait_until_all_ran()
@@ -69,8 +73,12 @@ def test_chapter_3_from_the_start_page_to_a_submission(learners, folder, tmp_pat
     learner.save()
 
     handed_in = tmp_path / 'ada.zip'
-    done = subprocess.run([sys.executable, '-m', 'helpers.cli', 'submit', '--id', 'ada', '-o', handed_in,
-                           '--notebooks', folder], cwd=paths.ROOT, capture_output=True, text=True)
+    done = subprocess.run(
+        [sys.executable, '-m', 'helpers.cli', 'submit', '--id', 'ada', '-o', handed_in, '--notebooks', folder],
+        cwd=paths.ROOT,
+        capture_output=True,
+        text=True,
+    )
     assert done.returncode == 0, done.stderr
     assert '3.1' in done.stdout
     with ZipFile(handed_in) as archive:

@@ -13,7 +13,7 @@ STEPS = 5
 STILL = 10  # pictures that are alike
 # A number that differs when names are drawn elsewhere, as when a frame has moved or one looks from elsewhere; it is
 # taken when a few pictures in a row are alike.
-DRAWN = '''() => new Promise((done) => {
+DRAWN = """() => new Promise((done) => {
     const canvas = document.getElementById('labels');
     let last = null, alike = 0;
     const look = () => {
@@ -25,15 +25,18 @@ DRAWN = '''() => new Promise((done) => {
         if (alike < STILL) requestAnimationFrame(look); else done(sum);
     };
     look();
-})'''.replace('STILL', str(STILL))
+})""".replace('STILL', str(STILL))
 
 
 @pytest.fixture
 def recorded(tmp_path):
     """The page of a frame that goes 1 m in each of some steps, 0.2 s apart."""
     scene, now = Scene(), [0.0]
-    recording = Recording(scene, lambda: {'problems': ['nothing is wrong'], 'fixed_frame': 'map', 'past': None,
-                                          'focus': None, 'span': 2.0}, lambda: now[0])
+    recording = Recording(
+        scene,
+        lambda: {'problems': ['nothing is wrong'], 'fixed_frame': 'map', 'past': None, 'focus': None, 'span': 2.0},
+        lambda: now[0],
+    )
     scene.set('map', Axes(1.0))
     scene.set('map/name', Label('map'))
     for step in range(STEPS + 1):

@@ -43,8 +43,10 @@ def test_the_instructors_commands_need_the_instructors_half(monkeypatch):
 
 
 def test_nothing_slow_is_imported_to_start():
-    code = ('import sys; from helpers.cli.app import make_app; make_app(); '
-            'print(*{"rclpy", "nbformat", "pytest", "jupytext", "numpy", "jinja2"} & set(sys.modules))')
+    code = (
+        'import sys; from helpers.cli.app import make_app; make_app(); '
+        'print(*{"rclpy", "nbformat", "pytest", "jupytext", "numpy", "jinja2"} & set(sys.modules))'
+    )
     assert run(code=code).stdout.strip() == ''
 
 
@@ -55,9 +57,10 @@ def test_wrong_usage_ends_with_two(arguments):
     assert done.stdout == '' and './course' in done.stderr
 
 
-@pytest.mark.parametrize(('outcome', 'status'), [
-    (None, 0), (typer.Exit(0), 0), (typer.Exit(1), 1), (Refusal('no port is free'), 2), (KeyboardInterrupt(), 130),
-])
+@pytest.mark.parametrize(
+    ('outcome', 'status'),
+    [(None, 0), (typer.Exit(0), 0), (typer.Exit(1), 1), (Refusal('no port is free'), 2), (KeyboardInterrupt(), 130)],
+)
 def test_exit_status(monkeypatch, capsys, outcome, status):
     def command():
         if outcome is not None:

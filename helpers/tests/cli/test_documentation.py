@@ -15,12 +15,24 @@ from helpers.cli import app
 from helpers.exercises import start_page
 
 # The learner's edition has not all of them.
-GUIDES = [path for path in (paths.ROOT / 'README.md', *sorted(paths.ROOT.glob('[a-z]*/README.md')),
-                            paths.ROOT / 'environment' / 'containers' / 'README.md') if path.is_file()]
+GUIDES = [
+    path
+    for path in (
+        paths.ROOT / 'README.md',
+        *sorted(paths.ROOT.glob('[a-z]*/README.md')),
+        paths.ROOT / 'environment' / 'containers' / 'README.md',
+    )
+    if path.is_file()
+]
 FULL = (paths.ROOT / 'grading').is_dir()
 # Named in the guides, but made by what they tell: grade, build, submit, release --classroom, migrate; by JupyterLab.
-MADE = {'.github/workflows/classroom.yml', 'notebooks/backup-…', 'notebooks/.ipynb_checkpoints', 'gradescope/NAME.json',
-        'build/bench.json'}
+MADE = {
+    '.github/workflows/classroom.yml',
+    'notebooks/backup-…',
+    'notebooks/.ipynb_checkpoints',
+    'gradescope/NAME.json',
+    'build/bench.json',
+}
 # Placeholders of the guides. In a command one value stands for them, in a path any text.
 VALUES = {'NN': '03', 'N': '2', 'N.M': '3.1'}
 ANY = re.compile(r'NN|N_M|NAME|\w+-ID\b|(?<=_)name|misconception|style|…|\*')
@@ -58,24 +70,35 @@ def problem(words):
     return ''
 
 
-QUOTED = sorted({(path.relative_to(paths.ROOT).as_posix(), shlex.join(words))
-                 for path in GUIDES for words in commands(path.read_text(encoding='utf-8'))})
+QUOTED = sorted(
+    {
+        (path.relative_to(paths.ROOT).as_posix(), shlex.join(words))
+        for path in GUIDES
+        for words in commands(path.read_text(encoding='utf-8'))
+    }
+)
 
 
 @pytest.mark.parametrize(('guide', 'command'), QUOTED, ids=lambda text: text.replace('/', '.'))
 def test_a_quoted_command_is_one(guide, command):
     words = shlex.split(command)
     if not FULL and words and words[0] in app.INSTRUCTOR:
-        pytest.skip('the learner\'s edition has no commands for instructors')
+        pytest.skip("the learner's edition has no commands for instructors")
     assert not problem(words), f'{guide}: ./course {command}: {problem(words)}'
 
 
 # Which tests run the commands that take longer, or need a place of their own.
 ELSEWHERE = {
-    'lab': 'helpers/tests/browser', 'migrate': 'helpers/tests/cli', 'submit': 'helpers/tests/cli',
-    'test': 'helpers/tests/cli/test_test.py', 'grade': 'grading/tests/cli', 'release': 'grading/tests/test_release.py',
-    'build': 'grading/tests/authoring/test_build.py', 'bench': 'grading/tests/cli/test_benchmarks.py',
-    'dask': 'grading/tests/test_cluster.py', 'answers': 'grading/tests/test_validity.py',
+    'lab': 'helpers/tests/browser',
+    'migrate': 'helpers/tests/cli',
+    'submit': 'helpers/tests/cli',
+    'test': 'helpers/tests/cli/test_test.py',
+    'grade': 'grading/tests/cli',
+    'release': 'grading/tests/test_release.py',
+    'build': 'grading/tests/authoring/test_build.py',
+    'bench': 'grading/tests/cli/test_benchmarks.py',
+    'dask': 'grading/tests/test_cluster.py',
+    'answers': 'grading/tests/test_validity.py',
 }
 
 
@@ -87,8 +110,14 @@ def test_a_quoted_command_runs(command):
     if elsewhere:
         assert not FULL or (paths.ROOT / elsewhere[0]).exists()
         return
-    done = subprocess.run([paths.ROOT / 'course', *words], input='command -v ros2\nexit\n', cwd=paths.ROOT, timeout=100,
-                          capture_output=True, text=True)
+    done = subprocess.run(
+        [paths.ROOT / 'course', *words],
+        input='command -v ros2\nexit\n',
+        cwd=paths.ROOT,
+        timeout=100,
+        capture_output=True,
+        text=True,
+    )
     # 1 from a check: not all is solved
     assert done.returncode in ((0, 1) if words[0] == 'check' else (0,)), done.stdout + done.stderr
     assert words[0] != 'shell' or '/bin/ros2' in done.stdout
@@ -104,13 +133,17 @@ def test_a_wrong_command_is_noticed(command):
     assert problem(command.split())
 
 
-@pytest.mark.skipif(not FULL, reason='the learner\'s edition has not all commands')
+@pytest.mark.skipif(not FULL, reason="the learner's edition has not all commands")
 @pytest.mark.parametrize('guide', GUIDES, ids=lambda path: path.parent.name)
 def test_quoted_options_exist(guide):
     group = typer.main.get_command(app.make_app())
     known = {option for command in group.commands.values() for parameter in command.params for option in parameter.opts}
-    quoted = {found for span in spans(guide.read_text(encoding='utf-8')) if span.startswith('--')
-              for found in re.findall(r'^--[a-z-]+', span)}
+    quoted = {
+        found
+        for span in spans(guide.read_text(encoding='utf-8'))
+        if span.startswith('--')
+        for found in re.findall(r'^--[a-z-]+', span)
+    }
     assert quoted - known <= {'--security-opt'}  # docker's
 
 
@@ -154,7 +187,7 @@ def test_every_chapter_says_how_long_it_takes():
         assert re.fullmatch(r'[a-z]+ hours', start_page.introduction(path).time), path.name
 
 
-@pytest.mark.skipif(not FULL, reason='the learner\'s edition has no commands for instructors')
+@pytest.mark.skipif(not FULL, reason="the learner's edition has no commands for instructors")
 def test_the_way_from_a_release_to_the_grade_book(tmp_path, monkeypatch, capsys):
     """The commands of the guide, in their order: release, an old answer taken over, submit, grade."""
     from grading import sandbox
@@ -167,7 +200,7 @@ def test_the_way_from_a_release_to_the_grade_book(tmp_path, monkeypatch, capsys)
 
     assert course('release -o ros2-course')[0] == 0
     notebooks = tmp_path / 'ros2-course' / 'notebooks'
-    chapter, = notebooks.glob('03_*.ipynb')
+    (chapter,) = notebooks.glob('03_*.ipynb')
     old = tmp_path / 'old'
     old.mkdir()
     solution = json.loads((paths.ROOT / 'solutions' / chapter.name).read_text())
@@ -186,7 +219,7 @@ def test_the_way_from_a_release_to_the_grade_book(tmp_path, monkeypatch, capsys)
     protected = '' if not sandbox.problem() else ' --sandbox none'
     assert course(f'grade submissions -o results{protected}')[0] == 0
     with open('results/gradebook.csv', newline='', encoding='utf-8') as file:
-        row, = csv.DictReader(file)
+        (row,) = csv.DictReader(file)
     assert row['learner'] == 'ada' and float(row['3.1']) == 10
     assert (tmp_path / 'results' / 'feedback' / 'ada.html').is_file()
     assert course(f'grade submissions -o results --only ada/3.2 --regrade{protected}')[0] == 0

@@ -16,8 +16,22 @@ from helpers import paths
 
 pytestmark = [pytest.mark.timeout(400), pytest.mark.early]
 PATIENCE = 120  # s
-KEPT = ('ROS_', 'JUPYTER', 'IPYTHON', 'MPL', 'XDG_', 'COURSE_', 'AMENT_', 'COLCON_', 'RCUTILS', 'FASTRTPS', 'PYTHON',
-        'CMAKE_', 'LD_LIBRARY', '_ROS')
+KEPT = (
+    'ROS_',
+    'JUPYTER',
+    'IPYTHON',
+    'MPL',
+    'XDG_',
+    'COURSE_',
+    'AMENT_',
+    'COLCON_',
+    'RCUTILS',
+    'FASTRTPS',
+    'PYTHON',
+    'CMAKE_',
+    'LD_LIBRARY',
+    '_ROS',
+)
 CELL = """
 import os, subprocess, rclpy, matplotlib.pyplot as plt
 from helpers import ros
@@ -40,8 +54,15 @@ def environ(tmp_path):
 
 
 def course(environ, *arguments, **options) -> subprocess.CompletedProcess:
-    return subprocess.run([paths.ROOT / 'course', *arguments], env=environ, cwd=paths.ROOT, capture_output=True,
-                          text=True, timeout=PATIENCE, **options)
+    return subprocess.run(
+        [paths.ROOT / 'course', *arguments],
+        env=environ,
+        cwd=paths.ROOT,
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+        **options,
+    )
 
 
 def ask(address: str, token: str, path: str, data=None):
@@ -57,10 +78,24 @@ def run_cell(address: str, token: str, kernel: str) -> str:
 
     url = f'{address.replace("http", "ws", 1)}api/kernels/{kernel}/channels?token={token}'
     channel = websocket.create_connection(url, timeout=PATIENCE)
-    header = {'msg_id': uuid4().hex, 'msg_type': 'execute_request', 'username': '', 'session': uuid4().hex,
-              'version': '5.3'}
-    channel.send(json.dumps({'header': header, 'parent_header': {}, 'metadata': {}, 'channel': 'shell',
-                             'content': {'code': CELL, 'silent': False, 'store_history': True}}))
+    header = {
+        'msg_id': uuid4().hex,
+        'msg_type': 'execute_request',
+        'username': '',
+        'session': uuid4().hex,
+        'version': '5.3',
+    }
+    channel.send(
+        json.dumps(
+            {
+                'header': header,
+                'parent_header': {},
+                'metadata': {},
+                'channel': 'shell',
+                'content': {'code': CELL, 'silent': False, 'store_history': True},
+            }
+        )
+    )
     text = ''
     while True:
         message = json.loads(channel.recv())
@@ -75,8 +110,14 @@ def run_cell(address: str, token: str, kernel: str) -> str:
 def in_lab(environ, log: Path) -> str:
     """Start JupyterLab, run a cell in a notebook, end it; returns what the cell printed."""
     with log.open('w') as output:
-        server = subprocess.Popen([paths.ROOT / 'course', 'lab', '--no-browser'], env=environ, cwd=paths.ROOT,
-                                  stdout=output, stderr=subprocess.STDOUT, start_new_session=True)
+        server = subprocess.Popen(
+            [paths.ROOT / 'course', 'lab', '--no-browser'],
+            env=environ,
+            cwd=paths.ROOT,
+            stdout=output,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,
+        )
     try:
         end = time.monotonic() + PATIENCE
         found = None
@@ -84,8 +125,12 @@ def in_lab(environ, log: Path) -> str:
             time.sleep(0.1)  # the log has no event to wait for
             found = re.search(r'(http://127\.0\.0\.1:\d+/)\S*token=(\w+)', log.read_text())
         assert found, log.read_text()
-        session = ask(found[1], found[2], 'api/sessions', {
-            'path': '01_environment.ipynb', 'name': '01_environment.ipynb', 'type': 'notebook', 'kernel': {}})
+        session = ask(
+            found[1],
+            found[2],
+            'api/sessions',
+            {'path': '01_environment.ipynb', 'name': '01_environment.ipynb', 'type': 'notebook', 'kernel': {}},
+        )
         return run_cell(found[1], found[2], session['kernel']['id'])
     finally:
         server.send_signal(signal.SIGTERM)
@@ -122,10 +167,19 @@ def test_a_domain_of_the_users_own_wins(environ):
 
 def test_a_stock_shell_has_nothing_of_the_courses_defaults(environ):
     code = 'import os, json; print(json.dumps(dict(os.environ)))'
-    shells = [json.loads(course(environ, 'shell', *options, '--', 'python3', '-c', code).stdout)
-              for options in ((), ('--stock',))]
-    names = {'ROS_AUTOMATIC_DISCOVERY_RANGE', 'ROS_PYTHON_CHECK_FIELDS', 'RCUTILS_COLORIZED_OUTPUT',
-             'RCUTILS_CONSOLE_OUTPUT_FORMAT', 'FASTRTPS_DEFAULT_PROFILES_FILE', 'ROS_DOMAIN_ID', 'OPENBLAS_NUM_THREADS'}
+    shells = [
+        json.loads(course(environ, 'shell', *options, '--', 'python3', '-c', code).stdout)
+        for options in ((), ('--stock',))
+    ]
+    names = {
+        'ROS_AUTOMATIC_DISCOVERY_RANGE',
+        'ROS_PYTHON_CHECK_FIELDS',
+        'RCUTILS_COLORIZED_OUTPUT',
+        'RCUTILS_CONSOLE_OUTPUT_FORMAT',
+        'FASTRTPS_DEFAULT_PROFILES_FILE',
+        'ROS_DOMAIN_ID',
+        'OPENBLAS_NUM_THREADS',
+    }
     assert names <= set(shells[0])
     assert not names & set(shells[1])
     assert shells[1]['ROS_DISTRO'] == 'jazzy'

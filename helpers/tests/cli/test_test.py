@@ -42,9 +42,11 @@ def test_success_is_zero(monkeypatch):
 
 def test_pytest_is_counted(tmp_path, capfd):
     sample = tmp_path / 'test_sample.py'
-    sample.write_text('import pytest\n\ndef test_a(): pass\n\ndef test_b(): assert 0\n'
-                      '\ndef test_c(): pytest.skip("no")\n'
-                      '\n@pytest.fixture\ndef broken(): raise OSError\n\ndef test_d(broken): pass\n')
+    sample.write_text(
+        'import pytest\n\ndef test_a(): pass\n\ndef test_b(): assert 0\n'
+        '\ndef test_c(): pytest.skip("no")\n'
+        '\n@pytest.fixture\ndef broken(): raise OSError\n\ndef test_d(broken): pass\n'
+    )
     step = command._pytest('sample', tmp_path, ['-q', '-p', 'no:cacheprovider', str(sample)])
     assert (step.passed, step.failed, step.skipped) == (1, 2, 1)
     assert command._summary([step, step]) == 1
@@ -76,9 +78,11 @@ def test_with_arguments_only_pytest_runs(monkeypatch, tmp_path, capfd):
 
 def test_what_failed_beside_others_has_to_pass_alone_and_is_named(monkeypatch, tmp_path, capfd):
     sample = tmp_path / 'test_sample.py'
-    sample.write_text('from pathlib import Path\n\ndef test_good(): pass\n\ndef test_broken(): assert 0\n'
-                      '\ndef test_starved():\n    mark = Path(__file__).with_name("once")\n'
-                      '    once, _ = mark.exists(), mark.touch()\n    assert once\n')
+    sample.write_text(
+        'from pathlib import Path\n\ndef test_good(): pass\n\ndef test_broken(): assert 0\n'
+        '\ndef test_starved():\n    mark = Path(__file__).with_name("once")\n'
+        '    once, _ = mark.exists(), mark.touch()\n    assert once\n'
+    )
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(command, '_workers', lambda: 0)
     monkeypatch.setenv('PYTEST_ADDOPTS', f'--rootdir={tmp_path} {sample}')
@@ -92,8 +96,9 @@ def test_what_failed_beside_others_has_to_pass_alone_and_is_named(monkeypatch, t
 
 def test_many_failures_are_no_accident(monkeypatch, tmp_path, capfd):
     sample = tmp_path / 'test_sample.py'
-    sample.write_text(f'import pytest\n\n@pytest.mark.parametrize("n", range({command.FEW + 1}))\n'
-                      'def test_bad(n): assert 0\n')
+    sample.write_text(
+        f'import pytest\n\n@pytest.mark.parametrize("n", range({command.FEW + 1}))\ndef test_bad(n): assert 0\n'
+    )
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(command, '_workers', lambda: 0)
     monkeypatch.setenv('PYTEST_ADDOPTS', f'--rootdir={tmp_path} {sample}')

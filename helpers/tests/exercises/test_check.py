@@ -28,17 +28,26 @@ submitting = importlib.import_module('helpers.exercises.submit')
 
 
 def result(verdict='failed', **changes):
-    tests = [TestResult('a', '90.1', False, 1, 'passed', 'First.\n\nLook.'),
-             TestResult('b', '90.1', False, 1, verdict, 'Second.\n\nLook\nthere.', 'It was <3>.\nReally.',
-                        'line 3', 'printed')]
-    return ExerciseResult(**{'id': '90.1', 'title': 'a talker', 'points': 10, 'verdict': verdict, 'score': 5.0,
-                             'tests': tests, **changes})
+    tests = [
+        TestResult('a', '90.1', False, 1, 'passed', 'First.\n\nLook.'),
+        TestResult(
+            'b', '90.1', False, 1, verdict, 'Second.\n\nLook\nthere.', 'It was <3>.\nReally.', 'line 3', 'printed'
+        ),
+    ]
+    return ExerciseResult(
+        **{'id': '90.1', 'title': 'a talker', 'points': 10, 'verdict': verdict, 'score': 5.0, 'tests': tests, **changes}
+    )
 
 
 def test_what_a_failure_looks_like():
     assert result_display.plain([result()]).splitlines() == [
-        'Exercise 90.1: a talker', '  It was <3>.', '  Really.', '    ✗ Second.', '      | line 3',
-        '  1 of 2 tests passed: not there yet. The tests are in `helpers/checks/chapter_90/test_90_1.py`.']
+        'Exercise 90.1: a talker',
+        '  It was <3>.',
+        '  Really.',
+        '    ✗ Second.',
+        '      | line 3',
+        '  1 of 2 tests passed: not there yet. The tests are in `helpers/checks/chapter_90/test_90_1.py`.',
+    ]
     page = result_display.html([result()])
     assert 'It was &lt;3&gt;.' in page and '<details' in page and 'printed' in page and '<script' not in page
     # A theme decides on the colours of text and ground.
@@ -46,8 +55,10 @@ def test_what_a_failure_looks_like():
 
 
 def rules(*states):
-    return [results.RuleResult(name, f'The {name} is right.', state, 'no way' * (state == 'not_looked_at'))
-            for name, state in zip(('rate', 'text', 'depth'), states, strict=False)]
+    return [
+        results.RuleResult(name, f'The {name} is right.', state, 'no way' * (state == 'not_looked_at'))
+        for name, state in zip(('rate', 'text', 'depth'), states, strict=False)
+    ]
 
 
 def test_rules_are_named():
@@ -55,15 +66,21 @@ def test_rules_are_named():
     work = result(rules=rules('kept', 'broken', 'not_looked_at'))
     work.tests[1].rule = 'text'
     assert result_display.plain([work]).splitlines()[1:] == [
-        '  It was <3>.', '  Really.', '    ✗ text: The text is right.', '      | line 3',
-        '  Not looked at yet: depth (no way).', '  Kept: rate.',
-        '  1 of 3 rules are kept: not there yet. The tests are in `helpers/checks/chapter_90/test_90_1.py`.']
+        '  It was <3>.',
+        '  Really.',
+        '    ✗ text: The text is right.',
+        '      | line 3',
+        '  Not looked at yet: depth (no way).',
+        '  Kept: rate.',
+        '  1 of 3 rules are kept: not there yet. The tests are in `helpers/checks/chapter_90/test_90_1.py`.',
+    ]
     work.tests[1].hint = True
     assert 'Look there.' in result_display.plain([work]) and 'Look there.' in result_display.html([work])
     done = result('passed', rules=rules('kept', 'kept', 'not_looked_at'))
     assert result_display.plain([done]).splitlines()[1:] == [
         '  Not looked at here: depth (no way).',
-        '  Solved: 2 of 3 rules are kept. When your work is graded, they are tried with other values.']
+        '  Solved: 2 of 3 rules are kept. When your work is graded, they are tried with other values.',
+    ]
 
 
 def test_code_is_set_as_code_and_a_faulty_test_is_no_cross():
@@ -80,15 +97,18 @@ def test_the_same_error_is_told_once():
         assert 'there.' not in text  # what to look at for another reason
 
 
-@pytest.mark.parametrize(('exercise', 'text'), [
-    (result('passed'), 'Solved: 2 of 2 tests passed. When your work is graded, they are tried with other values.'),
-    (results.without_tests(small.exercise(), 'not_attempted', ''), 'Not solved yet: write your code'),
-    (results.without_tests(small.exercise(), 'invalid_submission', 'Define it.'), 'Define it.'),
-    (result('grader_error', score=None), 'The check itself failed, not your code.'),
-    (result('timeout'), '1 of 2 tests passed: does not come to an end.'),
-    (result('learner_crashed'), '1 of 2 tests passed: stops with an error.'),
-    (result('invalid_submission'), '1 of 2 tests passed: cannot be run.'),
-])
+@pytest.mark.parametrize(
+    ('exercise', 'text'),
+    [
+        (result('passed'), 'Solved: 2 of 2 tests passed. When your work is graded, they are tried with other values.'),
+        (results.without_tests(small.exercise(), 'not_attempted', ''), 'Not solved yet: write your code'),
+        (results.without_tests(small.exercise(), 'invalid_submission', 'Define it.'), 'Define it.'),
+        (result('grader_error', score=None), 'The check itself failed, not your code.'),
+        (result('timeout'), '1 of 2 tests passed: does not come to an end.'),
+        (result('learner_crashed'), '1 of 2 tests passed: stops with an error.'),
+        (result('invalid_submission'), '1 of 2 tests passed: cannot be run.'),
+    ],
+)
 def test_summaries(exercise, text):
     assert text in result_display.plain([exercise]) and text in result_display.html([exercise])
     assert result_display.html([exercise]) == result_display.html([exercise])
@@ -99,12 +119,25 @@ def test_the_latest_cells_of_a_kernel(monkeypatch):
     exercise = small.exercise()
     first = '# Exercise 90.1: a talker\nclass Talker: old'
     second = '# Exercise 90.1: a talker\nclass Talker: new'
-    monkeypatch.setattr(check.journal, 'cells', [
-        ExecutedCell('i', 'import os'), ExecutedCell('x', first), ExecutedCell(None, 'A = 1'),
-        ExecutedCell('i', 'import sys'), ExecutedCell('x', second),
-        ExecutedCell(None, 'A = 1'), ExecutedCell('y', '# Exercise 90.2: b\nB = 1')])
+    monkeypatch.setattr(
+        check.journal,
+        'cells',
+        [
+            ExecutedCell('i', 'import os'),
+            ExecutedCell('x', first),
+            ExecutedCell(None, 'A = 1'),
+            ExecutedCell('i', 'import sys'),
+            ExecutedCell('x', second),
+            ExecutedCell(None, 'A = 1'),
+            ExecutedCell('y', '# Exercise 90.2: b\nB = 1'),
+        ],
+    )
     assert [cell.source for cell in check.executed(exercise)] == [
-        'import sys', 'A = 1', '# Exercise 90.2: b\nB = 1', second]
+        'import sys',
+        'A = 1',
+        '# Exercise 90.2: b\nB = 1',
+        second,
+    ]
     monkeypatch.setattr(check.journal, 'cells', [ExecutedCell('i', 'import os')])
     assert check.executed(exercise) is None
 
@@ -113,8 +146,10 @@ def test_check_never_raises(monkeypatch, capsys):
     check.check('99.9')
     assert 'there is no exercise' in capsys.readouterr().out
     for error, text in ((RuntimeError('boom'), 'The check could not run: boom'), (KeyboardInterrupt(), 'was stopped')):
+
         def fail(exercise_id, error=error):
             raise error
+
         monkeypatch.setattr(check, 'run_tests', fail)
         check.check('3.1')
         assert text in capsys.readouterr().out

@@ -26,8 +26,12 @@ def own(text, identity='0f0f0f0f', kind='code'):
 
 
 def exercise(text=STUB, number='3.1', names=('beacon',), points=10):
-    return {'id': cell_ids.of_exercise(number), 'cell_type': 'code', 'source': text,
-            'metadata': {'exercise': {'id': number, 'names': list(names), 'points': points}}}
+    return {
+        'id': cell_ids.of_exercise(number),
+        'cell_type': 'code',
+        'source': text,
+        'metadata': {'exercise': {'id': number, 'names': list(names), 'points': points}},
+    }
 
 
 CARD = given('### Exercise 3.1: a beacon\n\nReturn 42.')
@@ -74,11 +78,30 @@ def said(report):
 
 
 def test_an_answer_and_own_cells_are_carried_over(case):
-    report = case.migrate([TITLE, own('x = 1', 'mine0001'), MIDDLE, own('y', 'mine0002'),
-                           own('z', 'mine0003', 'markdown'), CARD, exercise(ANSWER), END],
-                          [TITLE, given('New.'), MIDDLE, CARD, exercise(), END])
-    assert case.sources() == [TITLE['source'], 'x = 1', 'New.', MIDDLE['source'], 'y', 'z', CARD['source'], ANSWER,
-                              END['source']]
+    report = case.migrate(
+        [
+            TITLE,
+            own('x = 1', 'mine0001'),
+            MIDDLE,
+            own('y', 'mine0002'),
+            own('z', 'mine0003', 'markdown'),
+            CARD,
+            exercise(ANSWER),
+            END,
+        ],
+        [TITLE, given('New.'), MIDDLE, CARD, exercise(), END],
+    )
+    assert case.sources() == [
+        TITLE['source'],
+        'x = 1',
+        'New.',
+        MIDDLE['source'],
+        'y',
+        'z',
+        CARD['source'],
+        ANSWER,
+        END['source'],
+    ]
     assert said(report) == {'3.1': 'carried over'}
     assert report.own == {NAME: 3}
     assert case.cells()[1]['execution_count'] is None
@@ -120,15 +143,18 @@ def test_an_untouched_stub_leaves_the_new_one(case):
 
 def test_what_has_changed_is_said_and_the_new_stub_kept(case):
     newer = STUB.replace('pass', 'return 0').replace('beacon', 'light')
-    case.known = [replace(KNOWN, title='a light', names=('light', 'beacon'), points=15,
-                          stub=manifest.stub_digest(newer))]
+    case.known = [
+        replace(KNOWN, title='a light', names=('light', 'beacon'), points=15, stub=manifest.stub_digest(newer))
+    ]
     checks = case.old.parent / 'helpers' / 'checks'
     checks.mkdir(parents=True)
     (checks / 'exercises.json').write_text(manifest.dumps([KNOWN]))
     report = case.migrate([CARD, exercise(ANSWER)], [given('### Exercise 3.1: a light'), exercise(newer)])
-    assert said(report) == {'3.1': 'carried over; changed since: the title, now "a light"; its text: read it again; '
-                                   'points, 10 → 15; it asks for light, beacon, no longer for beacon; what is given, '
-                                   'which stands below your answer as a raw cell'}
+    assert said(report) == {
+        '3.1': 'carried over; changed since: the title, now "a light"; its text: read it again; '
+        'points, 10 → 15; it asks for light, beacon, no longer for beacon; what is given, '
+        'which stands below your answer as a raw cell'
+    }
     _, answer, raw = case.cells()
     assert ''.join(answer['source']) == ANSWER.replace('Exercise 3.1: a beacon', 'Exercise 3.1: a light')
     assert raw['cell_type'] == 'raw' and newer in ''.join(raw['source'])
@@ -174,8 +200,10 @@ def test_a_doubled_exercise_is_named(case):
 
 def test_a_notebook_without_ids_gives_its_exercises(case):
     case.write(case.new, [TITLE, exercise()])
-    cells = [{'cell_type': 'code', 'metadata': {}, 'source': source, 'outputs': [], 'execution_count': None}
-             for source in ('mine = 1', ANSWER)]
+    cells = [
+        {'cell_type': 'code', 'metadata': {}, 'source': source, 'outputs': [], 'execution_count': None}
+        for source in ('mine = 1', ANSWER)
+    ]
     (case.old / NAME).write_text(json.dumps({'cells': cells, 'metadata': {}, 'nbformat': 4, 'nbformat_minor': 4}))
     report = case.again()
     assert case.sources() == [TITLE['source'], ANSWER]
@@ -184,8 +212,9 @@ def test_a_notebook_without_ids_gives_its_exercises(case):
 
 def test_foreign_ids_make_no_given_cell_a_learners_own(case):
     changed = dict(given('Text that is new in this version.'))
-    report = case.migrate([dict(TITLE, id='f1'), dict(MIDDLE, id='f2'), dict(exercise(ANSWER), id='f3')],
-                          [TITLE, changed, exercise()])
+    report = case.migrate(
+        [dict(TITLE, id='f1'), dict(MIDDLE, id='f2'), dict(exercise(ANSWER), id='f3')], [TITLE, changed, exercise()]
+    )
     assert case.sources() == [TITLE['source'], changed['source'], ANSWER]
     assert 'lost their ids' in report.notes[0]
 
@@ -217,11 +246,14 @@ def test_a_chapter_with_another_name_is_the_same_chapter(case):
     assert case.sources() == [TITLE['source'], 'x = 1', ANSWER]
 
 
-@pytest.mark.parametrize(('prepare', 'message'), [
-    (lambda case: None, 'has no notebooks of the course'),
-    (lambda case: (case.old / NAME).write_text('{'), 'is not valid JSON'),
-    (lambda case: case.write(case.old, [TITLE]), 'get a complete copy'),
-])
+@pytest.mark.parametrize(
+    ('prepare', 'message'),
+    [
+        (lambda case: None, 'has no notebooks of the course'),
+        (lambda case: (case.old / NAME).write_text('{'), 'is not valid JSON'),
+        (lambda case: case.write(case.old, [TITLE]), 'get a complete copy'),
+    ],
+)
 def test_what_cannot_be_used_is_named(case, prepare, message):
     prepare(case)
     with pytest.raises(migration.MigrationError, match=message):
@@ -238,15 +270,16 @@ def test_every_given_cell_of_the_course_is_known_as_such():
     for path in paths.NOTEBOOKS.glob('[0-9]*.ipynb'):
         for cell in json.loads(path.read_text())['cells']:
             source = ''.join(cell['source'])
-            assert 'exercise' in cell['metadata'] or cell_ids.untouched(cell['cell_type'], source, cell['id']), \
+            assert 'exercise' in cell['metadata'] or cell_ids.untouched(cell['cell_type'], source, cell['id']), (
                 f'{path.name}: {cell["id"]} {source[:60]}'
+            )
 
 
 def test_the_command_migrates_a_real_chapter(tmp_path, capsys):
     old, new = tmp_path / 'old', tmp_path / 'new'
     new.mkdir()
     old.mkdir()
-    path, = paths.NOTEBOOKS.glob('03_*.ipynb')
+    (path,) = paths.NOTEBOOKS.glob('03_*.ipynb')
     shutil.copy(path, new)
     notebook = json.loads(path.read_text())
     mine = next(cell for cell in notebook['cells'] if cell['id'] == 'ex-3-1')
@@ -270,9 +303,13 @@ def test_what_is_no_regular_file_is_refused(tmp_path, kind):
     case.write(case.new, [TITLE, CARD, exercise(), END])
     path, elsewhere = case.old / NAME, tmp_path / 'elsewhere.ipynb'
     elsewhere.write_text('{}')
-    {'pipe': lambda: os.mkfifo(path), 'device': lambda: path.symlink_to('/dev/zero'),
-     'link': lambda: path.symlink_to(elsewhere), 'folder': path.mkdir,
-     'large': lambda: path.write_bytes(b' ' * 11 * 2**20)}[kind]()
+    {
+        'pipe': lambda: os.mkfifo(path),
+        'device': lambda: path.symlink_to('/dev/zero'),
+        'link': lambda: path.symlink_to(elsewhere),
+        'folder': path.mkdir,
+        'large': lambda: path.write_bytes(b' ' * 11 * 2**20),
+    }[kind]()
     refused = 'no regular file|a link to another place|more than 10 MB|Is a directory'
     with pytest.raises(migration.MigrationError, match=refused):
         migration.migrate(case.old, case.new, known={'3.1': KNOWN})

@@ -12,23 +12,61 @@ def kept(source):
     return [text.strip() for _, text in program.definitions(NotebookCell(source, 1))]
 
 
-@pytest.mark.parametrize('source', [
-    'import os', 'from a import b', 'def f():\n    return 1', 'async def f():\n    pass', 'class A:\n    x = 1',
-    '@decorated\nclass A:\n    pass', 'X = 1', "X = -1.5 + 2j", 'X, Y = 1, 2', 'X: int = 3', "X = {'a': [1, (2,)]}",
-    'QOS = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)', 'T = rclpy.time.Time(seconds=3)',
-    'D = Duration(seconds=0.5)', 'Alias = some.module.Class', 'now = lambda: 5', 'A = B = 3', 'X = Y[0]',
-])
+@pytest.mark.parametrize(
+    'source',
+    [
+        'import os',
+        'from a import b',
+        'def f():\n    return 1',
+        'async def f():\n    pass',
+        'class A:\n    x = 1',
+        '@decorated\nclass A:\n    pass',
+        'X = 1',
+        'X = -1.5 + 2j',
+        'X, Y = 1, 2',
+        'X: int = 3',
+        "X = {'a': [1, (2,)]}",
+        'QOS = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)',
+        'T = rclpy.time.Time(seconds=3)',
+        'D = Duration(seconds=0.5)',
+        'Alias = some.module.Class',
+        'now = lambda: 5',
+        'A = B = 3',
+        'X = Y[0]',
+    ],
+)
 def test_definitions_are_kept(source):
     assert kept(source) == [source]
 
 
-@pytest.mark.parametrize('source', [
-    'print(1)',
-    'rclpy.init()', "node = Node('x')", 'x = f()', 'x += 1', 'for i in range(3):\n    y = i',
-    'with spinning(node):\n    pass', 'node.x = 1', 'd["a"] = 1', 'del x', 'assert x', 'x = [f() for _ in y]',
-    'if True:\n    import os', 'while True: pass', 'QOS = QoSProfile(depth=f())', 'x = await y', 'await y',
-    '%%bash\nls', '!rm -rf x', 'def broken(:', '"just text"', 'x = (y := 3)', 'raise SystemExit',
-])
+@pytest.mark.parametrize(
+    'source',
+    [
+        'print(1)',
+        'rclpy.init()',
+        "node = Node('x')",
+        'x = f()',
+        'x += 1',
+        'for i in range(3):\n    y = i',
+        'with spinning(node):\n    pass',
+        'node.x = 1',
+        'd["a"] = 1',
+        'del x',
+        'assert x',
+        'x = [f() for _ in y]',
+        'if True:\n    import os',
+        'while True: pass',
+        'QOS = QoSProfile(depth=f())',
+        'x = await y',
+        'await y',
+        '%%bash\nls',
+        '!rm -rf x',
+        'def broken(:',
+        '"just text"',
+        'x = (y := 3)',
+        'raise SystemExit',
+    ],
+)
 def test_demonstrations_are_dropped(source):
     assert kept(source) == []
 
@@ -52,10 +90,15 @@ def build(*cells, **changes):
 
 
 def test_exercise_whole_and_others_filtered_in_order():
-    made = build(NotebookCell('import os\nprint("x")', 1), small.cell('class Talker: pass\nprint("mine")'),
-                 NotebookCell('LATER = 1', 3))
+    made = build(
+        NotebookCell('import os\nprint("x")', 1),
+        small.cell('class Talker: pass\nprint("mine")'),
+        NotebookCell('LATER = 1', 3),
+    )
     assert [(part['source'].strip(), part['required']) for part in made.cells] == [
-        ('import os', False), ('# Exercise 90.1: a talker\nclass Talker: pass\nprint("mine")', True)]
+        ('import os', False),
+        ('# Exercise 90.1: a talker\nclass Talker: pass\nprint("mine")', True),
+    ]
     assert made.cells[1]['label'] == 'Exercise 90.1'
 
 
@@ -68,24 +111,37 @@ def test_broken_other_exercise_does_not_matter():
     assert len(build(small.cell('class Oops(:', 2), small.cell('class Talker: pass')).cells) == 1
 
 
-@pytest.mark.parametrize(('source', 'message'), [
-    ('class Listener: pass', 'must define `Talker`; it defines `Listener`'),
-    ('x = 1 +', r'line 2: Python cannot read `x = 1 \+`'),
-    ('class Talker: pass\n!ls', 'line 3: `!ls` is a notebook command'),
-    ('%time\nclass Talker: pass', 'line 2: `%time` is a notebook command'),
-    ('class Talker: pass\n\0', 'cannot read'),
-    ('def f():\n    Talker = 1', 'must define `Talker`'),
-    ('x = ' + '(' * 500 + ')' * 500, 'cannot read'),
-])
+@pytest.mark.parametrize(
+    ('source', 'message'),
+    [
+        ('class Listener: pass', 'must define `Talker`; it defines `Listener`'),
+        ('x = 1 +', r'line 2: Python cannot read `x = 1 \+`'),
+        ('class Talker: pass\n!ls', 'line 3: `!ls` is a notebook command'),
+        ('%time\nclass Talker: pass', 'line 2: `%time` is a notebook command'),
+        ('class Talker: pass\n\0', 'cannot read'),
+        ('def f():\n    Talker = 1', 'must define `Talker`'),
+        ('x = ' + '(' * 500 + ')' * 500, 'cannot read'),
+    ],
+)
 def test_invalid_exercise(source, message):
     with pytest.raises(InvalidExercise, match=message):
         build(NotebookCell('class Talker: pass', 1), small.cell(source))
 
 
-@pytest.mark.parametrize('source', [
-    'class Talker: pass', 'def Talker(): pass', 'Talker = 1', 'from x import Talker', 'import y as Talker',
-    'if True:\n    class Talker: pass', 'try:\n    x\nexcept E:\n    Talker = 1', 'Talker, b = 1, 2', 'Talker: int = 1',
-])
+@pytest.mark.parametrize(
+    'source',
+    [
+        'class Talker: pass',
+        'def Talker(): pass',
+        'Talker = 1',
+        'from x import Talker',
+        'import y as Talker',
+        'if True:\n    class Talker: pass',
+        'try:\n    x\nexcept E:\n    Talker = 1',
+        'Talker, b = 1, 2',
+        'Talker: int = 1',
+    ],
+)
 def test_name_is_defined(source):
     build(small.cell(source))
 

@@ -33,8 +33,9 @@ def test_marks_are_kept_and_replaced(tmp_path):
     progress_file.note(report(result(FIRST, 5, 'failed')), tmp_path)
     progress_file.note(report(result(EXERCISES[1], EXERCISES[1].points)), tmp_path)
     progress_file.note(report(result(FIRST, FIRST.points)), tmp_path)
-    assert progress_file.load(tmp_path) == {exercise.id: progress_file.Mark(exercise.points, exercise.points, True)
-                                    for exercise in EXERCISES[:2]}
+    assert progress_file.load(tmp_path) == {
+        exercise.id: progress_file.Mark(exercise.points, exercise.points, True) for exercise in EXERCISES[:2]
+    }
 
 
 def test_a_failed_check_keeps_its_values_until_it_passes(tmp_path):

@@ -91,11 +91,13 @@ def test_all_in_use(folder):
 
 
 def test_an_id_that_is_held_is_not_claimed(tmp_path):
-    code = ('from helpers.kernel import domains\n'
-            'domains._spoken_in = set\n'
-            'domains.hold(1)\n'
-            'with domains.claim() as one, domains.claim() as two:\n'
-            '    print(one, two)\n')
+    code = (
+        'from helpers.kernel import domains\n'
+        'domains._spoken_in = set\n'
+        'domains.hold(1)\n'
+        'with domains.claim() as one, domains.claim() as two:\n'
+        '    print(one, two)\n'
+    )
     environ = {**os.environ, 'COURSE_DOMAINS_DIR': str(tmp_path)}
     done = subprocess.run([sys.executable, '-c', code], env=environ, capture_output=True, text=True)
     assert done.stdout == '2 3\n', done.stderr
@@ -121,16 +123,19 @@ def claim_in(public, monkeypatch):
 
 
 @pytest.mark.skipif(os.getuid() != 0, reason='only root can become another user')
-@pytest.mark.skipif(not interpreter.probe(interpreter.SYSTEM), reason='no /usr/bin/python3, which every user can run; '
-                    'run: sudo apt install python3')
+@pytest.mark.skipif(
+    not interpreter.probe(interpreter.SYSTEM),
+    reason='no /usr/bin/python3, which every user can run; run: sudo apt install python3',
+)
 def test_other_users_share_the_ids(holder, monkeypatch):
     with tempfile.TemporaryDirectory() as public, claim_in(public, monkeypatch) as mine:
         modules = Path(public, 'modules')
         shutil.copytree(Path(filelock.__file__).parent, modules / 'filelock', ignore=shutil.ignore_patterns('*.pyc'))
         shutil.copy(domains.__file__, modules)
         program = [interpreter.SYSTEM, '-ISc', ALONE]
-        process, theirs = holder(user=65534, group=65534, extra_groups=[], cwd='/', program=program,
-                                 environ={'MODULES': str(modules)})
+        process, theirs = holder(
+            user=65534, group=65534, extra_groups=[], cwd='/', program=program, environ={'MODULES': str(modules)}
+        )
         assert theirs != mine
         with claim() as third:
             assert third not in (mine, theirs)
@@ -146,6 +151,7 @@ def test_ports_stay_below_those_that_linux_hands_out():
 @pytest.fixture
 def copies(tmp_path):
     """Makes copies of the course: `copies('a')` returns the domain that copy a keeps."""
+
     def ask(name):
         root = tmp_path / name
         root.mkdir(exist_ok=True)
@@ -193,10 +199,20 @@ def test_a_copy_takes_no_domain_that_is_claimed_and_claims_leave_it_alone(copies
 
 
 def test_two_terminals_of_one_copy_at_once_agree(tmp_path):
-    code = ('import sys; from pathlib import Path; from helpers.kernel import domains; sys.stdin.read();'
-            'print(domains.of_copy(Path(sys.argv[1]), Path(sys.argv[1], "memory")))')
-    pair = [subprocess.Popen([sys.executable, '-c', code, str(tmp_path)], stdin=subprocess.PIPE,
-                             stdout=subprocess.PIPE, text=True, cwd=ROOT) for _ in range(4)]
+    code = (
+        'import sys; from pathlib import Path; from helpers.kernel import domains; sys.stdin.read();'
+        'print(domains.of_copy(Path(sys.argv[1]), Path(sys.argv[1], "memory")))'
+    )
+    pair = [
+        subprocess.Popen(
+            [sys.executable, '-c', code, str(tmp_path)],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            cwd=ROOT,
+        )
+        for _ in range(4)
+    ]
     for process in pair:
         process.stdin.close()
         process.stdin = None

@@ -59,9 +59,11 @@ def test_an_exception_in_a_callback_is_shown_in_the_running_cell(course):
     assert 'An exception in timer callback Faulty.tick of node faulty' in result.stderr
     assert 'ValueError: no voice' in result.traceback
     # the others, and the node itself, go on
-    result = course.run('import time\nold = len(listener.heard)\nend = time.monotonic() + 30\n'
-                        'while len(listener.heard) < old + 3 and time.monotonic() < end: time.sleep(0.01)\n'
-                        'len(listener.heard) >= old + 3')
+    result = course.run(
+        'import time\nold = len(listener.heard)\nend = time.monotonic() + 30\n'
+        'while len(listener.heard) < old + 3 and time.monotonic() < end: time.sleep(0.01)\n'
+        'len(listener.heard) >= old + 3'
+    )
     assert result.values == ['True']
     assert result.stderr.count('An exception in') == 1, 'again in the cell that runs now, and once only'
     result = course.run('handle.check()')
@@ -98,11 +100,15 @@ def test_the_stop_button_interrupts_every_wait(course):
 
 def test_the_stop_button_interrupts_a_callback_that_runs_in_the_cell(course):
     course.ok('node = Node("endless")\nticks = []')
-    course.ok('import time\ndef forever():\n    timer.cancel()\n    print("inside", flush=True)\n'
-              '    while True: time.sleep(0.01)\ntimer = node.create_timer(0.01, forever)')
+    course.ok(
+        'import time\ndef forever():\n    timer.cancel()\n    print("inside", flush=True)\n'
+        '    while True: time.sleep(0.01)\ntimer = node.create_timer(0.01, forever)'
+    )
     assert course.run('spin_for(600, node)', interrupt_at='inside').error == 'KeyboardInterrupt'
-    course.ok('ticker = node.create_timer(0.01, lambda: ticks.append(1))\n'
-              'for _ in range(100):\n    spin_for(0.1, node)\n    if ticks: break\nassert ticks')
+    course.ok(
+        'ticker = node.create_timer(0.01, lambda: ticks.append(1))\n'
+        'for _ in range(100):\n    spin_for(0.1, node)\n    if ticks: break\nassert ticks'
+    )
 
 
 def test_the_stop_button_after_a_plain_rclpy_init(kernel):

@@ -8,8 +8,10 @@ from helpers.runner.wiring import Endpoint
 from helpers.show.graph.links import Link
 
 
-@pytest.mark.parametrize(('policy', 'reliable'), [
-    (ReliabilityPolicy.RELIABLE, True), (ReliabilityPolicy.BEST_EFFORT, False), (ReliabilityPolicy.UNKNOWN, False)])
+@pytest.mark.parametrize(
+    ('policy', 'reliable'),
+    [(ReliabilityPolicy.RELIABLE, True), (ReliabilityPolicy.BEST_EFFORT, False), (ReliabilityPolicy.UNKNOWN, False)],
+)
 def test_only_what_is_known_to_be_reliable_is(policy, reliable):
     qos = QoSProfile(depth=1, reliability=policy)
     assert is_reliable(qos) is reliable

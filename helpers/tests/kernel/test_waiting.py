@@ -53,7 +53,7 @@ def test_a_wait_that_fails_says_what_for_and_what_lives():
 
 
 def test_a_lambda_is_quoted():
-    with pytest.raises(TimeoutError, match=r"for 1 \+ 1 == 3; no node"):
+    with pytest.raises(TimeoutError, match=r'for 1 \+ 1 == 3; no node'):
         wait_for(lambda: 1 + 1 == 3, timeout=0.01)
 
 

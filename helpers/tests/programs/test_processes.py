@@ -58,11 +58,7 @@ def test_an_unknown_command():
 
 def test_stop_asks_first_and_is_idempotent():
     child = python(
-        'import time\n'
-        'try:\n'
-        '    print("up"); time.sleep(600)\n'
-        'except KeyboardInterrupt:\n'
-        '    print("asked"); exit(5)'
+        'import time\ntry:\n    print("up"); time.sleep(600)\nexcept KeyboardInterrupt:\n    print("asked"); exit(5)'
     )
     child.wait_for_output('up', 30)
     assert child.stop(timeout=30) == 5

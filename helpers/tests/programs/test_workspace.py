@@ -16,7 +16,13 @@ def ws(tmp_path):
 def test_commands_are_shown_with_their_output(ws, capsys):
     ws.run("cd src\npwd; echo 'to stderr' >&2\nfalse")
     assert capsys.readouterr().out.splitlines() == [
-        '$ cd src', "$ pwd; echo 'to stderr' >&2", str(ws.path / 'src'), 'to stderr', '$ false', '[exit status 1]']
+        '$ cd src',
+        "$ pwd; echo 'to stderr' >&2",
+        str(ws.path / 'src'),
+        'to stderr',
+        '$ false',
+        '[exit status 1]',
+    ]
 
 
 def test_each_run_is_a_new_terminal_with_ros(ws, capsys):
@@ -62,11 +68,17 @@ def test_a_package_is_copied_in_place_of_an_older_one(ws, tmp_path):
 
 
 def test_a_failed_build_shows_its_log_and_raises(ws, capsys):
-    ws.write('src/p/package.xml', '<package format="3"><name>p</name><version>0.0.0</version><description>p'
-             '</description><maintainer email="you@example.com">You</maintainer><license>Apache-2.0</license>'
-             '<export><build_type>ament_cmake</build_type></export></package>')
-    ws.write('src/p/CMakeLists.txt', 'cmake_minimum_required(VERSION 3.16)\nproject(p NONE)\nmessage("so far")\n'
-             'message(STATUS "on stdout")\nmessage(FATAL_ERROR "no further")\n')
+    ws.write(
+        'src/p/package.xml',
+        '<package format="3"><name>p</name><version>0.0.0</version><description>p'
+        '</description><maintainer email="you@example.com">You</maintainer><license>Apache-2.0</license>'
+        '<export><build_type>ament_cmake</build_type></export></package>',
+    )
+    ws.write(
+        'src/p/CMakeLists.txt',
+        'cmake_minimum_required(VERSION 3.16)\nproject(p NONE)\nmessage("so far")\n'
+        'message(STATUS "on stdout")\nmessage(FATAL_ERROR "no further")\n',
+    )
     with pytest.raises(BuildError):
         ws.build('--packages-select p')
     out = capsys.readouterr().out
@@ -77,5 +89,4 @@ def test_tree(ws, capsys):
     ws.write('src/p/a.py', '')
     (ws.path / 'src/link').symlink_to('p')
     ws.tree()
-    assert capsys.readouterr().out == (
-        'ros2_ws/\n└── src/\n    ├── link -> p\n    └── p/\n        └── a.py\n')
+    assert capsys.readouterr().out == ('ros2_ws/\n└── src/\n    ├── link -> p\n    └── p/\n        └── a.py\n')

@@ -12,7 +12,9 @@ class Talker(Node):
     def __init__(self):
         super().__init__('talker')
 """
-SERVER = HEAD + """\
+SERVER = (
+    HEAD
+    + """\
         self.server = ActionServer(self, Fibonacci, 'count', self.execute, goal_callback=self.ask,
                                    cancel_callback=lambda handle: CancelResponse.ACCEPT)
 
@@ -23,6 +25,7 @@ SERVER = HEAD + """\
         handle.succeed() if len(done) == handle.request.order else handle.canceled()
         return Fibonacci.Result(sequence=done)
 """
+)
 LOOP = """
     def execute(self, handle):
         done = []
@@ -35,18 +38,29 @@ LOOP = """
 """
 STYLES = {
     'sleep_for': LOOP % ('', 'self.get_clock().sleep_for(Duration(seconds=0.5))'),
-    'sleep_until': LOOP % ('begin = self.get_clock().now()', 'self.get_clock().sleep_until('
-                           'begin + Duration(seconds=0.5 * (len(done) + 1)))'),
+    'sleep_until': LOOP
+    % (
+        'begin = self.get_clock().now()',
+        'self.get_clock().sleep_until(begin + Duration(seconds=0.5 * (len(done) + 1)))',
+    ),
     'rate': LOOP % ('rate = self.create_rate(2.0)', 'rate.sleep()'),
-    'timer and event': LOOP % ('tick = threading.Event(); timer = self.create_timer(0.5, tick.set)',
-                               'tick.wait(); tick.clear()'),
+    'timer and event': LOOP
+    % ('tick = threading.Event(); timer = self.create_timer(0.5, tick.set)', 'tick.wait(); tick.clear()'),
     'wait with a timeout': LOOP % ('', 'threading.Event().wait(0.5)'),
-    'a lock across the wait': LOOP % ('lock = threading.Lock()', """with lock:
-                self.get_clock().sleep_for(Duration(seconds=0.5))"""),
-    'coroutine': LOOP.replace('def execute', 'async def execute') % ('', """future = Future()
+    'a lock across the wait': LOOP
+    % (
+        'lock = threading.Lock()',
+        """with lock:
+                self.get_clock().sleep_for(Duration(seconds=0.5))""",
+    ),
+    'coroutine': LOOP.replace('def execute', 'async def execute')
+    % (
+        '',
+        """future = Future()
             timer = self.create_timer(0.5, lambda: future.done() or future.set_result(None))
             await future
-            self.destroy_timer(timer)"""),
+            self.destroy_timer(timer)""",
+    ),
 }
 START = """
 from example_interfaces.action import Fibonacci
@@ -54,7 +68,9 @@ from helpers.runner.actions import Aborted
 count = learner.action_client('/count', Fibonacci)
 learner.start('Talker', threads=True)
 """
-JOURNEY = START + """
+JOURNEY = (
+    START
+    + """
 learner.run(0.25)
 goal, other = count.send(order=3), count.send(order=10)
 learner.run(1.25)
@@ -66,7 +82,10 @@ assert list(goal.result.sequence) == [0, 1, 2]
 assert (cancel.answer, cancel.received, other.status, other.finished) == ('accepted', 1.5, 'canceled', 1.75), other
 assert goal.statuses[-1] == 'succeeded' and other.statuses[-2:] == ['canceling', 'canceled'], (goal, other)
 """
-ASKS = HEAD + """\
+)
+ASKS = (
+    HEAD
+    + """\
         self.client = ActionClient(self, Fibonacci, 'count')
         self.p = self.create_publisher(String, 'news', 10)
         self.create_timer(1.0, self.ask)
@@ -87,6 +106,7 @@ ASKS = HEAD + """\
             self.once = self.create_timer(CANCEL_AFTER, lambda: self.goal.cancel_goal_async())
 CANCEL_AFTER = 100.0
 """
+)
 HEARD = """
 from example_interfaces.action import Fibonacci
 from helpers.runner.actions import Aborted
@@ -98,12 +118,19 @@ plan = [(0.1, Fibonacci.Feedback()), (0.2, Fibonacci.Result())]
 
 CASES = {
     **{f'an action server, {name}': Case(SERVER + style, JOURNEY) for name, style in STYLES.items()},
-    'a goal is rejected': Case(SERVER + STYLES['rate'], START + """
+    'a goal is rejected': Case(
+        SERVER + STYLES['rate'],
+        START
+        + """
 goal = count.send(order=0)
 learner.settle()
 assert goal.accepted is False and goal.done and goal.answered == 0.0
-"""),
-    'cancel: unknown, ended, all': Case(SERVER + STYLES['sleep_for'], START + """
+""",
+    ),
+    'cancel: unknown, ended, all': Case(
+        SERVER + STYLES['sleep_for'],
+        START
+        + """
 from unique_identifier_msgs.msg import UUID
 stranger = count.cancel(UUID(uuid=[7] * 16))
 goals = [count.send(order=1)]
@@ -115,9 +142,12 @@ every = count.cancel()
 learner.run(1.0)
 assert [cancel.answer for cancel in (stranger, late, every)] == ['unknown goal', 'goal has ended', 'accepted']
 assert every.goals == 2 and [goal.status for goal in goals] == ['succeeded', 'canceled', 'canceled']
-"""),
+""",
+    ),
     'a server that is made again': Case(
-        SERVER + STYLES['sleep_for'], START.replace('learner.start', 'first = learner.start') + """
+        SERVER + STYLES['sleep_for'],
+        START.replace('learner.start', 'first = learner.start')
+        + """
 lost = count.send(order=9)
 learner.run(1.0)
 first.stop()
@@ -125,34 +155,54 @@ learner.start('Talker', threads=True)
 goal = count.send(order=1)
 learner.run(1.0)
 assert not lost.done and goal.status == 'succeeded'
-"""),
-    'a client, its goal accepted': Case(ASKS, HEARD + """
+""",
+    ),
+    'a client, its goal accepted': Case(
+        ASKS,
+        HEARD
+        + """
 server = learner.action_server('/count', Fibonacci, plan)
 learner.start('Talker')
 learner.run(1.9)
 assert news() == [('accepted True', 1.0), ('feedback', 1.1), ('status 4', 1.3)], news()
 assert (server.goals[0].arrived, server.goals[0].finished, server.goals[0].status) == (1.0, 1.3, 'succeeded')
-"""),
-    'a client, its goal rejected': Case(ASKS, HEARD + """
+""",
+    ),
+    'a client, its goal rejected': Case(
+        ASKS,
+        HEARD
+        + """
 server = learner.action_server('/count', Fibonacci, plan, accept=lambda goal: goal.order > 3)
 learner.start('Talker')
 learner.run(1.9)
 assert news() == [('accepted False', 1.0)] and server.goals[0].status == 'rejected'
-"""),
-    'a client, its goal aborted': Case(ASKS, HEARD + """
+""",
+    ),
+    'a client, its goal aborted': Case(
+        ASKS,
+        HEARD
+        + """
 learner.action_server('/count', Fibonacci, [(0.5, Aborted())])
 learner.start('Talker')
 learner.run(1.9)
 assert news() == [('accepted True', 1.0), ('status 6', 1.5)], news()
-"""),
-    'a client that cancels': Case(ASKS.replace('100.0', '0.05'), HEARD + """
+""",
+    ),
+    'a client that cancels': Case(
+        ASKS.replace('100.0', '0.05'),
+        HEARD
+        + """
 server = learner.action_server('/count', Fibonacci, plan, cancel_delay=0.1, partial=Fibonacci.Result(sequence=[5]))
 learner.start('Talker')
 learner.run(1.9)
 assert news() == [('accepted True', 1.0), ('status 5', 1.15)], news()
 assert (server.goals[0].cancelled, server.goals[0].status) == (1.05, 'canceled')
-"""),
-    'a client that cancels in vain': Case(ASKS.replace('100.0', '0.05'), HEARD + """
+""",
+    ),
+    'a client that cancels in vain': Case(
+        ASKS.replace('100.0', '0.05'),
+        HEARD
+        + """
 server = learner.action_server('/count', Fibonacci, plan, cancel='reject')
 learner.start('Talker')
 learner.run(1.9)
@@ -160,8 +210,12 @@ server.cancel = 'ignore'
 learner.run(1.0)
 assert [served.status for served in server.goals] == ['succeeded', 'succeeded'], server.goals
 assert heard.data.count('status 4') == 2 and heard.data.count('feedback') == 2
-"""),
-    'a server of the test that goes and comes again': Case(ASKS, HEARD + """
+""",
+    ),
+    'a server of the test that goes and comes again': Case(
+        ASKS,
+        HEARD
+        + """
 server = learner.action_server('/count', Fibonacci, plan)
 learner.start('Talker')
 learner.run(1.15)
@@ -171,42 +225,78 @@ server.start()
 learner.run(1.2)
 assert news() == [('accepted True', 1.0), ('feedback', 1.1), ('accepted True', 3.0), ('feedback', 3.1),
                   ('status 4', 3.3)], news()
-"""),
-    'no action server of this name': Case(SERVER.replace("'count'", "'counter'") + STYLES['rate'],
-                                          START + 'count.send(order=1)', 'failed', (
-        'no action server for /count; it has one for /counter (example_interfaces/action/Fibonacci).',)),
+""",
+    ),
+    'no action server of this name': Case(
+        SERVER.replace("'count'", "'counter'") + STYLES['rate'],
+        START + 'count.send(order=1)',
+        'failed',
+        ('no action server for /count; it has one for /counter (example_interfaces/action/Fibonacci).',),
+    ),
     'an action server of another type': Case(
         SERVER.replace('example_interfaces.action import', 'turtlesim.action import RotateAbsolute as')
-        + STYLES['rate'], START + 'count.send(order=1)', 'failed',
-        ('/count must have the type example_interfaces/action/Fibonacci; your action server there has the type '
-         'turtlesim/action/RotateAbsolute',)),
-    'an exception in an execute callback': Case(SERVER + LOOP % ('1 / 0', ''), START + """
+        + STYLES['rate'],
+        START + 'count.send(order=1)',
+        'failed',
+        (
+            '/count must have the type example_interfaces/action/Fibonacci; your action server there has the type '
+            'turtlesim/action/RotateAbsolute',
+        ),
+    ),
+    'an exception in an execute callback': Case(
+        SERVER + LOOP % ('1 / 0', ''),
+        START
+        + """
 count.send(order=1)
 learner.run(1.0)
-""", 'learner_crashed', ('In an execute callback your code raised ZeroDivisionError',)),
-    'time.sleep in a callback': Case(SERVER + LOOP % ('', 'time.sleep(0.4)'), START + """
+""",
+        'learner_crashed',
+        ('In an execute callback your code raised ZeroDivisionError',),
+    ),
+    'time.sleep in a callback': Case(
+        SERVER + LOOP % ('', 'time.sleep(0.4)'),
+        START
+        + """
 count.send(order=9)
 learner.run(1.0)
-""", 'failed', ('sleeps with time.sleep', 'clock on the wall')),
-    'a timer whose callback waits for longer than its period': Case(HEAD + """\
+""",
+        'failed',
+        ('sleeps with time.sleep', 'clock on the wall'),
+    ),
+    'a timer whose callback waits for longer than its period': Case(
+        HEAD
+        + """\
         self.p = self.create_publisher(String, 'chatter', 10)
         self.create_timer(0.1, self.tick)
 
     def tick(self):
         self.get_clock().sleep_for(Duration(seconds=0.25))
         self.p.publish(String())
-""", """
+""",
+        """
 heard = learner.listen('/chatter', String)
 learner.start('Talker', threads=True)
 learner.run(1.0)
 assert [round(stamp, 3) for stamp in heard.stamps] == [0.35, 0.6, 0.85], heard.stamps
-"""),
-    'a callback in a thread that never returns': Case(SERVER + LOOP % ('while True: handle', ''), START + '''
+""",
+    ),
+    'a callback in a thread that never returns': Case(
+        SERVER + LOOP % ('while True: handle', ''),
+        START
+        + """
 count.send(order=9)
 learner.run(1.0)
-''', 'timeout', ('did not return within', 'line 22: `while True: handle`')),
-    'a callback that waits for ever': Case(HEAD + """\
+""",
+        'timeout',
+        ('did not return within', 'line 22: `while True: handle`'),
+    ),
+    'a callback that waits for ever': Case(
+        HEAD
+        + """\
         self.create_timer(1.0, lambda: threading.Event().wait())
-""", "learner.start('Talker', threads=True)\nlearner.run(1.0)\nexpect(False, 'No.')", 'failed', (
-        'A callback of your program was waiting at', 'threading.Event().wait()')),
+""",
+        "learner.start('Talker', threads=True)\nlearner.run(1.0)\nexpect(False, 'No.')",
+        'failed',
+        ('A callback of your program was waiting at', 'threading.Event().wait()'),
+    ),
 }

@@ -36,22 +36,28 @@ def judge(folder, source, test=RUN, **options):
     return report.exercises[0].tests[0]
 
 
-@pytest.mark.parametrize('line', [
-    'rclpy.spin_until_future_complete(self, self.client.call_async(Trigger.Request()), timeout_sec=1.0)',
-    'rclpy.spin_until_future_complete(self, self.client.call_async(Trigger.Request()))',
-    'rclpy.spin_once(self, timeout_sec=0.1)',
-    'rclpy.spin(self)',
-    'self.executor.spin_once(timeout_sec=0.1)',
-    'SingleThreadedExecutor().spin_once(timeout_sec=0.1)',
-    'self.client.call(Trigger.Request(), timeout_sec=1.0)',
-    'self.client.call(Trigger.Request())',
-    "ActionClient(self, Fibonacci, 'count').send_goal(Fibonacci.Goal())",
-])
+@pytest.mark.parametrize(
+    'line',
+    [
+        'rclpy.spin_until_future_complete(self, self.client.call_async(Trigger.Request()), timeout_sec=1.0)',
+        'rclpy.spin_until_future_complete(self, self.client.call_async(Trigger.Request()))',
+        'rclpy.spin_once(self, timeout_sec=0.1)',
+        'rclpy.spin(self)',
+        'self.executor.spin_once(timeout_sec=0.1)',
+        'SingleThreadedExecutor().spin_once(timeout_sec=0.1)',
+        'self.client.call(Trigger.Request(), timeout_sec=1.0)',
+        'self.client.call(Trigger.Request())',
+        "ActionClient(self, Fibonacci, 'count').send_goal(Fibonacci.Goal())",
+    ],
+)
 @pytest.mark.parametrize('kind', ['def', 'async def'])
 def test_a_wait_in_a_callback_is_named(tmp_path, line, kind):
     """With a timeout and without, in a plain callback and in a coroutine, and not hidden by a broad except."""
-    test = judge(tmp_path, f'{HEAD}\n    {kind} tick(self):\n        try:\n            {line}\n'
-                           '        except Exception:\n            pass\n')
+    test = judge(
+        tmp_path,
+        f'{HEAD}\n    {kind} tick(self):\n        try:\n            {line}\n'
+        '        except Exception:\n            pass\n',
+    )
     assert test.verdict == 'timeout' and 'a deadlock, with or without a timeout' in test.message, test.message
     assert f'`{line}`' in test.message
 
@@ -71,41 +77,61 @@ def Talker():
     rclpy.shutdown(context=context)
     return 'done'
 """
-    test = judge(tmp_path, source, '''
+    test = judge(
+        tmp_path,
+        source,
+        '''
 def test_call(learner):
     """It runs."""
     expect(learner.call('Talker') == 'done', 'It did not run.')
-''')
+''',
+    )
     assert test.verdict == 'passed', test.message
 
 
-@pytest.mark.parametrize(('line', 'words'), [
-    ('self.create_timer(0.25, self.tick())', 'the callback given to create_timer(…) is None, not a function'),
-    ("self.create_subscription(String, 'a', self.tick(), 10)", 'the callback given to create_subscription(…) is None'),
-    ("self.create_service('reset', Trigger, self.tick)", "the type comes first, then the name: create_service(Trigger"),
-    ("self.create_publisher('chatter', String, 10)", "the type comes first, then the name: create_publisher(String"),
-    ("self.create_subscription('chatter', String, self.tick, 10)", 'the type comes first, then the name'),
-    ('self.timers = [self.timer]', 'choose another one, such as `self.my_timers`'),
-    ('self.clients = {}', 'choose another one, such as `self.my_clients`'),
-    ('Float64(data=2)', 'write 2.0 instead of 2'),
-    ('Float64().data = 2', 'write 2.0 instead of 2'),
-    ('self.client.call_async(Trigger.Request()).result().success', 'before the answer had come'),
-    ('import asyncio; asyncio.get_running_loop()', "rclpy's `await` is not asyncio"),
-])
+@pytest.mark.parametrize(
+    ('line', 'words'),
+    [
+        ('self.create_timer(0.25, self.tick())', 'the callback given to create_timer(…) is None, not a function'),
+        (
+            "self.create_subscription(String, 'a', self.tick(), 10)",
+            'the callback given to create_subscription(…) is None',
+        ),
+        (
+            "self.create_service('reset', Trigger, self.tick)",
+            'the type comes first, then the name: create_service(Trigger',
+        ),
+        (
+            "self.create_publisher('chatter', String, 10)",
+            'the type comes first, then the name: create_publisher(String',
+        ),
+        ("self.create_subscription('chatter', String, self.tick, 10)", 'the type comes first, then the name'),
+        ('self.timers = [self.timer]', 'choose another one, such as `self.my_timers`'),
+        ('self.clients = {}', 'choose another one, such as `self.my_clients`'),
+        ('Float64(data=2)', 'write 2.0 instead of 2'),
+        ('Float64().data = 2', 'write 2.0 instead of 2'),
+        ('self.client.call_async(Trigger.Request()).result().success', 'before the answer had come'),
+        ('import asyncio; asyncio.get_running_loop()', "rclpy's `await` is not asyncio"),
+    ],
+)
 def test_what_rclpy_says_obscurely_is_explained(tmp_path, line, words):
     """The message names the mistake, and the learner's line."""
-    source = (f'{HEAD}        self.first()\n\n    def first(self):\n        {line}\n\n'
-              '    def tick(self):\n        pass\n')
+    source = (
+        f'{HEAD}        self.first()\n\n    def first(self):\n        {line}\n\n    def tick(self):\n        pass\n'
+    )
     test = judge(tmp_path, source)
     assert test.verdict == 'learner_crashed' and words in test.message, test.message
     assert 'Exercise 90.1, line 15' in test.message
 
 
-@pytest.mark.parametrize(('callback', 'words'), [
-    ('lambda goal: True', 'Your goal_callback returned True. It must return GoalResponse.ACCEPT'),
-    ('lambda goal: None', 'Your goal_callback returned None.'),
-    ('lambda goal: GoalResponse.REJECT', ''),
-])
+@pytest.mark.parametrize(
+    ('callback', 'words'),
+    [
+        ('lambda goal: True', 'Your goal_callback returned True. It must return GoalResponse.ACCEPT'),
+        ('lambda goal: None', 'Your goal_callback returned None.'),
+        ('lambda goal: GoalResponse.REJECT', ''),
+    ],
+)
 def test_a_goal_callback_that_decides_nothing(tmp_path, callback, words):
     source = f"""\
 {HEAD}
@@ -115,7 +141,10 @@ def test_a_goal_callback_that_decides_nothing(tmp_path, callback, words):
     def tick(self, *_):
         pass
 """
-    test = judge(tmp_path, source, '''
+    test = judge(
+        tmp_path,
+        source,
+        '''
 def test_goal(learner):
     """It takes a goal."""
     from example_interfaces.action import Fibonacci
@@ -124,7 +153,8 @@ def test_goal(learner):
     goal = client.send(Fibonacci.Goal())
     learner.run(0.2)
     expect(goal.accepted, 'It was rejected.')
-''')
+''',
+    )
     assert test.message.startswith('It was rejected.') and words in test.message
     assert ('goal_callback' in test.message) is bool(words)
 
@@ -132,7 +162,9 @@ def test_goal(learner):
 @pytest.mark.parametrize('end', ['self.timer.destroy()', 'self.destroy_timer(self.timer)', 'self.timer.cancel()'])
 def test_a_timer_may_be_destroyed_in_its_own_callback(tmp_path, end):
     """That is right in ROS, also by a coroutine that awaited it."""
-    source = HEAD + f"""\
+    source = (
+        HEAD
+        + f"""\
         self.publisher = self.create_publisher(String, 'chatter', 10)
         self.create_timer(0.1, self.go, callback_group=ReentrantCallbackGroup())
         self.waiting = rclpy.Future()
@@ -148,22 +180,26 @@ def test_a_timer_may_be_destroyed_in_its_own_callback(tmp_path, end):
         once.destroy()
         self.publisher.publish(String(data='on'))
 """
-    test = judge(tmp_path, source, '''
+    )
+    test = judge(
+        tmp_path,
+        source,
+        '''
 def test_run(learner):
     """It goes on."""
     heard = learner.listen('/chatter', String)
     learner.start('Talker')
     learner.run(2.0)
     expect(heard.data, 'Nothing came.')
-''')
+''',
+    )
     assert test.verdict == 'passed', test.message
 
 
 def test_a_cell_that_was_not_run_is_named(tmp_path):
     """The name that is missing stands in a cell of the notebook."""
     given = NotebookCell('def steer(x):\n    return x\n', 7, 'given')
-    test = judge(tmp_path, HEAD + '        self.x = steer(3)\n\n    def tick(self):\n        pass\n',
-                 notebook=[given])
+    test = judge(tmp_path, HEAD + '        self.x = steer(3)\n\n    def tick(self):\n        pass\n', notebook=[given])
     assert 'is defined in cell 7: run that cell first' in test.message
 
 

@@ -13,15 +13,18 @@ def one(name, verdict, weight=1.0, exercise='90.1'):
     return TestResult(name, exercise, False, weight, verdict)
 
 
-@pytest.mark.parametrize(('kinds', 'verdict', 'score'), [
-    (['passed', 'passed'], 'passed', 10),
-    (['passed', 'failed'], 'failed', 5),
-    (['timeout', 'failed', 'passed'], 'timeout', 3.33),
-    (['learner_crashed', 'failed'], 'learner_crashed', 0),
-    (['passed', 'grader_error'], 'grader_error', None),
-    ([], 'grader_error', None),
-    (['passed', 'splendid'], 'grader_error', None),
-])
+@pytest.mark.parametrize(
+    ('kinds', 'verdict', 'score'),
+    [
+        (['passed', 'passed'], 'passed', 10),
+        (['passed', 'failed'], 'failed', 5),
+        (['timeout', 'failed', 'passed'], 'timeout', 3.33),
+        (['learner_crashed', 'failed'], 'learner_crashed', 0),
+        (['passed', 'grader_error'], 'grader_error', None),
+        ([], 'grader_error', None),
+        (['passed', 'splendid'], 'grader_error', None),
+    ],
+)
 def test_scored(kinds, verdict, score):
     judged = results.scored(small.exercise(), [one(str(number), kind) for number, kind in enumerate(kinds)])
     assert (judged.verdict, judged.score) == (verdict, score)

@@ -50,18 +50,31 @@ def states(result):
 def test_all_kept(tmp_path):
     result = judge(tmp_path, small.TALKER)
     assert result.passed
-    assert states(result) == {'texts': 'kept', 'rate': 'kept', 'depth': 'kept', 'topic': 'not_looked_at',
-                              'latency': 'not_looked_at'}
+    assert states(result) == {
+        'texts': 'kept',
+        'rate': 'kept',
+        'depth': 'kept',
+        'topic': 'not_looked_at',
+        'latency': 'not_looked_at',
+    }
     assert [rule.why for rule in result.rules[3:]] == ['no test has run', 'this machine is too slow']
 
 
-@pytest.mark.parametrize(('old', 'new', 'wanted', 'why', 'hint'), [
-    ('str(self.count)', "'x'", {'texts': 'broken', 'rate': 'not_looked_at'}, 'what breaks “texts” hides it', True),
-    ('0.5', '1.0', {'texts': 'not_looked_at', 'rate': 'broken'}, 'right so far', False),
-    ("String, 'chatter'", "Bool, 'chatter'", {'topic': 'broken', 'texts': 'not_looked_at'}, '', False),
-    ("self.create_publisher(String, 'chatter', 10)", 'None', {'texts': 'not_looked_at', 'depth': 'broken'},
-     'the program did not come so far', False),
-])
+@pytest.mark.parametrize(
+    ('old', 'new', 'wanted', 'why', 'hint'),
+    [
+        ('str(self.count)', "'x'", {'texts': 'broken', 'rate': 'not_looked_at'}, 'what breaks “texts” hides it', True),
+        ('0.5', '1.0', {'texts': 'not_looked_at', 'rate': 'broken'}, 'right so far', False),
+        ("String, 'chatter'", "Bool, 'chatter'", {'topic': 'broken', 'texts': 'not_looked_at'}, '', False),
+        (
+            "self.create_publisher(String, 'chatter', 10)",
+            'None',
+            {'texts': 'not_looked_at', 'depth': 'broken'},
+            'the program did not come so far',
+            False,
+        ),
+    ],
+)
 def test_what_breaks_a_rule(tmp_path, old, new, wanted, why, hint):
     """An expectation names its rule; a test of one rule needs no name; wiring and crashes have their own ways."""
     result = judge(tmp_path, small.TALKER.replace(old, new))

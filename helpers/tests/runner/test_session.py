@@ -20,18 +20,26 @@ PROGRAM = 'def Talker():\n    return 1\n'
 
 def run(folder, exercises=(1,), hidden=False, program=PROGRAM, **options):
     cells = [cell for number in exercises for cell in small.cells(program, number)]
-    return session.run(cells, [small.exercise(number) for number in exercises], session.Options(
-        visible=folder / 'checks', hidden=folder / 'exercises' if hidden else None, **options))
+    return session.run(
+        cells,
+        [small.exercise(number) for number in exercises],
+        session.Options(visible=folder / 'checks', hidden=folder / 'exercises' if hidden else None, **options),
+    )
 
 
 def test_visible_and_hidden(tmp_path):
     small.write_tests(tmp_path, small.VISIBLE)
     small.write_tests(tmp_path, small.HIDDEN, kind='exercises')
-    report = session.run(small.cells(small.TALKER.replace('+= 1', '+= 2')), [small.exercise()],
-                         session.Options(visible=tmp_path / 'checks', hidden=tmp_path / 'exercises'))
-    result, = report.exercises
+    report = session.run(
+        small.cells(small.TALKER.replace('+= 1', '+= 2')),
+        [small.exercise()],
+        session.Options(visible=tmp_path / 'checks', hidden=tmp_path / 'exercises'),
+    )
+    (result,) = report.exercises
     assert [(test.hidden, test.verdict, test.weight) for test in result.tests] == [
-        (False, 'passed', 1), (True, 'failed', 3)]
+        (False, 'passed', 1),
+        (True, 'failed', 3),
+    ]
     assert result.tests[1].message == "The texts are ['0', '2', '4', '6']."
     assert (result.verdict, result.score, report.sandbox, report.log) == ('failed', 2.5, 'none', [])
 
@@ -44,15 +52,19 @@ def test_only_the_named_tests_run(tmp_path):
     assert (first.score, second.score) == (10, 10)
 
 
-@pytest.mark.parametrize(('text', 'log'), [
-    ('\ndef test_two(learner):\n    """Two."""\n    os._exit(3)\n', 'status 3'),
-    ('\ndef test_two(learner):\n    """Two."""\n    {}["key"]\n', 'KeyError'),
-    ('\ndef test_two(learner):\n    """Two."""\n    pytest.skip("x")\n', 'Skipped'),
-    ('\ndef test_two(nothing):\n    """Two."""\n', 'FixtureLookupError'),
-    ('\nimport nothing\n', 'nothing'),
-    ('\nthis is no Python\n', 'SyntaxError'),
-    ('\n@pytest.mark.weight(-1)\ndef test_two(learner):\n    """Two."""\n', ''),
-], ids=['exit', 'exception', 'skip', 'fixture', 'import', 'syntax', 'weight'])
+@pytest.mark.parametrize(
+    ('text', 'log'),
+    [
+        ('\ndef test_two(learner):\n    """Two."""\n    os._exit(3)\n', 'status 3'),
+        ('\ndef test_two(learner):\n    """Two."""\n    {}["key"]\n', 'KeyError'),
+        ('\ndef test_two(learner):\n    """Two."""\n    pytest.skip("x")\n', 'Skipped'),
+        ('\ndef test_two(nothing):\n    """Two."""\n', 'FixtureLookupError'),
+        ('\nimport nothing\n', 'nothing'),
+        ('\nthis is no Python\n', 'SyntaxError'),
+        ('\n@pytest.mark.weight(-1)\ndef test_two(learner):\n    """Two."""\n', ''),
+    ],
+    ids=['exit', 'exception', 'skip', 'fixture', 'import', 'syntax', 'weight'],
+)
 def test_a_fault_of_the_tests_is_no_mark(tmp_path, text, log):
     """The faulty exercise has no score; the other one has its own."""
     small.write_tests(tmp_path, ONE)
@@ -68,23 +80,30 @@ def test_a_fault_of_the_tests_is_no_mark(tmp_path, text, log):
 
 def test_a_test_that_takes_too_long_is_tried_again_and_then_judged(tmp_path):
     """Whatever of the learner's it waits for, or reads: also in a regular expression."""
-    small.write_tests(tmp_path, ONE + """
+    small.write_tests(
+        tmp_path,
+        ONE
+        + """
 import re
 
 
 def test_slow(learner):
     \"\"\"Slow.\"\"\"
     re.match('(a*)*b', 'a' * 40)
-""")
+""",
+    )
     began = time.monotonic()
-    result, = run(tmp_path, (1,), test_timeout=3.0).exercises
+    (result,) = run(tmp_path, (1,), test_timeout=3.0).exercises
     assert (result.verdict, result.score) == ('timeout', 5.0)
     assert 'took too long with your program' in result.tests[-1].message
     assert time.monotonic() - began < 60
 
 
 def test_all_tests_of_a_session_have_a_total_time(tmp_path):
-    small.write_tests(tmp_path, ONE + """
+    small.write_tests(
+        tmp_path,
+        ONE
+        + """
 import time
 
 
@@ -95,8 +114,9 @@ def test_slow(learner):
 
 def test_late(learner):
     \"\"\"Late.\"\"\"
-""")
-    result, = run(tmp_path, (1,), total_timeout=4.0).exercises
+""",
+    )
+    (result,) = run(tmp_path, (1,), total_timeout=4.0).exercises
     assert result.verdict == 'timeout' and result.score is not None
     assert 'did not run any more' in result.tests[-1].message
 
@@ -113,7 +133,10 @@ def test_two_tests_of_one_name(tmp_path):
 
 def test_a_fault_that_passes_is_tried_again(tmp_path):
     flag = tmp_path / 'flag'
-    small.write_tests(tmp_path, ONE + f'''
+    small.write_tests(
+        tmp_path,
+        ONE
+        + f'''
 def test_two(learner):
     """Two."""
     if not os.path.exists({str(flag)!r}):
@@ -124,19 +147,23 @@ def test_two(learner):
 def test_three(learner):
     """Three."""
     assert learner.call('Talker') == 1
-''')
+''',
+    )
     report = run(tmp_path)
     assert (report.exercises[0].verdict, report.exercises[0].score) == ('passed', 10)
     assert 'status 1' in report.log[0]
 
 
 def test_a_seed_gives_the_same_inputs_again(tmp_path):
-    small.write_tests(tmp_path, '''
+    small.write_tests(
+        tmp_path,
+        '''
 @pytest.mark.parametrize('number', (1, 2))
 def test_drawn(learner, number):
     """Drawn."""
     expect(False, f'{learner.random.random()}')
-''')
+''',
+    )
     first = run(tmp_path)
     again = run(tmp_path, seed=first.seed)
     assert again == first
@@ -168,8 +195,19 @@ def test_files_of_other_exercises_are_not_read(tmp_path):
 
 
 def test_a_files_path_says_what_it_tests():
-    names = ('test_3_1.py', 'a/test_8_10.py', 'a/exercises/3_1/hidden.py', '3_1/hidden.py', 'test_8_10_more.py',
-             'test_3_1.txt', 'conftest.py', 'test_rules.py', 'hidden.py', '3_1/mutants.py', 'a3_1/hidden.py')
+    names = (
+        'test_3_1.py',
+        'a/test_8_10.py',
+        'a/exercises/3_1/hidden.py',
+        '3_1/hidden.py',
+        'test_8_10_more.py',
+        'test_3_1.txt',
+        'conftest.py',
+        'test_rules.py',
+        'hidden.py',
+        '3_1/mutants.py',
+        'a3_1/hidden.py',
+    )
     assert [manifest.tested_in(Path(name)) for name in names] == ['3.1', '8.10', '3.1', '3.1', *[None] * 7]
 
 
@@ -204,12 +242,17 @@ def test_nothing_runs_for_what_is_not_attempted_or_invalid(tmp_path):
 def test_the_learner_finds_no_test_and_no_secret(tmp_path, monkeypatch):
     """Not in their environment, their arguments or their open files; and of the grader's there is only a channel."""
     monkeypatch.setenv('GRADER_TOKEN', 'canary')
-    small.write_tests(tmp_path, '''
+    small.write_tests(
+        tmp_path,
+        '''
 def test_secret(learner):
     """Secret."""
     expect(not learner.call('Talker'), f"{learner.call('Talker')}")
-''')
-    report = run(tmp_path, program=f"""\
+''',
+    )
+    report = run(
+        tmp_path,
+        program=f"""\
 def Talker():
     import os, gc, sys
     found = [key for key, value in os.environ.items() if 'canary' in value or {str(tmp_path)!r} in value]
@@ -218,7 +261,8 @@ def Talker():
     found += [name for name in sys.modules if name.startswith(('pytest', '_pytest', 'helpers.runner.learner'))]
     mine = ('socket:', 'anon_inode', '/dev/', os.environ['HOME'])
     return [text for text in found if not text.startswith(mine)]
-""")
+""",
+    )
     assert report.exercises[0].passed, report.exercises[0].tests
 
 
@@ -226,13 +270,16 @@ def test_nothing_is_left_running(tmp_path):
     """What the learner's program starts ends with it."""
     small.write_tests(tmp_path, ONE)
     pids = tmp_path / 'pids'
-    report = run(tmp_path, program=f"""\
+    report = run(
+        tmp_path,
+        program=f"""\
 import subprocess
 def Talker():
     with open({str(pids)!r}, 'a') as file:
         print(subprocess.Popen(['sleep', '1000']).pid, file=file)
     return 1
-""")
+""",
+    )
     assert report.exercises[0].passed
     for pid in pids.read_text().split():
         assert not os.path.exists(f'/proc/{pid}') or '(sleep) Z' in open(f'/proc/{pid}/stat').read()
@@ -240,10 +287,14 @@ def Talker():
 
 def test_limits_are_set(tmp_path):
     small.write_tests(tmp_path, ONE.replace('== 1', '== [256, 2**24, 5, 0]'))
-    report = run(tmp_path, limits=start_processes.Limits(cpu=5), program="""\
+    report = run(
+        tmp_path,
+        limits=start_processes.Limits(cpu=5),
+        program="""\
 import resource
 def Talker():
     return [resource.getrlimit(what)[0] for what in (resource.RLIMIT_NOFILE, resource.RLIMIT_FSIZE,
                                                      resource.RLIMIT_CPU, resource.RLIMIT_CORE)]
-""")
+""",
+    )
     assert report.exercises[0].passed, report.exercises[0].tests

@@ -114,7 +114,7 @@ def test_a_callback_that_does_not_end():
     asker = Asker('wait')  # one group for timer and client: the response is never taken
     with timeline() as chart, spinning(asker):
         wait_for(lambda: chart.callbacks and chart.callbacks[0].parts[0][1])
-    stuck, = chart.callbacks
+    (stuck,) = chart.callbacks
     assert stuck.end is None and stuck.awaited and 'not ended' in repr(chart)
 
 

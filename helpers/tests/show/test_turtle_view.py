@@ -97,7 +97,7 @@ def test_without_ros_it_says_what_to_do():
         TurtleView()
 
 
-LIVE = '''
+LIVE = """
 import rclpy
 from helpers import ros, spinning, wait_for
 from helpers.show.turtle_view import TurtleView
@@ -114,7 +114,7 @@ node.create_timer(0.02, move)
 with spinning(node), TurtleView(size=100) as view:
     wait_for(lambda: view.pose() and view.pose().x > 3.0, timeout=30)
 ros.stop()
-'''
+"""
 
 
 def test_the_picture_of_a_cell_changes_while_the_cell_runs(kernel):

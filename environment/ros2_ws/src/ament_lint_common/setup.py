@@ -4,8 +4,14 @@ from setuptools import find_packages, setup
 
 # One build for what upstream spreads over these packages: a build of each would cost more than all they do.
 PACKAGES = [
-    'ament_lint_auto', 'ament_lint_common', 'ament_copyright', 'ament_cmake_copyright', 'ament_xmllint',
-    'ament_cmake_xmllint', 'ament_lint_cmake', 'ament_cmake_lint_cmake',
+    'ament_lint_auto',
+    'ament_lint_common',
+    'ament_copyright',
+    'ament_cmake_copyright',
+    'ament_xmllint',
+    'ament_cmake_xmllint',
+    'ament_lint_cmake',
+    'ament_cmake_lint_cmake',
 ]
 
 

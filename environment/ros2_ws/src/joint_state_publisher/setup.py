@@ -17,9 +17,5 @@ setup(
     description='Publishes positions for all joints of a robot description.',
     license='Apache-2.0',
     extras_require={'test': ['pytest']},
-    entry_points={
-        'console_scripts': [
-            'joint_state_publisher = joint_state_publisher.node:main',
-        ],
-    },
+    entry_points={'console_scripts': ['joint_state_publisher = joint_state_publisher.node:main']},
 )

@@ -4,10 +4,7 @@ setup(
     name='launch',
     version='3.4.5',
     packages=find_packages(),
-    data_files=[
-        ('share/ament_index/resource_index/packages', ['resource/launch']),
-        ('share/launch', ['package.xml']),
-    ],
+    data_files=[('share/ament_index/resource_index/packages', ['resource/launch']), ('share/launch', ['package.xml'])],
     install_requires=['setuptools'],
     extras_require={'test': ['pytest']},
     zip_safe=True,

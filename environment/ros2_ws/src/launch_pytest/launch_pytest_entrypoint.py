@@ -20,7 +20,8 @@ if TYPE_CHECKING:
 def pytest_configure(config) -> None:
     """Make the mark known."""
     config.addinivalue_line(
-        'markers', 'launch: mark the test as a launch test, it will be run using the specified launch_pad.')
+        'markers', 'launch: mark the test as a launch test, it will be run using the specified launch_pad.'
+    )
 
 
 # --- what a test can ask for --------------------------------------------------------------------------------------
@@ -77,7 +78,8 @@ def pytest_pycollect_makeitem(collector, name: str, obj: Any):
     options = _options(marks)
     if options is None:
         raise collector.CollectError(
-            f'"fixture" keyword argument of @pytest.mark.launch() of {name}() has to name a launch_pytest.fixture')
+            f'"fixture" keyword argument of @pytest.mark.launch() of {name}() has to name a launch_pytest.fixture'
+        )
     pytest.mark.usefixtures(options.name)(obj)
     items = list(collector._genfunctions(name, obj))
     if not _has_second_part(obj) or options.scope == 'function':
@@ -88,8 +90,12 @@ def pytest_pycollect_makeitem(collector, name: str, obj: Any):
 
 def _second_item(collector, item: pytest.Function) -> pytest.Function:
     second = pytest.Function.from_parent(
-        collector, name=f'{item.name}[shutdown_test]', callobj=item.obj, callspec=getattr(item, 'callspec', None),
-        fixtureinfo=item._fixtureinfo)
+        collector,
+        name=f'{item.name}[shutdown_test]',
+        callobj=item.obj,
+        callspec=getattr(item, 'callspec', None),
+        fixtureinfo=item._fixtureinfo,
+    )
     second._launch_pytest_first_part = item
     return second
 
@@ -115,8 +121,13 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         key = _launch_key(item)
         if key is not None and not _is_after_end(item):
             last[key] = position
-    order = {item: (max(position, last.get(_launch_key(item), position)) if _is_after_end(item) else position,
-                    _is_after_end(item)) for position, item in enumerate(items)}
+    order = {
+        item: (
+            max(position, last.get(_launch_key(item), position)) if _is_after_end(item) else position,
+            _is_after_end(item),
+        )
+        for position, item in enumerate(items)
+    }
     items.sort(key=lambda item: order[item])
 
 

@@ -16,7 +16,5 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description='Tests of a launched system, as fixtures of pytest.',
     license='Apache-2.0',
-    entry_points={
-        'pytest11': ['launch_pytest = launch_pytest_entrypoint'],
-    },
+    entry_points={'pytest11': ['launch_pytest = launch_pytest_entrypoint']},
 )

@@ -35,8 +35,10 @@ class LaunchTestItem(pytest.Item):
         module = self.parent.obj
         arguments = [word for words in self.config.getoption('--launch-args') for word in words]
         runner = LaunchTestRunner(
-            test_runs=LoadTestsFromPythonModule(module, name=module.__name__), launch_file_arguments=arguments,
-            debug=self.config.get_verbosity() > 1)
+            test_runs=LoadTestsFromPythonModule(module, name=module.__name__),
+            launch_file_arguments=arguments,
+            debug=self.config.get_verbosity() > 1,
+        )
         results = runner.run()
         if not all(result.wasSuccessful() for result in results.values()):
             raise LaunchTestFailure(results)
@@ -95,4 +97,5 @@ def pytest_addoption(parser) -> None:
 def pytest_configure(config) -> None:
     """Make the mark known."""
     config.addinivalue_line(
-        'markers', 'launch_test: mark a generate_test_description function as a launch test entrypoint')
+        'markers', 'launch_test: mark a generate_test_description function as a launch test entrypoint'
+    )

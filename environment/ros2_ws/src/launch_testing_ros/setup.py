@@ -16,7 +16,5 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description='What tests of launched ROS nodes need beside launch_testing.',
     license='Apache-2.0',
-    entry_points={
-        'pytest11': ['launch_testing_ros = launch_testing_ros_pytest_entrypoint'],
-    },
+    entry_points={'pytest11': ['launch_testing_ros = launch_testing_ros_pytest_entrypoint']},
 )

@@ -15,7 +15,5 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description='Launch files in XML.',
     license='Apache-2.0',
-    entry_points={
-        'launch.frontend.parser': ['xml = launch_xml:Parser'],
-    },
+    entry_points={'launch.frontend.parser': ['xml = launch_xml:Parser']},
 )

@@ -15,7 +15,5 @@ setup(
     maintainer_email='maintainers@ros2-course.example.org',
     description='Launch files in YAML.',
     license='Apache-2.0',
-    entry_points={
-        'launch.frontend.parser': ['yaml = launch_yaml:Parser'],
-    },
+    entry_points={'launch.frontend.parser': ['yaml = launch_yaml:Parser']},
 )

@@ -11,8 +11,7 @@ setup(
     data_files=[
         ('share/ament_index/resource_index/packages', ['resource/' + package_name]),
         ('share/' + package_name, ['package.xml']),
-        *((f'share/{package_name}/{folder}', glob(f'{folder}/*.*'))
-          for folder in ('config', 'launch', 'scenes')),
+        *((f'share/{package_name}/{folder}', glob(f'{folder}/*.*')) for folder in ('config', 'launch', 'scenes')),
     ],
     install_requires=['setuptools'],
     zip_safe=True,
@@ -21,9 +20,5 @@ setup(
     description="A simulated robot in a simulated world: MuJoCo's physics on ROS topics.",
     license='Apache-2.0',
     extras_require={'test': ['pytest']},
-    entry_points={
-        'console_scripts': [
-            'world = mujoco_world.node:main',
-        ],
-    },
+    entry_points={'console_scripts': ['world = mujoco_world.node:main']},
 )

@@ -17,9 +17,5 @@ setup(
     description='From a robot description and the positions of its joints to the transforms of its links.',
     license='Apache-2.0',
     extras_require={'test': ['pytest']},
-    entry_points={
-        'console_scripts': [
-            'robot_state_publisher = robot_state_publisher.node:main',
-        ],
-    },
+    entry_points={'console_scripts': ['robot_state_publisher = robot_state_publisher.node:main']},
 )

@@ -18,12 +18,8 @@ setup(
     license='Apache-2.0',
     extras_require={'test': ['pytest']},
     entry_points={
-        'ros2cli.command': [
-            'action = ros2action.command.action:ActionCommand',
-        ],
-        'ros2cli.extension_point': [
-            'ros2action.verb = ros2action.verb:VerbExtension',
-        ],
+        'ros2cli.command': ['action = ros2action.command.action:ActionCommand'],
+        'ros2cli.extension_point': ['ros2action.verb = ros2action.verb:VerbExtension'],
         'ros2action.verb': [
             'info = ros2action.verb.info:InfoVerb',
             'list = ros2action.verb.list:ListVerb',

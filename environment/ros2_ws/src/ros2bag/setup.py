@@ -18,12 +18,8 @@ setup(
     license='Apache-2.0',
     extras_require={'test': ['pytest']},
     entry_points={
-        'ros2cli.command': [
-            'bag = ros2bag.command.bag:BagCommand',
-        ],
-        'ros2cli.extension_point': [
-            'ros2bag.verb = ros2bag.verb:VerbExtension',
-        ],
+        'ros2cli.command': ['bag = ros2bag.command.bag:BagCommand'],
+        'ros2cli.extension_point': ['ros2bag.verb = ros2bag.verb:VerbExtension'],
         'ros2bag.verb': [
             'info = ros2bag.verb.info:InfoVerb',
             'play = ros2bag.verb.play:PlayVerb',

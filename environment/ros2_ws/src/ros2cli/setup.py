@@ -9,10 +9,7 @@ setup(
     data_files=[
         ('share/ament_index/resource_index/packages', ['resource/' + package_name]),
         ('share/' + package_name, ['package.xml']),
-        ('share/ros2cli/environment', [
-            'completion/ros2-argcomplete.bash',
-            'completion/ros2-argcomplete.zsh',
-        ]),
+        ('share/ros2cli/environment', ['completion/ros2-argcomplete.bash', 'completion/ros2-argcomplete.zsh']),
     ],
     install_requires=['setuptools'],
     zip_safe=False,
@@ -22,9 +19,7 @@ setup(
     license='Apache-2.0',
     extras_require={'test': ['pytest']},
     entry_points={
-        'console_scripts': [
-            'ros2 = ros2cli.cli:main',
-        ],
+        'console_scripts': ['ros2 = ros2cli.cli:main'],
         'ros2cli.command': [
             'component = ros2cli.command.component:ComponentCommand',
             'daemon = ros2cli.command.daemon:DaemonCommand',

@@ -18,12 +18,8 @@ setup(
     license='Apache-2.0',
     extras_require={'test': ['pytest']},
     entry_points={
-        'ros2cli.command': [
-            'interface = ros2interface.command.interface:InterfaceCommand',
-        ],
-        'ros2cli.extension_point': [
-            'ros2interface.verb = ros2interface.verb:VerbExtension',
-        ],
+        'ros2cli.command': ['interface = ros2interface.command.interface:InterfaceCommand'],
+        'ros2cli.extension_point': ['ros2interface.verb = ros2interface.verb:VerbExtension'],
         'ros2interface.verb': [
             'list = ros2interface.verb.list:ListVerb',
             'package = ros2interface.verb.package:PackageVerb',

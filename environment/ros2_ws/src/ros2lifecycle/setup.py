@@ -18,12 +18,8 @@ setup(
     license='Apache-2.0',
     extras_require={'test': ['pytest']},
     entry_points={
-        'ros2cli.command': [
-            'lifecycle = ros2lifecycle.command.lifecycle:LifecycleCommand',
-        ],
-        'ros2cli.extension_point': [
-            'ros2lifecycle.verb = ros2lifecycle.verb:VerbExtension',
-        ],
+        'ros2cli.command': ['lifecycle = ros2lifecycle.command.lifecycle:LifecycleCommand'],
+        'ros2cli.extension_point': ['ros2lifecycle.verb = ros2lifecycle.verb:VerbExtension'],
         'ros2lifecycle.verb': [
             'get = ros2lifecycle.verb.get:GetVerb',
             'list = ros2lifecycle.verb.list:ListVerb',

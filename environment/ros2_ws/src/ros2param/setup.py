@@ -18,12 +18,8 @@ setup(
     license='Apache-2.0',
     extras_require={'test': ['pytest']},
     entry_points={
-        'ros2cli.command': [
-            'param = ros2param.command.param:ParamCommand',
-        ],
-        'ros2cli.extension_point': [
-            'ros2param.verb = ros2param.verb:VerbExtension',
-        ],
+        'ros2cli.command': ['param = ros2param.command.param:ParamCommand'],
+        'ros2cli.extension_point': ['ros2param.verb = ros2param.verb:VerbExtension'],
         'ros2param.verb': [
             'delete = ros2param.verb.delete:DeleteVerb',
             'describe = ros2param.verb.describe:DescribeVerb',

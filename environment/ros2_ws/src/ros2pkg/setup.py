@@ -19,12 +19,8 @@ setup(
     license='Apache-2.0',
     extras_require={'test': ['pytest']},
     entry_points={
-        'ros2cli.command': [
-            'pkg = ros2pkg.command.pkg:PkgCommand',
-        ],
-        'ros2cli.extension_point': [
-            'ros2pkg.verb = ros2pkg.verb:VerbExtension',
-        ],
+        'ros2cli.command': ['pkg = ros2pkg.command.pkg:PkgCommand'],
+        'ros2cli.extension_point': ['ros2pkg.verb = ros2pkg.verb:VerbExtension'],
         'ros2pkg.verb': [
             'create = ros2pkg.verb.create:CreateVerb',
             'executables = ros2pkg.verb.executables:ExecutablesVerb',

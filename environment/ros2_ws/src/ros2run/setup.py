@@ -17,9 +17,5 @@ setup(
     description='The run command of ros2: start an executable of a package.',
     license='Apache-2.0',
     extras_require={'test': ['pytest']},
-    entry_points={
-        'ros2cli.command': [
-            'run = ros2run.command.run:RunCommand',
-        ],
-    },
+    entry_points={'ros2cli.command': ['run = ros2run.command.run:RunCommand']},
 )

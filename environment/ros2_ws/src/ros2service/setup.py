@@ -18,12 +18,8 @@ setup(
     license='Apache-2.0',
     extras_require={'test': ['pytest']},
     entry_points={
-        'ros2cli.command': [
-            'service = ros2service.command.service:ServiceCommand',
-        ],
-        'ros2cli.extension_point': [
-            'ros2service.verb = ros2service.verb:VerbExtension',
-        ],
+        'ros2cli.command': ['service = ros2service.command.service:ServiceCommand'],
+        'ros2cli.extension_point': ['ros2service.verb = ros2service.verb:VerbExtension'],
         'ros2service.verb': [
             'call = ros2service.verb.call:CallVerb',
             'echo = ros2service.verb.echo:EchoVerb',

@@ -18,12 +18,8 @@ setup(
     license='Apache-2.0',
     extras_require={'test': ['pytest']},
     entry_points={
-        'ros2cli.command': [
-            'topic = ros2topic.command.topic:TopicCommand',
-        ],
-        'ros2cli.extension_point': [
-            'ros2topic.verb = ros2topic.verb:VerbExtension',
-        ],
+        'ros2cli.command': ['topic = ros2topic.command.topic:TopicCommand'],
+        'ros2cli.extension_point': ['ros2topic.verb = ros2topic.verb:VerbExtension'],
         'ros2topic.verb': [
             'bw = ros2topic.verb.bw:BwVerb',
             'delay = ros2topic.verb.delay:DelayVerb',

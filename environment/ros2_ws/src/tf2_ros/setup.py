@@ -23,6 +23,6 @@ setup(
             'static_transform_publisher = tf2_ros_executables.static_transform_publisher:main',
             'tf2_echo = tf2_ros_executables.tf2_echo:main',
             'tf2_monitor = tf2_ros_executables.tf2_monitor:main',
-        ],
+        ]
     },
 )

@@ -17,9 +17,5 @@ setup(
     description='view_frames: the tree of frames as a picture.',
     license='Apache-2.0',
     extras_require={'test': ['pytest']},
-    entry_points={
-        'console_scripts': [
-            'view_frames = tf2_tools.view_frames:main',
-        ],
-    },
+    entry_points={'console_scripts': ['view_frames = tf2_tools.view_frames:main']},
 )

@@ -40,9 +40,17 @@ def told(fault, script, *texts):
 
 
 @pytest.mark.skipif(not os.access('/usr/bin/apt-get', os.X_OK), reason='apt is tried, and there is no apt-get here')
-@pytest.mark.parametrize('kind, message', [
-    ('key_file', 'NO_PUBKEY'), ('wrong_key', 'NO_PUBKEY'), ('suite', 'does not have a Release file'),
-    ('codename', 'jammy'), ('component', "doesn't have the component"), ('malformed', 'Malformed entry 1')])
+@pytest.mark.parametrize(
+    'kind, message',
+    [
+        ('key_file', 'NO_PUBKEY'),
+        ('wrong_key', 'NO_PUBKEY'),
+        ('suite', 'does not have a Release file'),
+        ('codename', 'jammy'),
+        ('component', "doesn't have the component"),
+        ('malformed', 'Malformed entry 1'),
+    ],
+)
 def test_a_source_line_of_apt(tmp_path, kind, message, capsys):
     with staged(tmp_path, 'A7.1', kind) as fault:
         fault.symptom()
@@ -91,8 +99,7 @@ def test_a_shell_without_colcon(tmp_path, kind, capsys):
         fault.repair()
 
 
-@pytest.mark.parametrize('kind, message', [
-    ('module', 'ModuleNotFoundError'), ('script_dir', 'No executable found')])
+@pytest.mark.parametrize('kind, message', [('module', 'ModuleNotFoundError'), ('script_dir', 'No executable found')])
 def test_an_entry_point(tmp_path, kind, message, capsys):
     with staged(tmp_path, 'A7.4', kind) as fault:
         fault.run(fault.command)
@@ -114,8 +121,12 @@ def test_no_data(tmp_path, domain, kind):
     with staged(tmp_path, 'A7.6', kind) as fault:
         truth = fault.diagnosis
         heard = 0 if kind == 'namespace' else 1
-        shown = told(fault, f'ros2 topic info --verbose {truth["publisher_topic"]}', 'Publisher count: 1',
-                     f'Subscription count: {heard}')
+        shown = told(
+            fault,
+            f'ros2 topic info --verbose {truth["publisher_topic"]}',
+            'Publisher count: 1',
+            f'Subscription count: {heard}',
+        )
         if kind == 'reliability':
             assert {'BEST_EFFORT', 'RELIABLE'} <= {line.split()[-1] for line in shown.splitlines() if line.strip()}
         if kind == 'type':

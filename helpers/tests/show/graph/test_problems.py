@@ -35,38 +35,64 @@ def problems(*links, **arguments):
     return [(problem.kind, problem.text) for problem in graph(*links, **arguments).problems]
 
 
-@pytest.mark.parametrize('links', [
-    (pub('/a', '/chatter'), sub('/b', '/chatter')),
-    (pub('/a', '/scan', qos=PLAIN), sub('/b', '/scan', qos=BEST_EFFORT)),
-    (pub('/a', '/map', qos=LATCHED), sub('/b', '/map')),
-    (pub('/a', '/turtle1/pose'), sub('/b', '/turtle1/pose'), pub('/c', '/turtle2/pose')),
-    (pub('/a', '/odom'), sub('/b', '/scan')),
-    (Link('/b', 'server', '/add', STRING),),
-    (),
-], ids=['a pair', 'offers more', 'latched for all', 'numbered names', 'other names', 'no client yet', 'nothing'])
+@pytest.mark.parametrize(
+    'links',
+    [
+        (pub('/a', '/chatter'), sub('/b', '/chatter')),
+        (pub('/a', '/scan', qos=PLAIN), sub('/b', '/scan', qos=BEST_EFFORT)),
+        (pub('/a', '/map', qos=LATCHED), sub('/b', '/map')),
+        (pub('/a', '/turtle1/pose'), sub('/b', '/turtle1/pose'), pub('/c', '/turtle2/pose')),
+        (pub('/a', '/odom'), sub('/b', '/scan')),
+        (Link('/b', 'server', '/add', STRING),),
+        (),
+    ],
+    ids=['a pair', 'offers more', 'latched for all', 'numbered names', 'other names', 'no client yet', 'nothing'],
+)
 def test_what_fits_is_not_reported(links):
     assert problems(*links) == []
 
 
-@pytest.mark.parametrize('kind, fragments, links', [
-    ('type', ['/a publishes std_msgs/msg/String', '/b expects std_msgs/msg/Int32'],
-     (pub('/a', '/chatter'), sub('/b', '/chatter', INT))),
-    ('type', ['2 types'], (pub('/a', '/chatter'), pub('/b', '/chatter', INT))),
-    ('qos', ['reliability: /a offers BEST_EFFORT, /b asks for RELIABLE'],
-     (pub('/a', '/scan', qos=BEST_EFFORT), sub('/b', '/scan'))),
-    ('qos', ['durability: /a offers VOLATILE, /b asks for TRANSIENT_LOCAL'],
-     (pub('/a', '/map'), sub('/b', '/map', qos=LATCHED))),
-    ('name', ['/a publishes on /chater', '/b subscribes to /chatter'], (pub('/a', '/chater'), sub('/b', '/chatter'))),
-    ('name', ['/chater', '/chatter'], (pub('/a', '/chater'), pub('/c', '/chatter'), sub('/b', '/chatter'))),
-    ('name', ['/robot/scan', '/scan'], (pub('/a', '/robot/scan'), sub('/b', '/scan'))),
-    ('name', ['/a asks for /ad_two_ints', '/b serves /add_two_ints'],
-     (Link('/a', 'client', '/ad_two_ints', STRING), Link('/b', 'server', '/add_two_ints', STRING))),
-    ('no server', ['/add', '/a would wait for ever'], (Link('/a', 'client', '/add', STRING),)),
-    ('servers', ['/add has 2 servers: /a, /b'],
-     (Link('/a', 'server', '/add', STRING), Link('/b', 'server', '/add', STRING))),
-])
+@pytest.mark.parametrize(
+    'kind, fragments, links',
+    [
+        (
+            'type',
+            ['/a publishes std_msgs/msg/String', '/b expects std_msgs/msg/Int32'],
+            (pub('/a', '/chatter'), sub('/b', '/chatter', INT)),
+        ),
+        ('type', ['2 types'], (pub('/a', '/chatter'), pub('/b', '/chatter', INT))),
+        (
+            'qos',
+            ['reliability: /a offers BEST_EFFORT, /b asks for RELIABLE'],
+            (pub('/a', '/scan', qos=BEST_EFFORT), sub('/b', '/scan')),
+        ),
+        (
+            'qos',
+            ['durability: /a offers VOLATILE, /b asks for TRANSIENT_LOCAL'],
+            (pub('/a', '/map'), sub('/b', '/map', qos=LATCHED)),
+        ),
+        (
+            'name',
+            ['/a publishes on /chater', '/b subscribes to /chatter'],
+            (pub('/a', '/chater'), sub('/b', '/chatter')),
+        ),
+        ('name', ['/chater', '/chatter'], (pub('/a', '/chater'), pub('/c', '/chatter'), sub('/b', '/chatter'))),
+        ('name', ['/robot/scan', '/scan'], (pub('/a', '/robot/scan'), sub('/b', '/scan'))),
+        (
+            'name',
+            ['/a asks for /ad_two_ints', '/b serves /add_two_ints'],
+            (Link('/a', 'client', '/ad_two_ints', STRING), Link('/b', 'server', '/add_two_ints', STRING)),
+        ),
+        ('no server', ['/add', '/a would wait for ever'], (Link('/a', 'client', '/add', STRING),)),
+        (
+            'servers',
+            ['/add has 2 servers: /a, /b'],
+            (Link('/a', 'server', '/add', STRING), Link('/b', 'server', '/add', STRING)),
+        ),
+    ],
+)
 def test_what_does_not_fit_is_said_in_words(kind, fragments, links):
-    (found, text), = problems(*links)
+    ((found, text),) = problems(*links)
     assert found == kind
     for fragment in fragments:
         assert fragment in text
@@ -95,8 +121,14 @@ def test_every_policy_that_rclpy_minds_is_named():
 
 
 def test_the_picture_shows_all_and_marks_what_is_wrong():
-    shown = GraphPicture(graph(pub('/a', '/scan', qos=BEST_EFFORT), sub('/b', '/scan'),
-                          Link('/b', 'server', '/<go>', STRING), Link('/b', 'server', '/stop', STRING)))
+    shown = GraphPicture(
+        graph(
+            pub('/a', '/scan', qos=BEST_EFFORT),
+            sub('/b', '/scan'),
+            Link('/b', 'server', '/<go>', STRING),
+            Link('/b', 'server', '/stop', STRING),
+        )
+    )
     bundle = shown._repr_mimebundle_()
     svg = ElementTree.fromstring(re.search(r'<svg.*?</svg>', bundle['text/html'], re.DOTALL)[0])
     texts = [element.text for element in svg.iter('{http://www.w3.org/2000/svg}text')]

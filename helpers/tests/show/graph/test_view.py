@@ -11,9 +11,14 @@ from helpers import GraphView, show_graph, spinning, wait_for
 from helpers.kernel.ros import nodes
 from helpers.show.graph.reading import read
 
-LINKS = {('/b', 'publisher', '/chatter'), ('/robot/a', 'subscription', '/chatter'),
-         ('/robot/a', 'server', '/robot/add'), ('/b', 'client', '/robot/add'),
-         ('/robot/a', 'action server', '/robot/count'), ('/b', 'action client', '/robot/count')}
+LINKS = {
+    ('/b', 'publisher', '/chatter'),
+    ('/robot/a', 'subscription', '/chatter'),
+    ('/robot/a', 'server', '/robot/add'),
+    ('/b', 'client', '/robot/add'),
+    ('/robot/a', 'action server', '/robot/count'),
+    ('/b', 'action client', '/robot/count'),
+}
 
 
 @pytest.fixture

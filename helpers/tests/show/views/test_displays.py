@@ -74,8 +74,9 @@ def stage(ros):
 
 
 def scan(at: float = 0.0, ranges=(1.0, 2.0, 3.0), **more) -> LaserScanMsg:
-    message = LaserScanMsg(angle_min=0.0, angle_increment=math.pi / 2, range_min=0.5, range_max=10.0,
-                           ranges=list(ranges), **more)
+    message = LaserScanMsg(
+        angle_min=0.0, angle_increment=math.pi / 2, range_min=0.5, range_max=10.0, ranges=list(ranges), **more
+    )
     message.header.frame_id, message.header.stamp = 'laser', stamp(at)
     return message
 
@@ -250,10 +251,19 @@ ROBOT = """
   <joint name="axle" type="continuous"><parent link="base"/><child link="wheel"/></joint>
 </robot>
 """
-TETRAHEDRON = 'solid t\n' + '\n'.join(
-    f'facet normal 0 0 0\nouter loop\n{corners}\nendloop\nendfacet' for corners in (
-        'vertex 0 0 0\nvertex 0 1 0\nvertex 1 0 0', 'vertex 0 0 0\nvertex 1 0 0\nvertex 0 0 1',
-        'vertex 0 0 0\nvertex 0 0 1\nvertex 0 1 0', 'vertex 1 0 0\nvertex 0 1 0\nvertex 0 0 1')) + '\nendsolid t\n'
+TETRAHEDRON = (
+    'solid t\n'
+    + '\n'.join(
+        f'facet normal 0 0 0\nouter loop\n{corners}\nendloop\nendfacet'
+        for corners in (
+            'vertex 0 0 0\nvertex 0 1 0\nvertex 1 0 0',
+            'vertex 0 0 0\nvertex 1 0 0\nvertex 0 0 1',
+            'vertex 0 0 0\nvertex 0 0 1\nvertex 0 1 0',
+            'vertex 1 0 0\nvertex 0 1 0\nvertex 0 0 1',
+        )
+    )
+    + '\nendsolid t\n'
+)
 
 
 @pytest.fixture
@@ -277,7 +287,7 @@ def test_robot_each_link_where_tf_says(stage, mesh_file):
     assert isinstance(seen['base/1'].shape, Sphere)
     wheel = seen['wheel/0']
     assert isinstance(wheel.shape, Mesh) and wheel.shape.faces.shape == (4, 3)
-    assert wheel.pose == pytest.approx(np.array([[.1, 0, 0, 3], [0, .1, 0, 0], [0, 0, .1, 0], [0, 0, 0, 1]]))
+    assert wheel.pose == pytest.approx(np.array([[0.1, 0, 0, 3], [0, 0.1, 0, 0], [0, 0, 0.1, 0], [0, 0, 0, 1]]))
     assert s.display.robot.name == 'cart'
 
 
@@ -319,17 +329,21 @@ def marker(kind: int = MarkerMsg.CUBE, number: int = 0, at: float = 0.0, **field
 POINTS = [Point(x=0.0), Point(x=1.0), Point(x=1.0, y=1.0)]
 
 
-@pytest.mark.parametrize(('message', 'kind', 'scale'), [
-    (marker(MarkerMsg.CUBE), Box, (0.1, 0.2, 0.3)),
-    (marker(MarkerMsg.SPHERE), Sphere, (0.1, 0.2, 0.3)),
-    (marker(MarkerMsg.CYLINDER), Cylinder, (0.1, 0.2, 0.3)),
-    (marker(MarkerMsg.ARROW), Arrow, (1, 1, 1)),
-    (marker(MarkerMsg.LINE_STRIP, points=POINTS), Line, (1, 1, 1)),
-    (marker(MarkerMsg.LINE_LIST, points=POINTS[:2]), Line, (1, 1, 1)),
-    (marker(MarkerMsg.POINTS, points=POINTS), Points, (1, 1, 1)),
-    (marker(MarkerMsg.TEXT_VIEW_FACING, text='dock'), Label, (1, 1, 1)),
-    (marker(MarkerMsg.TRIANGLE_LIST, points=POINTS), Mesh, (0.1, 0.2, 0.3)),
-], ids=lambda value: getattr(value, '__name__', ''))
+@pytest.mark.parametrize(
+    ('message', 'kind', 'scale'),
+    [
+        (marker(MarkerMsg.CUBE), Box, (0.1, 0.2, 0.3)),
+        (marker(MarkerMsg.SPHERE), Sphere, (0.1, 0.2, 0.3)),
+        (marker(MarkerMsg.CYLINDER), Cylinder, (0.1, 0.2, 0.3)),
+        (marker(MarkerMsg.ARROW), Arrow, (1, 1, 1)),
+        (marker(MarkerMsg.LINE_STRIP, points=POINTS), Line, (1, 1, 1)),
+        (marker(MarkerMsg.LINE_LIST, points=POINTS[:2]), Line, (1, 1, 1)),
+        (marker(MarkerMsg.POINTS, points=POINTS), Points, (1, 1, 1)),
+        (marker(MarkerMsg.TEXT_VIEW_FACING, text='dock'), Label, (1, 1, 1)),
+        (marker(MarkerMsg.TRIANGLE_LIST, points=POINTS), Mesh, (0.1, 0.2, 0.3)),
+    ],
+    ids=lambda value: getattr(value, '__name__', ''),
+)
 def test_marker_types(stage, message, kind, scale):
     s = stage(Marker())
     s.frame('odom', 'map', x=10.0, static=True)
@@ -403,14 +417,18 @@ def test_marker_stays_in_the_fixed_frame_unless_locked(stage):
     assert s.update() == 'no transform from [map] to [odom] at the time of the marker'
 
 
-@pytest.mark.parametrize(('message', 'says'), [
-    (marker(color=ColorRGBA(r=1.0)), 'marker [n/0]: its color has alpha 0, so nobody sees it; set color.a to 1'),
-    (marker(MarkerMsg.LINE_LIST, points=POINTS), 'marker [n/0]: a LINE_LIST needs an even number of points, not 3'),
-    (marker(MarkerMsg.POINTS, points=POINTS, colors=[ColorRGBA(a=1.0)] * 2), 'it has 3 points, but 2 colors'),
-    (marker(MarkerMsg.MESH_RESOURCE), 'its mesh_resource is empty; it must name a file'),
-    (marker(MarkerMsg.MESH_RESOURCE, mesh_resource='package://nowhere/a.stl'), "there is no package 'nowhere'"),
-    (marker(77), 'type 77 is not shown here'),
-], ids=['alpha', 'odd', 'colours', 'no mesh', 'package', 'type'])
+@pytest.mark.parametrize(
+    ('message', 'says'),
+    [
+        (marker(color=ColorRGBA(r=1.0)), 'marker [n/0]: its color has alpha 0, so nobody sees it; set color.a to 1'),
+        (marker(MarkerMsg.LINE_LIST, points=POINTS), 'marker [n/0]: a LINE_LIST needs an even number of points, not 3'),
+        (marker(MarkerMsg.POINTS, points=POINTS, colors=[ColorRGBA(a=1.0)] * 2), 'it has 3 points, but 2 colors'),
+        (marker(MarkerMsg.MESH_RESOURCE), 'its mesh_resource is empty; it must name a file'),
+        (marker(MarkerMsg.MESH_RESOURCE, mesh_resource='package://nowhere/a.stl'), "there is no package 'nowhere'"),
+        (marker(77), 'type 77 is not shown here'),
+    ],
+    ids=['alpha', 'odd', 'colours', 'no mesh', 'package', 'type'],
+)
 def test_marker_that_makes_no_sense(stage, message, says):
     s = stage(Marker())
     s.frame('odom', 'map', static=True)

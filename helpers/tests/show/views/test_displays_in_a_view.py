@@ -48,13 +48,24 @@ def test_why_nothing_comes(ros):
     scans = node.create_publisher(LaserScanMsg, '/scan', qos_profile_sensor_data)
     node.create_publisher(String, '/robot_description', 10)
     node.create_publisher(String, '/front', 10)
-    displays = LaserScan(), RobotModel(), LaserScan('/front'), LaserScan('/rear'), LaserScan(
-        qos=qos_profile_sensor_data)
+    displays = (
+        LaserScan(),
+        RobotModel(),
+        LaserScan('/front'),
+        LaserScan('/rear'),
+        LaserScan(qos=qos_profile_sensor_data),
+    )
     with TfView(*displays, fixed_frame='laser', live=False) as view:
-        problem(view, 'LaserScan: incompatible QoS on [/scan]: reliability: the publisher offers BEST_EFFORT, '
-                      'this display asks for RELIABLE')
-        problem(view, 'RobotModel: incompatible QoS on [/robot_description]: durability: the publisher offers '
-                      'VOLATILE, this display asks for TRANSIENT_LOCAL')
+        problem(
+            view,
+            'LaserScan: incompatible QoS on [/scan]: reliability: the publisher offers BEST_EFFORT, '
+            'this display asks for RELIABLE',
+        )
+        problem(
+            view,
+            'RobotModel: incompatible QoS on [/robot_description]: durability: the publisher offers '
+            'VOLATILE, this display asks for TRANSIENT_LOCAL',
+        )
         problem(view, 'LaserScan 2: [/front] carries std_msgs/msg/String, not sensor_msgs/msg/LaserScan')
         problem(view, 'LaserScan 3: no publisher on [/rear]')
         problem(view, 'LaserScan 4: no message on [/scan] so far')

@@ -18,20 +18,32 @@ RED, GREEN, BLUE = (255, 0, 0), (0, 255, 0), (0, 0, 255)
 def image(encoding: str, array, **fields) -> Image:
     array = np.asarray(array)
     step = array[0].nbytes
-    return Image(**{'encoding': encoding, 'height': array.shape[0], 'width': array.shape[1], 'step': step,
-                    'data': array.tobytes(), **fields})
+    return Image(
+        **{
+            'encoding': encoding,
+            'height': array.shape[0],
+            'width': array.shape[1],
+            'step': step,
+            'data': array.tobytes(),
+            **fields,
+        }
+    )
 
 
-@pytest.mark.parametrize(('message', 'expected'), [
-    (image('rgb8', np.array([[RED, GREEN]], np.uint8)), [[RED, GREEN]]),
-    (image('bgr8', np.array([[BLUE, GREEN]], np.uint8)), [[RED, GREEN]]),
-    (image('rgba8', np.array([[(*RED, 9), (*BLUE, 9)]], np.uint8)), [[RED, BLUE]]),
-    (image('bgra8', np.array([[(*RED, 9)]], np.uint8)), [[BLUE]]),
-    (image('mono8', np.array([[1, 2], [3, 4]], np.uint8)), [[1, 2], [3, 4]]),
-    (image('16UC1', np.array([[1000, 3000, 2000]], '<u2')), [[0, 255, 127]]),
-    (image('mono16', np.array([[1000, 3000, 2000]], '>u2'), is_bigendian=1), [[0, 255, 127]]),
-    (image('32FC1', np.array([[1.0, np.nan, np.inf, 3.0]], '<f4')), [[0, 0, 0, 255]]),
-], ids=lambda value: getattr(value, 'encoding', ''))
+@pytest.mark.parametrize(
+    ('message', 'expected'),
+    [
+        (image('rgb8', np.array([[RED, GREEN]], np.uint8)), [[RED, GREEN]]),
+        (image('bgr8', np.array([[BLUE, GREEN]], np.uint8)), [[RED, GREEN]]),
+        (image('rgba8', np.array([[(*RED, 9), (*BLUE, 9)]], np.uint8)), [[RED, BLUE]]),
+        (image('bgra8', np.array([[(*RED, 9)]], np.uint8)), [[BLUE]]),
+        (image('mono8', np.array([[1, 2], [3, 4]], np.uint8)), [[1, 2], [3, 4]]),
+        (image('16UC1', np.array([[1000, 3000, 2000]], '<u2')), [[0, 255, 127]]),
+        (image('mono16', np.array([[1000, 3000, 2000]], '>u2'), is_bigendian=1), [[0, 255, 127]]),
+        (image('32FC1', np.array([[1.0, np.nan, np.inf, 3.0]], '<f4')), [[0, 0, 0, 255]]),
+    ],
+    ids=lambda value: getattr(value, 'encoding', ''),
+)
 def test_encodings(message, expected):
     assert pixels(message).tolist() == [[list(p) if isinstance(p, tuple) else p for p in row] for row in expected]
 
@@ -41,11 +53,14 @@ def test_rows_may_be_longer_than_the_picture():
     assert pixels(image('mono8', data, width=2)).tolist() == [[1, 2], [3, 4]]
 
 
-@pytest.mark.parametrize(('message', 'says'), [
-    (image('yuv422', np.zeros((1, 4), np.uint8)), "encoding 'yuv422' is not supported; there are rgb8"),
-    (image('rgb8', np.zeros((2, 2, 3), np.uint8), height=3), 'are too few for 2 x 3 pixels of rgb8'),
-    (image('rgb8', np.zeros((2, 2, 3), np.uint8), width=4), 'too few for 4 x 2 pixels'),
-])
+@pytest.mark.parametrize(
+    ('message', 'says'),
+    [
+        (image('yuv422', np.zeros((1, 4), np.uint8)), "encoding 'yuv422' is not supported; there are rgb8"),
+        (image('rgb8', np.zeros((2, 2, 3), np.uint8), height=3), 'are too few for 2 x 3 pixels of rgb8'),
+        (image('rgb8', np.zeros((2, 2, 3), np.uint8), width=4), 'too few for 4 x 2 pixels'),
+    ],
+)
 def test_bad_pictures(message, says):
     with pytest.raises(ValueError, match=says):
         pixels(message)

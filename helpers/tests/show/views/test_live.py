@@ -19,7 +19,7 @@ from helpers.show.views.shapes import Label, Mesh, Points
 
 def decode(message: bytes) -> tuple[dict, bytes]:
     length = struct.unpack_from('<I', message)[0]
-    return json.loads(message[4:4 + length]), message[4 + length:]
+    return json.loads(message[4 : 4 + length]), message[4 + length :]
 
 
 def numbers(block: bytes, place, kind='<f4') -> np.ndarray:
@@ -170,7 +170,10 @@ def test_each_shape_and_each_file_of_the_page_is_there():
     from helpers.show.views import shapes
 
     code = (pages.WEB / 'shapes.js').read_text()
-    kinds = {kind.__name__ for kind in vars(shapes).values()
-             if isinstance(kind, type) and issubclass(kind, shapes.Shape) and not kind.__name__.startswith('_')}
+    kinds = {
+        kind.__name__
+        for kind in vars(shapes).values()
+        if isinstance(kind, type) and issubclass(kind, shapes.Shape) and not kind.__name__.startswith('_')
+    }
     for kind in kinds - {'Shape', 'Label'}:
         assert f'  {kind}(shape' in code, f'web/shapes.js draws {kind}'

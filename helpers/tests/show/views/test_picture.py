@@ -26,8 +26,18 @@ def test_an_empty_scene_says_so():
 def test_each_shape_is_drawn():
     scene = Scene()
     vertices, faces = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]
-    shapes = (Axes(), Arrow(), Box(), Cylinder(), Sphere(), Mesh(vertices, faces), Line([[0, 0, 0], [1, 1, 1]]),
-              Points(RNG.random((20, 3))), Label('name'), Label('big', 0.3))
+    shapes = (
+        Axes(),
+        Arrow(),
+        Box(),
+        Cylinder(),
+        Sphere(),
+        Mesh(vertices, faces),
+        Line([[0, 0, 0], [1, 1, 1]]),
+        Points(RNG.random((20, 3))),
+        Label('name'),
+        Label('big', 0.3),
+    )
     scene.set('it', Label(''))
     before = len(picture.svg(scene))
     for number, shape in enumerate(shapes):
@@ -45,8 +55,10 @@ def test_axes_have_their_colours_and_z_is_up():
     scene = Scene()
     scene.set('a', Axes(1.0))
     strokes = {element.get('stroke'): element.get('d') for element in elements(picture.svg(scene), 'path')}
-    red, green, blue = (np.array([float(value) for value in re.findall(r'-?[\d.]+', strokes[colour])])
-                        for colour in ('#db262e', '#219e38', '#215cdb'))
+    red, green, blue = (
+        np.array([float(value) for value in re.findall(r'-?[\d.]+', strokes[colour])])
+        for colour in ('#db262e', '#219e38', '#215cdb')
+    )
     assert blue[3] < blue[1] and blue[0] == pytest.approx(blue[2], abs=0.11), 'z goes straight up'
     assert red[2] > red[0] and green[2] > green[0] and green[3] < green[1] < red[3], 'x to the front, y to the back'
 
@@ -113,8 +125,11 @@ def test_names_at_one_place_do_not_cover_each_other():
     scene = Scene()
     for number in range(6):
         scene.set(f'{number}', Label('camera_optical_frame'))
-    places = [(float(element.get('x')), float(element.get('y'))) for element in elements(picture.svg(scene), 'text')
-              if element.text == 'camera_optical_frame']
+    places = [
+        (float(element.get('x')), float(element.get('y')))
+        for element in elements(picture.svg(scene), 'text')
+        if element.text == 'camera_optical_frame'
+    ]
     assert len(places) == 6
     for i, (x, y) in enumerate(places):
         assert all(abs(x - u) > 100 or abs(y - v) > 12 for u, v in places[:i])

@@ -66,8 +66,8 @@ def replay(page: str) -> list[tuple[float, dict]]:
     data, found = zlib.decompress(base64.b64decode(text)), []
     while data:
         time, size = struct.unpack_from('<dI', data)
-        found.append((time, decode(data[12:12 + size])[0]))
-        data = data[12 + size:]
+        found.append((time, decode(data[12 : 12 + size])[0]))
+        data = data[12 + size :]
     return found
 
 
@@ -124,8 +124,12 @@ def test_pages_share_one_plain_script(scene, recorded, tmp_path):
     page = (tmp_path / 'scene-01.html').read_text()
     assert page.count('</script>') == 2 and not re.search(r'type="module"|http:', page)
     script = recording.bundled('replay.js')
-    assert script.index("modules['shapes.js'] =") < script.index("modules['nodes.js'] =") < script.index(
-        "modules['replay.js'] =") and script.count("modules['nodes.js'] =") == 1
+    assert (
+        script.index("modules['shapes.js'] =")
+        < script.index("modules['nodes.js'] =")
+        < script.index("modules['replay.js'] =")
+        and script.count("modules['nodes.js'] =") == 1
+    )
     assert 'WebSocket' not in script, 'nothing of the live page'
 
 

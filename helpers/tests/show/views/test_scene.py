@@ -8,7 +8,7 @@ from helpers.show.views.scene import Scene, part
 from helpers.show.views.shapes import Axes, Box, Line, Points
 
 LIFT = poses.matrix((0.0, 0.0, 1.0))
-TURN = poses.matrix(quaternion=(0.0, 0.0, 0.5 ** 0.5, 0.5 ** 0.5))  # 90 degrees about z
+TURN = poses.matrix(quaternion=(0.0, 0.0, 0.5**0.5, 0.5**0.5))  # 90 degrees about z
 
 
 def test_poses_opacities_and_visibility_come_down_the_tree():
@@ -78,10 +78,17 @@ def test_names_with_slashes_are_one_part():
     assert len(scene.paths()) == len(set(scene.paths())) == 4
 
 
-@pytest.mark.parametrize('wrong', [lambda: Scene().set('a', 'b'), lambda: Scene().set('/a', Axes()),
-                                   lambda: Scene().pose('a', np.eye(3)), lambda: Line([[0, 0]]),
-                                   lambda: Line([[0, 0, 0]], pieces=True),
-                                   lambda: Points(np.zeros((3, 3)), np.zeros((2, 3)))])
+@pytest.mark.parametrize(
+    'wrong',
+    [
+        lambda: Scene().set('a', 'b'),
+        lambda: Scene().set('/a', Axes()),
+        lambda: Scene().pose('a', np.eye(3)),
+        lambda: Line([[0, 0]]),
+        lambda: Line([[0, 0, 0]], pieces=True),
+        lambda: Points(np.zeros((3, 3)), np.zeros((2, 3))),
+    ],
+)
 def test_what_makes_no_sense_is_refused(wrong):
     with pytest.raises((TypeError, ValueError)):
         wrong()

@@ -288,8 +288,10 @@ def test_a_broadcaster_without_a_name_is_left_out(monkeypatch):
 
     class Graph:
         def get_publishers_info_by_topic(self, topic):
-            return [SimpleNamespace(node_namespace='/', node_name='camera'),
-                    SimpleNamespace(node_namespace='_NODE_NAMESPACE_UNKNOWN_', node_name=nodes.UNKNOWN)]
+            return [
+                SimpleNamespace(node_namespace='/', node_name='camera'),
+                SimpleNamespace(node_namespace='_NODE_NAMESPACE_UNKNOWN_', node_name=nodes.UNKNOWN),
+            ]
 
     monkeypatch.setattr(frames_diagram, '_PATIENCE', 0.0)
     assert frames_diagram._broadcasters(Graph()) == (['/camera'], ['/camera'])

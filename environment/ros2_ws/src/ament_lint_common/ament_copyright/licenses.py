@@ -23,22 +23,38 @@ _NOTICE = 'The above copyright notice and this permission notice'
 _VERSION_3 = 'either version 3 of the License, or (at your option) any later version'
 # Those of more sentences come before those that have a part of them.
 LICENSES = {
-    'apache2': License('Apache License, Version 2.0', 'Apache-2.0', (
-        ('Licensed under the Apache License, Version 2.0',), ('Apache License Version 2.0, January 2004',),
-        ('contributions', 'under the Apache 2 License'))),
-    'boost1': License('Boost Software License - Version 1.0', 'BSL-1.0', (
-        ('Boost Software License - Version 1.0',), ('Distributed under the Boost Software License, Version 1.0',))),
+    'apache2': License(
+        'Apache License, Version 2.0',
+        'Apache-2.0',
+        (
+            ('Licensed under the Apache License, Version 2.0',),
+            ('Apache License Version 2.0, January 2004',),
+            ('contributions', 'under the Apache 2 License'),
+        ),
+    ),
+    'boost1': License(
+        'Boost Software License - Version 1.0',
+        'BSL-1.0',
+        (('Boost Software License - Version 1.0',), ('Distributed under the Boost Software License, Version 1.0',)),
+    ),
     'bsd': License('BSD License 2.0', 'BSD-3-Clause', ((_BSD, _NO_ENDORSEMENT),)),
     'bsd_2clause': License('BSD 2-Clause License', 'BSD-2-Clause', ((_BSD,),)),
-    'lgplv3': License('GNU Lesser General Public License 3.0', 'LGPL-3.0-only', (
-        ('GNU Lesser General Public License', _VERSION_3), ('GNU LESSER GENERAL PUBLIC LICENSE Version 3',))),
-    'gplv3': License('GNU General Public License 3.0', 'GPL-3.0-only', (
-        ('GNU General Public License', _VERSION_3), ('GNU GENERAL PUBLIC LICENSE Version 3',))),
+    'lgplv3': License(
+        'GNU Lesser General Public License 3.0',
+        'LGPL-3.0-only',
+        (('GNU Lesser General Public License', _VERSION_3), ('GNU LESSER GENERAL PUBLIC LICENSE Version 3',)),
+    ),
+    'gplv3': License(
+        'GNU General Public License 3.0',
+        'GPL-3.0-only',
+        (('GNU General Public License', _VERSION_3), ('GNU GENERAL PUBLIC LICENSE Version 3',)),
+    ),
     'mit': License('MIT License', 'MIT', ((_MIT, _NOTICE),)),
     'mit0': License('MIT-0 License', 'MIT-0', ((_MIT,),)),
 }
 _COPYRIGHT = re.compile(
-    r'copyright(?:\s+\(c\))?\s+(\d{4}(?:-\d{4})?(?:,\s*\d{4}(?:-\d{4})?)*),?\s+([^\n\r]+)', re.IGNORECASE)
+    r'copyright(?:\s+\(c\))?\s+(\d{4}(?:-\d{4})?(?:,\s*\d{4}(?:-\d{4})?)*),?\s+([^\n\r]+)', re.IGNORECASE
+)
 _COMMENT_MARK = re.compile(r'^[ \t]*(?:#+|/{2,}|\*(?!/))[ \t]?', re.MULTILINE)
 
 

@@ -48,10 +48,14 @@ def main(argv: list[str] | None = None) -> int:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(description='Check source files for a copyright notice and a licence.')
     parser.add_argument(
-        'paths', nargs='*', default=[os.curdir],
-        help='Files, or directories to look for source files in; a setup.py beside a package.xml is left out')
-    parser.add_argument('--exclude', metavar='filename', nargs='*', dest='excludes', default=[],
-                        help='Names of files to leave out')
+        'paths',
+        nargs='*',
+        default=[os.curdir],
+        help='Files, or directories to look for source files in; a setup.py beside a package.xml is left out',
+    )
+    parser.add_argument(
+        '--exclude', metavar='filename', nargs='*', dest='excludes', default=[], help='Names of files to leave out'
+    )
     group = parser.add_mutually_exclusive_group()
     group.add_argument('--list-copyright-names', action='store_true', help='List the holders that have a short name')
     group.add_argument('--list-licenses', action='store_true', help='List the licences that are known')
@@ -62,8 +66,11 @@ def _parser() -> argparse.ArgumentParser:
 
 def source_files(paths: list[str], excludes: list[str]) -> list[str]:
     """Return the files to check, those that a repository has to have included."""
-    files = [file for file in find_files(paths, lambda name: name.endswith(EXTENSIONS), excludes)
-             if not _is_setup_of_package(file)]
+    files = [
+        file
+        for file in find_files(paths, lambda name: name.endswith(EXTENSIONS), excludes)
+        if not _is_setup_of_package(file)
+    ]
     for folder in map(Path, paths):
         if any((folder / name).exists() for name in ('.git', '.hg')):
             files += [os.path.normpath(folder / name) for name in OF_REPOSITORY if name not in excludes]

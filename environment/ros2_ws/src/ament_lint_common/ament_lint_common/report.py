@@ -47,9 +47,16 @@ def write_xunit(file: str, cases: list[Case], seconds: float) -> None:
     """
     path = Path(file)
     name = f'{path.parent.name}.{path.name.removesuffix(".xml").removesuffix(".xunit")}'
-    suite = ElementTree.Element('testsuite', {
-        'name': name, 'tests': str(len(cases)), 'errors': '0',
-        'failures': str(sum(case.problem is not None for case in cases)), 'time': f'{seconds:.3f}'})
+    suite = ElementTree.Element(
+        'testsuite',
+        {
+            'name': name,
+            'tests': str(len(cases)),
+            'errors': '0',
+            'failures': str(sum(case.problem is not None for case in cases)),
+            'time': f'{seconds:.3f}',
+        },
+    )
     for case in cases:
         element = ElementTree.SubElement(suite, 'testcase', {'name': case.name, 'classname': name})
         if case.problem is not None:

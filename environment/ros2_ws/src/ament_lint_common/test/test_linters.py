@@ -35,10 +35,14 @@ def test_copyright_names_the_files_without_a_notice(folder, capsys):
     assert ament_copyright(['--xunit-file', 'results/pkg/copyright.xunit.xml']) == 1
     printed = capsys.readouterr()
     assert printed.err.splitlines() == [
-        'bad.py: could not find copyright notice', 'odd.cpp: copyright=Ada (2024), license=<unknown>',
-        '2 errors, checked 4 files']
-    assert failures('results/pkg/copyright.xunit.xml') == ('pkg.copyright', [
-        'could not find copyright notice', 'copyright=Ada (2024), license=<unknown>'])
+        'bad.py: could not find copyright notice',
+        'odd.cpp: copyright=Ada (2024), license=<unknown>',
+        '2 errors, checked 4 files',
+    ]
+    assert failures('results/pkg/copyright.xunit.xml') == (
+        'pkg.copyright',
+        ['could not find copyright notice', 'copyright=Ada (2024), license=<unknown>'],
+    )
     assert ament_copyright(['--exclude', 'bad.py', 'odd.cpp', '--', '.']) == 0
     assert capsys.readouterr().out == 'No problems found, checked 2 files\n'
 
@@ -49,8 +53,10 @@ def test_copyright_of_a_package_and_of_a_repository(folder, capsys):
     assert ament_copyright([]) == 0
     assert capsys.readouterr().err == 'No repository roots and files found\n'
     (folder / '.git').mkdir()
-    (folder / 'LICENSE').write_text('Permission is hereby granted, free of charge, to any person obtaining a copy of '
-                                    'this software\n The above copyright notice and this permission notice')
+    (folder / 'LICENSE').write_text(
+        'Permission is hereby granted, free of charge, to any person obtaining a copy of '
+        'this software\n The above copyright notice and this permission notice'
+    )
     assert ament_copyright([]) == 1
     assert capsys.readouterr().err.splitlines()[0] == 'CONTRIBUTING.md: file not found'
 

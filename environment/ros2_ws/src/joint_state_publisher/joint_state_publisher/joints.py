@@ -91,7 +91,8 @@ class Joints:
         return (
             _values([None if j.position is None else j.position * factor + offset for j, factor, offset in leaders]),
             _values([None if j.velocity is None else j.velocity * factor for j, factor, _ in leaders]),
-            _values([j.effort for j, _, _ in leaders]))
+            _values([j.effort for j, _, _ in leaders]),
+        )
 
 
 def _values(values: list[float | None]) -> list[float]:
@@ -105,6 +106,11 @@ def _free(joint: Joint, options: Options) -> FreeJoint:
         lower = lower if soft_lower is None else max(lower, soft_lower)
         upper = upper if soft_upper is None else min(upper, soft_upper)
     middle = (lower + upper) / 2 if lower > 0 or upper < 0 else 0.0
-    return FreeJoint(lower, upper, joint.type == 'continuous',
-                     position=(options.zeros or {}).get(joint.name, middle) if options.positions else None,
-                     velocity=0.0 if options.velocities else None, effort=0.0 if options.efforts else None)
+    return FreeJoint(
+        lower,
+        upper,
+        joint.type == 'continuous',
+        position=(options.zeros or {}).get(joint.name, middle) if options.positions else None,
+        velocity=0.0 if options.velocities else None,
+        effort=0.0 if options.efforts else None,
+    )

@@ -46,10 +46,19 @@ class JointStatePublisher(Node):
                 self.declare_parameter(name, default, strings)
         self._joints: Joints | None = None
         self._options = Options(
-            *(self._value(name) for name in ('publish_default_positions', 'publish_default_velocities',
-                                             'publish_default_efforts', 'use_mimic_tags', 'use_smallest_joint_limits')),
+            *(
+                self._value(name)
+                for name in (
+                    'publish_default_positions',
+                    'publish_default_velocities',
+                    'publish_default_efforts',
+                    'use_mimic_tags',
+                    'use_smallest_joint_limits',
+                )
+            ),
             zeros={name: float(p.value) for name, p in self.get_parameters_by_prefix('zeros').items()},
-            dependent=self._dependent())
+            dependent=self._dependent(),
+        )
         if not isinstance(self._value('rate'), int | float) or not self._value('rate') > 0:
             self._cannot_start(f'rate is {self._value("rate")}; it must be above 0')
         if urdf_file is not None:
@@ -58,10 +67,13 @@ class JointStatePublisher(Node):
             except (OSError, ValueError) as error:
                 self._cannot_start(f'{urdf_file}: {getattr(error, "strerror", None) or error}')
         else:
-            self.get_logger().info(
-                'Waiting for robot_description to be published on the robot_description topic...')
-            self.create_subscription(String, 'robot_description', self._on_description,
-                                     QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL))
+            self.get_logger().info('Waiting for robot_description to be published on the robot_description topic...')
+            self.create_subscription(
+                String,
+                'robot_description',
+                self._on_description,
+                QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL),
+            )
         for topic in self._value('source_list'):
             self.create_subscription(JointState, topic, self._on_source, 10)
         self._publisher = self.create_publisher(JointState, 'joint_states', 10)
@@ -85,8 +97,10 @@ class JointStatePublisher(Node):
         for joint, given in found.items():
             if not given.get('parent'):
                 self._cannot_start(f'dependent_joints.{joint} has no parent')
-        return {joint: Mimic(given['parent'], given.get('factor', 1.0), given.get('offset', 0.0))
-                for joint, given in found.items()}
+        return {
+            joint: Mimic(given['parent'], given.get('factor', 1.0), given.get('offset', 0.0))
+            for joint, given in found.items()
+        }
 
     def _read(self, text: str) -> Joints:
         return Joints(read(text, nested=True), self._options)  # as upstream, which looks for any <robot>

@@ -47,8 +47,16 @@ def test_joints_begin_at_zero_or_in_the_middle_of_their_limits():
 
 
 def test_joints_options():
-    joints = Joints(read(ARM), Options(positions=False, velocities=True, efforts=True, mimic_tags=False,
-                                       dependent={'lift': Mimic('grip', 3.0, 1.0)}))
+    joints = Joints(
+        read(ARM),
+        Options(
+            positions=False,
+            velocities=True,
+            efforts=True,
+            mimic_tags=False,
+            dependent={'lift': Mimic('grip', 3.0, 1.0)},
+        ),
+    )
     joints.free['grip'].velocity = 2.0
     assert joints.state() == ([], [0, 6, 2], [0, 0, 0])
     assert Joints(read(ARM), Options(zeros={'shoulder': 0.9})).state()[0] == pytest.approx([0.9, 0, -1.55])

@@ -17,10 +17,7 @@ class LaunchDescription(LaunchDescriptionEntity):
     """
 
     def __init__(
-        self,
-        initial_entities: Iterable[LaunchDescriptionEntity] | None = None,
-        *,
-        deprecated_reason: str | None = None,
+        self, initial_entities: Iterable[LaunchDescriptionEntity] | None = None, *, deprecated_reason: str | None = None
     ):
         self._entities = list(initial_entities or [])
         self._deprecated_reason = deprecated_reason

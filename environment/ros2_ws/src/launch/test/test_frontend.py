@@ -3,13 +3,7 @@
 import pytest
 from launch import LaunchContext
 from launch.action import Action
-from launch.frontend import (
-    Parser,
-    expose_action,
-    expose_substitution,
-    parse_if_substitutions,
-    parse_substitution,
-)
+from launch.frontend import Parser, expose_action, expose_substitution, parse_if_substitutions, parse_substitution
 from launch.frontend.expose import action_parse_methods, instantiate_substitution, substitution_parse_methods
 from launch.substitutions import TextSubstitution
 from launch.utilities import perform_substitutions
@@ -41,7 +35,7 @@ def perform(text, **configurations):
         (r'\$(var x) \\ \'', r'$(var x) \ ' + "'"),
         ("$(eval '$(var x) == 5 and True')", 'True'),
         ('$(eval "\'a b\' + \\"c\\"")', 'a bc'),
-        ("$(eval 'os.path.basename(\"/a/$(var x)\")' os)", '5'),
+        ('$(eval \'os.path.basename("/a/$(var x)")\' os)', '5'),
         ("$(eval 'math.floor(2.5)')", '2'),
         ('$(dirname)/$(filename)', '/dir//dir/a.launch.xml'),
         ('$(env COURSE_TEST_NO_SUCH none)', 'none'),
@@ -62,7 +56,7 @@ def test_texts_with_substitutions(text, result):
     [
         ('$(var x', ValueError, "this '\\$\\(' has no '\\)'"),
         ('a $( x)', ValueError, "expected the name of a substitution behind '\\$\\('"),
-        ('$(eval a==\'b\')', ValueError, "expected a space or '\\)'"),
+        ("$(eval a=='b')", ValueError, "expected a space or '\\)'"),
         ("$(var 'x)", ValueError, "a quote ' is not closed"),
         ('$(no-such x)', RuntimeError, 'Unknown substitution: no-such'),
         ('$(var)', TypeError, 'var substitution expects 1 to 2 arguments, got 0'),

@@ -319,9 +319,7 @@ def test_handlers_see_start_output_and_exit(go):
 
     status, said, _ = go(
         RegisterEventHandler(OnProcessStart(target_action=process, on_start=[LogInfo(msg='start')])),
-        RegisterEventHandler(
-            OnProcessIO(target_action=process, on_stdout=lambda event: LogInfo(msg=repr(event.text)))
-        ),
+        RegisterEventHandler(OnProcessIO(target_action=process, on_stdout=lambda event: LogInfo(msg=repr(event.text)))),
         RegisterEventHandler(OnProcessExit(target_action=process, on_exit=on_exit)),
         process,
         other,
@@ -364,9 +362,7 @@ def test_respawn_starts_again_up_to_the_limit(go):
 
 def test_a_shutdown_ends_respawning(go):
     process = ExecuteProcess(cmd=['true'], respawn=True, respawn_delay=1000.0)
-    status, _, lines = go(
-        process, RegisterEventHandler(OnProcessExit(target_action=process, on_exit=[Shutdown()]))
-    )
+    status, _, lines = go(process, RegisterEventHandler(OnProcessExit(target_action=process, on_exit=[Shutdown()])))
     assert status == 0 and sum('process started with pid' in line for line in lines) == 1
 
 
@@ -459,8 +455,14 @@ def test_without_a_writable_log_directory_the_launch_goes_on(go, monkeypatch, tm
 def test_the_description_is_shown_as_a_tree():
     process = ExecuteProcess(cmd=['ls', LaunchConfiguration('a')])
     text = LaunchIntrospector().format_launch_description(
-        LaunchDescription([LogInfo(msg='x'), RegisterEventHandler(OnProcessExit(on_exit=[LogInfo(msg='y')])), process,
-                           GroupAction([])])
+        LaunchDescription(
+            [
+                LogInfo(msg='x'),
+                RegisterEventHandler(OnProcessExit(on_exit=[LogInfo(msg='y')])),
+                process,
+                GroupAction([]),
+            ]
+        )
     )
     lines = text.splitlines()
     assert lines[1] == "├── LogInfo('x')"

@@ -28,11 +28,7 @@ _runs: dict[int, Running] = {}  # by the identity of what the fixture gives
 
 
 def fixture(
-    decorated: Callable | None = None,
-    *,
-    shutdown_when_idle: bool = True,
-    auto_shutdown: bool = True,
-    **kwargs: Any,
+    decorated: Callable | None = None, *, shutdown_when_idle: bool = True, auto_shutdown: bool = True, **kwargs: Any
 ):
     """
     Make a function that returns a launch description a fixture that launches it.
@@ -45,8 +41,9 @@ def fixture(
     """
 
     def decorate(function: Callable):
-        options = Options(kwargs.get('name') or function.__name__, kwargs.get('scope', 'function'),
-                          shutdown_when_idle, auto_shutdown)
+        options = Options(
+            kwargs.get('name') or function.__name__, kwargs.get('scope', 'function'), shutdown_when_idle, auto_shutdown
+        )
         made = pytest.fixture(_launching(function, options), **kwargs)
         made._launch_pytest_options = options
         return made
@@ -70,8 +67,10 @@ def _launching(function: Callable, options: Options) -> Callable[..., Iterator]:
         made = function(*args, **kwargs)
         value = next(made) if inspect.isgenerator(made) else made
         running = Running(
-            _description(value, options.name), shutdown_when_idle=options.shutdown_when_idle,
-            auto_shutdown=options.auto_shutdown)
+            _description(value, options.name),
+            shutdown_when_idle=options.shutdown_when_idle,
+            auto_shutdown=options.auto_shutdown,
+        )
         _runs[id(value)] = running
         try:
             yield value
@@ -88,6 +87,8 @@ def _launching(function: Callable, options: Options) -> Callable[..., Iterator]:
 def _description(value: Any, name: str) -> LaunchDescription:
     description = value[0] if isinstance(value, Sequence) and value else value
     if not isinstance(description, LaunchDescription):
-        raise TypeError(f"When running launch_pytest fixture '{name}': return value must be either a launch "
-                        'description or a sequence which first item is a launch description')
+        raise TypeError(
+            f"When running launch_pytest fixture '{name}': return value must be either a launch "
+            'description or a sequence which first item is a launch description'
+        )
     return description

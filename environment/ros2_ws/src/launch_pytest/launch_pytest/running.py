@@ -35,15 +35,17 @@ class Running:
         self._ready = threading.Event()
         ready = find_ready_actions(description)
         if len(ready) > 1:
-            raise RuntimeError('launch_pytest fixtures must return a LaunchDescription containing only one '
-                               'ReadyToTest action')
+            raise RuntimeError(
+                'launch_pytest fixtures must return a LaunchDescription containing only one ReadyToTest action'
+            )
         if not ready:
             ready = [ReadyToTest()]
             description.add_action(ready[0])
         ready[0]._add_callback(self._ready.set)
         self.service.include_launch_description(description)
         self._result = asyncio.run_coroutine_threadsafe(
-            self.service.run_async(shutdown_when_idle=shutdown_when_idle), self.loop)
+            self.service.run_async(shutdown_when_idle=shutdown_when_idle), self.loop
+        )
         self._result.add_done_callback(lambda _: self._ready.set())
         self._wait_until_ready()
 

@@ -36,8 +36,14 @@ def run(tmp_path):
         path.write_text(HEADER + textwrap.dedent(body))
         options = ['-p', 'no:cacheprovider', '-v', '--rootdir', str(tmp_path)]
         command = [sys.executable, '-m', 'pytest', *options, *arguments]
-        result = subprocess.run(command, capture_output=True, text=True, timeout=100, cwd=tmp_path,
-                                env={**os.environ, 'ROS_LOG_DIR': str(tmp_path / 'log')})
+        result = subprocess.run(
+            command,
+            capture_output=True,
+            text=True,
+            timeout=100,
+            cwd=tmp_path,
+            env={**os.environ, 'ROS_LOG_DIR': str(tmp_path / 'log')},
+        )
         return result.returncode, result.stdout + result.stderr
 
     return run_one
@@ -194,8 +200,13 @@ def test_failures_are_failures(run):
     """)
     assert status == 1
     assert '3 failed, 1 passed' in output and '2 errors' in output, output
-    for message in ('before the end', 'after the end', 'has to end after its first yield',
-                    'return value must be either a launch description', 'ended with an error before it was ready'):
+    for message in (
+        'before the end',
+        'after the end',
+        'has to end after its first yield',
+        'return value must be either a launch description',
+        'ended with an error before it was ready',
+    ):
         assert message in output  # fmt: skip
 
 

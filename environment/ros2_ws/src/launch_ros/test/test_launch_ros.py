@@ -14,15 +14,7 @@ from launch.actions import LogInfo
 from launch.frontend import Parser, parse_substitution
 from launch.substitutions import LaunchConfiguration, SubstitutionFailure, TextSubstitution
 from launch.utilities import perform_substitutions
-from launch_ros.actions import (
-    Node,
-    PushRosNamespace,
-    RosTimer,
-    SetParameter,
-    SetRemap,
-    SetROSLogDir,
-    SetUseSimTime,
-)
+from launch_ros.actions import Node, PushRosNamespace, RosTimer, SetParameter, SetRemap, SetROSLogDir, SetUseSimTime
 from launch_ros.parameter_descriptions import ParameterFile, ParameterValue
 from launch_ros.parameters import evaluate_parameters
 from launch_ros.substitutions import FindPackageShare
@@ -65,7 +57,7 @@ def test_the_command_of_a_node():
         '--flag', '--ros-args', '--log-level', 'debug', '-r', '__node:=n', '-r', '__ns:=/a/b/c', '-p', 'p:=1',
         '--params-file', 'FILE', '-r', 'x:=y', '-r', 'input/pose:=pose',
     ]  # fmt: skip
-    assert Path(file).read_text() == '/a/b/c/n:\n  ros__parameters:\n    q: \'5\'\n'
+    assert Path(file).read_text() == "/a/b/c/n:\n  ros__parameters:\n    q: '5'\n"
     assert node.node_name == '/a/b/c/n'
     context.close()
     assert not Path(file).exists()
@@ -94,8 +86,11 @@ def node_of(text):
     for action in before:
         action.visit(context)
     words = node.get_command(context)[1:]
-    files = [Path(word).read_text() for option, word in zip(words, words[1:], strict=False)
-             if option == '--params-file' and Path(word).is_file()]
+    files = [
+        Path(word).read_text()
+        for option, word in zip(words, words[1:], strict=False)
+        if option == '--params-file' and Path(word).is_file()
+    ]
     context.close()
     return words, files
 
@@ -156,7 +151,7 @@ def test_substitutions_of_packages_and_parameters():
         return perform_substitutions(context, parse_substitution(text))
 
     assert perform('$(param speed) $(param none 5)') == '2 5'
-    assert perform('$(find-pkg-share turtlesim)') == f"{perform('$(find-pkg-prefix turtlesim)')}/share/turtlesim"
+    assert perform('$(find-pkg-share turtlesim)') == f'{perform("$(find-pkg-prefix turtlesim)")}/share/turtlesim'
     assert perform('$(exec-in-pkg mimic turtlesim)').endswith('/lib/turtlesim/mimic')
     with pytest.raises(SubstitutionFailure, match="parameter 'nope' not found"):
         perform('$(param nope)')
@@ -174,8 +169,9 @@ def test_a_parameter_file_with_substitutions(tmp_path):
     context.launch_configurations['x'] = '['
     with pytest.raises(SubstitutionFailure, match='The substituted parameter file is not a valid yaml file'):
         ParameterFile(tmp_path / 'p.yaml', allow_substs=TextSubstitution(text='true')).evaluate(context)
-    words, files = node_of(f'<node pkg="turtlesim" exec="mimic"><param from="{tmp_path}/p.yaml" allow_substs="true"/>'
-                           '</node>')
+    words, files = node_of(
+        f'<node pkg="turtlesim" exec="mimic"><param from="{tmp_path}/p.yaml" allow_substs="true"/></node>'
+    )
     assert 'a: 5' in files[0] and '$(var' not in files[0]
 
 

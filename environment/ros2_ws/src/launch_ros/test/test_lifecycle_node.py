@@ -56,7 +56,7 @@ def launch_file(tmp_path, start):
     def launch_one(body):
         text = textwrap.indent(textwrap.dedent(body), '    ')
         path = tmp_path / 'a.launch.py'
-        start_of_node = f"sys.executable, arguments=[{str(tmp_path / 'node.py')!r}"
+        start_of_node = f'sys.executable, arguments=[{str(tmp_path / "node.py")!r}'
         path.write_text(f'{HEADER}\n\ndef generate_launch_description():\n{text.replace("PROGRAM", start_of_node)}\n')
         return start(ROS2, 'launch', str(path))
 
@@ -116,7 +116,9 @@ def test_a_transition_that_fails_stops_the_row(launch_file, peer):
     process.wait_for_output("Stopping transitions for /bad because 'error occured during transitions'", timeout=60)
     process.wait_for_output(
         "[ERROR] [launch_ros.actions.lifecycle_node]: Failed to make transition 'TRANSITION_CONFIGURE' for "
-        "LifecycleNode '/bad'", timeout=60)
+        "LifecycleNode '/bad'",
+        timeout=60,
+    )
     assert process.stop(timeout=60) == 0
 
 

@@ -102,9 +102,14 @@ class ActiveIoHandler:
         def is_there() -> bool:
             try:
                 assertInStream(
-                    self._io_handler, expected_output, process, cmd_args, output_filter=output_filter,
+                    self._io_handler,
+                    expected_output,
+                    process,
+                    cmd_args,
+                    output_filter=output_filter,
                     strict_proc_matching=strict_proc_matching,
-                    strip_ansi_escape_sequences=strip_ansi_escape_sequences, stream=stream,
+                    strip_ansi_escape_sequences=strip_ansi_escape_sequences,
+                    stream=stream,
                 )
             except (NoMatchingProcessException, AssertionError):
                 return False
@@ -118,5 +123,6 @@ class ActiveIoHandler:
             except NoMatchingProcessException as error:
                 raise RuntimeError(
                     f"After timeout, found no processes matching '{process}'  "
-                    "It either doesn't exist, was never launched, or didn't generate any output") from error
+                    "It either doesn't exist, was never launched, or didn't generate any output"
+                ) from error
         return found

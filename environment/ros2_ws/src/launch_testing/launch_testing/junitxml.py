@@ -28,10 +28,15 @@ def _suite(run: TestRun, result: unittest.TestResult) -> ElementTree.Element:
     for tag, entries in (('failure', result.failures), ('error', result.errors), ('skipped', result.skipped)):
         told.update({str(case): (tag, text) for case, text in entries})
     for case in run.all_cases():
-        element = ElementTree.SubElement(suite, 'testcase', {
-            'classname': f'{run.name}.{type(case).__name__}', 'name': case._testMethodName,
-            'time': f'{result.seconds.get(case, 0.0):.3f}',
-        })
+        element = ElementTree.SubElement(
+            suite,
+            'testcase',
+            {
+                'classname': f'{run.name}.{type(case).__name__}',
+                'name': case._testMethodName,
+                'time': f'{result.seconds.get(case, 0.0):.3f}',
+            },
+        )
         tag, text = told.pop(str(case), (None, ''))
         if tag is None and case not in result.seconds:
             tag, text = ('failure' if isinstance(result, FailResult) else 'skipped'), getattr(result, 'message', '')

@@ -17,17 +17,26 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of ``launch_test``."""
     parser.add_argument('launch_test_file', help='Path to the launch test.')
     parser.add_argument(
-        '--package-name', action='store', default=None,
-        help='Name of the package the test is in. Useful to aggregate xUnit reports.')
+        '--package-name',
+        action='store',
+        default=None,
+        help='Name of the package the test is in. Useful to aggregate xUnit reports.',
+    )
     parser.add_argument('-v', '--verbose', action='store_true', default=False, help='Run with verbose output')
     parser.add_argument(
-        '-s', '--show-args', '--show-arguments', action='store_true', default=False,
-        help='Show arguments that may be given to the launch test.')
+        '-s',
+        '--show-args',
+        '--show-arguments',
+        action='store_true',
+        default=False,
+        help='Show arguments that may be given to the launch test.',
+    )
     parser.add_argument(
-        'launch_arguments', nargs='*', help="Arguments in '<name>:=<value>' format (for duplicates, last one wins).")
+        'launch_arguments', nargs='*', help="Arguments in '<name>:=<value>' format (for duplicates, last one wins)."
+    )
     parser.add_argument(
-        '--junit-xml', action='store', dest='xmlpath', default=None,
-        help='Do write xUnit reports to specified path.')
+        '--junit-xml', action='store', dest='xmlpath', default=None, help='Do write xUnit reports to specified path.'
+    )
 
 
 def run(parser: argparse.ArgumentParser, args: argparse.Namespace, test_runner_cls=LaunchTestRunner) -> int:
@@ -64,7 +73,7 @@ def _print_arguments(test_run: TestRun) -> None:
     for argument in arguments:
         print(f"\n    '{argument.name}':\n        {argument.description}")
         if argument.default_value is not None:
-            print(f"        (default: {' + '.join(part.describe() for part in argument.default_value)})")
+            print(f'        (default: {" + ".join(part.describe() for part in argument.default_value)})')
     if not arguments:
         print('\n  No arguments.')
 

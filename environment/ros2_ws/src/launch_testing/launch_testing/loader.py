@@ -64,12 +64,15 @@ class TestRun:
         result = self._describe()
         description, context = result if isinstance(result, tuple) else (result, {})
         if not isinstance(description, LaunchDescription):
-            raise TypeError('generate_test_description functions must return a LaunchDescription, or a tuple of one '
-                            f'and a dictionary; got {description!r}')
+            raise TypeError(
+                'generate_test_description functions must return a LaunchDescription, or a tuple of one '
+                f'and a dictionary; got {description!r}'
+            )
         ready = find_ready_actions(description)
         if not ready:
-            raise RuntimeError('generate_test_description functions must return a LaunchDescription containing a '
-                               'ReadyToTest action')
+            raise RuntimeError(
+                'generate_test_description functions must return a LaunchDescription containing a ReadyToTest action'
+            )
         ready[0]._add_callback(ready_fn)
         return description, dict(context)
 
@@ -109,8 +112,13 @@ def LoadTestsFromPythonModule(module: ModuleType, *, name: str = 'launch_tests')
     describe = module.generate_test_description
     launches = describe() if getattr(describe, '__parametrized__', False) else [(describe, {})]
     return [
-        TestRun(name, function, values, _Loader(post_shutdown=False).loadTestsFromModule(module),
-                _Loader(post_shutdown=True).loadTestsFromModule(module))
+        TestRun(
+            name,
+            function,
+            values,
+            _Loader(post_shutdown=False).loadTestsFromModule(module),
+            _Loader(post_shutdown=True).loadTestsFromModule(module),
+        )
         for function, values in launches
     ]
 

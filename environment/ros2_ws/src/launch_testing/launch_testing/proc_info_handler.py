@@ -95,7 +95,8 @@ class ActiveProcInfoHandler:
         :raises AssertionError: if it has not started in time
         """
         assert self._wait(process, cmd_args, timeout, lambda _: True), (
-            f"Timed out waiting for process '{process}' to start")
+            f"Timed out waiting for process '{process}' to start"
+        )
 
     def _wait(self, process, cmd_args, timeout: float, accepts: Callable[[RunningProcessEvent], bool]) -> bool:
         def is_so() -> bool:

@@ -46,8 +46,12 @@ class _Worker:
         """Launch and test."""
         description, context = self._run.normalized_test_description(ready_fn=self._ready.set)
         values = {
-            **context, **self._run.param_args, 'test_args': dict(self._arguments), 'launch_service': self._service,
-            'proc_info': self._proc_info, 'proc_output': self._proc_output,
+            **context,
+            **self._run.param_args,
+            'test_args': dict(self._arguments),
+            'launch_service': self._service,
+            'proc_info': self._proc_info,
+            'proc_output': self._proc_output,
         }
         self._run.bind(self._run.pre_shutdown_tests, values)
         values |= {'proc_info': self._proc_info._proc_info_handler, 'proc_output': self._proc_output._io_handler}
@@ -72,13 +76,16 @@ class _Worker:
         def note(event, context) -> None:
             self._proc_info.append(event)
 
-        return LaunchDescription([
-            RegisterEventHandler(OnProcessStart(on_start=note)),
-            RegisterEventHandler(OnProcessExit(on_exit=note)),
-            RegisterEventHandler(
-                OnProcessIO(on_stdout=self._proc_output.append, on_stderr=self._proc_output.append)),
-            IncludeLaunchDescription(LaunchDescriptionSource(description), launch_arguments=self._arguments),
-        ])
+        return LaunchDescription(
+            [
+                RegisterEventHandler(OnProcessStart(on_start=note)),
+                RegisterEventHandler(OnProcessExit(on_exit=note)),
+                RegisterEventHandler(
+                    OnProcessIO(on_stdout=self._proc_output.append, on_stderr=self._proc_output.append)
+                ),
+                IncludeLaunchDescription(LaunchDescriptionSource(description), launch_arguments=self._arguments),
+            ]
+        )
 
     def _test(self) -> None:
         if not self._ready.wait(self._run.timeout):

@@ -95,8 +95,15 @@ def run(path, *arguments):
 
 
 def _run(command, path):
-    return subprocess.run(command, capture_output=True, text=True, timeout=100, cwd=path.parent,
-                          stdin=subprocess.DEVNULL, env={**os.environ, 'ROS_LOG_DIR': str(path.parent / 'log')})
+    return subprocess.run(
+        command,
+        capture_output=True,
+        text=True,
+        timeout=100,
+        cwd=path.parent,
+        stdin=subprocess.DEVNULL,
+        env={**os.environ, 'ROS_LOG_DIR': str(path.parent / 'log')},
+    )
 
 
 def launch_test(path, *arguments):
@@ -114,7 +121,12 @@ def test_a_launch_test_passes_under_pytest_and_by_launch_test(write, tmp_path):
     assert result.returncode == 0, result.stdout + result.stderr
     suite = ElementTree.parse(report).getroot()[0]
     assert {key: suite.get(key) for key in ('name', 'tests', 'failures', 'errors', 'skipped')} == {
-        'name': 'mine.test_it.launch_tests', 'tests': '3', 'failures': '0', 'errors': '0', 'skipped': '1'}
+        'name': 'mine.test_it.launch_tests',
+        'tests': '3',
+        'failures': '0',
+        'errors': '0',
+        'skipped': '1',
+    }
     assert {case.get('name') for case in suite} == {'test_output', 'test_skipped', 'test_exit'}
 
 
@@ -143,7 +155,7 @@ def test_launch_test_tells_a_failure_by_its_status_and_in_the_report(write, tmp_
     result = launch_test(path, '--junit-xml', str(report))
     assert result.returncode == 1 and 'FAILED (failures=1)' in result.stderr
     suite = ElementTree.parse(report).getroot()[0]
-    failure, = suite.iter('failure')
+    (failure,) = suite.iter('failure')
     assert failure.get('message') == 'AssertionError: no' and suite.get('failures') == '1'
 
 
@@ -267,8 +279,13 @@ class _Process(ExecuteProcess):
 
 
 def _wrote(process, text, stream='stdout'):
-    return SimpleNamespace(action=process, process_name=process.process_name, text=text.encode(),
-                           from_stdout=stream == 'stdout', from_stderr=stream == 'stderr')
+    return SimpleNamespace(
+        action=process,
+        process_name=process.process_name,
+        text=text.encode(),
+        from_stdout=stream == 'stdout',
+        from_stderr=stream == 'stderr',
+    )
 
 
 def test_outputs_are_found_as_text_pattern_and_lines():

@@ -34,7 +34,8 @@ class WaitForTopics:
     ):
         self.topic_tuples, self.timeout, self.trigger = list(topic_tuples), timeout, trigger
         self._received: dict[str, deque] = {
-            name: deque(maxlen=messages_received_buffer_length) for name, _ in self.topic_tuples}
+            name: deque(maxlen=messages_received_buffer_length) for name, _ in self.topic_tuples
+        }
         self._changed = threading.Condition()
         self._context = rclpy.Context()
         rclpy.init(context=self._context)

@@ -17,7 +17,8 @@ from turtlesim.msg import Pose
 @launch_testing.ready_to_test_action_timeout(60.0)
 def generate_test_description():
     node = launch_ros.actions.Node(
-        package='turtlesim', executable='turtlesim_node', name='turtle1', additional_env={'DISPLAY': ''})
+        package='turtlesim', executable='turtlesim_node', name='turtle1', additional_env={'DISPLAY': ''}
+    )
     ready = launch.actions.TimerAction(period=0.5, actions=[launch_testing.actions.ReadyToTest()])
     return launch.LaunchDescription([node, ready]), {'turtlesim': node}
 

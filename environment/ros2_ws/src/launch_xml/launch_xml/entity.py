@@ -68,8 +68,10 @@ class Entity(frontend.Entity):
         try:
             return get_typed_value(value, data_type, can_be_str=can_be_str)
         except ValueError:
-            raise TypeError(f"Attribute '{name}' of Entity '{self.type_name}' expected to be of type '{data_type}'."
-                            f"'{value}' can not be converted to one of those types") from None
+            raise TypeError(
+                f"Attribute '{name}' of Entity '{self.type_name}' expected to be of type '{data_type}'."
+                f"'{value}' can not be converted to one of those types"
+            ) from None
 
     def _text_or_list(self, name: str) -> str | list[str] | None:
         value = self._element.attrib.get(name)

@@ -112,10 +112,12 @@ def test_an_executable_may_end_the_launch_and_respawn(go):
 
 def test_files_include_each_other(go, tmp_path):
     (tmp_path / 'b.launch.xml').write_text(
-        '<launch deprecated="use a"><arg name="n"/><log message="$(var n) in $(filename)"/></launch>')
+        '<launch deprecated="use a"><arg name="n"/><log message="$(var n) in $(filename)"/></launch>'
+    )
     (tmp_path / 'c.launch.py').write_text(
         'from launch import LaunchDescription\nfrom launch.actions import LogInfo\n'
-        "def generate_launch_description():\n    return LaunchDescription([LogInfo(msg='python')])\n")
+        "def generate_launch_description():\n    return LaunchDescription([LogInfo(msg='python')])\n"
+    )
     status, said = go("""
         <include file="$(dirname)/b.launch.xml"><let name="n" value="one"/></include>
         <include file="$(dirname)/b.launch.xml"><arg name="n" value="two"/></include>

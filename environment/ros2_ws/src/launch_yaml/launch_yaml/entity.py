@@ -42,8 +42,10 @@ class Entity(frontend.Entity):
         children = self._element
         if isinstance(children, dict):
             if 'children' not in children:
-                raise ValueError(f'Expected entity `{self._type_name}` to have children entities.'
-                                 'That can be a list of subentities or a dictionary with a `children` list element')
+                raise ValueError(
+                    f'Expected entity `{self._type_name}` to have children entities.'
+                    'That can be a list of subentities or a dictionary with a `children` list element'
+                )
             self._asked.add('children')
             children = children['children']
         if not isinstance(children, list):
@@ -52,9 +54,11 @@ class Entity(frontend.Entity):
 
     def _child(self, child: Any) -> Entity:
         if not isinstance(child, dict) or len(child) != 1:
-            raise RuntimeError('Subentities must be a dictionary with only one key, which is the entity type; '
-                               f'in entity `{self._type_name}` there is {child!r}')
-        name, = child
+            raise RuntimeError(
+                'Subentities must be a dictionary with only one key, which is the entity type; '
+                f'in entity `{self._type_name}` there is {child!r}'
+            )
+        (name,) = child
         return Entity(child[name], name, parent=self)
 
     def assert_entity_completely_parsed(self) -> None:
@@ -86,12 +90,16 @@ class Entity(frontend.Entity):
         value = self._element[name]
         if check_is_list_entity(data_type):
             if not isinstance(value, list) or not all(isinstance(item, dict) for item in value):
-                raise TypeError(f"Attribute '{name}' of Entity '{self._type_name}' expected to be a list of "
-                                f'dictionaries, got {value!r}')
+                raise TypeError(
+                    f"Attribute '{name}' of Entity '{self._type_name}' expected to be a list of "
+                    f'dictionaries, got {value!r}'
+                )
             return [Entity(item, name, parent=self) for item in value]
         if data_type is float and type(value) is int:
             value = float(value)
         if not is_instance_of(value, data_type, can_be_str=can_be_str):
-            raise TypeError(f"Attribute '{name}' of Entity '{self._type_name}' expected to be of type '{data_type}', "
-                            f'got {type(value)}: {value!r}')
+            raise TypeError(
+                f"Attribute '{name}' of Entity '{self._type_name}' expected to be of type '{data_type}', "
+                f'got {type(value)}: {value!r}'
+            )
         return value

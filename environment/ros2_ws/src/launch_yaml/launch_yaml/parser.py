@@ -29,7 +29,7 @@ class Parser(frontend.Parser):
         tree = yaml.safe_load(file)
         if not isinstance(tree, dict) or len(tree) != 1:
             raise RuntimeError('Expected only one root')
-        name, = tree
+        (name,) = tree
         return Entity(tree[name], name), cls()
 
     @classmethod

@@ -52,7 +52,8 @@ def test_attributes_have_types():
 
 def test_the_actions_of_launch(tmp_path, capsys):
     path = tmp_path / 'a.launch.yaml'
-    path.write_text(textwrap.dedent("""\
+    path.write_text(
+        textwrap.dedent("""\
         %YAML 1.2
         ---
         launch:
@@ -79,7 +80,8 @@ def test_the_actions_of_launch(tmp_path, capsys):
               period: 0
               children:
                 - log: {message: later}
-    """))
+    """)
+    )
     service = LaunchService()
     include = IncludeLaunchDescription(AnyLaunchDescriptionSource(str(path)), launch_arguments=[('who', 'me')])
     service.include_launch_description(LaunchDescription([include]))

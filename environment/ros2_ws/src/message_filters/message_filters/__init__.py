@@ -78,7 +78,8 @@ def _stamp_of(msg: Any, allow_headerless: bool, logger: str) -> Time | None:
         return ROSClock().now()
     get_logger(logger).warning(
         f'{type(msg).__name__} has no header with a stamp, so the message is left out. '
-        "With the option 'allow_headerless' it gets the time at which it arrived.")
+        "With the option 'allow_headerless' it gets the time at which it arrived."
+    )
     return None
 
 
@@ -202,8 +203,7 @@ class TimeSynchronizer(SimpleFilter):
         """Take the messages of these filters."""
         fs = list(fs)
         self.queues: list[dict[int, Any]] = [{} for _ in fs]  # of each filter the messages by their stamp
-        self.input_connections = [
-            f.registerCallback(self.add, self.queues[index], index) for index, f in enumerate(fs)]
+        self.input_connections = [f.registerCallback(self.add, self.queues[index], index) for index, f in enumerate(fs)]
 
     def add(self, msg: Any, my_queue: dict[int, Any], my_queue_index: int | None = None) -> None:
         """Take a message for a queue, and hand on the sets that are complete."""
@@ -230,7 +230,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
     """
 
     def __init__(
-        self, fs: Iterable[SimpleFilter], queue_size: int, slop: float, allow_headerless: bool = False,
+        self, fs: Iterable[SimpleFilter], queue_size: int, slop: float, allow_headerless: bool = False
     ) -> None:
         """Take the messages of the filters."""
         super().__init__(fs, queue_size)

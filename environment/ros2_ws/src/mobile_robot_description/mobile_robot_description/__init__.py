@@ -34,6 +34,7 @@ def _without(part: str) -> Callable[[Element], None]:
         for link in robot.iter('link'):
             for element in link.findall(part):
                 link.remove(element)
+
     return spoil
 
 

@@ -17,8 +17,10 @@ from launch_ros.substitutions import FindPackageShare
 from mujoco_world import gazebo, scene
 
 ROBOT = PathJoinSubstitution([FindPackageShare('mobile_robot_description'), 'urdf', 'mobile_robot.urdf'])
-ABSENT = ('Gazebo is not installed here: there is no ROS package {}. With a stock Jazzy: sudo apt-get install '
-          'ros-jazzy-ros-gz. Without Gazebo, MuJoCo runs the same scene: ros2 launch mujoco_world world.launch.py')
+ABSENT = (
+    'Gazebo is not installed here: there is no ROS package {}. With a stock Jazzy: sudo apt-get install '
+    'ros-jazzy-ros-gz. Without Gazebo, MuJoCo runs the same scene: ros2 launch mujoco_world world.launch.py'
+)
 
 
 def start(context) -> list:
@@ -36,25 +38,44 @@ def start(context) -> list:
     description = ParameterValue(Command(['xacro "', LaunchConfiguration('urdf'), '"']), value_type=str)
     bridge = Path(get_package_share_directory('mujoco_world'), 'config', 'ros_gz_bridge.yaml')
     return [
-        IncludeLaunchDescription(PythonLaunchDescriptionSource(str(Path(simulator, 'launch', 'gz_sim.launch.py'))),
-                                 launch_arguments={'gz_args': arguments, 'on_exit_shutdown': 'true'}.items()),
-        Node(package='robot_state_publisher', executable='robot_state_publisher', output='screen',
-             parameters=[{'robot_description': description, 'use_sim_time': True, 'publish_frequency': 50.0}]),
-        Node(package='ros_gz_sim', executable='create', output='screen',
-             arguments=['-topic', 'robot_description', '-name', 'mobile_robot', '-x', x, '-y', y, '-Y', yaw]),
-        Node(package='ros_gz_bridge', executable='parameter_bridge', output='screen',
-             parameters=[{'config_file': str(bridge), 'use_sim_time': True}]),
+        IncludeLaunchDescription(
+            PythonLaunchDescriptionSource(str(Path(simulator, 'launch', 'gz_sim.launch.py'))),
+            launch_arguments={'gz_args': arguments, 'on_exit_shutdown': 'true'}.items(),
+        ),
+        Node(
+            package='robot_state_publisher',
+            executable='robot_state_publisher',
+            output='screen',
+            parameters=[{'robot_description': description, 'use_sim_time': True, 'publish_frequency': 50.0}],
+        ),
+        Node(
+            package='ros_gz_sim',
+            executable='create',
+            output='screen',
+            arguments=['-topic', 'robot_description', '-name', 'mobile_robot', '-x', x, '-y', y, '-Y', yaw],
+        ),
+        Node(
+            package='ros_gz_bridge',
+            executable='parameter_bridge',
+            output='screen',
+            parameters=[{'config_file': str(bridge), 'use_sim_time': True}],
+        ),
         # Gazebo's odometry begins at zero where the robot begins. Nothing corrects it later.
-        Node(package='tf2_ros', executable='static_transform_publisher',
-             arguments=['--x', x, '--y', y, '--yaw', yaw, '--frame-id', 'map', '--child-frame-id', 'odom']),
+        Node(
+            package='tf2_ros',
+            executable='static_transform_publisher',
+            arguments=['--x', x, '--y', y, '--yaw', yaw, '--frame-id', 'map', '--child-frame-id', 'odom'],
+        ),
     ]
 
 
 def generate_launch_description() -> LaunchDescription:
     """Gazebo, the robot in it, the bridge, and what publishes the robot's own frames."""
-    return LaunchDescription([
-        DeclareLaunchArgument('urdf', default_value=ROBOT, description="the robot's description, URDF or xacro"),
-        DeclareLaunchArgument('scene', default_value='rooms', description='as of world.launch.py'),
-        DeclareLaunchArgument('window', default_value='true', description="whether Gazebo's window opens"),
-        OpaqueFunction(function=start),
-    ])
+    return LaunchDescription(
+        [
+            DeclareLaunchArgument('urdf', default_value=ROBOT, description="the robot's description, URDF or xacro"),
+            DeclareLaunchArgument('scene', default_value='rooms', description='as of world.launch.py'),
+            DeclareLaunchArgument('window', default_value='true', description="whether Gazebo's window opens"),
+            OpaqueFunction(function=start),
+        ]
+    )

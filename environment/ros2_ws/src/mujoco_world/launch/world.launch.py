@@ -30,13 +30,29 @@ def check(context) -> list:
 def generate_launch_description() -> LaunchDescription:
     """The world, and what publishes the robot's own frames."""
     description = ParameterValue(Command(['xacro "', LaunchConfiguration('urdf'), '"']), value_type=str)
-    return LaunchDescription([
-        DeclareLaunchArgument('urdf', default_value=ROBOT, description="the robot's description, URDF or xacro"),
-        *(DeclareLaunchArgument(name, default_value=default, description=text)
-          for name, (default, text) in ARGUMENTS.items()),
-        OpaqueFunction(function=check),
-        Node(package='mujoco_world', executable='world', output='screen', on_exit=Shutdown(),
-             parameters=[{'robot_description': description}, {name: LaunchConfiguration(name) for name in ARGUMENTS}]),
-        Node(package='robot_state_publisher', executable='robot_state_publisher', output='screen',
-             parameters=[{'robot_description': description, 'use_sim_time': True, 'publish_frequency': 50.0}]),
-    ])
+    return LaunchDescription(
+        [
+            DeclareLaunchArgument('urdf', default_value=ROBOT, description="the robot's description, URDF or xacro"),
+            *(
+                DeclareLaunchArgument(name, default_value=default, description=text)
+                for name, (default, text) in ARGUMENTS.items()
+            ),
+            OpaqueFunction(function=check),
+            Node(
+                package='mujoco_world',
+                executable='world',
+                output='screen',
+                on_exit=Shutdown(),
+                parameters=[
+                    {'robot_description': description},
+                    {name: LaunchConfiguration(name) for name in ARGUMENTS},
+                ],
+            ),
+            Node(
+                package='robot_state_publisher',
+                executable='robot_state_publisher',
+                output='screen',
+                parameters=[{'robot_description': description, 'use_sim_time': True, 'publish_frequency': 50.0}],
+            ),
+        ]
+    )

@@ -38,8 +38,10 @@ class Controller:
     def step(self, seconds: float) -> tuple[float, float]:
         """Return the speeds of the left and the right wheel, in rad/s, `seconds` later."""
         limits = (self.drive.linear_acceleration, self.drive.angular_acceleration)
-        self._now = tuple(now + max(-limit * seconds, min(limit * seconds, target - now)) if limit < inf else target
-                          for now, target, limit in zip(self._now, self.target, limits, strict=True))
+        self._now = tuple(
+            now + max(-limit * seconds, min(limit * seconds, target - now)) if limit < inf else target
+            for now, target, limit in zip(self._now, self.target, limits, strict=True)
+        )
         linear, angular = self._now
         half = angular * self.drive.separation / 2
         return (linear - half) / self.drive.radius, (linear + half) / self.drive.radius

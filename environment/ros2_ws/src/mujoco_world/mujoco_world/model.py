@@ -52,9 +52,17 @@ def _for_mujoco(text: str, description: urdf_reader.Robot) -> str:
         root.remove(element)
     settings = ElementTree.SubElement(root, 'mujoco')
     # Every link stays a body of its own, for its frame. An inertia is what the URDF says, however absurd.
-    ElementTree.SubElement(settings, 'compiler', fusestatic='false', discardvisual='false', strippath='false',
-                           inertiafromgeom='false', balanceinertia='true', boundmass=str(LEAST_MASS),
-                           boundinertia=str(LEAST_INERTIA))
+    ElementTree.SubElement(
+        settings,
+        'compiler',
+        fusestatic='false',
+        discardvisual='false',
+        strippath='false',
+        inertiafromgeom='false',
+        balanceinertia='true',
+        boundmass=str(LEAST_MASS),
+        boundinertia=str(LEAST_INERTIA),
+    )
     return ElementTree.tostring(root, encoding='unicode')
 
 
@@ -85,8 +93,9 @@ def _finish_robot(spec: mujoco.MjSpec, robot: Robot) -> None:
     if (camera := robot.camera) is not None:
         vertical = 2 * numpy.arctan(numpy.tan(camera.fov / 2) * camera.height / camera.width)
         # A camera of MuJoCo looks along -z, with y up; in the link's frame that is along x, with z up.
-        spec.body(camera.link).add_camera(name='camera', fovy=float(numpy.degrees(vertical)),
-                                          quat=[0.5, 0.5, -0.5, -0.5])
+        spec.body(camera.link).add_camera(
+            name='camera', fovy=float(numpy.degrees(vertical)), quat=[0.5, 0.5, -0.5, -0.5]
+        )
         spec.visual.global_.offwidth = max(spec.visual.global_.offwidth, camera.width)
         spec.visual.global_.offheight = max(spec.visual.global_.offheight, camera.height)
 
@@ -99,22 +108,54 @@ def _add_scene(spec: mujoco.MjSpec, scene: Scene) -> None:
     world = spec.worldbody
     world.add_geom(name=FLOOR, type=mujoco.mjtGeom.mjGEOM_PLANE, size=[20, 20, 0.1], material=_tiles(spec))
     for wall in scene.walls:
-        world.add_geom(name=wall.name, type=mujoco.mjtGeom.mjGEOM_BOX, pos=[*wall.at, wall.height / 2],
-                       size=[wall.size[0] / 2, wall.size[1] / 2, wall.height / 2], rgba=wall.colour)
+        world.add_geom(
+            name=wall.name,
+            type=mujoco.mjtGeom.mjGEOM_BOX,
+            pos=[*wall.at, wall.height / 2],
+            size=[wall.size[0] / 2, wall.size[1] / 2, wall.height / 2],
+            rgba=wall.colour,
+        )
     for name, (x, y, _) in scene.stations.items():
-        world.add_geom(name=f'station {name}', type=mujoco.mjtGeom.mjGEOM_CYLINDER, pos=[x, y, 0.001],
-                       size=[0.22, 0.001, 0], rgba=scene.colours.get(name, (0.45, 0.47, 0.52, 1.0)),
-                       contype=0, conaffinity=0, group=LOOKS)
-    world.add_light(pos=[0, 0, 6], dir=[0.3, 0.2, -1], type=mujoco.mjtLightType.mjLIGHT_DIRECTIONAL, castshadow=False,
-                    diffuse=[0.45, 0.45, 0.45], ambient=[0.25, 0.25, 0.25])
+        world.add_geom(
+            name=f'station {name}',
+            type=mujoco.mjtGeom.mjGEOM_CYLINDER,
+            pos=[x, y, 0.001],
+            size=[0.22, 0.001, 0],
+            rgba=scene.colours.get(name, (0.45, 0.47, 0.52, 1.0)),
+            contype=0,
+            conaffinity=0,
+            group=LOOKS,
+        )
+    world.add_light(
+        pos=[0, 0, 6],
+        dir=[0.3, 0.2, -1],
+        type=mujoco.mjtLightType.mjLIGHT_DIRECTIONAL,
+        castshadow=False,
+        diffuse=[0.45, 0.45, 0.45],
+        ambient=[0.25, 0.25, 0.25],
+    )
 
 
 def _tiles(spec: mujoco.MjSpec) -> str:
     """Add a sky and a floor of tiles of half a metre: a camera sees how fast it moves. Returns the tiles' material."""
-    spec.add_texture(name='sky', type=mujoco.mjtTexture.mjTEXTURE_SKYBOX, builtin=mujoco.mjtBuiltin.mjBUILTIN_GRADIENT,
-                     rgb1=[0.80, 0.87, 0.95], rgb2=[0.97, 0.97, 0.98], width=64, height=64)
-    spec.add_texture(name='tiles', type=mujoco.mjtTexture.mjTEXTURE_2D, builtin=mujoco.mjtBuiltin.mjBUILTIN_CHECKER,
-                     rgb1=[0.87, 0.87, 0.85], rgb2=[0.80, 0.80, 0.78], width=64, height=64)
+    spec.add_texture(
+        name='sky',
+        type=mujoco.mjtTexture.mjTEXTURE_SKYBOX,
+        builtin=mujoco.mjtBuiltin.mjBUILTIN_GRADIENT,
+        rgb1=[0.80, 0.87, 0.95],
+        rgb2=[0.97, 0.97, 0.98],
+        width=64,
+        height=64,
+    )
+    spec.add_texture(
+        name='tiles',
+        type=mujoco.mjtTexture.mjTEXTURE_2D,
+        builtin=mujoco.mjtBuiltin.mjBUILTIN_CHECKER,
+        rgb1=[0.87, 0.87, 0.85],
+        rgb2=[0.80, 0.80, 0.78],
+        width=64,
+        height=64,
+    )
     tiles = spec.add_material(name='tiles', texuniform=True, texrepeat=[1, 1])
     tiles.textures[mujoco.mjtTextureRole.mjTEXROLE_RGB] = 'tiles'
     return tiles.name

@@ -50,7 +50,7 @@ class WorldNode(Node):
         laser = self.world.robot.lidar.noise if self.world.robot.lidar else 0.0
         self._number('real_time_factor', 1.0, 'simulated seconds in a second; 0: as many as possible', 1000.0)
         self._number('range_noise', laser, 'standard deviation of a laser range in metres', 10.0)
-        self._number('odometry_noise', 0.0, 'standard deviation of a wheel\'s way after one metre, in metres', 10.0)
+        self._number('odometry_noise', 0.0, "standard deviation of a wheel's way after one metre, in metres", 10.0)
         self._number('command_timeout', 0.5, 'seconds after which the robot stops without a command; 0: never', 3600.0)
         self.declare_parameter('localization', True, ParameterDescriptor(description='publish map -> odom'))
         self.add_on_set_parameters_callback(self._check)
@@ -61,8 +61,9 @@ class WorldNode(Node):
         self.paused = False
         self._told: set[str] = set()  # what was said once
         self._configure()
-        self._publishers_of = {topic.name: self.create_publisher(topic.type, topic.name, topic.qos)
-                               for topic in self.topics.topics}
+        self._publishers_of = {
+            topic.name: self.create_publisher(topic.type, topic.name, topic.qos) for topic in self.topics.topics
+        }
         self._walls = self.create_publisher(MarkerArray, 'walls', LATCHED)
         self._walls.publish(self.topics.markers())
         self.create_subscription(Twist, 'cmd_vel', self._on_command, 10)
@@ -72,8 +73,9 @@ class WorldNode(Node):
         if clocked:
             # By the wall, also when use_sim_time is set: this node is what makes time.
             self.create_timer(PERIOD, self._on_timer, clock=Clock(clock_type=ClockType.STEADY_TIME))
-        self.get_logger().info(f'MuJoCo world "{self.world.scene.name}" with the robot '
-                               f'"{self.world.robot.description.name}"')
+        self.get_logger().info(
+            f'MuJoCo world "{self.world.scene.name}" with the robot "{self.world.robot.description.name}"'
+        )
 
     # Time
 

@@ -35,8 +35,10 @@ class Pictures:
             return mujoco.Renderer(model, *self._size)
         except Exception as error:  # PyOpenGL raises whatever its loader raises
             reason = ' '.join(str(error).split()) or type(error).__name__
-            raise NoPicturesError('no camera pictures: OpenGL without a screen (EGL) does not work here. On Debian or '
-                                  f'Ubuntu: sudo apt-get install libegl1 libgl1-mesa-dri. ({reason[:120]})') from None
+            raise NoPicturesError(
+                'no camera pictures: OpenGL without a screen (EGL) does not work here. On Debian or '
+                f'Ubuntu: sudo apt-get install libegl1 libgl1-mesa-dri. ({reason[:120]})'
+            ) from None
 
     def take(self, data: mujoco.MjData, camera: str | mujoco.MjvCamera, groups: tuple[int, ...]) -> numpy.ndarray:
         """Return a picture, height x width x 3, uint8, red green blue. `groups` are the groups of geoms to show."""

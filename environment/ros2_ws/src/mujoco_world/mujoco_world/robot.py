@@ -107,7 +107,7 @@ def _drive(plugin: Element, description: urdf_reader.Robot) -> Drive:
     for name in wheels:
         joint = description.joints.get(name)
         if joint is None or joint.type != 'continuous':
-            raise UrdfError(f'the differential drive\'s joint {name!r} is no continuous joint of the robot')
+            raise UrdfError(f"the differential drive's joint {name!r} is no continuous joint of the robot")
     return Drive(
         *wheels,
         separation=_number(plugin, 'wheel_separation', at_least=1e-3),
@@ -125,9 +125,12 @@ def _lidar(sensor: Element, link: str) -> Lidar:
         raise UrdfError(f'the sensor of {link} has no <lidar>')
     scan = 'scan/horizontal'
     one = Lidar(
-        link, sensor.findtext('gz_frame_id', link).strip(), _number(sensor, 'update_rate', 10.0, at_least=0.1),
+        link,
+        sensor.findtext('gz_frame_id', link).strip(),
+        _number(sensor, 'update_rate', 10.0, at_least=0.1),
         samples=int(_number(lidar, f'{scan}/samples', at_least=1)),
-        min_angle=_number(lidar, f'{scan}/min_angle', -pi), max_angle=_number(lidar, f'{scan}/max_angle', pi),
+        min_angle=_number(lidar, f'{scan}/min_angle', -pi),
+        max_angle=_number(lidar, f'{scan}/max_angle', pi),
         min_range=_number(lidar, 'range/min', 0.0, at_least=0.0),
         max_range=_number(lidar, 'range/max', at_least=1e-3),
         noise=_number(lidar, 'noise/stddev', 0.0, at_least=0.0),
@@ -142,11 +145,14 @@ def _camera(sensor: Element, link: str) -> Camera:
     if camera is None:
         raise UrdfError(f'the sensor of {link} has no <camera>')
     return Camera(
-        link, sensor.findtext('gz_frame_id', link).strip(), _number(sensor, 'update_rate', 5.0, at_least=0.1),
+        link,
+        sensor.findtext('gz_frame_id', link).strip(),
+        _number(sensor, 'update_rate', 5.0, at_least=0.1),
         width=int(_number(camera, 'image/width', 320, at_least=1)),
         height=int(_number(camera, 'image/height', 240, at_least=1)),
         fov=_number(camera, 'horizontal_fov', 1.047, at_least=0.01),
-        near=_number(camera, 'clip/near', 0.1, at_least=1e-3), far=_number(camera, 'clip/far', 100.0, at_least=0.1),
+        near=_number(camera, 'clip/near', 0.1, at_least=1e-3),
+        far=_number(camera, 'clip/far', 100.0, at_least=0.1),
     )
 
 
@@ -161,8 +167,8 @@ def _number(element: Element, path: str, default: float | None = None, at_least:
     except ValueError:
         value = float('nan')
     if not isfinite(value) or value < at_least:
-        raise UrdfError(f'<{path.rpartition("/")[2]}>{text}</…> must be a number'
-                        + (f' of at least {at_least:g}' if at_least > -inf else ''))
+        raise UrdfError(
+            f'<{path.rpartition("/")[2]}>{text}</…> must be a number'
+            + (f' of at least {at_least:g}' if at_least > -inf else '')
+        )
     return value
-
-

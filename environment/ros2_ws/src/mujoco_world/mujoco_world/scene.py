@@ -88,9 +88,16 @@ def _directory() -> Path:
 
 
 def _read(name: str, text: dict) -> Scene:
-    walls = tuple(Wall(str(one['name']), _numbers(one['at'], 2), _positive(one['size'], 2),
-                       *_positive([one.get('height', 0.6)], 1), COLOURS[one.get('colour', 'wall')])
-                  for one in text.get('walls') or ())
+    walls = tuple(
+        Wall(
+            str(one['name']),
+            _numbers(one['at'], 2),
+            _positive(one['size'], 2),
+            *_positive([one.get('height', 0.6)], 1),
+            COLOURS[one.get('colour', 'wall')],
+        )
+        for one in text.get('walls') or ()
+    )
     if len({wall.name for wall in walls}) < len(walls):
         raise ValueError('two walls have the same name')
     return Scene(

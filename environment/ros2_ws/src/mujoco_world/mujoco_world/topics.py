@@ -103,47 +103,75 @@ class Topics:
     def joint_states(self) -> JointState:
         """Positions and velocities of the joints that move."""
         joints = self.world.joints
-        return JointState(header=self._header(''), name=list(joints), position=[one for one, _ in joints.values()],
-                          velocity=[one for _, one in joints.values()])
+        return JointState(
+            header=self._header(''),
+            name=list(joints),
+            position=[one for one, _ in joints.values()],
+            velocity=[one for _, one in joints.values()],
+        )
 
     def scan(self) -> LaserScan:
         """One turn of the laser, as if all its rays went out at once."""
         lidar = self.world.robot.lidar
-        return LaserScan(header=self._header(lidar.frame), angle_min=lidar.min_angle, angle_max=lidar.max_angle,
-                         angle_increment=lidar.increment, scan_time=1 / lidar.rate, range_min=lidar.min_range,
-                         range_max=lidar.max_range, ranges=array('f', self.world.scan().tobytes()))
+        return LaserScan(
+            header=self._header(lidar.frame),
+            angle_min=lidar.min_angle,
+            angle_max=lidar.max_angle,
+            angle_increment=lidar.increment,
+            scan_time=1 / lidar.rate,
+            range_min=lidar.min_range,
+            range_max=lidar.max_range,
+            ranges=array('f', self.world.scan().tobytes()),
+        )
 
     def image(self) -> Image:
         """What the camera sees. Raises NoPicturesError where the machine cannot render."""
         camera = self.world.robot.camera
-        return Image(header=self._header(camera.frame), height=camera.height, width=camera.width, encoding='rgb8',
-                     step=3 * camera.width, data=array('B', self.world.image().tobytes()))
+        return Image(
+            header=self._header(camera.frame),
+            height=camera.height,
+            width=camera.width,
+            encoding='rgb8',
+            step=3 * camera.width,
+            data=array('B', self.world.image().tobytes()),
+        )
 
     def camera_info(self) -> CameraInfo:
         """The camera's intrinsics: a pinhole in the middle of the picture, square pixels, no distortion."""
         camera = self.world.robot.camera
         focal = camera.width / 2 / tan(camera.fov / 2)  # pixels
         x, y = camera.width / 2, camera.height / 2
-        return CameraInfo(header=self._header(camera.frame), height=camera.height, width=camera.width,
-                          distortion_model='plumb_bob', d=[0.0] * 5, k=[focal, 0.0, x, 0.0, focal, y, 0.0, 0.0, 1.0],
-                          r=[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0],
-                          p=[focal, 0.0, x, 0.0, 0.0, focal, y, 0.0, 0.0, 0.0, 1.0, 0.0])
+        return CameraInfo(
+            header=self._header(camera.frame),
+            height=camera.height,
+            width=camera.width,
+            distortion_model='plumb_bob',
+            d=[0.0] * 5,
+            k=[focal, 0.0, x, 0.0, focal, y, 0.0, 0.0, 1.0],
+            r=[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0],
+            p=[focal, 0.0, x, 0.0, 0.0, focal, y, 0.0, 0.0, 0.0, 1.0, 0.0],
+        )
 
     def markers(self) -> MarkerArray:
         """The scene, for a view: floor, walls, stations and their names, in the frame map."""
         scene = self.world.scene
-        ends = [[wall.at[axis] + sign * wall.size[axis] / 2 for wall in scene.walls for sign in (-1, 1)] or [-2.0, 2.0]
-                for axis in (0, 1)]
+        ends = [
+            [wall.at[axis] + sign * wall.size[axis] / 2 for wall in scene.walls for sign in (-1, 1)] or [-2.0, 2.0]
+            for axis in (0, 1)
+        ]
         middle = [(min(one) + max(one)) / 2 for one in ends]
         sides = [max(one) - min(one) + 0.6 for one in ends]
         found = [_marker('floor', Marker.CUBE, (*middle, -0.01), (*sides, 0.02), (0.90, 0.90, 0.88, 0.6))]
-        found += [_marker('walls', Marker.CUBE, (*wall.at, wall.height / 2), (*wall.size, wall.height), wall.colour)
-                  for wall in scene.walls]
+        found += [
+            _marker('walls', Marker.CUBE, (*wall.at, wall.height / 2), (*wall.size, wall.height), wall.colour)
+            for wall in scene.walls
+        ]
         for name, (x, y, _) in scene.stations.items():
             colour = scene.colours.get(name, (0.45, 0.47, 0.52, 1.0))
             found.append(_marker('stations', Marker.CYLINDER, (x, y, 0.01), (0.44, 0.44, 0.02), colour))
-            found.append(_marker('names', Marker.TEXT_VIEW_FACING, (x, y, 0.35), (0, 0, 0.2), (0.1, 0.1, 0.1, 1.0),
-                                 name))
+            found.append(
+                _marker('names', Marker.TEXT_VIEW_FACING, (x, y, 0.35), (0, 0, 0.2), (0.1, 0.1, 0.1, 1.0), name)
+            )
         for number, marker in enumerate(found):
             marker.id = number
         return MarkerArray(markers=found)

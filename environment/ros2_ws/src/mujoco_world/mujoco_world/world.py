@@ -84,8 +84,15 @@ class World:
     `robot` is what has been read from the URDF, `scene` the scene, `model` and `data` are MuJoCo's own.
     """
 
-    def __init__(self, urdf: str | None = None, scene: str | Path | Scene = 'rooms', noise: Noise = Noise(),
-                 seed: int = 0, start: Pose2D | None = None, command_timeout: float | None = None):
+    def __init__(
+        self,
+        urdf: str | None = None,
+        scene: str | Path | Scene = 'rooms',
+        noise: Noise = Noise(),
+        seed: int = 0,
+        start: Pose2D | None = None,
+        command_timeout: float | None = None,
+    ):
         if urdf is None:
             import mobile_robot_description
 
@@ -134,12 +141,15 @@ class World:
         self._read_wheels()
 
     def _check(self) -> None:
-        if not (numpy.isfinite(self.data.qpos).all() and abs(self.data.qpos[self._root:self._root + 3]).max() < 1e5):
-            raise UnstableError('the simulation has become unstable: is there an <inertial> for each link that moves, '
-                                'with a mass and an inertia that fit its size?')
+        if not (numpy.isfinite(self.data.qpos).all() and abs(self.data.qpos[self._root : self._root + 3]).max() < 1e5):
+            raise UnstableError(
+                'the simulation has become unstable: is there an <inertial> for each link that moves, '
+                'with a mass and an inertia that fit its size?'
+            )
         if self.data.qpos[self._root + 2] < -DEEP:
-            raise UnstableError(f'the robot has fallen {DEEP:g} m: is there a <collision> for each link that is to '
-                                'stand on the floor?')
+            raise UnstableError(
+                f'the robot has fallen {DEEP:g} m: is there a <collision> for each link that is to stand on the floor?'
+            )
 
     def run(self, seconds: float) -> None:
         """Advance by so many seconds, to the nearest control period."""
@@ -150,8 +160,9 @@ class World:
         """Put the robot back to its start, at rest, its odometry at zero. Time goes on."""
         mujoco.mj_resetData(self.model, self.data)
         self.data.time = self.time
-        self._random = {name: numpy.random.default_rng([self.seed, number])
-                        for number, name in enumerate(('scan', 'odometry'))}
+        self._random = {
+            name: numpy.random.default_rng([self.seed, number]) for number, name in enumerate(('scan', 'odometry'))
+        }
         self.place(*self.scene.start)
         self._odometry = Odometry()
         if self._controller:
@@ -163,13 +174,20 @@ class World:
 
         Its root frame is on the floor; what would be below the floor then lifts it.
         """
-        self.data.qpos[self._root:self._root + 7] = [x, y, 0, cos(yaw / 2), 0, 0, sin(yaw / 2)]
+        self.data.qpos[self._root : self._root + 7] = [x, y, 0, cos(yaw / 2), 0, 0, sin(yaw / 2)]
         self.data.qvel[:] = 0
         mujoco.mj_kinematics(self.model, self.data)
         floor = self.model.geom(FLOOR).id
-        self.data.qpos[self._root + 2] = -min([0.0, *(
-            mujoco.mj_geomDistance(self.model, self.data, floor, geom, 1.0, None)
-            for geom in self._own if self.model.geom_group[geom] == BODY)])
+        self.data.qpos[self._root + 2] = -min(
+            [
+                0.0,
+                *(
+                    mujoco.mj_geomDistance(self.model, self.data, floor, geom, 1.0, None)
+                    for geom in self._own
+                    if self.model.geom_group[geom] == BODY
+                ),
+            ]
+        )
         mujoco.mj_forward(self.model, self.data)
 
     # Drive
@@ -245,7 +263,7 @@ class World:
     def touching(self) -> set[str]:
         """The names of the walls that the robot touches now."""
         names = set()
-        for contact in self.data.contact[:self.data.ncon]:
+        for contact in self.data.contact[: self.data.ncon]:
             first, second = contact.geom
             if (first in self._own) != (second in self._own):
                 names.add(self.model.geom(int(second if first in self._own else first)).name)
@@ -269,8 +287,20 @@ class World:
         ids, ranges = numpy.empty(lidar.samples, numpy.int32), numpy.empty(lidar.samples)
         groups = numpy.zeros(6, numpy.uint8)
         groups[[WALLS, BODY]] = 1
-        mujoco.mj_multiRay(self.model, self.data, pose[:3, 3].copy(), rays, groups, True,
-                           self.model.body(lidar.link).id, ids, ranges, None, lidar.samples, lidar.max_range)
+        mujoco.mj_multiRay(
+            self.model,
+            self.data,
+            pose[:3, 3].copy(),
+            rays,
+            groups,
+            True,
+            self.model.body(lidar.link).id,
+            ids,
+            ranges,
+            None,
+            lidar.samples,
+            lidar.max_range,
+        )
         hit = ids >= 0
         deviation = lidar.noise if self.noise.range is None else self.noise.range
         if deviation:

@@ -205,15 +205,18 @@ def test_a_simulation_that_blows_up_says_so_and_begins_anew(capfd, tmp_path, mon
     assert not list(tmp_path.iterdir()) and 'WARNING' not in capfd.readouterr().err  # MuJoCo's own log
 
 
-@pytest.mark.parametrize(('old', 'new', 'message'), [
-    ('</robot>', '', 'line 1[0-9]+.*no element|XML'),
-    ('<left_joint>left_wheel_joint', '<left_joint>left_wheel', "'left_wheel' is no continuous joint"),
-    ('<gazebo reference="laser">', '<gazebo reference="lazer">', 'lazer'),
-    ('<samples>360', '<samples>many', '<samples>many</…> must be a number'),
-    ('<max>8.0', '<max>0.01', 'a minimum is above its maximum'),
-    ('<wheel_radius>0.08</wheel_radius>', '', 'has no <wheel_radius>'),
-    ('ixx="0.038"', 'ixx="-1"', 'MuJoCo refuses this robot|inertia'),
-])
+@pytest.mark.parametrize(
+    ('old', 'new', 'message'),
+    [
+        ('</robot>', '', 'line 1[0-9]+.*no element|XML'),
+        ('<left_joint>left_wheel_joint', '<left_joint>left_wheel', "'left_wheel' is no continuous joint"),
+        ('<gazebo reference="laser">', '<gazebo reference="lazer">', 'lazer'),
+        ('<samples>360', '<samples>many', '<samples>many</…> must be a number'),
+        ('<max>8.0', '<max>0.01', 'a minimum is above its maximum'),
+        ('<wheel_radius>0.08</wheel_radius>', '', 'has no <wheel_radius>'),
+        ('ixx="0.038"', 'ixx="-1"', 'MuJoCo refuses this robot|inertia'),
+    ],
+)
 def test_a_bad_description_is_one_line_that_says_where(old, new, message):
     assert old in URDF
     with pytest.raises(UrdfError, match=message) as caught:
@@ -222,13 +225,19 @@ def test_a_bad_description_is_one_line_that_says_where(old, new, message):
 
 
 def test_a_robot_without_drive_and_sensors_stands_there():
-    world = World('<robot name="stone"><link name="stone"><collision><geometry><sphere radius="0.1"/></geometry>'
-                  '</collision><inertial><mass value="1"/><inertia ixx="0.004" iyy="0.004" izz="0.004" ixy="0" ixz="0" '
-                  'iyz="0"/></inertial></link></robot>', 'empty')
+    world = World(
+        '<robot name="stone"><link name="stone"><collision><geometry><sphere radius="0.1"/></geometry>'
+        '</collision><inertial><mass value="1"/><inertia ixx="0.004" iyy="0.004" izz="0.004" ixy="0" ixz="0" '
+        'iyz="0"/></inertial></link></robot>',
+        'empty',
+    )
     world.run(1.0)
     assert world.pose.z == pytest.approx(0.1, abs=0.002)
-    for call, lack in ((lambda: world.drive(0.1, 0), 'cannot drive'), (world.scan, 'no laser'),
-                       (world.image, 'no camera')):
+    for call, lack in (
+        (lambda: world.drive(0.1, 0), 'cannot drive'),
+        (world.scan, 'no laser'),
+        (world.image, 'no camera'),
+    ):
         with pytest.raises(ValueError, match=lack):
             call()
     with pytest.raises(ValueError, match='finite'):
@@ -244,8 +253,10 @@ def test_from_the_hall_every_station_can_be_reached_and_nothing_is_touched():
     for x, y, _ in rooms.stations.values():
         for part in np.linspace(0.0, 1.0, 21):
             for place in ((x * part, 0.0), (x, y * part)):  # along the hall, then through the door
-                distance = min(max(abs(place[0] - wall.at[0]) - wall.size[0] / 2,
-                                   abs(place[1] - wall.at[1]) - wall.size[1] / 2) for wall in rooms.walls)
+                distance = min(
+                    max(abs(place[0] - wall.at[0]) - wall.size[0] / 2, abs(place[1] - wall.at[1]) - wall.size[1] / 2)
+                    for wall in rooms.walls
+                )
                 assert distance > 0.35, f'{place} is too near to a wall'
 
 
@@ -256,13 +267,16 @@ def test_a_scene_of_ones_own(tmp_path):
     assert world.scene.name == 'mine' and world.scan()[180] == pytest.approx(0.85, abs=0.01)
 
 
-@pytest.mark.parametrize(('text', 'message'), [
-    ('walls: [{name: a, at: [1], size: [1, 1]}]', 'not 2 numbers'),
-    ('walls: [{name: a, at: [1, 1], size: [0, 1]}]', 'above zero'),
-    ('walls: [{at: [1, 1], size: [1, 1]}]', "'name'"),
-    ('start: [1, 2, .nan]', 'not 3 numbers'),
-    ('walls: [', 'no YAML'),
-])
+@pytest.mark.parametrize(
+    ('text', 'message'),
+    [
+        ('walls: [{name: a, at: [1], size: [1, 1]}]', 'not 2 numbers'),
+        ('walls: [{name: a, at: [1, 1], size: [0, 1]}]', 'above zero'),
+        ('walls: [{at: [1, 1], size: [1, 1]}]', "'name'"),
+        ('start: [1, 2, .nan]', 'not 3 numbers'),
+        ('walls: [', 'no YAML'),
+    ],
+)
 def test_a_bad_scene_says_what_is_wrong(tmp_path, text, message):
     (tmp_path / 'bad.yaml').write_text(text)
     with pytest.raises(SceneError, match=message):

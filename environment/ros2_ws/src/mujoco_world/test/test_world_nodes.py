@@ -36,22 +36,42 @@ def launched(start):
 
 
 def test_the_launched_world_has_the_frames_and_topics_of_its_robot_and_can_be_driven(launched, peer):
-    heard = {topic: peer.listen(kind, topic) for topic, kind in {
-        '/clock': Clock, '/odom': Odometry, '/joint_states': JointState, '/scan': LaserScan,
-        '/camera_info': CameraInfo}.items()}
+    heard = {
+        topic: peer.listen(kind, topic)
+        for topic, kind in {
+            '/clock': Clock,
+            '/odom': Odometry,
+            '/joint_states': JointState,
+            '/scan': LaserScan,
+            '/camera_info': CameraInfo,
+        }.items()
+    }
     buffer = Buffer()
     TransformListener(buffer, peer.node)
     command = peer.publisher(Twist, '/cmd_vel')
     # Time is nobody's but the world's.
     peer.until(lambda: all(heard.values()), 'a message on each topic')
-    peer.until(lambda: all(buffer.can_transform('map', frame, Time()) for frame in
-                           ('base_footprint', 'laser', 'camera_optical_frame', 'left_wheel')), 'the frames')
+    peer.until(
+        lambda: all(
+            buffer.can_transform('map', frame, Time())
+            for frame in ('base_footprint', 'laser', 'camera_optical_frame', 'left_wheel')
+        ),
+        'the frames',
+    )
     # REP 105: map -> odom -> base_footprint, and below it the robot's own.
     tree = yaml.safe_load(buffer.all_frames_as_yaml())
     parents = {frame: entry['parent'] for frame, entry in tree.items()}
-    assert parents == {'odom': 'map', 'base_footprint': 'odom', 'base_link': 'base_footprint', 'caster': 'base_link',
-                       'laser': 'base_link', 'camera': 'base_link', 'camera_optical_frame': 'camera',
-                       'left_wheel': 'base_link', 'right_wheel': 'base_link'}
+    assert parents == {
+        'odom': 'map',
+        'base_footprint': 'odom',
+        'base_link': 'base_footprint',
+        'caster': 'base_link',
+        'laser': 'base_link',
+        'camera': 'base_link',
+        'camera_optical_frame': 'camera',
+        'left_wheel': 'base_link',
+        'right_wheel': 'base_link',
+    }
     scan, odometry, info = heard['/scan'][-1], heard['/odom'][-1], heard['/camera_info'][-1]
     assert (scan.header.frame_id, info.header.frame_id) == ('laser', 'camera_optical_frame')
     assert (odometry.header.frame_id, odometry.child_frame_id) == ('odom', 'base_footprint')
@@ -98,7 +118,7 @@ def test_a_world_that_cannot_be_is_one_line_and_an_exit_status(domain):
     argv = [program('mujoco_world', 'world'), '--ros-args', '-p', 'scene:=attic']
     done = subprocess.run(argv, capture_output=True, text=True, timeout=60)
     assert done.returncode == 1 and done.stdout == ''
-    line, = done.stderr.splitlines()
+    (line,) = done.stderr.splitlines()
     assert line.endswith("there is no scene 'attic'; there are empty, rooms, or give a .yaml file")
 
 
@@ -106,10 +126,14 @@ def test_a_world_that_cannot_be_is_one_line_and_an_exit_status(domain):
 
 # From ros_gz_bridge's README (Jazzy): ROS type -> Gazebo type.
 BRIDGED = {
-    'geometry_msgs/msg/Twist': 'gz.msgs.Twist', 'nav_msgs/msg/Odometry': 'gz.msgs.Odometry',
-    'rosgraph_msgs/msg/Clock': 'gz.msgs.Clock', 'sensor_msgs/msg/CameraInfo': 'gz.msgs.CameraInfo',
-    'sensor_msgs/msg/Image': 'gz.msgs.Image', 'sensor_msgs/msg/JointState': 'gz.msgs.Model',
-    'sensor_msgs/msg/LaserScan': 'gz.msgs.LaserScan', 'tf2_msgs/msg/TFMessage': 'gz.msgs.Pose_V',
+    'geometry_msgs/msg/Twist': 'gz.msgs.Twist',
+    'nav_msgs/msg/Odometry': 'gz.msgs.Odometry',
+    'rosgraph_msgs/msg/Clock': 'gz.msgs.Clock',
+    'sensor_msgs/msg/CameraInfo': 'gz.msgs.CameraInfo',
+    'sensor_msgs/msg/Image': 'gz.msgs.Image',
+    'sensor_msgs/msg/JointState': 'gz.msgs.Model',
+    'sensor_msgs/msg/LaserScan': 'gz.msgs.LaserScan',
+    'tf2_msgs/msg/TFMessage': 'gz.msgs.Pose_V',
 }
 
 
@@ -122,8 +146,11 @@ def test_the_bridge_names_types_that_it_knows_and_the_topics_of_the_robot():
     out = {entry['topic_name'] for entry in entries if entry['direction'] == 'GZ_TO_ROS'}
     assert out == ours and [e['topic_name'] for e in entries if e['direction'] == 'ROS_TO_GZ'] == ['/cmd_vel']
     # The robot tells Gazebo the same names, without the slash.
-    named = {element.text for element in ElementTree.fromstring(world.urdf).iter() if element.tag in (
-        'topic', 'odom_topic', 'tf_topic', 'camera_info_topic')}
+    named = {
+        element.text
+        for element in ElementTree.fromstring(world.urdf).iter()
+        if element.tag in ('topic', 'odom_topic', 'tf_topic', 'camera_info_topic')
+    }
     assert named == {name.lstrip('/') for name in ours | {'/cmd_vel'}} - {'clock'}
 
 
@@ -132,13 +159,17 @@ def test_gazebos_world_has_the_walls_of_the_scene():
     root = ElementTree.fromstring(gazebo.sdf(rooms))
     assert root.tag == 'sdf' and {plugin.get('filename') for plugin in root.iter('plugin')} == set(gazebo.SYSTEMS)
     models = {model.get('name'): model for model in root.find('world').iter('model')}
-    assert models.keys() == {'floor', *(wall.name for wall in rooms.walls),
-                             *(f'station_{name}' for name in rooms.stations)}
+    assert models.keys() == {
+        'floor',
+        *(wall.name for wall in rooms.walls),
+        *(f'station_{name}' for name in rooms.stations),
+    }
     for wall in rooms.walls:
         model = models[wall.name]
         assert model.findtext('static') == 'true'
         assert [float(part) for part in model.findtext('pose').split()] == pytest.approx(
-            [*wall.at, wall.height / 2, 0, 0, 0])
+            [*wall.at, wall.height / 2, 0, 0, 0]
+        )
         for kind in ('collision', 'visual'):
             size = model.findtext(f'link/{kind}/geometry/box/size')
             assert [float(part) for part in size.split()] == pytest.approx([*wall.size, wall.height])
@@ -150,8 +181,9 @@ def test_without_gazebo_the_launch_file_says_what_is_missing_and_what_to_do(doma
         pytest.skip('Gazebo is installed')
     except PackageNotFoundError:
         pass
-    done = subprocess.run([ROS2, 'launch', 'mujoco_world', 'gazebo.launch.py'], capture_output=True, text=True,
-                          timeout=60)
+    done = subprocess.run(
+        [ROS2, 'launch', 'mujoco_world', 'gazebo.launch.py'], capture_output=True, text=True, timeout=60
+    )
     said = done.stdout + done.stderr
     assert done.returncode == 1 and 'Traceback' not in said
     assert 'there is no ROS package' in said and 'ros2 launch mujoco_world world.launch.py' in said

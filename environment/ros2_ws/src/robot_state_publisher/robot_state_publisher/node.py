@@ -43,7 +43,8 @@ class RobotStatePublisher(Node):
         self.declare_parameter('ignore_timestamp', False)
         # After the URDF's file and before its check, so that the same check serves a start and a change.
         problem = self._problem('publish_frequency', self._value('publish_frequency')) or self._problem(
-            'robot_description', text)
+            'robot_description', text
+        )
         if problem:
             self._cannot_start(problem)
         if text != self._value('robot_description'):
@@ -54,10 +55,16 @@ class RobotStatePublisher(Node):
         self._broadcaster = TransformBroadcaster(self)
         self._static_broadcaster = StaticTransformBroadcaster(self)
         self._description = self.create_publisher(
-            String, 'robot_description', QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL))
+            String, 'robot_description', QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        )
         self._set_robot(text)
-        self.create_subscription(JointState, 'joint_states', self._on_joint_state, qos_profile_sensor_data,
-                                 qos_overriding_options=QoSOverridingOptions.with_default_policies())
+        self.create_subscription(
+            JointState,
+            'joint_states',
+            self._on_joint_state,
+            qos_profile_sensor_data,
+            qos_overriding_options=QoSOverridingOptions.with_default_policies(),
+        )
         self.add_on_set_parameters_callback(self._check)
         self.add_post_set_parameters_callback(self._changed)
 
@@ -71,7 +78,8 @@ class RobotStatePublisher(Node):
     def _read_file(self, name: str) -> str:
         self.get_logger().warning(
             f'No parameter robot_description; taking the argument {name!r} for the name of a URDF file. '
-            'This form is deprecated: later versions want the parameter.')
+            'This form is deprecated: later versions want the parameter.'
+        )
         try:
             return Path(name).read_text()
         except (OSError, UnicodeDecodeError) as error:
@@ -81,8 +89,10 @@ class RobotStatePublisher(Node):
         """What is wrong with a value of a parameter; None if nothing is."""
         if parameter == 'robot_description':
             if not value:
-                return ('the parameter robot_description is empty: set it to the text of a URDF, '
-                        'for example from a launch file')
+                return (
+                    'the parameter robot_description is empty: set it to the text of a URDF, '
+                    'for example from a launch file'
+                )
             try:
                 read(value)
             except UrdfError as error:
@@ -119,8 +129,10 @@ class RobotStatePublisher(Node):
     def _on_joint_state(self, state: JointState) -> None:
         if len(state.name) != len(state.position):
             if not state.position:
-                self.get_logger().warning('Robot state publisher ignored a JointState message about joint(s) '
-                                          f'"{state.name[0]}"(,...) whose position member was empty.')
+                self.get_logger().warning(
+                    'Robot state publisher ignored a JointState message about joint(s) '
+                    f'"{state.name[0]}"(,...) whose position member was empty.'
+                )
             else:
                 self.get_logger().error('Robot state publisher ignored an invalid JointState message')
             return
@@ -134,8 +146,9 @@ class RobotStatePublisher(Node):
         last = min((self._last_published.get(name, 0) for name in state.name), default=now)
         if not self._value('ignore_timestamp') and stamp < min(last, now) + interval:
             return
-        moving = self._messages(self._tree.moving(dict(zip(state.name, state.position, strict=True))),
-                                state.header.stamp)
+        moving = self._messages(
+            self._tree.moving(dict(zip(state.name, state.position, strict=True))), state.header.stamp
+        )
         if moving:
             self._broadcaster.sendTransform(moving)
         self._last_published.update(dict.fromkeys(state.name, stamp))

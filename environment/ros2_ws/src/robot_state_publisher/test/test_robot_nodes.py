@@ -99,18 +99,27 @@ def test_robot_state_publisher(start, listener, arm_file):
     assert listener.descriptions == [ARM]
     assert [(t.header.frame_id, t.child_frame_id) for t in listener.static] == [('base', 'camera')]
     assert '[INFO] [robot_state_publisher]: Robot initialized' in process.output
-    declared = listener.peer.call(GetParameters, '/robot_state_publisher/get_parameters',
-                                  names=['robot_description', 'publish_frequency', 'frame_prefix', 'ignore_timestamp'])
+    declared = listener.peer.call(
+        GetParameters,
+        '/robot_state_publisher/get_parameters',
+        names=['robot_description', 'publish_frequency', 'frame_prefix', 'ignore_timestamp'],
+    )
     values = declared.values
     assert [values[0].string_value, values[1].double_value, values[2].string_value, values[3].bool_value] == [
-        ARM, 20.0, '', False]
+        ARM,
+        20.0,
+        '',
+        False,
+    ]
 
     # At most 20 transforms a second, by the stamps: the one after 40 ms is left out, the one after 50 ms is not.
     publisher = listener.joint_states()
     for stamp in (1000.0, 1000.04, 1000.05):
         listener.send(publisher, stamp, shoulder=1.0, lift=stamp - 1000)
-    tf = until(lambda: (found := [t for t in listener.tf if t.header.stamp.sec >= 1000])[5:] and found,
-               'two transforms of each joint')
+    tf = until(
+        lambda: (found := [t for t in listener.tf if t.header.stamp.sec >= 1000])[5:] and found,
+        'two transforms of each joint',
+    )
     assert [t.child_frame_id for t in tf] == ['finger', 'slider', 'upper'] * 2
     assert [t.header.stamp.nanosec for t in tf] == [0] * 3 + [50_000_000] * 3
     assert tf[4].transform.translation.x == pytest.approx(0.05)
@@ -124,10 +133,12 @@ def test_robot_state_publisher(start, listener, arm_file):
     refused = listener.set_parameter('robot_description', text(robot(joint(child='laser'))))
     assert not refused.successful
     assert refused.reason.startswith("bad robot_description: line 4: joint 'j': its child 'laser' is no link")
-    assert not listener.set_parameter('publish_frequency', ParameterValue(
-        type=ParameterType.PARAMETER_DOUBLE, double_value=0.0)).successful
-    assert listener.set_parameter('ignore_timestamp', ParameterValue(
-        type=ParameterType.PARAMETER_BOOL, bool_value=True)).successful
+    assert not listener.set_parameter(
+        'publish_frequency', ParameterValue(type=ParameterType.PARAMETER_DOUBLE, double_value=0.0)
+    ).successful
+    assert listener.set_parameter(
+        'ignore_timestamp', ParameterValue(type=ParameterType.PARAMETER_BOOL, bool_value=True)
+    ).successful
     assert listener.set_parameter('robot_description', text(robot(joint()))).successful
     until(lambda: len(listener.descriptions) == 2, 'the new description')
     until(lambda: {'camera', 'b'} == {t.child_frame_id for t in listener.static}, 'the new static transform')
@@ -146,11 +157,18 @@ def ended(process) -> tuple[int, str]:
     return process.returncode, process.output
 
 
-@pytest.mark.parametrize(('name', 'content', 'says'), [
-    ('robot_state_publisher', None, '[FATAL] [robot_state_publisher]: the parameter robot_description is empty'),
-    ('robot_state_publisher', robot(), "[FATAL] [robot_state_publisher]: bad robot_description: the links 'a' and 'b'"),
-    ('joint_state_publisher', '<robot', '/robot.urdf: line 1: this is no XML'),
-])
+@pytest.mark.parametrize(
+    ('name', 'content', 'says'),
+    [
+        ('robot_state_publisher', None, '[FATAL] [robot_state_publisher]: the parameter robot_description is empty'),
+        (
+            'robot_state_publisher',
+            robot(),
+            "[FATAL] [robot_state_publisher]: bad robot_description: the links 'a' and 'b'",
+        ),
+        ('joint_state_publisher', '<robot', '/robot.urdf: line 1: this is no XML'),
+    ],
+)
 def test_a_bad_description_ends_the_program_in_one_line(start, tmp_path, name, content, says):
     path = tmp_path / 'robot.urdf'
     path.write_text(content or '')
@@ -159,10 +177,21 @@ def test_a_bad_description_ends_the_program_in_one_line(start, tmp_path, name, c
 
 
 def test_a_description_that_is_no_yaml_is_said_in_one_line(start):
-    status, output = ended(start(program('robot_state_publisher', 'robot_state_publisher'), '--ros-args', '-p',
-                                 'robot_description:=<!-- robot: a\nrobot -->'))
-    assert status == 1 and output.splitlines()[-1].startswith(
-        'robot_state_publisher: the value of -p robot_description:=… is not YAML') and 'Traceback' not in output
+    status, output = ended(
+        start(
+            program('robot_state_publisher', 'robot_state_publisher'),
+            '--ros-args',
+            '-p',
+            'robot_description:=<!-- robot: a\nrobot -->',
+        )
+    )
+    assert (
+        status == 1
+        and output.splitlines()[-1].startswith(
+            'robot_state_publisher: the value of -p robot_description:=… is not YAML'
+        )
+        and 'Traceback' not in output
+    )
 
 
 def test_launch_of_xacro_and_both_publishers(start, listener, tmp_path):
@@ -180,8 +209,17 @@ def test_launch_of_xacro_and_both_publishers(start, listener, tmp_path):
 
 
 def test_joint_state_publisher_takes_other_sources(start, peer, arm_file):
-    start(program('joint_state_publisher', 'joint_state_publisher'), arm_file, '--ros-args', '-p', 'rate:=50', '-p',
-          "source_list:=['/motor']", '-p', 'dependent_joints.lift.parent:=shoulder')
+    start(
+        program('joint_state_publisher', 'joint_state_publisher'),
+        arm_file,
+        '--ros-args',
+        '-p',
+        'rate:=50',
+        '-p',
+        "source_list:=['/motor']",
+        '-p',
+        'dependent_joints.lift.parent:=shoulder',
+    )
     states = peer.listen(JointState, '/joint_states')
     first = peer.until(lambda: states, 'a joint state')[0]
     assert (first.name, first.position[0]) == (['shoulder', 'lift', 'grip'], pytest.approx(1.1))

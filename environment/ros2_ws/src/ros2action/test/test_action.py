@@ -19,9 +19,11 @@ def test_action_list_info_type(ros2):
     assert ros2.output('action', 'type', '/fibonacci') == f'{kind}\n'
     assert ros2.error('action', 'type', '/nothing') == ''
     assert ros2.output('action', 'info', '/fibonacci', '-t') == (
-        f'Action: /fibonacci\nAction clients: 0\nAction servers: 1\n    /worker [{kind}]\n')
+        f'Action: /fibonacci\nAction clients: 0\nAction servers: 1\n    /worker [{kind}]\n'
+    )
     assert ros2.output('action', 'info', '/fibonacci', '-c') == (
-        'Action: /fibonacci\nAction clients: 0\nAction servers: 1\n')
+        'Action: /fibonacci\nAction clients: 0\nAction servers: 1\n'
+    )
     assert 'topic name' in ros2.error('action', 'info', '/no way')
 
 
@@ -30,10 +32,10 @@ def test_send_goal(ros2):
     identifier = re.search('Goal accepted with ID: ([0-9a-f]{32})\n', text).group(1)
     assert text.startswith(
         'Waiting for an action server to become available...\nSending goal:\n     order: 3\n\n'
-        f'Goal accepted with ID: {identifier}\n\nFeedback:\n    sequence:\n')
+        f'Goal accepted with ID: {identifier}\n\nFeedback:\n    sequence:\n'
+    )
     assert 'Feedback:\n    sequence:\n- 0\n- 1\n- 1\n- 2\n\n' in text
-    assert text.endswith(
-        'Result:\n    sequence:\n- 0\n- 1\n- 1\n- 2\n\nGoal finished with status: SUCCEEDED\n')
+    assert text.endswith('Result:\n    sequence:\n- 0\n- 1\n- 1\n- 2\n\nGoal finished with status: SUCCEEDED\n')
 
 
 def test_ctrl_c_cancels_the_goal(ros2):
@@ -48,6 +50,7 @@ def test_send_goal_refuses_bad_input(ros2):
     assert ros2.lines(*FIBONACCI, '{order: 41}')[-1] == 'Goal was rejected.'
     assert ros2.error(*FIBONACCI[:3], 'example_interfaces/action/Nothing') == 'The passed action type is invalid'
     assert ros2.error(*FIBONACCI, '{ordr: 1}') == (
-        'Failed to populate message fields: AttributeError("\'Fibonacci_Goal\' object has no attribute \'ordr\'")')
+        "Failed to populate message fields: AttributeError(\"'Fibonacci_Goal' object has no attribute 'ordr'\")"
+    )
     assert ros2.error(*FIBONACCI, '{order: ').startswith('The passed value is not valid YAML: ')
     assert 'must be an integer' in ros2.error(*FIBONACCI, '{order: 9999999999}')

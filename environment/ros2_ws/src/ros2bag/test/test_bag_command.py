@@ -88,8 +88,7 @@ def topics_of(bag):
     """The number of messages by topic."""
     reader = SequentialReader()
     reader.open_uri(str(bag))
-    counts = {each.topic_metadata.name: each.message_count for each in
-              reader.get_metadata().topics_with_message_count}
+    counts = {each.topic_metadata.name: each.message_count for each in reader.get_metadata().topics_with_message_count}
     reader.close()
     return counts
 
@@ -108,25 +107,45 @@ def test_record_and_info(ros2, storage):
             assert recorder.stop(PATIENCE) == 0
             printed = [line.partition(': ')[2] for line in recorder.lines]
     assert printed[:3] == ['Press SPACE for pausing/resuming', 'Listening for topics...', 'Recording...']
-    assert printed[3:] == ["Subscribed to topic '/chatter'",
-                           'All requested topics are subscribed. Stopping discovery...', 'Recording stopped']
+    assert printed[3:] == [
+        "Subscribed to topic '/chatter'",
+        'All requested topics are subscribed. Stopping discovery...',
+        'Recording stopped',
+    ]
     lines = ros2.lines('bag', 'info', f'talk_{storage}')
-    names = ['Files', 'Bag size', 'Storage id', 'ROS Distro', 'Duration', 'Start', 'End', 'Messages',
-             'Topic information', 'Services', 'Service information']
+    names = [
+        'Files',
+        'Bag size',
+        'Storage id',
+        'ROS Distro',
+        'Duration',
+        'Start',
+        'End',
+        'Messages',
+        'Topic information',
+        'Services',
+        'Service information',
+    ]
     assert [line.partition(':')[0] for line in lines if line] == names
     assert lines[3] == f'Storage id:        {storage}'
     count = topics_of(ros2.directory / f'talk_{storage}')['/chatter']
     assert count > 10
-    assert lines[9] == (f'Topic information: Topic: /chatter | Type: std_msgs/msg/String | Count: {count} | '
-                        'Serialization Format: cdr')
+    assert lines[9] == (
+        f'Topic information: Topic: /chatter | Type: std_msgs/msg/String | Count: {count} | Serialization Format: cdr'
+    )
 
 
 def test_record_all_but_some(ros2):
-    with ros2.start('topic', 'pub', '-r', '50', '/one', 'std_msgs/msg/String', '{}'), \
-            ros2.start('topic', 'pub', '-r', '50', '/two', 'std_msgs/msg/String', '{}'), \
-            ros2.start('topic', 'pub', '-r', '50', '/_hidden', 'std_msgs/msg/String', '{}'):
-        for name, options in {'all': ['-a', '-x', 'rosout|parameter'], 'regex': ['-e', '^/(one|two)$',
-                              '--exclude-topics', '/two'], 'type': ['--topic-types', 'std_msgs/msg/String']}.items():
+    with (
+        ros2.start('topic', 'pub', '-r', '50', '/one', 'std_msgs/msg/String', '{}'),
+        ros2.start('topic', 'pub', '-r', '50', '/two', 'std_msgs/msg/String', '{}'),
+        ros2.start('topic', 'pub', '-r', '50', '/_hidden', 'std_msgs/msg/String', '{}'),
+    ):
+        for name, options in {
+            'all': ['-a', '-x', 'rosout|parameter'],
+            'regex': ['-e', '^/(one|two)$', '--exclude-topics', '/two'],
+            'type': ['--topic-types', 'std_msgs/msg/String'],
+        }.items():
             with ros2.start('bag', 'record', '-o', f'some_{name}', '--disable-keyboard-controls', *options) as recorder:
                 recorder.wait_for_output("Subscribed to topic '/one'", PATIENCE)
                 if name != 'regex':
@@ -160,7 +179,10 @@ def test_play_keeps_the_pace(ros2, listener, numbers):
         listener.until(lambda: len(heard) == 10, 'ten numbers')
         assert ended(player) == 0
         assert [line.partition(': ')[2] for line in player.lines][:3] == [
-            'Set rate to 0.5', 'Adding keyboard callbacks.', 'Press SPACE for Pause/Resume']
+            'Set rate to 0.5',
+            'Adding keyboard callbacks.',
+            'Press SPACE for Pause/Resume',
+        ]
     assert [message.data for _, message in heard] == list(range(10))
     assert heard[-1][0] - heard[0][0] == pytest.approx(1.8, abs=0.7)  # 0.9 s at half the pace
 
@@ -168,8 +190,22 @@ def test_play_keeps_the_pace(ros2, listener, numbers):
 def test_play_a_part_under_another_name_with_a_clock(ros2, listener, numbers):
     other, old, words = (listener.hear(*each) for each in ((Int32, '/other'), (Int32, '/number'), (String, '/word')))
     clock = listener.hear(Clock, '/clock')
-    with ros2.start('bag', 'play', numbers, '-d', '1', '--start-offset', '0.45', '--remap', '/number:=/other',
-                    '--topics', '/number', '--clock', '50', '--disable-keyboard-controls') as player:
+    with ros2.start(
+        'bag',
+        'play',
+        numbers,
+        '-d',
+        '1',
+        '--start-offset',
+        '0.45',
+        '--remap',
+        '/number:=/other',
+        '--topics',
+        '/number',
+        '--clock',
+        '50',
+        '--disable-keyboard-controls',
+    ) as player:
         listener.until(lambda: len(other) == 5, 'five numbers')
         assert ended(player) == 0
     assert [message.data for _, message in other] == [5, 6, 7, 8, 9]
@@ -191,10 +227,20 @@ def test_play_in_a_loop_until_interrupted(ros2, listener, numbers):
 def test_a_latched_topic_is_played_latched(ros2, listener, tmp_path):
     overrides = tmp_path / 'qos.yaml'
     overrides.write_text(yaml.safe_dump({'/latched': {'durability': 'transient_local', 'depth': 1}}))
-    with ros2.start('topic', 'pub', '--qos-durability', 'transient_local', '-r', '20', '/latched',
-                    'std_msgs/msg/String', '{data: kept}'):
-        with ros2.start('bag', 'record', '-o', 'latched', '--topics', '/latched', '--qos-profile-overrides-path',
-                        str(overrides)) as recorder:
+    with ros2.start(
+        'topic',
+        'pub',
+        '--qos-durability',
+        'transient_local',
+        '-r',
+        '20',
+        '/latched',
+        'std_msgs/msg/String',
+        '{data: kept}',
+    ):
+        with ros2.start(
+            'bag', 'record', '-o', 'latched', '--topics', '/latched', '--qos-profile-overrides-path', str(overrides)
+        ) as recorder:
             recorder.wait_for_output("Subscribed to topic '/latched'", PATIENCE)
             assert recorder.stop(PATIENCE) == 0
     content = yaml.safe_load((ros2.directory / 'latched' / 'metadata.yaml').read_text())
@@ -205,7 +251,8 @@ def test_a_latched_topic_is_played_latched(ros2, listener, tmp_path):
 def test_wrong_usage_is_said(ros2, numbers, tmp_path):
     assert ros2.error('bag', 'record').startswith('[ERROR] [ros2bag]: Need to specify at least one option out of')
     assert ros2.error('bag', 'record', '-a', '-o', numbers) == (
-        f"[ERROR] [ros2bag]: Output folder '{numbers}' already exists.")
+        f"[ERROR] [ros2bag]: Output folder '{numbers}' already exists."
+    )
     assert 'not a valid regular expression' in ros2.error('bag', 'record', '-e', '[')
     for verb in ('info', 'play', 'reindex'):
         assert "Bag path 'nothing' does not exist!" in ros2.error('bag', verb, 'nothing', status=2)
@@ -214,7 +261,8 @@ def test_wrong_usage_is_said(ros2, numbers, tmp_path):
     wrong = tmp_path / 'qos.yaml'
     wrong.write_text('/chatter: {reliability: perhaps}')
     assert "the QoS of '/chatter', reliability: 'perhaps'" in ros2.error(
-        'bag', 'record', '-a', '--qos-profile-overrides-path', str(wrong))
+        'bag', 'record', '-a', '--qos-profile-overrides-path', str(wrong)
+    )
     (ros2.directory / 'empty').mkdir(exist_ok=True)
     assert 'has no .mcap or .db3 file' in ros2.run('bag', 'reindex', 'empty').stderr
 
@@ -223,7 +271,12 @@ def test_it_needs_of_ros2cli_only_what_upstreams_has():
     """Upstream's ros2cli may be overlaid from a workspace, without ros2bag."""
     import ros2bag
 
-    names = {(node.module, name.name) for file in Path(ros2bag.__file__).parent.rglob('*.py')
-             for node in ast.walk(ast.parse(file.read_text())) if isinstance(node, ast.ImportFrom)
-             for name in node.names if node.module.startswith('ros2cli')}
+    names = {
+        (node.module, name.name)
+        for file in Path(ros2bag.__file__).parent.rglob('*.py')
+        for node in ast.walk(ast.parse(file.read_text()))
+        if isinstance(node, ast.ImportFrom)
+        for name in node.names
+        if node.module.startswith('ros2cli')
+    }
     assert names == {('ros2cli.command', 'CommandExtension'), ('ros2cli.command', 'add_subparsers_on_demand')}

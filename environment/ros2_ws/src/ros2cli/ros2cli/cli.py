@@ -14,7 +14,10 @@ _BROKEN_PIPE_STATUS = 128 + signal.SIGPIPE
 
 
 def main(
-    *, script_name: str = 'ros2', argv: list[str] | None = None, description: str | None = None,
+    *,
+    script_name: str = 'ros2',
+    argv: list[str] | None = None,
+    description: str | None = None,
     extension: CommandExtension | None = None,
 ) -> Any:
     """Run the command line; return what sys.exit takes: a status, or a text for stderr, which means 1."""
@@ -32,22 +35,28 @@ def main(
         return str(e)
 
 
-def _main(
-    script_name: str, argv: list[str] | None, description: str | None, extension: CommandExtension | None,
-) -> Any:
+def _main(script_name: str, argv: list[str] | None, description: str | None, extension: CommandExtension | None) -> Any:
     _find_own_prefix()
     parser = LazyParser(
         prog=None if extension else script_name,
         description=description or f'{script_name} is an extensible command-line tool for ROS 2.',
-        formatter_class=argparse.RawDescriptionHelpFormatter)
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
     parser.add_argument(
-        '--use-python-default-buffering', action='store_true',
+        '--use-python-default-buffering',
+        action='store_true',
         help='Do not write each line at once, but buffer standard output as Python does by default, '
-             'which depends on PYTHONUNBUFFERED and on whether it is a terminal')
+        'which depends on PYTHONUNBUFFERED and on whether it is a terminal',
+    )
     if extension is None:
         add_subparsers_on_demand(
-            parser, script_name, '_command', 'ros2cli.command',
-            hide_extensions=('extension_points', 'extensions'), required=False)
+            parser,
+            script_name,
+            '_command',
+            'ros2cli.command',
+            hide_extensions=('extension_points', 'extensions'),
+            required=False,
+        )
     else:
         extension.add_arguments(parser, script_name)
 

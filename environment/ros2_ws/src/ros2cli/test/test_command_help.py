@@ -51,7 +51,8 @@ def test_help_lists_the_commands_as_stock_does(ros2, argv):
     text = ros2.output(*argv)
     assert text.startswith(
         'usage: ros2 [-h] [--use-python-default-buffering] Call `ros2 <command> -h` for more detailed usage. ...\n\n'
-        'ros2 is an extensible command-line tool for ROS 2.\n')
+        'ros2 is an extensible command-line tool for ROS 2.\n'
+    )
     assert text.endswith('\nCommands:\n' + COMMANDS)
 
 
@@ -84,8 +85,11 @@ def test_a_broken_plug_in_does_not_take_the_others_down(ros2, tmp_path):
     (info / 'METADATA').write_text('Metadata-Version: 2.1\nName: broken\nVersion: 1\n')
     (info / 'entry_points.txt').write_text('[ros2cli.command]\nbroken = no_such_module:Command\n')
     done = subprocess.run(
-        [ROS2], capture_output=True, text=True,
-        env={**ros2.environ, 'PYTHONPATH': f'{tmp_path}{os.pathsep}{ros2.environ.get("PYTHONPATH", "")}'})
+        [ROS2],
+        capture_output=True,
+        text=True,
+        env={**ros2.environ, 'PYTHONPATH': f'{tmp_path}{os.pathsep}{ros2.environ.get("PYTHONPATH", "")}'},
+    )
     assert done.returncode == 0
     assert done.stderr == "Failed to load entry point 'broken': No module named 'no_such_module'\n"
     assert '  topic  ' in done.stdout
@@ -93,9 +97,15 @@ def test_a_broken_plug_in_does_not_take_the_others_down(ros2, tmp_path):
 
 def test_help_does_not_load_ros(ros2):
     done = subprocess.run(
-        [sys.executable, '-c', 'import sys; from ros2cli.cli import main; main(argv=[]); main(argv=["topic"]);'
-         'sys.exit("rclpy" in sys.modules)'],
-        capture_output=True, env=ros2.environ)
+        [
+            sys.executable,
+            '-c',
+            'import sys; from ros2cli.cli import main; main(argv=[]); main(argv=["topic"]);'
+            'sys.exit("rclpy" in sys.modules)',
+        ],
+        capture_output=True,
+        env=ros2.environ,
+    )
     assert done.returncode == 0, done
 
 
@@ -104,9 +114,21 @@ def complete(ros2, line: str) -> list[str]:
     read, write = os.pipe()
     try:
         subprocess.run(
-            [ROS2], check=True, pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-            env={**ros2.environ, '_ARGCOMPLETE': '1', '_ARGCOMPLETE_IFS': '\n', 'COMP_LINE': line,
-                 'COMP_POINT': str(len(line)), 'COMP_TYPE': '9', '_ARGCOMPLETE_STDOUT_FILENAME': f'/dev/fd/{write}'})
+            [ROS2],
+            check=True,
+            pass_fds=[write],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            env={
+                **ros2.environ,
+                '_ARGCOMPLETE': '1',
+                '_ARGCOMPLETE_IFS': '\n',
+                'COMP_LINE': line,
+                'COMP_POINT': str(len(line)),
+                'COMP_TYPE': '9',
+                '_ARGCOMPLETE_STDOUT_FILENAME': f'/dev/fd/{write}',
+            },
+        )
         os.close(write)
         write = None
         with os.fdopen(read, closefd=False) as answers:
@@ -129,5 +151,7 @@ def test_the_hook_for_bash_is_installed_and_registers_ros2(ros2):
     hook = f'{ros2.output("pkg", "prefix", "ros2cli").strip()}/share/ros2cli/environment/ros2-argcomplete.bash'
     done = subprocess.run(
         ['bash', '-c', f'PATH={os.path.dirname(ROS2)}:$PATH; source {hook} && complete -p ros2'],
-        capture_output=True, text=True)
+        capture_output=True,
+        text=True,
+    )
     assert done.stdout.endswith(' ros2\n'), done

@@ -26,7 +26,10 @@ def test_types_of_components_come_from_the_index(ros2, tmp_path):
     (index / 'parts').write_text('parts::Wheel;lib/libparts.so\nparts::Axle;lib/libparts.so\n')
     environ = {**ros2.environ, 'AMENT_PREFIX_PATH': f'{tmp_path}:{ros2.environ.get("AMENT_PREFIX_PATH", sys.prefix)}'}
     assert type(ros2)(environ, tmp_path).lines('component', 'types', 'parts') == [
-        'parts', '  parts::Wheel', '  parts::Axle']
+        'parts',
+        '  parts::Wheel',
+        '  parts::Axle',
+    ]
 
 
 def test_a_datagram_is_sent_and_received(ros2):

@@ -9,8 +9,15 @@ import pytest
 
 from helpers.kernel import domains
 
-REPORTS = ['NETWORK CONFIGURATION', 'PACKAGE VERSIONS', 'PLATFORM INFORMATION', 'QOS COMPATIBILITY LIST',
-           'RMW MIDDLEWARE', 'ROS 2 INFORMATION', 'TOPIC LIST']
+REPORTS = [
+    'NETWORK CONFIGURATION',
+    'PACKAGE VERSIONS',
+    'PLATFORM INFORMATION',
+    'QOS COMPATIBILITY LIST',
+    'RMW MIDDLEWARE',
+    'ROS 2 INFORMATION',
+    'TOPIC LIST',
+]
 
 
 def test_doctor_on_an_empty_graph(ros2):
@@ -22,9 +29,15 @@ def test_doctor_on_an_empty_graph(ros2):
 def test_doctor_report(ros2):
     text = ros2.output('doctor', '--report')
     assert re.findall(r'^   (\S.*)$', text, re.MULTILINE) == REPORTS
-    for line in ('system           : Linux', 'middleware name    : rmw_fastrtps_cpp', 'distribution name      : jazzy',
-                 'compatibility status    : No publisher/subscriber pairs found',
-                 'topic               : none', 'publisher count     : 0', 'subscriber count    : 0'):
+    for line in (
+        'system           : Linux',
+        'middleware name    : rmw_fastrtps_cpp',
+        'distribution name      : jazzy',
+        'compatibility status    : No publisher/subscriber pairs found',
+        'topic               : none',
+        'publisher count     : 0',
+        'subscriber count    : 0',
+    ):
         assert line in text.splitlines()
     assert re.search(r'^ros2doctor +: latest=N/A, local=\d+\.\d+\.\d+$', text, re.MULTILINE)
 
@@ -42,8 +55,9 @@ def test_doctor_says_what_is_wrong(ros2):
 def test_doctor_finds_the_mismatch(ros2, node):
     node('deaf')
     done = ros2.run('doctor')
-    assert re.search(r"UserWarning: ERROR: QoS compatibility error found on topic '/mismatch': .*reliab",
-                     done.stderr, re.IGNORECASE)
+    assert re.search(
+        r"UserWarning: ERROR: QoS compatibility error found on topic '/mismatch': .*reliab", done.stderr, re.IGNORECASE
+    )
     assert done.stdout == '\n1/5 check(s) failed\n\nFailed modules: middleware\n'
     assert 'topic [type]            : /mismatch [std_msgs/msg/String]' in ros2.lines('doctor', '-r')
 
@@ -65,19 +79,29 @@ def test_a_participant_that_never_answers_costs_a_bounded_time(ros2):
 
 
 def test_the_ports_are_those_of_real_participants(ros2, node):
-    code = ('import sys; from ros2cli.node.direct import DirectNode; from ros2cli.node import discovery\n'
-            'with DirectNode(None) as node:\n'
-            '    ports = discovery._local_ports(node.context.get_domain_id())\n'
-            '    heard = node.get_publishers_info_by_topic("ros_discovery_info", no_mangle=True)\n'
-            '    print(len(ports), len(heard))\n')
+    code = (
+        'import sys; from ros2cli.node.direct import DirectNode; from ros2cli.node import discovery\n'
+        'with DirectNode(None) as node:\n'
+        '    ports = discovery._local_ports(node.context.get_domain_id())\n'
+        '    heard = node.get_publishers_info_by_topic("ros_discovery_info", no_mangle=True)\n'
+        '    print(len(ports), len(heard))\n'
+    )
     done = subprocess.run([sys.executable, '-c', code], capture_output=True, text=True, env=ros2.environ)
     ports, heard = map(int, done.stdout.split())
     assert ports == heard >= 2
 
 
-@pytest.mark.parametrize('version,wanted,fits', [
-    ('0.1', '^0.1', True), ('0.1.3', '^0.1', True), ('0.2', '^0.1', False), ('1.4', '^1.2', True),
-    ('1.1', '^1.2', False), ('2.0', '^1.2', False)])
+@pytest.mark.parametrize(
+    'version,wanted,fits',
+    [
+        ('0.1', '^0.1', True),
+        ('0.1.3', '^0.1', True),
+        ('0.2', '^0.1', False),
+        ('1.4', '^1.2', True),
+        ('1.1', '^1.2', False),
+        ('2.0', '^1.2', False),
+    ],
+)
 def test_versions_of_the_plug_in_interface(version, wanted, fits):
     from ros2cli.plugin_system import PluginException, satisfies_version
 

@@ -22,7 +22,8 @@ def test_interface_show_indents_nested_fields(ros2):
         '\tVector3  angular\n'
         '\t\tfloat64 x\n'
         '\t\tfloat64 y\n'
-        '\t\tfloat64 z\n')
+        '\t\tfloat64 z\n'
+    )
     expected = 'bool data\n---\nbool success\nstring message\n'
     assert ros2.output('interface', 'show', 'std_srvs/srv/SetBool', '--no-comments') == expected
     assert ros2.output('interface', 'show', '-', '--no-comments', stdin='std_srvs/srv/SetBool\n') == expected
@@ -32,12 +33,14 @@ def test_interface_show_indents_nested_fields(ros2):
 
 def test_interface_names_what_is_wrong(ros2):
     assert ros2.error('interface', 'show', 'std_msgs/String') == (
-        "Invalid name 'std_msgs/String'. Expected three parts separated by '/'")
+        "Invalid name 'std_msgs/String'. Expected three parts separated by '/'"
+    )
     assert ros2.error('interface', 'show', 'no_such/msg/String') == "Unknown package 'no_such'"
     assert ros2.error('interface', 'show', 'std_msgs/msg/Nothing').startswith('Could not find the interface ')
     assert ros2.error('interface', 'package', 'no_such') == "Unknown package 'no_such'"
     assert ros2.error('interface', 'proto', 'std_msgs/msg/Nothing') == (
-        "Could not find the interface 'std_msgs/msg/Nothing'")
+        "Could not find the interface 'std_msgs/msg/Nothing'"
+    )
 
 
 def test_interface_lists(ros2):
@@ -47,7 +50,10 @@ def test_interface_lists(ros2):
     assert '    std_msgs/msg/String' in everything
     assert ros2.lines('interface', 'list', '--only-srvs')[0] == 'Services:'
     assert ros2.lines('interface', 'package', 'std_srvs') == [
-        'std_srvs/srv/Empty', 'std_srvs/srv/SetBool', 'std_srvs/srv/Trigger']
+        'std_srvs/srv/Empty',
+        'std_srvs/srv/SetBool',
+        'std_srvs/srv/Trigger',
+    ]
     assert ros2.lines('interface', 'package', 'std_srvs', '-m') == []
     assert 'std_srvs' in ros2.lines('interface', 'packages', '-s')
     assert 'std_srvs' not in ros2.lines('interface', 'packages', '-m')
@@ -56,13 +62,18 @@ def test_interface_lists(ros2):
 
 
 def test_a_lone_hash_is_no_comment(overlay_of_messages):
-    assert overlay_of_messages('# a comment\n#\nint32 x  # trailing\n').output(
-        'interface', 'show', '--no-comments', 'made_up/msg/Thing') == '#\nint32 x\n'
+    assert (
+        overlay_of_messages('# a comment\n#\nint32 x  # trailing\n').output(
+            'interface', 'show', '--no-comments', 'made_up/msg/Thing'
+        )
+        == '#\nint32 x\n'
+    )
 
 
 @pytest.fixture
 def overlay_of_messages(ros2, tmp_path):
     """A function that makes the message made_up/msg/Thing, and returns the command that sees it."""
+
     def make(definition):
         for folder in ('share/ament_index/resource_index/packages', 'share/made_up/msg'):
             (tmp_path / folder).mkdir(parents=True)

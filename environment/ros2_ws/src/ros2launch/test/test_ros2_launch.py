@@ -108,9 +108,7 @@ def test_no_child_survives_other_signals(write, start, name):
 
 def test_a_second_ctrl_c_is_ignored(write, terminal):
     code = "import signal, time; signal.signal(signal.SIGINT, lambda *_: print('got it')); print('up'); time.sleep(60)"
-    path = write(
-        f"ExecuteProcess(cmd=['python3', '-u', '-c', {code!r}], output='screen', sigterm_timeout='3'),"
-    )
+    path = write(f"ExecuteProcess(cmd=['python3', '-u', '-c', {code!r}], output='screen', sigterm_timeout='3'),")
     launch = terminal(ROS2, 'launch', path)
     launch.read_until('] up\n')
     launch.press('\x03')
@@ -292,8 +290,15 @@ def test_completion_knows_all_formats(tmp_path):
 
 # Of upstream's launch, what other packages may use: an overlay of it puts these in the place of ours.
 PUBLIC = {
-    'launch': {'LaunchDescription', 'LaunchDescriptionSource', 'LaunchService', 'LaunchContext', 'LaunchIntrospector',
-               'frontend', 'actions'},
+    'launch': {
+        'LaunchDescription',
+        'LaunchDescriptionSource',
+        'LaunchService',
+        'LaunchContext',
+        'LaunchIntrospector',
+        'frontend',
+        'actions',
+    },
     'launch.action': {'Action'},
     'launch.actions': {'ExecuteProcess', 'IncludeLaunchDescription', 'RegisterEventHandler'},
     'launch.event_handlers': {'OnProcessExit', 'OnProcessIO', 'OnProcessStart'},

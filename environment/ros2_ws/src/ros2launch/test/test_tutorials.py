@@ -30,8 +30,8 @@ def package(tmp_path, monkeypatch):
     index = share / 'ament_index' / 'resource_index' / 'packages'
     index.mkdir(parents=True)
     (index / 'launch_tutorial').touch()
-    monkeypatch.setenv('AMENT_PREFIX_PATH', f"{tmp_path / 'install'}:{os.environ['AMENT_PREFIX_PATH']}")
-    monkeypatch.setenv('PATH', f"{Path(ROS2).parent}:{os.environ['PATH']}")  # for launch files that call ros2
+    monkeypatch.setenv('AMENT_PREFIX_PATH', f'{tmp_path / "install"}:{os.environ["AMENT_PREFIX_PATH"]}')
+    monkeypatch.setenv('PATH', f'{Path(ROS2).parent}:{os.environ["PATH"]}')  # for launch files that call ros2
     monkeypatch.setenv('DISPLAY', '')
     monkeypatch.setenv('USER', 'learner')
 
@@ -272,8 +272,15 @@ EVENTS = """
 
 def test_the_event_handlers_lead_through_the_whole_story(package, start, peer):
     package('launch/example_event_handlers_launch.py', EVENTS)
-    process = start(ROS2, 'launch', 'launch_tutorial', 'example_event_handlers_launch.py', 'turtlesim_ns:=turtlesim3',
-                    'use_provided_red:=True', 'new_background_r:=200')
+    process = start(
+        ROS2,
+        'launch',
+        'launch_tutorial',
+        'example_event_handlers_launch.py',
+        'turtlesim_ns:=turtlesim3',
+        'use_provided_red:=True',
+        'new_background_r:=200',
+    )
     for text in ('Turtlesim started, spawning turtle', 'Spawn request says "', "name='turtle2')", 'Spawn finished'):
         process.wait_for_output(text, timeout=LONG)
     peer.until(lambda: parameter(peer, '/turtlesim3/sim', 'background_r') == 200, 'the new background', LONG)
@@ -383,8 +390,9 @@ def test_groups_have_namespaces_parameters_and_remappings(package, start, peer, 
     process = start(ROS2, 'launch', 'launch_tutorial', f'all_launch.{outer}', 'background_r:=40')
     peer.until(lambda: peer.node.count_publishers('/left/a/turtle1/pose'), 'the turtle on the left', LONG)
     peer.until(lambda: peer.node.count_publishers('/right/b/where'), 'the turtle on the right', LONG)
-    values = [parameter(peer, node, f'background_{colour}') for node in ('/left/a/sim', '/right/b/sim')
-              for colour in 'rgb']
+    values = [
+        parameter(peer, node, f'background_{colour}') for node in ('/left/a/sim', '/right/b/sim') for colour in 'rgb'
+    ]
     assert values == [40, 86, 255, 30, 86, 255]
     holonomic = peer.call(GetParameters, '/right/b/sim/get_parameters', names=['holonomic']).values[0]
     assert holonomic.bool_value

@@ -11,9 +11,11 @@ def test_lifecycle(ros2):
     assert ros2.output('lifecycle', 'get') == '/managed: unconfigured [1]\n'
     assert ros2.output('lifecycle', 'list', '/managed') == (
         '- configure [1]\n\tStart: unconfigured\n\tGoal: configuring\n'
-        '- shutdown [5]\n\tStart: unconfigured\n\tGoal: shuttingdown\n')
+        '- shutdown [5]\n\tStart: unconfigured\n\tGoal: shuttingdown\n'
+    )
     assert ros2.error('lifecycle', 'set', '/managed', 'fly') == (
-        'Unknown transition requested, available ones are:\n- configure [1]\n- shutdown [5]')
+        'Unknown transition requested, available ones are:\n- configure [1]\n- shutdown [5]'
+    )
     assert ros2.output('lifecycle', 'set', '/managed', 'configure') == 'Transitioning successful\n'
     assert ros2.output('lifecycle', 'get', 'managed') == 'inactive [2]\n'
     assert ros2.output('lifecycle', 'set', '/managed', '3') == 'Transitioning successful\n'

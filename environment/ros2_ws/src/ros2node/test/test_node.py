@@ -19,13 +19,19 @@ def test_node_list(ros2):
 
 def test_node_info(ros2):
     services = ''.join(
-        f'    /robot/{name}: rcl_interfaces/srv/{kind}\n' if kind != 'GetTypeDescription' else
-        f'    /robot/{name}: type_description_interfaces/srv/{kind}\n'
+        f'    /robot/{name}: rcl_interfaces/srv/{kind}\n'
+        if kind != 'GetTypeDescription'
+        else f'    /robot/{name}: type_description_interfaces/srv/{kind}\n'
         for name, kind in (
-            ('describe_parameters', 'DescribeParameters'), ('get_parameter_types', 'GetParameterTypes'),
-            ('get_parameters', 'GetParameters'), ('get_type_description', 'GetTypeDescription'),
-            ('list_parameters', 'ListParameters'), ('set_parameters', 'SetParameters'),
-            ('set_parameters_atomically', 'SetParametersAtomically')))
+            ('describe_parameters', 'DescribeParameters'),
+            ('get_parameter_types', 'GetParameterTypes'),
+            ('get_parameters', 'GetParameters'),
+            ('get_type_description', 'GetTypeDescription'),
+            ('list_parameters', 'ListParameters'),
+            ('set_parameters', 'SetParameters'),
+            ('set_parameters_atomically', 'SetParametersAtomically'),
+        )
+    )
     assert ros2.output('node', 'info', '/robot') == (
         '/robot\n'
         '  Subscribers:\n'
@@ -46,7 +52,8 @@ def test_node_info(ros2):
         '  Action Servers:\n'
         '\n'
         '  Action Clients:\n'
-        '\n')
+        '\n'
+    )
     assert '    /_hidden: std_msgs/msg/String' in ros2.lines('node', 'info', 'robot', '--include-hidden')
     assert ros2.error('node', 'info', '/nobody') == "Unable to find node '/nobody'"
 

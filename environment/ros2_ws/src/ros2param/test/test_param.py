@@ -10,10 +10,18 @@ def test_param_list(ros2):
     assert ros2.lines('param', 'list', '/robot') == [f'  {name}' for name in names]
     everything = ros2.lines('param', 'list')
     assert [line for line in everything if line.endswith(':')] == [
-        '/adder:', '/managed:', '/plain:', '/robot:', '/worker:']
+        '/adder:',
+        '/managed:',
+        '/plain:',
+        '/robot:',
+        '/worker:',
+    ]
     assert ros2.lines('param', 'list', 'robot', '--param-type', '--filter', '^[afr]') == [
-        '  arm.joints (type: double array)', '  fixed (type: boolean)', '  free (type: integer)',
-        '  rate (type: integer)']
+        '  arm.joints (type: double array)',
+        '  fixed (type: boolean)',
+        '  free (type: integer)',
+        '  rate (type: integer)',
+    ]
     assert ros2.lines('param', 'list', '/robot', '--param-prefixes', 'arm') == ['  arm.joints']
     assert ros2.error('param', 'list', '/nobody') == 'Node not found'
     assert ros2.error('param', 'list', '--filter', '[').startswith("Invalid regular expression '['")
@@ -29,14 +37,19 @@ def test_param_get_and_describe(ros2):
     assert ros2.output('param', 'describe', '/robot', 'rate', 'fixed') == (
         'Parameter name: rate\n  Type: integer\n  Description: How often\n  Constraints:\n'
         '    Min value: 1\n    Max value: 10\n    Step: 1\n'
-        'Parameter name: fixed\n  Type: boolean\n  Constraints:\n    Read only: true\n')
+        'Parameter name: fixed\n  Type: boolean\n  Constraints:\n    Read only: true\n'
+    )
 
 
 def test_param_set(ros2):
     assert ros2.output('param', 'set', '/robot', 'free', '2') == 'Set parameter successful\n'
     assert ros2.output('param', 'get', '/robot', 'free') == 'Integer value is: 2\n'
-    for value, text in (('text', 'String value is: text'), ('[1, 2]', "Integer values are: array('q', [1, 2])"),
-                        ('1.5', 'Double value is: 1.5'), ('"3"', 'String value is: 3')):
+    for value, text in (
+        ('text', 'String value is: text'),
+        ('[1, 2]', "Integer values are: array('q', [1, 2])"),
+        ('1.5', 'Double value is: 1.5'),
+        ('"3"', 'String value is: 3'),
+    ):
         ros2.output('param', 'set', '/robot', 'free', value)
         assert ros2.output('param', 'get', '/robot', 'free') == f'{text}\n'
     done = ros2.run('param', 'set', '/robot', 'rate', '70')
@@ -53,7 +66,8 @@ def test_param_set(ros2):
 def test_param_dump_and_load(ros2, tmp_path):
     dump = ros2.output('param', 'dump', '/plain')
     assert dump == (
-        '/plain:\n  ros__parameters:\n    start_type_description_service: true\n    use_sim_time: false\n\n')
+        '/plain:\n  ros__parameters:\n    start_type_description_service: true\n    use_sim_time: false\n\n'
+    )
     file = tmp_path / 'robot.yaml'
     file.write_text('/robot:\n  ros__parameters:\n    rate: 9\n    arm:\n      joints: [3.0]\n    fixed: false\n')
     done = ros2.run('param', 'load', '/robot', str(file))
@@ -63,7 +77,8 @@ def test_param_dump_and_load(ros2, tmp_path):
     file.write_text('/**:\n  ros__parameters:\n    rate: 3\n')
     assert ros2.output('param', 'load', '/robot', str(file)) == 'Set parameter rate successful\n'
     assert ros2.error('param', 'load', '/robot', str(file), '--no-use-wildcard') == (
-        "Param file does not contain parameters for /robot, only for nodes: ['/**']")
+        "Param file does not contain parameters for /robot, only for nodes: ['/**']"
+    )
     file.write_text('a: [')
     assert 'is not valid YAML' in ros2.error('param', 'load', '/robot', str(file))
     file.write_text('- 1')

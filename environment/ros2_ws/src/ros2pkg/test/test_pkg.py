@@ -51,30 +51,62 @@ def files(directory):
 
 def test_create_an_ament_python_package(ros2, tmp_path):
     text = ros2.output(
-        'pkg', 'create', 'py_talker_listener', '--build-type', 'ament_python', *MAINTAINER,
-        '--dependencies', 'rclpy', 'std_msgs', cwd=tmp_path)
+        'pkg',
+        'create',
+        'py_talker_listener',
+        '--build-type',
+        'ament_python',
+        *MAINTAINER,
+        '--dependencies',
+        'rclpy',
+        'std_msgs',
+        cwd=tmp_path,
+    )
     assert text == PYTHON_PACKAGE.format(directory=tmp_path)
     assert files(tmp_path / 'py_talker_listener') == [
-        'package.xml', 'py_talker_listener/__init__.py', 'resource/py_talker_listener', 'setup.cfg', 'setup.py',
-        'test/test_copyright.py', 'test/test_flake8.py', 'test/test_pep257.py']
+        'package.xml',
+        'py_talker_listener/__init__.py',
+        'resource/py_talker_listener',
+        'setup.cfg',
+        'setup.py',
+        'test/test_copyright.py',
+        'test/test_flake8.py',
+        'test/test_pep257.py',
+    ]
     root = ElementTree.parse(tmp_path / 'py_talker_listener' / 'package.xml').getroot()
     assert [each.text for each in root.findall('depend')] == ['rclpy', 'std_msgs']
     assert root.findtext('export/build_type') == 'ament_python'
     assert root.find('maintainer').attrib == {'email': 'ada@example.org'}
     assert (tmp_path / 'py_talker_listener' / 'setup.cfg').read_text() == (
-        '[develop]\nscript_dir=$base/lib/py_talker_listener\n[install]\ninstall_scripts=$base/lib/py_talker_listener\n')
+        '[develop]\nscript_dir=$base/lib/py_talker_listener\n[install]\ninstall_scripts=$base/lib/py_talker_listener\n'
+    )
 
 
 def test_a_created_python_package_builds_runs_and_passes_its_tests(ros2, tmp_path):
     source = tmp_path / 'src'
     source.mkdir()
-    ros2.output('pkg', 'create', 'greeter', '--build-type', 'ament_python', '--node-name', 'greet', '--license', 'MIT',
-                *MAINTAINER, cwd=source)
+    ros2.output(
+        'pkg',
+        'create',
+        'greeter',
+        '--build-type',
+        'ament_python',
+        '--node-name',
+        'greet',
+        '--license',
+        'MIT',
+        *MAINTAINER,
+        cwd=source,
+    )
     assert (source / 'greeter' / 'LICENSE').read_text().startswith('Copyright 20')
     subprocess.run([sys.executable, '-m', 'pytest', '-q', source / 'greeter' / 'test'], check=True, cwd=tmp_path)
     subprocess.run(
-        [sys.executable, '-m', 'colcon', 'build', '--packages-select', 'greeter'], check=True, cwd=tmp_path,
-        env=ros2.environ, capture_output=True)
+        [sys.executable, '-m', 'colcon', 'build', '--packages-select', 'greeter'],
+        check=True,
+        cwd=tmp_path,
+        env=ros2.environ,
+        capture_output=True,
+    )
     command = 'source install/setup.bash && ros2 run greeter greet && ros2 pkg executables greeter'
     done = subprocess.run(['bash', '-c', command], cwd=tmp_path, env=ros2.environ, capture_output=True, text=True)
     assert (done.stdout, done.stderr) == ('Hi from greeter.\ngreeter greet\n', '')
@@ -82,9 +114,26 @@ def test_a_created_python_package_builds_runs_and_passes_its_tests(ros2, tmp_pat
 
 def test_create_an_ament_cmake_package(ros2, tmp_path):
     lines = ros2.lines(
-        'pkg', 'create', 'a_test_package', '--package-format', '3', '--description', 'A <dummy> description',
-        '--license', 'Apache-2.0', '--build-type', 'ament_cmake', '--dependencies', 'rclcpp', *MAINTAINER,
-        '--node-name', 'test_node', '--library-name', 'test_library', cwd=tmp_path)
+        'pkg',
+        'create',
+        'a_test_package',
+        '--package-format',
+        '3',
+        '--description',
+        'A <dummy> description',
+        '--license',
+        'Apache-2.0',
+        '--build-type',
+        'ament_cmake',
+        '--dependencies',
+        'rclcpp',
+        *MAINTAINER,
+        '--node-name',
+        'test_node',
+        '--library-name',
+        'test_library',
+        cwd=tmp_path,
+    )
     assert lines[10:] == [
         'node_name: test_node',
         'library_name: test_library',
@@ -108,19 +157,25 @@ def test_create_an_ament_cmake_package(ros2, tmp_path):
     assert lists.endswith('ament_package()\n')
     compiled = subprocess.run(
         ['c++', '-std=c++17', '-Wall', '-Werror', '-fsyntax-only', '-I', 'include', 'src/test_node.cpp'],
-        cwd=tmp_path / 'a_test_package')
+        cwd=tmp_path / 'a_test_package',
+    )
     assert compiled.returncode == 0
-    subprocess.run(['c++', '-std=c++17', '-fsyntax-only', '-I', 'include', 'src/test_library.cpp'], check=True,
-                   cwd=tmp_path / 'a_test_package')
+    subprocess.run(
+        ['c++', '-std=c++17', '-fsyntax-only', '-I', 'include', 'src/test_library.cpp'],
+        check=True,
+        cwd=tmp_path / 'a_test_package',
+    )
 
 
 def test_create_refuses_what_cannot_be(ros2, tmp_path):
     (tmp_path / 'there').mkdir()
     assert ros2.error('pkg', 'create', 'there', cwd=tmp_path) == (
         '\nAborted!\nThe directory already exists: ./there\nEither remove the directory or choose a different '
-        'destination directory or package name')
+        'destination directory or package name'
+    )
     assert ros2.error('pkg', 'create', 'test', '--build-type', 'ament_python', cwd=tmp_path) == (
-        "Aborted since 'ament_python' packages can't be named 'test'. Please choose a different package name.")
+        "Aborted since 'ament_python' packages can't be named 'test'. Please choose a different package name."
+    )
     assert "'no way' is not a valid package name" in ros2.error('pkg', 'create', 'no way', cwd=tmp_path)
     assert "invalid choice: 'make'" in ros2.error('pkg', 'create', 'x', '--build-type', 'make', status=2, cwd=tmp_path)
     assert files(tmp_path) == []

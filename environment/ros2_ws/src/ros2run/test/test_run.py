@@ -28,9 +28,17 @@ def overlay(ros2, tmp_path):
 def test_run_passes_arguments_on(overlay):
     here = overlay(args='for each; do echo "$each"; done')
     assert here.lines('run', 'tools', 'args', 'a b', '--ros-args', '-r', '__node:=x', '-p', 'n:=1', '--help') == [
-        'a b', '--ros-args', '-r', '__node:=x', '-p', 'n:=1', '--help']
+        'a b',
+        '--ros-args',
+        '-r',
+        '__node:=x',
+        '-p',
+        'n:=1',
+        '--help',
+    ]
     assert here.lines('run', '--prefix', 'echo "before the"', 'tools', 'args', 'after') == [
-        f'before the {here.directory}/lib/tools/args after']
+        f'before the {here.directory}/lib/tools/args after'
+    ]
 
 
 def test_run_says_what_is_missing(overlay):

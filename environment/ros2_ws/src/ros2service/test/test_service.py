@@ -19,14 +19,16 @@ def test_service_list_type_find_info(ros2):
     assert ros2.lines('service', 'find', 'std_srvs/srv/SetBool') == ['/switch']
     assert ros2.lines('service', 'find', 'std_srvs/srv/SetBool', '-c') == ['1']
     assert ros2.output('service', 'info', '/switch') == (
-        'Type: std_srvs/srv/SetBool\nClients count: 0\nServices count: 1\n')
+        'Type: std_srvs/srv/SetBool\nClients count: 0\nServices count: 1\n'
+    )
 
 
 def test_service_call_of_the_article(ros2):
     text = ros2.output('service', 'call', '/add_two_ints', 'example_interfaces/srv/AddTwoInts', '{a: 10, b: 20}')
     assert text.removeprefix('waiting for service to become available...\n') == (
         'requester: making request: example_interfaces.srv.AddTwoInts_Request(a=10, b=20)\n\n'
-        'response:\nexample_interfaces.srv.AddTwoInts_Response(sum=30)\n\n')
+        'response:\nexample_interfaces.srv.AddTwoInts_Response(sum=30)\n\n'
+    )
 
 
 def test_service_call_waits_for_the_server_and_repeats(ros2):
@@ -45,7 +47,8 @@ def test_service_call_refuses_bad_input(ros2):
     assert ros2.error(*SWITCH[:3], 'SetBool') == 'The passed service type is invalid'
     assert ros2.error(*SWITCH[:3], 'std_msgs/msg/String') == 'The passed type is not a service'
     assert ros2.error(*SWITCH, '{date: 1}') == (
-        "Failed to populate field: 'SetBool_Request' object has no attribute 'date'")
+        "Failed to populate field: 'SetBool_Request' object has no attribute 'date'"
+    )
     assert ros2.error(*SWITCH, '{data: [').startswith('The passed value is not valid YAML: ')
     assert ros2.error(*SWITCH, 'yes') == 'The passed value needs to be a dictionary in YAML format'
     assert ros2.error(*SWITCH, '-r', '0') == 'rate must be greater than zero'
@@ -66,6 +69,15 @@ def test_echo_prints_the_events_of_a_service(ros2, node):
         echo.stop(PATIENCE)
     first = echo.lines.index('---')
     names = [line.partition(':')[0].strip() for line in echo.lines[:first]]
-    assert names == ['info', 'event_type', 'stamp', 'sec', 'nanosec', 'client_gid', 'sequence_number', 'request',
-                     'response']
+    assert names == [
+        'info',
+        'event_type',
+        'stamp',
+        'sec',
+        'nanosec',
+        'client_gid',
+        'sequence_number',
+        'request',
+        'response',
+    ]
     assert ros2.error('service', 'echo', '/no_such') == 'Could not load the type for the passed service'

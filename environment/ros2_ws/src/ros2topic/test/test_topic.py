@@ -37,7 +37,8 @@ def test_list_verbose(ros2):
 
 def test_info(ros2):
     assert ros2.output('topic', 'info', '/chatter') == (
-        'Type: std_msgs/msg/String\nPublisher count: 1\nSubscription count: 0\n')
+        'Type: std_msgs/msg/String\nPublisher count: 1\nSubscription count: 0\n'
+    )
     assert ros2.error('topic', 'info', '/nothing') == "Unknown topic '/nothing'"
 
 
@@ -62,7 +63,8 @@ def test_info_verbose_shows_each_endpoint(ros2):
         '  Deadline: Infinite\n'
         '  Liveliness: AUTOMATIC\n'
         '  Liveliness lease duration: Infinite\n\n'
-        'Subscription count: 0\n\n')
+        'Subscription count: 0\n\n'
+    )
 
 
 def test_type_and_find(ros2):

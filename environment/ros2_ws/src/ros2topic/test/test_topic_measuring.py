@@ -12,14 +12,33 @@ pytestmark = pytest.mark.usefixtures('robot')
 NUMBER = r'-?\d+\.\d'
 
 
-@pytest.mark.parametrize('argv,lines', [
-    (['hz', '/chatter'], [r'average rate: \d+\.\d{3}',
-                          rf'\tmin: {NUMBER}{{3}}s max: {NUMBER}{{3}}s std dev: {NUMBER}{{5}}s window: \d+']),
-    (['delay', '/twist'], [rf'average delay: {NUMBER}{{3}}',
-                           rf'\tmin: {NUMBER}{{3}}s max: {NUMBER}{{3}}s std dev: {NUMBER}{{5}}s window: \d+']),
-    (['bw', '/chatter'], [r'Subscribed to \[/chatter\]', r'\d+ B/s from \d+ messages',
-                          r'\tMessage size mean: 16 B min: 16 B max: 16 B']),
-])
+@pytest.mark.parametrize(
+    'argv,lines',
+    [
+        (
+            ['hz', '/chatter'],
+            [
+                r'average rate: \d+\.\d{3}',
+                rf'\tmin: {NUMBER}{{3}}s max: {NUMBER}{{3}}s std dev: {NUMBER}{{5}}s window: \d+',
+            ],
+        ),
+        (
+            ['delay', '/twist'],
+            [
+                rf'average delay: {NUMBER}{{3}}',
+                rf'\tmin: {NUMBER}{{3}}s max: {NUMBER}{{3}}s std dev: {NUMBER}{{5}}s window: \d+',
+            ],
+        ),
+        (
+            ['bw', '/chatter'],
+            [
+                r'Subscribed to \[/chatter\]',
+                r'\d+ B/s from \d+ messages',
+                r'\tMessage size mean: 16 B min: 16 B max: 16 B',
+            ],
+        ),
+    ],
+)
 def test_measuring(ros2, argv, lines):
     with ros2.start('topic', *argv) as meter:
         meter.wait_for_output(r'min: ', timeout=PATIENCE)

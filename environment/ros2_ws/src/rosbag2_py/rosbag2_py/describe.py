@@ -43,14 +43,18 @@ def _line(name: str, *values: str) -> str:
 
 def _topic(information: TopicInformation) -> str:
     topic = information.topic_metadata
-    return (f'Topic: {topic.name} | Type: {topic.type} | Count: {information.message_count} | '
-            f'Serialization Format: {topic.serialization_format}')
+    return (
+        f'Topic: {topic.name} | Type: {topic.type} | Count: {information.message_count} | '
+        f'Serialization Format: {topic.serialization_format}'
+    )
 
 
 def _service(information: TopicInformation) -> str:
     topic = information.topic_metadata
-    return (f'Service: {topic.name.removesuffix(SERVICE_EVENTS)} | Type: {topic.type.removesuffix("_Event")} | '
-            f'Event Count: {information.message_count} | Serialization Format: {topic.serialization_format}')
+    return (
+        f'Service: {topic.name.removesuffix(SERVICE_EVENTS)} | Type: {topic.type.removesuffix("_Event")} | '
+        f'Event Count: {information.message_count} | Serialization Format: {topic.serialization_format}'
+    )
 
 
 def _seconds(nanoseconds: int) -> str:

@@ -96,7 +96,7 @@ class DataFile:
 # MCAP's specification: a file is its magic, then records (opcode, length of 8 bytes, content), then its magic again.
 _MAGIC = b'\x89MCAP0\r\n'
 _FOOTER, _DATA_END = 0x02, 0x0F
-_END = (struct.pack('<BQI', _DATA_END, 4, 0) + struct.pack('<BQQQI', _FOOTER, 20, 0, 0, 0) + _MAGIC)
+_END = struct.pack('<BQI', _DATA_END, 4, 0) + struct.pack('<BQQQI', _FOOTER, 20, 0, 0, 0) + _MAGIC
 
 
 def end_mcap(path: Path) -> bool:

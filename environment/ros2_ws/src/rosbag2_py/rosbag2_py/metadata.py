@@ -30,9 +30,14 @@ def inner(metadata: BagMetadata) -> dict[str, Any]:
         'compression_mode': metadata.compression_mode,
         'relative_file_paths': metadata.relative_file_paths,
         'files': [
-            {'path': each.path, 'starting_time': {'nanoseconds_since_epoch': each.starting_time},
-             'duration': {'nanoseconds': each.duration}, 'message_count': each.message_count}
-            for each in metadata.files],
+            {
+                'path': each.path,
+                'starting_time': {'nanoseconds_since_epoch': each.starting_time},
+                'duration': {'nanoseconds': each.duration},
+                'message_count': each.message_count,
+            }
+            for each in metadata.files
+        ],
         'custom_data': metadata.custom_data or None,
         'ros_distro': metadata.ros_distro,
     }
@@ -42,9 +47,12 @@ def _topic(information: TopicInformation) -> dict[str, Any]:
     topic = information.topic_metadata
     return {
         'topic_metadata': {
-            'name': topic.name, 'type': topic.type, 'serialization_format': topic.serialization_format,
+            'name': topic.name,
+            'type': topic.type,
+            'serialization_format': topic.serialization_format,
             'offered_qos_profiles': dump_qos_v9([to_rosbags(each) for each in topic.offered_qos_profiles]),
-            'type_description_hash': topic.type_description_hash},
+            'type_description_hash': topic.type_description_hash,
+        },
         'message_count': information.message_count,
     }
 
@@ -72,33 +80,53 @@ def read(folder: Path) -> BagMetadata:
         content = yaml.safe_load(file.read_text(encoding='utf-8'))[_ROOT]
         return _parse(content, folder)
     except FileNotFoundError:
-        raise BagError(f"'{folder}' has no {FILE}: the recording did not end in order, or this is no bag. "
-                       f'If it has a .mcap or .db3 file, run: ros2 bag reindex {folder}') from None
+        raise BagError(
+            f"'{folder}' has no {FILE}: the recording did not end in order, or this is no bag. "
+            f'If it has a .mcap or .db3 file, run: ros2 bag reindex {folder}'
+        ) from None
     except (yaml.YAMLError, KeyError, TypeError, ValueError, AttributeError) as error:
-        raise BagError(f"'{file}' is not the metadata of a bag: {type(error).__name__}: {error}. "
-                       f'Move it away, then run: ros2 bag reindex {folder}') from None
+        raise BagError(
+            f"'{file}' is not the metadata of a bag: {type(error).__name__}: {error}. "
+            f'Move it away, then run: ros2 bag reindex {folder}'
+        ) from None
 
 
 def _parse(content: dict[str, Any], folder: Path) -> BagMetadata:
     paths = [Path(path).name for path in content['relative_file_paths']]
     return BagMetadata(
-        version=content['version'], storage_identifier=content['storage_identifier'], relative_file_paths=paths,
+        version=content['version'],
+        storage_identifier=content['storage_identifier'],
+        relative_file_paths=paths,
         bag_size=sum((folder / path).stat().st_size for path in paths if (folder / path).is_file()),
-        files=[FileInformation(each['path'], each['starting_time']['nanoseconds_since_epoch'],
-                               each['duration']['nanoseconds'], each['message_count'])
-               for each in content.get('files') or []],
+        files=[
+            FileInformation(
+                each['path'],
+                each['starting_time']['nanoseconds_since_epoch'],
+                each['duration']['nanoseconds'],
+                each['message_count'],
+            )
+            for each in content.get('files') or []
+        ],
         duration=content['duration']['nanoseconds'],
-        starting_time=content['starting_time']['nanoseconds_since_epoch'], message_count=content['message_count'],
+        starting_time=content['starting_time']['nanoseconds_since_epoch'],
+        message_count=content['message_count'],
         topics_with_message_count=[
             TopicInformation(_parse_topic(index, each['topic_metadata']), each['message_count'])
-            for index, each in enumerate(content['topics_with_message_count'])],
+            for index, each in enumerate(content['topics_with_message_count'])
+        ],
         compression_format=content.get('compression_format') or '',
-        compression_mode=content.get('compression_mode') or '', custom_data=content.get('custom_data') or {},
-        ros_distro=content.get('ros_distro') or '')
+        compression_mode=content.get('compression_mode') or '',
+        custom_data=content.get('custom_data') or {},
+        ros_distro=content.get('ros_distro') or '',
+    )
 
 
 def _parse_topic(index: int, content: dict[str, Any]) -> TopicMetadata:
     return TopicMetadata(
-        index, content['name'], content['type'], content['serialization_format'],
+        index,
+        content['name'],
+        content['type'],
+        content['serialization_format'],
         [to_rclpy(each) for each in parse_qos(content.get('offered_qos_profiles') or [])],
-        content.get('type_description_hash') or '')
+        content.get('type_description_hash') or '',
+    )

@@ -68,9 +68,14 @@ class Player:
             from rosgraph_msgs.msg import Clock
 
             self._clock = node.create_publisher(Clock, '/clock', 10)
-        reader.set_filter(StorageFilter(
-            topics=options.topics_to_filter, regex=options.regex_to_filter,
-            exclude_topics=options.exclude_topics_to_filter, exclude_regex=options.exclude_regex_to_filter))
+        reader.set_filter(
+            StorageFilter(
+                topics=options.topics_to_filter,
+                regex=options.regex_to_filter,
+                exclude_topics=options.exclude_topics_to_filter,
+                exclude_regex=options.exclude_regex_to_filter,
+            )
+        )
         self.publishers: dict[str, Any] = {}
         self._create_publishers()
 

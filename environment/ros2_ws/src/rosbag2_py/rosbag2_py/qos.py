@@ -20,21 +20,31 @@ _SECOND = 1_000_000_000
 def to_rosbags(profile: QoSProfile) -> Qos:
     """Convert to rosbags."""
     return Qos(
-        _policy(QosHistory, profile.history), profile.depth, _policy(QosReliability, profile.reliability),
-        _policy(QosDurability, profile.durability), _time(profile.deadline), _time(profile.lifespan),
-        _policy(QosLiveliness, profile.liveliness), _time(profile.liveliness_lease_duration),
-        profile.avoid_ros_namespace_conventions)
+        _policy(QosHistory, profile.history),
+        profile.depth,
+        _policy(QosReliability, profile.reliability),
+        _policy(QosDurability, profile.durability),
+        _time(profile.deadline),
+        _time(profile.lifespan),
+        _policy(QosLiveliness, profile.liveliness),
+        _time(profile.liveliness_lease_duration),
+        profile.avoid_ros_namespace_conventions,
+    )
 
 
 def to_rclpy(qos: Qos) -> QoSProfile:
     """Convert to rclpy."""
     return QoSProfile(
-        history=_policy(QoSHistoryPolicy, qos.history), depth=qos.depth,
+        history=_policy(QoSHistoryPolicy, qos.history),
+        depth=qos.depth,
         reliability=_policy(QoSReliabilityPolicy, qos.reliability),
-        durability=_policy(QoSDurabilityPolicy, qos.durability), deadline=_duration(qos.deadline),
-        lifespan=_duration(qos.lifespan), liveliness=_policy(QoSLivelinessPolicy, qos.liveliness),
+        durability=_policy(QoSDurabilityPolicy, qos.durability),
+        deadline=_duration(qos.deadline),
+        lifespan=_duration(qos.lifespan),
+        liveliness=_policy(QoSLivelinessPolicy, qos.liveliness),
         liveliness_lease_duration=_duration(qos.liveliness_lease_duration),
-        avoid_ros_namespace_conventions=qos.avoid_ros_namespace_conventions)
+        avoid_ros_namespace_conventions=qos.avoid_ros_namespace_conventions,
+    )
 
 
 def _policy(kind: type[Enum] | type[QoSPolicyEnum], policy: Any) -> Any:
@@ -81,8 +91,12 @@ def from_yaml(content: Any) -> dict[str, QoSProfile]:
     return {topic: _profile(topic, dict(policies)) for topic, policies in content.items()}
 
 
-_KINDS = {'history': QoSHistoryPolicy, 'reliability': QoSReliabilityPolicy, 'durability': QoSDurabilityPolicy,
-          'liveliness': QoSLivelinessPolicy}
+_KINDS = {
+    'history': QoSHistoryPolicy,
+    'reliability': QoSReliabilityPolicy,
+    'durability': QoSDurabilityPolicy,
+    'liveliness': QoSLivelinessPolicy,
+}
 _DURATIONS = ('deadline', 'lifespan', 'liveliness_lease_duration')
 
 

@@ -145,8 +145,9 @@ def open_reader(path: Path) -> Reader:
         reader.open()
     except (ReaderError, OSError) as error:
         folder = path if path.is_dir() else path.parent
-        raise BagError(f"'{path}' cannot be read: {error} If the recording did not end in order, "
-                       f'run: ros2 bag reindex {folder}') from None
+        raise BagError(
+            f"'{path}' cannot be read: {error} If the recording did not end in order, run: ros2 bag reindex {folder}"
+        ) from None
     return reader
 
 
@@ -159,13 +160,23 @@ def read_metadata(path: Path, reader: Reader) -> BagMetadata:
     start, duration = (reader.start_time, reader.duration - 1) if count else (0, 0)
     topics = [TopicInformation(_topic(index, each), each.msgcount) for index, each in enumerate(reader.connections)]
     return BagMetadata(
-        bag_size=path.stat().st_size, storage_identifier=storage, relative_file_paths=[path.name],
-        files=[FileInformation(path.name, start, duration, count)], starting_time=start, duration=duration,
-        message_count=count, topics_with_message_count=topics)
+        bag_size=path.stat().st_size,
+        storage_identifier=storage,
+        relative_file_paths=[path.name],
+        files=[FileInformation(path.name, start, duration, count)],
+        starting_time=start,
+        duration=duration,
+        message_count=count,
+        topics_with_message_count=topics,
+    )
 
 
 def _topic(index: int, connection: Connection) -> TopicMetadata:
     return TopicMetadata(
-        index, connection.topic, connection.msgtype, connection.ext.serialization_format,
+        index,
+        connection.topic,
+        connection.msgtype,
+        connection.ext.serialization_format,
         [to_rclpy(each) for each in connection.ext.offered_qos_profiles],
-        connection.digest or type_hash(connection.msgtype))
+        connection.digest or type_hash(connection.msgtype),
+    )

@@ -43,8 +43,7 @@ class RecordOptions:
 class Recorder:
     """Writes the messages of the chosen topics; the caller spins the node and calls :meth:`look` now and then."""
 
-    def __init__(self, node: Node, writer: SequentialWriter, options: RecordOptions,
-                 fail: Callable[[Exception], None]):
+    def __init__(self, node: Node, writer: SequentialWriter, options: RecordOptions, fail: Callable[[Exception], None]):
         """
         Begin without a subscription.
 
@@ -72,8 +71,7 @@ class Recorder:
             if name not in self.subscriptions and name not in self._refused and self._wanted(name, types):
                 self._subscribe(name, types)
         named = [*self.options.topics, *(f'{name}{SERVICE_EVENTS}' for name in self.options.services)]
-        others = (self.options.all_topics or self.options.all_services or self.options.regex
-                  or self.options.topic_types)
+        others = self.options.all_topics or self.options.all_services or self.options.regex or self.options.topic_types
         if named and not others and set(named) <= self.subscriptions.keys() and not self._complete:
             self.node.get_logger().info('All requested topics are subscribed. Stopping discovery...')
             self._complete = True
@@ -115,12 +113,15 @@ class Recorder:
         endpoints = self.node.get_publishers_info_by_topic(name)
         offered = [each.qos_profile for each in endpoints]
         known = str(endpoints[0].topic_type_hash) if endpoints else ''
-        self.writer.create_topic(TopicMetadata(
-            len(self.subscriptions), name, types[0], 'cdr', offered,
-            known if known.startswith('RIHS01_') else ''))
+        self.writer.create_topic(
+            TopicMetadata(
+                len(self.subscriptions), name, types[0], 'cdr', offered, known if known.startswith('RIHS01_') else ''
+            )
+        )
         profile = self.options.topic_qos_profile_overrides.get(name) or to_hear(offered)
         self.subscriptions[name] = self.node.create_subscription(
-            kind, name, lambda data, name=name: self._write(name, data), profile, raw=True)
+            kind, name, lambda data, name=name: self._write(name, data), profile, raw=True
+        )
         logger.info(f"Subscribed to topic '{name}'")
 
     def _write(self, name: str, data: bytes) -> None:

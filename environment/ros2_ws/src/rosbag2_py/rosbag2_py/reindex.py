@@ -57,8 +57,12 @@ def _joined(parts: list[BagMetadata], storage: str) -> BagMetadata:
     filled = [part for part in parts if part.message_count]
     start = min((part.starting_time for part in filled), default=0)
     return BagMetadata(
-        storage_identifier=storage, relative_file_paths=[path for part in parts for path in part.relative_file_paths],
-        files=[file for part in parts for file in part.files], starting_time=start,
+        storage_identifier=storage,
+        relative_file_paths=[path for part in parts for path in part.relative_file_paths],
+        files=[file for part in parts for file in part.files],
+        starting_time=start,
         duration=max((part.starting_time + part.duration for part in filled), default=0) - start,
-        message_count=sum(part.message_count for part in parts), topics_with_message_count=list(topics.values()),
-        ros_distro=os.environ.get('ROS_DISTRO', 'jazzy'))
+        message_count=sum(part.message_count for part in parts),
+        topics_with_message_count=list(topics.values()),
+        ros_distro=os.environ.get('ROS_DISTRO', 'jazzy'),
+    )

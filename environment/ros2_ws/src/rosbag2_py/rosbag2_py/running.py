@@ -32,8 +32,11 @@ class RunningNode:
         rclpy.init(args=[], context=self.context, signal_handler_options=SignalHandlerOptions.NO)
         self._handlers = {each: signal.signal(each, self._note) for each in (signal.SIGINT, signal.SIGTERM)}
         self.node = rclpy.create_node(
-            self._name, context=self.context, start_parameter_services=False,
-            parameter_overrides=[Parameter('use_sim_time', value=self._use_sim_time)])
+            self._name,
+            context=self.context,
+            start_parameter_services=False,
+            parameter_overrides=[Parameter('use_sim_time', value=self._use_sim_time)],
+        )
         self._executor = SingleThreadedExecutor(context=self.context)
         self._executor.add_node(self.node)
         return self

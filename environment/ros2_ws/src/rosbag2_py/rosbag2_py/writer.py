@@ -126,10 +126,12 @@ class _Bag:
             text = definition(topic.type)
             form = MessageDefinitionFormat.MSG if text else MessageDefinitionFormat.NONE
             connection = Connection(
-                len(self._topics) + 1, topic.name, topic.type, MessageDefinition(form, text), known, 0, extension, self)
+                len(self._topics) + 1, topic.name, topic.type, MessageDefinition(form, text), known, 0, extension, self
+            )
             self._connections[topic.name] = connection
             self._topics[topic.name] = TopicMetadata(
-                topic.id, topic.name, topic.type, 'cdr', topic.offered_qos_profiles, known)
+                topic.id, topic.name, topic.type, 'cdr', topic.offered_qos_profiles, known
+            )
             self._counts.setdefault(topic.name, 0)
             self._files[-1].add(connection)
 
@@ -185,13 +187,24 @@ class _Bag:
         return BagMetadata(
             storage_identifier=self.storage_id,
             relative_file_paths=[file.path.name for file in self._files],
-            files=[FileInformation(file.path.name, file.first if file.message_count else 0,
-                                   max(0, file.last - file.first), file.message_count) for file in self._files],
-            duration=max((file.last for file in filled), default=0) - first, starting_time=first,
+            files=[
+                FileInformation(
+                    file.path.name,
+                    file.first if file.message_count else 0,
+                    max(0, file.last - file.first),
+                    file.message_count,
+                )
+                for file in self._files
+            ],
+            duration=max((file.last for file in filled), default=0) - first,
+            starting_time=first,
             message_count=sum(self._counts.values()),
             topics_with_message_count=[
-                TopicInformation(topic, self._counts[name]) for name, topic in self._topics.items()],
-            custom_data=self.options.custom_data, ros_distro=os.environ.get('ROS_DISTRO', 'jazzy'))
+                TopicInformation(topic, self._counts[name]) for name, topic in self._topics.items()
+            ],
+            custom_data=self.options.custom_data,
+            ros_distro=os.environ.get('ROS_DISTRO', 'jazzy'),
+        )
 
     def close(self) -> None:
         with self._lock:

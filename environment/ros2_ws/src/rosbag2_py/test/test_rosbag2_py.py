@@ -68,9 +68,12 @@ def test_what_was_written_is_read(tmp_path, storage):
     reader.open(StorageOptions(str(bag), storage), ConverterOptions('', ''))
     topics = {each.name: each for each in reader.get_all_topics_and_types()}
     assert topics['/words'].type == 'std_msgs/msg/String'
-    profile, = topics['/words'].offered_qos_profiles
+    (profile,) = topics['/words'].offered_qos_profiles
     assert (profile.durability, profile.reliability, profile.depth) == (
-        DurabilityPolicy.TRANSIENT_LOCAL, ReliabilityPolicy.RELIABLE, 3)
+        DurabilityPolicy.TRANSIENT_LOCAL,
+        ReliabilityPolicy.RELIABLE,
+        3,
+    )
     assert topics['/point'].type_description_hash.startswith('RIHS01_')
     reader.set_filter(StorageFilter(topics=['/words']))
     reader.seek(5 * 10**9)
@@ -83,7 +86,7 @@ def test_what_was_written_is_read(tmp_path, storage):
 @pytest.mark.parametrize('storage', STORAGES)
 def test_other_tools_read_it_without_the_packages(tmp_path, storage):
     with AnyReader([write(tmp_path / 'bag', storage)]) as reader:
-        connection, = (each for each in reader.connections if each.topic == '/point')
+        (connection,) = (each for each in reader.connections if each.topic == '/point')
         assert 'std_msgs/Header' in connection.msgdef.data and 'MSG: builtin_interfaces/Time' in connection.msgdef.data
         points = [reader.deserialize(raw, each.msgtype).point for each, _, raw in reader.messages([connection])]
         assert [point.x for point in points] == [1.5]
@@ -141,8 +144,9 @@ ENDLESS = """
 @pytest.mark.parametrize('number', [signal.SIGKILL, signal.SIGTERM])
 def test_a_killed_recording_can_be_reindexed(tmp_path, storage, number):
     bag = tmp_path / 'bag'
-    process = subprocess.Popen([sys.executable, '-c', textwrap.dedent(ENDLESS), bag, storage, '10000000'],
-                               stdout=subprocess.PIPE, text=True)
+    process = subprocess.Popen(
+        [sys.executable, '-c', textwrap.dedent(ENDLESS), bag, storage, '10000000'], stdout=subprocess.PIPE, text=True
+    )
     assert process.stdout.readline() == 'flushed\n'
     process.send_signal(number)
     process.wait(30)
@@ -168,8 +172,11 @@ def test_a_file_that_was_cut_off_keeps_what_is_whole(tmp_path, cut):
 
 
 def test_a_program_that_ends_without_close_leaves_a_whole_bag(tmp_path):
-    subprocess.run([sys.executable, '-c', textwrap.dedent(ENDLESS), tmp_path / 'bag', 'mcap', '200'], check=True,
-                   capture_output=True)
+    subprocess.run(
+        [sys.executable, '-c', textwrap.dedent(ENDLESS), tmp_path / 'bag', 'mcap', '200'],
+        check=True,
+        capture_output=True,
+    )
     assert len(read(tmp_path / 'bag')) == 201
 
 

@@ -17,8 +17,8 @@ class _Dumper(yaml.Dumper):
 
 
 _Dumper.add_representer(
-    OrderedDict,
-    lambda dumper, data: dumper.represent_mapping('tag:yaml.org,2002:map', data.items(), flow_style=False))
+    OrderedDict, lambda dumper, data: dumper.represent_mapping('tag:yaml.org,2002:map', data.items(), flow_style=False)
+)
 
 
 def get_message_slot_types(msg: Any) -> 'OrderedDict[str, Any]':
@@ -27,7 +27,11 @@ def get_message_slot_types(msg: Any) -> 'OrderedDict[str, Any]':
 
 
 def message_to_yaml(
-    msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False,
+    msg: Any,
+    *,
+    truncate_length: int | None = None,
+    no_arr: bool = False,
+    no_str: bool = False,
     flow_style: bool = False,
 ) -> str:
     """
@@ -47,21 +51,21 @@ def dump_yaml(fields: 'OrderedDict[str, Any]', flow_style: bool = False) -> str:
 
 
 def message_to_ordereddict(
-    msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False,
+    msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False
 ) -> 'OrderedDict[str, Any]':
     """Return the message as a dictionary of plain Python values in the order of its fields; see message_to_yaml."""
     return OrderedDict(
         (name, _plain(getattr(msg, name), field_type, truncate_length, no_arr, no_str))
-        for name, field_type in get_message_slot_types(msg).items())
+        for name, field_type in get_message_slot_types(msg).items()
+    )
 
 
-def message_to_csv(
-    msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False,
-) -> str:
+def message_to_csv(msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False) -> str:
     """Return all values of the message, nested ones too, separated by commas; see message_to_yaml."""
     return ','.join(
         _csv(getattr(msg, name), field_type, truncate_length, no_arr, no_str)
-        for name, field_type in get_message_slot_types(msg).items())
+        for name, field_type in get_message_slot_types(msg).items()
+    )
 
 
 def _plain(value: Any, field_type: Any, truncate_length: int | None, no_arr: bool, no_str: bool) -> Any:
@@ -76,8 +80,7 @@ def _plain(value: Any, field_type: Any, truncate_length: int | None, no_arr: boo
         items = [_plain(item, None, truncate_length, no_arr, no_str) for item in value[:truncate_length]]
         return kind(items + ['...'] if len(items) < len(value) else items)
     if isinstance(value, dict):
-        return type(value)(
-            (key, _plain(item, None, truncate_length, no_arr, no_str)) for key, item in value.items())
+        return type(value)((key, _plain(item, None, truncate_length, no_arr, no_str)) for key, item in value.items())
     if isinstance(value, numpy.generic):
         return value.item()
     if isinstance(value, (bool, int, float)):

@@ -16,7 +16,7 @@ _TIME = NamespacedType(['builtin_interfaces', 'msg'], 'Time')
 
 
 def set_message_fields(
-    msg: Any, values: dict[str, Any], expand_header_auto: bool = False, expand_time_now: bool = False,
+    msg: Any, values: dict[str, Any], expand_header_auto: bool = False, expand_time_now: bool = False
 ) -> list[Callable[[Any], None]]:
     """
     Set fields of a message in place; the ones not named keep their defaults.

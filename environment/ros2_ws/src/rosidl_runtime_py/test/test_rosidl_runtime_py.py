@@ -54,13 +54,16 @@ def test_now_and_auto_give_setters_of_exactly_those_stamps():
         set_message_fields(TwistStamped(), {'header': 'auto'})
 
 
-@pytest.mark.parametrize('values,error,text', [
-    ({'date': 1}, AttributeError, "'Int32' object has no attribute 'date'"),
-    ({'data': 'x'}, ValueError, 'invalid literal'),
-    ({'data': [1]}, TypeError, "not 'list'"),
-    (None, TypeError, "Value 'None' is expected to be a dictionary but is a NoneType"),
-    ({False: 1}, TypeError, "Field name 'False' is expected to be a string"),
-])
+@pytest.mark.parametrize(
+    'values,error,text',
+    [
+        ({'date': 1}, AttributeError, "'Int32' object has no attribute 'date'"),
+        ({'data': 'x'}, ValueError, 'invalid literal'),
+        ({'data': [1]}, TypeError, "not 'list'"),
+        (None, TypeError, "Value 'None' is expected to be a dictionary but is a NoneType"),
+        ({False: 1}, TypeError, "Field name 'False' is expected to be a string"),
+    ],
+)
 def test_what_does_not_fit_is_refused(values, error, text):
     with pytest.raises(error, match=text):
         set_message_fields(Int32(), values)
@@ -83,7 +86,8 @@ def test_long_values_are_cut():
     assert message_to_csv(joints, truncate_length=1) == '0,0,,a,...,1.0,...,,'
     assert message_to_csv(joints, no_arr=True).endswith(
         '<sequence type: string, length: 2>,<sequence type: double, length: 2>,<sequence type: double, length: 0>,'
-        '<sequence type: double, length: 0>')
+        '<sequence type: double, length: 0>'
+    )
     assert message_to_ordereddict(Imu(), no_arr=True)['orientation_covariance'] == '<array type: double[9]>'
     assert message_to_yaml(Byte(data=b'\xff')) == 'data: ÿ\n'
 
@@ -115,8 +119,11 @@ def test_a_value_may_be_a_message():
 
 
 def test_names_of_each_kind_of_interface():
-    for name, function in (('msg', get_message_namespaced_type), ('srv', get_service_namespaced_type),
-                           ('action', get_action_namespaced_type)):
+    for name, function in (
+        ('msg', get_message_namespaced_type),
+        ('srv', get_service_namespaced_type),
+        ('action', get_action_namespaced_type),
+    ):
         assert function('package/Name') == function(f'package/{name}/Name')
         assert function('package/Name').namespaces == ['package', name]
 

@@ -76,10 +76,12 @@ def read_points(
     points = np.ndarray(
         shape=(cloud.width * cloud.height,),
         dtype=dtype_from_fields(cloud.fields, point_step=cloud.point_step),
-        buffer=cloud.data)
+        buffer=cloud.data,
+    )
     if field_names is not None:
-        assert all(name in points.dtype.names for name in field_names), \
+        assert all(name in points.dtype.names for name in field_names), (
             'Requests field is not in the fields of the PointCloud!'
+        )
         points = points[list(field_names)]
     if bool(cloud.is_bigendian) != _BIG_ENDIAN:
         points = points.byteswap()
@@ -109,15 +111,11 @@ def read_points_numpy(
     """
     datatypes = {field.datatype for field in cloud.fields if field_names is None or field.name in field_names}
     assert len(datatypes) <= 1, 'All fields need to have the same datatype. Use `read_points()` otherwise.'
-    return structured_to_unstructured(
-        read_points(cloud, field_names, skip_nans, uvs, reshape_organized_cloud))
+    return structured_to_unstructured(read_points(cloud, field_names, skip_nans, uvs, reshape_organized_cloud))
 
 
 def read_points_list(
-    cloud: PointCloud2,
-    field_names: list[str] | None = None,
-    skip_nans: bool = False,
-    uvs: Iterable | None = None,
+    cloud: PointCloud2, field_names: list[str] | None = None, skip_nans: bool = False, uvs: Iterable | None = None
 ) -> list[NamedTuple]:
     """Return the points as a list of named tuples. Easy to read, but slow. Parameters as in :func:`read_points`."""
     assert isinstance(cloud, PointCloud2), 'cloud is not a sensor_msgs.msg.PointCloud2'
@@ -128,10 +126,7 @@ def read_points_list(
 
 
 def create_cloud(
-    header: Header,
-    fields: Iterable[PointField],
-    points: Iterable,
-    point_step: int | None = None,
+    header: Header, fields: Iterable[PointField], points: Iterable, point_step: int | None = None
 ) -> PointCloud2:
     """
     Return a cloud.
@@ -146,15 +141,18 @@ def create_cloud(
     if not isinstance(points, np.ndarray):
         points = np.array([tuple(point) for point in points], dtype=dtype_from_fields(fields, point_step))
     elif points.dtype.names is None:
-        assert all(fields[0].datatype == field.datatype for field in fields[1:]), \
+        assert all(fields[0].datatype == field.datatype for field in fields[1:]), (
             'All fields need to have the same datatype. Pass a structured NumPy array with multiple dtypes otherwise.'
+        )
         points = unstructured_to_structured(points, dtype=dtype_from_fields(fields, point_step))
     else:
-        assert points.dtype == dtype_from_fields(fields, point_step), \
-            'PointFields and structured NumPy array dtype do not match for all fields! ' \
+        assert points.dtype == dtype_from_fields(fields, point_step), (
+            'PointFields and structured NumPy array dtype do not match for all fields! '
             'Check their field order, names and types.'
-    assert points.ndim <= 2, \
+        )
+    assert points.ndim <= 2, (
         'Too many dimensions for organized cloud! Points can only be organized in max. two dimensional space'
+    )
     width = points.shape[0]
     height = points.shape[1] if points.ndim == 2 else 1
     cloud = PointCloud2(
@@ -165,7 +163,8 @@ def create_cloud(
         is_bigendian=_BIG_ENDIAN,
         fields=fields,
         point_step=points.dtype.itemsize,
-        row_step=points.dtype.itemsize * width)
+        row_step=points.dtype.itemsize * width,
+    )
     # An array of bytes, because the setter copies anything else element by element.
     cloud.data = array.array('B', points.tobytes())
     return cloud
@@ -173,6 +172,8 @@ def create_cloud(
 
 def create_cloud_xyz32(header: Header, points: Iterable) -> PointCloud2:
     """Return a cloud with the float32 fields x, y, z. Parameters as in :func:`create_cloud`."""
-    fields = [PointField(name=name, offset=4 * index, datatype=PointField.FLOAT32, count=1)
-              for index, name in enumerate('xyz')]
+    fields = [
+        PointField(name=name, offset=4 * index, datatype=PointField.FLOAT32, count=1)
+        for index, name in enumerate('xyz')
+    ]
     return create_cloud(header, fields, points)

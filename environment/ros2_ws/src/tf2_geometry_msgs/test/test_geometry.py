@@ -27,7 +27,7 @@ from tf2_geometry_msgs.tf2_geometry_msgs import _build_affine, _decompose_affine
 from environment.tests.tf2_messages import transform
 
 HALF = math.sqrt(0.5)
-QUARTER = (0, 0, HALF, HALF)   # a quarter turn to the left
+QUARTER = (0, 0, HALF, HALF)  # a quarter turn to the left
 POSE = Pose(position=Point(x=1.0, y=2.0, z=3.0), orientation=Quaternion(x=HALF, w=HALF))
 
 
@@ -88,8 +88,9 @@ def test_polygon(to_map):
     assert [xyz(point) for point in moved.polygon.points] == [pytest.approx((10, 1, 0)), pytest.approx((9, 0, 0))]
 
 
-@pytest.mark.parametrize('message', [PointStamped(), Vector3Stamped(), PoseStamped(), PoseWithCovarianceStamped(),
-                                     PolygonStamped()])
+@pytest.mark.parametrize(
+    'message', [PointStamped(), Vector3Stamped(), PoseStamped(), PoseWithCovarianceStamped(), PolygonStamped()]
+)
 def test_buffers_know_the_types(message, to_map):
     buffer = tf2_ros.Buffer()
     buffer.set_transform(to_map, 'test')

@@ -46,11 +46,13 @@ def _get_mat_from_quat(quaternion: np.ndarray) -> np.ndarray:
     if length2 < np.finfo(np.float64).eps:
         return np.eye(3)
     s = 2.0 / length2
-    return np.array([
-        [1.0 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)],
-        [s * (x * y + w * z), 1.0 - s * (x * x + z * z), s * (y * z - w * x)],
-        [s * (x * z - w * y), s * (y * z + w * x), 1.0 - s * (x * x + y * y)],
-    ])
+    return np.array(
+        [
+            [1.0 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)],
+            [s * (x * y + w * z), 1.0 - s * (x * x + z * z), s * (y * z - w * x)],
+            [s * (x * z - w * y), s * (y * z + w * x), 1.0 - s * (x * x + y * y)],
+        ]
+    )
 
 
 def _get_quat_from_mat(rot_mat: np.ndarray) -> np.ndarray:
@@ -84,8 +86,9 @@ def _build_affine(rotation: Iterable | None = None, translation: Iterable | None
 def _transform_to_affine(transform: TransformStamped) -> np.ndarray:
     """Return the 4x4 matrix of a transform."""
     rotation, translation = transform.transform.rotation, transform.transform.translation
-    return _build_affine((rotation.w, rotation.x, rotation.y, rotation.z),
-                         (translation.x, translation.y, translation.z))
+    return _build_affine(
+        (rotation.w, rotation.x, rotation.y, rotation.z), (translation.x, translation.y, translation.z)
+    )
 
 
 def _decompose_affine(affine: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -115,7 +118,8 @@ def do_transform_pose(pose: Pose, transform: TransformStamped) -> Pose:
     """Return the pose (one without a header) in the target frame."""
     position, orientation = pose.position, pose.orientation
     affine = _transform_to_affine(transform) @ _build_affine(
-        (orientation.w, orientation.x, orientation.y, orientation.z), (position.x, position.y, position.z))
+        (orientation.w, orientation.x, orientation.y, orientation.z), (position.x, position.y, position.z)
+    )
     quaternion, point = _decompose_affine(affine)
     w, qx, qy, qz = quaternion.tolist()
     x, y, z = point.tolist()
@@ -139,8 +143,7 @@ def transform_covariance(cov_in: Iterable[float], transform: TransformStamped) -
 
 
 def do_transform_pose_with_covariance_stamped(
-    pose: PoseWithCovarianceStamped,
-    transform: TransformStamped,
+    pose: PoseWithCovarianceStamped, transform: TransformStamped
 ) -> PoseWithCovarianceStamped:
     """Return the pose and its covariance in the target frame."""
     result = PoseWithCovarianceStamped(header=deepcopy(transform.header))

@@ -38,8 +38,13 @@ def moving():
 
 
 def test_exceptions_are_those_of_the_module_tf2():
-    for kind in (ConnectivityException, ExtrapolationException, InvalidArgumentException, LookupException,
-                 TimeoutException):
+    for kind in (
+        ConnectivityException,
+        ExtrapolationException,
+        InvalidArgumentException,
+        LookupException,
+        TimeoutException,
+    ):
         assert issubclass(kind, TransformException) and kind.__module__ == 'tf2'
 
 
@@ -85,20 +90,31 @@ def test_takes_every_kind_of_time(moving, time):
 
 def test_names_of_arguments(moving):
     assert moving.can_transform_core(target_frame='odom', source_frame='base', time=LATEST) == (1, '')
-    assert moving.lookup_transform_full_core(target_frame='odom', target_time=LATEST, source_frame='base',
-                                             source_time=LATEST, fixed_frame='odom')
+    assert moving.lookup_transform_full_core(
+        target_frame='odom', target_time=LATEST, source_frame='base', source_time=LATEST, fixed_frame='odom'
+    )
     assert moving.lookup_transform_core(target_frame='odom', source_frame='base', time=LATEST)
 
 
-@pytest.mark.parametrize(('target', 'source', 'kind', 'text'), [
-    ('', 'base', InvalidArgumentException,
-     'Invalid argument "" passed to lookupTransform argument target_frame - in tf2 frame_ids cannot be empty'),
-    ('odom', '/base', InvalidArgumentException,
-     'Invalid argument "/base" passed to lookupTransform argument source_frame - '
-     "in tf2 frame_ids cannot start with a '/'"),
-    ('odom', 'moon', LookupException,
-     '"moon" passed to lookupTransform argument source_frame does not exist. '),
-])
+@pytest.mark.parametrize(
+    ('target', 'source', 'kind', 'text'),
+    [
+        (
+            '',
+            'base',
+            InvalidArgumentException,
+            'Invalid argument "" passed to lookupTransform argument target_frame - in tf2 frame_ids cannot be empty',
+        ),
+        (
+            'odom',
+            '/base',
+            InvalidArgumentException,
+            'Invalid argument "/base" passed to lookupTransform argument source_frame - '
+            "in tf2 frame_ids cannot start with a '/'",
+        ),
+        ('odom', 'moon', LookupException, '"moon" passed to lookupTransform argument source_frame does not exist. '),
+    ],
+)
 def test_bad_frame_ids(moving, target, source, kind, text):
     with pytest.raises(kind) as caught:
         moving.lookup_transform_core(target, source, LATEST)
@@ -117,8 +133,10 @@ def test_two_trees(moving):
     moving.set_transform(transform('mars', 'rover', 1.0), 'test')
     with pytest.raises(ConnectivityException) as caught:
         moving.lookup_transform_core('odom', 'rover', LATEST)
-    assert str(caught.value) == ("Could not find a connection between 'odom' and 'rover' because they are not part of "
-                                 'the same tree.Tf has two or more unconnected trees.')
+    assert str(caught.value) == (
+        "Could not find a connection between 'odom' and 'rover' because they are not part of "
+        'the same tree.Tf has two or more unconnected trees.'
+    )
     with pytest.raises(TransformException) as caught:
         moving.get_latest_common_time('odom', 'rover')
     assert type(caught.value) is TransformException
@@ -129,32 +147,60 @@ def test_loop():
     for parent, child in (('a', 'b'), ('b', 'c'), ('c', 'a'), ('x', 'y')):
         core.set_transform(transform(parent, child, 1.0), 'test')
     for time in (LATEST, at(1.0)):
-        with pytest.raises(LookupException, match='^The tf tree is invalid because it contains a loop.\n'
-                                                  'Frame b exists with parent a.\n'):
+        with pytest.raises(
+            LookupException,
+            match='^The tf tree is invalid because it contains a loop.\nFrame b exists with parent a.\n',
+        ):
             core.lookup_transform_core('y', 'a', time)
         assert core.can_transform_core('y', 'a', time)[0] == 0
 
 
-@pytest.mark.parametrize(('message', 'complaints'), [
-    (transform('a', 'a'), [
-        'TF_SELF_TRANSFORM: Ignoring transform from authority "me" with frame_id and  child_frame_id "a" '
-        'because they are the same']),
-    (transform('/a', 'a'), [
-        'TF_SELF_TRANSFORM: Ignoring transform from authority "me" with frame_id and  child_frame_id "a" '
-        'because they are the same']),
-    (transform('a', ''), [
-        'TF_NO_CHILD_FRAME_ID: Ignoring transform from authority "me" because child_frame_id not set ']),
-    (transform('', 'b'), [
-        'TF_NO_FRAME_ID: Ignoring transform with child_frame_id "b"  from authority "me" because frame_id not set']),
-    (transform('a', 'b', xyz=(math.nan, 0, 0)), [
-        'TF_NAN_INPUT: Ignoring transform for child_frame_id "b" from authority "me" because of a nan value '
-        'in the transform (nan 0.000000 0.000000) (0.000000 0.000000 0.000000 1.000000)']),
-    (transform('a', 'b', xyzw=(0, 0, 0, 0)), [
-        'TF_NAN_INPUT: Ignoring transform for child_frame_id "b" from authority "me" because of a nan value '
-        'in the transform (0.000000 0.000000 0.000000) (-nan -nan -nan -nan)',
-        'TF_DENORMALIZED_QUATERNION: Ignoring transform for child_frame_id "b" from authority "me" because of an '
-        'invalid quaternion in the transform (0.000000 0.000000 0.000000) (-nan -nan -nan -nan)']),
-])
+@pytest.mark.parametrize(
+    ('message', 'complaints'),
+    [
+        (
+            transform('a', 'a'),
+            [
+                'TF_SELF_TRANSFORM: Ignoring transform from authority "me" with frame_id and  child_frame_id "a" '
+                'because they are the same'
+            ],
+        ),
+        (
+            transform('/a', 'a'),
+            [
+                'TF_SELF_TRANSFORM: Ignoring transform from authority "me" with frame_id and  child_frame_id "a" '
+                'because they are the same'
+            ],
+        ),
+        (
+            transform('a', ''),
+            ['TF_NO_CHILD_FRAME_ID: Ignoring transform from authority "me" because child_frame_id not set '],
+        ),
+        (
+            transform('', 'b'),
+            [
+                'TF_NO_FRAME_ID: Ignoring transform with child_frame_id "b"  from authority "me" '
+                'because frame_id not set'
+            ],
+        ),
+        (
+            transform('a', 'b', xyz=(math.nan, 0, 0)),
+            [
+                'TF_NAN_INPUT: Ignoring transform for child_frame_id "b" from authority "me" because of a nan value '
+                'in the transform (nan 0.000000 0.000000) (0.000000 0.000000 0.000000 1.000000)'
+            ],
+        ),
+        (
+            transform('a', 'b', xyzw=(0, 0, 0, 0)),
+            [
+                'TF_NAN_INPUT: Ignoring transform for child_frame_id "b" from authority "me" because of a nan value '
+                'in the transform (0.000000 0.000000 0.000000) (-nan -nan -nan -nan)',
+                'TF_DENORMALIZED_QUATERNION: Ignoring transform for child_frame_id "b" from authority "me" '
+                'because of an invalid quaternion in the transform (0.000000 0.000000 0.000000) (-nan -nan -nan -nan)',
+            ],
+        ),
+    ],
+)
 def test_refuses_what_makes_no_sense(message, complaints, logged):
     core = BufferCore()
     assert core.set_transform(message, 'me') is None
@@ -198,8 +244,10 @@ def test_old_data_is_refused_with_a_warning(logged):
     core = BufferCore(Duration(seconds=2))
     for seconds in (10.0, 8.0, 7.999999):
         core.set_transform(transform('a', 'b', seconds), 'me')
-    assert logged() == ('[WARN] []: TF_OLD_DATA ignoring data from the past for frame b at time 7.999999 according to '
-                        'authority me\nPossible reasons are listed at http://wiki.ros.org/tf/Errors%20explained\n')
+    assert logged() == (
+        '[WARN] []: TF_OLD_DATA ignoring data from the past for frame b at time 7.999999 according to '
+        'authority me\nPossible reasons are listed at http://wiki.ros.org/tf/Errors%20explained\n'
+    )
     assert core.can_transform_core('a', 'b', at(8.0))[0] == 1
 
 
@@ -209,8 +257,10 @@ def test_clear_keeps_names_and_statics(moving):
     assert moving._frameExists('odom') and moving._frameExists('base')
     assert moving.can_transform_core('base', 'laser', at(99.0))[0] == 1
     assert moving.can_transform_core('odom', 'base', LATEST)[0] == 0
-    assert moving.all_frames_as_string() == 'Frame base exists with parent NO_PARENT.\n' \
-                                            'Frame laser exists with parent base.\n'
+    assert (
+        moving.all_frames_as_string() == 'Frame base exists with parent NO_PARENT.\n'
+        'Frame laser exists with parent base.\n'
+    )
 
 
 def test_static_and_moving_replace_each_other(moving):
@@ -224,11 +274,14 @@ def test_dot_and_chain(moving):
     moving.set_transform_static(transform('base', 'laser'), 'me')
     moving.set_transform_static(transform('base', 'camera'), 'me')
     text = moving._allFramesAsDot(at(5.0))
-    assert '"odom" -> "base"[label="Broadcaster: test\\nAverage rate: 1.000 Hz\\n' \
-           'Most recent transform: 3.000000 ( 2.000 sec old)\\nBuffer length: 2.000 sec\\n"];' in text
+    assert (
+        '"odom" -> "base"[label="Broadcaster: test\\nAverage rate: 1.000 Hz\\n'
+        'Most recent transform: 3.000000 ( 2.000 sec old)\\nBuffer length: 2.000 sec\\n"];' in text
+    )
     assert BufferCore()._allFramesAsDot() == 'digraph G {\n"no tf data received"\n}'
-    chain = moving._chain(target_frame='camera', target_time=LATEST, source_frame='laser', source_time=LATEST,
-                          fixed_frame='laser')
+    chain = moving._chain(
+        target_frame='camera', target_time=LATEST, source_frame='laser', source_time=LATEST, fixed_frame='laser'
+    )
     assert chain == ['laser', 'base', 'camera']
     assert moving._chain('odom', LATEST, 'laser', LATEST, 'odom') == ['laser', 'base', 'odom']
     assert moving._chain('laser', LATEST, 'odom', LATEST, 'laser') == ['odom', 'base', 'laser']
@@ -240,13 +293,18 @@ def test_velocity(speed, turn):
     core = BufferCore()
     for second in range(5):
         angle = turn * second
-        core.set_transform(transform('odom', 'base', float(second), (speed * second, 0, 0),
-                                     (0, 0, math.sin(angle / 2), math.cos(angle / 2))), 'test')
+        core.set_transform(
+            transform(
+                'odom', 'base', float(second), (speed * second, 0, 0), (0, 0, math.sin(angle / 2), math.cos(angle / 2))
+            ),
+            'test',
+        )
     linear, angular = core.lookupVelocityCore('base', 'odom', at(2.0), Duration(seconds=2))
     assert linear == pytest.approx((speed, 0, 0), abs=1e-6)
     assert angular == pytest.approx((0, 0, turn), abs=1e-6)
     assert (linear, angular) == core.lookupVelocityFullCore(
-        'base', 'odom', 'odom', (0, 0, 0), 'base', at(2.0), Duration(seconds=2))
+        'base', 'odom', 'odom', (0, 0, 0), 'base', at(2.0), Duration(seconds=2)
+    )
 
 
 def test_threads_can_share_a_buffer():

@@ -27,10 +27,12 @@ def _at(nanoseconds):
 def _values(stamped):
     stamp, rotation = stamped.header.stamp, stamped.transform.rotation
     translation = stamped.transform.translation
-    return {'x': [translation.x, translation.y, translation.z],
-            'q': [rotation.x, rotation.y, rotation.z, rotation.w],
-            't': stamp.sec * 10**9 + stamp.nanosec,
-            'f': [stamped.header.frame_id, stamped.child_frame_id]}
+    return {
+        'x': [translation.x, translation.y, translation.z],
+        'q': [rotation.x, rotation.y, rotation.z, rotation.w],
+        't': stamp.sec * 10**9 + stamp.nanosec,
+        'f': [stamped.header.frame_id, stamped.child_frame_id],
+    }
 
 
 def _set(core, parent, child, stamp, xyz, xyzw, static):
@@ -43,16 +45,19 @@ OPERATIONS = {
     'set': _set,
     'lookup': lambda core, target, source, at: _values(core.lookup_transform_core(target, source, _at(at))),
     'full': lambda core, target, at, source, source_at, fixed: _values(
-        core.lookup_transform_full_core(target, _at(at), source, _at(source_at), fixed)),
+        core.lookup_transform_full_core(target, _at(at), source, _at(source_at), fixed)
+    ),
     'can': lambda core, target, source, at: list(core.can_transform_core(target, source, _at(at))),
     'canfull': lambda core, target, at, source, source_at, fixed: list(
-        core.can_transform_full_core(target, _at(at), source, _at(source_at), fixed)),
+        core.can_transform_full_core(target, _at(at), source, _at(source_at), fixed)
+    ),
     'lct': lambda core, a, b: core.get_latest_common_time(a, b).nanoseconds,
     'yaml': lambda core: core.all_frames_as_yaml(),
     'string': lambda core: core.all_frames_as_string(),
     'clear': lambda core: core.clear(),
-    'vel': lambda core, tracking, observation, at, window: [list(part) for part in core.lookupVelocityCore(
-        tracking, observation, _at(at), Duration(nanoseconds=window))],
+    'vel': lambda core, tracking, observation, at, window: [
+        list(part) for part in core.lookupVelocityCore(tracking, observation, _at(at), Duration(nanoseconds=window))
+    ],
 }
 
 
@@ -65,7 +70,7 @@ def _perform(core, operation, arguments):
 
 def _same(operation, stock, ours):
     if stock[0] == 'err' and stock[1] == 'ExtrapolationException':
-        return ours[:2] == stock[:2]   # the wording differs between the patches of Jazzy
+        return ours[:2] == stock[:2]  # the wording differs between the patches of Jazzy
     if operation in ('can', 'canfull') and 'extrapolation' in stock[1][1]:
         return ours[0] == 'ok' and ours[1][0] == stock[1][0]
     return _close(stock, ours)
@@ -102,7 +107,7 @@ def _differences(seed, records):
         ours = _perform(core, operation, arguments)
         if operation == 'vel' and stock[0] == ours[0] == 'ok':
             # Frames that are static relative to each other: nothing but rounding, divided by almost no time.
-            if records[index + 1:index + 2] == [[['lct', arguments[1], arguments[0]], ['ok', 0]]]:
+            if records[index + 1 : index + 2] == [[['lct', arguments[1], arguments[0]], ['ok', 0]]]:
                 continue
             # A velocity is a small difference over a short time: its last digits are noise.
             stock, ours = ([*answer[1][0], *answer[1][1]] for answer in (stock, ours))
@@ -119,8 +124,14 @@ def test_every_answer_is_the_same(logged):
     assert not differences, '\n'.join([f'{len(differences)} answers differ:', *differences[:5]])
     complaints = logged().splitlines()
     # The data has transforms of each kind that must be refused; stock logs each, and so do we.
-    for kind in ('TF_SELF_TRANSFORM', 'TF_NO_FRAME_ID', 'TF_NO_CHILD_FRAME_ID', 'TF_NAN_INPUT',
-                 'TF_DENORMALIZED_QUATERNION', 'TF_OLD_DATA'):
+    for kind in (
+        'TF_SELF_TRANSFORM',
+        'TF_NO_FRAME_ID',
+        'TF_NO_CHILD_FRAME_ID',
+        'TF_NAN_INPUT',
+        'TF_DENORMALIZED_QUATERNION',
+        'TF_OLD_DATA',
+    ):
         assert any(kind in line for line in complaints), kind
 
 

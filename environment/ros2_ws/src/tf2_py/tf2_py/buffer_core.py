@@ -19,8 +19,8 @@ from tf2_py.exceptions import (
 from tf2_py.rotation import canonical, matrix_from_quaternion, multiply, quaternion_from_matrix, rotate
 from tf2_py.time_cache import StaticCache, TimeCache, seconds
 
-DEFAULT_CACHE_TIME = 10 * 10**9   # nanoseconds
-MAX_GRAPH_DEPTH = 1000            # a longer way to the root means that the frames form a loop
+DEFAULT_CACHE_TIME = 10 * 10**9  # nanoseconds
+MAX_GRAPH_DEPTH = 1000  # a longer way to the root means that the frames form a loop
 NO_ONE = 'NO_PARENT'
 NO_AUTHORITY = 'no recorded authority'
 
@@ -29,9 +29,17 @@ _logger = RcutilsLogger()
 
 # One call instead of a dozen attribute look-ups: this is what bounds the rate of insertion.
 _fields_of = attrgetter(
-    'header.frame_id', 'child_frame_id', 'header.stamp',
-    'transform.translation.x', 'transform.translation.y', 'transform.translation.z',
-    'transform.rotation.x', 'transform.rotation.y', 'transform.rotation.z', 'transform.rotation.w')
+    'header.frame_id',
+    'child_frame_id',
+    'header.stamp',
+    'transform.translation.x',
+    'transform.translation.y',
+    'transform.translation.z',
+    'transform.rotation.x',
+    'transform.rotation.y',
+    'transform.rotation.z',
+    'transform.rotation.w',
+)
 
 
 def to_nanoseconds(time):
@@ -64,8 +72,8 @@ class BufferCore:
 
     def __init__(self, cache_time=None, /):
         self._cache_length = DEFAULT_CACHE_TIME if cache_time is None else to_nanoseconds(cache_time)
-        self._frames = {}        # frame id -> its cache; None for a frame that is only known as a parent
-        self._authorities = {}   # frame id -> who sent it last
+        self._frames = {}  # frame id -> its cache; None for a frame that is only known as a parent
+        self._authorities = {}  # frame id -> who sent it last
         self._lock = Lock()
 
     # -- inserting
@@ -107,9 +115,11 @@ class BufferCore:
             if accepted:
                 self._authorities[child] = authority
         if not accepted:
-            _logger.warning(f'TF_OLD_DATA ignoring data from the past for frame {child} at time {seconds(stamp):.6f} '
-                            f'according to authority {authority}\n'
-                            'Possible reasons are listed at http://wiki.ros.org/tf/Errors%20explained')
+            _logger.warning(
+                f'TF_OLD_DATA ignoring data from the past for frame {child} at time {seconds(stamp):.6f} '
+                f'according to authority {authority}\n'
+                'Possible reasons are listed at http://wiki.ros.org/tf/Errors%20explained'
+            )
 
     def clear(self):
         """Forget the history of every moving frame. Static transforms and the names of the frames stay."""
@@ -157,7 +167,7 @@ class BufferCore:
         if target_frame == source_frame:
             return 1, ''
         with self._lock:
-            problem = (self._problem('target_frame', target_frame) or self._problem('source_frame', source_frame))
+            problem = self._problem('target_frame', target_frame) or self._problem('source_frame', source_frame)
             if problem:
                 return 0, problem
             try:
@@ -170,8 +180,11 @@ class BufferCore:
         """Return `(1, '')` if :meth:`lookup_transform_full_core` would succeed, else `(0, why not)`."""
         target_time, source_time = to_nanoseconds(target_time), to_nanoseconds(source_time)
         with self._lock:
-            problem = (self._problem('target_frame', target_frame) or self._problem('source_frame', source_frame)
-                       or self._problem('fixed_frame', fixed_frame))
+            problem = (
+                self._problem('target_frame', target_frame)
+                or self._problem('source_frame', source_frame)
+                or self._problem('fixed_frame', fixed_frame)
+            )
             if problem:
                 return 0, problem
             try:
@@ -203,11 +216,26 @@ class BufferCore:
         Metres and radians per second, averaged over the interval around the time. Raises as
         :meth:`lookup_transform_core`.
         """
-        return self.lookupVelocityFullCore(tracking_frame, observation_frame, observation_frame, (0.0, 0.0, 0.0),
-                                           tracking_frame, time, averaging_interval)
+        return self.lookupVelocityFullCore(
+            tracking_frame,
+            observation_frame,
+            observation_frame,
+            (0.0, 0.0, 0.0),
+            tracking_frame,
+            time,
+            averaging_interval,
+        )
 
-    def lookupVelocityFullCore(self, tracking_frame, observation_frame, reference_frame, reference_point,
-                               reference_point_frame, time, averaging_interval):
+    def lookupVelocityFullCore(
+        self,
+        tracking_frame,
+        observation_frame,
+        reference_frame,
+        reference_point,
+        reference_point_frame,
+        time,
+        averaging_interval,
+    ):
         """Like :meth:`lookupVelocityCore`, expressed in a reference frame, at a reference point."""
         time, interval = to_nanoseconds(time), to_nanoseconds(averaging_interval)
         with self._lock:
@@ -237,10 +265,14 @@ class BufferCore:
         rx, ry, rz = rotate(*of_point, *(float(component) for component in reference_point))
         # Upstream multiplies component by component here, where physics wants a cross product; kept, because programs
         # must see the same numbers. Both are zero for the usual reference point, the tracking frame's origin.
-        return ((vx + oy * wz - oz * wy + wx * (rx + px - ox),
-                 vy + oz * wx - ox * wz + wy * (ry + py - oy),
-                 vz + ox * wy - oy * wx + wz * (rz + pz - oz)),
-                (wx, wy, wz))
+        return (
+            (
+                vx + oy * wz - oz * wy + wx * (rx + px - ox),
+                vy + oz * wx - ox * wz + wy * (ry + py - oy),
+                vz + ox * wy - oy * wx + wz * (rz + pz - oz),
+            ),
+            (wx, wy, wz),
+        )
 
     # -- describing
 
@@ -249,13 +281,15 @@ class BufferCore:
         entries = []
         with self._lock:
             for name, parent, rate, latest, oldest in self._statistics():
-                entries.append(f"{name}: \n"
-                               f"  parent: '{parent}'\n"
-                               f"  broadcaster: '{self._authorities.get(name, NO_AUTHORITY)}'\n"
-                               f"  rate: {rate:.3f}\n"
-                               f"  most_recent_transform: {seconds(latest):.6f}\n"
-                               f"  oldest_transform: {seconds(oldest):.6f}\n"
-                               f"  buffer_length: {seconds(latest - oldest):.3f}\n")
+                entries.append(
+                    f'{name}: \n'
+                    f"  parent: '{parent}'\n"
+                    f"  broadcaster: '{self._authorities.get(name, NO_AUTHORITY)}'\n"
+                    f'  rate: {rate:.3f}\n'
+                    f'  most_recent_transform: {seconds(latest):.6f}\n'
+                    f'  oldest_transform: {seconds(oldest):.6f}\n'
+                    f'  buffer_length: {seconds(latest - oldest):.3f}\n'
+                )
         return ''.join(entries) or '[]'
 
     def all_frames_as_string(self):
@@ -264,15 +298,20 @@ class BufferCore:
             return self._frames_as_string()
 
     def _frames_as_string(self):
-        return ''.join(f'Frame {name} exists with parent {cache.latest()[1] or NO_ONE}.\n'
-                       for name, cache in self._frames.items() if cache is not None)
+        return ''.join(
+            f'Frame {name} exists with parent {cache.latest()[1] or NO_ONE}.\n'
+            for name, cache in self._frames.items()
+            if cache is not None
+        )
 
     def _allFramesAsDot(self, time=None):
         """Return the tree as a Graphviz digraph; with a time, how old each transform is then."""
         now = 0 if time is None else to_nanoseconds(time)
         lines = ['digraph G {']
-        legend = ['edge [style=invis];',
-                  ' subgraph cluster_legend { style=bold; color=black; label ="view_frames Result";']
+        legend = [
+            'edge [style=invis];',
+            ' subgraph cluster_legend { style=bold; color=black; label ="view_frames Result";',
+        ]
         if now:
             legend.append(f'"Recorded at time: {seconds(now):.6f}"[ shape=plaintext ] ;')
         with self._lock:
@@ -280,11 +319,13 @@ class BufferCore:
                 lines.append('"no tf data received"')
             for name, parent, rate, latest, oldest in self._statistics():
                 age = f'( {seconds(now - latest):.3f} sec old)' if now else ''
-                lines.append(f'"{parent}" -> "{name}"[label="'
-                             f'Broadcaster: {self._authorities.get(name, NO_AUTHORITY)}\\n'
-                             f'Average rate: {rate:.3f} Hz\\n'
-                             f'Most recent transform: {seconds(latest):.6f} {age}\\n'
-                             f'Buffer length: {seconds(latest - oldest):.3f} sec\\n"];')
+                lines.append(
+                    f'"{parent}" -> "{name}"[label="'
+                    f'Broadcaster: {self._authorities.get(name, NO_AUTHORITY)}\\n'
+                    f'Average rate: {rate:.3f} Hz\\n'
+                    f'Most recent transform: {seconds(latest):.6f} {age}\\n'
+                    f'Buffer length: {seconds(latest - oldest):.3f} sec\\n"];'
+                )
             for name, cache in self._frames.items():
                 is_root = cache is None
                 if (is_root and now) or (not is_root and cache.latest()[1] is None):
@@ -318,7 +359,7 @@ class BufferCore:
                 self._validate('_chain', frame)
             way = self._frames_on_way(fixed_frame, source_frame, source_time)
             for frame in self._frames_on_way(target_frame, fixed_frame, target_time)[1:]:
-                if len(way) > 1 and way[-2] == frame:   # going back the way it came
+                if len(way) > 1 and way[-2] == frame:  # going back the way it came
                     way.pop()
                 else:
                     way.append(frame)
@@ -353,7 +394,7 @@ class BufferCore:
 
     def _lookup(self, target, source, time):
         """Return `(stamp, (x, y, z, qx, qy, qz, qw))` of the transform from source to target."""
-        if target == source:   # not even validated: every frame is where it is
+        if target == source:  # not even validated: every frame is where it is
             if not time:
                 cache = self._frames.get(target)
                 time = cache.latest()[0] if cache is not None else 0
@@ -377,7 +418,7 @@ class BufferCore:
         frames = self._frames
         up = []
         frame = source
-        stopped_by = None   # the cache that had nothing for this time
+        stopped_by = None  # the cache that had nothing for this time
         while True:
             cache = frames[frame]
             if cache is None:
@@ -402,8 +443,9 @@ class BufferCore:
                 break
             sample = cache.near(time) if only_parents else cache.at(time)
             if sample is None:
-                raise ExtrapolationException(f'{cache.why_not(time)}, when looking up transform '
-                                             f'from frame [{source}] to frame [{target}]')
+                raise ExtrapolationException(
+                    f'{cache.why_not(time)}, when looking up transform from frame [{source}] to frame [{target}]'
+                )
             if frame == source:
                 return time, (), down
             down.append(sample)
@@ -412,8 +454,9 @@ class BufferCore:
                 raise self._loop()
         if frame != top:
             if stopped_by is not None:
-                raise ExtrapolationException(f'{stopped_by.why_not(time)}, when looking up transform '
-                                             f'from frame [{source}] to frame [{target}]')
+                raise ExtrapolationException(
+                    f'{stopped_by.why_not(time)}, when looking up transform from frame [{source}] to frame [{target}]'
+                )
             raise _not_connected(target, source)
         return time, up, down
 
@@ -425,7 +468,7 @@ class BufferCore:
         if target == source:
             cache = frames[source]
             return cache.latest()[0] if cache is not None else 0
-        ascent = {}    # parent -> the earliest of the latest stamps from the source up to it
+        ascent = {}  # parent -> the earliest of the latest stamps from the source up to it
         common = None
         frame = source
         depth = 0
@@ -468,13 +511,14 @@ class BufferCore:
         raise _not_connected(target, source)
 
     def _loop(self):
-        return LookupException('The tf tree is invalid because it contains a loop.\n'
-                               f'{self._frames_as_string()}\n')
+        return LookupException(f'The tf tree is invalid because it contains a loop.\n{self._frames_as_string()}\n')
 
 
 def _not_connected(target, source):
-    return ConnectivityException(f"Could not find a connection between '{target}' and '{source}' because they are "
-                                 'not part of the same tree.Tf has two or more unconnected trees.')
+    return ConnectivityException(
+        f"Could not find a connection between '{target}' and '{source}' because they are "
+        'not part of the same tree.Tf has two or more unconnected trees.'
+    )
 
 
 def _ill_formed(frame):
@@ -493,20 +537,26 @@ def _refused(parent, child, translation, rotation, authority):
     complaints = []
     by = f'from authority "{authority}"'
     if child == parent:
-        complaints.append(f'TF_SELF_TRANSFORM: Ignoring transform {by} '
-                          f'with frame_id and  child_frame_id "{child}" because they are the same')
+        complaints.append(
+            f'TF_SELF_TRANSFORM: Ignoring transform {by} '
+            f'with frame_id and  child_frame_id "{child}" because they are the same'
+        )
     if not child:
         complaints.append(f'TF_NO_CHILD_FRAME_ID: Ignoring transform {by} because child_frame_id not set ')
     if not parent:
-        complaints.append(f'TF_NO_FRAME_ID: Ignoring transform with child_frame_id "{child}"  {by} '
-                          'because frame_id not set')
+        complaints.append(
+            f'TF_NO_FRAME_ID: Ignoring transform with child_frame_id "{child}"  {by} because frame_id not set'
+        )
     values = f'in the transform ({_printf(translation)}) ({_printf(rotation)})'
     if any(value != value for value in (*translation, *rotation)):
-        complaints.append(f'TF_NAN_INPUT: Ignoring transform for child_frame_id "{child}" {by} '
-                          f'because of a nan value {values}')
+        complaints.append(
+            f'TF_NAN_INPUT: Ignoring transform for child_frame_id "{child}" {by} because of a nan value {values}'
+        )
     if any(value != value for value in rotation):
-        complaints.append(f'TF_DENORMALIZED_QUATERNION: Ignoring transform for child_frame_id "{child}" {by} '
-                          f'because of an invalid quaternion {values}')
+        complaints.append(
+            f'TF_DENORMALIZED_QUATERNION: Ignoring transform for child_frame_id "{child}" {by} '
+            f'because of an invalid quaternion {values}'
+        )
     for complaint in complaints:
         _logger.error(complaint)
     return bool(complaints)
@@ -514,8 +564,9 @@ def _refused(parent, child, translation, rotation, authority):
 
 def _printf(values):
     """Format as C's "%f %f %f" does, which tells the two signs of NaN apart."""
-    return ' '.join(('-nan' if copysign(1.0, value) < 0 else 'nan') if value != value else f'{value:f}'
-                    for value in values)
+    return ' '.join(
+        ('-nan' if copysign(1.0, value) < 0 else 'nan') if value != value else f'{value:f}' for value in values
+    )
 
 
 def _compose(up, down):
@@ -542,10 +593,12 @@ def _climb(samples):
         x += rw * tx + ry * tz - rz * ty + sx
         y += rw * ty + rz * tx - rx * tz + sy
         z += rw * tz + rx * ty - ry * tx + sz
-        qx, qy, qz, qw = (rw * qx + rx * qw + ry * qz - rz * qy,
-                          rw * qy + ry * qw + rz * qx - rx * qz,
-                          rw * qz + rz * qw + rx * qy - ry * qx,
-                          rw * qw - rx * qx - ry * qy - rz * qz)
+        qx, qy, qz, qw = (
+            rw * qx + rx * qw + ry * qz - rz * qy,
+            rw * qy + ry * qw + rz * qx - rx * qz,
+            rw * qz + rz * qw + rx * qy - ry * qx,
+            rw * qw - rx * qx - ry * qy - rz * qz,
+        )
     return x, y, z, qx, qy, qz, qw
 
 

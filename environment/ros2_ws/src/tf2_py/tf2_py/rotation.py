@@ -24,9 +24,7 @@ def matrix_from_quaternion(x, y, z, w):
     yy = y * ys
     yz = y * zs
     zz = z * zs
-    return (1.0 - (yy + zz), xy - wz, xz + wy,
-            xy + wz, 1.0 - (xx + zz), yz - wx,
-            xz - wy, yz + wx, 1.0 - (xx + yy))
+    return (1.0 - (yy + zz), xy - wz, xz + wy, xy + wz, 1.0 - (xx + zz), yz - wx, xz - wy, yz + wx, 1.0 - (xx + yy))
 
 
 def quaternion_from_matrix(m00, m01, m02, m10, m11, m12, m20, m21, m22):
@@ -61,7 +59,7 @@ def quaternion_from_matrix(m00, m01, m02, m10, m11, m12, m20, m21, m22):
         z = 0.5 * s
         s = 0.5 / s
         return (m02 + m20) * s, (m12 + m21) * s, z, (m10 - m01) * s
-    except (ValueError, ZeroDivisionError):   # not a rotation at all
+    except (ValueError, ZeroDivisionError):  # not a rotation at all
         return nan, nan, nan, nan
 
 
@@ -82,17 +80,19 @@ def canonical(x, y, z, w):
     trace = 1.0 - (yy + zz) + (1.0 - (xx + zz)) + (1.0 - (xx + yy))
     if trace > 0.0:
         root = sqrt(trace + 1.0)
-        scale = w / root   # half of the inverse root times the difference of two elements, which is 2 w x s
+        scale = w / root  # half of the inverse root times the difference of two elements, which is 2 w x s
         return xs * scale, ys * scale, zs * scale, 0.5 * root
     return quaternion_from_matrix(*matrix_from_quaternion(x, y, z, w))
 
 
 def multiply(ax, ay, az, aw, bx, by, bz, bw):
     """Return the product a b: the rotation that applies b first."""
-    return (aw * bx + ax * bw + ay * bz - az * by,
-            aw * by + ay * bw + az * bx - ax * bz,
-            aw * bz + az * bw + ax * by - ay * bx,
-            aw * bw - ax * bx - ay * by - az * bz)
+    return (
+        aw * bx + ax * bw + ay * bz - az * by,
+        aw * by + ay * bw + az * bx - ax * bz,
+        aw * bz + az * bw + ax * by - ay * bx,
+        aw * bw - ax * bx - ay * by - az * bz,
+    )
 
 
 def rotate(qx, qy, qz, qw, x, y, z):
@@ -102,9 +102,11 @@ def rotate(qx, qy, qz, qw, x, y, z):
     py = qw * y + qz * x - qx * z
     pz = qw * z + qx * y - qy * x
     pw = -qx * x - qy * y - qz * z
-    return (-pw * qx + px * qw - py * qz + pz * qy,
-            -pw * qy + py * qw - pz * qx + px * qz,
-            -pw * qz + pz * qw - px * qy + py * qx)
+    return (
+        -pw * qx + px * qw - py * qz + pz * qy,
+        -pw * qy + py * qw - pz * qx + px * qz,
+        -pw * qz + pz * qw - px * qy + py * qx,
+    )
 
 
 def interpolate(a, b, ratio):

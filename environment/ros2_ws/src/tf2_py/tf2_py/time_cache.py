@@ -24,8 +24,8 @@ class TimeCache:
 
     def __init__(self, length):
         self.length = length
-        self.stamps = []    # ascending; among equal stamps the last inserted comes last and wins
-        self.samples = []   # parallel to stamps
+        self.stamps = []  # ascending; among equal stamps the last inserted comes last and wins
+        self.samples = []  # parallel to stamps
 
     def insert(self, stamp, sample):
         """Add a sample; return False if it is older than the cache reaches back. An exact duplicate is dropped."""
@@ -69,7 +69,7 @@ class TimeCache:
             return None
         newer = bisect_right(stamps, stamp)
         a, b = self.samples[newer - 1], self.samples[newer]
-        if a[0] != b[0]:   # re-parented in between: there is nothing to interpolate
+        if a[0] != b[0]:  # re-parented in between: there is nothing to interpolate
             return a
         before = stamps[newer - 1]
         return interpolate(a, b, (stamp - before) / (stamps[newer] - before))
@@ -96,13 +96,19 @@ class TimeCache:
             return ''
         asked = seconds(stamp)
         if len(stamps) == 1:
-            return (f'Lookup would require extrapolation at time {asked:.6f}, '
-                    f'but only time {seconds(stamps[0]):.6f} is in the buffer')
+            return (
+                f'Lookup would require extrapolation at time {asked:.6f}, '
+                f'but only time {seconds(stamps[0]):.6f} is in the buffer'
+            )
         if stamp > stamps[-1]:
-            return (f'Lookup would require extrapolation into the future.  Requested time {asked:.6f} '
-                    f'but the latest data is at time {seconds(stamps[-1]):.6f}')
-        return (f'Lookup would require extrapolation into the past.  Requested time {asked:.6f} '
-                f'but the earliest data is at time {seconds(stamps[0]):.6f}')
+            return (
+                f'Lookup would require extrapolation into the future.  Requested time {asked:.6f} '
+                f'but the latest data is at time {seconds(stamps[-1]):.6f}'
+            )
+        return (
+            f'Lookup would require extrapolation into the past.  Requested time {asked:.6f} '
+            f'but the earliest data is at time {seconds(stamps[0]):.6f}'
+        )
 
     def latest(self):
         """Return `(stamp, parent)` of the latest sample, `(0, None)` if there is none."""
@@ -120,7 +126,7 @@ class StaticCache:
     """The one sample of a frame that never moves: good for every time; `clear` does not touch it."""
 
     static = True
-    stamps = (0,)   # for the statistics: one sample, at no particular time
+    stamps = (0,)  # for the statistics: one sample, at no particular time
     __slots__ = ('sample',)
 
     def __init__(self):

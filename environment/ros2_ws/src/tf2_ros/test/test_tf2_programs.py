@@ -45,20 +45,38 @@ def test_static_transform_publisher_by_position(domain, heard):
     publisher = domain.program('tf2_ros', 'static_transform_publisher', *'1.0 0.0 0.5 0 0 0 world robot_base'.split())
     publisher.wait_for_output("from 'world' to 'robot_base'", TIMEOUT)
     assert publisher.lines[0] == '[WARN] []: Old-style arguments are deprecated; see --help for new-style arguments'
-    assert re.fullmatch(r'\[INFO\] \[static_transform_publisher_[0-9A-Za-z]{16}\]: '
-                        'Spinning until stopped - publishing transform', publisher.lines[1])
-    assert publisher.lines[2:5] == ["translation: ('1.000000', '0.000000', '0.500000')",
-                                    "rotation: ('0.000000', '0.000000', '0.000000', '1.000000')",
-                                    "from 'world' to 'robot_base'"]
+    assert re.fullmatch(
+        r'\[INFO\] \[static_transform_publisher_[0-9A-Za-z]{16}\]: '
+        'Spinning until stopped - publishing transform',
+        publisher.lines[1],
+    )
+    assert publisher.lines[2:5] == [
+        "translation: ('1.000000', '0.000000', '0.500000')",
+        "rotation: ('0.000000', '0.000000', '0.000000', '1.000000')",
+        "from 'world' to 'robot_base'",
+    ]
     assert position(heard.lookup_transform('world', 'robot_base', LATEST, LONG)) == (1.0, 0.0, 0.5)
     assert publisher.stop(TIMEOUT) == 0
     assert 'Traceback' not in publisher.output
 
 
 def test_static_transform_publisher_by_flags(domain, heard):
-    publisher = domain.program('tf2_ros', 'static_transform_publisher', '--x', '1', '--yaw', '1.5707963267948966',
-                               '--frame-id', 'world', '--child-frame-id', 'base', '--ros-args', '-r', '__node:=here')
-    publisher.wait_for_output("[INFO] [here]: Spinning until stopped - publishing transform", TIMEOUT)
+    publisher = domain.program(
+        'tf2_ros',
+        'static_transform_publisher',
+        '--x',
+        '1',
+        '--yaw',
+        '1.5707963267948966',
+        '--frame-id',
+        'world',
+        '--child-frame-id',
+        'base',
+        '--ros-args',
+        '-r',
+        '__node:=here',
+    )
+    publisher.wait_for_output('[INFO] [here]: Spinning until stopped - publishing transform', TIMEOUT)
     publisher.wait_for_output("rotation: ('0.000000', '0.000000', '0.707107', '0.707107')", TIMEOUT)
     found = heard.lookup_transform('world', 'base', LATEST, LONG)
     assert (found.transform.rotation.z, found.transform.rotation.w) == pytest.approx((HALF, HALF))
@@ -68,32 +86,38 @@ def test_help(domain):
     assert end(domain.program('tf2_ros', 'static_transform_publisher', '--help')) == (0, USAGE)
 
 
-@pytest.mark.parametrize(('words', 'complaint'), [
-    ('', 'Frame id must not be empty'),
-    ('--x 1 --frame-id a --child-frame-id', 'Not enough arguments for --child-frame-id'),
-    ('--x one --frame-id a --child-frame-id b', 'Failed to parse --x argument as float'),
-    ('1 2 z 0 0 0 a b', 'Failed to parse z argument as float'),
-    ('1 2 3 0 0 a b', 'Extra unparsed arguments on command-line'),
-    ('--what --frame-id a --child-frame-id b', 'Extra unparsed arguments on command-line'),
-    ('--roll 1 --qx 1 --frame-id a --child-frame-id b', 'Cannot specify both quaternion and Euler rotations'),
-    ('1 2 3 0 0 0 a b --frame-id c', 'Cannot specify both new-style (flags) and old-style (arguments)'),
-    ('--frame-id a', 'Child frame id must not be empty'),
-])
+@pytest.mark.parametrize(
+    ('words', 'complaint'),
+    [
+        ('', 'Frame id must not be empty'),
+        ('--x 1 --frame-id a --child-frame-id', 'Not enough arguments for --child-frame-id'),
+        ('--x one --frame-id a --child-frame-id b', 'Failed to parse --x argument as float'),
+        ('1 2 z 0 0 0 a b', 'Failed to parse z argument as float'),
+        ('1 2 3 0 0 a b', 'Extra unparsed arguments on command-line'),
+        ('--what --frame-id a --child-frame-id b', 'Extra unparsed arguments on command-line'),
+        ('--roll 1 --qx 1 --frame-id a --child-frame-id b', 'Cannot specify both quaternion and Euler rotations'),
+        ('1 2 3 0 0 0 a b --frame-id c', 'Cannot specify both new-style (flags) and old-style (arguments)'),
+        ('--frame-id a', 'Child frame id must not be empty'),
+    ],
+)
 def test_command_lines_without_sense(words, complaint):
     with pytest.raises(ArgumentsError) as caught:
         parse(words.split())
     assert str(caught.value) == complaint
 
 
-@pytest.mark.parametrize(('words', 'translation', 'rotation'), [
-    ('1 2 3 1.5707963267948966 0 0 a b', [1, 2, 3], [0, 0, HALF, HALF]),
-    ('1 2 3 0 0 3.141592653589793 a b', [1, 2, 3], [1, 0, 0, 0]),
-    ('1 2 3 .5 .5 .5 .5 a b', [1, 2, 3], [.5, .5, .5, .5]),
-    ('--z -1e-1 --qz 1 --qw 0 --frame-id a --child-frame-id b', [0, 0, -.1], [0, 0, 1, 0]),
-    ('--pitch 1.5707963267948966 --child-frame-id b --frame-id a', [0, 0, 0], [0, HALF, 0, HALF]),
-    ('--frame-id a --child-frame-id b', [0, 0, 0], [0, 0, 0, 1]),
-    ('--x 1.5m --frame-id a --child-frame-id b', [1.5, 0, 0], [0, 0, 0, 1]),
-])
+@pytest.mark.parametrize(
+    ('words', 'translation', 'rotation'),
+    [
+        ('1 2 3 1.5707963267948966 0 0 a b', [1, 2, 3], [0, 0, HALF, HALF]),
+        ('1 2 3 0 0 3.141592653589793 a b', [1, 2, 3], [1, 0, 0, 0]),
+        ('1 2 3 .5 .5 .5 .5 a b', [1, 2, 3], [0.5, 0.5, 0.5, 0.5]),
+        ('--z -1e-1 --qz 1 --qw 0 --frame-id a --child-frame-id b', [0, 0, -0.1], [0, 0, 1, 0]),
+        ('--pitch 1.5707963267948966 --child-frame-id b --frame-id a', [0, 0, 0], [0, HALF, 0, HALF]),
+        ('--frame-id a --child-frame-id b', [0, 0, 0], [0, 0, 0, 1]),
+        ('--x 1.5m --frame-id a --child-frame-id b', [1.5, 0, 0], [0, 0, 0, 1]),
+    ],
+)
 def test_command_lines_with_sense(words, translation, rotation):
     arguments = parse(words.split())
     assert arguments == Arguments(pytest.approx(translation), pytest.approx(rotation, abs=1e-12), 'a', 'b')
@@ -102,8 +126,9 @@ def test_command_lines_with_sense(words, translation, rotation):
 def test_static_transform_publisher_refuses(domain):
     status, output = end(domain.program('tf2_ros', 'static_transform_publisher', '1', '2', '3'))
     assert status == 1
-    assert output == ('[ERROR] []: error parsing command line arguments: Extra unparsed arguments on command-line\n'
-                      + USAGE)
+    assert output == (
+        '[ERROR] []: error parsing command line arguments: Extra unparsed arguments on command-line\n' + USAGE
+    )
     status, output = end(domain.program('tf2_ros', 'static_transform_publisher', *'0 0 0 0 0 0 a a'.split()))
     assert status == 1
     assert "]: cannot publish static transform from 'a' to 'a', exiting" in output and 'Traceback' not in output
@@ -111,17 +136,23 @@ def test_static_transform_publisher_refuses(domain):
 
 def test_nonsense_that_can_be_sent_is_refused_by_the_receiver(domain):
     echo = domain.program('tf2_ros', 'tf2_echo', 'a', 'b', '20')
-    echo.wait_for_output('[INFO] [tf2_echo]: Waiting for transform a ->  b: Invalid frame ID "a" passed to '
-                         'canTransform argument target_frame - frame does not exist', TIMEOUT)
+    echo.wait_for_output(
+        '[INFO] [tf2_echo]: Waiting for transform a ->  b: Invalid frame ID "a" passed to '
+        'canTransform argument target_frame - frame does not exist',
+        TIMEOUT,
+    )
     domain.program('tf2_ros', 'static_transform_publisher', '--x', 'nan', '--frame-id', 'a', '--child-frame-id', 'b')
-    echo.wait_for_output('[ERROR] []: TF_NAN_INPUT: Ignoring transform for child_frame_id "b" from authority '
-                         '"default_authority" because of a nan value in the transform '
-                         '(nan 0.000000 0.000000) (0.000000 0.000000 0.000000 1.000000)', TIMEOUT)
+    echo.wait_for_output(
+        '[ERROR] []: TF_NAN_INPUT: Ignoring transform for child_frame_id "b" from authority '
+        '"default_authority" because of a nan value in the transform '
+        '(nan 0.000000 0.000000) (0.000000 0.000000 0.000000 1.000000)',
+        TIMEOUT,
+    )
     domain.program('tf2_ros', 'static_transform_publisher', '--z', '1', '--frame-id', 'a', '--child-frame-id', 'b')
     echo.wait_for_output('At time 0.0', TIMEOUT)
     echo.wait_for_output('  0.000  0.000  0.000  1.000', TIMEOUT)
     first = echo.lines.index('At time 0.0')
-    assert echo.lines[first:first + 10] == [
+    assert echo.lines[first : first + 10] == [
         'At time 0.0',
         '- Translation: [0.000, 0.000, 1.000]',
         '- Rotation: in Quaternion [0.000, 0.000, 0.000, 1.000]',
@@ -154,24 +185,30 @@ def test_echo_of_frames_that_loop(domain):
     assert 'Traceback' not in echo.output
 
 
-@pytest.mark.parametrize(('words', 'status', 'output'), [
-    ([], 1, 'Usage: tf2_echo source_frame target_frame [echo_rate]\n\n'),
-    (['a', 'b', 'fast'], 2, "Failed to convert rate argument 'fast' to a floating-point number"),
-    (['a', 'b', '1.0x'], 3, "Failed to convert rate argument '1.0x' to a floating-point number"),
-    (['a', 'b', '-1'], 1, 'rate must be greater than 0'),
-    (['a', 'b', '--ros-args', '-p', 'nonsense'], 1, "Couldn't parse params file"),
-])
+@pytest.mark.parametrize(
+    ('words', 'status', 'output'),
+    [
+        ([], 1, 'Usage: tf2_echo source_frame target_frame [echo_rate]\n\n'),
+        (['a', 'b', 'fast'], 2, "Failed to convert rate argument 'fast' to a floating-point number"),
+        (['a', 'b', '1.0x'], 3, "Failed to convert rate argument '1.0x' to a floating-point number"),
+        (['a', 'b', '-1'], 1, 'rate must be greater than 0'),
+        (['a', 'b', '--ros-args', '-p', 'nonsense'], 1, "Couldn't parse params file"),
+    ],
+)
 def test_echo_refuses(domain, words, status, output):
     ended = end(domain.program('tf2_ros', 'tf2_echo', *words))
     assert ended[0] == status
     assert output.split('params')[0] in ended[1] and 'Traceback' not in ended[1]
 
 
-@pytest.mark.parametrize(('xyzw', 'angles'), [
-    ((0, 0, HALF, HALF), '[0.000, -0.000, 90.000]'),
-    ((0, HALF, 0, HALF), '[0.000, 90.000, 0.000]'),
-    ((HALF, 0, 0, HALF), '[90.000, -0.000, 0.000]'),
-])
+@pytest.mark.parametrize(
+    ('xyzw', 'angles'),
+    [
+        ((0, 0, HALF, HALF), '[0.000, -0.000, 90.000]'),
+        ((0, HALF, 0, HALF), '[0.000, 90.000, 0.000]'),
+        ((HALF, 0, 0, HALF), '[90.000, -0.000, 0.000]'),
+    ],
+)
 def test_description_of_angles(xyzw, angles):
     lines = describe(transform('a', 'b', 2.000000005, (1, 2, 3), xyzw)).splitlines()
     assert lines[0] == 'At time 2.5'
@@ -198,12 +235,25 @@ def test_monitor_reports():
     delays.sample_chain(Time(seconds=9).to_msg(), now=10.0)
     no_one = '<no authority available>'
     assert delays.report().splitlines() == [
-        '', '', '', 'RESULTS: for all Frames', '', 'Frames:',
+        '',
+        '',
+        '',
+        'RESULTS: for all Frames',
+        '',
+        'Frames:',
         f'Frame: b, published by {no_one}, Average Delay: 0.75, Max Delay: 1',
         f'Frame: c, published by {no_one}, Average Delay: 1, Max Delay: 1',
-        '', 'All Broadcasters:', f'Node: {no_one} 2 Hz, Average Delay: 0.875 Max Delay: 1']
+        '',
+        'All Broadcasters:',
+        f'Node: {no_one} 2 Hz, Average Delay: 0.875 Max Delay: 1',
+    ]
     assert delays.report(['b', 'a']).splitlines()[3:8] == [
-        'RESULTS: for b to a', 'Chain is: b -> a', 'Net delay     avg = 0.01: max = 1', '', 'Frames:']
+        'RESULTS: for b to a',
+        'Chain is: b -> a',
+        'Net delay     avg = 0.01: max = 1',
+        '',
+        'Frames:',
+    ]
 
 
 def test_picture_of_the_frames(tmp_path, monkeypatch):
@@ -235,9 +285,21 @@ def test_picture_with_graphviz(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize('text', ['[]', "a: \n  parent: 'b'\nb: \n  parent: 'a'\n"])
 def test_picture_of_nothing_and_of_a_loop(text):
-    data = {} if text == '[]' else {
-        name: {**entry, 'broadcaster': 'x', 'rate': 1.0, 'buffer_length': 0.0, 'most_recent_transform': 1.0,
-               'oldest_transform': 1.0} for name, entry in yaml.safe_load(text).items()}
+    data = (
+        {}
+        if text == '[]'
+        else {
+            name: {
+                **entry,
+                'broadcaster': 'x',
+                'rate': 1.0,
+                'buffer_length': 0.0,
+                'most_recent_transform': 1.0,
+                'oldest_transform': 1.0,
+            }
+            for name, entry in yaml.safe_load(text).items()
+        }
+    )
     assert graph.generate_dot(data, (0, 0)).startswith('digraph G {')
     ElementTree.fromstring(graph.generate_svg(data, (0, 0)))
 
@@ -247,9 +309,11 @@ def test_view_frames(domain, tmp_path):
     program = domain.program('tf2_tools', 'view_frames', '-o', tmp_path / 'tree')
     status, output = end(program)
     assert status == 0, output
-    assert output.startswith('[INFO] [view_frames]: Listening to tf data for 5.0 seconds...\n'
-                             '[INFO] [view_frames]: Generating graph...\n'
-                             '[INFO] [view_frames]: Result:tf2_msgs.srv.FrameGraph_Response(frame_yaml="b: \\n')
+    assert output.startswith(
+        '[INFO] [view_frames]: Listening to tf data for 5.0 seconds...\n'
+        '[INFO] [view_frames]: Generating graph...\n'
+        '[INFO] [view_frames]: Result:tf2_msgs.srv.FrameGraph_Response(frame_yaml="b: \\n'
+    )
     assert yaml.safe_load((tmp_path / 'tree.yaml').read_text())['b']['parent'] == 'a'
     assert re.search(rf'Exporting graph in {tmp_path}/tree\.(svg|pdf) file\.\.\.$', output)
 

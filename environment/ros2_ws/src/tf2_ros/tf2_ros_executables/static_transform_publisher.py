@@ -47,10 +47,7 @@ TRANSLATION = ('x', 'y', 'z')
 QUATERNION = ('qx', 'qy', 'qz', 'qw')
 EULER = ('roll', 'pitch', 'yaw')
 # What the old form gives by position, by the number of arguments.
-OLD_FORMS = {
-    8: (*TRANSLATION, 'yaw', 'pitch', 'roll'),
-    9: (*TRANSLATION, *QUATERNION),
-}
+OLD_FORMS = {8: (*TRANSLATION, 'yaw', 'pitch', 'roll'), 9: (*TRANSLATION, *QUATERNION)}
 # As C's strtod, which stock uses: a number at the beginning is enough.
 NUMBER = re.compile(r'\s*([+-]?(?:inf(?:inity)?|nan|(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?))', re.IGNORECASE)
 
@@ -82,10 +79,12 @@ def quaternion_from_rpy(roll, pitch, yaw):
     cr, sr = cos(roll / 2.0), sin(roll / 2.0)
     cp, sp = cos(pitch / 2.0), sin(pitch / 2.0)
     cy, sy = cos(yaw / 2.0), sin(yaw / 2.0)
-    return [sr * cp * cy - cr * sp * sy,
-            cr * sp * cy + sr * cp * sy,
-            cr * cp * sy - sr * sp * cy,
-            cr * cp * cy + sr * sp * sy]
+    return [
+        sr * cp * cy - cr * sp * sy,
+        cr * sp * cy + sr * cp * sy,
+        cr * cp * sy - sr * sp * cy,
+        cr * cp * cy + sr * sp * sy,
+    ]
 
 
 def parse(words):
@@ -118,7 +117,8 @@ def parse(words):
         return arguments
 
     saw_translation, saw_quaternion, saw_euler = (
-        any(name in values for name in names) for names in (TRANSLATION, QUATERNION, EULER))
+        any(name in values for name in names) for names in (TRANSLATION, QUATERNION, EULER)
+    )
     if saw_euler and saw_quaternion:
         raise ArgumentsError('Cannot specify both quaternion and Euler rotations')
     if len(positional) in OLD_FORMS:
@@ -155,13 +155,16 @@ class StaticTransformBroadcasterNode(Node):
         overrides = {'frame_id': arguments.frame_id, 'child_frame_id': arguments.child_frame_id}
         overrides.update(zip(('translation.x', 'translation.y', 'translation.z'), arguments.translation, strict=True))
         overrides.update(zip(('rotation.x', 'rotation.y', 'rotation.z', 'rotation.w'), arguments.rotation, strict=True))
-        super().__init__(f'static_transform_publisher_{suffix}',
-                         parameter_overrides=[Parameter(name, value=value) for name, value in overrides.items()])
+        super().__init__(
+            f'static_transform_publisher_{suffix}',
+            parameter_overrides=[Parameter(name, value=value) for name, value in overrides.items()],
+        )
         read_only = ParameterDescriptor(read_only=True)
         value = {name: self.declare_parameter(name, default, read_only).value for name, default in overrides.items()}
         if value['frame_id'] == value['child_frame_id']:
-            self.get_logger().error(f"cannot publish static transform from '{value['frame_id']}' "
-                                    f"to '{value['child_frame_id']}', exiting")
+            self.get_logger().error(
+                f"cannot publish static transform from '{value['frame_id']}' to '{value['child_frame_id']}', exiting"
+            )
             raise ValueError('child_frame_id cannot equal frame_id')
         message = TransformStamped()
         message.header.stamp = self.get_clock().now().to_msg()
@@ -191,12 +194,13 @@ def main():
             return 0
         try:
             node = StaticTransformBroadcasterNode(arguments)
-        except ValueError:   # it has said why
+        except ValueError:  # it has said why
             return 1
         node.get_logger().info(
             f'Spinning until stopped - publishing transform\n'
             f'translation: ({_quoted(arguments.translation)})\n'
             f'rotation: ({_quoted(arguments.rotation)})\n'
-            f"from '{arguments.frame_id}' to '{arguments.child_frame_id}'")
+            f"from '{arguments.frame_id}' to '{arguments.child_frame_id}'"
+        )
         spin(node, executor)
     return 0

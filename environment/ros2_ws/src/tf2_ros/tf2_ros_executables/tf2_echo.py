@@ -18,16 +18,19 @@ USAGE = (
     'This will echo the transform from the coordinate frame of the source_frame\n'
     'to the coordinate frame of the target_frame. \n'
     'Note: This is the transform to get data from target_frame into the source_frame.\n'
-    'Default echo rate is 1 if echo_rate is not given.')
+    'Default echo rate is 1 if echo_rate is not given.'
+)
 
 
 def matrix_of(rotation):
     """Return the rows of the rotation matrix of a quaternion message of any length but zero."""
     x, y, z, w = rotation.x, rotation.y, rotation.z, rotation.w
     s = 2.0 / (x * x + y * y + z * z + w * w)
-    return ((1.0 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)),
-            (s * (x * y + w * z), 1.0 - s * (x * x + z * z), s * (y * z - w * x)),
-            (s * (x * z - w * y), s * (y * z + w * x), 1.0 - s * (x * x + y * y)))
+    return (
+        (1.0 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)),
+        (s * (x * y + w * z), 1.0 - s * (x * x + z * z), s * (y * z - w * x)),
+        (s * (x * z - w * y), s * (y * z + w * x), 1.0 - s * (x * x + y * y)),
+    )
 
 
 def roll_pitch_yaw_of(matrix):
@@ -42,6 +45,7 @@ def roll_pitch_yaw_of(matrix):
 
 def describe(transform):
     """Return the lines that say where and how a `TransformStamped` is, as stock's tf2_echo."""
+
     def row(values):
         return ', '.join(f'{value:.3f}' for value in values)
 
@@ -52,15 +56,18 @@ def describe(transform):
     matrix = matrix_of(rotation)
     angles = roll_pitch_yaw_of(matrix)
     position = translation.x, translation.y, translation.z
-    return '\n'.join([
-        f'At time {stamp.sec}.{stamp.nanosec}',   # stock does not pad the nanoseconds either
-        f'- Translation: [{row(position)}]',
-        f'- Rotation: in Quaternion [{row((rotation.x, rotation.y, rotation.z, rotation.w))}]',
-        f'- Rotation: in RPY (radian) [{row(angles)}]',
-        f'- Rotation: in RPY (degree) [{row(map(degrees, angles))}]',
-        '- Matrix:',
-        *(columns((*matrix[i], position[i])) for i in range(3)),
-        columns((0.0, 0.0, 0.0, 1.0))])
+    return '\n'.join(
+        [
+            f'At time {stamp.sec}.{stamp.nanosec}',  # stock does not pad the nanoseconds either
+            f'- Translation: [{row(position)}]',
+            f'- Rotation: in Quaternion [{row((rotation.x, rotation.y, rotation.z, rotation.w))}]',
+            f'- Rotation: in RPY (radian) [{row(angles)}]',
+            f'- Rotation: in RPY (degree) [{row(map(degrees, angles))}]',
+            '- Matrix:',
+            *(columns((*matrix[i], position[i])) for i in range(3)),
+            columns((0.0, 0.0, 0.0, 1.0)),
+        ]
+    )
 
 
 class Echo(Node):
@@ -70,7 +77,7 @@ class Echo(Node):
         super().__init__('tf2_echo')
         self.frames = source_frame, target_frame
         self.found = False
-        self.buffer = Buffer()   # without the node: it need not answer `tf2_frames`
+        self.buffer = Buffer()  # without the node: it need not answer `tf2_frames`
         self.listener = TransformListener(self.buffer, self)
         self.create_timer(1.0 / rate, self.tick, clock=Clock(clock_type=ClockType.STEADY_TIME))
         self.tick()
@@ -81,15 +88,19 @@ class Echo(Node):
         if not self.found:
             self.found, why_not = self.buffer.can_transform(source, target, Time(), return_debug_tuple=True)
             if not self.found:
-                self.get_logger().info(f'Waiting for transform {source} ->  {target}: {why_not}',
-                                       throttle_duration_sec=1.0)
+                self.get_logger().info(
+                    f'Waiting for transform {source} ->  {target}: {why_not}', throttle_duration_sec=1.0
+                )
                 return
         try:
             print(describe(self.buffer.lookup_transform(source, target, Time())), flush=True)
         except TransformException as error:
-            print(f'Failure at {self.get_clock().now().nanoseconds / 1e9:.3f}\n'
-                  f'Exception thrown:{error}\n'
-                  f'The current list of frames is:\n{self.buffer.all_frames_as_string()}', flush=True)
+            print(
+                f'Failure at {self.get_clock().now().nanoseconds / 1e9:.3f}\n'
+                f'Exception thrown:{error}\n'
+                f'The current list of frames is:\n{self.buffer.all_frames_as_string()}',
+                flush=True,
+            )
 
 
 def main():

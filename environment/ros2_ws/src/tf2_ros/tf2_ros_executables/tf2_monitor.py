@@ -14,11 +14,11 @@ from tf2_ros.transform_listener import TransformListener
 
 from tf2_ros_executables.program import ros, spin
 
-AUTHORITY = '<no authority available>'   # DDS does not tell the sender's node
-PERIOD = 0.5      # seconds between samples of the chain's delay
-SAMPLES = 20      # samples between reports
-WEIGHT = 0.01     # of a new sample in the chain's mean delay
-HISTORY = 1000    # messages that a mean is taken over
+AUTHORITY = '<no authority available>'  # DDS does not tell the sender's node
+PERIOD = 0.5  # seconds between samples of the chain's delay
+SAMPLES = 20  # samples between reports
+WEIGHT = 0.01  # of a new sample in the chain's mean delay
+HISTORY = 1000  # messages that a mean is taken over
 
 
 def _recent():
@@ -38,7 +38,7 @@ class Delays:
 
     def __init__(self):
         self._frames = defaultdict(_recent)
-        self._messages = _recent()   # the mean of each message
+        self._messages = _recent()  # the mean of each message
         self._arrivals = _recent()
         self._chain_mean = self._chain_worst = 0.0
 
@@ -60,8 +60,11 @@ class Delays:
     def report(self, chain=()):
         """Return the report in stock's words: for all frames, or for those on a chain."""
         if chain:
-            lines = [f'\n\n\nRESULTS: for {chain[0]} to {chain[-1]}', f'Chain is: {" -> ".join(chain)}',
-                     f'Net delay     avg = {self._chain_mean:g}: max = {self._chain_worst:g}']
+            lines = [
+                f'\n\n\nRESULTS: for {chain[0]} to {chain[-1]}',
+                f'Chain is: {" -> ".join(chain)}',
+                f'Net delay     avg = {self._chain_mean:g}: max = {self._chain_worst:g}',
+            ]
         else:
             lines = ['\n\n\nRESULTS: for all Frames']
         lines.append('\nFrames:')
@@ -89,12 +92,13 @@ class Monitor(Node):
         self.asked = tuple(asked)
         self.chain = []
         self.delays = Delays()
-        self.samples = None   # None until the chain is known
+        self.samples = None  # None until the chain is known
         self.buffer = Buffer(node=self)
         self.listener = TransformListener(self.buffer, self)
         self.create_subscription(TFMessage, '/tf', self.receive, QoSProfile(depth=100))
-        self.create_subscription(TFMessage, '/tf_static', self.receive,
-                                 QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL))
+        self.create_subscription(
+            TFMessage, '/tf_static', self.receive, QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        )
         self.create_timer(PERIOD, self.tick, clock=Clock(clock_type=ClockType.STEADY_TIME))
         self.tick()
 
@@ -116,7 +120,7 @@ class Monitor(Node):
         if self.chain:
             try:
                 self.delays.sample_chain(self.buffer.lookup_transform(*self.asked, Time()).header.stamp, self.now())
-            except TransformException as error:   # the tree has changed
+            except TransformException as error:  # the tree has changed
                 self.get_logger().warning(f'Transform Exception {error}')
         if self.samples > SAMPLES:
             self.samples = 0

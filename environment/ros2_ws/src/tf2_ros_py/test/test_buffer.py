@@ -30,7 +30,9 @@ def send(buffer, seconds=1.0):
 def test_answers_are_ints_and_debug_tuples(buffer):
     assert buffer.can_transform('odom', 'base', LATEST) == 0
     assert buffer.can_transform('odom', 'base', LATEST, return_debug_tuple=True) == (
-        0, 'Invalid frame ID "odom" passed to canTransform argument target_frame - frame does not exist')
+        0,
+        'Invalid frame ID "odom" passed to canTransform argument target_frame - frame does not exist',
+    )
     send(buffer)
     answer = buffer.can_transform('odom', 'base', LATEST)
     assert (answer, type(answer)) == (1, int)
@@ -139,8 +141,12 @@ def test_conversions():
 
 def test_an_interface_without_an_implementation():
     interface = tf2_ros.BufferInterface()
-    for method, arguments in (('lookup_transform', 3), ('can_transform', 3), ('lookup_transform_full', 5),
-                              ('can_transform_full', 5)):
+    for method, arguments in (
+        ('lookup_transform', 3),
+        ('can_transform', 3),
+        ('lookup_transform_full', 5),
+        ('can_transform_full', 5),
+    ):
         with pytest.raises(tf2_ros.NotImplementedException):
             getattr(interface, method)(*['x'] * arguments)
 
@@ -151,9 +157,31 @@ def test_stamped():
 
 
 def test_public_names():
-    for name in ('Buffer', 'BufferCore', 'BufferInterface', 'BufferClient', 'TransformListener', 'TransformBroadcaster',
-                 'StaticTransformBroadcaster', 'TransformRegistration', 'ConvertRegistration', 'convert', 'Stamped',
-                 'TypeException', 'NotImplementedException', 'TransformException', 'ConnectivityException',
-                 'LookupException', 'ExtrapolationException', 'InvalidArgumentException', 'TimeoutException',
-                 'Time', 'Duration', 'Node', 'TransformStamped', 'PointStamped', 'TFMessage'):
+    for name in (
+        'Buffer',
+        'BufferCore',
+        'BufferInterface',
+        'BufferClient',
+        'TransformListener',
+        'TransformBroadcaster',
+        'StaticTransformBroadcaster',
+        'TransformRegistration',
+        'ConvertRegistration',
+        'convert',
+        'Stamped',
+        'TypeException',
+        'NotImplementedException',
+        'TransformException',
+        'ConnectivityException',
+        'LookupException',
+        'ExtrapolationException',
+        'InvalidArgumentException',
+        'TimeoutException',
+        'Time',
+        'Duration',
+        'Node',
+        'TransformStamped',
+        'PointStamped',
+        'TFMessage',
+    ):
         assert hasattr(tf2_ros, name), name

@@ -130,7 +130,9 @@ def blocking(timeout):
             except tf2_ros.TransformException as error:
                 response.message = str(error)
             return response
+
         return callback
+
     return make
 
 
@@ -139,6 +141,7 @@ def awaiting(buffer):
         response.message = str(position(await buffer.lookup_transform_async('odom', 'base', LATEST)))
         response.success = True
         return response
+
     return callback
 
 
@@ -180,8 +183,15 @@ def test_bad_transforms_do_not_stop_the_listener(domain):
     domain.spin(node)
     broadcaster = tf2_ros.TransformBroadcaster(domain.node('sender'))
     matched(broadcaster.pub_tf)
-    broadcaster.sendTransform([transform('a', 'a'), transform('', 'b'), transform('a', 'b', xyz=(float('nan'), 0, 0)),
-                               transform('a', 'b', xyzw=(0, 0, 0, 0)), transform('odom', 'base', 1.0)])
+    broadcaster.sendTransform(
+        [
+            transform('a', 'a'),
+            transform('', 'b'),
+            transform('a', 'b', xyz=(float('nan'), 0, 0)),
+            transform('a', 'b', xyzw=(0, 0, 0, 0)),
+            transform('odom', 'base', 1.0),
+        ]
+    )
     assert buffer.can_transform('odom', 'base', LATEST, LONG)
     assert buffer._getFrameStrings() == ['base', 'odom']
 

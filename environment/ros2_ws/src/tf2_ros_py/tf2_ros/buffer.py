@@ -33,8 +33,8 @@ class Buffer(BufferCore, BufferInterface):
     def __init__(self, cache_time: Duration | None = None, node: Node | None = None) -> None:
         BufferCore.__init__(self, *([] if cache_time is None else [cache_time]))
         BufferInterface.__init__(self)
-        self._news = Condition()   # notified after every insertion
-        self._waiters: list[Callable[[], bool]] = []   # each tries to complete its future, and says whether it is done
+        self._news = Condition()  # notified after every insertion
+        self._waiters: list[Callable[[], bool]] = []  # each tries to complete its future, and says whether it is done
         if node is not None:
             self.srv = node.create_service(FrameGraph, 'tf2_frames', self._tell_frames)
             self.clock = node.get_clock()
@@ -71,11 +71,7 @@ class Buffer(BufferCore, BufferInterface):
                 self._waiters = [waiter for waiter in waiters if not waiter()] + self._waiters
 
     def lookup_transform(
-        self,
-        target_frame: str,
-        source_frame: str,
-        time: Time,
-        timeout: Duration = NO_TIMEOUT,
+        self, target_frame: str, source_frame: str, time: Time, timeout: Duration = NO_TIMEOUT
     ) -> TransformStamped:
         """
         Return the transform that takes data from the source frame into the target frame.
@@ -109,16 +105,12 @@ class Buffer(BufferCore, BufferInterface):
         return await self.wait_for_transform_async(target_frame, source_frame, time)
 
     async def lookup_transform_full_async(
-        self,
-        target_frame: str,
-        target_time: Time,
-        source_frame: str,
-        source_time: Time,
-        fixed_frame: str,
+        self, target_frame: str, target_time: Time, source_frame: str, source_time: Time, fixed_frame: str
     ) -> TransformStamped:
         """Await the transform between two times, however long it takes, and return it."""
         return await self.wait_for_transform_full_async(
-            target_frame, target_time, source_frame, source_time, fixed_frame)
+            target_frame, target_time, source_frame, source_time, fixed_frame
+        )
 
     def can_transform(
         self,
@@ -149,7 +141,8 @@ class Buffer(BufferCore, BufferInterface):
         """Like :meth:`can_transform`, between two times."""
         answer = self._wait(
             lambda: self.can_transform_full_core(target_frame, target_time, source_frame, source_time, fixed_frame),
-            timeout)
+            timeout,
+        )
         return answer if return_debug_tuple else answer[0]
 
     def _wait(self, ask: Callable[[], tuple[int, str]], timeout: Duration) -> tuple[int, str]:
@@ -168,21 +161,19 @@ class Buffer(BufferCore, BufferInterface):
 
     def wait_for_transform_async(self, target_frame: str, source_frame: str, time: Time) -> Future:
         """Return a future whose result will be the transform. Cancel it to stop waiting."""
-        return self._future(lambda: self.can_transform_core(target_frame, source_frame, time),
-                            lambda: self.lookup_transform_core(target_frame, source_frame, time))
+        return self._future(
+            lambda: self.can_transform_core(target_frame, source_frame, time),
+            lambda: self.lookup_transform_core(target_frame, source_frame, time),
+        )
 
     def wait_for_transform_full_async(
-        self,
-        target_frame: str,
-        target_time: Time,
-        source_frame: str,
-        source_time: Time,
-        fixed_frame: str,
+        self, target_frame: str, target_time: Time, source_frame: str, source_time: Time, fixed_frame: str
     ) -> Future:
         """Return a future whose result will be the transform between two times. Cancel it to stop waiting."""
         question = (target_frame, target_time, source_frame, source_time, fixed_frame)
-        return self._future(lambda: self.can_transform_full_core(*question),
-                            lambda: self.lookup_transform_full_core(*question))
+        return self._future(
+            lambda: self.can_transform_full_core(*question), lambda: self.lookup_transform_full_core(*question)
+        )
 
     def _future(self, ask: Callable[[], tuple[int, str]], look_up: Callable[[], TransformStamped]) -> Future:
         future = Future()
@@ -194,13 +185,13 @@ class Buffer(BufferCore, BufferInterface):
                 if not ask()[0]:
                     return False
                 result = look_up()
-            except Exception as error:   # for who awaits it, not for who happened to send a transform
+            except Exception as error:  # for who awaits it, not for who happened to send a transform
                 future.set_exception(error)
             else:
                 future.set_result(result)
             return True
 
-        with self._news:   # no transform can slip in between asking and beginning to wait
+        with self._news:  # no transform can slip in between asking and beginning to wait
             if not completed():
                 self._waiters.append(completed)
         return future

@@ -48,13 +48,7 @@ class BufferClient(BufferInterface):
     :param timeout_padding: how much longer than a look-up's own timeout to wait for the server.
     """
 
-    def __init__(
-        self,
-        node: Node,
-        ns: str,
-        check_frequency: float = 10.0,
-        timeout_padding: Duration = PADDING,
-    ) -> None:
+    def __init__(self, node: Node, ns: str, check_frequency: float = 10.0, timeout_padding: Duration = PADDING) -> None:
         super().__init__()
         self.node = node
         self.action_client = ActionClient(node, LookupTransform, action_name=ns)
@@ -66,11 +60,7 @@ class BufferClient(BufferInterface):
         self.action_client.destroy()
 
     def lookup_transform(
-        self,
-        target_frame: str,
-        source_frame: str,
-        time: Time,
-        timeout: Duration = NO_TIMEOUT,
+        self, target_frame: str, source_frame: str, time: Time, timeout: Duration = NO_TIMEOUT
     ) -> TransformStamped:
         """
         Return the transform from the source frame to the target frame.
@@ -94,19 +84,14 @@ class BufferClient(BufferInterface):
     ) -> TransformStamped:
         """Return the transform between two times. Raises as :meth:`lookup_transform`."""
         goal = LookupTransform.Goal(
-            target_frame=target_frame, source_frame=source_frame, fixed_frame=fixed_frame, advanced=True)
+            target_frame=target_frame, source_frame=source_frame, fixed_frame=fixed_frame, advanced=True
+        )
         goal.source_time = _message(source_time)
         goal.target_time = _message(target_time)
         goal.timeout = timeout.to_msg()
         return self._result_of(goal, timeout)
 
-    def can_transform(
-        self,
-        target_frame: str,
-        source_frame: str,
-        time: Time,
-        timeout: Duration = NO_TIMEOUT,
-    ) -> bool:
+    def can_transform(self, target_frame: str, source_frame: str, time: Time, timeout: Duration = NO_TIMEOUT) -> bool:
         """Return whether :meth:`lookup_transform` would succeed."""
         try:
             self.lookup_transform(target_frame, source_frame, time, timeout)
@@ -136,8 +121,10 @@ class BufferClient(BufferInterface):
         deadline = monotonic() + _seconds(timeout) + _seconds(self.timeout_padding)
         handle = self._wait(self.action_client.send_goal_async(goal), deadline)
         if not handle.accepted:
-            raise TimeoutException('The LookupTransform goal sent to the BufferServer did not come back with '
-                                   'accepted status. Something is likely wrong with the server.')
+            raise TimeoutException(
+                'The LookupTransform goal sent to the BufferServer did not come back with '
+                'accepted status. Something is likely wrong with the server.'
+            )
         result = self._wait(handle.get_result_async(), deadline).result
         if result.error.error != TF2Error.NO_ERROR:
             raise _EXCEPTIONS.get(result.error.error, TransformException)(result.error.error_string)
@@ -147,8 +134,10 @@ class BufferClient(BufferInterface):
         answered = Event()
         future.add_done_callback(lambda _: answered.set())
         if not answered.wait(max(0.0, deadline - monotonic())):
-            raise TimeoutException('The LookupTransform goal sent to the BufferServer did not come back in the '
-                                   'specified time. Something is likely wrong with the server.')
+            raise TimeoutException(
+                'The LookupTransform goal sent to the BufferServer did not come back in the '
+                'specified time. Something is likely wrong with the server.'
+            )
         return future.result()
 
 
@@ -156,8 +145,11 @@ def _message(time: Time) -> builtin_interfaces.msg.Time:
     if isinstance(time, Time):
         return time.to_msg()
     if isinstance(time, builtin_interfaces.msg.Time):
-        warn('Passing a builtin_interfaces.msg.Time argument is deprecated, and will be removed in the near future. '
-             'Use rclpy.time.Time instead.', stacklevel=3)
+        warn(
+            'Passing a builtin_interfaces.msg.Time argument is deprecated, and will be removed in the near future. '
+            'Use rclpy.time.Time instead.',
+            stacklevel=3,
+        )
         return time
     raise TypeError('Must pass a rclpy.time.Time object.')
 

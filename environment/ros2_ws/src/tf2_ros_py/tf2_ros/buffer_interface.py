@@ -88,16 +88,13 @@ class BufferInterface:
         do_transform = self.registration.get(type(object_stamped))
         header = object_stamped.header
         transform = self.lookup_transform_full(
-            target_frame, target_time, header.frame_id, header.stamp, fixed_frame, timeout)
+            target_frame, target_time, header.frame_id, header.stamp, fixed_frame, timeout
+        )
         result = do_transform(object_stamped, transform)
         return result if new_type is None else convert(result, new_type)
 
     def lookup_transform(
-        self,
-        target_frame: str,
-        source_frame: str,
-        time: Time,
-        timeout: Duration = NO_TIMEOUT,
+        self, target_frame: str, source_frame: str, time: Time, timeout: Duration = NO_TIMEOUT
     ) -> TransformStamped:
         """Return the transform from the source frame to the target frame."""
         raise NotImplementedException()
@@ -114,13 +111,7 @@ class BufferInterface:
         """Return the transform from the source frame at one time to the target frame at another."""
         raise NotImplementedException()
 
-    def can_transform(
-        self,
-        target_frame: str,
-        source_frame: str,
-        time: Time,
-        timeout: Duration = NO_TIMEOUT,
-    ) -> bool:
+    def can_transform(self, target_frame: str, source_frame: str, time: Time, timeout: Duration = NO_TIMEOUT) -> bool:
         """Return whether the transform from the source frame to the target frame is known."""
         raise NotImplementedException()
 
@@ -168,8 +159,7 @@ class TransformRegistration:
         TransformRegistration.__type_map[key] = callback
 
     def get(
-        self,
-        key: TransformableObjectType,
+        self, key: TransformableObjectType
     ) -> Callable[[TransformableObject, TransformStamped], TransformableObject]:
         """Return the function for a type; TypeException if there is none."""
         return _registered(TransformRegistration.__type_map, key)
@@ -207,8 +197,7 @@ class ConvertRegistration:
         return _registered(ConvertRegistration.__to_msg_map, key)
 
     def get_convert(
-        self,
-        key: tuple[TransformableObjectType, TransformableObjectType],
+        self, key: tuple[TransformableObjectType, TransformableObjectType]
     ) -> Callable[[Any], TransformableObject]:
         """Return the function registered by :meth:`add_convert`; TypeException if there is none."""
         return _registered(ConvertRegistration.__convert_map, key)

@@ -1,6 +1,5 @@
 """Send transforms that never change."""
 
-
 from geometry_msgs.msg import TransformStamped
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile

@@ -1,6 +1,5 @@
 """Send transforms of frames that move."""
 
-
 from geometry_msgs.msg import TransformStamped
 from rclpy.node import Node
 from rclpy.qos import QoSProfile

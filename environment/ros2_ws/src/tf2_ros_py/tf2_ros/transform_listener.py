@@ -39,14 +39,15 @@ class TransformListener:
             qos = QoSProfile(depth=100, durability=DurabilityPolicy.VOLATILE, history=HistoryPolicy.KEEP_LAST)
         if static_qos is None:
             static_qos = QoSProfile(
-                depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST)
+                depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST
+            )
         self.buffer = buffer
         self.node = node
         self.group = ReentrantCallbackGroup()
-        self.tf_sub = node.create_subscription(
-            TFMessage, '/tf', self.callback, qos, callback_group=self.group)
+        self.tf_sub = node.create_subscription(TFMessage, '/tf', self.callback, qos, callback_group=self.group)
         self.tf_static_sub = node.create_subscription(
-            TFMessage, '/tf_static', self.static_callback, static_qos, callback_group=self.group)
+            TFMessage, '/tf_static', self.static_callback, static_qos, callback_group=self.group
+        )
         if spin_thread:
             self.executor = SingleThreadedExecutor(context=node.context)
             self._stop = Future()

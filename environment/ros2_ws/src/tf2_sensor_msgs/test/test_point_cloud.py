@@ -21,8 +21,13 @@ def field(name, offset, datatype=PointField.FLOAT32, count=1):
     return PointField(name=name, offset=offset, datatype=datatype, count=count)
 
 
-MIXED = [field('x', 0), field('y', 4), field('z', 8), field('ring', 12, PointField.UINT16),
-         field('time', 14, PointField.FLOAT64)]
+MIXED = [
+    field('x', 0),
+    field('y', 4),
+    field('z', 8),
+    field('ring', 12, PointField.UINT16),
+    field('time', 14, PointField.FLOAT64),
+]
 MIXED_POINTS = [(1.0, 2.0, 3.0, 7, 0.25), (4.0, 5.0, 6.0, 8, 0.5)]
 
 
@@ -77,8 +82,16 @@ def test_padding_and_byte_order(cloud):
     padded = point_cloud2.create_cloud(HEADER, cloud.fields, POINTS, point_step=20)
     assert (padded.point_step, len(padded.data)) == (20, 60)
     np.testing.assert_equal(point_cloud2.read_points_numpy(padded), POINTS)
-    swapped = PointCloud2(header=HEADER, height=1, width=3, fields=cloud.fields, point_step=12, row_step=36,
-                          is_bigendian=not cloud.is_bigendian, data=POINTS.byteswap().tobytes())
+    swapped = PointCloud2(
+        header=HEADER,
+        height=1,
+        width=3,
+        fields=cloud.fields,
+        point_step=12,
+        row_step=36,
+        is_bigendian=not cloud.is_bigendian,
+        data=POINTS.byteswap().tobytes(),
+    )
     before = deepcopy(swapped)
     np.testing.assert_equal(point_cloud2.read_points_numpy(swapped), POINTS)
     assert swapped == before
@@ -102,15 +115,18 @@ def test_transform(cloud):
     np.testing.assert_allclose(point_cloud2.read_points_numpy(moved)[:2], [[1, -2, 100], [10, -20, 70]])
     assert moved.header.frame_id == 'map' and cloud == before
     half = math.sqrt(0.5)
-    assert transform_points([[1, 2, 3]], transform('a', 'b', xyz=(10, 0, 0), xyzw=(0, 0, half, half)).transform) \
-        == pytest.approx(np.array([[8, 1, 3]]))
+    assert transform_points(
+        [[1, 2, 3]], transform('a', 'b', xyz=(10, 0, 0), xyzw=(0, 0, half, half)).transform
+    ) == pytest.approx(np.array([[8, 1, 3]]))
 
 
 def test_transform_keeps_other_fields_and_the_frame_without_a_stamp():
     cloud = point_cloud2.create_cloud(HEADER, MIXED, MIXED_POINTS, point_step=32)
     moved = do_transform_cloud(cloud, transform('map', 'laser', xyz=(300, 300, 300)).transform)
     assert [tuple(point) for point in point_cloud2.read_points(moved)] == [
-        (301.0, 302.0, 303.0, 7, 0.25), (304.0, 305.0, 306.0, 8, 0.5)]
+        (301.0, 302.0, 303.0, 7, 0.25),
+        (304.0, 305.0, 306.0, 8, 0.5),
+    ]
     assert moved.header.frame_id == 'laser' and moved.point_step == 32
     with pytest.raises(AssertionError, match='needs the fields x, y, and z'):
         do_transform_cloud(point_cloud2.create_cloud(HEADER, MIXED[:2], [(1.0, 2.0)]), transform('a', 'b'))

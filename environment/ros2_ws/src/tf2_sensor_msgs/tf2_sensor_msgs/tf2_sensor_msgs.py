@@ -1,6 +1,5 @@
 """Functions that take a point cloud from a transform's source frame into its target frame."""
 
-
 import numpy as np
 import tf2_ros
 from geometry_msgs.msg import Transform, TransformStamped
@@ -27,8 +26,9 @@ tf2_ros.ConvertRegistration().add_from_msg(PointCloud2, from_msg_msg)
 def transform_points(point_cloud: np.ndarray, transform: Transform) -> np.ndarray:
     """Return the points, an array of n rows x, y, z, turned and moved by a `Transform`."""
     translation = transform.translation
-    matrix = _get_mat_from_quat(np.array([
-        transform.rotation.w, transform.rotation.x, transform.rotation.y, transform.rotation.z]))
+    matrix = _get_mat_from_quat(
+        np.array([transform.rotation.w, transform.rotation.x, transform.rotation.y, transform.rotation.z])
+    )
     return np.asarray(point_cloud) @ matrix.T + (translation.x, translation.y, translation.z)
 
 
@@ -44,9 +44,10 @@ def do_transform_cloud(cloud: PointCloud2, transform: Transform | TransformStamp
     if isinstance(transform, TransformStamped):
         header.frame_id = transform.header.frame_id
         transform = transform.transform
-    assert set('xyz') <= {field.name for field in cloud.fields}, \
+    assert set('xyz') <= {field.name for field in cloud.fields}, (
         'Point cloud needs the fields x, y, and z for the transformation'
-    points = read_points(cloud).copy()   # it is a view of the message
+    )
+    points = read_points(cloud).copy()  # it is a view of the message
     moved = transform_points(structured_to_unstructured(points[['x', 'y', 'z']]), transform)
     for index, name in enumerate('xyz'):
         points[name] = moved[:, index]

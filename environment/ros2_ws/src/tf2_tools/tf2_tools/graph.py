@@ -43,9 +43,11 @@ def generate_dot(data, recorded_time):
     for frame, entry in data.items():
         text = ''.join(line.replace('"', "'") + '\\n' for line in label(entry))
         lines.append(f'{_quote(entry["parent"])} -> {_quote(frame)}[label=" {text}"];')
-    lines += ['edge [style=invis];',
-              ' subgraph cluster_legend { style=bold; color=black; label ="view_frames Result";',
-              f'"Recorded at time: {recorded_time[0] + recorded_time[1] / 1e9}"[ shape=plaintext ] ;']
+    lines += [
+        'edge [style=invis];',
+        ' subgraph cluster_legend { style=bold; color=black; label ="view_frames Result";',
+        f'"Recorded at time: {recorded_time[0] + recorded_time[1] / 1e9}"[ shape=plaintext ] ;',
+    ]
     top = roots(data)
     lines.append('}' + (f'->{_quote(top[-1])};' if top else ''))
     return '\n'.join([*lines, '}'])
@@ -67,7 +69,7 @@ def _layout(data):
         if start in places:
             continue
         seen = {start}
-        stack = [(start, 0, False)]   # a frame comes twice: to unfold its children, and when these are placed
+        stack = [(start, 0, False)]  # a frame comes twice: to unfold its children, and when these are placed
         while stack:
             frame, row, unfolded = stack.pop()
             below = children.get(frame, [])
@@ -99,21 +101,30 @@ def generate_svg(data, recorded_time):
     shapes = [f'<text x="{MARGIN}" y="{MARGIN / 2}">view_frames Result. {escape(title)}</text>']
     for frame, entry in data.items():
         (x0, y0), (x1, y1) = centre(entry['parent']), centre(frame)
-        shapes.append(f'<path d="M{x0:g},{y0 + BOX_HEIGHT / 2:g} C{x0:g},{y0 + ROW / 2:g} {x1:g},{y1 - ROW / 2:g} '
-                      f'{x1:g},{y1 - BOX_HEIGHT / 2:g}" fill="none" stroke="black" marker-end="url(#arrow)"/>')
+        shapes.append(
+            f'<path d="M{x0:g},{y0 + BOX_HEIGHT / 2:g} C{x0:g},{y0 + ROW / 2:g} {x1:g},{y1 - ROW / 2:g} '
+            f'{x1:g},{y1 - BOX_HEIGHT / 2:g}" fill="none" stroke="black" marker-end="url(#arrow)"/>'
+        )
         above = y1 - BOX_HEIGHT / 2 - 12 - LINE_HEIGHT * len(FIELDS)
-        shapes += [f'<text x="{x1 + 8:g}" y="{above + LINE_HEIGHT * number:g}" font-size="11">{escape(line)}</text>'
-                   for number, line in enumerate(label(entry), start=1)]
+        shapes += [
+            f'<text x="{x1 + 8:g}" y="{above + LINE_HEIGHT * number:g}" font-size="11">{escape(line)}</text>'
+            for number, line in enumerate(label(entry), start=1)
+        ]
     for frame in places:
         x, y = centre(frame)
         half = max(40, CHARACTER * len(str(frame)) / 2 + 12)
-        shapes += [f'<ellipse cx="{x:g}" cy="{y:g}" rx="{half:g}" ry="{BOX_HEIGHT / 2}" fill="white" stroke="black"/>',
-                   f'<text x="{x:g}" y="{y + 4:g}" text-anchor="middle">{escape(str(frame))}</text>']
-    return '\n'.join([
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}" height="{height:g}" '
-        f'viewBox="0 0 {width:g} {height:g}" font-family="sans-serif" font-size="14">',
-        '<defs><marker id="arrow" markerWidth="8" markerHeight="8" refX="8" refY="4" orient="auto">'
-        '<path d="M0,0 L8,4 L0,8 z"/></marker></defs>',
-        '<rect width="100%" height="100%" fill="white"/>',
-        *shapes,
-        '</svg>\n'])
+        shapes += [
+            f'<ellipse cx="{x:g}" cy="{y:g}" rx="{half:g}" ry="{BOX_HEIGHT / 2}" fill="white" stroke="black"/>',
+            f'<text x="{x:g}" y="{y + 4:g}" text-anchor="middle">{escape(str(frame))}</text>',
+        ]
+    return '\n'.join(
+        [
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}" height="{height:g}" '
+            f'viewBox="0 0 {width:g} {height:g}" font-family="sans-serif" font-size="14">',
+            '<defs><marker id="arrow" markerWidth="8" markerHeight="8" refX="8" refY="4" orient="auto">'
+            '<path d="M0,0 L8,4 L0,8 z"/></marker></defs>',
+            '<rect width="100%" height="100%" fill="white"/>',
+            *shapes,
+            '</svg>\n',
+        ]
+    )

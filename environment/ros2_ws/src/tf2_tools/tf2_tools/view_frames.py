@@ -20,9 +20,15 @@ from tf2_tools.graph import generate_dot, generate_svg
 def parse(words):
     """Return the options of the command line."""
     parser = argparse.ArgumentParser(
-        prog='view_frames', description='Create a diagram of the TF frames being broadcast over ROS')
-    parser.add_argument('--wait-time', '-t', type=float, default=5.0,
-                        help='Listen to the /tf topic for this many seconds before rendering the frame tree')
+        prog='view_frames', description='Create a diagram of the TF frames being broadcast over ROS'
+    )
+    parser.add_argument(
+        '--wait-time',
+        '-t',
+        type=float,
+        default=5.0,
+        help='Listen to the /tf topic for this many seconds before rendering the frame tree',
+    )
     parser.add_argument('-o', '--output', help='Output filename')
     return parser.parse_args(words)
 
@@ -80,7 +86,7 @@ def main():
         node.destroy_node()
     except (KeyboardInterrupt, ExternalShutdownException):
         return 0
-    except Exception as error:   # a directory that is not there, a frame's name that is no YAML, bad ROS arguments
+    except Exception as error:  # a directory that is not there, a frame's name that is no YAML, bad ROS arguments
         print(f'view_frames: {error}', file=sys.stderr)
         return 1
     finally:

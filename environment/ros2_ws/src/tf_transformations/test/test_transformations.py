@@ -8,8 +8,11 @@ import pytest
 import tf_transformations as tft
 
 HALF = math.sqrt(0.5)
-AXES = [frame + axes for frame in 'sr' for axes in (
-    'xyz', 'xyx', 'xzy', 'xzx', 'yzx', 'yzy', 'yxz', 'yxy', 'zxy', 'zxz', 'zyx', 'zyz')]
+AXES = [
+    frame + axes
+    for frame in 'sr'
+    for axes in ('xyz', 'xyx', 'xzy', 'xzx', 'yzx', 'yzy', 'yxz', 'yxy', 'zxy', 'zxz', 'zyx', 'zyz')
+]
 
 
 @pytest.fixture(autouse=True)
@@ -24,15 +27,48 @@ def vector(size=3):
 
 def test_every_name_of_upstream():
     assert set(tft.__all__) == {
-        'Arcball', 'arcball_constrain_to_axis', 'arcball_map_to_sphere', 'arcball_nearest_axis', 'clip_matrix',
-        'compose_matrix', 'concatenate_matrices', 'decompose_matrix', 'euler_from_matrix', 'euler_from_quaternion',
-        'euler_matrix', 'identity_matrix', 'inverse_matrix', 'is_same_transform', 'orthogonalization_matrix',
-        'projection_from_matrix', 'projection_matrix', 'quaternion_about_axis', 'quaternion_conjugate',
-        'quaternion_from_euler', 'quaternion_from_matrix', 'quaternion_inverse', 'quaternion_matrix',
-        'quaternion_multiply', 'quaternion_slerp', 'random_quaternion', 'random_rotation_matrix', 'random_vector',
-        'reflection_from_matrix', 'reflection_matrix', 'rotation_from_matrix', 'rotation_matrix',
-        'scale_from_matrix', 'scale_matrix', 'shear_from_matrix', 'shear_matrix', 'superimposition_matrix',
-        'translation_from_matrix', 'translation_matrix', 'unit_vector', 'vector_norm'}
+        'Arcball',
+        'arcball_constrain_to_axis',
+        'arcball_map_to_sphere',
+        'arcball_nearest_axis',
+        'clip_matrix',
+        'compose_matrix',
+        'concatenate_matrices',
+        'decompose_matrix',
+        'euler_from_matrix',
+        'euler_from_quaternion',
+        'euler_matrix',
+        'identity_matrix',
+        'inverse_matrix',
+        'is_same_transform',
+        'orthogonalization_matrix',
+        'projection_from_matrix',
+        'projection_matrix',
+        'quaternion_about_axis',
+        'quaternion_conjugate',
+        'quaternion_from_euler',
+        'quaternion_from_matrix',
+        'quaternion_inverse',
+        'quaternion_matrix',
+        'quaternion_multiply',
+        'quaternion_slerp',
+        'random_quaternion',
+        'random_rotation_matrix',
+        'random_vector',
+        'reflection_from_matrix',
+        'reflection_matrix',
+        'rotation_from_matrix',
+        'rotation_matrix',
+        'scale_from_matrix',
+        'scale_matrix',
+        'shear_from_matrix',
+        'shear_matrix',
+        'superimposition_matrix',
+        'translation_from_matrix',
+        'translation_matrix',
+        'unit_vector',
+        'vector_norm',
+    }
     for name in tft.__all__:
         assert callable(getattr(tft, name)) and getattr(tft, name).__doc__, name
 
@@ -48,8 +84,9 @@ def test_quaternions_are_x_y_z_w():
 def test_roll_pitch_yaw():
     assert tft.euler_from_quaternion(tft.quaternion_from_euler(0.1, 0.2, 0.3)) == pytest.approx((0.1, 0.2, 0.3))
     # Roll first, then pitch, then yaw, about axes that stand still.
-    expected = tft.concatenate_matrices(tft.rotation_matrix(0.3, (0, 0, 1)), tft.rotation_matrix(0.2, (0, 1, 0)),
-                                        tft.rotation_matrix(0.1, (1, 0, 0)))
+    expected = tft.concatenate_matrices(
+        tft.rotation_matrix(0.3, (0, 0, 1)), tft.rotation_matrix(0.2, (0, 1, 0)), tft.rotation_matrix(0.1, (1, 0, 0))
+    )
     assert tft.euler_matrix(0.1, 0.2, 0.3) == pytest.approx(expected)
     assert np.sum(tft.euler_matrix(1, 2, 3, 'syxz')[0]) == pytest.approx(-1.34786452)
     assert np.sum(tft.euler_matrix(1, 2, 3, (0, 1, 0, 1))[0]) == pytest.approx(-0.383436184)
@@ -69,7 +106,8 @@ def test_matrices_of_quaternions():
         assert back == pytest.approx(quaternion if np.dot(back, quaternion) > 0 else -quaternion)
         other = tft.random_quaternion()
         assert tft.quaternion_matrix(tft.quaternion_multiply(quaternion, other)) == pytest.approx(
-            matrix @ tft.quaternion_matrix(other))
+            matrix @ tft.quaternion_matrix(other)
+        )
         assert tft.quaternion_multiply(quaternion, tft.quaternion_inverse(quaternion)) == pytest.approx((0, 0, 0, 1))
     assert tft.quaternion_conjugate((1, 2, 3, 4)) == pytest.approx((-1, -2, -3, 4))
     assert tft.is_same_transform(np.eye(4), 2 * np.eye(4))
@@ -83,8 +121,9 @@ def test_slerp():
     assert tft.quaternion_slerp(start, end, 1.0, spin=1) == pytest.approx(end)
     quarter = (0, 0, HALF, HALF)
     opposite = tuple(-part for part in quarter)
-    assert abs(np.dot(tft.quaternion_slerp(start, opposite, 0.5), tft.quaternion_slerp(start, quarter, 0.5))) \
-        == pytest.approx(1)
+    assert abs(
+        np.dot(tft.quaternion_slerp(start, opposite, 0.5), tft.quaternion_slerp(start, quarter, 0.5))
+    ) == pytest.approx(1)
     long_way = tft.quaternion_slerp(start, opposite, 0.5, shortestpath=False)
     assert abs(np.dot(long_way, tft.quaternion_slerp(start, quarter, 0.5))) < 0.5
     assert tft.quaternion_slerp(start, start, 0.3) == pytest.approx(start)
@@ -95,13 +134,19 @@ def test_elementary_matrices_and_back():
     assert tft.translation_from_matrix(tft.translation_matrix((1, 2, 3))) == pytest.approx((1, 2, 3))
     point, direction = vector(), vector()
     for matrix, again in (
-        (tft.rotation_matrix(0.7, direction, point), tft.rotation_matrix(
-            *tft.rotation_from_matrix(tft.rotation_matrix(0.7, direction, point)))),
-        (tft.reflection_matrix(point, direction), tft.reflection_matrix(
-            *tft.reflection_from_matrix(tft.reflection_matrix(point, direction)))),
+        (
+            tft.rotation_matrix(0.7, direction, point),
+            tft.rotation_matrix(*tft.rotation_from_matrix(tft.rotation_matrix(0.7, direction, point))),
+        ),
+        (
+            tft.reflection_matrix(point, direction),
+            tft.reflection_matrix(*tft.reflection_from_matrix(tft.reflection_matrix(point, direction))),
+        ),
         (tft.scale_matrix(1.7, point), tft.scale_matrix(*tft.scale_from_matrix(tft.scale_matrix(1.7, point)))),
-        (tft.scale_matrix(-3, point, direction), tft.scale_matrix(
-            *tft.scale_from_matrix(tft.scale_matrix(-3, point, direction)))),
+        (
+            tft.scale_matrix(-3, point, direction),
+            tft.scale_matrix(*tft.scale_from_matrix(tft.scale_matrix(-3, point, direction))),
+        ),
     ):
         assert tft.is_same_transform(matrix, again)
     normal = np.cross(direction, vector())
@@ -115,8 +160,11 @@ def test_elementary_matrices_and_back():
 def test_compose_and_decompose():
     matrix = tft.compose_matrix((1, 2, 3), (0.1, 0.2, 0.3), (0.4, 0.5, 0.6), (7, 8, 9))
     scale, shear, angles, translation, perspective = tft.decompose_matrix(matrix)
-    assert (scale, shear, angles) == (pytest.approx((1, 2, 3)), pytest.approx((0.1, 0.2, 0.3)),
-                                      pytest.approx((0.4, 0.5, 0.6)))
+    assert (scale, shear, angles) == (
+        pytest.approx((1, 2, 3)),
+        pytest.approx((0.1, 0.2, 0.3)),
+        pytest.approx((0.4, 0.5, 0.6)),
+    )
     assert translation == pytest.approx((7, 8, 9)) and perspective is None
     assert tft.compose_matrix() == pytest.approx(np.eye(4))
     assert tft.inverse_matrix(matrix) @ matrix == pytest.approx(np.eye(4))
@@ -125,8 +173,12 @@ def test_compose_and_decompose():
 @pytest.mark.parametrize('kind', ['orthogonal', 'parallel', 'perspective', 'pseudo'])
 def test_projections(kind):
     point, normal, direction, eye = vector(), vector(), vector(), vector()
-    options = {'orthogonal': {}, 'parallel': {'direction': direction}, 'perspective': {'perspective': eye},
-               'pseudo': {'perspective': eye, 'pseudo': True}}[kind]
+    options = {
+        'orthogonal': {},
+        'parallel': {'direction': direction},
+        'perspective': {'perspective': eye},
+        'pseudo': {'perspective': eye, 'pseudo': True},
+    }[kind]
     matrix = tft.projection_matrix(point, normal, **options)
     again = tft.projection_matrix(*tft.projection_from_matrix(matrix, pseudo=kind == 'pseudo'))
     assert tft.is_same_transform(matrix, again)
@@ -163,8 +215,9 @@ def test_clipping(perspective):
 def test_superimposition(usesvd):
     points = (np.random.rand(4, 50) - 0.5) * 20.0
     points[3] = 1.0
-    matrix = tft.concatenate_matrices(tft.translation_matrix(vector()), tft.random_rotation_matrix(),
-                                      tft.scale_matrix(1.7))
+    matrix = tft.concatenate_matrices(
+        tft.translation_matrix(vector()), tft.random_rotation_matrix(), tft.scale_matrix(1.7)
+    )
     moved = matrix @ points
     assert tft.superimposition_matrix(points, moved, scaling=True, usesvd=usesvd) == pytest.approx(matrix)
     mirrored = points[:3] * [[1], [1], [-1]]

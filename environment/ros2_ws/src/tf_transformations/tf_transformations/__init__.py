@@ -11,12 +11,7 @@ import math
 import numpy
 import transforms3d
 
-from tf_transformations.arcball import (
-    Arcball,
-    arcball_constrain_to_axis,
-    arcball_map_to_sphere,
-    arcball_nearest_axis,
-)
+from tf_transformations.arcball import Arcball, arcball_constrain_to_axis, arcball_map_to_sphere, arcball_nearest_axis
 from tf_transformations.projection import clip_matrix, projection_from_matrix, projection_matrix
 from tf_transformations.quaternion import (
     _reorder_output_quaternion,
@@ -31,15 +26,47 @@ from tf_transformations.quaternion import (
 from tf_transformations.vector import random_vector, unit_vector, vector_norm
 
 __all__ = [
-    'Arcball', 'arcball_constrain_to_axis', 'arcball_map_to_sphere', 'arcball_nearest_axis', 'clip_matrix',
-    'compose_matrix', 'concatenate_matrices', 'decompose_matrix', 'euler_from_matrix', 'euler_from_quaternion',
-    'euler_matrix', 'identity_matrix', 'inverse_matrix', 'is_same_transform', 'orthogonalization_matrix',
-    'projection_from_matrix', 'projection_matrix', 'quaternion_about_axis', 'quaternion_conjugate',
-    'quaternion_from_euler', 'quaternion_from_matrix', 'quaternion_inverse', 'quaternion_matrix',
-    'quaternion_multiply', 'quaternion_slerp', 'random_quaternion', 'random_rotation_matrix', 'random_vector',
-    'reflection_from_matrix', 'reflection_matrix', 'rotation_from_matrix', 'rotation_matrix', 'scale_from_matrix',
-    'scale_matrix', 'shear_from_matrix', 'shear_matrix', 'superimposition_matrix', 'translation_from_matrix',
-    'translation_matrix', 'unit_vector', 'vector_norm',
+    'Arcball',
+    'arcball_constrain_to_axis',
+    'arcball_map_to_sphere',
+    'arcball_nearest_axis',
+    'clip_matrix',
+    'compose_matrix',
+    'concatenate_matrices',
+    'decompose_matrix',
+    'euler_from_matrix',
+    'euler_from_quaternion',
+    'euler_matrix',
+    'identity_matrix',
+    'inverse_matrix',
+    'is_same_transform',
+    'orthogonalization_matrix',
+    'projection_from_matrix',
+    'projection_matrix',
+    'quaternion_about_axis',
+    'quaternion_conjugate',
+    'quaternion_from_euler',
+    'quaternion_from_matrix',
+    'quaternion_inverse',
+    'quaternion_matrix',
+    'quaternion_multiply',
+    'quaternion_slerp',
+    'random_quaternion',
+    'random_rotation_matrix',
+    'random_vector',
+    'reflection_from_matrix',
+    'reflection_matrix',
+    'rotation_from_matrix',
+    'rotation_matrix',
+    'scale_from_matrix',
+    'scale_matrix',
+    'shear_from_matrix',
+    'shear_matrix',
+    'superimposition_matrix',
+    'translation_from_matrix',
+    'translation_matrix',
+    'unit_vector',
+    'vector_norm',
 ]
 
 TRANSLATION_IDENTITY = [0.0, 0.0, 0.0]
@@ -53,6 +80,7 @@ def _affine(translation=TRANSLATION_IDENTITY, rotation=ROTATION_IDENTITY):
 
 
 # -- rotations
+
 
 def quaternion_from_euler(ai, aj, ak, axes='sxyz'):
     """Return the quaternion of three Euler angles: with the default axes roll, pitch and yaw."""
@@ -96,6 +124,7 @@ def rotation_from_matrix(matrix):
 
 
 # -- other elementary transformations
+
 
 def identity_matrix():
     """Return the transformation that changes nothing."""
@@ -151,6 +180,7 @@ def shear_from_matrix(matrix):
 
 # -- combinations
 
+
 def decompose_matrix(matrix):
     """
     Return `scale, shear, angles, translate, perspective` of an affine matrix; see :func:`compose_matrix`.
@@ -175,7 +205,8 @@ def compose_matrix(scale=None, shear=None, angles=None, translate=None, perspect
         TRANSLATION_IDENTITY if translate is None else translate,
         ROTATION_IDENTITY if angles is None else transforms3d.euler.euler2mat(*angles),
         ZOOM_IDENTITY if scale is None else scale,
-        SHEAR_IDENTITY if shear is None else shear)
+        SHEAR_IDENTITY if shear is None else shear,
+    )
 
 
 def inverse_matrix(matrix):
@@ -209,9 +240,11 @@ def orthogonalization_matrix(lengths, angles):
     # The cosine of the angle that alpha and beta span on the unit sphere.
     spherical = (math.cos(alpha) * math.cos(beta) - math.cos(gamma)) / (math.sin(alpha) * math.sin(beta))
     matrix = numpy.identity(4)
-    matrix[:3, 0] = (a * math.sin(beta) * math.sqrt(1.0 - spherical ** 2),
-                     -a * math.sin(beta) * spherical,
-                     a * math.cos(beta))
+    matrix[:3, 0] = (
+        a * math.sin(beta) * math.sqrt(1.0 - spherical**2),
+        -a * math.sin(beta) * spherical,
+        a * math.cos(beta),
+    )
     matrix[:3, 1] = 0.0, b * math.sin(alpha), b * math.cos(alpha)
     matrix[:3, 2] = 0.0, 0.0, c
     return matrix
@@ -241,7 +274,7 @@ def superimposition_matrix(v0, v1, scaling=False, usesvd=True):
         rotation = left @ handed @ right
     else:
         rotation = quaternion_matrix(_horn(correlation))[:3, :3]
-    scale = math.sqrt((second ** 2).sum() / (first ** 2).sum()) if scaling else 1.0
+    scale = math.sqrt((second**2).sum() / (first**2).sum()) if scaling else 1.0
     matrix = numpy.identity(4)
     matrix[:3, :3] = scale * rotation
     matrix[:3, 3] = centre1 - matrix[:3, :3] @ centre0
@@ -255,7 +288,9 @@ def _horn(correlation):
     symmetric = numpy.empty((4, 4))
     symmetric[:3, :3] = correlation + transposed - trace * numpy.identity(3)
     symmetric[3, 3] = trace
-    symmetric[3, :3] = symmetric[:3, 3] = (correlation[2, 1] - correlation[1, 2],
-                                           correlation[0, 2] - correlation[2, 0],
-                                           correlation[1, 0] - correlation[0, 1])
+    symmetric[3, :3] = symmetric[:3, 3] = (
+        correlation[2, 1] - correlation[1, 2],
+        correlation[0, 2] - correlation[2, 0],
+        correlation[1, 0] - correlation[0, 1],
+    )
     return numpy.linalg.eigh(symmetric)[1][:, -1]

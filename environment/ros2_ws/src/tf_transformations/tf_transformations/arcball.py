@@ -20,8 +20,8 @@ class Arcball:
     """
 
     def __init__(self, initial=None):
-        self._axis = None            # the one that this drag turns about, if constrained
-        self._axes = None            # those to choose from
+        self._axis = None  # the one that this drag turns about, if constrained
+        self._axes = None  # those to choose from
         self._radius = 1.0
         self._center = [0.0, 0.0]
         self._vdown = numpy.array([0.0, 0.0, 1.0])
@@ -92,7 +92,7 @@ def arcball_map_to_sphere(point, center, radius):
     x = (point[0] - center[0]) / radius
     y = (center[1] - point[1]) / radius
     length2 = x * x + y * y
-    if length2 > 1.0:   # beside the ball: its rim
+    if length2 > 1.0:  # beside the ball: its rim
         return numpy.array([x, y, 0.0]) / numpy.sqrt(length2)
     return numpy.array([x, y, numpy.sqrt(1.0 - length2)])
 

@@ -14,7 +14,7 @@ def projection_matrix(point, normal, direction=None, perspective=None, pseudo=Fa
     :param pseudo: let a perspective projection keep the relative depth: orthogonal after pseudo is perspective.
     """
     normal = unit_vector(normal[:3])
-    offset = float(numpy.dot(point[:3], normal))   # of the plane from the origin
+    offset = float(numpy.dot(point[:3], normal))  # of the plane from the origin
     matrix = numpy.identity(4)
     if perspective is not None:
         eye = numpy.asarray(perspective[:3], dtype=numpy.float64)

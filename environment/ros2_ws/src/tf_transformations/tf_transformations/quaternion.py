@@ -35,8 +35,9 @@ def quaternion_from_matrix(matrix):
 
 def quaternion_multiply(quaternion1, quaternion0):
     """Return the product: the rotation that applies `quaternion0` first."""
-    return _reorder_output_quaternion(transforms3d.quaternions.qmult(
-        _reorder_input_quaternion(quaternion1), _reorder_input_quaternion(quaternion0)))
+    return _reorder_output_quaternion(
+        transforms3d.quaternions.qmult(_reorder_input_quaternion(quaternion1), _reorder_input_quaternion(quaternion0))
+    )
 
 
 def quaternion_conjugate(quaternion):
@@ -85,5 +86,7 @@ def random_quaternion(rand=None):
     # Shoemake's method: a point on the product of two circles, whose radii share the unit length.
     first, second = math.sqrt(1.0 - rand[0]), math.sqrt(rand[0])
     angle1, angle2 = 2.0 * math.pi * rand[1], 2.0 * math.pi * rand[2]
-    return numpy.array((math.sin(angle1) * first, math.cos(angle1) * first,
-                        math.sin(angle2) * second, math.cos(angle2) * second), dtype=numpy.float64)
+    return numpy.array(
+        (math.sin(angle1) * first, math.cos(angle1) * first, math.sin(angle2) * second, math.cos(angle2) * second),
+        dtype=numpy.float64,
+    )

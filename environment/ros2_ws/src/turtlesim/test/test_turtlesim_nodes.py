@@ -202,8 +202,7 @@ def test_a_new_rotation_aborts_the_old_one(simulator, peer):
     assert peer.result(first.get_result_async(), 'the first result').status == GoalStatus.STATUS_ABORTED
     assert peer.result(second.get_result_async(), 'the second result').status == GoalStatus.STATUS_SUCCEEDED
     simulator.wait_for_output(
-        '[WARN] [turtlesim]: Rotation goal received before a previous goal finished. Aborting previous goal',
-        timeout=30,
+        '[WARN] [turtlesim]: Rotation goal received before a previous goal finished. Aborting previous goal', timeout=30
     )
 
 
@@ -228,8 +227,9 @@ def test_a_rotation_is_aborted_when_something_else_happens(simulator, peer, how)
 
 def test_bad_numbers_are_refused_with_one_line(simulator, peer):
     peer.publisher(Twist, '/turtle1/cmd_vel').publish(drive(linear=math.nan))
-    simulator.wait_for_output('[ERROR] [turtlesim]: Ignoring velocity command: linear is nan, not a finite number',
-                              timeout=30)
+    simulator.wait_for_output(
+        '[ERROR] [turtlesim]: Ignoring velocity command: linear is nan, not a finite number', timeout=30
+    )
     peer.call(TeleportAbsolute, '/turtle1/teleport_absolute', x=math.inf)
     simulator.wait_for_output('[ERROR] [turtlesim]: Ignoring teleport_absolute request: x is inf', timeout=30)
     handle, _ = rotate(peer, math.nan)

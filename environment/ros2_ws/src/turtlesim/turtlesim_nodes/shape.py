@@ -5,8 +5,17 @@ import math
 from turtlesim_nodes.world import BREEDS, Turtle
 
 _SHELLS = (
-    '#6a8f3c', '#8a6d3b', '#4f9fb5', '#c9822b', '#7b5ea7', '#b5533c',
-    '#3c6e8f', '#5b8c5a', '#7d7f86', '#2f7f6f', '#a05a7f',
+    '#6a8f3c',
+    '#8a6d3b',
+    '#4f9fb5',
+    '#c9822b',
+    '#7b5ea7',
+    '#b5533c',
+    '#3c6e8f',
+    '#5b8c5a',
+    '#7d7f86',
+    '#2f7f6f',
+    '#a05a7f',
 )  # one for each breed
 _SKIN, _DARK = '#cfd98a', '#2f3b1c'
 

@@ -23,7 +23,17 @@ DEFAULT_BACKGROUND = (0x45, 0x56, 0xFF)
 DEFAULT_PEN = (0xB3, 0xB8, 0xFF)
 DEFAULT_PEN_WIDTH = 3
 BREEDS = (
-    'ardent', 'bouncy', 'crystal', 'dashing', 'eloquent', 'foxy', 'galactic', 'humble', 'iron', 'jazzy', 'rolling',
+    'ardent',
+    'bouncy',
+    'crystal',
+    'dashing',
+    'eloquent',
+    'foxy',
+    'galactic',
+    'humble',
+    'iron',
+    'jazzy',
+    'rolling',
 )
 TRAIL_POINTS = 500  # corners of one trail; a longer line goes on in a new trail
 TRAILS = 200  # trails kept for drawing; older lines stay on the canvas, but leave the picture

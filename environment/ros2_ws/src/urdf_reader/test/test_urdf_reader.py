@@ -48,42 +48,64 @@ def test_joints_move_their_links():
     assert arm.joints['camera_joint'].transform(9.0) == ((0.1, 0, 0.2), (0, 0, 0, 1))
 
 
-@pytest.mark.parametrize(('text', 'problem'), [
-    (' \n', 'the robot description is empty'),
-    ('<robot name="r">\n<link name="a">\n</robot>', 'line 3: this is no XML: mismatched tag'),
-    ('/tmp/robot.urdf', 'line 1: this is no XML: not well-formed'),
-    ('<model/>', 'line 1: a robot description begins with <robot>, this one with <model>'),
-    ('<robot>\n<link name="a"/></robot>', 'line 1: <robot> has no name'),
-    ('<robot name="r"/>', 'the robot has no <link>'),
-    ('<robot name="r">\n<link/></robot>', 'line 2: <link> has no name'),
-    (robot('<link name="a"/>'), "line 4: there are two links 'a'"),
-    (robot(joint(), joint(child='a')), "line 5: there are two joints 'j'"),
-    (robot(joint('hinge')), "line 4: joint 'j': its type is 'hinge'; there are revolute"),
-    (robot('<joint name="j" type="fixed"><parent link="a"/></joint>'), "joint 'j': it has no <child link="),
-    (robot(joint(child='laser')), "line 4: joint 'j': its child 'laser' is no link of this robot; correct the name or "
-                                  'add <link name="laser"/>'),
-    (robot(joint(parent='base')), "line 4: joint 'j': its parent 'base' is no link"),
-    (robot(joint(), '<link name="c"/>', joint(name='k', parent='c')), "link 'b' has two parents, by the joints 'j'"),
-    (robot(), "the links 'a' and 'b' both have no parent; a robot has one root"),
-    (robot(joint(), joint(name='k', parent='b', child='a')), 'every link has a parent: the joints make a loop'),
-    (robot(joint(child='a'), ), "the links a make a loop"),
-    (robot(joint('revolute')), "joint 'j': a revolute joint needs a <limit>"),
-    (robot(joint('prismatic', '<limit lower="0" upper="1"/>')), "joint 'j': <limit> has no effort"),
-    (robot(joint('continuous', '<axis xyz="0 0 0"/>')), "joint 'j': its axis is 0 0 0"),
-    (robot(joint(inside='<origin xyz="0, 0, 1"/>')), 'xyz="0, 0, 1" of <origin> must be 3 numbers with spaces between'),
-    (robot(joint(inside='<origin xyz="0 0"/>')), 'xyz="0 0" of <origin> must be 3 numbers'),
-    (robot(joint(inside='<origin xyz="0 0 nan"/>')), 'must be 3 numbers'),
-    (robot(joint('continuous', '<mimic joint="k"/>')), "joint 'j': it mimics 'k', which is no joint"),
-    ('<robot name="r"><link name="a"><visual/></link></robot>', "link 'a': <visual> has no <geometry>"),
-    ('<robot name="r"><link name="a"><visual><geometry><cone/></geometry></visual></link></robot>',
-     "link 'a': <cone> is no shape; there are box, cylinder, sphere and mesh"),
-    ('<robot name="r"><link name="a"><collision><geometry><sphere/></geometry></collision></link></robot>',
-     "link 'a': <sphere> has no radius"),
-    ('<robot name="r"><link name="a"><visual><geometry><sphere radius="1"/></geometry><material name="red"/></visual>'
-     '</link></robot>', "link 'a': there is no <material name=\"red\"> with a <color>"),
-    ('<robot name="r"><link name="a"><inertial><mass value="1"/></inertial></link></robot>',
-     "link 'a': <inertial> has no <inertia>"),
-])
+@pytest.mark.parametrize(
+    ('text', 'problem'),
+    [
+        (' \n', 'the robot description is empty'),
+        ('<robot name="r">\n<link name="a">\n</robot>', 'line 3: this is no XML: mismatched tag'),
+        ('/tmp/robot.urdf', 'line 1: this is no XML: not well-formed'),
+        ('<model/>', 'line 1: a robot description begins with <robot>, this one with <model>'),
+        ('<robot>\n<link name="a"/></robot>', 'line 1: <robot> has no name'),
+        ('<robot name="r"/>', 'the robot has no <link>'),
+        ('<robot name="r">\n<link/></robot>', 'line 2: <link> has no name'),
+        (robot('<link name="a"/>'), "line 4: there are two links 'a'"),
+        (robot(joint(), joint(child='a')), "line 5: there are two joints 'j'"),
+        (robot(joint('hinge')), "line 4: joint 'j': its type is 'hinge'; there are revolute"),
+        (robot('<joint name="j" type="fixed"><parent link="a"/></joint>'), "joint 'j': it has no <child link="),
+        (
+            robot(joint(child='laser')),
+            "line 4: joint 'j': its child 'laser' is no link of this robot; correct the name or "
+            'add <link name="laser"/>',
+        ),
+        (robot(joint(parent='base')), "line 4: joint 'j': its parent 'base' is no link"),
+        (
+            robot(joint(), '<link name="c"/>', joint(name='k', parent='c')),
+            "link 'b' has two parents, by the joints 'j'",
+        ),
+        (robot(), "the links 'a' and 'b' both have no parent; a robot has one root"),
+        (robot(joint(), joint(name='k', parent='b', child='a')), 'every link has a parent: the joints make a loop'),
+        (robot(joint(child='a')), 'the links a make a loop'),
+        (robot(joint('revolute')), "joint 'j': a revolute joint needs a <limit>"),
+        (robot(joint('prismatic', '<limit lower="0" upper="1"/>')), "joint 'j': <limit> has no effort"),
+        (robot(joint('continuous', '<axis xyz="0 0 0"/>')), "joint 'j': its axis is 0 0 0"),
+        (
+            robot(joint(inside='<origin xyz="0, 0, 1"/>')),
+            'xyz="0, 0, 1" of <origin> must be 3 numbers with spaces between',
+        ),
+        (robot(joint(inside='<origin xyz="0 0"/>')), 'xyz="0 0" of <origin> must be 3 numbers'),
+        (robot(joint(inside='<origin xyz="0 0 nan"/>')), 'must be 3 numbers'),
+        (robot(joint('continuous', '<mimic joint="k"/>')), "joint 'j': it mimics 'k', which is no joint"),
+        ('<robot name="r"><link name="a"><visual/></link></robot>', "link 'a': <visual> has no <geometry>"),
+        (
+            '<robot name="r"><link name="a"><visual><geometry><cone/></geometry></visual></link></robot>',
+            "link 'a': <cone> is no shape; there are box, cylinder, sphere and mesh",
+        ),
+        (
+            '<robot name="r"><link name="a"><collision><geometry><sphere/></geometry></collision></link></robot>',
+            "link 'a': <sphere> has no radius",
+        ),
+        (
+            '<robot name="r"><link name="a"><visual><geometry><sphere radius="1"/></geometry>'
+            '<material name="red"/></visual>'
+            '</link></robot>',
+            'link \'a\': there is no <material name="red"> with a <color>',
+        ),
+        (
+            '<robot name="r"><link name="a"><inertial><mass value="1"/></inertial></link></robot>',
+            "link 'a': <inertial> has no <inertia>",
+        ),
+    ],
+)
 def test_bad_descriptions(text, problem):
     with pytest.raises(UrdfError) as error:
         read(text)
@@ -100,10 +122,12 @@ def test_files_of_meshes(tmp_path):
     mesh.touch()
     assert resolve(str(mesh)) == resolve(f'file://{tmp_path}/a%20wheel.stl') == mesh
     assert resolve('package://urdf_reader/package.xml').name == 'package.xml'
-    for name, problem in [('package://nowhere/a.stl', "there is no package 'nowhere'"),
-                          ('package://urdf_reader/a.stl', 'there is no file'),
-                          ('meshes/a.stl', 'package://PACKAGE/path or by an absolute path'),
-                          ('https://example.org/a.stl', 'cannot read https://')]:
+    for name, problem in [
+        ('package://nowhere/a.stl', "there is no package 'nowhere'"),
+        ('package://urdf_reader/a.stl', 'there is no file'),
+        ('meshes/a.stl', 'package://PACKAGE/path or by an absolute path'),
+        ('https://example.org/a.stl', 'cannot read https://'),
+    ]:
         with pytest.raises(UrdfError, match=problem):
             resolve(name)
 

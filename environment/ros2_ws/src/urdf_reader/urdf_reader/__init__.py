@@ -24,5 +24,21 @@ from urdf_reader.model import (
 )
 from urdf_reader.reader import read
 
-__all__ = ['Box', 'Collision', 'Cylinder', 'Inertial', 'Joint', 'Limit', 'Link', 'Mesh', 'Mimic', 'Pose', 'Robot',
-           'Sphere', 'UrdfError', 'Visual', 'read', 'resolve']
+__all__ = [
+    'Box',
+    'Collision',
+    'Cylinder',
+    'Inertial',
+    'Joint',
+    'Limit',
+    'Link',
+    'Mesh',
+    'Mimic',
+    'Pose',
+    'Robot',
+    'Sphere',
+    'UrdfError',
+    'Visual',
+    'read',
+    'resolve',
+]

@@ -19,8 +19,9 @@ def resolve(filename: str) -> Path:
         try:
             path = Path(get_package_share_directory(parts.netloc), unquote(parts.path).lstrip('/'))
         except (PackageNotFoundError, ValueError):
-            raise UrdfError(f'{filename}: there is no package {parts.netloc!r}; build it and source its workspace'
-                            ) from None
+            raise UrdfError(
+                f'{filename}: there is no package {parts.netloc!r}; build it and source its workspace'
+            ) from None
     elif parts.scheme in ('', 'file'):
         path = Path(unquote(parts.path))
         if not path.is_absolute():

@@ -30,19 +30,23 @@ class Pose:
     def quaternion(self) -> Quaternion:
         """The rotation as a quaternion."""
         (cr, sr), (cp, sp), (cy, sy) = ((cos(angle / 2), sin(angle / 2)) for angle in self.rpy)
-        return (sr * cp * cy - cr * sp * sy,
-                cr * sp * cy + sr * cp * sy,
-                cr * cp * sy - sr * sp * cy,
-                cr * cp * cy + sr * sp * sy)
+        return (
+            sr * cp * cy - cr * sp * sy,
+            cr * sp * cy + sr * cp * sy,
+            cr * cp * sy - sr * sp * cy,
+            cr * cp * cy + sr * sp * sy,
+        )
 
     @cached_property
     def matrix(self) -> numpy.ndarray:
         """The pose as a homogeneous matrix, 4x4: it takes points of the child to the parent."""
         x, y, z, w = self.quaternion
         matrix = numpy.eye(4)
-        matrix[:3, :3] = [[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-                          [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-                          [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]]
+        matrix[:3, :3] = [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
         matrix[:3, 3] = self.xyz
         return matrix
 
@@ -175,10 +179,12 @@ class Joint:
         half = position / 2
         bx, by, bz = (sin(half) * part for part in self.axis)
         bw = cos(half)
-        return self.origin.xyz, (aw * bx + ax * bw + ay * bz - az * by,
-                                 aw * by - ax * bz + ay * bw + az * bx,
-                                 aw * bz + ax * by - ay * bx + az * bw,
-                                 aw * bw - ax * bx - ay * by - az * bz)
+        return self.origin.xyz, (
+            aw * bx + ax * bw + ay * bz - az * by,
+            aw * by - ax * bz + ay * bw + az * bx,
+            aw * bz + ax * by - ay * bx + az * bw,
+            aw * bw - ax * bx - ay * by - az * bz,
+        )
 
 
 @dataclass(frozen=True)

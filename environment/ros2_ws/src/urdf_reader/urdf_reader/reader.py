@@ -74,11 +74,17 @@ class _Reader:
         for name, joint in joints.items():
             for role, link in (('parent', joint.parent), ('child', joint.child)):
                 if link not in links:
-                    self._fail(elements[name], f'joint {name!r}: its {role} {link!r} is no link of this robot; '
-                                               f'correct the name or add <link name="{link}"/>')
+                    self._fail(
+                        elements[name],
+                        f'joint {name!r}: its {role} {link!r} is no link of this robot; '
+                        f'correct the name or add <link name="{link}"/>',
+                    )
             if joint.child in above:
-                self._fail(elements[name], f'link {joint.child!r} has two parents, by the joints '
-                                           f'{above[joint.child].name!r} and {name!r}; a link has one')
+                self._fail(
+                    elements[name],
+                    f'link {joint.child!r} has two parents, by the joints '
+                    f'{above[joint.child].name!r} and {name!r}; a link has one',
+                )
             above[joint.child] = joint
             if joint.mimic and joint.mimic.joint not in joints:
                 self._fail(elements[name], f'joint {name!r}: it mimics {joint.mimic.joint!r}, which is no joint')
@@ -86,8 +92,10 @@ class _Reader:
         if not roots:
             raise UrdfError('every link has a parent: the joints make a loop; one link must be the root')
         if len(roots) > 1:
-            raise UrdfError(f'the links {roots[0]!r} and {roots[1]!r} both have no parent; '
-                            'a robot has one root: connect them by a joint')
+            raise UrdfError(
+                f'the links {roots[0]!r} and {roots[1]!r} both have no parent; '
+                'a robot has one root: connect them by a joint'
+            )
         for name in links:
             seen = {name}
             while name in above:
@@ -104,11 +112,15 @@ class _Reader:
             name,
             tuple(Visual(**self._shape(e, where), colour=self._colour(e, where)) for e in element.findall('visual')),
             tuple(Collision(**self._shape(e, where)) for e in element.findall('collision')),
-            self._inertial(element.find('inertial'), where))
+            self._inertial(element.find('inertial'), where),
+        )
 
     def _shape(self, element: Element, where: str) -> dict:
-        return {'geometry': self._geometry(element, where), 'origin': self._origin(element, where),
-                'name': element.get('name', '')}
+        return {
+            'geometry': self._geometry(element, where),
+            'origin': self._origin(element, where),
+            'name': element.get('name', ''),
+        }
 
     def _geometry(self, element: Element, where: str) -> Box | Cylinder | Sphere | Mesh:
         geometry = element.find('geometry')
@@ -157,9 +169,11 @@ class _Reader:
         mass, inertia = element.find('mass'), element.find('inertia')
         if mass is None or inertia is None:
             self._fail(element, f'{where}: <inertial> has no <{"mass" if mass is None else "inertia"}>')
-        return Inertial(self._number(mass, 'value', where),
-                        tuple(self._number(inertia, name, where) for name in INERTIA),
-                        self._origin(element, where))
+        return Inertial(
+            self._number(mass, 'value', where),
+            tuple(self._number(inertia, name, where) for name in INERTIA),
+            self._origin(element, where),
+        )
 
     def _joint(self, element: Element) -> Joint:
         name = self._name(element, 'joint')
@@ -172,15 +186,26 @@ class _Reader:
         if limit is None and kind in NEED_LIMITS:
             self._fail(element, f'{where}: a {kind} joint needs a <limit> with effort and velocity')
         return Joint(
-            name, kind, parent, child, self._origin(element, where),
+            name,
+            kind,
+            parent,
+            child,
+            self._origin(element, where),
             axis=self._axis(element.find('axis'), where),
-            limit=None if limit is None else Limit(
+            limit=None
+            if limit is None
+            else Limit(
                 *(self._number(limit, key, where, default=0.0) for key in ('lower', 'upper')),
-                *(self._number(limit, key, where) for key in ('effort', 'velocity'))),
+                *(self._number(limit, key, where) for key in ('effort', 'velocity')),
+            ),
             mimic=self._mimic(element.find('mimic'), where),
-            soft_limits=(None, None) if safety is None else tuple(
+            soft_limits=(None, None)
+            if safety is None
+            else tuple(
                 self._number(safety, key, where) if key in safety.attrib else None
-                for key in ('soft_lower_limit', 'soft_upper_limit')))
+                for key in ('soft_lower_limit', 'soft_upper_limit')
+            ),
+        )
 
     def _end(self, joint: Element, role: str, where: str) -> str:
         element = joint.find(role)
@@ -201,8 +226,11 @@ class _Reader:
             return None
         if not element.get('joint'):
             self._fail(element, f'{where}: <mimic> has no joint')
-        return Mimic(element.get('joint'), self._number(element, 'multiplier', where, default=1.0),
-                     self._number(element, 'offset', where, default=0.0))
+        return Mimic(
+            element.get('joint'),
+            self._number(element, 'multiplier', where, default=1.0),
+            self._number(element, 'offset', where, default=0.0),
+        )
 
     def _origin(self, element: Element, where: str) -> Pose:
         origin = element.find('origin')

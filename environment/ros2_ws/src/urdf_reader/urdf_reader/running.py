@@ -53,6 +53,8 @@ def run(make_node: Callable[[list[str]], Node]) -> int:
 def _arguments_problem(text: str) -> str:
     """rcl's text on ROS arguments, in one line."""
     if 'robot_description:=' in text:  # a colon in a comment is enough
-        return ('the value of -p robot_description:=… is not YAML, as parameters on a command line must be; '
-                'give the name of the file as an argument, or set the parameter in a launch file')
+        return (
+            'the value of -p robot_description:=… is not YAML, as parameters on a command line must be; '
+            'give the name of the file as an argument, or set the parameter in a launch file'
+        )
     return text.splitlines()[0]

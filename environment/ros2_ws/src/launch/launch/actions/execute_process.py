@@ -108,11 +108,20 @@ class ExecuteProcess(Action):
         _, kwargs = super().parse(entity, parser)
         if 'cmd' not in ignore:
             kwargs['cmd'] = cls._parse_cmdline(entity.get_attr('cmd'), parser)
-        attributes = [('cwd', 'cwd', str), ('name', 'name', str), ('launch-prefix', 'prefix', str),
-                      ('output', 'output', str), ('sigterm_timeout', 'sigterm_timeout', float),
-                      ('sigkill_timeout', 'sigkill_timeout', float), ('respawn', 'respawn', bool),
-                      ('respawn_delay', 'respawn_delay', float), ('respawn_max_retries', 'respawn_max_retries', int),
-                      ('shell', 'shell', bool), ('emulate_tty', 'emulate_tty', bool), ('log_cmd', 'log_cmd', bool)]
+        attributes = [
+            ('cwd', 'cwd', str),
+            ('name', 'name', str),
+            ('launch-prefix', 'prefix', str),
+            ('output', 'output', str),
+            ('sigterm_timeout', 'sigterm_timeout', float),
+            ('sigkill_timeout', 'sigkill_timeout', float),
+            ('respawn', 'respawn', bool),
+            ('respawn_delay', 'respawn_delay', float),
+            ('respawn_max_retries', 'respawn_max_retries', int),
+            ('shell', 'shell', bool),
+            ('emulate_tty', 'emulate_tty', bool),
+            ('log_cmd', 'log_cmd', bool),
+        ]
         for attribute, argument, kind in attributes:
             if argument in ignore:
                 continue
@@ -124,8 +133,10 @@ class ExecuteProcess(Action):
             if isinstance(kwargs[timeout], float):
                 kwargs[timeout] = str(kwargs[timeout])
         if kwargs.get('respawn_delay', 0.0) < 0.0:
-            raise ValueError('Attribute respawn_delay of Entity node expected to be a non-negative value but got '
-                             f'`{kwargs["respawn_delay"]}`')
+            raise ValueError(
+                'Attribute respawn_delay of Entity node expected to be a non-negative value but got '
+                f'`{kwargs["respawn_delay"]}`'
+            )
         if 'on_exit' not in ignore:
             cls._parse_on_exit(entity, kwargs)
         if 'additional_env' not in ignore:
@@ -138,16 +149,20 @@ class ExecuteProcess(Action):
         if on_exit == 'shutdown':
             kwargs['on_exit'] = [Shutdown()]
         elif on_exit is not None:
-            raise ValueError(f'Attribute on_exit of Entity node expected to be shutdown but got `{on_exit}`'
-                             'Other on_exit actions not yet supported')
+            raise ValueError(
+                f'Attribute on_exit of Entity node expected to be shutdown but got `{on_exit}`'
+                'Other on_exit actions not yet supported'
+            )
 
     @staticmethod
     def _parse_env(entity: Entity, parser: Parser, kwargs: dict[str, Any]) -> None:
         variables = entity.get_attr('env', data_type=list[Entity], optional=True)
         if variables is not None:
             kwargs['additional_env'] = {
-                tuple(parser.parse_substitution(item.get_attr('name'))):
-                    parser.parse_substitution(item.get_attr('value')) for item in variables
+                tuple(parser.parse_substitution(item.get_attr('name'))): parser.parse_substitution(
+                    item.get_attr('value')
+                )
+                for item in variables
             }
             for item in variables:
                 item.assert_entity_completely_parsed()
@@ -161,14 +176,19 @@ class ExecuteProcess(Action):
             substitutions.append(substitution)
             return f'\0{len(substitutions) - 1}\0'
 
-        line = ''.join(part.text if isinstance(part, TextSubstitution) else keep(part)
-                       for part in parser.parse_substitution(cmd))
+        line = ''.join(
+            part.text if isinstance(part, TextSubstitution) else keep(part) for part in parser.parse_substitution(cmd)
+        )
         words = []
         for word in shlex.split(line):
-            pieces = [TextSubstitution(text=piece) if i % 2 == 0 else substitutions[int(piece)]
-                      for i, piece in enumerate(word.split('\0'))]
-            words.append([piece for piece in pieces if not isinstance(piece, TextSubstitution) or piece.text]
-                         or [TextSubstitution(text='')])
+            pieces = [
+                TextSubstitution(text=piece) if i % 2 == 0 else substitutions[int(piece)]
+                for i, piece in enumerate(word.split('\0'))
+            ]
+            words.append(
+                [piece for piece in pieces if not isinstance(piece, TextSubstitution) or piece.text]
+                or [TextSubstitution(text='')]
+            )
         return words
 
     @property
@@ -410,9 +430,7 @@ class ExecuteProcess(Action):
 
     def _register_on_exit(self, context: LaunchContext) -> None:
         # Registered only now, it is still in time for the event just queued.
-        context.register_event_handler(
-            OnProcessExit(target_action=self, on_exit=self._on_exit, handle_once=True)
-        )
+        context.register_event_handler(OnProcessExit(target_action=self, on_exit=self._on_exit, handle_once=True))
 
     async def _stop_when_asked(self) -> None:
         await self._shutdown_requested.wait()

@@ -80,7 +80,9 @@ class IncludeLaunchDescription(Action):
                 )
         path = self.launch_description_source.path
         context.launch_configurations.update(given)
-        context.push_locals({} if path is None else {
-            'current_launch_file_path': path, 'current_launch_file_directory': os.path.dirname(path)
-        })
+        context.push_locals(
+            {}
+            if path is None
+            else {'current_launch_file_path': path, 'current_launch_file_directory': os.path.dirname(path)}
+        )
         return [description, OpaqueFunction(function=lambda context: context.pop_locals())]

@@ -7,11 +7,4 @@ from launch.event_handlers.on_process_io import OnProcessIO
 from launch.event_handlers.on_process_start import OnProcessStart
 from launch.event_handlers.on_shutdown import OnShutdown
 
-__all__ = [
-    'OnActionEventBase',
-    'OnExecutionComplete',
-    'OnProcessExit',
-    'OnProcessIO',
-    'OnProcessStart',
-    'OnShutdown',
-]
+__all__ = ['OnActionEventBase', 'OnExecutionComplete', 'OnProcessExit', 'OnProcessIO', 'OnProcessStart', 'OnShutdown']

@@ -14,6 +14,4 @@ class OnProcessExit(OnActionEventBase):
     _argument = 'on_exit'
 
     def __init__(self, *, target_action=None, on_exit=None, **kwargs):
-        super().__init__(
-            action_matcher=target_action, on_event=on_exit, target_event_cls=ProcessExited, **kwargs
-        )
+        super().__init__(action_matcher=target_action, on_event=on_exit, target_event_cls=ProcessExited, **kwargs)

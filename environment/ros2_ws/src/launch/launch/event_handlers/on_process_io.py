@@ -29,9 +29,7 @@ class OnProcessIO(OnActionEventBase):
         **kwargs,
     ):
         self._on_stdout, self._on_stderr = on_stdout, on_stderr
-        super().__init__(
-            action_matcher=target_action, on_event=self._pass_on, target_event_cls=ProcessIO, **kwargs
-        )
+        super().__init__(action_matcher=target_action, on_event=self._pass_on, target_event_cls=ProcessIO, **kwargs)
 
     def _pass_on(self, event: ProcessIO, context):
         function = self._on_stdout if event.from_stdout else self._on_stderr

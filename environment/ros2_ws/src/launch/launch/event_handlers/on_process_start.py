@@ -14,6 +14,4 @@ class OnProcessStart(OnActionEventBase):
     _argument = 'on_start'
 
     def __init__(self, *, target_action=None, on_start=None, **kwargs):
-        super().__init__(
-            action_matcher=target_action, on_event=on_start, target_event_cls=ProcessStarted, **kwargs
-        )
+        super().__init__(action_matcher=target_action, on_event=on_start, target_event_cls=ProcessStarted, **kwargs)

@@ -124,7 +124,7 @@ class _Reader:
         return self._at > begin
 
     def _peek(self) -> str:
-        return self._text[self._at:self._at + 1]
+        return self._text[self._at : self._at + 1]
 
     def _fault(self, begin: int, reason: str) -> ValueError:
         return ValueError(f"cannot read the substitution '{self._text[begin:]}' in '{self._text}': {reason}")

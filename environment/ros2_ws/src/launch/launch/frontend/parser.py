@@ -11,11 +11,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TextIO
 
 from launch.frontend.entity import Entity
 from launch.frontend.expose import instantiate_action
-from launch.frontend.parse_substitution import (
-    parse_if_substitutions,
-    parse_substitution,
-    replace_escaped_characters,
-)
+from launch.frontend.parse_substitution import parse_if_substitutions, parse_substitution, replace_escaped_characters
 from launch.invalid_launch_file_error import InvalidLaunchFileError
 
 if TYPE_CHECKING:
@@ -91,8 +87,7 @@ class Parser:
         if entity.type_name != 'launch':
             raise RuntimeError("Expected 'launch' as root tag")
         deprecated = entity.get_attr('deprecated', optional=True)
-        return LaunchDescription([self.parse_action(child) for child in entity.children],
-                                 deprecated_reason=deprecated)
+        return LaunchDescription([self.parse_action(child) for child in entity.children], deprecated_reason=deprecated)
 
     # --- from files to entities -------------------------------------------------------------------------------
 
@@ -157,6 +152,7 @@ def _load_entry_points(group: str, kind: str) -> dict[str, Any]:
         try:
             loaded[entry_point.name] = entry_point.load()
         except Exception:
-            warnings.warn(f'Failed to load the {kind} extension: {entry_point.name}\n{traceback.format_exc()}',
-                          stacklevel=2)
+            warnings.warn(
+                f'Failed to load the {kind} extension: {entry_point.name}\n{traceback.format_exc()}', stacklevel=2
+            )
     return loaded

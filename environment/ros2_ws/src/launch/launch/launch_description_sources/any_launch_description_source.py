@@ -3,9 +3,7 @@
 from launch.frontend import Parser
 from launch.launch_description import LaunchDescription
 from launch.launch_description_source import LaunchDescriptionSource
-from launch.launch_description_sources.any_launch_file_utilities import (
-    get_launch_description_from_any_launch_file,
-)
+from launch.launch_description_sources.any_launch_file_utilities import get_launch_description_from_any_launch_file
 from launch.some_substitutions_type import SomeSubstitutionsType
 
 

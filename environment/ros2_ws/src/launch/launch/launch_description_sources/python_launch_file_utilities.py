@@ -44,9 +44,11 @@ def get_launch_description_from_python_launch_file(python_launch_file_path: str)
     module = load_python_launch_file_as_module(path)
     if not hasattr(module, 'generate_launch_description'):
         raise InvalidPythonLaunchFileError(
-            f"launch file at '{path}' does not contain the required function 'generate_launch_description()'")
+            f"launch file at '{path}' does not contain the required function 'generate_launch_description()'"
+        )
     description = module.generate_launch_description()
     if not isinstance(description, LaunchDescription):
-        raise TypeError(f"generate_launch_description() of '{path}' returned {type(description).__name__}, "
-                        'not a LaunchDescription')
+        raise TypeError(
+            f"generate_launch_description() of '{path}' returned {type(description).__name__}, not a LaunchDescription"
+        )
     return description

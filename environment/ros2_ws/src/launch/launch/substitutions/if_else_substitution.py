@@ -30,8 +30,10 @@ class IfElseSubstitution(Substitution):
         return cls, {'condition': condition, 'if_value': if_value, 'else_value': else_value[0] if else_value else ''}
 
     def describe(self) -> str:
-        return (f'IfElseSubstitution({describe_substitutions(self._condition)}, {describe_substitutions(self._if)}, '
-                f'{describe_substitutions(self._else)})')
+        return (
+            f'IfElseSubstitution({describe_substitutions(self._condition)}, {describe_substitutions(self._if)}, '
+            f'{describe_substitutions(self._else)})'
+        )
 
     def perform(self, context: LaunchContext) -> str:
         return to_text(context, self._if if decide(context, self._condition) else self._else)

@@ -24,8 +24,10 @@ def ensure_argument_type(argument: Any, types, argument_name: str, caller: str |
         where = f" to '{caller}'" if caller else ''
         expected = ', '.join(f"'{kind}'" for kind in allowed)
         one_of = 'one of ' if len(allowed) > 1 else ''
-        raise TypeError(f"Expected '{argument_name}'{where} to be {one_of}{expected}, but got '{argument}' of type "
-                        f"'{type(argument)}'")
+        raise TypeError(
+            f"Expected '{argument_name}'{where} to be {one_of}{expected}, but got '{argument}' of type "
+            f"'{type(argument)}'"
+        )
 
 
 def normalize_to_list_of_substitutions(value: SomeSubstitutionsType) -> list[Substitution]:

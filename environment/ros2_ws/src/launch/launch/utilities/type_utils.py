@@ -158,7 +158,8 @@ def is_substitution(value: Any) -> bool:
         return False
     items = list(value)
     return all(isinstance(item, (Substitution, str)) for item in items) and any(
-        isinstance(item, Substitution) for item in items)
+        isinstance(item, Substitution) for item in items
+    )
 
 
 def normalize_typed_substitution(value: SomeValueType, data_type: AllowedTypesType = None) -> NormalizedValueType:
@@ -174,10 +175,11 @@ def normalize_typed_substitution(value: SomeValueType, data_type: AllowedTypesTy
     if is_substitution(value):
         return normalize_to_list_of_substitutions(value)
     if not isinstance(value, Iterable):
-        raise TypeError('value should be either a scalar, a substitutions, or a mixed list of scalars and '
-                        f'substitutions. Got `value={value}` of type `{type(value)}`. ')
-    items = [item if isinstance(item, ScalarTypesTuple) else normalize_to_list_of_substitutions(item)
-             for item in value]
+        raise TypeError(
+            'value should be either a scalar, a substitutions, or a mixed list of scalars and '
+            f'substitutions. Got `value={value}` of type `{type(value)}`. '
+        )
+    items = [item if isinstance(item, ScalarTypesTuple) else normalize_to_list_of_substitutions(item) for item in value]
     kinds = {type(item) for item in items if not isinstance(item, list)}
     wanted = None if data_type is None else extract_type(data_type)
     if len(kinds) > 1 or (wanted and (not wanted[1] or not kinds <= {wanted[0]})):
@@ -200,8 +202,10 @@ def perform_typed_substitution(
     if value and all(isinstance(item, Substitution) for item in value):
         return coerce_to_type(perform_substitutions(context, value), data_type)
     scalar = None if data_type is None else extract_type(data_type)[0]
-    return [coerce_to_type(perform_substitutions(context, item), scalar) if isinstance(item, list) else item
-            for item in value]
+    return [
+        coerce_to_type(perform_substitutions(context, item), scalar) if isinstance(item, list) else item
+        for item in value
+    ]
 
 
 def to_number(context: LaunchContext, value: float | SomeSubstitutionsType) -> float:

@@ -50,7 +50,9 @@ def wait_for_exit_sync(
 
 
 async def wait_for_output(
-    launch_context: LaunchContext, execute_process_action: ExecuteProcess, validate_output: Validate,
+    launch_context: LaunchContext,
+    execute_process_action: ExecuteProcess,
+    validate_output: Validate,
     timeout: float | None = None,
 ) -> bool:
     """Wait until the standard output is valid."""
@@ -59,7 +61,9 @@ async def wait_for_output(
 
 
 def wait_for_output_sync(
-    launch_context: LaunchContext, execute_process_action: ExecuteProcess, validate_output: Validate,
+    launch_context: LaunchContext,
+    execute_process_action: ExecuteProcess,
+    validate_output: Validate,
     timeout: float | None = None,
 ) -> bool:
     """Wait until the standard output is valid."""
@@ -68,7 +72,9 @@ def wait_for_output_sync(
 
 
 async def wait_for_stderr(
-    launch_context: LaunchContext, execute_process_action: ExecuteProcess, validate_output: Validate,
+    launch_context: LaunchContext,
+    execute_process_action: ExecuteProcess,
+    validate_output: Validate,
     timeout: float | None = None,
 ) -> bool:
     """Wait until the standard error is valid."""
@@ -77,7 +83,9 @@ async def wait_for_stderr(
 
 
 def wait_for_stderr_sync(
-    launch_context: LaunchContext, execute_process_action: ExecuteProcess, validate_output: Validate,
+    launch_context: LaunchContext,
+    execute_process_action: ExecuteProcess,
+    validate_output: Validate,
     timeout: float | None = None,
 ) -> bool:
     """Wait until the standard error is valid."""
@@ -86,7 +94,9 @@ def wait_for_stderr_sync(
 
 
 async def assert_output(
-    launch_context: LaunchContext, execute_process_action: ExecuteProcess, validate_output: Validate,
+    launch_context: LaunchContext,
+    execute_process_action: ExecuteProcess,
+    validate_output: Validate,
     timeout: float | None = None,
 ) -> None:
     """Wait until the standard output is valid; otherwise fail with the last word of ``validate_output``."""
@@ -95,7 +105,9 @@ async def assert_output(
 
 
 def assert_output_sync(
-    launch_context: LaunchContext, execute_process_action: ExecuteProcess, validate_output: Validate,
+    launch_context: LaunchContext,
+    execute_process_action: ExecuteProcess,
+    validate_output: Validate,
     timeout: float | None = None,
 ) -> None:
     """Wait until the standard output is valid; otherwise fail with the last word of ``validate_output``."""
@@ -104,7 +116,9 @@ def assert_output_sync(
 
 
 async def assert_stderr(
-    launch_context: LaunchContext, execute_process_action: ExecuteProcess, validate_output: Validate,
+    launch_context: LaunchContext,
+    execute_process_action: ExecuteProcess,
+    validate_output: Validate,
     timeout: float | None = None,
 ) -> None:
     """Wait until the standard error is valid; otherwise fail with the last word of ``validate_output``."""
@@ -113,7 +127,9 @@ async def assert_stderr(
 
 
 def assert_stderr_sync(
-    launch_context: LaunchContext, execute_process_action: ExecuteProcess, validate_output: Validate,
+    launch_context: LaunchContext,
+    execute_process_action: ExecuteProcess,
+    validate_output: Validate,
     timeout: float | None = None,
 ) -> None:
     """Wait until the standard error is valid; otherwise fail with the last word of ``validate_output``."""
@@ -148,6 +164,7 @@ def _has_ended(action: ExecuteProcess) -> Callable[[], bool]:
 @contextmanager
 def _told(context: LaunchContext, action: ExecuteProcess, tell: Callable[[], None]):
     """Call a function whenever a process starts, writes or ends."""
+
     def on_output(_event):
         tell()
 

@@ -70,6 +70,7 @@ class LifecycleNode(Node):
 
     def _listen(self, context: LaunchContext) -> None:
         """Subscribe before the node starts, so that no transition is missed."""
+
         def pass_on(message: TransitionEvent) -> None:
             event = StateTransition(action=self, msg=message)
             context.asyncio_loop.call_soon_threadsafe(context.emit_event_sync, event)
@@ -80,13 +81,15 @@ class LifecycleNode(Node):
 
         node = get_ros_node(context)
         self._subscription = node.create_subscription(
-            TransitionEvent, f'{self.node_name}/transition_event', pass_on, 10)
+            TransitionEvent, f'{self.node_name}/transition_event', pass_on, 10
+        )
         # In this order: a node that answers get_state has learned of the subscription before.
         self._get_state = node.create_client(GetState, f'{self.node_name}/get_state')
         self._change = node.create_client(ChangeStateService, f'{self.node_name}/change_state')
         self._reached = asyncio.Lock()
-        context.register_event_handler(EventHandler(
-            matcher=lambda event: isinstance(event, ChangeState), entities=change))
+        context.register_event_handler(
+            EventHandler(matcher=lambda event: isinstance(event, ChangeState), entities=change)
+        )
 
     async def _change_state(self, context: LaunchContext, transition_id: int) -> None:
         request = self._change.srv_type.Request()

@@ -47,8 +47,10 @@ class LifecycleTransition(Action):
     def parse(cls, entity: Entity, parser: Parser):
         """Read ``lifecycle_transition``, with a ``lifecycle_node_name`` and a ``transition_id`` for each."""
         _, kwargs = super().parse(entity, parser)
-        for tag, attribute, argument in (('lifecycle_node_name', 'name', 'lifecycle_node_names'),
-                                         ('transition_id', 'id', 'transition_ids')):
+        for tag, attribute, argument in (
+            ('lifecycle_node_name', 'name', 'lifecycle_node_names'),
+            ('transition_id', 'id', 'transition_ids'),
+        ):
             parts = entity.get_attr(tag, data_type=list[Entity], optional=True) or []
             kwargs[argument] = [parser.parse_substitution(str(part.get_attr(attribute))) for part in parts]
             for part in parts:
@@ -105,7 +107,8 @@ class _Sequence(EventHandler):
         if event.goal_state == 'errorprocessing':
             context.unregister_event_handler(self)
             launch.logging.get_logger('launch_ros.actions.lifecycle_transition').info(
-                f"Stopping transitions for {self._node_name} because 'error occured during transitions'")
+                f"Stopping transitions for {self._node_name} because 'error occured during transitions'"
+            )
             return None
         if (event.start_state, event.goal_state) != _GOALS[self._rest[0]]:
             return None

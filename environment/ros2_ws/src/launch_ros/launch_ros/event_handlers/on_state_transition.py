@@ -36,8 +36,10 @@ class OnStateTransition(EventHandler):
         self._target = target_lifecycle_node
         self._wanted = {'transition': transition, 'start_state': start_state, 'goal_state': goal_state}
         if matcher is not None and any(value is not None for value in (self._target, *self._wanted.values())):
-            raise RuntimeError("'matcher' and one of 'target_lifecycle_node', 'transition', 'start_state' and "
-                               "'goal_state' cannot be used together")
+            raise RuntimeError(
+                "'matcher' and one of 'target_lifecycle_node', 'transition', 'start_state' and "
+                "'goal_state' cannot be used together"
+            )
         super().__init__(matcher=matcher or self._accepts, entities=entities, **kwargs)
 
     def _accepts(self, event: Event) -> bool:

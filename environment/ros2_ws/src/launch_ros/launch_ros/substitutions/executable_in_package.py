@@ -28,9 +28,7 @@ class ExecutableInPackage(FindPackagePrefix):
         return cls, {'executable': data[0], 'package': data[1]}
 
     def describe(self) -> str:
-        return (
-            f'ExecInPkg(pkg={describe_substitutions(self.package)}, exec={describe_substitutions(self.executable)})'
-        )
+        return f'ExecInPkg(pkg={describe_substitutions(self.package)}, exec={describe_substitutions(self.executable)})'
 
     def perform(self, context: LaunchContext) -> str:
         package, executable = to_text(context, self.package), to_text(context, self.executable)

@@ -35,8 +35,7 @@ def assertInStream(
         raise ValueError(f"stream argument must be 'stdout' or 'stderr', got '{stream}'")
     if output_filter is not None and not callable(output_filter):
         raise ValueError('output_filter is not callable')
-    found = resolveProcesses(
-        proc_output, process=process, cmd_args=cmd_args, strict_proc_matching=strict_proc_matching)
+    found = resolveProcesses(proc_output, process=process, cmd_args=cmd_args, strict_proc_matching=strict_proc_matching)
     for one in found:
         parts = [output.text for output in proc_output[one] if getattr(output, f'from_{stream}')]
         text = b''.join(parts).decode(errors='replace').replace('\r\n', '\n')
@@ -45,7 +44,8 @@ def assertInStream(
             return
     names = ', '.join(sorted(one.process_details['name'] for one in found))
     raise AssertionError(
-        f"Did not find '{expected_output}' in {stream} output for any of the matching processes: {names}")
+        f"Did not find '{expected_output}' in {stream} output for any of the matching processes: {names}"
+    )
 
 
 def assertInStdout(*args: Any, **kwargs: Any) -> None:

@@ -23,8 +23,10 @@ class SequentialTextChecker:
         :raises AssertionError: if it is not there
         """
         found = self._text.find(msg, self._at)
-        assert found != -1, (f"'{msg}' not found in sequence after previous match.  The output near the last matched "
-                             f'line:\n{self.get_nearby_lines()}')
+        assert found != -1, (
+            f"'{msg}' not found in sequence after previous match.  The output near the last matched "
+            f'line:\n{self.get_nearby_lines()}'
+        )
         self._at = found + len(msg)
 
     def assertInStdout(self, msg: str) -> None:
@@ -33,12 +35,12 @@ class SequentialTextChecker:
 
     def get_nearby_lines(self) -> str:
         """Return the lines around the text found last."""
-        before, behind = self._text[:self._at].splitlines()[-_CONTEXT:], self._text[self._at:].splitlines()[:_CONTEXT]
+        before, behind = self._text[: self._at].splitlines()[-_CONTEXT:], self._text[self._at :].splitlines()[:_CONTEXT]
         return '\n'.join(before[:-1] + [''.join(before[-1:] + behind[:1])] + behind[1:])
 
 
 @contextmanager
 def assertSequentialStdout(proc_output, process, cmd_args=None) -> Iterator[SequentialTextChecker]:
     """Give a checker of the standard output of a process, see ``launch_testing.util.resolveProcesses``."""
-    one, = resolveProcesses(proc_output, process=process, cmd_args=cmd_args)
+    (one,) = resolveProcesses(proc_output, process=process, cmd_args=cmd_args)
     yield SequentialTextChecker([part.text.decode(errors='replace') for part in proc_output[one] if part.from_stdout])

@@ -48,10 +48,12 @@ def resolveProcesses(
     listed = ', '.join(sorted(_describe(one) for one in known))
     if not found:
         raise NoMatchingProcessException(
-            f"Did not find any processes matching name '{process}' and args '{arguments}'. Procs: {listed}")
+            f"Did not find any processes matching name '{process}' and args '{arguments}'. Procs: {listed}"
+        )
     if strict_proc_matching and len(found) > 1:
         raise RuntimeError(
-            f"Found multiple processes matching name '{process}' and cmd_args '{arguments}'. Procs: {listed}")
+            f"Found multiple processes matching name '{process}' and cmd_args '{arguments}'. Procs: {listed}"
+        )
     return found
 
 

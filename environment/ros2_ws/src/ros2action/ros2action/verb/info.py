@@ -16,7 +16,8 @@ class InfoVerb(VerbExtension):
         argument.completer = action_name_completer
         parser.add_argument('-t', '--show-types', action='store_true', help='Show the type of the action as well')
         parser.add_argument(
-            '-c', '--count', action='store_true', help='Print only how many clients and servers there are')
+            '-c', '--count', action='store_true', help='Print only how many clients and servers there are'
+        )
 
     def main(self, *, args):
         """Print which nodes use and which offer the action."""

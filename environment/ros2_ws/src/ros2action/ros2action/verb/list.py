@@ -13,8 +13,7 @@ class ListVerb(VerbExtension):
         """Add the arguments."""
         add_arguments(parser)
         parser.add_argument('-t', '--show-types', action='store_true', help='Show the type of each action as well')
-        parser.add_argument(
-            '-c', '--count-actions', action='store_true', help='Print only how many actions there are')
+        parser.add_argument('-c', '--count-actions', action='store_true', help='Print only how many actions there are')
 
     def main(self, *, args):
         """Print the actions."""

@@ -3,12 +3,7 @@
 from ros2cli.helpers import collect_stdin, parse_yaml_dictionary
 from ros2cli.node import NODE_NAME_PREFIX
 
-from ros2action.api import (
-    ActionGoalPrototypeCompleter,
-    ActionTypeCompleter,
-    action_name_completer,
-    load_action_class,
-)
+from ros2action.api import ActionGoalPrototypeCompleter, ActionTypeCompleter, action_name_completer, load_action_class
 from ros2action.verb import VerbExtension
 
 # Seconds that a server has to answer a request to cancel.
@@ -26,8 +21,11 @@ class SendGoalVerb(VerbExtension):
         argument.completer = ActionTypeCompleter(action_name_key='action_name')
         source = parser.add_mutually_exclusive_group()
         argument = source.add_argument(
-            'goal', nargs='?', default='{}',
-            help="Fields of the goal as YAML, for example '{order: 10}'; the others keep their defaults")
+            'goal',
+            nargs='?',
+            default='{}',
+            help="Fields of the goal as YAML, for example '{order: 10}'; the others keep their defaults",
+        )
         argument.completer = ActionGoalPrototypeCompleter(action_type_key='action_type')
         source.add_argument('--stdin', action='store_true', help='Read the fields from standard input')
         parser.add_argument('-f', '--feedback', action='store_true', help='Print the feedback as it arrives')
@@ -39,8 +37,8 @@ class SendGoalVerb(VerbExtension):
 
         action_class = load_action_class(args.action_type)
         values = parse_yaml_dictionary(
-            collect_stdin() if args.stdin else args.goal,
-            'The passed value needs to be a dictionary in YAML format')
+            collect_stdin() if args.stdin else args.goal, 'The passed value needs to be a dictionary in YAML format'
+        )
         goal = action_class.Goal()
         try:
             set_message_fields(goal, values)

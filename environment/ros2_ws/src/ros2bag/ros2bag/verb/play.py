@@ -11,8 +11,10 @@ from ros2bag.api import (
 from ros2bag.verb import VerbExtension
 
 _KEYS = (
-    'Press SPACE for Pause/Resume', 'Press CURSOR_RIGHT for Play Next Message',
-    'Press CURSOR_UP for Increase Rate 10%', 'Press CURSOR_DOWN for Decrease Rate 10%',
+    'Press SPACE for Pause/Resume',
+    'Press CURSOR_RIGHT for Play Next Message',
+    'Press CURSOR_UP for Increase Rate 10%',
+    'Press CURSOR_DOWN for Decrease Rate 10%',
 )
 
 
@@ -36,20 +38,33 @@ class PlayVerb(VerbExtension):
         add('--storage-config-file', help='Accepted; there is nothing to configure')
         clock = parser.add_mutually_exclusive_group()
         clock.add_argument(
-            '--clock', type=check_positive_float, nargs='?', const=40.0, default=0.0, metavar='HZ',
-            help="Publish the bag's time on /clock, so often (default with the option: 40 Hz)")
+            '--clock',
+            type=check_positive_float,
+            nargs='?',
+            const=40.0,
+            default=0.0,
+            metavar='HZ',
+            help="Publish the bag's time on /clock, so often (default with the option: 40 Hz)",
+        )
         add('-d', '--delay', type=check_positive_float, default=0.0, help='Wait so many seconds before each playback')
         add('--playback-duration', type=float, default=-1.0, help='Play so many seconds of the bag only')
         until = parser.add_mutually_exclusive_group()
         until.add_argument(
-            '--playback-until-sec', type=float, default=-1.0, help='Play up to this time, in seconds since 1970')
+            '--playback-until-sec', type=float, default=-1.0, help='Play up to this time, in seconds since 1970'
+        )
         until.add_argument(
-            '--playback-until-nsec', type=int, default=-1, help='Play up to this time, in nanoseconds since 1970')
+            '--playback-until-nsec', type=int, default=-1, help='Play up to this time, in nanoseconds since 1970'
+        )
         add('--disable-keyboard-controls', action='store_true', help='Do not listen to the keyboard')
         add('-p', '--start-paused', action='store_true', help='Wait for SPACE before the first message')
         add('--start-offset', type=check_not_negative, default=0.0, help='Begin so many seconds into the bag')
-        add('--wait-for-all-acked', type=int, default=-1, metavar='TIMEOUT',
-            help='Wait at the end for slow reliable readers, at most so many milliseconds; 0: for ever')
+        add(
+            '--wait-for-all-acked',
+            type=int,
+            default=-1,
+            metavar='TIMEOUT',
+            help='Wait at the end for slow reliable readers, at most so many milliseconds; 0: for ever',
+        )
         add('--log-level', choices=('debug', 'info', 'warn', 'error', 'fatal'), default='info', help='What to log')
 
     def main(self, *, args):
@@ -97,13 +112,28 @@ def _play(running, reader, overrides, args):
             logger.info(f'Set rate to {player.rate:g}')
 
     with keys(not args.disable_keyboard_controls) as pressed:
-        player = Player(running.node, reader, PlayOptions(
-            rate=args.rate, topics_to_filter=full(args.topics), exclude_topics_to_filter=full(args.exclude_topics),
-            regex_to_filter=args.regex, exclude_regex_to_filter=args.exclude_regex,
-            topic_qos_profile_overrides=overrides, loop=args.loop, remap=parse_remappings(args.remap, running.node),
-            clock_publish_frequency=args.clock, delay=args.delay, start_paused=args.start_paused,
-            start_offset=args.start_offset, playback_duration=args.playback_duration, playback_until=until,
-            wait_acked_timeout=args.wait_for_all_acked), wait)
+        player = Player(
+            running.node,
+            reader,
+            PlayOptions(
+                rate=args.rate,
+                topics_to_filter=full(args.topics),
+                exclude_topics_to_filter=full(args.exclude_topics),
+                regex_to_filter=args.regex,
+                exclude_regex_to_filter=args.exclude_regex,
+                topic_qos_profile_overrides=overrides,
+                loop=args.loop,
+                remap=parse_remappings(args.remap, running.node),
+                clock_publish_frequency=args.clock,
+                delay=args.delay,
+                start_paused=args.start_paused,
+                start_offset=args.start_offset,
+                playback_duration=args.playback_duration,
+                playback_until=until,
+                wait_acked_timeout=args.wait_for_all_acked,
+            ),
+            wait,
+        )
         logger.info(f'Set rate to {args.rate:g}')
         if not args.disable_keyboard_controls:
             logger.info('Adding keyboard callbacks.')

@@ -21,24 +21,50 @@ class RecordVerb(VerbExtension):
         add('--include-unpublished-topics', action='store_true', help='Record topics without a publisher as well')
         add('--include-hidden-topics', action='store_true', help='Record hidden topics as well')
         add('--no-discovery', action='store_true', help='Record only topics that are there at the beginning')
-        add('-p', '--polling-interval', type=check_not_negative_int, default=100, metavar='MS',
-            help='Look for new topics every so many milliseconds (default: 100)')
+        add(
+            '-p',
+            '--polling-interval',
+            type=check_not_negative_int,
+            default=100,
+            metavar='MS',
+            help='Look for new topics every so many milliseconds (default: 100)',
+        )
         add('--ignore-leaf-topics', action='store_true', help='Leave out topics that nobody subscribes to')
         add('--qos-profile-overrides-path', help='YAML file with the quality of service of some topics')
         add('-f', '--serialization-format', default='', choices=('', 'cdr'), help='Form of the messages: cdr')
-        add('-b', '--max-bag-size', type=check_not_negative_int, default=0, metavar='BYTES',
-            help='Begin a new file after so many bytes (default: 0, never)')
-        add('-d', '--max-bag-duration', type=check_not_negative_int, default=0, metavar='SECONDS',
-            help='Begin a new file after so many seconds (default: 0, never)')
-        add('--max-cache-size', type=check_not_negative_int, default=100 * 1024 * 1024,
-            help='Accepted; what comes goes to the file within a second')
+        add(
+            '-b',
+            '--max-bag-size',
+            type=check_not_negative_int,
+            default=0,
+            metavar='BYTES',
+            help='Begin a new file after so many bytes (default: 0, never)',
+        )
+        add(
+            '-d',
+            '--max-bag-duration',
+            type=check_not_negative_int,
+            default=0,
+            metavar='SECONDS',
+            help='Begin a new file after so many seconds (default: 0, never)',
+        )
+        add(
+            '--max-cache-size',
+            type=check_not_negative_int,
+            default=100 * 1024 * 1024,
+            help='Accepted; what comes goes to the file within a second',
+        )
         add('--disable-keyboard-controls', action='store_true', help='Do not listen to the keyboard')
         add('--start-paused', action='store_true', help='Wait for SPACE before recording')
         add('--use-sim-time', action='store_true', help='Take the time of each message from /clock')
         add('--node-name', default='rosbag2_recorder', help='Name of the recording node (default: rosbag2_recorder)')
         add('--custom-data', nargs='*', default=[], metavar='KEY=VALUE', help='Store these pairs in the metadata')
-        add('--storage-preset-profile', default='', choices=('', 'none', 'fastwrite', 'zstd_fast', 'zstd_small'),
-            help='For mcap: compress with zstd, or not (default)')
+        add(
+            '--storage-preset-profile',
+            default='',
+            choices=('', 'none', 'fastwrite', 'zstd_fast', 'zstd_small'),
+            help='For mcap: compress with zstd, or not (default)',
+        )
         add('--storage-config-file', help='Accepted; there is nothing to configure')
         add('--log-level', choices=('debug', 'info', 'warn', 'error', 'fatal'), default='info', help='What to log')
 
@@ -59,8 +85,9 @@ class RecordVerb(VerbExtension):
     def main(self, *, args):
         """Record until Ctrl+C."""
         if args.topics:
-            print(print_warn('Positional "topics" argument deprecated. Please use optional "--topics" argument '
-                             'instead.'))
+            print(
+                print_warn('Positional "topics" argument deprecated. Please use optional "--topics" argument instead.')
+            )
         args.topic_names = [*args.topics, *args.topic_names]
         try:
             _check(args)
@@ -75,11 +102,20 @@ class RecordVerb(VerbExtension):
 
 
 def _check(args):
-    chosen = (args.all, args.all_topics, args.all_services, args.services, args.topic_names, args.topic_types,
-              args.regex)
+    chosen = (
+        args.all,
+        args.all_topics,
+        args.all_services,
+        args.services,
+        args.topic_names,
+        args.topic_types,
+        args.regex,
+    )
     if not any(chosen):
-        raise ValueError('Need to specify at least one option out of --all, --all-topics, --all-services, --services, '
-                         '--topics, --topic-types or --regex')
+        raise ValueError(
+            'Need to specify at least one option out of --all, --all-topics, --all-services, --services, '
+            '--topics, --topic-types or --regex'
+        )
     for option in ('regex', 'exclude_regex'):
         try:
             re.compile(getattr(args, option))
@@ -110,21 +146,45 @@ def _record(args, output, overrides, custom_data):
     failures = []
     writer = SequentialWriter()
     try:
-        with RunningNode(args.node_name, args.use_sim_time) as running, \
-                keys(not args.disable_keyboard_controls) as pressed:
-            writer.open(StorageOptions(
-                output, args.storage, args.max_bag_size, args.max_bag_duration, args.max_cache_size,
-                args.storage_preset_profile, custom_data=custom_data))
-            recorder = Recorder(running.node, writer, RecordOptions(
-                all_topics=args.all or args.all_topics, all_services=args.all or args.all_services,
-                topics=full(args.topic_names), topic_types=args.topic_types, services=full(args.services),
-                regex=args.regex, exclude_regex=args.exclude_regex, exclude_topics=full(args.exclude_topics),
-                exclude_topic_types=args.exclude_topic_types, exclude_services=full(args.exclude_services),
-                include_hidden_topics=args.include_hidden_topics,
-                include_unpublished_topics=args.include_unpublished_topics,
-                ignore_leaf_topics=args.ignore_leaf_topics, is_discovery_disabled=args.no_discovery,
-                topic_polling_interval=args.polling_interval / 1000, topic_qos_profile_overrides=overrides,
-                start_paused=args.start_paused), failures.append)
+        with (
+            RunningNode(args.node_name, args.use_sim_time) as running,
+            keys(not args.disable_keyboard_controls) as pressed,
+        ):
+            writer.open(
+                StorageOptions(
+                    output,
+                    args.storage,
+                    args.max_bag_size,
+                    args.max_bag_duration,
+                    args.max_cache_size,
+                    args.storage_preset_profile,
+                    custom_data=custom_data,
+                )
+            )
+            recorder = Recorder(
+                running.node,
+                writer,
+                RecordOptions(
+                    all_topics=args.all or args.all_topics,
+                    all_services=args.all or args.all_services,
+                    topics=full(args.topic_names),
+                    topic_types=args.topic_types,
+                    services=full(args.services),
+                    regex=args.regex,
+                    exclude_regex=args.exclude_regex,
+                    exclude_topics=full(args.exclude_topics),
+                    exclude_topic_types=args.exclude_topic_types,
+                    exclude_services=full(args.exclude_services),
+                    include_hidden_topics=args.include_hidden_topics,
+                    include_unpublished_topics=args.include_unpublished_topics,
+                    ignore_leaf_topics=args.ignore_leaf_topics,
+                    is_discovery_disabled=args.no_discovery,
+                    topic_polling_interval=args.polling_interval / 1000,
+                    topic_qos_profile_overrides=overrides,
+                    start_paused=args.start_paused,
+                ),
+                failures.append,
+            )
             _run(running, recorder, pressed, failures, args)
             raise failures[0]
     except KeyboardInterrupt:  # how a recording ends

@@ -11,7 +11,8 @@ class ReindexVerb(VerbExtension):
         """Add the arguments."""
         parser.add_argument('bag_path', type=check_path_exists, help='Folder of the bag')
         parser.add_argument(
-            '-s', '--storage', choices=STORAGES, default='', help='Kind of its files, if there are both')
+            '-s', '--storage', choices=STORAGES, default='', help='Kind of its files, if there are both'
+        )
 
     def main(self, *, args):
         """Make metadata.yaml anew; an MCAP file without an end gets one."""

@@ -76,8 +76,13 @@ class _LazyParsers(dict[str, argparse.ArgumentParser]):
 
 
 def add_subparsers_on_demand(
-    parser: argparse.ArgumentParser, cli_name: str, dest: str, group_name: str,
-    hide_extensions: Collection[str] = (), required: bool = True, argv: Any = None,
+    parser: argparse.ArgumentParser,
+    cli_name: str,
+    dest: str,
+    group_name: str,
+    hide_extensions: Collection[str] = (),
+    required: bool = True,
+    argv: Any = None,
 ) -> Any:
     """
     Add a sub-parser for each plug-in of a group.

@@ -6,8 +6,10 @@ from ros2cli.command import CommandWithVerbs
 from ros2cli.node.arguments import add_arguments
 from ros2cli.verb import VerbExtension
 
-_NO_INTERFACES = ("the package 'composition_interfaces' is not installed: put it into a workspace, build and source "
-                  'it, then try again')
+_NO_INTERFACES = (
+    "the package 'composition_interfaces' is not installed: put it into a workspace, build and source "
+    'it, then try again'
+)
 _SERVICE = 'composition_interfaces/srv/ListNodes'
 _SERVICE_TIMEOUT = 10.0  # seconds
 
@@ -21,8 +23,11 @@ class ComponentCommand(CommandWithVerbs):
 def _containers(node):
     """Return the full names of the containers: the nodes that offer the service of one."""
     ending = '/_container/list_nodes'
-    return sorted(name.removesuffix(ending) for name, types in node.get_service_names_and_types()
-                  if name.endswith(ending) and _SERVICE in types)
+    return sorted(
+        name.removesuffix(ending)
+        for name, types in node.get_service_names_and_types()
+        if name.endswith(ending) and _SERVICE in types
+    )
 
 
 def _call(node, container, kind, verb, **fields):
@@ -82,8 +87,11 @@ class TypesVerb(VerbExtension):
 
         packages = get_resources('rclcpp_components')
         if args.package_name is not None and args.package_name not in packages:
-            return f"Package '{args.package_name}' has no components" \
-                if args.package_name in get_resources('packages') else f"Package '{args.package_name}' not found"
+            return (
+                f"Package '{args.package_name}' has no components"
+                if args.package_name in get_resources('packages')
+                else f"Package '{args.package_name}' not found"
+            )
         for package in [args.package_name] if args.package_name else sorted(packages):
             print(package)
             content, _ = get_resource('rclcpp_components', package)
@@ -112,13 +120,23 @@ class LoadVerb(VerbExtension):
         with NodeStrategy(args) as node:
             if container not in _containers(node):
                 return f"Unable to find container node '{args.container_node_name}'"
-            answer = _call(node, container, 'LoadNode', 'load_node', package_name=args.package_name,
-                           plugin_name=args.plugin_name, node_name=args.node_name,
-                           node_namespace=args.node_namespace, remap_rules=args.remap_rules)
+            answer = _call(
+                node,
+                container,
+                'LoadNode',
+                'load_node',
+                package_name=args.package_name,
+                plugin_name=args.plugin_name,
+                node_name=args.node_name,
+                node_namespace=args.node_namespace,
+                remap_rules=args.remap_rules,
+            )
         if not answer.success:
             return f'Failed to load component: {answer.error_message}'
-        print(f"Loaded component {answer.unique_id} into '{args.container_node_name}' container node as "
-              f"'{answer.full_node_name}'")
+        print(
+            f"Loaded component {answer.unique_id} into '{args.container_node_name}' container node as "
+            f"'{answer.full_node_name}'"
+        )
 
 
 class UnloadVerb(VerbExtension):
@@ -145,8 +163,11 @@ class UnloadVerb(VerbExtension):
                     print(f"Unloaded component {number} from '{args.container_node_name}' container node")
                 else:
                     failed = True
-                    print(f"Failed to unload component {number} from '{args.container_node_name}' container node\n"
-                          f'    {answer.error_message}', file=sys.stderr)
+                    print(
+                        f"Failed to unload component {number} from '{args.container_node_name}' container node\n"
+                        f'    {answer.error_message}',
+                        file=sys.stderr,
+                    )
             return int(failed)
 
 

@@ -56,7 +56,8 @@ class DirectNode:
         self.node = rclpy.create_node(
             node_name or f'{NODE_NAME_PREFIX}_{os.getpid()}',
             start_parameter_services=False,
-            parameter_overrides=[Parameter('use_sim_time', value=use_sim_time)])
+            parameter_overrides=[Parameter('use_sim_time', value=use_sim_time)],
+        )
         self.executor = SingleThreadedExecutor()
         self.executor.add_node(self.node)
         try:

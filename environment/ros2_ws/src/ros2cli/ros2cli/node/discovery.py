@@ -53,8 +53,10 @@ def wait_for_graph(node: Any) -> None:
 
 
 def _only_this_machine() -> bool:
-    return (os.environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE', '').upper() == 'LOCALHOST'
-            or os.environ.get('ROS_LOCALHOST_ONLY') == '1')
+    return (
+        os.environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE', '').upper() == 'LOCALHOST'
+        or os.environ.get('ROS_LOCALHOST_ONLY') == '1'
+    )
 
 
 def _look(node: Any) -> Any:

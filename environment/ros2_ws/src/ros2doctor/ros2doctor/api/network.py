@@ -50,8 +50,14 @@ class NetworkReport(DoctorReport):
             facts = {
                 'inet': v4[-1].address if v4 else None,
                 'inet4': [each.address for each in v4],
-                'ether': next((each.address for each in addresses
-                               if each.family == psutil.AF_LINK and each.address != _NO_ADDRESS), None),
+                'ether': next(
+                    (
+                        each.address
+                        for each in addresses
+                        if each.family == psutil.AF_LINK and each.address != _NO_ADDRESS
+                    ),
+                    None,
+                ),
                 'inet6': [each.address for each in addresses if each.family == socket.AF_INET6],
                 'netmask': v4[-1].netmask if v4 else None,
                 'device': name,

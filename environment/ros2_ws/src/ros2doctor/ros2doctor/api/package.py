@@ -37,8 +37,10 @@ class PackageCheck(DoctorCheck):
             result.add_error()
         missing = [name for name, version in versions.items() if not version]
         if missing:
-            doctor_warn(f'Cannot find local versions of packages: {" ".join(missing)}. '
-                        'Use `ros2 doctor --report` to see full list.')
+            doctor_warn(
+                f'Cannot find local versions of packages: {" ".join(missing)}. '
+                'Use `ros2 doctor --report` to see full list.'
+            )
             result.add_warning()
         return result
 

@@ -36,9 +36,11 @@ class PlatformCheck(DoctorCheck):
             doctor_error('ROS_DISTRO is not set.')
             result.add_error()
         elif name in _END_OF_LIFE:
-            doctor_warn(f'Distribution {name} is no longer supported or deprecated. '
-                        'To get the latest features, download the latest version at '
-                        'https://docs.ros.org/en/rolling/Installation.html')
+            doctor_warn(
+                f'Distribution {name} is no longer supported or deprecated. '
+                'To get the latest features, download the latest version at '
+                'https://docs.ros.org/en/rolling/Installation.html'
+            )
             result.add_warning()
         elif name not in _ACTIVE:
             doctor_warn(f'Distribution name {name} is not found')

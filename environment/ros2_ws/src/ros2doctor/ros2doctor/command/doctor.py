@@ -11,9 +11,11 @@ class DoctorCommand(CommandExtension):
         reports = parser.add_mutually_exclusive_group()
         reports.add_argument('--report', '-r', action='store_true', help='Print all reports instead of checking')
         reports.add_argument(
-            '--report-failed', '-rf', action='store_true', help='Print the reports about the checks that failed')
+            '--report-failed', '-rf', action='store_true', help='Print the reports about the checks that failed'
+        )
         parser.add_argument(
-            '--include-warnings', '-iw', action='store_true', help='Let a check fail that has a warning')
+            '--include-warnings', '-iw', action='store_true', help='Let a check fail that has a warning'
+        )
         add_subparsers_on_demand(parser, cli_name, '_verb', 'ros2doctor.verb', required=False)
 
     def main(self, *, parser, args):

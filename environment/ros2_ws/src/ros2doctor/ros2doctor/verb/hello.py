@@ -17,11 +17,21 @@ class HelloVerb(VerbExtension):
         """Add the arguments."""
         parser.add_argument('-t', '--topic', default='/canyouhearme', help='Topic to use (default: /canyouhearme)')
         parser.add_argument(
-            '-ep', '--emit-period', metavar='N', type=positive_float, default=0.1,
-            help='Seconds between two messages (default: 0.1)')
+            '-ep',
+            '--emit-period',
+            metavar='N',
+            type=positive_float,
+            default=0.1,
+            help='Seconds between two messages (default: 0.1)',
+        )
         parser.add_argument(
-            '-pp', '--print-period', metavar='N', type=positive_float, default=1.0,
-            help='Seconds between two summaries (default: 1.0)')
+            '-pp',
+            '--print-period',
+            metavar='N',
+            type=positive_float,
+            default=1.0,
+            help='Seconds between two summaries (default: 1.0)',
+        )
         parser.add_argument('--ttl', type=int, help='How many routers a multicast datagram may pass')
         parser.add_argument('-1', '--once', action='store_true', help='End after one summary')
 
@@ -78,7 +88,8 @@ def _receiver():
     receiver.bind(('', _PORT))
     try:
         receiver.setsockopt(
-            socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, socket.inet_aton(_GROUP) + socket.inet_aton('0.0.0.0'))
+            socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, socket.inet_aton(_GROUP) + socket.inet_aton('0.0.0.0')
+        )
     except OSError:  # no network: nothing will be heard
         pass
     receiver.setblocking(False)

@@ -19,8 +19,11 @@ class PackageVerb(VerbExtension):
         """Print the full names."""
         from rosidl_runtime_py import get_interfaces
 
-        chosen = [kind for kind, flag in (
-            ('msg', args.only_msgs), ('srv', args.only_srvs), ('action', args.only_actions)) if flag]
+        chosen = [
+            kind
+            for kind, flag in (('msg', args.only_msgs), ('srv', args.only_srvs), ('action', args.only_actions))
+            if flag
+        ]
         try:
             names = get_interfaces([args.package_name])[args.package_name]
         except LookupError as e:

@@ -14,12 +14,14 @@ class ShowVerb(VerbExtension):
         self._parser = parser
         comments = parser.add_mutually_exclusive_group()
         comments.add_argument(
-            '--all-comments', action='store_true', help='Print the comments of nested interfaces as well')
+            '--all-comments', action='store_true', help='Print the comments of nested interfaces as well'
+        )
         comments.add_argument('--no-comments', action='store_true', help='Print neither comments nor empty lines')
         argument = parser.add_argument(
             'type',
             help="Full name of the interface, for example std_msgs/msg/String; '-' reads it from standard input, for "
-                 'example ros2 topic type /chatter | ros2 interface show -')
+            'example ros2 topic type /chatter | ros2 interface show -',
+        )
         argument.completer = type_completer
 
     def main(self, *, args):

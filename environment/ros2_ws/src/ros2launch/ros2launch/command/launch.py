@@ -5,11 +5,7 @@ from __future__ import annotations
 import os
 import sys
 
-from ament_index_python.packages import (
-    PackageNotFoundError,
-    get_package_prefix,
-    get_packages_with_prefixes,
-)
+from ament_index_python.packages import PackageNotFoundError, get_package_prefix, get_packages_with_prefixes
 from ros2cli.command import CommandExtension
 
 
@@ -46,31 +42,57 @@ class LaunchCommand(CommandExtension):
     def add_arguments(self, parser, cli_name):
         """Add the arguments of ``ros2 launch``."""
         parser.add_argument(
-            '-n', '--noninteractive', default=not sys.stdin.isatty(), action='store_true',
-            help='Run the launch system non-interactively, with no terminal associated')
+            '-n',
+            '--noninteractive',
+            default=not sys.stdin.isatty(),
+            action='store_true',
+            help='Run the launch system non-interactively, with no terminal associated',
+        )
         parser.add_argument(
-            '-d', '--debug', default=False, action='store_true',
-            help='Put the launch system in debug mode, provides more verbose output.')
+            '-d',
+            '--debug',
+            default=False,
+            action='store_true',
+            help='Put the launch system in debug mode, provides more verbose output.',
+        )
         group = parser.add_mutually_exclusive_group()
         group.add_argument(
-            '-p', '--print', '--print-description', default=False, action='store_true',
-            help='Print the launch description to the console without launching it.')
+            '-p',
+            '--print',
+            '--print-description',
+            default=False,
+            action='store_true',
+            help='Print the launch description to the console without launching it.',
+        )
         group.add_argument(
-            '-s', '--show-args', '--show-arguments', default=False, action='store_true',
-            help='Show arguments that may be given to the launch file.')
+            '-s',
+            '--show-args',
+            '--show-arguments',
+            default=False,
+            action='store_true',
+            help='Show arguments that may be given to the launch file.',
+        )
         parser.add_argument(
-            '-a', '--show-all-subprocesses-output', default=False, action='store_true',
+            '-a',
+            '--show-all-subprocesses-output',
+            default=False,
+            action='store_true',
             help="Show all launched subprocesses' output by overriding their output"
-                 ' configuration using the OVERRIDE_LAUNCH_PROCESS_OUTPUT envvar.')
+            ' configuration using the OVERRIDE_LAUNCH_PROCESS_OUTPUT envvar.',
+        )
         parser.add_argument(
-            '--launch-prefix', default=None,
+            '--launch-prefix',
+            default=None,
             help='Prefix command, which should go before all executables. '
-                 'Command must be wrapped in quotes if it contains spaces '
-                 "(e.g. --launch-prefix 'xterm -e gdb -ex run --args').")
+            'Command must be wrapped in quotes if it contains spaces '
+            "(e.g. --launch-prefix 'xterm -e gdb -ex run --args').",
+        )
         parser.add_argument(
-            '--launch-prefix-filter', default=None,
+            '--launch-prefix-filter',
+            default=None,
             help='Regex pattern for filtering which executables the --launch-prefix is applied to '
-                 'by matching the executable name.')
+            'by matching the executable name.',
+        )
         parser.add_argument(
             'package_name', help='Name of the ROS package which contains the launch file'
         ).completer = package_name_or_launch_file_completer
@@ -78,8 +100,9 @@ class LaunchCommand(CommandExtension):
             'launch_file_name', nargs='?', help='Name of the launch file'
         ).completer = _complete_launch_file_name
         parser.add_argument(
-            'launch_arguments', nargs='*',
-            help="Arguments to the launch file; '<name>:=<value>' (for duplicates, last one wins)"
+            'launch_arguments',
+            nargs='*',
+            help="Arguments to the launch file; '<name>:=<value>' (for duplicates, last one wins)",
         ).completer = _no_completion
 
     def main(self, *, parser, args):

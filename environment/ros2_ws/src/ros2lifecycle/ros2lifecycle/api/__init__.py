@@ -14,7 +14,8 @@ def get_node_names(*, node: Any, include_hidden_nodes: bool = False) -> list[Nod
     """Return the managed nodes: those that offer the service get_state."""
     services = dict(get_service_names_and_types(node=node, include_hidden_services=True))
     return [
-        name for name in get_all_node_names(node=node, include_hidden_nodes=include_hidden_nodes)
+        name
+        for name in get_all_node_names(node=node, include_hidden_nodes=include_hidden_nodes)
         if 'lifecycle_msgs/srv/GetState' in services.get(f'{name.full_name}/get_state', ())
     ]
 

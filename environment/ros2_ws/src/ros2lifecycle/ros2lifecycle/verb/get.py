@@ -16,7 +16,8 @@ class GetVerb(VerbExtension):
         """Add the arguments."""
         add_arguments(parser)
         argument = parser.add_argument(
-            'node_name', nargs='?', help='Name of the node; without one, all managed nodes are asked')
+            'node_name', nargs='?', help='Name of the node; without one, all managed nodes are asked'
+        )
         argument.completer = NodeNameCompleter(include_hidden_nodes_key='include_hidden_nodes')
         parser.add_argument('--include-hidden-nodes', action='store_true', help='Consider hidden nodes as well')
 

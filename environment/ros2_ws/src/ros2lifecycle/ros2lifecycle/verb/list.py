@@ -17,7 +17,8 @@ class ListVerb(VerbExtension):
         argument.completer = NodeNameCompleter(include_hidden_nodes_key='include_hidden_nodes')
         parser.add_argument('--include-hidden-nodes', action='store_true', help='Consider hidden nodes as well')
         parser.add_argument(
-            '-a', '--all', action='store_true', help='List the transitions from all states, not only the current one')
+            '-a', '--all', action='store_true', help='List the transitions from all states, not only the current one'
+        )
 
     def main(self, *, args):
         """Print the transitions."""
@@ -33,5 +34,7 @@ class ListVerb(VerbExtension):
             except TimeoutError as e:
                 return f"Exception while calling service of node '{name}': {e}"
         for each in transitions:
-            print(f'- {each.transition.label} [{each.transition.id}]\n'
-                  f'\tStart: {each.start_state.label}\n\tGoal: {each.goal_state.label}')
+            print(
+                f'- {each.transition.label} [{each.transition.id}]\n'
+                f'\tStart: {each.start_state.label}\n\tGoal: {each.goal_state.label}'
+            )

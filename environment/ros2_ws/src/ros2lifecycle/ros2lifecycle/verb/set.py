@@ -30,12 +30,12 @@ class SetVerb(VerbExtension):
             if name not in {each.full_name for each in found}:
                 return 'Node not found'
             try:
-                transitions = [
-                    each.transition for each in call_get_available_transitions(node=node, node_name=name)]
+                transitions = [each.transition for each in call_get_available_transitions(node=node, node_name=name)]
                 chosen = [each for each in transitions if args.transition in (each.label, str(each.id))]
                 if not chosen:
                     return 'Unknown transition requested, available ones are:' + ''.join(
-                        f'\n- {each.label} [{each.id}]' for each in transitions)
+                        f'\n- {each.label} [{each.id}]' for each in transitions
+                    )
                 success = call_change_state(node=node, node_name=name, transition=chosen[0])
             except TimeoutError as e:
                 return f"Exception while calling service of node '{name}': {e}"

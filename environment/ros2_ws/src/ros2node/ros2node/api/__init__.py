@@ -58,7 +58,8 @@ def get_node_names(*, node: Any, include_hidden_nodes: bool = False) -> list[Nod
 def _visible(remote_node_name: str, get: Callable[[str, str], Any], include_hidden: bool) -> list[TopicInfo]:
     remote = parse_node_name(remote_node_name)
     return [
-        TopicInfo(name, types) for name, types in get(remote.name, remote.namespace)
+        TopicInfo(name, types)
+        for name, types in get(remote.name, remote.namespace)
         if include_hidden or not any(part.startswith(HIDDEN_NODE_PREFIX) for part in name.split('/'))
     ]
 

@@ -26,8 +26,10 @@ class InfoVerb(VerbExtension):
         argument = parser.add_argument('node_name', help='Full name of the node, for example /talker')
         argument.completer = api.NodeNameCompleter(include_hidden_nodes_key='include_hidden')
         parser.add_argument(
-            '--include-hidden', action='store_true',
-            help='Consider hidden nodes, and show hidden topics, services and actions as well')
+            '--include-hidden',
+            action='store_true',
+            help='Consider hidden nodes, and show hidden topics, services and actions as well',
+        )
 
     def main(self, *, args):
         """Print what the node publishes, subscribes to, offers and uses."""
@@ -40,8 +42,7 @@ class InfoVerb(VerbExtension):
             if count == 0:
                 return f"Unable to find node '{args.node_name}'"
             if count > 1:
-                print(api.INFO_NONUNIQUE_WARNING_TEMPLATE.format(num_nodes=count, node_name=full_name),
-                      file=sys.stderr)
+                print(api.INFO_NONUNIQUE_WARNING_TEMPLATE.format(num_nodes=count, node_name=full_name), file=sys.stderr)
             sections = [
                 (title, get(node=node, remote_node_name=full_name, include_hidden=args.include_hidden))
                 for title, get in _SECTIONS

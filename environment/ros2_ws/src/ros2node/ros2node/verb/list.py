@@ -27,7 +27,10 @@ class ListVerb(VerbExtension):
             print(len(names))
             return
         if has_duplicates(names):
-            print('WARNING: Be aware that there are nodes in the graph that share an exact name, '
-                  'which can have unintended side effects.', file=sys.stderr)
+            print(
+                'WARNING: Be aware that there are nodes in the graph that share an exact name, '
+                'which can have unintended side effects.',
+                file=sys.stderr,
+            )
         for name in names:
             print(name)

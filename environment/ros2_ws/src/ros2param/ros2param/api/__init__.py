@@ -50,6 +50,7 @@ def get_label(parameter_type: int) -> str:
 
 def node_is_there(node: Any, node_name: str, include_hidden_nodes: bool, timeout: float) -> bool:
     """Wait for a node for at most `timeout` seconds; `node` is a ros2cli DirectNode."""
+
     def found() -> bool:
         names = get_node_names(node=node, include_hidden_nodes=include_hidden_nodes)
         return node_name in {name.full_name for name in names}
@@ -73,8 +74,7 @@ def call_list_parameters(*, node: Any, node_name: str, prefixes: list[str] | Non
     """Return the names of the parameters of a node in alphabetical order (RuntimeError)."""
     from rcl_interfaces.srv import ListParameters
 
-    return sorted(
-        _call(node, ListParameters, node_name, 'list_parameters', prefixes=prefixes or []).result.names)
+    return sorted(_call(node, ListParameters, node_name, 'list_parameters', prefixes=prefixes or []).result.names)
 
 
 def call_get_parameters(*, node: Any, node_name: str, parameter_names: list[str]) -> Any:
@@ -107,8 +107,8 @@ def add_node_arguments(parser: Any, *, timeout: bool = True) -> None:
     parser.add_argument('--include-hidden-nodes', action='store_true', help='Consider hidden nodes as well')
     if timeout:
         parser.add_argument(
-            '--timeout', metavar='N', type=int, default=1,
-            help='Wait for the node for N seconds (default: %(default)s)')
+            '--timeout', metavar='N', type=int, default=1, help='Wait for the node for N seconds (default: %(default)s)'
+        )
 
 
 class ParameterNameCompleter:

@@ -29,8 +29,7 @@ class DeleteVerb(VerbExtension):
             if not node_is_there(node, name, args.include_hidden_nodes, args.timeout):
                 return 'Node not found'
             # A value of type "not set", which a Parameter has by default, means: delete.
-            response = call_set_parameters(
-                node=node, node_name=name, parameters=[Parameter(name=args.parameter_name)])
+            response = call_set_parameters(node=node, node_name=name, parameters=[Parameter(name=args.parameter_name)])
         result = response.results[0]
         reason = f': {result.reason}' if result.reason else ''
         if result.successful:

@@ -3,13 +3,7 @@
 from ros2cli.node.arguments import add_arguments
 from ros2node.api import get_absolute_node_name
 
-from ros2param.api import (
-    add_node_arguments,
-    call_get_parameters,
-    call_list_parameters,
-    get_value,
-    node_is_there,
-)
+from ros2param.api import add_node_arguments, call_get_parameters, call_list_parameters, get_value, node_is_there
 from ros2param.verb import VerbExtension
 
 

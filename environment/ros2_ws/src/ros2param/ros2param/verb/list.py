@@ -17,11 +17,13 @@ class ListVerb(VerbExtension):
         """Add the arguments."""
         add_arguments(parser)
         argument = parser.add_argument(
-            'node_name', nargs='?', help='Name of the node; without one, all nodes are asked')
+            'node_name', nargs='?', help='Name of the node; without one, all nodes are asked'
+        )
         argument.completer = NodeNameCompleter(include_hidden_nodes_key='include_hidden_nodes')
         parser.add_argument('--include-hidden-nodes', action='store_true', help='Consider hidden nodes as well')
         parser.add_argument(
-            '--param-prefixes', nargs='+', default=[], help='List only parameters that begin with one of these')
+            '--param-prefixes', nargs='+', default=[], help='List only parameters that begin with one of these'
+        )
         parser.add_argument('--param-type', action='store_true', help='Print the type of each parameter as well')
         parser.add_argument('--filter', help='List only parameters that this regular expression matches')
 
@@ -50,8 +52,10 @@ class ListVerb(VerbExtension):
     def _print(self, node, name, args, pattern):
         try:
             parameters = [
-                each for each in call_list_parameters(node=node, node_name=name, prefixes=args.param_prefixes)
-                if pattern.search(each)]
+                each
+                for each in call_list_parameters(node=node, node_name=name, prefixes=args.param_prefixes)
+                if pattern.search(each)
+            ]
             types = {}
             if args.param_type and parameters:
                 response = call_describe_parameters(node=node, node_name=name, parameter_names=parameters)

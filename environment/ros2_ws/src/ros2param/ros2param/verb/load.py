@@ -18,7 +18,8 @@ class LoadVerb(VerbExtension):
         add_node_arguments(parser)
         parser.add_argument('parameter_file', help='Parameter file, as `ros2 param dump` prints it')
         parser.add_argument(
-            '--no-use-wildcard', action='store_true', help="Leave out the parameters of the name '/**' in the file")
+            '--no-use-wildcard', action='store_true', help="Leave out the parameters of the name '/**' in the file"
+        )
 
     def main(self, *, args):
         """Set every parameter of the file and print for each whether the node took it."""
@@ -55,8 +56,9 @@ def _read(path, node_name, use_wildcard):
     targets = [key for key in (node_name, node_name.lstrip('/')) if key in content][:1]
     if not targets:
         if not (use_wildcard and '/**' in content):
-            raise RuntimeError(f'Param file does not contain parameters for {node_name}, '
-                               f'only for nodes: {list(content)}')
+            raise RuntimeError(
+                f'Param file does not contain parameters for {node_name}, only for nodes: {list(content)}'
+            )
         targets = ['/**']
     try:
         return list(parameter_dict_from_yaml_file(path, use_wildcard, targets).values())

@@ -38,7 +38,8 @@ class SetVerb(VerbExtension):
             if not node_is_there(node, name, args.include_hidden_nodes, args.timeout):
                 return 'Node not found'
             response = call_set_parameters(
-                node=node, node_name=name, parameters=[Parameter(name=args.parameter_name, value=value)])
+                node=node, node_name=name, parameters=[Parameter(name=args.parameter_name, value=value)]
+            )
         result = response.results[0]
         reason = f': {result.reason}' if result.reason else ''
         if result.successful:

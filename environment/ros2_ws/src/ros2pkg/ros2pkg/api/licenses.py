@@ -4,7 +4,14 @@ import datetime
 from pathlib import Path
 
 IDENTIFIERS = (
-    'Apache-2.0', 'BSL-1.0', 'BSD-2.0', 'BSD-2-Clause', 'BSD-3-Clause', 'GPL-3.0-only', 'LGPL-3.0-only', 'MIT',
+    'Apache-2.0',
+    'BSL-1.0',
+    'BSD-2.0',
+    'BSD-2-Clause',
+    'BSD-3-Clause',
+    'GPL-3.0-only',
+    'LGPL-3.0-only',
+    'MIT',
     'MIT-0',
 )
 

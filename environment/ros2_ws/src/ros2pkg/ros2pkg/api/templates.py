@@ -5,8 +5,17 @@ from xml.sax.saxutils import escape, quoteattr
 
 
 def package_xml(
-    *, name: str, package_format: int, description: str, maintainer: str, email: str, license_name: str,
-    build_type: str, buildtool_depends: Iterable[str], depends: Iterable[str], test_depends: Iterable[str],
+    *,
+    name: str,
+    package_format: int,
+    description: str,
+    maintainer: str,
+    email: str,
+    license_name: str,
+    build_type: str,
+    buildtool_depends: Iterable[str],
+    depends: Iterable[str],
+    test_depends: Iterable[str],
 ) -> str:
     """Return package.xml."""
     lines = [
@@ -30,38 +39,40 @@ def package_xml(
 
 
 def setup_py(
-    *, name: str, maintainer: str, email: str, description: str, license_name: str, node_name: str | None,
+    *, name: str, maintainer: str, email: str, description: str, license_name: str, node_name: str | None
 ) -> str:
     """Return setup.py of an ament_python package."""
     scripts = [f"            '{node_name} = {name}.{node_name}:main'"] if node_name else []
-    return _text([
-        'from setuptools import find_packages, setup',
-        '',
-        f"package_name = '{name}'",
-        '',
-        'setup(',
-        '    name=package_name,',
-        "    version='0.0.0',",
-        "    packages=find_packages(exclude=['test']),",
-        '    data_files=[',
-        "        ('share/ament_index/resource_index/packages',",
-        "            ['resource/' + package_name]),",
-        "        ('share/' + package_name, ['package.xml']),",
-        '    ],',
-        "    install_requires=['setuptools'],",
-        '    zip_safe=True,',
-        f'    maintainer={maintainer!r},',
-        f'    maintainer_email={email!r},',
-        f'    description={description!r},',
-        f'    license={license_name!r},',
-        "    tests_require=['pytest'],",
-        '    entry_points={',
-        "        'console_scripts': [",
-        *scripts,
-        '        ],',
-        '    },',
-        ')',
-    ])
+    return _text(
+        [
+            'from setuptools import find_packages, setup',
+            '',
+            f"package_name = '{name}'",
+            '',
+            'setup(',
+            '    name=package_name,',
+            "    version='0.0.0',",
+            "    packages=find_packages(exclude=['test']),",
+            '    data_files=[',
+            "        ('share/ament_index/resource_index/packages',",
+            "            ['resource/' + package_name]),",
+            "        ('share/' + package_name, ['package.xml']),",
+            '    ],',
+            "    install_requires=['setuptools'],",
+            '    zip_safe=True,',
+            f'    maintainer={maintainer!r},',
+            f'    maintainer_email={email!r},',
+            f'    description={description!r},',
+            f'    license={license_name!r},',
+            "    tests_require=['pytest'],",
+            '    entry_points={',
+            "        'console_scripts': [",
+            *scripts,
+            '        ],',
+            '    },',
+            ')',
+        ]
+    )
 
 
 def setup_cfg(name: str) -> str:
@@ -74,7 +85,7 @@ def python_main(name: str) -> str:
     return _text(['def main():', f"    print('Hi from {name}.')", '', '', "if __name__ == '__main__':", '    main()'])
 
 
-_HEADER = '''# Copyright 2026 ROS 2 course maintainers
+_HEADER = """# Copyright 2026 ROS 2 course maintainers
 #
 # Licensed under the Apache License, Version 2.0 (the "License");
 # you may not use this file except in compliance with the License.
@@ -88,9 +99,10 @@ _HEADER = '''# Copyright 2026 ROS 2 course maintainers
 # See the License for the specific language governing permissions and
 # limitations under the License.
 
-'''
+"""
 TESTS = {
-    'test_copyright.py': _HEADER + '''from ament_copyright.main import main
+    'test_copyright.py': _HEADER
+    + """from ament_copyright.main import main
 import pytest
 
 
@@ -101,8 +113,9 @@ import pytest
 def test_copyright():
     rc = main(argv=['.', 'test'])
     assert rc == 0, 'Found errors'
-''',
-    'test_flake8.py': _HEADER + '''from ament_flake8.main import main_with_errors
+""",
+    'test_flake8.py': _HEADER
+    + """from ament_flake8.main import main_with_errors
 import pytest
 
 
@@ -111,8 +124,9 @@ import pytest
 def test_flake8():
     rc, errors = main_with_errors(argv=[])
     assert rc == 0, f'Found {len(errors)} code style errors / warnings:\\n' + '\\n'.join(errors)
-''',
-    'test_pep257.py': _HEADER + '''from ament_pep257.main import main
+""",
+    'test_pep257.py': _HEADER
+    + """from ament_pep257.main import main
 import pytest
 
 
@@ -121,7 +135,7 @@ import pytest
 def test_pep257():
     rc = main(argv=['.', 'test'])
     assert rc == 0, 'Found code style errors / warnings'
-''',
+""",
 }
 
 
@@ -288,18 +302,20 @@ def plain_cmake_config(name: str, library_name: str | None) -> str:
 
 def plain_cmake_config_version(name: str) -> str:
     """Return the template of the file that says to find_package() whether the version fits."""
-    return _text([
-        f'set(PACKAGE_VERSION "@{name}_VERSION@")',
-        '',
-        'if("${PACKAGE_VERSION}" VERSION_LESS "${PACKAGE_FIND_VERSION}")',
-        '  set(PACKAGE_VERSION_COMPATIBLE FALSE)',
-        'else()',
-        '  set(PACKAGE_VERSION_COMPATIBLE TRUE)',
-        '  if("${PACKAGE_VERSION}" VERSION_EQUAL "${PACKAGE_FIND_VERSION}")',
-        '    set(PACKAGE_VERSION_EXACT TRUE)',
-        '  endif()',
-        'endif()',
-    ])
+    return _text(
+        [
+            f'set(PACKAGE_VERSION "@{name}_VERSION@")',
+            '',
+            'if("${PACKAGE_VERSION}" VERSION_LESS "${PACKAGE_FIND_VERSION}")',
+            '  set(PACKAGE_VERSION_COMPATIBLE FALSE)',
+            'else()',
+            '  set(PACKAGE_VERSION_COMPATIBLE TRUE)',
+            '  if("${PACKAGE_VERSION}" VERSION_EQUAL "${PACKAGE_FIND_VERSION}")',
+            '    set(PACKAGE_VERSION_EXACT TRUE)',
+            '  endif()',
+            'endif()',
+        ]
+    )
 
 
 def _target_depends(target: str, depends: list[str]) -> list[str]:
@@ -354,9 +370,20 @@ def _executable(node_name: str, depends: list[str], library_name: str | None) ->
 
 def cpp_main(name: str) -> str:
     """Return the source of a new C++ node."""
-    return _text([
-        '#include <cstdio>', '', 'int main(int argc, char ** argv)', '{', '  (void) argc;', '  (void) argv;', '',
-        f'  printf("hello world {name} package\\n");', '  return 0;', '}'])
+    return _text(
+        [
+            '#include <cstdio>',
+            '',
+            'int main(int argc, char ** argv)',
+            '{',
+            '  (void) argc;',
+            '  (void) argv;',
+            '',
+            f'  printf("hello world {name} package\\n");',
+            '  return 0;',
+            '}',
+        ]
+    )
 
 
 def _class_name(library_name: str) -> str:
@@ -366,19 +393,52 @@ def _class_name(library_name: str) -> str:
 def cpp_header(name: str, library_name: str) -> str:
     """Return the header of a new C++ library."""
     guard, class_name = f'{name.upper()}__{library_name.upper()}_HPP_', _class_name(library_name)
-    return _text([
-        f'#ifndef {guard}', f'#define {guard}', '', f'#include "{name}/visibility_control.h"', '',
-        f'namespace {name}', '{', '', f'class {class_name}', '{', 'public:', f'  {class_name}();', '',
-        f'  virtual ~{class_name}();', '};', '', f'}}  // namespace {name}', '', f'#endif  // {guard}'])
+    return _text(
+        [
+            f'#ifndef {guard}',
+            f'#define {guard}',
+            '',
+            f'#include "{name}/visibility_control.h"',
+            '',
+            f'namespace {name}',
+            '{',
+            '',
+            f'class {class_name}',
+            '{',
+            'public:',
+            f'  {class_name}();',
+            '',
+            f'  virtual ~{class_name}();',
+            '};',
+            '',
+            f'}}  // namespace {name}',
+            '',
+            f'#endif  // {guard}',
+        ]
+    )
 
 
 def cpp_library(name: str, library_name: str) -> str:
     """Return the source of a new C++ library."""
     class_name = _class_name(library_name)
-    return _text([
-        f'#include "{name}/{library_name}.hpp"', '', f'namespace {name}', '{', '',
-        f'{class_name}::{class_name}()', '{', '}', '', f'{class_name}::~{class_name}()', '{', '}', '',
-        f'}}  // namespace {name}'])
+    return _text(
+        [
+            f'#include "{name}/{library_name}.hpp"',
+            '',
+            f'namespace {name}',
+            '{',
+            '',
+            f'{class_name}::{class_name}()',
+            '{',
+            '}',
+            '',
+            f'{class_name}::~{class_name}()',
+            '{',
+            '}',
+            '',
+            f'}}  // namespace {name}',
+        ]
+    )
 
 
 def visibility_control(name: str) -> str:
@@ -389,30 +449,37 @@ def visibility_control(name: str) -> str:
     def define(what: str, gnu: str, depth: int) -> str:
         return f'{"  " * depth}#define {upper}_{what} {gnu}'.rstrip()
 
-    return _text([
-        f'#ifndef {guard}', f'#define {guard}', '',
-        '#if defined _WIN32 || defined __CYGWIN__',
-        '  #ifdef __GNUC__',
-        define('EXPORT', '__attribute__ ((dllexport))', 2),
-        define('IMPORT', '__attribute__ ((dllimport))', 2),
-        '  #else',
-        define('EXPORT', '__declspec(dllexport)', 2),
-        define('IMPORT', '__declspec(dllimport)', 2),
-        '  #endif',
-        f'  #ifdef {upper}_BUILDING_LIBRARY',
-        define('PUBLIC', f'{upper}_EXPORT', 2),
-        '  #else',
-        define('PUBLIC', f'{upper}_IMPORT', 2),
-        '  #endif',
-        define('PUBLIC_TYPE', f'{upper}_PUBLIC', 1),
-        define('LOCAL', '', 1),
-        '#else',
-        define('EXPORT', '__attribute__ ((visibility("default")))', 1),
-        define('IMPORT', '', 1),
-        define('PUBLIC', '__attribute__ ((visibility("default")))', 1),
-        define('LOCAL', '__attribute__ ((visibility("hidden")))', 1),
-        define('PUBLIC_TYPE', '', 1),
-        '#endif', '', f'#endif  // {guard}'])
+    return _text(
+        [
+            f'#ifndef {guard}',
+            f'#define {guard}',
+            '',
+            '#if defined _WIN32 || defined __CYGWIN__',
+            '  #ifdef __GNUC__',
+            define('EXPORT', '__attribute__ ((dllexport))', 2),
+            define('IMPORT', '__attribute__ ((dllimport))', 2),
+            '  #else',
+            define('EXPORT', '__declspec(dllexport)', 2),
+            define('IMPORT', '__declspec(dllimport)', 2),
+            '  #endif',
+            f'  #ifdef {upper}_BUILDING_LIBRARY',
+            define('PUBLIC', f'{upper}_EXPORT', 2),
+            '  #else',
+            define('PUBLIC', f'{upper}_IMPORT', 2),
+            '  #endif',
+            define('PUBLIC_TYPE', f'{upper}_PUBLIC', 1),
+            define('LOCAL', '', 1),
+            '#else',
+            define('EXPORT', '__attribute__ ((visibility("default")))', 1),
+            define('IMPORT', '', 1),
+            define('PUBLIC', '__attribute__ ((visibility("default")))', 1),
+            define('LOCAL', '__attribute__ ((visibility("hidden")))', 1),
+            define('PUBLIC_TYPE', '', 1),
+            '#endif',
+            '',
+            f'#endif  // {guard}',
+        ]
+    )
 
 
 def _text(lines: list[str]) -> str:

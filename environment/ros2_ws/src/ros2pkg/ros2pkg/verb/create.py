@@ -19,22 +19,33 @@ class CreateVerb(VerbExtension):
         """Add the arguments."""
         parser.add_argument('package_name', help='Name of the package')
         parser.add_argument(
-            '--package-format', '--package_format', type=int, default=3, choices=[2, 3],
-            help='Format of package.xml (default: 3)')
+            '--package-format',
+            '--package_format',
+            type=int,
+            default=3,
+            choices=[2, 3],
+            help='Format of package.xml (default: 3)',
+        )
         parser.add_argument('--description', default='TODO: Package description', help='Description in package.xml')
         parser.add_argument(
-            '--license', default='TODO: License declaration',
-            help="Licence in package.xml; any text, but a file LICENSE is written only for those that '?' lists")
+            '--license',
+            default='TODO: License declaration',
+            help="Licence in package.xml; any text, but a file LICENSE is written only for those that '?' lists",
+        )
         parser.add_argument(
-            '--destination-directory', default=os.curdir, help='Where to create the directory of the package')
+            '--destination-directory', default=os.curdir, help='Where to create the directory of the package'
+        )
         parser.add_argument(
-            '--build-type', default='ament_cmake', choices=['cmake', 'ament_cmake', 'ament_python'],
-            help='How the package is built (default: ament_cmake)')
+            '--build-type',
+            default='ament_cmake',
+            choices=['cmake', 'ament_cmake', 'ament_python'],
+            help='How the package is built (default: ament_cmake)',
+        )
         parser.add_argument('--dependencies', nargs='+', default=[], help='Packages that it depends on')
+        parser.add_argument('--maintainer-email', help="E-mail address of the maintainer (default: git's user.email)")
         parser.add_argument(
-            '--maintainer-email', help="E-mail address of the maintainer (default: git's user.email)")
-        parser.add_argument(
-            '--maintainer-name', default=getpass.getuser(), help='Name of the maintainer (default: who you are)')
+            '--maintainer-name', default=getpass.getuser(), help='Name of the maintainer (default: who you are)'
+        )
         parser.add_argument('--node-name', help='Name of an executable to begin with')
         parser.add_argument('--library-name', help='Name of a library to begin with')
 
@@ -67,9 +78,11 @@ class CreateVerb(VerbExtension):
         except OSError as e:
             return f'unable to create {e.filename}: {e.strerror}'
         if text is None:
-            print(f"\n[WARNING]: Unknown license '{args.license}'.  This has been set in the package.xml, but "
-                  'no LICENSE file has been created.\nIt is recommended to use one of the ament '
-                  'license identifiers:\n' + '\n'.join(IDENTIFIERS))
+            print(
+                f"\n[WARNING]: Unknown license '{args.license}'.  This has been set in the package.xml, but "
+                'no LICENSE file has been created.\nIt is recommended to use one of the ament '
+                'license identifiers:\n' + '\n'.join(IDENTIFIERS)
+            )
         return None
 
 
@@ -77,13 +90,16 @@ def _problem(args):
     """Return why the package cannot be created, or None."""
     for name in (args.package_name, *args.dependencies):
         if not _NAME.fullmatch(name):
-            return (f"Aborted since '{name}' is not a valid package name: it may have letters, digits, "
-                    'underscores and dashes, and begins with a letter.')
+            return (
+                f"Aborted since '{name}' is not a valid package name: it may have letters, digits, "
+                'underscores and dashes, and begins with a letter.'
+            )
     if args.build_type == 'ament_python':
         if args.package_name == 'test':
             # Its sources and its tests would be in one directory.
-            return ("Aborted since 'ament_python' packages can't be named 'test'. Please choose a different "
-                    'package name.')
+            return (
+                "Aborted since 'ament_python' packages can't be named 'test'. Please choose a different package name."
+            )
         if not args.package_name.isidentifier():
             return f"Aborted since '{args.package_name}' is not a valid name of a Python package."
         for name in (args.node_name, args.library_name):
@@ -91,8 +107,10 @@ def _problem(args):
                 return f"Aborted since '{name}' is not a valid name of a Python module."
     path = os.path.join(args.destination_directory, args.package_name)
     if os.path.exists(path):
-        return (f'\nAborted!\nThe directory already exists: {path}\nEither remove the directory or choose a '
-                'different destination directory or package name')
+        return (
+            f'\nAborted!\nThe directory already exists: {path}\nEither remove the directory or choose a '
+            'different destination directory or package name'
+        )
     return None
 
 
@@ -123,10 +141,21 @@ def _announce(args, email, node_name):
 def _create_manifest(root, args, email, buildtool_depends, test_depends):
     from ros2pkg.api import templates
 
-    root.file('package.xml', templates.package_xml(
-        name=args.package_name, package_format=args.package_format, description=args.description,
-        maintainer=args.maintainer_name, email=email, license_name=args.license, build_type=args.build_type,
-        buildtool_depends=buildtool_depends, depends=args.dependencies, test_depends=test_depends))
+    root.file(
+        'package.xml',
+        templates.package_xml(
+            name=args.package_name,
+            package_format=args.package_format,
+            description=args.description,
+            maintainer=args.maintainer_name,
+            email=email,
+            license_name=args.license,
+            build_type=args.build_type,
+            buildtool_depends=buildtool_depends,
+            depends=args.dependencies,
+            test_depends=test_depends,
+        ),
+    )
 
 
 def _create_ament_python(root, args, email, node_name):
@@ -136,9 +165,17 @@ def _create_ament_python(root, args, email, node_name):
     _create_manifest(root, args, email, [], ['ament_copyright', 'ament_flake8', 'ament_pep257', 'python3-pytest'])
     print('creating source folder')
     source = root.folder(name)
-    root.file('setup.py', templates.setup_py(
-        name=name, maintainer=args.maintainer_name, email=email, description=args.description,
-        license_name=args.license, node_name=node_name))
+    root.file(
+        'setup.py',
+        templates.setup_py(
+            name=name,
+            maintainer=args.maintainer_name,
+            email=email,
+            description=args.description,
+            license_name=args.license,
+            node_name=node_name,
+        ),
+    )
     root.file('setup.cfg', templates.setup_cfg(name))
     root.folder('resource').file(name, '')
     source.file('__init__.py', '')

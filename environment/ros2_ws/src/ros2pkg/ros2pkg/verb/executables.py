@@ -11,8 +11,7 @@ class ExecutablesVerb(VerbExtension):
 
     def add_arguments(self, parser, cli_name):
         """Add the arguments."""
-        argument = parser.add_argument(
-            'package_name', nargs='?', help='Name of the package; without one, all packages')
+        argument = parser.add_argument('package_name', nargs='?', help='Name of the package; without one, all packages')
         argument.completer = package_name_completer
         parser.add_argument('--full-path', action='store_true', help='Print the path of each executable')
 

@@ -28,8 +28,8 @@ def get_executable_path(*, package_name: str, executable_name: str) -> str | Non
     :raises MultipleExecutables: if the package has several.
     """
     paths = [
-        path for path in get_executable_paths(package_name=package_name)
-        if os.path.basename(path) == executable_name]
+        path for path in get_executable_paths(package_name=package_name) if os.path.basename(path) == executable_name
+    ]
     if len(paths) > 1:
         raise MultipleExecutables(paths)
     return paths[0] if paths else None

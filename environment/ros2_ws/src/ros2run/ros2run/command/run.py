@@ -16,8 +16,9 @@ class RunCommand(CommandExtension):
         """Add the arguments."""
         parser.add_argument(
             '--prefix',
-            help="Command to run the executable with; in quotes if it has spaces, for example "
-                 "--prefix 'gdb -ex run --args'")
+            help='Command to run the executable with; in quotes if it has spaces, for example '
+            "--prefix 'gdb -ex run --args'",
+        )
         argument = parser.add_argument('package_name', help='Name of the package')
         argument.completer = package_name_completer
         argument = parser.add_argument('executable_name', help='Name of the executable')

@@ -10,9 +10,9 @@ def get_service_names_and_types(*, node: Any, include_hidden_services: bool = Fa
 
     own = f'{node.get_namespace().rstrip("/")}/{node.get_name()}/'
     return [
-        (name, types) for name, types in node.get_service_names_and_types()
-        if not name.startswith(own)
-        and (include_hidden_services or not topic_or_service_is_hidden(name))
+        (name, types)
+        for name, types in node.get_service_names_and_types()
+        if not name.startswith(own) and (include_hidden_services or not topic_or_service_is_hidden(name))
     ]
 
 
@@ -36,7 +36,8 @@ def get_service_class(node: Any, service: str, blocking: bool = False, include_h
 
     def types() -> list[str]:
         return dict(get_service_names_and_types(node=node, include_hidden_services=include_hidden_services)).get(
-            full_name, [])
+            full_name, []
+        )
 
     if blocking:
         node.spin(until=types)
@@ -77,8 +78,7 @@ class ServiceNameCompleter:
 
         key = self.include_hidden_services_key
         with NodeStrategy(parsed_args) as node:
-            return get_service_names(
-                node=node, include_hidden_services=bool(key and getattr(parsed_args, key, False)))
+            return get_service_names(node=node, include_hidden_services=bool(key and getattr(parsed_args, key, False)))
 
 
 def service_type_completer(**_: Any) -> list[str]:
@@ -102,7 +102,8 @@ class ServiceTypeCompleter:
         if self.service_name_key is not None:
             with NodeStrategy(parsed_args) as node:
                 types = dict(get_service_names_and_types(node=node, include_hidden_services=True)).get(
-                    getattr(parsed_args, self.service_name_key))
+                    getattr(parsed_args, self.service_name_key)
+                )
             if types:
                 return types
         return service_type_completer()

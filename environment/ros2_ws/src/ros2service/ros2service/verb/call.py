@@ -5,12 +5,7 @@ import time
 from ros2cli.helpers import collect_stdin, parse_yaml_dictionary
 from ros2cli.node import NODE_NAME_PREFIX
 
-from ros2service.api import (
-    ServiceNameCompleter,
-    ServicePrototypeCompleter,
-    ServiceTypeCompleter,
-    load_service_class,
-)
+from ros2service.api import ServiceNameCompleter, ServicePrototypeCompleter, ServiceTypeCompleter, load_service_class
 from ros2service.verb import VerbExtension
 
 
@@ -25,8 +20,11 @@ class CallVerb(VerbExtension):
         argument.completer = ServiceTypeCompleter(service_name_key='service_name')
         source = parser.add_mutually_exclusive_group()
         argument = source.add_argument(
-            'values', nargs='?', default='{}',
-            help="Fields of the request as YAML, for example '{a: 1, b: 2}'; the others keep their defaults")
+            'values',
+            nargs='?',
+            default='{}',
+            help="Fields of the request as YAML, for example '{a: 1, b: 2}'; the others keep their defaults",
+        )
         argument.completer = ServicePrototypeCompleter(service_type_key='service_type')
         source.add_argument('--stdin', action='store_true', help='Read the fields from standard input')
         parser.add_argument('-r', '--rate', metavar='N', type=float, help='Repeat the call at this rate, in Hz')
@@ -40,8 +38,8 @@ class CallVerb(VerbExtension):
             return 'rate must be greater than zero'
         service_class = load_service_class(args.service_type)
         values = parse_yaml_dictionary(
-            collect_stdin() if args.stdin else args.values,
-            'The passed value needs to be a dictionary in YAML format')
+            collect_stdin() if args.stdin else args.values, 'The passed value needs to be a dictionary in YAML format'
+        )
         request = service_class.Request()
         try:
             set_message_fields(request, values)

@@ -17,10 +17,14 @@ class FindVerb(VerbExtension):
         argument = parser.add_argument('service_type', help='Type to look for, for example std_srvs/srv/Empty')
         argument.completer = service_type_completer
         parser.add_argument(
-            '-c', '--count-services', action='store_true', help='Print only how many services there are')
+            '-c', '--count-services', action='store_true', help='Print only how many services there are'
+        )
         parser.add_argument(
-            '--include-hidden-services', action='store_true', default=argparse.SUPPRESS,
-            help='List hidden services as well')
+            '--include-hidden-services',
+            action='store_true',
+            default=argparse.SUPPRESS,
+            help='List hidden services as well',
+        )
 
     def main(self, *, args):
         """Print the names."""

@@ -16,10 +16,14 @@ class ListVerb(VerbExtension):
         add_arguments(parser)
         parser.add_argument('-t', '--show-types', action='store_true', help='Show the type of each service as well')
         parser.add_argument(
-            '-c', '--count-services', action='store_true', help='Print only how many services there are')
+            '-c', '--count-services', action='store_true', help='Print only how many services there are'
+        )
         parser.add_argument(
-            '--include-hidden-services', action='store_true', default=argparse.SUPPRESS,
-            help='List hidden services as well')
+            '--include-hidden-services',
+            action='store_true',
+            default=argparse.SUPPRESS,
+            help='List hidden services as well',
+        )
 
     def main(self, *, args):
         """Print the services."""

@@ -21,7 +21,8 @@ def get_topic_names_and_types(*, node: Any, include_hidden_topics: bool = False)
     from rclpy.topic_or_service_is_hidden import topic_or_service_is_hidden
 
     return [
-        (name, types) for name, types in node.get_topic_names_and_types()
+        (name, types)
+        for name, types in node.get_topic_names_and_types()
         if include_hidden_topics or not topic_or_service_is_hidden(name)
     ]
 
@@ -79,8 +80,7 @@ def _find_msg_class(node: Any, topic: str, include_hidden_topics: bool) -> Any:
     if types is None:
         return None
     if len(types) > 1:
-        raise RuntimeError(
-            f"Cannot echo topic '{topic}', as it contains more than one type: [{', '.join(types)}]")
+        raise RuntimeError(f"Cannot echo topic '{topic}', as it contains more than one type: [{', '.join(types)}]")
     return load_message_class(types[0], f"The message type '{types[0]}' is invalid")
 
 
@@ -136,7 +136,8 @@ class TopicTypeCompleter:
         if self.topic_name_key is not None:
             with NodeStrategy(parsed_args) as node:
                 types = dict(get_topic_names_and_types(node=node, include_hidden_topics=True)).get(
-                    getattr(parsed_args, self.topic_name_key))
+                    getattr(parsed_args, self.topic_name_key)
+                )
             if types:
                 return types
         return message_type_completer()

@@ -16,8 +16,10 @@ class Summary(NamedTuple):
 
     def line(self) -> str:
         """Return the second line of the output, in seconds."""
-        return (f'\tmin: {self.smallest * 1e-9:.3f}s max: {self.largest * 1e-9:.3f}s '
-                f'std dev: {self.deviation * 1e-9:.5f}s window: {self.count}')
+        return (
+            f'\tmin: {self.smallest * 1e-9:.3f}s max: {self.largest * 1e-9:.3f}s '
+            f'std dev: {self.deviation * 1e-9:.5f}s window: {self.count}'
+        )
 
 
 class Window:

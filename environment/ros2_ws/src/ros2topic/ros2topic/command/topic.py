@@ -13,6 +13,8 @@ class TopicCommand(CommandWithVerbs):
     def add_arguments(self, parser: ArgumentParser, cli_name: str) -> None:
         """Add what all verbs share, and the verbs."""
         parser.add_argument(
-            '--include-hidden-topics', action='store_true',
-            help='Also those of which a part of the name begins with an underscore')
+            '--include-hidden-topics',
+            action='store_true',
+            help='Also those of which a part of the name begins with an underscore',
+        )
         super().add_arguments(parser, cli_name)

@@ -20,12 +20,18 @@ class BwVerb(VerbExtension):
         parser.description = (
             'Display bandwidth used by topic.\n\n'
             'It is that of the messages that arrive here; with a busy machine or another quality of service\n'
-            'it need not be what is published.')
+            'it need not be what is published.'
+        )
         argument = parser.add_argument('topic', help='Name of the topic whose bandwidth to measure')
         argument.completer = TopicNameCompleter(include_hidden_topics_key='include_hidden_topics')
         parser.add_argument(
-            '--window', '-w', type=positive_int, default=DEFAULT_WINDOW_SIZE, metavar='WINDOW',
-            help=f'How many of the latest messages to average over (default: {DEFAULT_WINDOW_SIZE})')
+            '--window',
+            '-w',
+            type=positive_int,
+            default=DEFAULT_WINDOW_SIZE,
+            metavar='WINDOW',
+            help=f'How many of the latest messages to average over (default: {DEFAULT_WINDOW_SIZE})',
+        )
         add_direct_arguments(parser)
 
     def main(self, *, args):
@@ -43,7 +49,6 @@ class BwVerb(VerbExtension):
 
 
 class _BandwidthMeter:
-
     def __init__(self, clock, window_size):
         self._clock = clock
         self._received = deque(maxlen=window_size)  # (seconds, bytes)
@@ -65,13 +70,19 @@ class _BandwidthMeter:
         per_second = sum(sizes) / duration
         # One unit for all figures of a line, chosen by the bandwidth.
         if per_second < 1000:
+
             def text(size):
                 return f'{size:.0f} B'
         elif per_second < 1_000_000:
+
             def text(size):
                 return f'{size / 1000:.2f} KB'
         else:
+
             def text(size):
                 return f'{size / 1_000_000:.2f} MB'
-        print(f'{text(per_second)}/s from {len(sizes)} messages\n\tMessage size mean: {text(sum(sizes) / len(sizes))}'
-              f' min: {text(min(sizes))} max: {text(max(sizes))}')
+
+        print(
+            f'{text(per_second)}/s from {len(sizes)} messages\n\tMessage size mean: {text(sum(sizes) / len(sizes))}'
+            f' min: {text(min(sizes))} max: {text(max(sizes))}'
+        )

@@ -17,8 +17,12 @@ class DelayVerb(VerbExtension):
         argument = parser.add_argument('topic', help='Name of the topic whose delay to measure')
         argument.completer = TopicNameCompleter(include_hidden_topics_key='include_hidden_topics')
         parser.add_argument(
-            '--window', '-w', type=positive_int, default=DEFAULT_WINDOW_SIZE,
-            help=f'How many of the latest messages to average over (default: {DEFAULT_WINDOW_SIZE})')
+            '--window',
+            '-w',
+            type=positive_int,
+            default=DEFAULT_WINDOW_SIZE,
+            help=f'How many of the latest messages to average over (default: {DEFAULT_WINDOW_SIZE})',
+        )
         add_direct_arguments(parser)
 
     def main(self, *, args):
@@ -35,7 +39,6 @@ class DelayVerb(VerbExtension):
 
 
 class _DelayMeter:
-
     def __init__(self, clock, window_size):
         from ros2topic.api.statistics import Window
 

@@ -22,32 +22,43 @@ class EchoVerb(VerbExtension):
         parser.add_argument('message_type', nargs='?', help='Type of its messages, for example std_msgs/msg/String')
         add_qos_arguments(parser, 'subscribe', 'sensor_data', 'what all publishers offer')
         parser.add_argument(
-            '--csv', action='store_true',
+            '--csv',
+            action='store_true',
             help='Print the values of all fields in a line, separated by commas, for example to plot them. With '
-                 '--include-message-info these come first: source_timestamp, received_timestamp, '
-                 'publication_sequence_number, reception_sequence_number')
+            '--include-message-info these come first: source_timestamp, received_timestamp, '
+            'publication_sequence_number, reception_sequence_number',
+        )
         parser.add_argument(
-            '--field', default=None,
-            help="Print only this field; '.' leads into a field, for example --field pose.pose.position")
+            '--field',
+            default=None,
+            help="Print only this field; '.' leads into a field, for example --field pose.pose.position",
+        )
         parser.add_argument(
-            '--full-length', '-f', action='store_true', help='Do not cut arrays, bytes and strings short')
+            '--full-length', '-f', action='store_true', help='Do not cut arrays, bytes and strings short'
+        )
         parser.add_argument(
-            '--truncate-length', '-l', type=unsigned_int, default=DEFAULT_TRUNCATE_LENGTH,
-            help=f'How many elements of arrays, bytes and strings to print (default: {DEFAULT_TRUNCATE_LENGTH})')
+            '--truncate-length',
+            '-l',
+            type=unsigned_int,
+            default=DEFAULT_TRUNCATE_LENGTH,
+            help=f'How many elements of arrays, bytes and strings to print (default: {DEFAULT_TRUNCATE_LENGTH})',
+        )
         parser.add_argument('--no-arr', action='store_true', help='Print type and length of arrays, not their elements')
         parser.add_argument('--no-str', action='store_true', help='Print the length of strings, not their text')
-        parser.add_argument(
-            '--flow-style', action='store_true', help='Print each list in one line (not with --csv)')
+        parser.add_argument('--flow-style', action='store_true', help='Print each list in one line (not with --csv)')
         parser.add_argument('--lost-messages', action='store_true', help='Does nothing: lost messages are reported')
         parser.add_argument('--no-lost-messages', action='store_true', help='Do not report lost messages')
         parser.add_argument('--raw', action='store_true', help='Print the messages as they are on the wire')
         parser.add_argument(
-            '--filter', dest='filter_expr',
-            help='Python expression that chooses which messages are printed; m is the message')
+            '--filter',
+            dest='filter_expr',
+            help='Python expression that chooses which messages are printed; m is the message',
+        )
         parser.add_argument('--once', action='store_true', help='End after the first message')
         parser.add_argument('--timeout', metavar='N', type=positive_float, help='End after N seconds', default=None)
         parser.add_argument(
-            '--include-message-info', '-i', action='store_true', help='Print when each message was sent and received')
+            '--include-message-info', '-i', action='store_true', help='Print when each message was sent and received'
+        )
 
     def main(self, *, args):
         """Print messages until Ctrl+C."""
@@ -69,8 +80,8 @@ class EchoVerb(VerbExtension):
 
             def subscribe(event_callbacks):
                 return node.create_subscription(
-                    message_class, args.topic_name, printer, qos_profile, event_callbacks=event_callbacks,
-                    raw=args.raw)
+                    message_class, args.topic_name, printer, qos_profile, event_callbacks=event_callbacks, raw=args.raw
+                )
 
             try:
                 subscribe(None if args.no_lost_messages else SubscriptionEventCallbacks(message_lost=_report_lost))
@@ -96,7 +107,8 @@ class _Printer:
                 raise RuntimeError(f'Invalid filter expression: {e.msg}') from None
         self.how = {
             'truncate_length': None if args.full_length else args.truncate_length,
-            'no_arr': args.no_arr, 'no_str': args.no_str,
+            'no_arr': args.no_arr,
+            'no_str': args.no_str,
         }
 
     # rclpy looks at the parameters to see whether the information is wanted.
@@ -153,5 +165,7 @@ class _Printer:
 
 
 def _report_lost(status):
-    print(f'A message was lost!!!\n\ttotal count change:{status.total_count_change}'
-          f'\n\ttotal count: {status.total_count}', end='---\n')
+    print(
+        f'A message was lost!!!\n\ttotal count change:{status.total_count_change}\n\ttotal count: {status.total_count}',
+        end='---\n',
+    )

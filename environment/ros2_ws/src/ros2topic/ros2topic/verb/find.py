@@ -18,8 +18,8 @@ class FindVerb(VerbExtension):
         argument.completer = message_type_completer
         parser.add_argument('-c', '--count-topics', action='store_true', help='Print only how many topics there are')
         parser.add_argument(
-            '--include-hidden-topics', action='store_true', default=argparse.SUPPRESS,
-            help='List hidden topics as well')
+            '--include-hidden-topics', action='store_true', default=argparse.SUPPRESS, help='List hidden topics as well'
+        )
 
     def main(self, *, args):
         """Print the names."""

@@ -18,18 +18,32 @@ class HzVerb(VerbExtension):
         parser.description = (
             'Print the average receiving rate to screen.\n\n'
             'The rate is that of the messages that arrive here; with a busy machine or another quality of service\n'
-            'it need not be the rate at which they are published.')
+            'it need not be the rate at which they are published.'
+        )
         argument = parser.add_argument('topic_name', help='Name of the topic to listen to, for example /chatter')
         argument.completer = TopicNameCompleter(include_hidden_topics_key='include_hidden_topics')
         parser.add_argument(
-            '--window', '-w', dest='window_size', type=positive_int, default=DEFAULT_WINDOW_SIZE, metavar='WINDOW',
-            help=f'How many of the latest messages to average over (default: {DEFAULT_WINDOW_SIZE})')
+            '--window',
+            '-w',
+            dest='window_size',
+            type=positive_int,
+            default=DEFAULT_WINDOW_SIZE,
+            metavar='WINDOW',
+            help=f'How many of the latest messages to average over (default: {DEFAULT_WINDOW_SIZE})',
+        )
         parser.add_argument(
-            '--filter', dest='filter_expr', default=None, metavar='EXPR',
-            help='Python expression that chooses which messages count; m is the message')
+            '--filter',
+            dest='filter_expr',
+            default=None,
+            metavar='EXPR',
+            help='Python expression that chooses which messages count; m is the message',
+        )
         parser.add_argument(
-            '--wall-time', dest='use_wtime', action='store_true',
-            help='Measure in wall time, for a simulation that publishes no clock')
+            '--wall-time',
+            dest='use_wtime',
+            action='store_true',
+            help='Measure in wall time, for a simulation that publishes no clock',
+        )
         add_direct_arguments(parser)
 
     def main(self, *, args):
@@ -43,12 +57,12 @@ class HzVerb(VerbExtension):
             clock = Clock(clock_type=ClockType.SYSTEM_TIME) if args.use_wtime else node.get_clock()
             meter = _RateMeter(clock, args.window_size, args.filter_expr)
             node.create_subscription(
-                message_class, args.topic_name, meter.receive, qos_profile_sensor_data, raw=args.filter_expr is None)
+                message_class, args.topic_name, meter.receive, qos_profile_sensor_data, raw=args.filter_expr is None
+            )
             node.spin(until=meter.print_if_due)
 
 
 class _RateMeter:
-
     def __init__(self, clock, window_size, filter_expr):
         from ros2topic.api.statistics import Window
 

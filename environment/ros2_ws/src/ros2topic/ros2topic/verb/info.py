@@ -15,8 +15,11 @@ class InfoVerb(VerbExtension):
         argument = parser.add_argument('topic_name', help='Name of the topic, for example /chatter')
         argument.completer = TopicNameCompleter(include_hidden_topics_key='include_hidden_topics')
         parser.add_argument(
-            '--verbose', '-v', action='store_true',
-            help='Show each publisher and subscription: its node, type, type hash, GID and quality of service')
+            '--verbose',
+            '-v',
+            action='store_true',
+            help='Show each publisher and subscription: its node, type, type hash, GID and quality of service',
+        )
 
     def main(self, *, args):
         """Print the type, the counts and, if asked, every endpoint."""

@@ -18,10 +18,11 @@ class ListVerb(VerbExtension):
         parser.add_argument('-c', '--count-topics', action='store_true', help='Print only how many topics there are')
         # The command has it too; without a default of its own, this one does not undo that one.
         parser.add_argument(
-            '--include-hidden-topics', action='store_true', default=argparse.SUPPRESS,
-            help='List hidden topics as well')
+            '--include-hidden-topics', action='store_true', default=argparse.SUPPRESS, help='List hidden topics as well'
+        )
         parser.add_argument(
-            '-v', '--verbose', action='store_true', help='List published and subscribed topics apart, with counts')
+            '-v', '--verbose', action='store_true', help='List published and subscribed topics apart, with counts'
+        )
 
     def main(self, *, args):
         """Print the topics."""

@@ -26,29 +26,48 @@ class PubVerb(VerbExtension):
         argument.completer = TopicTypeCompleter(topic_name_key='topic_name')
         source = parser.add_mutually_exclusive_group()
         argument = source.add_argument(
-            'values', nargs='?', default='{}',
+            'values',
+            nargs='?',
+            default='{}',
             help="Fields of the message as YAML, for example 'data: Hello World'; the others keep their defaults. "
-                 "'now' for a time and 'auto' for a header mean the time of publishing")
+            "'now' for a time and 'auto' for a header mean the time of publishing",
+        )
         argument.completer = TopicMessagePrototypeCompleter(topic_type_key='message_type')
         source.add_argument('--stdin', action='store_true', help='Read the fields from standard input')
         parser.add_argument(
-            '-r', '--rate', metavar='N', type=positive_float, default=1.0,
-            help='How often to publish, in Hz (default: 1)')
+            '-r',
+            '--rate',
+            metavar='N',
+            type=positive_float,
+            default=1.0,
+            help='How often to publish, in Hz (default: 1)',
+        )
         parser.add_argument(
-            '-p', '--print', metavar='N', type=int, default=1, help='Print only every Nth message (default: 1)')
+            '-p', '--print', metavar='N', type=int, default=1, help='Print only every Nth message (default: 1)'
+        )
         count = parser.add_mutually_exclusive_group()
         count.add_argument('-1', '--once', action='store_true', help='Publish one message and end')
-        count.add_argument(
-            '-t', '--times', type=unsigned_int, default=0, help='Publish so many messages and end')
+        count.add_argument('-t', '--times', type=unsigned_int, default=0, help='Publish so many messages and end')
         parser.add_argument(
-            '-w', '--wait-matching-subscriptions', type=unsigned_int, default=None,
-            help='Wait for so many matching subscriptions (default: 1 with --once or --times, otherwise 0)')
+            '-w',
+            '--wait-matching-subscriptions',
+            type=unsigned_int,
+            default=None,
+            help='Wait for so many matching subscriptions (default: 1 with --once or --times, otherwise 0)',
+        )
         parser.add_argument(
-            '--max-wait-time-secs', type=positive_float, default=None,
-            help='Give up waiting for subscriptions after so many seconds (default: never)')
+            '--max-wait-time-secs',
+            type=positive_float,
+            default=None,
+            help='Give up waiting for subscriptions after so many seconds (default: never)',
+        )
         parser.add_argument(
-            '--keep-alive', metavar='N', type=positive_float, default=0.1,
-            help='Stay for N seconds after the last message, so that it is delivered (default: 0.1)')
+            '--keep-alive',
+            metavar='N',
+            type=positive_float,
+            default=0.1,
+            help='Stay for N seconds after the last message, so that it is delivered (default: 0.1)',
+        )
         parser.add_argument('-n', '--node-name', help='Name of the publishing node')
         add_qos_arguments(parser, 'publish')
         add_direct_arguments(parser)
@@ -65,8 +84,8 @@ class PubVerb(VerbExtension):
             return '--max-wait-time-secs option is only effective with --wait-matching-subscriptions, --once or --times'
         message_class = load_message_class(args.message_type)
         values = parse_yaml_dictionary(
-            collect_stdin() if args.stdin else args.values,
-            'The passed value needs to be a dictionary in YAML format')
+            collect_stdin() if args.stdin else args.values, 'The passed value needs to be a dictionary in YAML format'
+        )
         if args.node_name:
             try:
                 validate_node_name(args.node_name)
@@ -90,8 +109,10 @@ class PubVerb(VerbExtension):
         publisher = node.create_publisher(message_class, args.topic_name, qos_profile_from_arguments(args))
         wanted = args.wait_matching_subscriptions
         if not self._wait(node, publisher, wanted, args.max_wait_time_secs):
-            return (f'Timed out waiting for subscribers: Expected {wanted} subcribers but only got '
-                    f'{publisher.get_subscription_count()} subscribers')
+            return (
+                f'Timed out waiting for subscribers: Expected {wanted} subcribers but only got '
+                f'{publisher.get_subscription_count()} subscribers'
+            )
 
         print('publisher: beginning loop')
         count = 0

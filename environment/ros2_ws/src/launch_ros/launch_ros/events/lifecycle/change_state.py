@@ -29,6 +29,8 @@ class ChangeState(Event):
 
     def __init__(self, *, lifecycle_node_matcher: Callable, transition_id: int):
         if transition_id not in self.valid_transitions:
-            raise ValueError(f'{transition_id!r} is not the number of a transition: use one of '
-                             'lifecycle_msgs.msg.Transition, such as Transition.TRANSITION_CONFIGURE')
+            raise ValueError(
+                f'{transition_id!r} is not the number of a transition: use one of '
+                'lifecycle_msgs.msg.Transition, such as Transition.TRANSITION_CONFIGURE'
+            )
         self.lifecycle_node_matcher, self.transition_id = lifecycle_node_matcher, transition_id
