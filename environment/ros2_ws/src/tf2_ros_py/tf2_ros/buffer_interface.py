@@ -4,13 +4,7 @@ from collections.abc import Callable
 from copy import deepcopy
 from typing import Any, TypeVar
 
-from geometry_msgs.msg import (  # noqa: F401  (part of tf2_ros's public names)
-    PointStamped,
-    PoseStamped,
-    PoseWithCovarianceStamped,
-    TransformStamped,
-    Vector3Stamped,
-)
+from geometry_msgs.msg import PointStamped, PoseStamped, PoseWithCovarianceStamped, TransformStamped, Vector3Stamped  # noqa: F401
 from rclpy.duration import Duration
 from rclpy.time import Time
 from sensor_msgs.msg import PointCloud2  # noqa: F401
