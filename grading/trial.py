@@ -6,16 +6,17 @@ reads the expected words.
 """
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 
 from grading import sandbox, variants
 from grading.authoring import chapter as chapters
+from grading.authoring import coverage
 from grading.authoring import notebooks as authored
 from grading.course import HIDDEN
 from helpers import paths
-from helpers.exercises import notebooks, program
+from helpers.exercises import manifest, notebooks, program
 from helpers.exercises.manifest import Exercise
 from helpers.runner import results, session
 from helpers.runner.results import ExerciseResult, TestResult
@@ -37,10 +38,18 @@ class Answer:
     def source(self) -> str:
         return self.variant.applied(variants.solved_cells(paths.ROOT / 'solutions')[self.exercise], self.exercise)
 
-    def faults(self, result: ExerciseResult, exercise: Exercise, only: Iterable[str] = ()) -> list[str]:
-        """In what the result of this answer is not as it must be. `only`: the names of the tests that were run."""
+    def tests(self) -> set[str]:
+        """The names of the visible and hidden tests that look at the rule which this mutant breaks."""
+        assert isinstance(self.variant, variants.Mutant)
+        return {test for marks in self._marks() for test in marks.looks.get(self.variant.breaks, ())}
+
+    def _marks(self) -> tuple[coverage.Marks, coverage.Marks]:
+        return coverage.marks(manifest.load()[self.exercise], manifest.MANIFEST.parent)
+
+    def faults(self, result: ExerciseResult) -> list[str]:
+        """In what the result of this answer is not as it must be."""
         if isinstance(self.variant, variants.Mutant):
-            return list(_faults_of_mutant(self.variant, result, exercise, set(only)))
+            return list(_faults_of_mutant(self.variant, result, self._marks()[0].not_looked_at))
         return faults_of_right(result)
 
 
@@ -78,7 +87,7 @@ def run(exercise: Exercise, answer: Answer | None, seed: str = SEED) -> Trial:
     trial = Trial(answer, report.exercises[0], report.log)
     trial.faults = [
         *(f'log: {line}' for line in report.log),
-        *(answer.faults(trial.result, exercise) if answer else faults_of_right(trial.result)),
+        *(answer.faults(trial.result) if answer else faults_of_right(trial.result)),
     ]
     return trial
 
@@ -134,34 +143,28 @@ def faults_of_right(result: ExerciseResult) -> list[str]:
     return [f'the rule {rule.name} is not proved: {rule.why}' for rule in result.rules if rule.state != results.KEPT]
 
 
-def _faults_of_mutant(mutant: variants.Mutant, result: ExerciseResult, exercise: Exercise, only: set[str]):
+def _faults_of_mutant(mutant: variants.Mutant, result: ExerciseResult, not_looked_at: Iterable[str]) -> Iterator[str]:
     failed = [test for test in result.tests if not test.passed]
     if result.score is None or result.score >= result.points:
         yield 'it gets full marks' if result.score is not None else 'it gets no mark'
         return
-    hidden = {name_of(test) for test in failed if test.hidden}
-    if mutant.rejected_by not in hidden:
-        yield f'rejected_by={mutant.rejected_by!r} does not reject it; these hidden tests do: {sorted(hidden)}'
     if not mutant.expect:
         yield 'it does not say what the learner must read: expect='
     for fragment in mutant.expect:
         if fragment not in told(result):
             yield f'the learner does not read {fragment!r}, but: {told(result).strip()}'
-    if not exercise.rules:
-        return
-    visible = {name_of(test): test for test in failed if not test.hidden}
-    if mutant.seen_by and mutant.seen_by not in visible:
-        yield f'seen_by={mutant.seen_by!r} does not reject it; these visible tests do: {sorted(visible)}'
-    if not only:
-        if not mutant.seen_by and visible:
-            yield f'it does not name the visible test that rejects it; these do: {sorted(visible)}'
-        for fragment in mutant.expect if mutant.seen_by else ():
-            if not any(fragment in test.message for test in visible.values()):
-                yield f'no visible test says {fragment!r}'
-    allowed = {mutant.breaks, *mutant.also}
-    broken = {test.rule for test in failed}
-    if mutant.breaks not in broken:
-        yield f'breaks={mutant.breaks!r}, but the tests say that these rules are broken: {sorted(broken)}'
+    rejecting = [test for test in failed if test.rule == mutant.breaks]
+    unseen = mutant.breaks in not_looked_at
+    for kind in ('hidden',) if unseen else ('visible', 'hidden'):
+        if not any(test.hidden is (kind == 'hidden') for test in rejecting):
+            names = sorted(
+                f'{name_of(test)} ({test.rule or "no rule"})' for test in failed if test.hidden is (kind == 'hidden')
+            )
+            yield f'no {kind} test says that the rule {mutant.breaks!r} is broken; these reject it: {names}'
+    seen = [test.message for test in failed if not test.hidden]
+    for fragment in () if unseen else mutant.expect:
+        if not any(fragment in message for message in seen):
+            yield f'no visible test says {fragment!r}'
     for test in failed:
-        if test.rule not in allowed:
+        if test.rule not in (mutant.breaks, *mutant.also):
             yield f'{name_of(test)} names {test.rule or "no rule"}: {test.message}'

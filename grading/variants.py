@@ -4,7 +4,7 @@ They stand in `grading/exercises/N_M/`: `mutants.py` holds the list MUTANTS, `al
 Each answer is a named edit of the solved cell::
 
     Mutant('best_effort', old="'beacon', 10)", new="'beacon', SENSOR)",
-           expect='offers reliability BEST_EFFORT', rejected_by='test_first_message')
+           expect='offers reliability BEST_EFFORT', breaks='qos')
 
 `old` is a part of one line, or whole lines in triple quotes. The lines' common indentation does not matter; `new` gets
 that of the lines that it replaces. A line of which nothing is left goes. If the solution does not hold the text exactly
@@ -75,17 +75,17 @@ class Variant:
 
 @dataclass(frozen=True)
 class Mutant(Variant):
-    """A wrong answer, what the learner must read about it, and which tests must find it."""
+    """A wrong answer: which rule it breaks, and what the learner must read about it.
+
+    At least one visible and one hidden test with the mark of this rule must reject it and name the rule.
+    """
 
     breaks: str = ''  # the rule of the card that it breaks
     also: tuple[str, ...] = ()  # further rules that it cannot help breaking
     expect: str | tuple[str, ...] = ()  # parts of what the learner must read; a tuple after `__post_init__`
-    rejected_by: str = ''  # the hidden test that must reject it
-    told_by: str | tuple[str, ...] = ()  # the tests that say the expected words, where those are others
-    seen_by: str = ''  # the visible test that rejects it
 
     def __post_init__(self):
-        for field in ('also', 'expect', 'told_by'):
+        for field in ('also', 'expect'):
             value = getattr(self, field)
             object.__setattr__(self, field, (value,) if isinstance(value, str) else tuple(value))
 

@@ -89,8 +89,7 @@ def table(exercises: Iterable[Exercise], checks: Path, folder: Path = variants.F
     """
     made = Table()
     for exercise in exercises:
-        visible = read(checks / f'chapter_{exercise.chapter:02}' / f'test_{exercise.id.replace(".", "_")}.py')
-        hidden = read(manifest.hidden_tests(folder, exercise.id))
+        visible, hidden = marks(exercise, checks, folder)
         mutants = variants.mutants(exercise.id, folder)
         names = [rule.name for rule in exercise.rules]
         if not names:
@@ -122,6 +121,12 @@ def table(exercises: Iterable[Exercise], checks: Path, folder: Path = variants.F
                 )
             )
     return made
+
+
+def marks(exercise: Exercise, checks: Path, folder: Path = variants.FOLDER) -> tuple[Marks, Marks]:
+    """The marks of an exercise's visible and of its hidden tests; the folders as in `table`."""
+    visible = checks / f'chapter_{exercise.chapter:02}' / f'test_{exercise.id.replace(".", "_")}.py'
+    return read(visible), read(manifest.hidden_tests(folder, exercise.id))
 
 
 def read(path: Path) -> Marks:

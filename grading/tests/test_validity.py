@@ -1,10 +1,10 @@
 """Do the graders judge rightly? Every chapter's solution, unsolved notebook, wrong solutions and alternatives.
 
 Variants of different exercises share a notebook, so that there are as many runs as the richest exercise has variants.
-Of a wrong solution's exercise only the test that must reject it runs, and the one that says the expected words where
-that is another. Only some answers to each exercise run, drawn by the seed that pytest prints (COURSE_SAMPLE), so that
-ten runs see nearly all of them. COURSE_ALL_TESTS=1 in the environment leaves nothing out. After a change of one
-exercise `./course answers 3.1` tries all of its answers.
+Of a wrong solution's exercise only the tests run that look at the rule which it breaks. Only some answers to each
+exercise run, drawn by the seed that pytest prints (COURSE_SAMPLE), so that ten runs see nearly all of them.
+COURSE_ALL_TESTS=1 in the environment leaves nothing out. After a change of one exercise `./course answers 3.1` tries
+all of its answers.
 """
 
 import os
@@ -87,33 +87,18 @@ class Validity:
             assert result.message == f'Exercise {result.id} is not solved yet.'
 
     def test_wrong_solutions_are_rejected_with_the_right_words(self, mutants):
-        named = (
-            {}
-            if ALL_TESTS
-            else {
-                answer.exercise: {answer.variant.rejected_by, answer.variant.seen_by, *answer.variant.told_by} - {''}
-                for answer in mutants
-            }
-        )
+        named = {} if ALL_TESTS else {answer.exercise: answer.tests() for answer in mutants}
         results = judge(self.number, trial.varied(self.number, mutants), {answer.exercise for answer in mutants}, named)
-        self._all_as_they_must_be(mutants, results, named)
+        self._all_as_they_must_be(mutants, results)
 
     def test_alternatives_get_full_marks(self, alternatives):
         results = judge(
             self.number, trial.varied(self.number, alternatives), {answer.exercise for answer in alternatives}
         )
-        self._all_as_they_must_be(alternatives, results, {})
+        self._all_as_they_must_be(alternatives, results)
 
-    def _all_as_they_must_be(self, answers, results, named):
-        faults = {
-            str(answer): found
-            for answer in answers
-            if (
-                found := answer.faults(
-                    results[answer.exercise], EXERCISES[answer.exercise], named.get(answer.exercise, ())
-                )
-            )
-        }
+    def _all_as_they_must_be(self, answers, results):
+        faults = {str(answer): found for answer in answers if (found := answer.faults(results[answer.exercise]))}
         assert not faults
 
 

@@ -66,7 +66,8 @@ class Plugin:
         kept = []
         for item in items:
             exercise = _exercise(item)
-            if exercise not in self.programs or item.name not in self.named.get(exercise, [item.name]):
+            named = self.named.get(exercise, [item.name])
+            if exercise not in self.programs or not {item.name, item.originalname} & set(named):
                 continue
             test = test_id(item)
             self.report(

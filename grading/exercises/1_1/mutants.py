@@ -1,7 +1,5 @@
 from grading.variants import Mutant
 
-RELEASES = {'seen_by': 'test_choice', 'rejected_by': 'test_releases'}
-TABLES = {'seen_by': 'test_choice', 'rejected_by': 'test_other_tables'}
 LAST = '''
         to_come = any(first > month for _, first, _ in mine.values())
         return None, 'not released yet' if to_come else 'end of life'
@@ -9,17 +7,16 @@ LAST = '''
 
 MUTANTS = [
     Mutant('before_release', edits=(('items() if first <= month <= last', 'items() if month <= last'),
-            (LAST, "return None, 'end of life'")), expect='expected', breaks='to-come', also=('ends-last', 'months'),
-           **RELEASES),
+            (LAST, "return None, 'end of life'")), expect='expected', breaks='to-come', also=('ends-last', 'months')),
     Mutant('begin_of_the_name', old='if row[0] == ubuntu}', new='if row[0].startswith(ubuntu)}',
-           expect='No row of the table', breaks='unknown', **RELEASES),
+           expect='No row of the table', breaks='unknown'),
     Mutant('by_heart', source='''
 def choose_distribution(ubuntu, today, releases=RELEASES):
     pairs = {'20.04': 'foxy', '22.04': 'humble', '24.04': 'jazzy', '26.04': 'lyrical'}
     if ubuntu not in pairs:
         return None, 'unknown Ubuntu'
     return pairs[ubuntu], 'supported'
-''', expect='has ended by then', breaks='ended', also=('table', 'to-come'), **RELEASES),
+''', expect='has ended by then', breaks='ended', also=('table', 'to-come')),
     Mutant('by_heart_with_dates', source='''
 def choose_distribution(ubuntu, today, releases=RELEASES):
     pairs = {'20.04': 'foxy', '22.04': 'humble', '24.04': 'jazzy', '26.04': 'lyrical'}
@@ -29,31 +26,29 @@ def choose_distribution(ubuntu, today, releases=RELEASES):
     if today[:7] < first:
         return None, 'not released yet'
     return (pairs[ubuntu], 'supported') if today[:7] <= last else (None, 'end of life')
-''', expect='nothing that you know by heart', breaks='table', **TABLES),
+''', expect='nothing that you know by heart', breaks='table'),
     Mutant('day_against_month', edits=(('month = today[:7]', ''),
             ('<= month <=', '<= today <='),
-            ('> month for', '> today for')), expect='Compare months with months', breaks='months', **RELEASES),
+            ('> month for', '> today for')), expect='Compare months with months', breaks='months'),
     Mutant('dictionary_of_two', source='''
 def choose_distribution(ubuntu, today, releases=RELEASES):
     return {'24.04': ('jazzy', 'supported'), '20.04': (None, 'end of life')}.get(ubuntu, (None, 'unknown Ubuntu'))
-''', expect='expected', breaks='ends-last', also=('months', 'ended', 'to-come', 'table'), **RELEASES),
+''', expect='expected', breaks='ends-last', also=('months', 'ended', 'to-come', 'table')),
     Mutant('ends_first', old='return max(supported', new='return min(supported', expect='whose support ends last',
-           breaks='ends-last', **RELEASES),
+           breaks='ends-last'),
     Mutant('first_found', old='return max(supported, key=lambda name: mine[name][2]),', new='return supported[0],',
-           expect='ends last', breaks='ends-last', also=('table',), **TABLES),
-    Mutant('first_month_excluded', old='first <= month', new='first < month', expect='The first and the last month count',
-           breaks='months', **RELEASES),
+           expect='ends last', breaks='ends-last', also=('table',)),
+    Mutant('first_month_excluded', old='first <= month', new='first < month',
+           expect='The first and the last month count', breaks='months'),
     Mutant('last_month_excluded', old='month <= last', new='month < last', expect='The first and the last month count',
-           breaks='months', **RELEASES),
+           breaks='months'),
     Mutant('list_of_names', old="mine[name][2]), 'supported'", new="mine[name][2])", expect='expected a pair',
-           breaks='pair', **RELEASES),
-    Mutant('newest', old='name][2]),', new='name][1]),', expect='not the newest', breaks='ends-last', **RELEASES),
+           breaks='pair'),
+    Mutant('newest', old='name][2]),', new='name][1]),', expect='not the newest', breaks='ends-last'),
     Mutant('no_to_come_after_an_end', old='any(first > month', new='all(first > month', expect="'not released yet'",
-           breaks='to-come', **TABLES),
-    Mutant('one_reason', old=LAST, new="return None, 'end of life'", expect="'not released yet'", breaks='to-come',
-           **RELEASES),
-    Mutant('own_table', old='in releases.items', new='in RELEASES.items', expect='Use the argument', breaks='table',
-           **TABLES),
+           breaks='to-come'),
+    Mutant('one_reason', old=LAST, new="return None, 'end of life'", expect="'not released yet'", breaks='to-come'),
+    Mutant('own_table', old='in releases.items', new='in RELEASES.items', expect='Use the argument', breaks='table'),
     Mutant('unknown_crashes', source='''
 def choose_distribution(ubuntu, today, releases=RELEASES):
     month = today[:7]
@@ -64,12 +59,12 @@ def choose_distribution(ubuntu, today, releases=RELEASES):
     if month > max(row[2] for row in mine.values()):
         return None, 'end of life'
     return None, 'not released yet'
-''', expect='max() ', breaks='unknown', also=('table',), **RELEASES),
+''', expect='max() ', breaks='unknown', also=('table',)),
     Mutant('unknown_is_ended', old='''
         if not mine:
             return None, 'unknown Ubuntu'
-        ''', new='', expect="'unknown Ubuntu'", breaks='unknown', also=('table',), **RELEASES),
+        ''', new='', expect="'unknown Ubuntu'", breaks='unknown', also=('table',)),
     Mutant('years_only', edits=(('month = today[:7]', 'month = today[:4]'),
-                                ('first <= month <= last', 'first[:4] <= month <= last[:4]')),
-           expect='expected', breaks='ended', also=('months', 'to-come', 'ends-last', 'table'), **RELEASES),
+                                ('first <= month <= last', 'first[:4] <= month <= last[:4]')), expect='expected',
+           breaks='ended', also=('months', 'to-come', 'ends-last', 'table')),
 ]

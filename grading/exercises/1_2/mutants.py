@@ -1,7 +1,5 @@
 from grading.variants import Mutant
 
-ONE = {'seen_by': 'test_diagnose', 'rejected_by': 'test_single_faults'}
-SEVERAL = {'seen_by': 'test_diagnose', 'rejected_by': 'test_several_faults'}
 DISTROS = "distros = {part[3] for part in parts if part[:3] == ['', 'opt', 'ros'] and len(part) > 3}"
 MIXED = "elif distros and len(distros | {environ.get('ROS_DISTRO') or min(distros)}) > 1:"
 PYTHON = "if any(part.startswith('python3.') and part != f'python{python}' for part in folders):"
@@ -11,53 +9,54 @@ MUTANTS = [
     Mutant('any_case', old=REACH, new='''
         reach = environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE') or 'SUBNET'
         reach = reach.upper()
-        ''', expect='none of the four', breaks='unknown', **ONE),
+        ''', expect='none of the four', breaks='unknown'),
     Mutant('distro_only', old=MIXED,
            new="elif distros and environ.get('ROS_DISTRO') and environ['ROS_DISTRO'] not in distros:",
-           expect='which one was sourced last', breaks='mixed', **ONE),
+           expect='which one was sourced last', breaks='mixed'),
     Mutant('domain_from_one', old='int(domain) <= 101)', new='0 < int(domain) <= 101)', expect='ROS_DOMAIN_ID=0',
-           breaks='domain', **ONE),
+           breaks='domain'),
     Mutant('empty_domain', old='if domain and not', new="if 'ROS_DOMAIN_ID' in environ and not",
-           expect='Empty is like missing', breaks='missing', **ONE),
+           expect='Empty is like missing', breaks='missing'),
     Mutant('empty_path_is_a_prefix', old='if not prefixes:', new="if 'AMENT_PREFIX_PATH' not in environ:",
-           expect="'not sourced'", breaks='not-sourced', **ONE),
+           expect="'not sourced'", breaks='not-sourced'),
     Mutant('humble_and_jazzy_only', old=MIXED, new="elif 'humble' in prefixes and 'jazzy' in prefixes:",
-           expect='expected', breaks='mixed', also=('ros-distro', 'workspace'), **ONE),
+           expect='expected', breaks='mixed', also=('ros-distro', 'workspace')),
     Mutant('if_humble_in_path', old=MIXED, new="elif 'humble' in prefixes:", expect='expected', breaks='workspace',
-           also=('dictionary', 'mixed', 'ros-distro', 'missing', 'every-fault'), **ONE),
-    Mutant('int_of_a_word', old='domain.isdecimal() and', new='0 <=', expect='invalid literal for int', breaks='domain',
-           **ONE),
+           also=('dictionary', 'mixed', 'ros-distro', 'missing', 'every-fault')),
+    Mutant('int_of_a_word', old='domain.isdecimal() and', new='0 <=', expect='invalid literal for int',
+           breaks='domain'),
     Mutant('length_of_the_path', old=MIXED, new="elif ':' in prefixes:", expect='workspaces', breaks='workspace',
-           also=('mixed',), **ONE),
+           also=('mixed',)),
     Mutant('names_of_workspaces', old=DISTROS, new='''
         names = ('foxy', 'humble', 'iron', 'jazzy', 'kilted', 'lyrical')
         distros = {name for name in names if name in prefixes}
-        ''', expect='their names say nothing', breaks='workspace', **ONE),
-    Mutant('no_off', old="'off' if reach == 'OFF' else 'unknown'", new="'unknown'", expect="'off'", breaks='off', **ONE),
+        ''', expect='their names say nothing', breaks='workspace'),
+    Mutant('no_off', old="'off' if reach == 'OFF' else 'unknown'", new="'unknown'", expect="'off'", breaks='off'),
     Mutant('no_python', old="faults['PYTHONPATH'] = 'other Python'", new='pass', expect='for another Python',
-           breaks='python', **ONE),
+           breaks='python'),
     Mutant('no_ros_distro', old=MIXED, new='elif len(distros) > 1:', expect='name two distributions',
-           breaks='ros-distro', **ONE),
+           breaks='ros-distro'),
     Mutant('no_unknown', old="if reach == 'OFF' or reach not in RANGES:", new="if reach == 'OFF':",
-           expect='none of the four', breaks='unknown', **ONE),
+           expect='none of the four', breaks='unknown'),
     Mutant('none_if_all_is_well', old='return faults', new='return faults or None', expect='expected a dictionary',
-           breaks='dictionary', **ONE),
-    Mutant('one_list_of_faults', old='return faults', new='return list(faults.values())', expect='expected a dictionary',
-           breaks='dictionary', **ONE),
-    Mutant('own_python', old=PYTHON, new="if any(part.startswith('python3.') and part != 'python3.12' for part in folders):",
-           expect='expected', breaks='python', **ONE),
+           breaks='dictionary'),
+    Mutant('one_list_of_faults', old='return faults', new='return list(faults.values())',
+           expect='expected a dictionary', breaks='dictionary'),
+    Mutant('own_python', old=PYTHON,
+           new="if any(part.startswith('python3.') and part != 'python3.12' for part in folders):", expect='expected',
+           breaks='python'),
     Mutant('python_begins_so', old="part != f'python{python}'", new="not part.startswith(f'python{python}')",
-           expect='for another Python', breaks='python', **ONE),
+           expect='for another Python', breaks='python'),
     Mutant('right_python_is_enough', old=PYTHON,
            new="if 'python3.' in environ.get('PYTHONPATH', '') and f'python{python}' not in folders:",
-           expect='does not excuse a wrong one', breaks='python', **ONE),
+           expect='does not excuse a wrong one', breaks='python'),
     Mutant('stops_at_first', old="faults['AMENT_PREFIX_PATH'] = 'not sourced'",
            new="return {'AMENT_PREFIX_PATH': 'not sourced'}", expect='Do not stop at the first one',
-           breaks='every-fault', **SEVERAL),
-    Mutant('up_to_232', old=') <= 101):', new=') <= 232):', expect='ROS_DOMAIN_ID=102', breaks='domain', **ONE),
+           breaks='every-fault'),
+    Mutant('up_to_232', old=') <= 101):', new=') <= 232):', expect='ROS_DOMAIN_ID=102', breaks='domain'),
     Mutant('without_a_domain', old='''
         domain = environ.get('ROS_DOMAIN_ID', '')
         ''', new='''
         domain = environ.get('ROS_DOMAIN_ID', 'none')
-        ''', expect='ROS_DOMAIN_ID', breaks='missing', **ONE),
+        ''', expect='ROS_DOMAIN_ID', breaks='missing'),
 ]

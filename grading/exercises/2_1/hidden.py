@@ -34,7 +34,7 @@ def test_goodbye(learner):
     greeting.judge_program(learner, 'goodbye')
 
 
-@pytest.mark.rules('battery', 'rest')
+@pytest.mark.rules('battery', 'rest', 'goodbye')
 @pytest.mark.weight(2)
 def test_battery(learner):
     """`ros2 run greeter battery NAME` runs the function report of greeter/power/battery.py.

@@ -9,7 +9,7 @@ from helpers.runner import about, expect
 pytestmark = [pytest.mark.exercise('3.1'), pytest.mark.wiring(type='topic', qos='qos')]
 
 
-@pytest.mark.rules('at-once', 'first')
+@pytest.mark.rules('at-once', 'first', 'texts')
 def test_first_message(learner):
     """The constructor returns at once, and the first message comes one period after the start, at 0.25 s.
 

@@ -1,6 +1,5 @@
 from grading.variants import Mutant
 
-SEEN = {'seen_by': 'test_relay'}
 SOLUTION = '''
         msg.range /= 100
         msg.min_range /= 100
@@ -17,60 +16,58 @@ SUBSCRIPTION = "self.subscription = self.create_subscription(Range, 'sonar_cm', 
 
 MUTANTS = [
     Mutant('absolute_input', old=", 'sonar_cm',", new=", '/sonar_cm',", expect='a relative name has no leading slash',
-           breaks='topics', rejected_by='test_namespace', **SEEN),
+           breaks='topics'),
     Mutant('absolute_topics', edits=((", 'sonar',", ", '/sonar',"), (", 'sonar_cm',", ", '/sonar_cm',")),
-           expect='a relative name has no leading slash', breaks='topics', rejected_by='test_namespace', **SEEN),
+           expect='a relative name has no leading slash', breaks='topics'),
     Mutant('best_effort_output', old="(Range, 'sonar', 10)", new="(Range, 'sonar', qos_profile_sensor_data)",
-           imports='from rclpy.qos import qos_profile_sensor_data', expect='BEST_EFFORT', breaks='qos',
-           rejected_by='test_namespace', **SEEN),
+           imports='from rclpy.qos import qos_profile_sensor_data', expect='BEST_EFFORT', breaks='qos'),
     Mutant('constant_variance', old='msg.variance /= 100**2', new='msg.variance = 0.0004', expect='The variance',
-           breaks='variance', rejected_by='test_readings', **SEEN),
+           breaks='variance'),
     Mutant('depth_1', old='self.on_range, 10)', new='self.on_range, 1)', expect='has the depth 1, expected 10',
-           breaks='qos', also=('one-each', 'at-once'), rejected_by='test_namespace', **SEEN),
+           breaks='qos', also=('one-each', 'at-once')),
     Mutant('depth_1_out', old="(Range, 'sonar', 10)", new="(Range, 'sonar', 1)", expect='has the depth 1, expected 10',
-           breaks='qos', rejected_by='test_namespace', **SEEN),
+           breaks='qos'),
     Mutant('drops_inf', old='def on_range(self, msg):', new='''
         def on_range(self, msg):
             if msg.range == float('inf'):
                 return
-        ''', expect='do not drop messages', breaks='inf', rejected_by='test_no_echo', **SEEN),
+        ''', expect='do not drop messages', breaks='inf'),
     Mutant('only_the_first_four', old='def on_range(self, msg):', new='''
         def on_range(self, msg):
             self.seen = getattr(self, 'seen', 0) + 1
             if self.seen > 4:
                 return
-        ''', expect='only 4 came out', breaks='one-each', rejected_by='test_one_out_for_each_in', **SEEN),
+        ''', expect='only 4 came out', breaks='one-each'),
     Mutant('drops_the_unchanged', old='self.publisher.publish(msg)', new='''
         if msg.range != getattr(self, 'last', None):
             self.publisher.publish(msg)
         self.last = msg.range
-        ''', expect='came out by then', breaks='one-each', also=('inf',), rejected_by='test_one_out_for_each_in', **SEEN),
+        ''', expect='came out by then', breaks='one-each', also=('inf',)),
     Mutant('frame_only', old=SOLUTION, new=COPY % '''
                     header=Header(frame_id=msg.header.frame_id), radiation_type=msg.radiation_type,
                     field_of_view=msg.field_of_view'''.strip(), imports='from std_msgs.msg import Header',
-           expect='header.stamp has changed', breaks='header', rejected_by='test_readings', **SEEN),
-    Mutant('header_lost', old=SOLUTION, new=COPY % 'radiation_type=msg.radiation_type, field_of_view=msg.field_of_view',
-           expect='the header is lost', breaks='header', rejected_by='test_readings', **SEEN),
+           expect='header.stamp has changed', breaks='header'),
+    Mutant('header_lost', old=SOLUTION,
+           new=COPY % 'radiation_type=msg.radiation_type, field_of_view=msg.field_of_view',
+           expect='the header is lost', breaks='header'),
     Mutant('inf_becomes_max', old='msg.range /= 100', new='msg.range = min(msg.range, msg.max_range) / 100',
-           expect='inf must stay inf', breaks='inf', also=('distances',), rejected_by='test_no_echo', **SEEN),
-    Mutant('inf_becomes_zero', old='msg.range /= 100', new="msg.range = 0.0 if msg.range == float('inf') else msg.range / 100",
-           expect='inf must stay inf', breaks='inf', rejected_by='test_no_echo', **SEEN),
-    Mutant('multiplies', old='msg.range /= 100', new='msg.range *= 100', expect='divide by 100', breaks='distances',
-           rejected_by='test_readings', **SEEN),
+           expect='inf must stay inf', breaks='inf', also=('distances',)),
+    Mutant('inf_becomes_zero', old='msg.range /= 100',
+           new="msg.range = 0.0 if msg.range == float('inf') else msg.range / 100", expect='inf must stay inf',
+           breaks='inf'),
+    Mutant('multiplies', old='msg.range /= 100', new='msg.range *= 100', expect='divide by 100', breaks='distances'),
     Mutant('no_field_of_view', old=SOLUTION, new=COPY % 'header=msg.header, radiation_type=msg.radiation_type',
-           expect='field_of_view was', breaks='others', rejected_by='test_readings', **SEEN),
+           expect='field_of_view was', breaks='others'),
     Mutant('no_radiation_type', old=SOLUTION, new=COPY % 'header=msg.header, field_of_view=msg.field_of_view',
-           expect='radiation_type was', breaks='others', rejected_by='test_readings', **SEEN),
-    Mutant('no_variance', old='msg.variance /= 100**2', new='', expect='The variance', breaks='variance',
-           rejected_by='test_readings', **SEEN),
+           expect='radiation_type was', breaks='others'),
+    Mutant('no_variance', old='msg.variance /= 100**2', new='', expect='The variance', breaks='variance'),
     Mutant('old_name', old="super().__init__('range_to_metres')", new="super().__init__('range_to_meters')",
-           expect="expected 'range_to_metres'", breaks='node', rejected_by='test_namespace', **SEEN),
-    Mutant('only_max_range', old='msg.min_range /= 100', new='', expect='min_range:', breaks='distances',
-           rejected_by='test_readings', **SEEN),
+           expect="expected 'range_to_metres'", breaks='node'),
+    Mutant('only_max_range', old='msg.min_range /= 100', new='', expect='min_range:', breaks='distances'),
     Mutant('only_range', old='''
         msg.min_range /= 100
         msg.max_range /= 100
-        ''', new='', expect='Convert all three distances', breaks='distances', rejected_by='test_readings', **SEEN),
+        ''', new='', expect='Convert all three distances', breaks='distances'),
     Mutant('publishes_in_timer', source='''
 from sensor_msgs.msg import Range
 
@@ -93,7 +90,7 @@ class RangeToMetres(Node):
     def on_timer(self):
         while self.waiting:
             self.publisher.publish(self.waiting.pop(0))
-''', expect='none came out at once', breaks='at-once', also=('inf',), rejected_by='test_one_out_for_each_in', **SEEN),
+''', expect='none came out at once', breaks='at-once', also=('inf',)),
     Mutant('repeats_in_timer', source='''
 from sensor_msgs.msg import Range
 
@@ -117,27 +114,26 @@ class RangeToMetres(Node):
     def on_timer(self):
         if self.last:
             self.publisher.publish(self.last)
-''', expect='Publish exactly once for each', breaks='one-each', rejected_by='test_one_out_for_each_in', **SEEN),
+''', expect='Publish exactly once for each', breaks='one-each'),
     Mutant('one_behind', old='self.publisher.publish(msg)', new='''
         self.before, out = msg, getattr(self, 'before', None)
         if out:
             self.publisher.publish(out)
-        ''', expect='none came out at once', breaks='at-once', also=('one-each', 'inf'),
-           rejected_by='test_one_out_for_each_in', **SEEN),
+        ''', expect='none came out at once', breaks='at-once', also=('one-each', 'inf')),
     Mutant('stamped_again', old='msg.variance /= 100**2', new='''
         msg.variance /= 100**2
         msg.header.stamp = self.get_clock().now().to_msg()
-        ''', expect='header.stamp has changed', breaks='header', rejected_by='test_readings', **SEEN),
+        ''', expect='header.stamp has changed', breaks='header'),
     Mutant('subscribes_to_own_topic', old="'sonar_cm'", new="'sonar'", expect='no subscription on the topic sonar_cm',
-           breaks='topics', rejected_by='test_namespace', **SEEN),
+           breaks='topics'),
     Mutant('topics_exchanged', edits=(("'sonar_cm'", "'sonar'"), ("(Range, 'sonar', 10)", "(Range, 'sonar_cm', 10)")),
-           expect='no subscription on the topic sonar_cm', breaks='topics', rejected_by='test_namespace', **SEEN),
+           expect='no subscription on the topic sonar_cm', breaks='topics'),
     Mutant('two_of_each', old='self.publisher.publish(msg)', new='''
         self.publisher.publish(msg)
         self.publisher.publish(msg)
-        ''', expect='Publish exactly once for each', breaks='one-each', rejected_by='test_one_out_for_each_in', **SEEN),
+        ''', expect='Publish exactly once for each', breaks='one-each'),
     Mutant('variance_times_factor', old='msg.variance /= 100**2', new='msg.variance /= 100', expect='It is a square',
-           breaks='variance', rejected_by='test_readings', **SEEN),
+           breaks='variance'),
     Mutant('whole_centimetres', old='msg.range /= 100', new='msg.range = round(msg.range, -2) / 100',
-           expect='Convert all three distances', breaks='distances', rejected_by='test_readings', **SEEN),
+           expect='Convert all three distances', breaks='distances'),
 ]

@@ -12,7 +12,7 @@ pytestmark = [pytest.mark.exercise('3.4'), pytest.mark.wiring(type='topics', qos
 
 
 @pytest.mark.weight(2)
-@pytest.mark.rules('cells', 'order', 'size', 'resolution', 'frame')
+@pytest.mark.rules('cells', 'order', 'size', 'resolution', 'frame', 'qos')
 def test_any_map(learner):
     """A map of any size is published row by row, with its size, its resolution and the frame map.
 

@@ -72,7 +72,7 @@ def test_silent_sensor(learner):
     )
 
 
-@pytest.mark.rules('gap')
+@pytest.mark.rules('gap', 'limit')
 def test_gaps_from_stamps(learner):
     """A gap is the difference of two stamps, whenever the messages arrive.
 

@@ -19,7 +19,7 @@ def gripper(learner, answer, *args, delay=0.0, **options):
 
 
 @pytest.mark.weight(2)
-@pytest.mark.rules('late')
+@pytest.mark.rules('late', 'request')
 def test_late_answers(learner):
     """An answer that comes after its timeout is ignored.
 
@@ -126,7 +126,7 @@ def test_a_refusal_is_an_answer(learner):
 
 
 @pytest.mark.weight(2)
-@pytest.mark.rules('newest')
+@pytest.mark.rules('newest', 'request')
 def test_the_newest_command_wins(learner):
     """A new command drops the old one, without a report, and begins with all its tries.
 

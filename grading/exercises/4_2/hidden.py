@@ -45,7 +45,7 @@ def accepted(client, rule, hint='', **changes):
     expect(answer.status_message == '', f'An accepted calibration got the message {answer.status_message!r}.', 'accept')
 
 
-@pytest.mark.rules('always', 'size', 'focal-length', 'principal-point', 'distortion', 'accept')
+@pytest.mark.rules('always', 'size', 'focal-length', 'principal-point', 'distortion', 'accept', 'latched')
 @about('always')
 def test_every_rule(learner):
     """Each rule is checked, and named by its word.
@@ -65,7 +65,7 @@ def test_every_rule(learner):
     accepted(client, 'accept')
 
 
-@pytest.mark.rules('order')
+@pytest.mark.rules('order', 'size')
 def test_the_first_broken_rule_decides(learner):
     """If several rules are broken, the first one of the list is named.
 

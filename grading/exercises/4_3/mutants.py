@@ -8,21 +8,19 @@ WAITS = ('same-time', 'success', 'message', 'fresh', 'callers', 'names')
 
 MUTANTS = [
     Mutant('absolute_part', breaks='names', also=('callers', 'one-thread'), old="'lidar/check'", new="'/lidar/check'",
-           expect='without a leading slash', seen_by=CALLERS, rejected_by='test_namespace'),
+           expect='without a leading slash'),
     Mutant('any_success', breaks='success', also='callers', old='battery.success and lidar.success',
-           new='battery.success or lidar.success', expect='success of the status is True, expected False',
-           seen_by=STATUS, rejected_by='test_success[(True, False)]'),
+           new='battery.success or lidar.success', expect='success of the status is True, expected False'),
     Mutant('asks_second_if_first_is_well', breaks='same-time', also=('fresh', 'callers', 'message', 'one-thread'),
            edits=((FUTURES, 'battery = lidar = await self.battery.call_async(Trigger.Request())'),
                   (AWAIT, '''
             if battery.success:
                 lidar = await self.lidar.call_async(Trigger.Request())
-            ''')), expect='lidar/check was asked', seen_by=STATUS,
-           rejected_by='test_both_at_the_same_time'),
+            ''')), expect='lidar/check was asked'),
     Mutant('asks_twice', breaks='fresh', also=('same-time', 'callers', 'message'), old=FUTURES, new='''
         self.lidar.call_async(Trigger.Request())
         futures = [client.call_async(Trigger.Request()) for client in (self.battery, self.lidar)]
-        ''', expect='lidar/check was asked 2 times, expected 1', seen_by=STATUS, rejected_by='test_fresh_answers'),
+        ''', expect='lidar/check was asked 2 times, expected 1'),
     Mutant('blocking_call', breaks='one-thread', also=WAITS, old='''
         async def on_status(self, request, response):
             futures = [client.call_async(Trigger.Request()) for client in (self.battery, self.lidar)]
@@ -30,17 +28,16 @@ MUTANTS = [
         ''', new='''
         def on_status(self, request, response):
             battery, lidar = self.battery.call(Trigger.Request()), self.lidar.call(Trigger.Request())
-        ''', expect='A callback waits for an answer', seen_by=STATUS, rejected_by='test_both_at_the_same_time'),
+        ''', expect='A callback waits for an answer'),
     Mutant('comma', breaks='message', old='; lidar:', new=', lidar:', also='callers',
-           expect='The message of the status is', seen_by=STATUS, rejected_by='test_order_of_the_message'),
+           expect='The message of the status is'),
     Mutant('default_group', breaks='one-thread', also=WAITS,
            edits=(("(Trigger, 'battery/check', callback_group=group)", "(Trigger, 'battery/check')"),
                   ("(Trigger, 'lidar/check', callback_group=group)", "(Trigger, 'lidar/check')")),
-           expect='give the clients a callback group of their own', seen_by=STATUS,
-           rejected_by='test_both_at_the_same_time'),
+           expect='give the clients a callback group of their own'),
     Mutant('does_not_wait', breaks='one-thread', also=WAITS,
            edits=(('async def on_status', 'def on_status'), ('await future', 'future.result()')),
-           expect="has no attribute 'success'", seen_by=STATUS, rejected_by='test_both_at_the_same_time'),
+           expect="has no attribute 'success'"),
     Mutant('keeps_answers', breaks='fresh', also='callers', old='''
         futures = [client.call_async(Trigger.Request()) for client in (self.battery, self.lidar)]
         battery, lidar = [await future for future in futures]
@@ -48,14 +45,13 @@ MUTANTS = [
         if not hasattr(self, 'futures'):
             self.futures = [client.call_async(Trigger.Request()) for client in (self.battery, self.lidar)]
         battery, lidar = [await future for future in self.futures]
-        ''', expect='battery/check was asked 1 time, expected 2', seen_by=STATUS, rejected_by='test_fresh_answers'),
+        ''', expect='battery/check was asked 1 time, expected 2'),
     Mutant('one_after_the_other', breaks='same-time', also='message',
            edits=((FUTURES, 'battery = await self.battery.call_async(Trigger.Request())'),
                   (AWAIT, 'lidar = await self.lidar.call_async(Trigger.Request())')),
-           expect='first two call_async, then two await', seen_by=STATUS, rejected_by='test_both_at_the_same_time'),
+           expect='first two call_async, then two await'),
     Mutant('only_the_lidar', breaks='success', also='callers', old='battery.success and lidar.success',
-           new='lidar.success', expect='success of the status is True, expected False', seen_by=STATUS,
-           rejected_by='test_success[(False, True)]'),
+           new='lidar.success', expect='success of the status is True, expected False'),
     Mutant('order_of_arrival', breaks='message', also='callers', old='''
         battery, lidar = [await future for future in futures]
         response.success = battery.success and lidar.success
@@ -69,9 +65,9 @@ MUTANTS = [
             await rclpy.task.Future()
         response.success = battery.success and lidar.success
         response.message = '; '.join(texts)
-        ''', expect='The message of the status is', seen_by=STATUS, rejected_by='test_order_of_the_message'),
+        ''', expect='The message of the status is'),
     Mutant('other_name', breaks='names', old="super().__init__('status_panel')", new="super().__init__('panel')",
-           expect='your node is called', seen_by=CALLERS, rejected_by='test_namespace'),
+           expect='your node is called'),
     Mutant('shared_between_callers', breaks='callers',
            edits=(("self.create_service(Trigger, 'status', self.on_status)",
                    "self.create_service(Trigger, 'status', self.on_status, "
@@ -80,8 +76,7 @@ MUTANTS = [
             self.futures = [client.call_async(Trigger.Request()) for client in (self.battery, self.lidar)]
             lidar = await self.futures[1]
             battery = await self.futures[0]
-            ''')), expect='What belongs to one call must stay in local variables', seen_by=CALLERS,
-           rejected_by='test_two_callers'),
+            ''')), expect='What belongs to one call must stay in local variables'),
     Mutant('spins_in_callback', breaks='one-thread', also=WAITS, old='''
         async def on_status(self, request, response):
             futures = [client.call_async(Trigger.Request()) for client in (self.battery, self.lidar)]
@@ -92,8 +87,7 @@ MUTANTS = [
             for future in futures:
                 rclpy.spin_until_future_complete(self, future)
             battery, lidar = [future.result() for future in futures]
-        ''', expect='Only another callback can receive', seen_by=STATUS, rejected_by='test_both_at_the_same_time'),
+        ''', expect='Only another callback can receive'),
     Mutant('swapped', breaks='message', also=('callers', 'fresh'), old='{battery.message}; lidar: {lidar.message}',
-           new='{lidar.message}; lidar: {battery.message}', expect='The message of the status is', seen_by=STATUS,
-           rejected_by='test_order_of_the_message'),
+           new='{lidar.message}; lidar: {battery.message}', expect='The message of the status is'),
 ]

@@ -137,7 +137,7 @@ def test_some_refused_at_once(learner):
     )
 
 
-@pytest.mark.rules('leave', 'one-thread')
+@pytest.mark.rules('leave', 'one-thread', 'full')
 @about('one-thread')
 def test_leaving(learner):
     """Who leaves makes room; an empty room stays empty.

@@ -17,7 +17,7 @@ def serve(learner):
 
 
 @pytest.mark.weight(2)
-@pytest.mark.rules('names', 'orders', 'end', 'goals', 'rate')
+@pytest.mark.rules('names', 'orders', 'end', 'goals', 'rate', 'numbers')
 @about('goals')
 def test_orders(learner):
     """Each order gives that many numbers, also 0 and 1, and several goals run side by side.

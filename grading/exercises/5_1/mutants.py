@@ -13,18 +13,18 @@ CANCEL = 'test_cancel'
 
 MUTANTS = [
     Mutant('absolute_name', breaks='names', old="'fibonacci', self.execute", new="'/fibonacci', self.execute",
-           expect='without a leading slash', seen_by=NUMBERS, rejected_by='test_restart'),
+           expect='without a leading slash'),
     Mutant('aborts', breaks='cancel', also='goals', old='goal.canceled()', new='goal.abort()',
-           expect='ended as aborted, expected canceled', seen_by=CANCEL, rejected_by='test_cancel_at_any_step'),
+           expect='ended as aborted, expected canceled'),
     Mutant('feedback_at_end', breaks='feedback', also=('goals', 'partial'),
            old='goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))', new='''
         if len(numbers) == goal.request.order:
             goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))
-        ''', expect='expected one for each number', seen_by=NUMBERS, rejected_by='test_feedback'),
+        ''', expect='expected one for each number'),
     Mutant('feedback_of_one_number', breaks='feedback', also='goals',
            old='goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))',
-           new='goal.publish_feedback(Fibonacci.Feedback(sequence=numbers[-1:]))', expect='expected all numbers so far',
-           seen_by=NUMBERS, rejected_by='test_feedback'),
+           new='goal.publish_feedback(Fibonacci.Feedback(sequence=numbers[-1:]))',
+           expect='expected all numbers so far'),
     Mutant('flag_in_self', breaks='goals', also=('cancel', 'partial', 'end'), edits=((
            'cancel_callback=lambda goal: CancelResponse.ACCEPT)', 'cancel_callback=self.on_cancel)'),
            ('def on_goal(self, request):', '''
@@ -42,10 +42,9 @@ MUTANTS = [
             ''', '''
             if self.stop:
                 goal.canceled() if goal.is_cancel_requested else goal.abort()
-            ''')), expect='keep no flag of your own', seen_by=CANCEL, rejected_by='test_two_clients'),
+            ''')), expect='keep no flag of your own'),
     Mutant('forgets_succeed', breaks='end', also=('goals', 'orders', 'numbers', 'cancel', 'names'),
-           old='goal.succeed()', new='',
-           expect='Call succeed() before you return the result', seen_by=NUMBERS, rejected_by='test_orders'),
+           old='goal.succeed()', new='', expect='Call succeed() before you return the result'),
     Mutant('looks_too_early', breaks='partial', also=('cancel', 'end'), edits=((WAIT, ''), (LOOP, f'''
 if goal.is_cancel_requested:
     goal.canceled()
@@ -53,36 +52,35 @@ if goal.is_cancel_requested:
 {WAIT}
 numbers.append(sum(numbers[-2:]) if len(numbers) > 1 else len(numbers))
 goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))
-''')), expect='went on after the cancel request', seen_by=CANCEL, rejected_by='test_cancel_at_any_step'),
+''')), expect='went on after the cancel request'),
     Mutant('lucas', breaks='numbers', also=('goals', 'feedback', 'partial', 'names', 'rate'),
-           old='len(numbers) > 1 else len(numbers))', new='len(numbers) > 1 else 1)',
-           expect='expected the first', seen_by=NUMBERS, rejected_by='test_limits'),
+           old='len(numbers) > 1 else len(numbers))', new='len(numbers) > 1 else 1)', expect='expected the first'),
     Mutant('never_looks', breaks='cancel', also=('goals', 'partial', 'end'), old='''
         if goal.is_cancel_requested:
             goal.canceled()
             return Fibonacci.Result(sequence=numbers)
-        ''', new='', expect='is_cancel_requested in every step', seen_by=CANCEL,
-           rejected_by='test_cancel_at_any_step'),
+        ''', new='', expect='is_cancel_requested in every step'),
     Mutant('no_cancel_callback', breaks='cancel', also=('goals', 'end'), old='''
         self, Fibonacci, 'fibonacci', self.execute, goal_callback=self.on_goal,
         cancel_callback=lambda goal: CancelResponse.ACCEPT)
         ''', new="self, Fibonacci, 'fibonacci', self.execute, goal_callback=self.on_goal)",
-           expect='The default cancel callback refuses all', seen_by=CANCEL, rejected_by='test_cancel_at_any_step'),
+           expect='The default cancel callback refuses all'),
     Mutant('no_partial_result', breaks='partial', old='''
         goal.canceled()
         return Fibonacci.Result(sequence=numbers)
         ''', new='''
         goal.canceled()
         return Fibonacci.Result()
-        ''', expect='expected the numbers so far', seen_by=CANCEL, rejected_by='test_cancel_at_any_step'),
-    Mutant('number_before_wait', breaks='rate', also=('cancel', 'partial', 'goals', 'end'), edits=((WAIT, ''), (LOOP, f'''
+        ''', expect='expected the numbers so far'),
+    Mutant('number_before_wait', breaks='rate', also=('cancel', 'partial', 'goals', 'end'),
+           edits=((WAIT, ''), (LOOP, f'''
 if goal.is_cancel_requested:
     goal.canceled()
     return Fibonacci.Result(sequence=numbers)
 numbers.append(sum(numbers[-2:]) if len(numbers) > 1 else len(numbers))
 goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))
 {WAIT}
-''')), expect='one number every 0.5 s', seen_by=NUMBERS, rejected_by='test_feedback'),
+''')), expect='one number every 0.5 s'),
     Mutant('numbers_in_self', breaks='goals', edits=(("super().__init__('fibonacci_server')", '''
             super().__init__('fibonacci_server')
             self.numbers = []
@@ -91,37 +89,33 @@ goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))
             numbers = self.numbers
             numbers.clear()
             ''')), also=('partial', 'cancel', 'end', 'rate'),
-           expect='Keep what belongs to one goal in variables of execute', seen_by=NUMBERS,
-           rejected_by='test_orders'),
+           expect='Keep what belongs to one goal in variables of execute'),
     Mutant('numbers_stay', breaks='goals', edits=(("super().__init__('fibonacci_server')", '''
             super().__init__('fibonacci_server')
             self.numbers = []
             '''), ('numbers = []', 'numbers = self.numbers')), also=('partial', 'cancel', 'end', 'rate', 'numbers'),
-           expect='Order 0 gave', seen_by=NUMBERS, rejected_by='test_orders'),
+           expect='Order 0 gave'),
     Mutant('one_too_many', breaks='numbers', also=('goals', 'end', 'feedback', 'partial', 'cancel', 'names', 'rate'),
            old='while len(numbers) < goal.request.order:', new='while len(numbers) <= goal.request.order:',
-           expect='expected the first', seen_by=NUMBERS, rejected_by='test_orders'),
+           expect='expected the first'),
     Mutant('other_name', breaks='names', old="super().__init__('fibonacci_server')",
-           new="super().__init__('fibonacci')", expect='Your node is called', seen_by=NUMBERS,
-           rejected_by='test_orders'),
+           new="super().__init__('fibonacci')", expect='Your node is called'),
     Mutant('overflow', breaks='orders', old='order <= 47 else GoalResponse.', new='order <= 48 else GoalResponse.',
-           expect='The order 48 was accepted', seen_by=NUMBERS, rejected_by='test_limits'),
+           expect='The order 48 was accepted'),
     Mutant('refuses_47', breaks='orders', old='order <= 47 else GoalResponse.', new='order < 47 else GoalResponse.',
-           expect='The order 47 was rejected', seen_by=NUMBERS, rejected_by='test_limits'),
+           expect='The order 47 was rejected'),
     Mutant('refuses_nothing', breaks='orders', also='numbers', old='GoalResponse.ACCEPT if 0 <= request.order <= 47',
-           new='GoalResponse.ACCEPT if request.order <= 47', expect='The order -1 was accepted', seen_by=NUMBERS,
-           rejected_by='test_limits'),
+           new='GoalResponse.ACCEPT if request.order <= 47', expect='The order -1 was accepted'),
     Mutant('slow', breaks='rate', also=('goals', 'numbers', 'cancel', 'partial', 'end', 'feedback', 'names', 'orders'),
-           old=WAIT, new='self.get_clock().sleep_for(Duration(seconds=1.0))', expect='did not end within',
-           seen_by=NUMBERS, rejected_by='test_feedback'),
+           old=WAIT, new='self.get_clock().sleep_for(Duration(seconds=1.0))', expect='did not end within'),
     Mutant('wall_clock', breaks='rate', also=('goals', 'numbers', 'cancel', 'partial', 'end', 'feedback', 'names'),
            old=WAIT, new='''
         import time
         time.sleep(0.001)
-        ''', expect="Wait on the node's clock", seen_by=NUMBERS, rejected_by='test_feedback'),
+        ''', expect="Wait on the node's clock"),
     Mutant('waits_for_order_0', breaks='end', also='goals', old='numbers = []', new='''
         numbers = []
         if not goal.request.order:
             self.get_clock().sleep_for(Duration(seconds=0.5))
-        ''', expect='The goal of order 0 ended 0.5 s after its start', seen_by=NUMBERS, rejected_by='test_orders'),
+        ''', expect='The goal of order 0 ended 0.5 s after its start'),
 ]

@@ -51,7 +51,7 @@ def test_in_time(learner):
 
 
 @pytest.mark.weight(2)
-@pytest.mark.rules('deadline', 'result')
+@pytest.mark.rules('deadline', 'result', 'numbers')
 @about('deadline')
 def test_deadline(learner):
     """The cancel request comes `patience` seconds after the goal was accepted; then the result is waited for.
@@ -229,7 +229,7 @@ def test_server_comes_late(learner):
     )
 
 
-@pytest.mark.rules('deadline', 'once')
+@pytest.mark.rules('deadline', 'once', 'send')
 @about('deadline')
 def test_slow_answers(learner):
     """The server accepts late, and answers the cancel request late: the deadlines count from the right moments.

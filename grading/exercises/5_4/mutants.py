@@ -11,71 +11,67 @@ DRIVES = 'test_simulated_robot'
 
 MUTANTS = [
     Mutant('absolute_action', breaks='names', old="'drive_to', self.execute", new="'/drive_to', self.execute",
-           expect='without a leading slash', seen_by=STANDS, rejected_by='test_poses'),
+           expect='without a leading slash'),
     Mutant('absolute_pose', breaks='names', old="'turtle1/pose'", new="'/turtle1/pose'",
-           expect='without a leading slash', seen_by=STANDS, rejected_by='test_poses'),
+           expect='without a leading slash'),
     Mutant('accepts_everywhere', breaks='field', old='inside = 0 <= request.x <= 11 and 0 <= request.y <= 11',
-           new='inside = True', expect='No turtle can get there', seen_by=DRIVES, rejected_by='test_outside'),
+           new='inside = True', expect='No turtle can get there'),
     Mutant('accepts_nan', breaks='field', old='inside = 0 <= request.x <= 11 and 0 <= request.y <= 11',
            new='inside = not (request.x < 0 or request.x > 11 or request.y < 0 or request.y > 11)',
-           expect='The goal (nan, 5) was accepted', seen_by=DRIVES, rejected_by='test_outside'),
+           expect='The goal (nan, 5) was accepted'),
     Mutant('arrives_early', breaks='arrive', also='result',
            edits=(('distance < 0.1:', 'distance < 0.3:'), ('if distance < 0.1 else', 'if distance < 0.3 else')),
-           expect='expected to go on until the distance is below 0.1 m', seen_by=STANDS, rejected_by='test_arrive'),
+           expect='expected to go on until the distance is below 0.1 m'),
     Mutant('busy_for_ever', breaks='next', also=('cancel', 'field'), old='self.busy = False', new='',
-           expect='A goal that came after one that was given up was rejected', seen_by=STANDS,
-           rejected_by='test_cancel'),
+           expect='A goal that came after one that was given up was rejected'),
     Mutant('commands_after_end', breaks='zeros', also=('cancel', 'result'), edits=((
            "self.server = ActionServer(", '''
            self.create_timer(0.1, lambda: self.busy or self.pose and self.motor.publish(Twist()))
            self.server = ActionServer(
-           '''),), expect='commands', seen_by=STANDS, rejected_by='test_cancel'),
+           '''),), expect='commands'),
     Mutant('corner_is_outside', breaks='field', old='0 <= request.x <= 11 and 0 <= request.y <= 11',
-           new='0 < request.x < 11 and 0 < request.y < 11', expect='The goal (11, 0) was rejected', seen_by=DRIVES,
-           rejected_by='test_outside'),
-    Mutant('first_pose', breaks='steer', also=('arrive', 'feedback', 'result', 'zeros', 'cancel'), old='self.pose = pose',
-           new='self.pose = self.pose or pose', expect='use the newest pose', seen_by=STANDS, rejected_by='test_poses'),
+           new='0 < request.x < 11 and 0 < request.y < 11', expect='The goal (11, 0) was rejected'),
+    Mutant('first_pose', breaks='steer', also=('arrive', 'feedback', 'result', 'zeros', 'cancel'),
+           old='self.pose = pose', new='self.pose = self.pose or pose', expect='use the newest pose'),
     Mutant('floods', breaks='feedback', old=FEEDBACK, new='''
            goal.publish_feedback(DriveTo.Feedback(distance=distance))
-           ''', expect='expected 2 to 5', seen_by=STANDS, rejected_by='test_feedback'),
+           ''', expect='expected 2 to 5'),
     Mutant('never_gives_up', breaks='give-up', old='range(1, 201):', new='range(1, 100001):',
-           expect='the goal still runs after 20.5 s', seen_by=STANDS, rejected_by='test_stuck'),
-    Mutant('gives_up_after_10_s', breaks='give-up', also=('feedback', 'steer'), old='range(1, 201):', new='range(1, 101):',
-           expect='expected 20 s', seen_by=STANDS, rejected_by='test_stuck'),
+           expect='the goal still runs after 20.5 s'),
+    Mutant('gives_up_after_10_s', breaks='give-up', also=('feedback', 'steer'), old='range(1, 201):',
+           new='range(1, 101):', expect='expected 20 s'),
     Mutant('never_looks', breaks='cancel', old='if goal.is_cancel_requested or distance < 0.1:',
-           new='if distance < 0.1:', expect='expected canceled', seen_by=STANDS, rejected_by='test_cancel'),
+           new='if distance < 0.1:', expect='expected canceled'),
     Mutant('no_pose_needed', breaks='no-pose', old='self.pose, self.busy = None, False',
            new='self.pose, self.busy = Pose(), False', also=('next', 'steer'),
-           expect='No pose had come yet, and a goal was accepted', seen_by=STANDS, rejected_by='test_poses'),
+           expect='No pose had come yet, and a goal was accepted'),
     Mutant('no_result', breaks='result', old='return DriveTo.Result(distance=distance)', new='return DriveTo.Result()',
-           expect='the distance in the result is 0.000 m', seen_by=STANDS, rejected_by='test_arrive'),
-    Mutant('no_stop', breaks='zeros', old='self.motor.publish(Twist())', new='', expect='the last command still drives',
-           seen_by=STANDS, rejected_by='test_arrive', also='arrive'),
+           expect='the distance in the result is 0.000 m'),
+    Mutant('no_stop', breaks='zeros', old='self.motor.publish(Twist())', new='',
+           expect='the last command still drives', also='arrive'),
     Mutant('no_stop_after_cancel', breaks='zeros', old='self.motor.publish(Twist())', new='''
         if not goal.is_cancel_requested:
             self.motor.publish(Twist())
-        ''', expect='the last command still drives', seen_by=STANDS, rejected_by='test_cancel'),
+        ''', expect='the last command still drives'),
     Mutant('other_name', breaks='names', old="super().__init__('driver')", new="super().__init__('drive')",
-           expect='Your node is called', seen_by=STANDS, rejected_by='test_arrive'),
+           expect='Your node is called'),
     Mutant('rare_feedback', breaks='feedback', old='if step % 2 == 0:', new='if step % 10 == 0:',
-           expect='expected 2 to 5', seen_by=STANDS, rejected_by='test_feedback'),
+           expect='expected 2 to 5'),
     Mutant('slow_rounds', breaks='steer', also=('give-up', 'feedback', 'cancel', 'arrive'), old=WAIT,
-           new='self.get_clock().sleep_for(Duration(seconds=0.2))', expect='expected one every 0.1 s',
-           seen_by=STANDS, rejected_by='test_stuck'),
-    Mutant('succeeds_when_given_up', breaks='give-up',
-           old='goal.succeed if distance < 0.1 else goal.abort', new='goal.succeed',
-           expect='expected aborted', seen_by=STANDS, rejected_by='test_stuck'),
+           new='self.get_clock().sleep_for(Duration(seconds=0.2))', expect='expected one every 0.1 s'),
+    Mutant('succeeds_when_given_up', breaks='give-up', old='goal.succeed if distance < 0.1 else goal.abort',
+           new='goal.succeed', expect='expected aborted'),
     Mutant('two_at_a_time', breaks='busy', old='self.busy = True', new='', also='arrive',
-           expect='Two goals came at one moment', seen_by=STANDS, rejected_by='test_one_at_a_time'),
+           expect='Two goals came at one moment'),
     Mutant('two_zeros', breaks='zeros', old='self.motor.publish(Twist())', new='''
         self.motor.publish(Twist())
         self.motor.publish(Twist())
-        ''', expect='2 commands of zeros came, expected one', seen_by=STANDS, rejected_by='test_cancel'),
+        ''', expect='2 commands of zeros came, expected one'),
     Mutant('zeros_after_end', breaks='zeros', edits=(('''
         self.motor.publish(Twist())
         self.busy = False
         ''', 'self.busy = False'), ('end()', '''
         end()
         self.create_timer(0.3, lambda: self.motor.publish(Twist()))
-        ''')), also=('cancel', 'steer', 'arrive'), expect='commands came after the goal had ended', seen_by=STANDS, rejected_by='test_cancel'),
+        ''')), also=('cancel', 'steer', 'arrive'), expect='commands came after the goal had ended'),
 ]

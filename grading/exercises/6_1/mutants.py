@@ -9,9 +9,8 @@ MUTANTS = [
         transform('base_link', 'lidar', z=height, roll=math.pi),
         transform('base_link', 'camera', x=0.05, z=height - 0.1, pitch=math.radians(tilt)),
         transform('base_link', 'camera_optical', roll=-math.pi / 2, yaw=-math.pi / 2),
-        ''', expect='The parent of `lidar` is `base_link`', rejected_by='test_tree'),
-    Mutant('degrees', old='math.radians(tilt)', new='tilt', expect='The tilt was taken for radians',
-           rejected_by='test_camera'),
+        ''', expect='The parent of `lidar` is `base_link`'),
+    Mutant('degrees', old='math.radians(tilt)', new='tilt', expect='The tilt was taken for radians'),
     Mutant('last_one_only', edits=(('''
             self.broadcaster = StaticTransformBroadcaster(self)
             self.broadcaster.sendTransform([
@@ -26,16 +25,15 @@ MUTANTS = [
             ''')), imports='''
         from rclpy.qos import DurabilityPolicy, QoSProfile
         from tf2_msgs.msg import TFMessage
-        ''', expect='It gets the last message of each publisher', rejected_by='test_tree'),
+        ''', expect='It gets the last message of each publisher'),
     Mutant('lidar_looks_back', old=', roll=math', new=', pitch=math',
-           expect='The x axis of the lidar points along (-1, 0, 0)', rejected_by='test_lidar'),
-    Mutant('looks_up', old='pitch=math.', new='pitch=-math.', expect='That is up.', rejected_by='test_camera'),
+           expect='The x axis of the lidar points along (-1, 0, 0)'),
+    Mutant('looks_up', old='pitch=math.', new='pitch=-math.', expect='That is up.'),
     Mutant('on_tf', old='StaticTransformBroadcaster', new='TransformBroadcaster',
-           expect='Your transforms went to /tf.', rejected_by='test_tree'),
+           expect='Your transforms went to /tf.'),
     Mutant('optical_is_camera', old="', roll=-math.pi / 2, yaw=-math.pi / 2)", new="')",
-           expect='The z axis of camera_optical points along (0, 0, 1)', rejected_by='test_optical'),
-    Mutant('place_in_base_link', old='0.05, z=height - 0.1', new='-0.05, z=height + 0.2', expect='`camera` is at',
-           rejected_by='test_places'),
+           expect='The z axis of camera_optical points along (0, 0, 1)'),
+    Mutant('place_in_base_link', old='0.05, z=height - 0.1', new='-0.05, z=height + 0.2', expect='`camera` is at'),
     Mutant('swapped', old='''
         transform('base_link', 'mast', x=-0.1, z=0.3),
         transform('mast', 'lidar', z=height, roll=math.pi),
@@ -46,7 +44,7 @@ MUTANTS = [
         transform('lidar', 'mast', z=height, roll=math.pi),
         transform('camera', 'mast', x=0.05, z=height - 0.1, pitch=math.radians(tilt)),
         transform('camera_optical', 'camera', roll=-math.pi / 2, yaw=-math.pi / 2),
-        ''', expect='Parent and child are swapped', rejected_by='test_tree'),
+        ''', expect='Parent and child are swapped'),
     Mutant('w_first', source='''
 def placed(parent, child, roll=0.0, pitch=0.0, yaw=0.0, **place):
     message = transform(parent, child, **place)
@@ -65,5 +63,5 @@ class SensorMast(Node):
             placed('mast', 'camera', x=0.05, z=height - 0.1, pitch=math.radians(tilt)),
             placed('camera', 'camera_optical', roll=-math.pi / 2, yaw=-math.pi / 2),
         ])
-''', expect='In which order does a Quaternion have x, y, z and w?', rejected_by='test_lidar'),
+''', expect='In which order does a Quaternion have x, y, z and w?'),
 ]

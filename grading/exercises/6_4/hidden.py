@@ -112,7 +112,7 @@ def test_transform_comes_later(learner):
     )
 
 
-@pytest.mark.rules('range', 'one-cloud')
+@pytest.mark.rules('range', 'one-cloud', 'place')
 @about('one-cloud')
 def test_no_hits(learner):
     """What is not from range_min to range_max is no hit and is left out; the limits themselves are hits.

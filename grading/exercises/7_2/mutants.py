@@ -1,20 +1,19 @@
 from grading.variants import Mutant
 
-CAUSE = {'seen_by': 'test_causes', 'also': 'all'}
-FUNCTION = {**CAUSE, 'breaks': 'function', 'rejected_by': 'test_one_program[function]'}
-MODULE = {**CAUSE, 'breaks': 'module', 'rejected_by': 'test_one_program[module]'}
-REPAIR = {'seen_by': 'test_repair', 'rejected_by': 'test_repaired_entry_points'}
+CAUSE = {'also': 'all'}
+FUNCTION = {**CAUSE, 'breaks': 'function'}
+MODULE = {**CAUSE, 'breaks': 'module'}
 REPLACE = 'setup = re.sub(rf"([\'\\"])({program})\\s*=[^\'\\"]*", rf\'\\1\\2 = {package}.{program}:{function}\', setup)'
 
 MUTANTS = [
     Mutant('first_program_only', old='    return found\n', new='    return found[:1]\n', breaks='all',
-           expect='You did not find', seen_by='test_causes', rejected_by='test_several_programs'),
+           expect='You did not find'),
     Mutant('no_file', old="if '/' in value or module.endswith('.py'):", new="if not value:", breaks='file',
-           expect='no `/`, no `.py`', rejected_by='test_one_program[file]', **CAUSE),
+           expect='no `/`, no `.py`', **CAUSE),
     Mutant('slashes_only', old="if '/' in value or module.endswith('.py'):", new="if '/' in value:", breaks='file',
-           expect='no `/`, no `.py`', rejected_by='test_one_program[file]', **CAUSE),
+           expect='no `/`, no `.py`', **CAUSE),
     Mutant('right_side_ends_in_py', old="module.endswith('.py')", new="value.endswith('.py')", breaks='file',
-           expect='no `/`, no `.py`', rejected_by='test_one_program[file]', **CAUSE),
+           expect='no `/`, no `.py`', **CAUSE),
     Mutant('no_module', old="found.append(Finding('A7.4', program, 'module', value))", new='pass',
            expect='looked up among the files', **MODULE),
     Mutant('module_without_package', old="text = files.get(module.replace('.', '/') + '.py')",
@@ -35,20 +34,20 @@ MUTANTS = [
     Mutant('only_main_is_right', old=r"re.search(rf'^def {function}\(', text, re.MULTILINE):",
            new="function == 'main':", expect='there is no such fault', **FUNCTION),
     Mutant('repairs_nothing', old="return {**files, 'setup.py': setup}", new='return dict(files)', breaks='repaired',
-           expect='After your repair', **REPAIR),
+           expect='After your repair'),
     Mutant('repair_by_value', old=REPLACE,
            new="setup = setup.replace(finding.evidence, f'{package}.{program}:{function}')", breaks='repaired',
-           also='kept', expect='After your repair', **REPAIR),
+           also='kept', expect='After your repair'),
     Mutant('always_main', old=REPLACE, new=REPLACE.replace('{function}', 'main'), breaks='repaired',
-           expect='After your repair', **REPAIR),
+           expect='After your repair'),
     Mutant('repairs_the_first', old='for finding in diagnose_package(files):',
-           new='for finding in diagnose_package(files)[:1]:', breaks='repaired', expect='After your repair', **REPAIR),
+           new='for finding in diagnose_package(files)[:1]:', breaks='repaired', expect='After your repair'),
     Mutant('setup_alone', old="return {**files, 'setup.py': setup}", new="return {'setup.py': setup}", breaks='kept',
-           expect='must return all files', **REPAIR),
+           expect='must return all files'),
     Mutant('every_program_gets_main', old="return {**files, 'setup.py': setup}", new='''
     for program, value in entry_points(files['setup.py']).items():
         if program not in [finding.where for finding in diagnose_package(files)]:
             setup = setup.replace(value, value.partition(':')[0] + ':main_')
     return {**files, 'setup.py': setup}
-''', breaks='kept', expect='After your repair', **REPAIR),
+''', breaks='kept', expect='After your repair'),
 ]

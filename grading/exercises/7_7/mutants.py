@@ -1,36 +1,34 @@
 from grading.variants import Mutant
 
-TRIAGE = {'seen_by': 'test_triage', 'alone': True}
-REPAIR = {'seen_by': 'test_repair', 'alone': True}
+TRIAGE = {'alone': True}
+REPAIR = {'alone': True}
 LOOP = 'while fresh := [finding for finding in look(case) if finding not in found]:'
 GRAPH = "case['endpoints'] = with_arguments(case['endpoints'], finding, repair_graph(finding))"
 
 MUTANTS = [
     Mutant('finds_again', edits=((LOOP, 'for _ in range(4):'), ('found += fresh', 'found += look(case)')),
-           breaks='once', expect='more than once', rejected_by='test_beyond_repair', **TRIAGE),
+           breaks='once', expect='more than once', **TRIAGE),
     Mutant('forgets_the_stacks',
            old="*diagnose_graph(case['endpoints']), *diagnose_stacks(case['stacks'], case['programs']),",
-           new="*diagnose_graph(case['endpoints']),", breaks='every-part', expect='You did not find A7.',
-           rejected_by='test_beyond_repair', **TRIAGE),
+           new="*diagnose_graph(case['endpoints']),", breaks='every-part', expect='You did not find A7.', **TRIAGE),
     Mutant('a_finding_too_much', old='    return found\n',
            new="    return found or [Finding('A7.1', 'ros2.list', 'missing', '')]\n", breaks='nothing',
-           expect='there is no such fault', rejected_by='test_healthy_case', **TRIAGE),
-    Mutant('looks_once', old='while fresh', new='if fresh', breaks='hidden', expect='You did not find',
-           rejected_by='test_hidden_by_a_name', **TRIAGE),
+           expect='there is no such fault', **TRIAGE),
+    Mutant('looks_once', old='while fresh', new='if fresh', breaks='hidden', expect='You did not find', **TRIAGE),
     Mutant('two_rounds_only', edits=((LOOP, 'for _ in range(2):'),
                                      ('found += fresh', 'found += [one for one in look(case) if one not in found]')),
-           breaks='hidden', expect='You did not find', rejected_by='test_three_rounds', **TRIAGE),
+           breaks='hidden', expect='You did not find', **TRIAGE),
     Mutant('until_nothing_is_wrong', edits=((LOOP, 'while fresh := look(case):'),
                                             ('found += fresh', 'found += [one for one in fresh if one not in found]')),
-           breaks='ends', also='every-part', expect='did not return', rejected_by='test_beyond_repair', **TRIAGE),
+           breaks='ends', also='every-part', expect='did not return', **TRIAGE),
     Mutant('repairs_no_graph', old=GRAPH, new='pass', breaks='endpoints', also='hidden', expect='is still deaf',
-           rejected_by='test_repaired_graph', **REPAIR),
+           **REPAIR),
     Mutant('repairs_no_package', old="'package': repair_package(case['package']), ", new='', breaks='files',
-           expect='After your repair', rejected_by='test_repaired_machine', **REPAIR),
+           expect='After your repair', **REPAIR),
     Mutant('static_only', old="'moving', 'static')", new="'static',)", breaks='transforms', also='hidden',
-           expect='tf2', rejected_by='test_repaired_frames', **REPAIR),
+           expect='tf2', **REPAIR),
     Mutant('only_what_was_repaired', old='    return case\n', new="""
     return {key: case[key] for key in ('files', 'package', 'urdf', 'moving', 'static', 'endpoints')}
 """, breaks='new-case', also=('hidden', 'every-part', 'ends'), expect='The case that repair_case returned lacks',
-           rejected_by='test_repaired_machine', **REPAIR),
+           **REPAIR),
 ]

@@ -233,7 +233,7 @@ def test_goals(learner):
     SECOND.rejects(learner, 'goals')
 
 
-@pytest.mark.rules('ends')
+@pytest.mark.rules('ends', 'right-robots')
 @pytest.mark.weight(4)
 def test_ends(learner):
     """Your tests notice a drive that ends in the wrong way, or not at all.

@@ -18,7 +18,7 @@ from helpers.runner import about, expect
 pytestmark = [pytest.mark.exercise('8.2'), pytest.mark.wiring(type='names', qos='names')]
 
 
-@pytest.mark.rules('limit', 'other-fields')
+@pytest.mark.rules('limit', 'other-fields', 'rhythm')
 @pytest.mark.weight(2)
 def test_limit(learner):
     """linear.x is limited in both directions; smaller speeds and angular.z pass; the other fields are 0.
@@ -43,7 +43,7 @@ def test_rhythm(learner):
     judge_rhythm(governed, rate)
 
 
-@pytest.mark.rules('at-once', 'new-rate', 'refused')
+@pytest.mark.rules('at-once', 'new-rate', 'refused', 'limit')
 @pytest.mark.weight(3)
 def test_changes(learner):
     """Changes act from the next message on; a refused request changes nothing, neither parameters nor what it does.

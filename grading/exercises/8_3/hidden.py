@@ -9,7 +9,7 @@ from helpers.runner import about, expect
 pytestmark = pytest.mark.exercise('8.3')
 
 
-@pytest.mark.rules('nodes', 'types', 'robot1', 'robot2')
+@pytest.mark.rules('nodes', 'types', 'robot1', 'robot2', 'installed-file', 'max-linear')
 @pytest.mark.weight(2)
 def test_values(learner):
     """robot1 has max_linear 1 and the mode normal; robot2 has max_linear 0.6 and the mode slow; both have the rate 20.

@@ -122,7 +122,7 @@ def test_right_functions(learner):
     HIDDEN.accepts(learner)
 
 
-@pytest.mark.rules('max-speed')
+@pytest.mark.rules('max-speed', 'right-functions')
 @pytest.mark.weight(2)
 def test_limits(learner):
     """Your tests notice when max_speed is not kept, in either direction, or when it is not the limit."""

@@ -20,7 +20,7 @@ from helpers.runner import about
 pytestmark = [pytest.mark.exercise('8.9'), pytest.mark.wiring(type='rhythm', qos='rhythm')]
 
 
-@pytest.mark.rules('succeeds', 'stands', 'result', 'next')
+@pytest.mark.rules('succeeds', 'stands', 'result', 'next', 'state')
 @pytest.mark.weight(3)
 def test_arrives(learner):
     """The robot reaches stations in any direction, stands there, and says how near it is.
@@ -55,7 +55,7 @@ def test_drive(learner):
         judge_driving(drives, name)
 
 
-@pytest.mark.rules('cancel', 'stands', 'result', 'next')
+@pytest.mark.rules('cancel', 'stands', 'result', 'next', 'state')
 @pytest.mark.weight(3)
 def test_cancel(learner):
     """A cancelled goal ends within 0.2 s; the robot stands; the result has what is left; the next goal succeeds.
@@ -70,7 +70,7 @@ def test_cancel(learner):
         judge_cancel(drives, 'far')
 
 
-@pytest.mark.rules('rejects-lost', 'lost', 'timeout', 'next')
+@pytest.mark.rules('rejects-lost', 'lost', 'timeout', 'next', 'succeeds', 'result')
 @pytest.mark.weight(5)
 def test_lost_and_late(learner):
     """A robot that is lost, or takes too long, gives up, stands, and takes the next goal.

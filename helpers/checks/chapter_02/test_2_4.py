@@ -35,7 +35,7 @@ def test_library_stands_alone(learner):
     reporting.judge_types(learner)
 
 
-@pytest.mark.rules('argument', 'prints')
+@pytest.mark.rules('argument', 'prints', 'library')
 def test_report(learner):
     """`ros2 run odometry report TICKS` prints the distance for these ticks, such as `0.207 m`.
 

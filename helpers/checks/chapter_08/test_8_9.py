@@ -26,7 +26,7 @@ def test_drive(learner):
         drives.judge_cancel(there, name)
 
 
-@pytest.mark.rules('rejects-lost', 'lost', 'timeout', 'next')
+@pytest.mark.rules('rejects-lost', 'lost', 'timeout', 'next', 'succeeds', 'result')
 def test_lost_and_late(learner):
     """A robot that is lost, or takes too long, gives up, stands, and takes the next goal.
 
