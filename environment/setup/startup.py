@@ -77,8 +77,13 @@ def keep_to_the_folder(environ, prefix, folders):
     root = os.path.dirname(prefix)
     if environ.get('COURSE_RUNNER') or not os.access(os.path.join(root, 'course'), os.W_OK):
         return
+    home = os.path.join(root, HOME)
+    try:
+        os.makedirs(home, exist_ok=True)  # IPython makes its folder only in one that is there
+    except OSError:  # a file is in the way
+        return
     for name, folder in folders.items():
-        environ.setdefault(name, os.path.join(root, HOME, folder))
+        environ.setdefault(name, os.path.join(home, folder))
 
 
 def complete_kernel(environ, prefix):

@@ -304,6 +304,7 @@ def test_programs_write_into_the_courses_folder_unless_it_is_another_users(tmp_p
     (tmp_path / 'course').touch()
     startup.keep_to_the_folder(own, str(prefix), startup.FOLDERS)
     assert own['ROS_HOME'] == '/mine' and own['IPYTHONDIR'] == str(tmp_path / '.home' / 'ipython')
+    assert (tmp_path / '.home').is_dir()
     learners = {'COURSE_RUNNER': '1'}
     startup.keep_to_the_folder(learners, str(prefix), startup.FOLDERS)
     assert learners == {'COURSE_RUNNER': '1'}
