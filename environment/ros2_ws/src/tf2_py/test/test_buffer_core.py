@@ -17,6 +17,7 @@ from tf2_py import (
     TimeoutException,
     TransformException,
 )
+from tf2_py.time_cache import from_seconds, seconds
 
 from environment.tests.tf2_messages import position, transform
 
@@ -242,8 +243,8 @@ def test_leading_slashes_of_what_is_sent_are_dropped():
 
 def test_old_data_is_refused_with_a_warning(logged):
     core = BufferCore(Duration(seconds=2))
-    for seconds in (10.0, 8.0, 7.999999):
-        core.set_transform(transform('a', 'b', seconds), 'me')
+    for stamp in (10.0, 8.0, 7.999999):
+        core.set_transform(transform('a', 'b', stamp), 'me')
     assert logged() == (
         '[WARN] []: TF_OLD_DATA ignoring data from the past for frame b at time 7.999999 according to '
         'authority me\nPossible reasons are listed at http://wiki.ros.org/tf/Errors%20explained\n'
@@ -305,6 +306,11 @@ def test_velocity(speed, turn):
     assert (linear, angular) == core.lookupVelocityFullCore(
         'base', 'odom', 'odom', (0, 0, 0), 'base', at(2.0), Duration(seconds=2)
     )
+
+
+def test_seconds_become_the_nearest_nanosecond():
+    for nanoseconds in (0, 1, 290_000_000, 999_999_999, 1_100_000_000, 123_456_000_000_001):
+        assert from_seconds(seconds(nanoseconds)) == nanoseconds
 
 
 def test_threads_can_share_a_buffer():

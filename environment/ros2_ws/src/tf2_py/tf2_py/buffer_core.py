@@ -17,7 +17,7 @@ from tf2_py.exceptions import (
     TransformException,
 )
 from tf2_py.rotation import canonical, matrix_from_quaternion, multiply, quaternion_from_matrix, rotate
-from tf2_py.time_cache import StaticCache, TimeCache, seconds
+from tf2_py.time_cache import StaticCache, TimeCache, from_seconds, seconds
 
 DEFAULT_CACHE_TIME = 10 * 10**9  # nanoseconds
 MAX_GRAPH_DEPTH = 1000  # a longer way to the root means that the frames form a loop
@@ -251,7 +251,7 @@ class BufferCore:
             end = min(seconds(time) + width * 0.5, seconds(latest))
             start = max(1e-5 + width, end) - width
             window = end - start
-            start, end = (int(t) * 1_000_000_000 + int((t - int(t)) * 1e9) for t in (start, end))
+            start, end, time = (from_seconds(t) for t in (start, end, seconds(time)))
             _, (x0, y0, z0, *rotation0) = self._lookup(observation_frame, tracking_frame, start)
             _, (x1, y1, z1, *rotation1) = self._lookup(observation_frame, tracking_frame, end)
             _, (ox, oy, oz, *to_reference) = self._lookup(reference_frame, tracking_frame, time)

@@ -5,6 +5,7 @@ A sample is a tuple `(parent, x, y, z, qx, qy, qz, qw)`: metres and a unit quate
 the stamp 0 asks for the latest sample. Not thread-safe: the buffer holds a lock around every call.
 """
 
+import math
 from bisect import bisect_left, bisect_right
 
 from tf2_py.rotation import interpolate
@@ -14,6 +15,12 @@ def seconds(nanoseconds):
     """Return nanoseconds as seconds, rounded as stock rounds them: whole seconds and the rest apart."""
     whole, rest = divmod(nanoseconds, 1_000_000_000)
     return whole + 1e-9 * rest
+
+
+def from_seconds(seconds):
+    """Return seconds as nanoseconds, to the nearest one, as stock does (tf2::timeFromSec)."""
+    whole = math.floor(seconds)
+    return whole * 1_000_000_000 + math.floor((seconds - whole) * 1e9 + 0.5)
 
 
 class TimeCache:
