@@ -8,6 +8,7 @@ from environment.setup.layout import Layout
 
 HOOK = '_course_startup'
 KERNEL = 'course'
+EXTENSION = 'helpers.exercises.missing_names'  # says what to do about names that a restart has taken away
 PROFILE = Path(__file__).with_name('fastdds.xml')
 SETTINGS = Path(__file__).with_name('jupyterlab.json')  # what JupyterLab does unless its user says otherwise
 
@@ -35,7 +36,7 @@ def kernelspec(layout: Layout) -> dict:
     """The kernel `course`. Under pytest (nbval) PYTEST_CURRENT_TEST would reach the kernel and change libraries."""
     command = ['env', '-u', 'PYTEST_CURRENT_TEST', str(layout.python), '-m', 'ipykernel_launcher']
     return {
-        'argv': [*command, '-f', '{connection_file}'],
+        'argv': [*command, '-f', '{connection_file}', f'--ext={EXTENSION}'],
         'display_name': 'ROS 2 course',
         'language': 'python',
         'metadata': {'debugger': True},

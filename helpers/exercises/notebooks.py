@@ -25,6 +25,7 @@ class NotebookCell:
     source: str
     number: int  # counted from 1 over all cells of the notebook; 0 where there is no notebook
     id: str | None = None
+    tags: tuple[str, ...] = ()
 
     @property
     def label(self) -> str:
@@ -86,10 +87,16 @@ def parse(data: bytes, name: str) -> list[NotebookCell]:
     for number, cell in enumerate(notebook['cells'], 1):
         if cell['cell_type'] == 'code':
             source = cell['source'] if isinstance(cell['source'], str) else ''.join(cell['source'])
-            cells.append(NotebookCell(_text(source, name, number), number, cell.get('id')))
+            cells.append(NotebookCell(_text(source, name, number), number, cell.get('id'), _tags(cell)))
     if sum(len(cell.source) for cell in cells) > MAX_CODE:
         raise InvalidSubmission(f'{name} has more than {MAX_CODE} characters of code.')
     return cells
+
+
+def _tags(cell: dict) -> tuple[str, ...]:
+    metadata = cell.get('metadata')
+    tags = metadata.get('tags') if isinstance(metadata, dict) else None
+    return tuple(tag for tag in tags if isinstance(tag, str)) if isinstance(tags, list) else ()
 
 
 def _json(data: bytes, name: str):

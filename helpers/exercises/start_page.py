@@ -52,6 +52,9 @@ points are those of that check. Graders judge the same rules again, with other v
 | A, B | (outside of a cell) a new cell above, below |
 | 0 0 | restart the kernel: everything is forgotten, nothing is lost in the notebook |
 
+To go on in the middle of a chapter after a restart, add a cell there with `from helpers import resume; resume()`, save
+the notebook and run the cell: it brings back what the cells above it define, without their demonstrations.
+
 A second terminal with ROS in it: `./course shell`. When you are done: `./course submit --id YOUR-NAME`.
 
 {% for one in chapters %}

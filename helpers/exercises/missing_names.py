@@ -1,0 +1,39 @@
+"""After a NameError: which cell above would have defined the name, and how to get it back.
+
+The kernel `course` loads this as an IPython extension when it starts, as a person who goes on in the middle of a
+notebook after a restart has not imported `helpers` yet.
+"""
+
+from helpers.kernel import journal
+
+ADVICE = """To bring back what the cells above define, without their demonstrations, run in a cell here:
+    from helpers import resume; resume()"""
+AGAIN = 'It is part of a demonstration: run that cell again.'
+
+
+def load_ipython_extension(shell) -> None:
+    """Explain each NameError of a cell from now on; idempotent."""
+    unload_ipython_extension(shell)
+    shell.events.register('post_run_cell', explain)
+
+
+def unload_ipython_extension(shell) -> None:
+    """Explain no more."""
+    if explain in shell.events.callbacks['post_run_cell']:
+        shell.events.unregister('post_run_cell', explain)
+
+
+def explain(result) -> None:
+    """Say where the name is defined that a cell has missed, if that is in a cell above which has not run."""
+    error = result.error_in_exec
+    if not isinstance(error, NameError) or not error.name:
+        return
+    from helpers.exercises import program, resuming
+
+    ran = {cell.source for cell in journal.cells}
+    for cell in reversed(resuming.cells_above() or []):
+        if cell.source not in ran and error.name in program.names_in(cell.source):
+            first = cell.source.strip().partition('\n')[0]
+            print(f'`{error.name}` comes from a cell above that has not run since the kernel started: {first}')
+            print(ADVICE if error.name in resuming.brought_back(cell) else AGAIN)
+            return

@@ -1,0 +1,68 @@
+"""After a restart of the kernel: names that are missing are explained, and `resume` brings them back."""
+
+import nbformat
+import pytest
+
+CELLS = [
+    'import math\nprint("a demonstration")',
+    'class Talker:\n    """Speaks."""\n    words = "hello"\n\n\ntalker = Talker()\nraise RuntimeError("demonstration")',
+    'HALF = 0.5\nunknown = nobody_knows',
+    'place = open("made", "w")\nprint("a long output")',
+    '# Exercise 90.1: a talker\ndef answer():\n    return HALF',
+    'from helpers import resume; resume()',
+    'print(LATER)',
+    'LATER = 1',
+]
+WHOLE = 3  # has the tag
+CONTINUE = CELLS[5]
+
+
+@pytest.fixture
+def folder(tmp_path):
+    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for source in CELLS])
+    notebook.cells[WHOLE].metadata['tags'] = ['resume']
+    nbformat.write(notebook, tmp_path / '90_small.ipynb')
+    (tmp_path / '00_broken.ipynb').write_text('{')
+    return tmp_path
+
+
+def test_what_the_cells_above_define_comes_back(folder, kernel):
+    told = kernel.ok(CONTINUE).stdout
+    assert 'a demonstration' not in told and 'a long output' not in told
+    assert told.splitlines() == [
+        'Back from the 5 cells above: HALF, Talker, answer, math, place.',
+        "Not brought back: a part of cell 3 (NameError: name 'nobody_knows' is not defined).",
+    ]
+    assert kernel.value('answer(), Talker.words, (HALF, math.floor(2.5)), "talker" in globals()') == (
+        0.5,
+        'hello',
+        (0.5, 2),
+        False,
+    )
+    assert (folder / 'made').exists()
+    assert kernel.value('__import__("helpers").cell_text("90.1")') == CELLS[4]
+    kernel.ok('talker = Talker()')
+    assert kernel.ok(CONTINUE).stdout.startswith('Nothing was missing: all that the 5 cells above define is there.')
+
+
+def test_a_cell_that_was_never_saved_is_told(folder, kernel):
+    assert 'save the notebook (Ctrl+S)' in kernel.ok('from helpers import resume\nresume()').stdout
+
+
+def test_a_missing_name_says_where_it_comes_from(folder, kernel):
+    kernel.ok('%load_ext helpers.exercises.missing_names')
+    missed = kernel.run(CELLS[4] + '\nanswer()')
+    assert missed.error == 'NameError' and missed.stdout == '', 'this cell is in no notebook'
+    notebook = folder / '90_small.ipynb'
+    notebook.write_text(notebook.read_text().replace('print(LATER)', 'Talker()'))
+    missed = kernel.run('Talker()')
+    assert missed.error == 'NameError'
+    assert missed.stdout.startswith(
+        '`Talker` comes from a cell above that has not run since the kernel started: class Talker:\n'
+    )
+    assert 'from helpers import resume; resume()' in missed.stdout
+    notebook.write_text(notebook.read_text().replace('LATER = 1', 'talker.words'))
+    assert kernel.run('talker.words').stdout.endswith('It is part of a demonstration: run that cell again.\n')
+    assert kernel.run('undefined_anywhere').stdout == ''
+    kernel.ok(CONTINUE)
+    kernel.ok('Talker()')
