@@ -4,10 +4,12 @@ import os
 import shlex
 import shutil
 import time
+from contextlib import contextmanager
 from pathlib import Path
 
 from helpers.kernel import journal
 from helpers.programs import terminals
+from helpers.programs.belongings import Belongings
 from helpers.programs.processes import BackgroundProcess, background
 
 _PATIENCE = 1.5  # seconds until a build shows how far it is
@@ -34,15 +36,22 @@ class Workspace:
         """
         self.path = Path(path).absolute()
         self.env = dict(env or {})
+        self._belongings = Belongings(self.path)
 
     def reset(self) -> None:
         """Make it new: an empty ``src``, no ``build``, ``install`` and ``log``.
+
+        Packages that you made or changed yourself, in a terminal or an editor, are moved into a folder beside it.
 
         :raises FileExistsError: the folder was not made by a `Workspace`; nothing is touched.
         """
         defaults = self.path / terminals.DEFAULTS
         if self.path.exists() and any(self.path.iterdir()) and not defaults.is_file():
             raise FileExistsError(f'{self.path} is not a workspace of this course: move it away, or give another name')
+        kept = self._belongings.keep()
+        if kept:
+            names = ', '.join(sorted(path.name for path in kept.iterdir()))
+            print(f'What you made or changed in {self.path.name} is kept: {names}, now in {kept}')
         shutil.rmtree(self.path, ignore_errors=True)
         (self.path / 'src').mkdir(parents=True)
         defaults.write_text(terminals.colcon_defaults())
@@ -55,8 +64,9 @@ class Workspace:
         file = (self.path / path).resolve()
         if self.path.resolve() not in file.parents:
             raise ValueError(f'{path} is not inside of {self.path.name}')
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text.removeprefix('\n'))
+        with self._lesson():
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text.removeprefix('\n'))
 
     def add(self, package) -> None:
         """Copy a package's folder into ``src``, in place of one of the same name.
@@ -67,8 +77,9 @@ class Workspace:
         if not package.is_dir():
             raise FileNotFoundError(f'there is no package {package}')
         target = self.path / 'src' / package.name
-        shutil.rmtree(target, ignore_errors=True)
-        shutil.copytree(package, target, ignore=shutil.ignore_patterns('__pycache__'))
+        with self._lesson():
+            shutil.rmtree(target, ignore_errors=True)
+            shutil.copytree(package, target, ignore=shutil.ignore_patterns('__pycache__'))
 
     def start(self, script: str) -> BackgroundProcess:
         """Start commands in a new terminal and return at once; the handle is that of `helpers.background`."""
@@ -76,7 +87,8 @@ class Workspace:
 
     def run(self, script: str) -> None:
         """Run commands, one a line, in a new terminal whose folder is the workspace; shows them and their output."""
-        status = self._finish(self._start(script), lambda: None)
+        with self._lesson():
+            status = self._finish(self._start(script), lambda: None)
         if status:
             print(f'[exit status {status}]')
 
@@ -97,6 +109,16 @@ class Workspace:
         top = self.path / folder
         print(f'{top.name}/')
         _tree(top, '', depth)
+
+    @contextmanager
+    def _lesson(self):
+        """What is made meanwhile is the lesson's."""
+        before = self._belongings.now()
+        try:
+            yield
+        finally:
+            if self.path.is_dir():
+                self._belongings.note(before)
 
     def _start(self, script: str, shown: bool = True) -> BackgroundProcess:
         if not self.path.is_dir():

@@ -40,6 +40,30 @@ def test_reset_makes_it_new(ws):
     assert not any((ws.path / 'src').iterdir())
 
 
+def test_reset_keeps_what_the_learner_made(ws, capsys):
+    ws.write('src/given/a.py', '')
+    ws.write('src/changed/a.py', '')
+    ws.run('mkdir src/of_a_command && touch src/of_a_command/a.py src/given/b.py')
+    (ws.path / 'src/changed/a.py').write_text('my idea')
+    (ws.path / 'src/mine').mkdir()
+    (ws.path / 'src/mine/setup.py').write_text('mine')
+    ws.run('true')  # does not make it the lesson's
+    capsys.readouterr()
+    ws.reset()
+    kept = ws.path.with_name('ros2_ws_kept') / '1'
+    assert capsys.readouterr().out == f'What you made or changed in ros2_ws is kept: changed, mine, now in {kept}\n'
+    assert (kept / 'mine/setup.py').read_text() == 'mine' and (kept / 'changed/a.py').read_text() == 'my idea'
+    assert not any((ws.path / 'src').iterdir())
+    ws.write('src/given/a.py', '')
+    (ws.path / 'src/given/__pycache__').mkdir()
+    (ws.path / 'src/given/__pycache__/a.pyc').touch()
+    ws.reset()
+    assert capsys.readouterr().out == '' and not kept.with_name('2').exists()
+    (ws.path / 'src/note.txt').write_text('to do')
+    ws.reset()
+    assert (kept.with_name('2') / 'note.txt').read_text() == 'to do'
+
+
 def test_a_folder_of_somebody_else_is_left_alone(tmp_path):
     (tmp_path / 'thesis.txt').write_text('three years')
     with pytest.raises(FileExistsError, match='move it away'):
