@@ -55,7 +55,7 @@ def pseudonyms(learners: Iterable[str], output: Path) -> dict[str, str]:
         map_file.chmod(0o600)
     except (OSError, ValueError, KeyError, csv.Error) as error:
         reason = getattr(error, 'strerror', None) or error
-        raise AnonymousError(f'{folder} cannot be used ({reason}): mend or remove it') from None
+        raise AnonymousError(f'{folder} cannot be used ({reason}): repair or remove it') from None
     return known
 
 

@@ -1,7 +1,7 @@
 """Lets an action's client be used from another thread than the one that spins (runs inside of rclpy 7.1.6).
 
 ros2/rclpy#1123: `send_goal_async` and its like send first and note the request afterwards. A thread that spins
-meanwhile can take the answer in between, finds no such request, and the future never completes. Upstream's mend (#1519)
+meanwhile can take the answer in between, finds no such request, and the future never completes. Upstream's fix (#1519)
 came after 7.1.6 was put into wheels. Here, as there, a lock holds the answer back until the request is noted.
 """
 
@@ -11,9 +11,9 @@ import threading
 ASKING = ('send_goal_async', '_cancel_goal_async', '_get_result_async')
 
 
-def mend(client_class):
+def patch(client_class):
     """Give each object of `client_class` a lock that sending and taking share; returns the class."""
-    if hasattr(client_class, '_course_mended'):
+    if hasattr(client_class, '_course_patched'):
         return client_class
     create = client_class.__init__
 
@@ -25,7 +25,7 @@ def mend(client_class):
     client_class.__init__ = __init__
     for name in (*ASKING, 'take_data'):
         setattr(client_class, name, _locked(getattr(client_class, name)))
-    client_class._course_mended = True
+    client_class._course_patched = True
     return client_class
 
 

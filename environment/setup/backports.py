@@ -13,7 +13,7 @@ _PATCHES = {
     'rclpy/action/client.py': (
         action_client,
         'Lock()',
-        '\n\nfrom {name} import mend  # noqa: E402 - ros2/rclpy#1123\n\nmend(ActionClient)\n',
+        '\n\nfrom {name} import patch  # noqa: E402 - ros2/rclpy#1123\n\npatch(ActionClient)\n',
     ),
     'ament_cppcheck/main.py': (
         cppcheck,
@@ -50,7 +50,8 @@ def _patch(site: Path, path: str, patch, mark: str | None, tail: str) -> bool:
         return False
     name = f'_course_{patch.__name__.rpartition(".")[2]}'
     tail = tail.format(name=name)
-    old = module.read_text().partition(tail)[0]
+    # Without the lines of any earlier version of the patch.
+    old = module.read_text().partition(f'\n\nfrom {name} import ')[0]
     if mark and mark in old:
         return False
     (site / f'{name}.py').write_text(Path(patch.__file__).read_text())

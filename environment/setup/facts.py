@@ -1,4 +1,4 @@
-"""What this machine has, what is missing, and which command mends that: what `./course doctor` prints.
+"""What this machine has, what is missing, and which command repairs that: what `./course doctor` prints.
 
 Standard library only. `facts(root)` runs all probes; each probe is a function of its own that returns one `Fact`.
 """

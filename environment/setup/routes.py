@@ -47,7 +47,7 @@ class Route:
 
 
 def routes(root: Path, environ: Mapping[str, str] = os.environ) -> Iterator[Route]:
-    """All ways, looked at now."""
+    """Each way to ROS 2, as it is on this machine now."""
     layout = Layout(root)
     yield apt()
     yield container(environ)

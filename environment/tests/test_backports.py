@@ -1,4 +1,4 @@
-"""What the set-up mends in the installed rclpy."""
+"""What the set-up patches in the installed rclpy."""
 
 import os
 import threading
@@ -18,15 +18,28 @@ def site(tmp_path):
     return tmp_path
 
 
-def test_a_client_without_a_lock_is_mended_once(site):
+def test_a_client_without_a_lock_is_patched_once(site):
     cached = site / 'cached'
     os.link(site / 'rclpy' / 'action' / 'client.py', cached)
     assert backports.apply(site) == ['rclpy/action/client.py']
     once = (site / 'rclpy' / 'action' / 'client.py').read_text()
-    assert once.count('mend(ActionClient)') == 1
+    assert once.count('patch(ActionClient)') == 1
     assert backports.apply(site) == ['rclpy/action/client.py']
     assert (site / 'rclpy' / 'action' / 'client.py').read_text() == once
-    assert 'mend' not in cached.read_text()  # the installer's own copy
+    assert 'patch' not in cached.read_text()  # the installer's own copy
+
+
+def test_a_newer_patch_takes_the_place_of_an_older_one(site, monkeypatch):
+    client = site / 'rclpy' / 'action' / 'client.py'
+    before = client.read_text()
+    patch, mark, tail = backports._PATCHES['rclpy/action/client.py']
+    older = (patch, mark, tail.replace('patch', 'old'))
+    with monkeypatch.context() as context:
+        context.setitem(backports._PATCHES, 'rclpy/action/client.py', older)
+        backports.apply(site)
+    assert 'old(ActionClient)' in client.read_text()
+    backports.apply(site)
+    assert client.read_text() == before + tail.format(name='_course_action_client')
 
 
 def test_a_client_with_a_lock_is_left_alone(site):
@@ -36,11 +49,11 @@ def test_a_client_with_a_lock_is_left_alone(site):
     assert client.read_text() == 'lock = threading.Lock()\n'
 
 
-def test_without_rclpy_there_is_nothing_to_mend(tmp_path):
+def test_without_rclpy_there_is_nothing_to_patch(tmp_path):
     assert backports.apply(tmp_path) == []
 
 
-def test_another_mend_is_due_again(monkeypatch):
+def test_another_patch_is_due_again(monkeypatch):
     before = digest(backports.text())
     monkeypatch.setitem(backports._DISTRIBUTION, 'METADATA', 'other')
     assert digest(backports.text()) != before
@@ -68,7 +81,7 @@ class Client:
 
 
 def test_an_answer_is_taken_after_its_request_is_noted():
-    client = action_client.mend(Client)()
+    client = action_client.patch(Client)()
     taken = []
     sender = threading.Thread(target=client.send_goal_async)
     taker = threading.Thread(target=lambda: taken.extend(client.take_data()))
@@ -84,7 +97,7 @@ def test_an_answer_is_taken_after_its_request_is_noted():
     assert client._cancel_goal_async() == [1]  # one thread may hold the lock twice
 
 
-def test_rclpy_itself_is_mended_or_newer():
+def test_rclpy_itself_is_patched_or_newer():
     from rclpy.action import ActionClient, client
 
-    assert hasattr(ActionClient, '_course_mended') or 'Lock()' in open(client.__file__).read()
+    assert hasattr(ActionClient, '_course_patched') or 'Lock()' in open(client.__file__).read()

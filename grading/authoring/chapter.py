@@ -100,7 +100,7 @@ def read(path: Path) -> Chapter:
     except (MystMetadataParsingError, yaml.YAMLError) as error:
         found = re.search(r'at line (\d+)', str(error))
         problem = ' '.join(str(error).split())
-        raise AuthoringError(path, int(found[1]) if found else 1, problem, 'mend the YAML of the metadata') from None
+        raise AuthoringError(path, int(found[1]) if found else 1, problem, 'correct the YAML of the metadata') from None
     except ValidationError as error:
         lines = text.splitlines()
         line = next((number for number, line in enumerate(lines, start=1) if str(error.instance) in line), 1)

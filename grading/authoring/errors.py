@@ -4,7 +4,7 @@ from pathlib import Path
 
 
 class AuthoringError(Exception):
-    """A mistake in a chapter's source: where it is, what is wrong, and how to mend it, in one line."""
+    """A mistake in a chapter's source: where it is, what is wrong, and how to correct it, in one line."""
 
     def __init__(self, path: Path, line: int | None, problem: str, remedy: str):
         self.path, self.line, self.problem, self.remedy = path, line, problem, remedy

@@ -84,5 +84,5 @@ def _explain(error, notebook, chapter, timeout) -> AuthoringError:
         chapter.path,
         line,
         f'{place} failed with {error.ename}: {error.evalue}',
-        'mend it, or tag the cell raises-exception if the error is the lesson',
+        'correct it, or tag the cell raises-exception if the error is the lesson',
     )

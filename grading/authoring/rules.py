@@ -86,7 +86,7 @@ def _metadata(cell: SourceCell):
 def _programs(cell: SourceCell, card: cards.Card):
     label, trees = f'exercise {card.id}', {}
     for form, text, remedy in (
-        ('solution', cell.split.solved, 'mend it'),
+        ('solution', cell.split.solved, 'correct it'),
         ('stub', cell.split.stub, 'add what a body needs, as in # STUB: pass'),
     ):
         try:

@@ -224,7 +224,7 @@ def test_a_fault_of_the_graders_is_no_zero(course, tmp_path):
     assert 'fault on our side' in page and 'SyntaxError' not in page and 'nonsense' not in page
     assert 'SyntaxError' in (tmp_path / 'out' / 'run.log').read_text()
     assert 'score' not in json.loads((tmp_path / 'out' / 'gradescope' / 'ada.json').read_text())
-    # Mended, it is graded in the next run.
+    # Repaired, it is graded in the next run.
     small.write_tests(tmp_path, small.HIDDEN, kind='exercises')
     (record,) = grade.grade(work, course, tmp_path / 'out')
     assert (record.status, record.score) == ('graded', 10)

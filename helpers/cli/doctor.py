@@ -36,5 +36,5 @@ def doctor(as_json: Annotated[bool, typer.Option('--json', help='One JSON list i
         typer.echo(json.dumps([asdict(fact) for fact in found], indent=1))
     lacking = [fact.name for fact in found if fact.required and not fact.ok]
     if lacking:
-        typer.echo(f'The course does not work on this machine until this is mended: {", ".join(lacking)}.', err=True)
+        typer.echo(f'The course does not work on this machine until this is repaired: {", ".join(lacking)}.', err=True)
         raise typer.Exit(1)

@@ -110,7 +110,7 @@ def test_a_failing_cell_names_its_line_and_error(tree):
     with pytest.raises(ChapterErrors) as caught:
         build.build(tree, say=quiet)
     place = f'solutions/{path.name}:{line_of("double(undefined)", text)}: cell 4 (ex-7-1) failed'
-    assert str(caught.value).startswith(f"{place} with NameError: name 'undefined' is not defined; mend it")
+    assert str(caught.value).startswith(f"{place} with NameError: name 'undefined' is not defined; correct it")
     assert not tree.solved(only(tree)).exists()
     assert tree.learner(only(tree)).exists()  # check needs it, and the author sees it
 

@@ -1,4 +1,4 @@
-"""Every mistake of an author is named with file, line and mend."""
+"""Every mistake of an author is named with file, line and remedy."""
 
 import pytest
 
@@ -53,7 +53,7 @@ def test_the_tiny_chapter_has_no_mistake(tree):
         (BEGIN, BEGIN + '\n```\n\n' + BEGIN, BEGIN, 'without points', 'add :points:'),
         (CELL, FENCE + ':tag: [a]\n' + FIRST, FIRST, "unknown metadata 'tag'", 'use one of'),
         (CELL, FENCE + ':exercise: {"id": "7.1"}\n' + FIRST, FIRST, "unknown metadata 'exercise'", 'use one of'),
-        (CELL, FENCE + ':exercise: {"id"\n' + FIRST, None, 'could not be read', 'mend the YAML'),
+        (CELL, FENCE + ':exercise: {"id"\n' + FIRST, None, 'could not be read', 'correct the YAML'),
         (CELL, FENCE + ':tags: [nbval-outputs]\n' + FIRST, FIRST, "unknown tag 'nbval-outputs'", 'use one of'),
         (CELL, FENCE + ':tags: nbval-skip\n' + FIRST, ':tags: nbval-skip', 'metadata: ', 'write tags as :tags: ['),
         (
@@ -72,7 +72,7 @@ def test_the_tiny_chapter_has_no_mistake(tree):
         ('Some prose.', 'Some {rule}`a` prose.', '{rule}', 'a rule outside of the card', 'between the directive'),
         (REGION, '    return 2\n', BEGIN, 'exercise 7.1 has no solution region', 'mark it'),
         ('    # STUB: return None\n', '', FIRST, 'the stub of exercise 7.1 does not parse', 'STUB: pass'),
-        ('return 2 * number', 'return 2 *', FIRST, 'the solution of exercise 7.1 does not parse', 'mend it'),
+        ('return 2 * number', 'return 2 *', FIRST, 'the solution of exercise 7.1 does not parse', 'correct it'),
         ('# STUB: return None', '# STUB: return 2 * number', FIRST, 'its stub is its solution', 'mark the solution'),
         ('def double', 'def triple', 'def triple', 'does not define double', 'define it'),
         ('Some prose.', 'Some prose.\n\n# BEGIN SOLUTION', '# BEGIN SOLUTION', 'solution marker in prose', 'move it'),
