@@ -34,8 +34,8 @@ _DISTRIBUTION = {
 
 def text() -> str:
     """All that the patches are made of: when it changes, they are due again."""
-    sources = [Path(module.__file__).read_text() for module in (action_client, cppcheck, python_tests)]
-    return ''.join([*sources, *(tail for _, _, tail in _PATCHES.values()), *_DISTRIBUTION.values()])
+    files = [__file__, *(module.__file__ for module in (action_client, cppcheck, python_tests))]
+    return ''.join([*(Path(file).read_text() for file in files), *_DISTRIBUTION.values()])
 
 
 def apply(site: Path) -> list[str]:
