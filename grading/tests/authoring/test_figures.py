@@ -132,7 +132,7 @@ def test_a_directive_in_a_card_is_told_with_its_line(illustrated):
     [
         (("ALT = 'A box with a word.'", ''), 'no alternative text'),
         (('A box with a word.', '  '), 'no alternative text'),
-        (('A box with a word.', 'A [box]'), "ALT has a '['"),
+        (('A box with a word.', 'A [box]'), r"ALT has a '\['"),
         (('A box with a word.', r'A\nbox'), 'ALT has a'),
         (('def draw', 'def drawing'), r'no function draw\(\)'),
         (('return sheet', 'return None'), r'draw\(\) returns no Sheet'),
