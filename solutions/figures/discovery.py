@@ -3,8 +3,8 @@
 from grading.authoring.drawing import Sheet
 
 ALT = (
-    'Left, ROS 1: camera, detector and arm each ask one program, roscore, for the others. '
-    'Right, ROS 2: camera, detector and arm are connected to each other directly, and there is no centre.'
+    'Left, ROS 1: camera, detector and arm each ask one program, roscore, for the others. Right, ROS 2: camera, '
+    'detector and arm are connected to each other directly, and there is no centre.'
 )
 
 

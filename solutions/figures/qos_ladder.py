@@ -3,9 +3,10 @@
 from grading.authoring.drawing import Sheet
 
 ALT = (
-    'Two ladders, one for reliability and one for durability. RELIABLE stands above BEST_EFFORT, TRANSIENT_LOCAL above '
-    'VOLATILE. A publisher on a rung serves requests of the same rung and of those below. Only an offer from the '
-    'lower rung for a request of the upper rung does not fit: BEST_EFFORT for RELIABLE, VOLATILE for TRANSIENT_LOCAL.'
+    'Two ladders, one for reliability and one for durability. RELIABLE stands above BEST_EFFORT, TRANSIENT_LOCAL '
+    'above VOLATILE. A publisher on a rung serves requests of the same rung and of those below. Only an offer '
+    'from the lower rung for a request of the upper rung does not fit: BEST_EFFORT for RELIABLE, VOLATILE for '
+    'TRANSIENT_LOCAL.'
 )
 
 

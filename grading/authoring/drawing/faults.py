@@ -30,7 +30,9 @@ def _found(sheet: Sheet) -> Iterator[str]:
         for box in sheet.boxes:
             if _on_border(text, box):
                 yield f'{text.text!r}, {_extent(text)}, lies on the border of the box at {box.x:g}, {box.y:g}'
-        for line in sheet.lines:
+        for number, line in enumerate(sheet.items):
+            if not isinstance(line, list) or any(_covers(item, text) for item in sheet.items[number:]):
+                continue
             if any(_crossed(text, *piece) for piece in zip(line, line[1:], strict=False)):
                 yield f'{text.text!r}, {_extent(text)}, lies on the line from {_point(line[0])} to {_point(line[-1])}'
     for box in sheet.boxes:
@@ -56,6 +58,14 @@ def _on_border(text: Text, box: Box) -> bool:
     apart = text.right < box.x or text.left > right or bottom_of_text < box.y or top_of_text > bottom
     inside = text.left > box.x and text.right < right and top_of_text > box.y and bottom_of_text < bottom
     return not apart and not inside
+
+
+def _covers(item: object, text: Text) -> bool:
+    """Whether it is a box with the text inside, which hides the lines that were drawn before."""
+    if not isinstance(item, Box):
+        return False
+    inside_x = item.x <= text.left and text.right <= item.x + item.w
+    return inside_x and item.y <= text.top + SLACK and text.bottom - SLACK <= item.y + item.h
 
 
 def _crossed(text: Text, a: Point, b: Point) -> bool:

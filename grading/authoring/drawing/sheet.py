@@ -77,10 +77,20 @@ class Sheet:
     title: str
     height: float
     width: float = WIDTH
-    texts: list[Text] = field(default_factory=list)
-    lines: list[list[Point]] = field(default_factory=list)
-    boxes: list[Box] = field(default_factory=list)
+    items: list[Text | Box | list[Point]] = field(default_factory=list)  # in the order in which they were drawn
     _written: list[str] = field(default_factory=list)
+
+    @property
+    def texts(self) -> list[Text]:
+        return [item for item in self.items if isinstance(item, Text)]
+
+    @property
+    def boxes(self) -> list[Box]:
+        return [item for item in self.items if isinstance(item, Box)]
+
+    @property
+    def lines(self) -> list[list[Point]]:
+        return [item for item in self.items if isinstance(item, list)]
 
     def text(
         self,
@@ -114,7 +124,7 @@ class Sheet:
                 f'fill="{style.INK[colour]}"{around}>{_spans(line, bold)}</text>'
             )
         block = Text(text, left, top, left + width, top + line_height * len(lines), size)
-        self.texts.append(block)
+        self.items.append(block)
         return block
 
     def box(
@@ -141,7 +151,7 @@ class Sheet:
             f'stroke="{style.INK[colour]}" stroke-width="1.5"{dashes}/>'
         )
         box = Box(x, y, w, h)
-        self.boxes.append(box)
+        self.items.append(box)
         if text:
             self.text(*box.centre, text, size=size, bold=bold)
         if heading:
@@ -156,7 +166,7 @@ class Sheet:
             f'<polyline points="{coordinates}" fill="none" stroke="{style.INK[colour]}" stroke-width="{_n(width)}" '
             f'stroke-linejoin="round"{dashes}/>'
         )
-        self.lines.append(list(points))
+        self.items.append(list(points))
 
     def arrow(
         self,
