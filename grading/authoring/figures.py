@@ -74,7 +74,8 @@ def place(source: str, shown: str, folder: Path) -> Placed:
         try:
             load(path)
         except AuthoringError as error:
-            raise FigureError(offset, f'the figure {name}: {error.problem}', error.remedy) from None
+            mistake = f'{FOLDER}/{path.name}:{error.line}'
+            raise FigureError(offset, f'the figure {name}: {error.problem}', f'{error.remedy} ({mistake})') from None
         names.append(name)
     return Placed(_filled(shown, folder, f'../notebooks/{FOLDER}'), _filled(shown, folder, FOLDER), tuple(names))
 

@@ -1,6 +1,6 @@
 """Chapter 5: the three services and two topics of an action."""
 
-from grading.authoring.drawing import Sheet
+from grading.authoring.drawing import NOTE, Sheet
 
 ALT = (
     'Between the action client and the action server there are five connections below /fibonacci/_action. Three '
@@ -28,6 +28,6 @@ def draw():
             sheet.arrow(begin, end, colour=colour, both=True)
         else:
             sheet.arrow(end, begin, colour=colour, dashed=True)
-        sheet.text(140, y - 13, f'`/fibonacci/_action/{name}`', anchor='start', size=13)
-        sheet.text(350, y + 13, what, size=12.5, colour='muted')
+        sheet.text(140, y - 13, f'`/fibonacci/_action/{name}`', anchor='start', size=NOTE)
+        sheet.text(350, y + 13, what, size=NOTE, colour='muted')
     return sheet

@@ -1,6 +1,6 @@
 """Chapter 5: three servers on which a cancel request fails, and one that stops."""
 
-from grading.authoring.drawing import Lanes, Sheet
+from grading.authoring.drawing import NOTE, Lanes, Sheet
 
 ALT = (
     'Four time lines of a goal that would take 1.6 s, with a cancel request at 0.5 s. Plain server: the request '
@@ -32,7 +32,7 @@ def draw():
         ax = lanes.x(answered) + (6 if late else 12)
         if late:
             sheet.line([(x + 6, y + 72), (ax, y + 72)], dashed=True, colour='orange')
-            sheet.text((x + ax) / 2, y + 57, 'the request waits', size=12.5, colour='orange')
+            sheet.text((x + ax) / 2, y + 57, 'the request waits', size=NOTE, colour='orange')
         sheet.arrow(
             (ax, bottom if not late else y + 72), (ax, top), answer, side='right', colour='red' if late else 'green'
         )

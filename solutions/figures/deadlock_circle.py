@@ -1,6 +1,6 @@
 """Chapter 4: the circle in which each one waits for the next."""
 
-from grading.authoring.drawing import Sheet
+from grading.authoring.drawing import NOTE, Sheet
 
 ALT = (
     'A circle of three. The callback on_timer waits for the future. The future waits until somebody takes the '
@@ -11,12 +11,12 @@ ALT = (
 
 def draw():
     sheet = Sheet('The circle of the deadlock', height=330)
-    sheet.box(240, 20, 220, 54, '`on_timer`\nstands in `client.call`', colour='violet', size=13)
-    future = sheet.box(462, 210, 220, 54, 'the future\nof the request', colour='orange', size=13)
-    spin = sheet.box(18, 210, 220, 54, '`spin`, or another thread\nof the executor', colour='green', size=13)
+    sheet.box(240, 20, 220, 54, '`on_timer`\nstands in `client.call`', colour='violet', size=NOTE)
+    future = sheet.box(462, 210, 220, 54, 'the future\nof the request', colour='orange', size=NOTE)
+    spin = sheet.box(18, 210, 220, 54, '`spin`, or another thread\nof the executor', colour='green', size=NOTE)
     sheet.arrow((425, 74), (572, 210), 'waits until\nit is done', side='right', colour='red')
     sheet.arrow(future, spin, 'waits until the response\nis taken from the queue', side='below', colour='red')
     sheet.arrow((128, 210), (275, 74), 'waits until\nit returns', side='left', colour='red')
-    sheet.box(262, 142, 176, 46, 'the response is there,\nin the queue of the client', colour='muted', size=12)
-    sheet.text(350, 310, 'Each one waits for the next. No error comes, and none will.', size=12.5)
+    sheet.box(256, 142, 188, 46, 'the response is there,\nin the queue of the client', colour='muted', size=NOTE)
+    sheet.text(350, 310, 'Each one waits for the next. No error comes, and none will.', size=NOTE)
     return sheet

@@ -1,6 +1,6 @@
 """Chapter 1: the same topic in two domains."""
 
-from grading.authoring.drawing import Sheet
+from grading.authoring.drawing import NOTE, Sheet
 
 ALT = (
     'Two domains on one network. In one of them ann publishes on roll_call and ben hears it. In the other one cem '
@@ -18,5 +18,5 @@ def draw():
     sheet.arrow(ann, ben, '`roll_call`')
     sheet.arrow(ben.right, cem.left, colour='red', dashed=True)
     sheet.cross(460, 90, size=8)
-    sheet.text(350, 170, 'one network, one topic, one type: only the number of the domain differs', size=12.5)
+    sheet.text(350, 170, 'one network, one topic, one type: only the number of the domain differs', size=NOTE)
     return sheet

@@ -1,6 +1,6 @@
 """Chapter 7: the questions from top to bottom, with their tools."""
 
-from grading.authoring.drawing import Sheet
+from grading.authoring.drawing import NOTE, Sheet
 
 ALT = (
     'Six steps from top to bottom. Question 0: is this terminal the one that I think it is? Then the five '
@@ -22,11 +22,11 @@ def draw():
     before = None
     for number, (question, tool) in enumerate(STEPS):
         y = 18 + 60 * number
-        box = sheet.box(56, y, 344, 40, question, colour='blue' if number else 'muted', size=13)
+        box = sheet.box(56, y, 344, 40, question, colour='blue' if number else 'muted', size=NOTE)
         sheet.text(34, y + 20, str(number), bold=True)
-        sheet.text(420, y + 20, tool, anchor='start', size=12.5)
+        sheet.text(420, y + 20, tool, anchor='start', size=NOTE)
         if before:
             sheet.arrow(before, box)
         before = box
-    sheet.text(350, 374, 'Do not go on before you have the answer.', size=12.5)
+    sheet.text(350, 374, 'Do not go on before you have the answer.', size=NOTE)
     return sheet

@@ -14,7 +14,7 @@ def draw():
     for number, (name, how) in enumerate((('refuse', 'rejected'), ('queue', 'waits'), ('preempt', ''))):
         y = 40 + 104 * number
         sheet.text(20, y + 20, f'**{name}**', anchor='start')
-        lanes = Lanes(sheet, ['first goal', 'second goal'], y=y, step=40, left=190, right=684, end=10)
+        lanes = Lanes(sheet, ['first goal', 'second goal'], y=y, step=40, left=210, right=684, end=10)
         if name == 'preempt':
             lanes.bar(0, 0, 3.2, 'aborted', colour='red')
             lanes.bar(1, 3, 8, 'runs', colour='green')

@@ -1,6 +1,6 @@
 """Chapter 5: the states of a goal, and which call makes which step."""
 
-from grading.authoring.drawing import Sheet
+from grading.authoring.drawing import NOTE, Sheet
 
 ALT = (
     'The states of a goal. The goal callback answers ACCEPT or REJECT; after REJECT there is no goal. ACCEPTED '
@@ -19,9 +19,9 @@ def draw():
     canceling = sheet.box(196, 270, 120, 40, '`CANCELING`', colour='orange')
     sheet.box(440, 84, 244, 132, colour='muted', plain=True)
     for y, call, state, colour in ((100, 'succeed()', 'SUCCEEDED', 'green'), (160, 'abort()', 'ABORTED', 'red')):
-        sheet.text(452, y + 20, f'`{call}`', anchor='start', size=12.5, colour=colour)
+        sheet.text(448, y + 20, f'`{call}`', anchor='start', size=NOTE, colour=colour)
         box = sheet.box(564, y, 108, 40, f'`{state}`', colour=colour)
-        sheet.arrow((526, y + 20), box, colour=colour)
+        sheet.arrow((530, y + 20), box, colour=colour)
     canceled = sheet.box(564, 270, 108, 40, '`CANCELED`', colour='orange')
     sheet.arrow(asked, accepted, '`ACCEPT`')
     sheet.arrow(asked, rejected, '`REJECT`')
@@ -31,6 +31,6 @@ def draw():
     sheet.arrow(canceling.on('right', 0.2), (440, 200), 'or one\nof the two', side='above', at=0.4)
     sheet.arrow(canceling, canceled, '`canceled()`', colour='orange', side='below')
     sheet.text(
-        350, 346, 'The goal callback accepts or rejects. The other calls are those of the goal handle.', size=12.5
+        350, 346, 'The goal callback accepts or rejects. The other calls are those of the goal handle.', size=NOTE
     )
     return sheet

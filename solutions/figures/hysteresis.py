@@ -1,6 +1,6 @@
 """Chapter 8: the six charges of section 8.4, and what the robot does."""
 
-from grading.authoring.drawing import Plot, Sheet
+from grading.authoring.drawing import NOTE, Plot, Sheet
 
 ALT = (
     'A plot of six charges: 0.5, 0.19, 0.5, 0.89, 0.9 and 0.5. Below the threshold 0.2 the robot begins to '
@@ -18,7 +18,7 @@ def draw():
     )
     for value, name in ((0.2, 'low'), (0.9, 'full')):
         plot.curve([(0.5, value), (6.5, value)], colour='muted', dashed=True)
-        sheet.text(598, plot.at(0, value)[1], f'`{name}`', anchor='start', size=12.5, colour='muted')
+        sheet.text(598, plot.at(0, value)[1], f'`{name}`', anchor='start', size=NOTE, colour='muted')
     values = list(zip(range(1, 7), CHARGES, strict=True))
     plot.curve(values, colour='muted')
     for value, state in zip(values, STATES, strict=True):
@@ -29,5 +29,5 @@ def draw():
         (6, 'working', 'green', 0, 18),
     ):
         sx, sy = plot.at(x, 0.5)
-        sheet.text(sx + dx, sy + dy, word, size=12.5, colour=colour)
+        sheet.text(sx + dx, sy + dy, word, size=NOTE, colour=colour)
     return sheet

@@ -1,6 +1,6 @@
 """Chapter 3: a map that is published once, and a planner that starts later."""
 
-from grading.authoring.drawing import Lanes, Sheet
+from grading.authoring.drawing import NOTE, Lanes, Sheet
 
 ALT = (
     'Two time lines. The map server publishes the map once, and the planner starts later. With VOLATILE on both '
@@ -26,5 +26,5 @@ def draw():
             lanes.bar(1, 7, 8.8, 'callback', colour='violet')
         else:
             lanes.send(0, 1.6, 1, 1.8, colour='red', dashed=True)
-            sheet.text(lanes.x(2.1), y + 80, 'nobody is there', anchor='start', size=12.5, colour='red')
+            sheet.text(lanes.x(2.1), y + 80, 'nobody is there', anchor='start', size=NOTE, colour='red')
     return sheet

@@ -1,6 +1,6 @@
 """Chapter 8: what stands in a launch file, and what becomes of it."""
 
-from grading.authoring.drawing import Sheet
+from grading.authoring.drawing import NOTE, Sheet
 
 ALT = (
     'Left the launch file two_robots.launch.py: a LaunchDescription with two Node actions. package and executable '
@@ -21,15 +21,15 @@ def draw():
             y + 58,
             f"`package`, `executable`: which program\n`namespace='{robot}'`: its names\n`parameters`: its values",
             anchor='start',
-            size=12.5,
+            size=NOTE,
         )
         process = sheet.box(
-            456, y + 24 - 40 + 80 * number, 228, 48, f'process\n`/{robot}/battery_monitor`', colour='green', size=12.5
+            456, y + 24 - 40 + 80 * number, 228, 48, f'process\n`/{robot}/battery_monitor`', colour='green', size=NOTE
         )
         sheet.arrow(node.on('right', 0.3 + 0.4 * number), process, 'starts', side='above')
         if number == 0:
             first = process
-    file = sheet.box(456, 158, 228, 48, '`config/robots.yaml`\nin the installed package', colour='orange', size=12.5)
+    file = sheet.box(456, 158, 228, 48, '`config/robots.yaml`\nin the installed package', colour='orange', size=NOTE)
     sheet.arrow(file, first, 'values', side='right')
     sheet.arrow(file, process, 'values', side='right')
     return sheet

@@ -2,7 +2,7 @@
 
 import math
 
-from grading.authoring.drawing import Sheet
+from grading.authoring.drawing import NOTE, Sheet
 
 ALT = (
     'The room from above. The table stands at (2, 1) in the world and is turned by 90 degrees to the left. The '
@@ -24,24 +24,24 @@ def frame(sheet, x, y, yaw, length=0.45):
         tip = x + length * math.cos(angle), y + length * math.sin(angle)
         sheet.arrow(at(x, y), at(*tip), colour=colour)
         name_at = at(x + 1.2 * length * math.cos(angle), y + 1.2 * length * math.sin(angle))
-        sheet.text(*name_at, name, size=12.5, colour=colour, bold=True)
+        sheet.text(*name_at, name, size=NOTE, colour=colour, bold=True)
 
 
 def draw():
     sheet = Sheet('Target and source of a look-up', height=350)
     sheet.arrow(at(0, 0), at(2, 1))
     sheet.text(
-        236, 256, 'where the table stands:\n(2, 1, 0.7), turned by 90°', anchor='start', size=12.5, colour='muted'
+        236, 256, 'where the table stands:\n(2, 1, 0.7), turned by 90°', anchor='start', size=NOTE, colour='muted'
     )
     frame(sheet, 0, 0, 0)
-    sheet.text(90, 326, '`world`: the target', size=13)
+    sheet.text(90, 326, '`world`: the target', size=NOTE)
     frame(sheet, 2, 1, math.pi / 2, 0.8)
-    sheet.text(342, 192, '`table`', anchor='start', size=13)
+    sheet.text(342, 192, '`table`', anchor='start', size=NOTE)
     sheet.arrow(at(0, 0), at(1.96, 1.29), colour='violet')
     sheet.dot(*at(2, 1.3), colour='violet')
-    sheet.text(342, 147, '`cup`: the source', anchor='start', size=13)
+    sheet.text(342, 147, '`cup`: the source', anchor='start', size=NOTE)
     call = "`lookup_transform('world', 'cup', …)`\n(2, 1.3, 0.7)"
-    sheet.box(394, 24, 290, 60, call, size=12.5, colour='violet')
-    sheet.text(185, 110, 'the answer:\nwhere the source stands,\nseen from the target', size=12.5, colour='violet')
-    sheet.text(552, 262, 'It takes points\nfrom the source\ninto the target.', size=12.5, colour='violet')
+    sheet.box(378, 24, 306, 60, call, size=NOTE, colour='violet')
+    sheet.text(185, 110, 'the answer:\nwhere the source stands,\nseen from the target', size=NOTE, colour='violet')
+    sheet.text(552, 262, 'It takes points\nfrom the source\ninto the target.', size=NOTE, colour='violet')
     return sheet

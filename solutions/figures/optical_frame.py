@@ -1,6 +1,6 @@
 """Chapter 6: the axes of a camera's body and of its picture."""
 
-from grading.authoring.drawing import Sheet
+from grading.authoring.drawing import NOTE, Sheet
 
 ALT = (
     'A camera that looks to the right, twice. In camera_link, x is forward, y left and z up. In '
@@ -13,14 +13,14 @@ def camera(sheet, x, name, axes, point):
     """A camera seen from its right side: what is left of it points away from you."""
     y = 146
     sheet.text(x, 30, f'`{name}`', bold=True)
-    sheet.box(x - 116, y - 26, 70, 52, 'camera', colour='muted', size=12.5)
+    sheet.box(x - 116, y - 26, 70, 52, 'camera', colour='muted', size=NOTE)
     for text, colour, dx, dy in axes:
         sheet.arrow((x - 46, y), (x - 46 + dx, y + dy), colour=colour)
         length = (dx * dx + dy * dy) ** 0.5
         sheet.text(
-            x - 46 + dx * (1 + 12 / length), y + dy * (1 + 12 / length), text, size=12.5, colour=colour, bold=True
+            x - 46 + dx * (1 + 12 / length), y + dy * (1 + 12 / length), text, size=NOTE, colour=colour, bold=True
         )
-    sheet.text(x, 266, point, size=12.5)
+    sheet.text(x, 266, point, size=NOTE)
 
 
 def draw():

@@ -1,6 +1,6 @@
 """Chapter 2: where the parts of a package go when it is built."""
 
-from grading.authoring.drawing import Sheet
+from grading.authoring.drawing import NOTE, Sheet
 
 ALT = (
     'Left the package in src, right its installation. The Python package goes to site-packages, said by packages '
@@ -29,8 +29,8 @@ def draw():
     sheet.box(374, 16, 310, 308, heading='install/py_talker_listener', colour='green')
     for number, (source, how, target) in enumerate(ROWS):
         y = 48 + 68 * number
-        left = sheet.box(32, y, 188, 52, source, plain=True, size=12.5)
-        right = sheet.box(390, y, 278, 52, target, plain=True, size=12.5)
+        left = sheet.box(32, y, 188, 52, source, plain=True, size=NOTE)
+        right = sheet.box(390, y, 278, 52, target, plain=True, size=NOTE)
         sheet.line([left.right, (242, y + 26)])
         sheet.arrow((242, y + 26), right, how, at=0.42)
     return sheet

@@ -2,7 +2,7 @@
 
 import math
 
-from grading.authoring.drawing import Sheet
+from grading.authoring.drawing import NOTE, Sheet
 
 ALT = (
     'Four small pictures. The axes of a robot: x forward, y left, z up. Yaw, from above: the axis z points at '
@@ -29,7 +29,7 @@ def towards_you(sheet, x, y, colour):
 def panel(sheet, number, title, axes, nose, note):
     """One robot; `axes` are two of (name, colour, dx, dy), `nose` the corners of the body from the centre."""
     x, y = 92 + 172 * number, 128
-    sheet.text(x, 28, title, bold=True)
+    sheet.text(x, 28, title, size=NOTE, bold=True)
     body = [(x + dx, y + dy) for dx, dy in nose]
     if body:
         sheet.line([*body, body[0]], colour='muted')
@@ -37,11 +37,11 @@ def panel(sheet, number, title, axes, nose, note):
         if dx or dy:
             sheet.arrow((x, y), (x + dx, y + dy), colour=colour)
             far = 1 + 11 / math.hypot(dx, dy)
-            sheet.text(x + far * dx, y + far * dy, name, size=12.5, colour=colour, bold=True)
+            sheet.text(x + far * dx, y + far * dy, name, size=NOTE, colour=colour, bold=True)
         else:
             towards_you(sheet, x, y, colour)
-            sheet.text(x + 17, y + 11, name, size=12.5, colour=colour, bold=True)
-    sheet.text(x, 232, note, size=12.5)
+            sheet.text(x + 17, y + 11, name, size=NOTE, colour=colour, bold=True)
+    sheet.text(x, 232, note, size=NOTE)
 
 
 def draw():

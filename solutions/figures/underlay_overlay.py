@@ -1,6 +1,6 @@
 """Chapter 2: three layers, and which package is found first."""
 
-from grading.authoring.drawing import Sheet
+from grading.authoring.drawing import NOTE, Sheet
 
 ALT = (
     'Three layers. On top the workspace top_ws with py_talker_listener version 4, below it ros2_ws with '
@@ -19,12 +19,12 @@ def draw():
     )
     for name, colour, y in layers:
         sheet.box(130, y, 550, 80, heading=name, colour=colour)
-    sheet.box(150, 54, 250, 34, '`py_talker_listener`, version 4', plain=True, size=12.5, colour='orange')
-    sheet.box(150, 144, 250, 34, '`py_talker_listener`, version 3', plain=True, size=12.5, dashed=True)
-    sheet.text(420, 161, 'hidden', anchor='start', size=12.5, colour='muted')
-    sheet.box(520, 144, 140, 34, '`greeter`', plain=True, size=12.5)
-    sheet.box(150, 234, 120, 34, '`rclpy`', plain=True, size=12.5, colour='muted')
-    sheet.box(290, 234, 120, 34, '`std_msgs`', plain=True, size=12.5, colour='muted')
+    sheet.box(150, 54, 250, 34, '`py_talker_listener`, version 4', plain=True, size=NOTE, colour='orange')
+    sheet.box(150, 144, 250, 34, '`py_talker_listener`, version 3', plain=True, size=NOTE, dashed=True)
+    sheet.text(420, 161, 'hidden', anchor='start', size=NOTE, colour='muted')
+    sheet.box(520, 144, 140, 34, '`greeter`', plain=True, size=NOTE)
+    sheet.box(150, 234, 120, 34, '`rclpy`', plain=True, size=NOTE, colour='muted')
+    sheet.box(290, 234, 120, 34, '`std_msgs`', plain=True, size=NOTE, colour='muted')
     sheet.arrow((100, 24), (100, 276))
-    sheet.text(54, 150, 'looked up\nfrom the\ntop, first\nhit wins', size=12.5)
+    sheet.text(54, 150, 'looked up\nfrom the\ntop, first\nhit wins', size=NOTE)
     return sheet

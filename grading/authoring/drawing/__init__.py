@@ -15,10 +15,11 @@ A figure is a file `solutions/figures/NAME.py`: `ALT`, its alternative text, and
         return sheet
 
 Lengths are pixels of a sheet 700 pixels wide; x grows to the right, y downwards. In texts, `` `spin()` `` is set as
-code and ``**now**`` bold. `faults.found` says which texts overlap something.
+code and ``**now**`` bold; `NOTE` is the size of what explains. `faults.found` says which texts overlap something.
 """
 
 from grading.authoring.drawing.parts import Lanes, Plot, queue, stack, table
 from grading.authoring.drawing.sheet import Box, Sheet
+from grading.authoring.drawing.style import NOTE
 
-__all__ = ['Box', 'Lanes', 'Plot', 'Sheet', 'queue', 'stack', 'table']
+__all__ = ['NOTE', 'Box', 'Lanes', 'Plot', 'Sheet', 'queue', 'stack', 'table']

@@ -7,6 +7,7 @@ from grading.authoring.drawing import style
 from grading.authoring.drawing.sheet import Box, Point, Sheet, Text
 
 MARGIN = 6  # between texts and the sheet's border
+PADDING = 3  # between texts and the borders of boxes, to the sides
 SLACK = 2  # lines of a block have some room above and below their letters
 
 
@@ -17,8 +18,8 @@ def found(sheet: Sheet) -> list[str]:
 
 def _found(sheet: Sheet) -> Iterator[str]:
     for text in sheet.texts:
-        if text.size < style.SMALLEST:
-            yield f'{text.text!r} has the size {text.size:g}, at least {style.SMALLEST} is needed'
+        if text.size < style.LEAST:
+            yield f'{text.text!r} has the size {text.size:g}, at least {style.LEAST} is needed'
         outside = (
             text.left < MARGIN
             or text.top < MARGIN
@@ -56,7 +57,9 @@ def _on_border(text: Text, box: Box) -> bool:
     right, bottom = box.x + box.w, box.y + box.h
     top_of_text, bottom_of_text = text.top + SLACK, text.bottom - SLACK
     apart = text.right < box.x or text.left > right or bottom_of_text < box.y or top_of_text > bottom
-    inside = text.left > box.x and text.right < right and top_of_text > box.y and bottom_of_text < bottom
+    inside = (
+        text.left > box.x + PADDING and text.right < right - PADDING and top_of_text > box.y and bottom_of_text < bottom
+    )
     return not apart and not inside
 
 

@@ -16,7 +16,7 @@ def queue(
     cell: float = 44,
     height: float = 34,
     colour: str = 'orange',
-    size: float = style.SMALL,
+    size: float = style.NOTE,
 ) -> Box:
     """Draw a queue, a cell for each text; an empty text is a free place."""
     for number, text in enumerate(texts):
@@ -43,7 +43,7 @@ def table(
     rows: Sequence[Sequence[str | tuple[str, str]]],
     *,
     h: float = 34,
-    size: float = style.SMALL,
+    size: float = style.NOTE,
 ) -> list[list[Box]]:
     """Draw cells, each a text or a text and its colour; an empty text leaves its place free."""
     drawn: list[list[Box]] = []
@@ -76,7 +76,7 @@ class Lanes:
     def __post_init__(self) -> None:
         for number, name in enumerate(self.names):
             height = self.y + number * self.step
-            self.sheet.text(self.left - 10, height, name, anchor='end', size=style.SMALL, bold=True)
+            self.sheet.text(self.left - 10, height, name, anchor='end', size=style.NOTE, bold=True)
             self.sheet.arrow((self.left, height), (self.right, height), colour=self.colour)
 
     def x(self, time: float) -> float:
@@ -90,7 +90,7 @@ class Lanes:
         """Something that lasts, such as a callback."""
         x, y = self.at(lane, begin)
         return self.sheet.box(
-            x, y - 13, self.x(end) - x, 26, text, colour=colour, dashed=dashed, round=3, size=style.SMALL
+            x, y - 13, self.x(end) - x, 26, text, colour=colour, dashed=dashed, round=3, size=style.NOTE
         )
 
     def send(self, lane: int, time: float, other: int, arrival: float, label: str = '', **how) -> None:
@@ -122,13 +122,13 @@ class Plot:
         for value in self.x_ticks:
             x, _ = self.at(value, self.y_range[0])
             self.sheet.line([(x, bottom), (x, bottom + 5)], colour='ink', width=1.4)
-            self.sheet.text(x, bottom + 15, f'{value:g}', size=style.SMALL)
+            self.sheet.text(x, bottom + 15, f'{value:g}', size=style.NOTE)
         for value in self.y_ticks:
             _, y = self.at(self.x_range[0], value)
             self.sheet.line([(self.x - 5, y), (self.x, y)], colour='ink', width=1.4)
-            self.sheet.text(self.x - 9, y, f'{value:g}', anchor='end', size=style.SMALL)
-        self.sheet.text(self.x + self.w / 2, bottom + 36, self.x_name, size=style.SMALL, colour='muted')
-        self.sheet.text(self.x - 40, self.y - 18, self.y_name, anchor='start', size=style.SMALL, colour='muted')
+            self.sheet.text(self.x - 9, y, f'{value:g}', anchor='end', size=style.NOTE)
+        self.sheet.text(self.x + self.w / 2, bottom + 36, self.x_name, size=style.NOTE, colour='muted')
+        self.sheet.text(self.x - 40, self.y - 18, self.y_name, anchor='start', size=style.NOTE, colour='muted')
 
     def at(self, x: float, y: float) -> tuple[float, float]:
         """The point of the sheet for a value."""

@@ -155,7 +155,7 @@ class Sheet:
         if text:
             self.text(*box.centre, text, size=size, bold=bold)
         if heading:
-            self.text(x + 10, y + 15, heading, anchor='start', size=style.SMALL, colour=colour, bold=True)
+            self.text(x + 10, y + 15, heading, anchor='start', size=style.NOTE, colour=colour, bold=True)
         return box
 
     def line(self, points: Sequence[Point], *, colour: str = 'muted', dashed: bool = False, width: float = 1.6) -> None:
@@ -181,7 +181,7 @@ class Sheet:
         colour: str = 'muted',
         dashed: bool = False,
         both: bool = False,
-        size: float = style.SMALL,
+        size: float = style.NOTE,
     ) -> None:
         """Draw an arrow, with a label beside its middle.
 
@@ -223,7 +223,7 @@ class Sheet:
         side: str = '',
         at: float = 0.5,
         colour: str = 'muted',
-        size: float = style.SMALL,
+        size: float = style.NOTE,
     ) -> None:
         """Write a label beside a line, so far away that it does not touch it."""
         (x, y), (dx, dy) = _along(points, at)

@@ -6,8 +6,8 @@ never alone in saying something: what is wrong is dashed and says so, what is co
 
 SANS = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif"
 MONO = "ui-monospace, SFMono-Regular, Menlo, Consolas, 'DejaVu Sans Mono', monospace"
-SIZE, SMALL = 14, 12.5  # of texts, and of notes to them
-SMALLEST = 12
+SIZE, NOTE = 15, 13.5  # of texts, and of notes to them: at 700 pixels, and a narrow page makes them smaller
+LEAST = 12
 GROUND, EDGE = '#fcfcfa', '#c9cdd3'
 # Of texts and lines. Each has a contrast of more than 4.5 : 1 on the ground and on every fill.
 INK = {
