@@ -8,7 +8,7 @@ from pathlib import Path
 import nbformat
 
 from grading.authoring import chapter as chapters
-from grading.authoring import execution, notebooks, outputs, rules
+from grading.authoring import execution, figures, notebooks, outputs, rules
 from grading.authoring.chapter import Chapter
 from grading.authoring.errors import AuthoringError, ChapterErrors
 from helpers.exercises import manifest
@@ -35,6 +35,16 @@ class Tree:
         """The list of exercises."""
         return self.root / manifest.MANIFEST.relative_to(manifest.MANIFEST.parents[2])
 
+    @property
+    def figures(self) -> Path:
+        """What draws the figures."""
+        return self.solutions / figures.FOLDER
+
+    @property
+    def pictures(self) -> Path:
+        """The figures as the notebooks show them."""
+        return self.notebooks / figures.FOLDER
+
     def solved(self, chapter: Chapter) -> Path:
         """The executed notebook of ``chapter``."""
         return self.solutions / f'{chapter.name}.ipynb'
@@ -56,6 +66,8 @@ def read_all(tree: Tree) -> list[Chapter]:
         except AuthoringError as error:
             errors.append(error)
     errors += rules.check(read)
+    if not errors:  # a chapter that cannot be read may show any figure
+        errors = figures.check(tree.figures, [name for one in read for cell in one.cells for name in cell.figures])
     if errors:
         raise ChapterErrors(errors)
     return read
@@ -70,7 +82,8 @@ def build(
 ) -> None:
     """Build the chapters numbered in ``selected`` (default: all) that differ from their sources, or all with ``force``.
 
-    The learner's notebook and the list of exercises are written first: ``check`` in the executed notebook needs them.
+    Figures, learner's notebook and list of exercises are written first: ``check`` in the executed notebook needs
+    the list.
 
     :param timeout: longest time of one cell, in seconds.
     :param say: takes the lines that tell the progress.
@@ -78,6 +91,7 @@ def build(
     """
     all_chapters = read_all(tree)
     _write(tree.manifest, manifest.dumps(row for chapter in all_chapters for row in chapter.exercises()))
+    _draw(tree)
     errors = []
     for chapter in all_chapters:
         if selected is not None and chapter.number not in selected:
@@ -125,6 +139,16 @@ def differences(found: nbformat.NotebookNode, wanted: nbformat.NotebookNode) -> 
     if found.metadata != wanted.metadata:
         result.append("differs from its source in the notebook's metadata")
     return result
+
+
+def _draw(tree: Tree) -> None:
+    """Write all figures, and remove the pictures of those that are gone."""
+    pictures = figures.pictures(tree.figures)
+    for name, text in pictures.items():
+        _write(tree.pictures / name, text)
+    for path in tree.pictures.glob('*.svg'):
+        if path.name not in pictures:
+            path.unlink()
 
 
 def _executed(tree: Tree, chapter: Chapter, timeout: float) -> str:

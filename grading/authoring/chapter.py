@@ -8,7 +8,7 @@ import yaml
 from jupytext.myst import MystMetadataParsingError, myst_to_notebook
 from nbformat import ValidationError
 
-from grading.authoring import cards, regions
+from grading.authoring import cards, figures, regions
 from grading.authoring.cards import Card
 from grading.authoring.errors import AuthoringError
 from helpers.exercises import cell_ids, manifest
@@ -27,6 +27,7 @@ class SourceCell:
     split: regions.Split
     card: Card | None = None  # of the exercise of which this is the answer cell
     rules: tuple[manifest.Rule, ...] = ()  # of that card
+    figures: tuple[str, ...] = ()  # that are shown in it
 
     @property
     def exercise(self) -> dict | None:
@@ -112,7 +113,7 @@ def read(path: Path) -> Chapter:
         line = _first_line(cell.source.splitlines(), lines, start) + 1
         try:
             reader.add(cell, line)
-        except (regions.MarkerError, cards.CardError) as error:
+        except (regions.MarkerError, cards.CardError, figures.FigureError) as error:
             raise AuthoringError(path, line + error.offset, error.problem, error.remedy) from None
     reader.end()
     return Chapter(path, reader.number, tuple(reader.cells))
@@ -160,7 +161,9 @@ class _Reader:
                 problem = f'the card has the rule {rule.name!r} twice'
                 raise AuthoringError(self.path, line + offset, problem, 'give each rule its own name')
             self._rules[rule.name] = rule
-        self.cells.append(SourceCell('markdown', source, metadata, line, _given(part.text)))
+        placed = figures.place(source, part.text, self.path.parent / figures.FOLDER)
+        split = regions.Split(placed.solved, placed.learner, (), 0)
+        self.cells.append(SourceCell('markdown', source, metadata, line, split, figures=placed.names))
 
     def _code(self, source: str, metadata: dict, line: int) -> None:
         if 'check' in metadata and not source.strip():

@@ -1,6 +1,6 @@
 """Proves that the generated files are in step with their sources, without running anything."""
 
-from grading.authoring import build, notebooks
+from grading.authoring import build, figures, notebooks
 from grading.authoring.build import Tree
 from helpers.exercises import manifest
 
@@ -17,6 +17,14 @@ def drift(tree: Tree) -> list[str]:
         lines += _text_drift(tree.learner(chapter), notebooks.dumps(notebooks.learner(chapter)), tree)
     rows = [row for chapter in chapters for row in chapter.exercises()]
     lines += _text_drift(tree.manifest, manifest.dumps(rows), tree)
+    pictures = figures.pictures(tree.figures)
+    for name, text in pictures.items():
+        lines += _text_drift(tree.pictures / name, text, tree)
+    lines += [
+        f'{path.relative_to(tree.root)} has no source'
+        for path in sorted(tree.pictures.glob('*'))
+        if path.name not in pictures
+    ]
     names = {f'{chapter.name}.ipynb' for chapter in chapters}
     for folder in (tree.solutions, tree.notebooks):
         found = sorted(path.name for path in folder.glob('*.ipynb'))

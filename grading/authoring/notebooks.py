@@ -68,7 +68,7 @@ def _ids(cells: tuple[SourceCell, ...]) -> list[str]:
         if cell.exercise is not None:
             ids.append(cell_ids.of_exercise(cell.exercise['id']))
             continue
-        text = cell.split.solved
+        text = cell.split.stub  # what the learner gets: by its id one sees whether it is still that
         seen[cell.kind, text] += 1
         ids.append(cell_ids.of_given(cell.kind, text, seen[cell.kind, text]))
     return ids

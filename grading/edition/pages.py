@@ -17,7 +17,7 @@ from jinja2 import Environment, FileSystemLoader
 from nbconvert import HTMLExporter
 
 from grading.authoring import build as builder
-from grading.authoring import execution, notebooks, outputs
+from grading.authoring import execution, figures, notebooks, outputs
 from grading.authoring.chapter import Chapter
 from grading.authoring.errors import AuthoringError, ChapterErrors
 from helpers.exercises import start_page
@@ -72,6 +72,8 @@ def write(
         ]
         shown = [readable(chapter, notebook) for chapter, notebook in zip(chapters, executed, strict=True)]
         output.mkdir(parents=True, exist_ok=True)
+        if tree.pictures.is_dir():
+            shutil.copytree(tree.pictures, output / figures.FOLDER)
         _keep_scenes(shown, Path(folder), output / SCENES, say)
     entries = [_entry(tree, chapter) for chapter in chapters]
     written = []
@@ -94,13 +96,14 @@ def write(
 def readable(chapter: Chapter, notebook: nbformat.NotebookNode) -> nbformat.NotebookNode:
     """Take the solutions out of a chapter's executed notebook; returns it.
 
-    Exercises are as the learner gets them; they and checks print nothing. Links to other chapters lead to their pages.
+    Exercises are as the learner gets them; they and checks print nothing. Links to other chapters lead to their pages,
+    figures are beside the pages.
     """
     for cell, stub in zip(notebook.cells, notebooks.learner(chapter).cells, strict=True):
         if 'exercise' in cell.metadata or cell.cell_type == 'code' and cell.source.startswith('check('):
             cell.source, cell.outputs, cell.execution_count = stub.source, [], None
         elif cell.cell_type == 'markdown':
-            cell.source = _TO_A_CHAPTER.sub(r'](\1.html', cell.source)
+            cell.source = _TO_A_CHAPTER.sub(r'](\1.html', stub.source)
     return notebook
 
 

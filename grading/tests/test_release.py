@@ -1,6 +1,7 @@
 """The learner's edition: nothing of the instructor's in it, and it works by itself."""
 
 import os
+import re
 import subprocess
 import sys
 
@@ -34,6 +35,15 @@ def test_no_solution_and_no_hidden_test(edition):
             text = path.read_text()
             assert text not in hidden
             assert path.suffix != '.ipynb' or 'BEGIN SOLUTION' not in text
+
+
+def test_each_notebook_has_its_figures(edition):
+    addresses = {
+        notebook.parent / address
+        for notebook in (edition / 'notebooks').glob('*.ipynb')
+        for address in re.findall(r'\]\(([^)\s]+\.svg)\)', notebook.read_text())
+    }
+    assert addresses and addresses == set((edition / 'notebooks' / 'figures').iterdir())
 
 
 def test_it_works_by_itself(edition):

@@ -12,6 +12,7 @@ from grading.authoring import chapter as chapters
 from grading.edition import pages
 from grading.tests.authoring import sources
 from grading.tests.authoring.conftest import built, make_without_kernel, tree  # noqa: F401 - fixtures
+from grading.tests.authoring.test_figures import illustrated  # noqa: F401 - a fixture
 from helpers import paths
 from helpers.show.views import recording
 
@@ -54,6 +55,13 @@ def test_a_hint_stays_folded(built, tmp_path):  # noqa: F811
     make_without_kernel(built)
     _, page = pages.write(built, tmp_path / 'pages', say=lambda line: None)
     assert re.search(r'<summary>Hint</summary>\s*<p>A <strong>hint</strong>.</p>\s*</details>', page.read_text())
+
+
+def test_a_page_brings_its_figures(illustrated, tmp_path):  # noqa: F811
+    _, page = pages.write(illustrated, tmp_path / 'pages', say=lambda line: None)
+    (address,) = re.findall(r'<img[^>]* src="([^"]+)"', page.read_text())
+    assert (page.parent / address).read_bytes() == (illustrated.pictures / 'a_box.svg').read_bytes()
+    assert 'alt="A box with a word."' in page.read_text()
 
 
 def test_a_folder_that_is_not_empty_is_refused(built, tmp_path):  # noqa: F811

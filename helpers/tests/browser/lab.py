@@ -50,9 +50,10 @@ MOST_TABS = 200  # so many presses reach everything of the start page
 
 
 def copy_notebooks(folder: Path) -> Path:
-    """The learner's notebooks and the start page, in a folder of their own."""
+    """The learner's notebooks with their figures and the start page, in a folder of their own."""
     for path in paths.NOTEBOOKS.glob('*.ipynb'):
         shutil.copy2(path, folder)
+    shutil.copytree(paths.NOTEBOOKS / 'figures', folder / 'figures')
     start_page.write(folder)
     return folder
 

@@ -1,0 +1,32 @@
+"""Chapter 7: the questions from top to bottom, with their tools."""
+
+from grading.authoring.drawing import NOTE, Sheet
+
+ALT = (
+    'Six steps from top to bottom. Question 0: is this terminal the one that I think it is? Then the five '
+    'questions: what runs, who talks to whom, same name, type and QoS, same domain, same time. Beside each '
+    'question stands its tool. One goes on only with the answer.'
+)
+STEPS = (
+    ('Is this terminal the one that I think it is?', '`which ros2`, `env`, `ros2 doctor`'),
+    ('**What runs?**', '`ros2 node list`, the last lines'),
+    ('**Who talks to whom?**', '`ros2 node info`, `show_graph()`'),
+    ('**Same name, same type, same QoS?**', '`ros2 topic info --verbose`'),
+    ('**Same domain?**', '`ROS_DOMAIN_ID`, discovery range'),
+    ('**Same time?**', 'stamps, `use_sim_time`'),
+)
+
+
+def draw():
+    sheet = Sheet('Five questions', height=390)
+    before = None
+    for number, (question, tool) in enumerate(STEPS):
+        y = 18 + 60 * number
+        box = sheet.box(56, y, 344, 40, question, colour='blue' if number else 'muted', size=NOTE)
+        sheet.text(34, y + 20, str(number), bold=True)
+        sheet.text(420, y + 20, tool, anchor='start', size=NOTE)
+        if before:
+            sheet.arrow(before, box)
+        before = box
+    sheet.text(350, 374, 'Do not go on before you have the answer.', size=NOTE)
+    return sheet
