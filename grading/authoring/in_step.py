@@ -17,6 +17,8 @@ def drift(tree: Tree) -> list[str]:
         lines += _text_drift(tree.learner(chapter), notebooks.dumps(notebooks.learner(chapter)), tree)
     rows = [row for chapter in chapters for row in chapter.exercises()]
     lines += _text_drift(tree.manifest, manifest.dumps(rows), tree)
+    for name, text in build.pages(tree).items():
+        lines += _text_drift(tree.notebooks / name, text, tree)
     names = {f'{chapter.name}.ipynb' for chapter in chapters}
     for folder in (tree.solutions, tree.notebooks):
         found = sorted(path.name for path in folder.glob('*.ipynb'))

@@ -16,6 +16,8 @@ from helpers import paths
 from helpers.exercises import manifest, progress_file
 
 FILE = 'START.md'
+# Pages for all chapters beside the notebooks, made by the build.
+PAGES = (('GLOSSARY.md', 'glossary'), ('SYMPTOMS.md', 'symptoms and their causes'))
 _STEPS = 10  # boxes in a bar
 
 _TEMPLATE = """\
@@ -52,6 +54,10 @@ points are those of that check. Graders judge the same rules again, with other v
 | A, B | (outside of a cell) a new cell above, below |
 | 0 0 | restart the kernel: everything is forgotten, nothing is lost in the notebook |
 
+{% if pages %}
+For all chapters: {% for name, title in pages %}[{{ title }}]({{ name }}){{ ' · ' if not loop.last }}{% endfor %}.
+
+{% endif %}
 A second terminal with ROS in it: `./course shell`. When you are done: `./course submit --id YOUR-NAME`.
 
 {% for one in chapters %}
@@ -146,6 +152,7 @@ def text(folder: Path = paths.NOTEBOOKS) -> str:
         .render(
             chapters=chapters,
             next=next((one for one in chapters if one.open and one.readable), None),
+            pages=[(name, title) for name, title in PAGES if (folder / name).is_file()],
             damaged=[f'`{one.notebook}`' for one in chapters if not one.readable],
             missing=[
                 f'`{name}`'

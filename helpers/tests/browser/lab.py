@@ -53,6 +53,8 @@ def copy_notebooks(folder: Path) -> Path:
     """The learner's notebooks and the start page, in a folder of their own."""
     for path in paths.NOTEBOOKS.glob('*.ipynb'):
         shutil.copy2(path, folder)
+    for name, _ in start_page.PAGES:
+        shutil.copy2(paths.NOTEBOOKS / name, folder)
     start_page.write(folder)
     return folder
 
