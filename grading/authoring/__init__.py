@@ -33,7 +33,9 @@ The tags are nbval's (``nbval-check-output``, ``nbval-ignore-output``, ``nbval-s
 compares the output of every cell of the solved notebook that is not tagged ``nbval-ignore-output``. The learner's
 notebook loses the nbval tags: it must run, its output is not compared.
 
-Modules: `chapter` reads, `cards` reads the card of an exercise, `regions` splits an exercise, `rules` names an author's
-mistakes, `notebooks` makes both notebooks, `execution` runs one, `outputs` says what is kept of its outputs, `build`
-writes all, `in_step` proves it, `repeated` makes the notebooks that CI gives to nbval.
+Modules: `book` knows what chapters may refer to, `references` makes links of roles, `links` finds those that lead
+nowhere, `glossary` reads the terms, `indexes` makes the pages for all chapters, `quizzes` the questions, `checked` runs
+checked statements; `chapter` reads, `cards` reads the card of an exercise, `regions` splits an exercise, `rules` names
+an author's mistakes, `notebooks` makes both notebooks, `execution` runs one, `outputs` says what is kept of outputs,
+`build` writes all, `in_step` proves it, `repeated` makes the notebooks that CI gives to nbval.
 """

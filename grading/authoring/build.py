@@ -6,9 +6,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import nbformat
+from nbformat import NotebookNode
 
+from grading.authoring import book as books
 from grading.authoring import chapter as chapters
-from grading.authoring import execution, figures, notebooks, outputs, rules
+from grading.authoring import execution, figures, indexes, notebooks, outputs, rules
 from grading.authoring.chapter import Chapter
 from grading.authoring.errors import AuthoringError, ChapterErrors
 from helpers.exercises import manifest
@@ -59,10 +61,14 @@ def read_all(tree: Tree) -> list[Chapter]:
 
     :raises ChapterErrors: with all mistakes found.
     """
+    try:
+        book = books.load(tree.solutions)
+    except AuthoringError as error:
+        raise ChapterErrors([error]) from None
     read, errors = [], []
     for path in chapters.sources(tree.solutions):
         try:
-            read.append(chapters.read(path))
+            read.append(chapters.read(path, book))
         except AuthoringError as error:
             errors.append(error)
     errors += rules.check(read)
@@ -71,6 +77,11 @@ def read_all(tree: Tree) -> list[Chapter]:
     if errors:
         raise ChapterErrors(errors)
     return read
+
+
+def pages(tree: Tree) -> dict[str, str]:
+    """Return the pages for all chapters, glossary and symptoms, by file name; the sources are free of mistakes."""
+    return indexes.pages(tree.solutions, books.load(tree.solutions))
 
 
 def build(
@@ -82,7 +93,8 @@ def build(
 ) -> None:
     """Build the chapters numbered in ``selected`` (default: all) that differ from their sources, or all with ``force``.
 
-    Figures, learner's notebook and list of exercises are written first: ``check`` in the executed notebook needs
+    A chapter in which only prose has changed keeps its outputs and is not executed, unless with ``force``.
+    Figures, pages, learner's notebook and list of exercises are written first: ``check`` in the executed notebook needs
     the list.
 
     :param timeout: longest time of one cell, in seconds.
@@ -92,6 +104,8 @@ def build(
     all_chapters = read_all(tree)
     _write(tree.manifest, manifest.dumps(row for chapter in all_chapters for row in chapter.exercises()))
     _draw(tree)
+    for name, text in pages(tree).items():
+        _write(tree.notebooks / name, text)
     errors = []
     for chapter in all_chapters:
         if selected is not None and chapter.number not in selected:
@@ -102,9 +116,8 @@ def build(
         if not force and not solved_drift(tree, chapter):
             say(f'{chapter.name}: unchanged')
             continue
-        say(f'{chapter.name}: executing')
         try:
-            _write(tree.solved(chapter), _executed(tree, chapter, timeout))
+            _write(tree.solved(chapter), _executed(tree, chapter, timeout, not force, say))
         except AuthoringError as error:
             errors.append(error)
     if errors:
@@ -151,10 +164,14 @@ def _draw(tree: Tree) -> None:
             path.unlink()
 
 
-def _executed(tree: Tree, chapter: Chapter, timeout: float) -> str:
+def _executed(tree: Tree, chapter: Chapter, timeout: float, keep: bool, say: Callable[[str], None]) -> str:
     notebook = notebooks.solved(chapter)
-    execution.execute(notebook, chapter, tree.notebooks, timeout)
-    outputs.settle(notebook, tree.root)
+    if keep and _keep_outputs(tree.solved(chapter), notebook):
+        say(f'{chapter.name}: only its prose has changed')
+    else:
+        say(f'{chapter.name}: executing')
+        execution.execute(notebook, chapter, tree.notebooks, timeout)
+        outputs.settle(notebook, tree.root)
     text = notebooks.dumps(notebook)
     size = len(text.encode()) / 1e6
     if size > outputs.MAX_BYTES / 1e6:
@@ -165,6 +182,27 @@ def _executed(tree: Tree, chapter: Chapter, timeout: float) -> str:
             'make its outputs smaller: fewer or smaller pictures, a link instead of a page',
         )
     return text
+
+
+def _keep_outputs(path: Path, notebook: NotebookNode) -> bool:
+    """Give `notebook` the outputs of the executed one in `path` if only prose differs; tells whether it did."""
+    try:
+        old = nbformat.read(path, as_version=4)
+    except (OSError, ValueError, nbformat.ValidationError):
+        return False
+
+    def code(of):
+        return [cell for cell in of.cells if cell.cell_type == 'code']
+
+    pairs = list(zip(code(old), code(notebook), strict=False))
+    if len(code(old)) != len(code(notebook)) or any(
+        one.execution_count is None or (one.id, one.source, one.metadata) != (other.id, other.source, other.metadata)
+        for one, other in pairs
+    ):
+        return False
+    for one, other in pairs:
+        other.outputs, other.execution_count = one.outputs, one.execution_count
+    return True
 
 
 def _write(path: Path, text: str) -> None:

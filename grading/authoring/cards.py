@@ -17,11 +17,12 @@ from dataclasses import dataclass
 
 import yaml
 
+from grading.authoring.errors import CellError
 from helpers.exercises.manifest import Rule
 
 LEVEL = '###'
 CHECK_TAGS = ('nbval-ignore-output',)
-_BEGIN = re.compile(r'```+\s*\{exercise\}(.*)')
+BEGIN = re.compile(r'```+\s*\{exercise\}(.*)')
 _HEAD = re.compile(r'(\d+\.[1-9]\d*)\s+(\S.*)')
 _ROLE = re.compile(r'\{rule\}`([^`\n]*)`[ \t]*')
 _NAME = re.compile(r'[a-z][a-z0-9]*([-_][a-z0-9]+)*')
@@ -30,12 +31,8 @@ EXAMPLE = '```{exercise} 3.1 a beacon'
 _OPTIONS = ('points', 'names', 'check')
 
 
-class CardError(ValueError):
-    """A mistake in a card. `offset` counts the lines of the Markdown cell from 0."""
-
-    def __init__(self, offset: int, problem: str, remedy: str):
-        self.offset, self.problem, self.remedy = offset, problem, remedy
-        super().__init__(f'{problem}; {remedy}')
+class CardError(CellError):
+    """A mistake in a card."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +84,7 @@ def read(source: str, chapter: int, in_card: bool) -> Part:
     lines, card, begin, shown = source.split('\n'), None, 0, []
     index = 0
     while index < len(lines):
-        match = _BEGIN.fullmatch(lines[index].rstrip())
+        match = BEGIN.fullmatch(lines[index].rstrip())
         if not match:
             shown.append(lines[index])
             index += 1
@@ -97,7 +94,7 @@ def read(source: str, chapter: int, in_card: bool) -> Part:
         end = next((k for k in range(index + 1, len(lines)) if lines[k].strip().startswith('```')), None)
         if end is None:
             raise CardError(index, 'the directive of an exercise has no end', 'close it with ```')
-        card, begin = _declared(match[1].strip(), lines[index + 1 : end], index, chapter), index
+        card, begin = declared(match[1].strip(), lines[index + 1 : end], index, chapter), index
         shown.append(card.heading)
         index = end + 1
     found = [(index, match) for index, line in enumerate(lines) for match in _ROLE.finditer(line)]
@@ -110,8 +107,8 @@ def read(source: str, chapter: int, in_card: bool) -> Part:
     return Part(_ROLE.sub(lambda match: f'**{match[1]}**: ', '\n'.join(shown)), card, rules, begin)
 
 
-def _declared(head: str, options: list[str], offset: int, chapter: int) -> Card:
-    """The card of a directive, from the text behind its name and the lines of its options."""
+def declared(head: str, options: list[str], offset: int, chapter: int) -> Card:
+    """Return the card of a directive, from the text behind its name and the lines of its options."""
     match = _HEAD.fullmatch(head)
     if not match:
         raise CardError(offset, f'exercise {head!r} without id or title', f'write {EXAMPLE}')
@@ -175,7 +172,7 @@ def plain(markdown: str) -> str:
         return f'\0{len(spans) - 1}\0'
 
     text = re.sub(r'(`+).+?\1', keep, markdown, flags=re.DOTALL)
-    text = re.sub(r'!?\[([^\]]*)\]\([^)]*\)', r'\1', text)
+    text = re.sub(r'!?\[([^\]]*)\]\((?:[^()]|\([^()]*\))*\)', r'\1', text)
     for mark in (r'\*\*\*', r'\*\*', r'\*'):
         text = re.sub(rf'{mark}(?=\S)(.+?)(?<=\S){mark}', r'\1', text, flags=re.DOTALL)
     text = re.sub(r'(?<!\w)(_{1,2})(?=\S)(.+?)(?<=\S)\1(?!\w)', r'\2', text, flags=re.DOTALL)

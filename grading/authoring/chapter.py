@@ -1,19 +1,23 @@
 """A chapter's source, `solutions/NN_name.md`, read into cells that know their line numbers."""
 
+import ast
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import yaml
 from jupytext.myst import MystMetadataParsingError, myst_to_notebook
 from nbformat import ValidationError
 
-from grading.authoring import cards, figures, regions
+from grading.authoring import book as books
+from grading.authoring import cards, checked, figures, indexes, quizzes, references, regions
+from grading.authoring.book import FILE_NAME, Book, sources
 from grading.authoring.cards import Card
-from grading.authoring.errors import AuthoringError
+from grading.authoring.errors import AuthoringError, CellError
 from helpers.exercises import cell_ids, manifest
 
-FILE_NAME = re.compile(r'(\d\d)_[a-z0-9_]+\.md')
+__all__ = ['Chapter', 'SourceCell', 'read', 'sources']
+QUESTIONS = '### Check yourself'  # before this heading stand the chapter's new words
 
 
 @dataclass(frozen=True)
@@ -28,6 +32,8 @@ class SourceCell:
     card: Card | None = None  # of the exercise of which this is the answer cell
     rules: tuple[manifest.Rule, ...] = ()  # of that card
     figures: tuple[str, ...] = ()  # that are shown in it
+    checked: str = ''  # statements that must hold after it, see `checked`
+    checked_line: int = 0  # of their first line
 
     @property
     def exercise(self) -> dict | None:
@@ -37,7 +43,8 @@ class SourceCell:
     @property
     def metadata(self) -> dict:
         """The cell's metadata in the solved notebook."""
-        return ({'exercise': self.exercise} if self.card else {}) | self.author_metadata
+        statements = {checked.KEY: self.checked} if self.checked else {}
+        return ({'exercise': self.exercise} if self.card else {}) | statements | self.author_metadata
 
     @property
     def tags(self) -> list[str]:
@@ -57,6 +64,7 @@ class Chapter:
     path: Path
     number: int
     cells: tuple[SourceCell, ...]
+    book: Book = field(compare=False, repr=False)  # what it may refer to
 
     @property
     def name(self) -> str:
@@ -82,15 +90,11 @@ class Chapter:
         ]
 
 
-def sources(folder: Path) -> list[Path]:
-    """Return the chapters' sources in ``folder``, in order."""
-    return sorted(path for path in folder.glob('*.md') if FILE_NAME.fullmatch(path.name))
-
-
-def read(path: Path) -> Chapter:
+def read(path: Path, book: Book | None = None) -> Chapter:
     """Read one source.
 
-    :raises AuthoringError: the file is no MyST notebook, or its solution markers do not match.
+    :param book: what it may refer to; default: the sources in its folder.
+    :raises AuthoringError: the file is no MyST notebook, or a marker, role or directive in it is wrong.
     """
     match = FILE_NAME.fullmatch(path.name)
     if not match:
@@ -108,22 +112,23 @@ def read(path: Path) -> Chapter:
         raise AuthoringError(path, line, f'metadata: {error.message}', 'write tags as :tags: [name, …]') from None
     lines = text.splitlines()
     starts = notebook.metadata.source_map
-    reader = _Reader(path, int(match[1]))
+    reader = _Reader(path, int(match[1]), book or books.load(path.parent))
     for cell, start in zip(notebook.cells, starts, strict=True):
         line = _first_line(cell.source.splitlines(), lines, start) + 1
         try:
             reader.add(cell, line)
-        except (regions.MarkerError, cards.CardError, figures.FigureError) as error:
+        except CellError as error:
             raise AuthoringError(path, line + error.offset, error.problem, error.remedy) from None
     reader.end()
-    return Chapter(path, reader.number, tuple(reader.cells))
+    return Chapter(path, reader.number, tuple(reader.cells), reader.book)
 
 
 class _Reader:
     """Takes the cells of a source one after the other, and adds what the build makes for exercises."""
 
-    def __init__(self, path: Path, number: int):
-        self.path, self.number = path, number
+    def __init__(self, path: Path, number: int, book: Book):
+        self.path, self.number, self.book = path, number, book
+        self._quizzes = 0
         self.cells: list[SourceCell] = []
         self._card: Card | None = None  # an exercise that has no answer cell yet
         self._card_line = 0
@@ -152,7 +157,9 @@ class _Reader:
         self._place_check()
 
     def _markdown(self, source: str, metadata: dict, line: int) -> None:
-        part = cards.read(source, self.number, self._card is not None)
+        linked = references.render(source, self.book)  # the lines stay in their places
+        part = cards.read(linked, self.number, self._card is not None)
+        quizzes.render(linked, 1)  # its mistakes have the lines of the source
         if part.card:
             self.end()
             self._card, self._card_line, self._rules = part.card, line + part.begin, {}
@@ -161,7 +168,10 @@ class _Reader:
                 problem = f'the card has the rule {rule.name!r} twice'
                 raise AuthoringError(self.path, line + offset, problem, 'give each rule its own name')
             self._rules[rule.name] = rule
-        placed = figures.place(source, part.text, self.path.parent / figures.FOLDER)
+        text, self._quizzes = quizzes.render(part.text, self._quizzes + 1)
+        if words := indexes.new_words(self.book, self.number):
+            text = re.sub(f'(?m)^{QUESTIONS}$', f'### New words\n\n{words}\n\n{QUESTIONS}', text)
+        placed = figures.place(source, text, self.path.parent / figures.FOLDER)
         split = regions.Split(placed.solved, placed.learner, (), 0)
         self.cells.append(SourceCell('markdown', source, metadata, line, split, figures=placed.names))
 
@@ -176,6 +186,9 @@ class _Reader:
                 )
             self._place_check(line)
             return
+        if checked.KEY in metadata:
+            self._checked(source, metadata, line)
+            return
         split = regions.split(source)
         if not self._card or not split.regions:
             self.cells.append(SourceCell('code', source, metadata, line, split))
@@ -184,6 +197,22 @@ class _Reader:
         split = regions.Split(first + split.solved, first + split.stub, (0, *split.solved_lines), split.regions)
         self.cells.append(SourceCell('code', source, metadata, line, split, self._card, tuple(self._rules.values())))
         self._answered, self._card, self._after_answer = self._card, None, len(self.cells)
+
+    def _checked(self, source: str, metadata: dict, line: int) -> None:
+        above = self.cells[-1] if self.cells else None
+        if metadata != {checked.KEY: True}:
+            raise CellError(0, 'checked statements with other metadata', 'write :checked: true, and nothing else')
+        if above is None or above.kind != 'code' or above.checked:
+            raise CellError(
+                0, 'checked statements that do not follow a code cell', 'put them all in one block, directly below it'
+            )
+        try:
+            statements = ast.parse(source).body
+        except SyntaxError as error:
+            raise CellError((error.lineno or 1) - 1, f'checked statements: {error.msg}', 'mend the syntax') from None
+        if not any(isinstance(node, ast.Assert) for statement in statements for node in ast.walk(statement)):
+            raise CellError(0, 'checked statements without an assertion', 'write assert …')
+        self.cells[-1] = replace(above, checked=source, checked_line=line)
 
     def _place_check(self, line: int | None = None) -> None:
         """Add the check cell here, or, without a line, directly after the answer cell."""

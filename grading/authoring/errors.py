@@ -3,6 +3,14 @@
 from pathlib import Path
 
 
+class CellError(ValueError):
+    """A mistake in a cell. `offset` counts the lines of the cell from 0."""
+
+    def __init__(self, offset: int, problem: str, remedy: str):
+        self.offset, self.problem, self.remedy = offset, problem, remedy
+        super().__init__(f'{problem}; {remedy}')
+
+
 class AuthoringError(Exception):
     """A mistake in a chapter's source: where it is, what is wrong, and how to correct it, in one line."""
 

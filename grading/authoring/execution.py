@@ -10,7 +10,8 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 from nbformat import NotebookNode
 
-from grading.authoring.chapter import Chapter
+from grading.authoring import checked
+from grading.authoring.chapter import Chapter, SourceCell
 from grading.authoring.errors import AuthoringError
 from helpers.kernel import domains
 
@@ -42,7 +43,8 @@ def execute(
     :raises AuthoringError: a cell failed or took too long; the message names the line in the source.
     """
     metadata = dict(notebook.metadata)
-    client = NotebookClient(
+    client = _Client(
+        chapter,
         notebook,
         timeout=timeout,
         kernel_name=kernel_name(),
@@ -59,6 +61,44 @@ def execute(
             raise _explain(error, notebook, chapter, timeout) from None
     notebook.metadata.clear()
     notebook.metadata.update(metadata)  # nbclient writes the kernel's version there
+
+
+class _Client(NotebookClient):
+    """Runs a chapter's checked statements after their cells; the notebook and its counts know nothing of them."""
+
+    def __init__(self, chapter: Chapter, notebook: NotebookNode, **options):
+        super().__init__(notebook, **options)
+        self._chapter, self._recording = chapter, not any(cell.checked for cell in chapter.cells)
+
+    async def async_execute_cell(self, cell, cell_index, *args, **kwargs):
+        if not self._recording:
+            self._recording = True
+            await self._run(checked.RECORD, self._chapter.cells[0])
+        done = await super().async_execute_cell(cell, cell_index, *args, **kwargs)
+        source = self._chapter.cells[cell_index]
+        if source.checked:
+            path = f'{self._chapter.path.parent.name}/{self._chapter.path.name}'
+            await self._run(checked.code(source.checked, path, source.checked_line), source)
+        return done
+
+    async def _run(self, code: str, source: SourceCell) -> None:
+        try:
+            reply = await self.kc.execute_interactive(
+                code, store_history=False, timeout=self.timeout, output_hook=lambda message: None
+            )
+        except TimeoutError:
+            problem = f'the checked statements took more than {self.timeout:g} s'
+            raise AuthoringError(self._chapter.path, source.checked_line, problem, 'wait for nothing in them') from None
+        if reply['content']['status'] == 'error':
+            said = reply['content']['evalue']
+            place = re.match(r'line (\d+): ', said)
+            problem = said.removeprefix(place[0]) if place else said
+            raise AuthoringError(
+                self._chapter.path,
+                int(place[1]) if place else source.checked_line,
+                f'a checked statement failed with {reply["content"]["ename"]}: {problem}',
+                'mend the statement, the cell above it, or what the text says',
+            )
 
 
 def _explain(error, notebook, chapter, timeout) -> AuthoringError:

@@ -18,7 +18,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from grading.authoring.drawing import Sheet
-from grading.authoring.errors import AuthoringError
+from grading.authoring.errors import AuthoringError, CellError
 
 FOLDER = 'figures'  # in solutions/, with what draws them, and in notebooks/, with the pictures
 EXAMPLE = '```{figure} NAME'
@@ -27,12 +27,8 @@ _NAME = re.compile(r'[a-z][a-z0-9_]*')
 _UNFIT = re.compile(r'[\[\]\n`*<>]')  # in the text of a picture, Markdown reads them as marks
 
 
-class FigureError(ValueError):
-    """A mistake in a directive. `offset` counts the lines of the Markdown cell from 0."""
-
-    def __init__(self, offset: int, problem: str, remedy: str):
-        self.offset, self.problem, self.remedy = offset, problem, remedy
-        super().__init__(f'{problem}; {remedy}')
+class FigureError(CellError):
+    """A mistake in a directive."""
 
 
 @dataclass(frozen=True)
@@ -94,7 +90,7 @@ def _loaded(path: Path, text: str) -> Figure:
     try:
         names = runpy.run_path(str(path))
     except Exception as error:
-        raise AuthoringError(path, _line(error, path), f'{type(error).__name__}: {error}', 'mend it') from error
+        raise AuthoringError(path, _line(error, path), f'{type(error).__name__}: {error}', 'correct it') from error
     alt, draw = names.get('ALT'), names.get('draw')
     if not isinstance(alt, str) or not alt.strip():
         raise AuthoringError(path, 1, 'no alternative text', "say in ALT = '...' what the figure shows")
@@ -105,7 +101,7 @@ def _loaded(path: Path, text: str) -> Figure:
     try:
         sheet = draw()
     except Exception as error:
-        raise AuthoringError(path, _line(error, path), f'{type(error).__name__}: {error}', 'mend it') from error
+        raise AuthoringError(path, _line(error, path), f'{type(error).__name__}: {error}', 'correct it') from error
     if not isinstance(sheet, Sheet):
         raise AuthoringError(path, 1, 'draw() returns no Sheet', 'return the sheet at its end')
     return Figure(path.stem, alt, sheet, sheet.svg(path.stem, alt))

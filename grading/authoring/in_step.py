@@ -25,6 +25,8 @@ def drift(tree: Tree) -> list[str]:
         for path in sorted(tree.pictures.glob('*'))
         if path.name not in pictures
     ]
+    for name, text in build.pages(tree).items():
+        lines += _text_drift(tree.notebooks / name, text, tree)
     names = {f'{chapter.name}.ipynb' for chapter in chapters}
     for folder in (tree.solutions, tree.notebooks):
         found = sorted(path.name for path in folder.glob('*.ipynb'))

@@ -5,6 +5,7 @@ from collections import Counter
 import nbformat
 from nbformat import NotebookNode
 
+from grading.authoring import checked
 from grading.authoring.chapter import Chapter, SourceCell
 from helpers.exercises import cell_ids
 
@@ -51,7 +52,7 @@ def _notebook(chapter, form):
 
 def _learner_metadata(metadata: dict) -> dict:
     """Outputs are not compared in the learner's notebook, so their tags go; an exercise cell is kept in place."""
-    kept = {key: value for key, value in metadata.items() if key != 'tags'}
+    kept = {key: value for key, value in metadata.items() if key not in ('tags', checked.KEY)}
     tags = [tag for tag in metadata.get('tags', []) if not tag.startswith('nbval-')]
     if tags:
         kept['tags'] = tags

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from grading.authoring.errors import CellError
+
 BEGIN, END, STUB = '# BEGIN SOLUTION', '# END SOLUTION', '# STUB:'
 PLACEHOLDER = '# Your code here.'
 
@@ -16,12 +18,8 @@ class Split:
     regions: int
 
 
-class MarkerError(ValueError):
-    """A marker is out of place. ``offset`` counts the lines of the cell from 0."""
-
-    def __init__(self, offset: int, problem: str, remedy: str):
-        self.offset, self.problem, self.remedy = offset, problem, remedy
-        super().__init__(f'{problem}; {remedy}')
+class MarkerError(CellError):
+    """A marker is out of place."""
 
 
 def has_marker(source: str) -> bool:

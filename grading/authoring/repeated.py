@@ -1,5 +1,7 @@
 """The notebooks that CI gives to nbval, each with a check at its end that nothing is left over.
 
+Checked statements run after their cells.
+
 A solved notebook runs twice in one kernel. The learner's has the same cells with stubs in them, so that its second run
 would prove what that of the solved one proves: it runs once.
 """
@@ -9,6 +11,8 @@ from pathlib import Path
 
 import nbformat
 from nbformat import NotebookNode
+
+from grading.authoring import checked
 
 RUNS = {'solutions': ('first', 'second'), 'notebooks': ('first',)}  # by the folder of a notebook
 SKIP = 'nbval-skip'
@@ -32,6 +36,8 @@ semicolons.honour()
 leftovers.note()""",
         )
     ]
+    if any(checked.KEY in cell.metadata for cell in notebook.cells):
+        cells.append(_cell('record', checked.RECORD))
     for run in runs:
         for cell in notebook.cells:
             if cell.cell_type == 'code':
@@ -39,6 +45,8 @@ leftovers.note()""",
                 if run == runs[0] and cell.outputs:
                     copy.metadata['tags'] = [tag for tag in cell.metadata.get('tags', []) if tag != SKIP]
                 cells.append(copy)
+                if checked.KEY in cell.metadata and SKIP not in copy.metadata.get('tags', []):
+                    cells.append(_cell(f'{copy.id}-checked', checked.code(cell.metadata[checked.KEY])))
     cells.append(_cell('leftovers', 'from grading.authoring import leftovers\nleftovers.check()'))
     return nbformat.from_dict({**notebook, 'cells': cells})
 

@@ -5,8 +5,8 @@ import re
 import statistics
 from collections.abc import Iterable, Iterator
 
-from grading.authoring import cards, regions
-from grading.authoring.chapter import Chapter, SourceCell
+from grading.authoring import cards, indexes, links, regions
+from grading.authoring.chapter import QUESTIONS, Chapter, SourceCell
 from grading.authoring.errors import AuthoringError
 from helpers.exercises import program
 
@@ -15,12 +15,15 @@ MAX_EXERCISE_LINES = 36  # an exercise's cell cannot be split, and may hold the 
 MEDIAN_LINES = 6
 METADATA = {'tags', 'editable', 'deletable', 'slideshow', 'jupyter'}
 NBVAL_TAGS = {'nbval-check-output', 'nbval-ignore-output', 'nbval-raises-exception', 'nbval-skip'}
+# Checked statements by chapter, see `checked`. Raise a number when a chapter has got more; never lower it.
+CHECKED_AT_LEAST = {1: 1, 2: 1, 3: 2, 4: 1, 5: 1, 6: 2, 7: 1, 8: 1}
 BY_HAND = re.compile(r"""check\(['"]\d+\.\d+['"]\)|# Exercise \d+\.\d+\b.*""")
 
 
 def check(chapters: Iterable[Chapter]) -> list[AuthoringError]:
     """Return all mistakes in ``chapters``, in order."""
-    errors: list[AuthoringError] = []
+    chapters = list(chapters)
+    errors: list[AuthoringError] = list(_terms(chapters))
     owners: dict[str, str] = {}
     for chapter in chapters:
         errors += _check_chapter(chapter)
@@ -44,11 +47,47 @@ def advice(chapter: Chapter) -> list[str]:
     return []
 
 
+def checked_counts(chapters: Iterable[Chapter]) -> dict[int, int]:
+    """Return how many checked statements each chapter has."""
+    return {
+        chapter.number: sum(
+            isinstance(node, ast.Assert) for cell in chapter.cells for node in ast.walk(ast.parse(cell.checked))
+        )
+        for chapter in chapters
+    }
+
+
+def _terms(chapters: list[Chapter]) -> Iterator[AuthoringError]:
+    """Yield terms that are marked twice in a chapter, or never, and chapters without a place for their new words."""
+    if not chapters:
+        return
+    book = chapters[0].book
+    for name, uses in book.uses.items():
+        for before, use in zip(uses, uses[1:], strict=False):
+            if before.path == use.path:
+                problem = f'the term {name!r} is marked twice in this chapter (first in line {before.line})'
+                yield AuthoringError(use.path, use.line, problem, 'mark its first use only')
+    for name, term in book.terms.items():
+        if book.glossary_file and name not in book.uses:
+            yield AuthoringError(
+                book.glossary_file, term.line, f'no chapter uses the term {name!r}', 'mark it or remove it'
+            )
+    for chapter in chapters:
+        text = '\n'.join(cell.source for cell in chapter.cells if cell.kind == 'markdown')
+        if indexes.new_words(book, chapter.number) and QUESTIONS not in text.splitlines():
+            problem = 'no place for the new words of this chapter'
+            yield AuthoringError(chapter.path, None, problem, f'add the heading {QUESTIONS!r}')
+
+
 def _check_chapter(chapter: Chapter) -> Iterator[AuthoringError]:
     first = chapter.cells[0] if chapter.cells else None
     if first is None or first.kind != 'markdown' or not first.source.startswith('# '):
         yield AuthoringError(chapter.path, 1, 'no title', "begin the text with a line '# N Title'")
     for cell in chapter.cells:
+        if cell.kind == 'markdown':
+            folder = chapter.path.parents[1] / 'notebooks'
+            for offset, problem, remedy in links.broken(cell.source, f'{chapter.name}.ipynb', chapter.book, folder):
+                yield AuthoringError(chapter.path, cell.line + offset, problem, remedy)
         if cell.kind == 'markdown' and regions.has_marker(cell.source):
             offset = next(i for i, line in enumerate(cell.source.splitlines()) if regions.has_marker(line))
             problem = 'solution marker in prose'

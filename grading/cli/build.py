@@ -51,6 +51,7 @@ def build(
             lines = in_step.drift(tree)
             for line in lines:
                 print(line)
+            _checked(builder.read_all(tree))
             print(
                 f'{len(lines)} generated files are out of step; run ./course build'
                 if lines
@@ -76,11 +77,20 @@ def build(
         raise typer.Exit(1) from None
 
 
+def _checked(chapters) -> None:
+    """Print how many checked statements each chapter has."""
+    from grading.authoring import rules
+
+    counts = rules.checked_counts(chapters).items()
+    print('checked statements by chapter:', ', '.join(f'{number:02}: {count}' for number, count in counts))
+
+
 def _rules(chapters, selected: set[int], tree) -> int:
     """Print the table of rules; returns the exit status."""
     from grading import variants
     from grading.authoring import coverage
 
+    _checked(chapters)
     rows = [row for chapter in chapters if not selected or chapter.number in selected for row in chapter.exercises()]
     try:
         table = coverage.table(rows, tree.manifest.parent)

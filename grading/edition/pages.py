@@ -24,7 +24,7 @@ from helpers.exercises import start_page
 from helpers.show.views import recording
 
 TEMPLATES = Path(__file__).with_name('templates')
-_TO_A_CHAPTER = re.compile(r'\]\((\d\d_\w+)\.ipynb\b')
+_TO_A_CHAPTER = re.compile(r'\]\((\d\d_\w+|GLOSSARY|SYMPTOMS)\.(?:ipynb|md)\b(#)?(?:heading=)?')
 SCENES = 'scenes'  # the folder of the views' pages, beside the chapters' pages
 
 
@@ -87,9 +87,18 @@ def write(
         path.write_text(_page(notebook, entries[number].title, around), encoding='utf-8')
         say(f'{path.name}: {path.stat().st_size / 1e6:.1f} MB')
         written.append(path)
+    extra = {}
+    for name, text in builder.pages(tree).items():
+        notebook = nbformat.v4.new_notebook(
+            cells=[nbformat.v4.new_markdown_cell(_TO_A_CHAPTER.sub(r'](\1.html\2', text))]
+        )
+        title = text.partition('\n')[0].lstrip('# ')
+        path = output / f'{Path(name).stem}.html'
+        path.write_text(_page(notebook, title, {'before': None, 'after': None, 'scenes': SCENES}), encoding='utf-8')
+        extra[title] = path.name
     contents = Environment(loader=FileSystemLoader(TEMPLATES), autoescape=True).get_template('contents.html.j2')
     index = output / 'index.html'
-    index.write_text(contents.render(chapters=entries) + '\n', encoding='utf-8')
+    index.write_text(contents.render(chapters=entries, extra=extra) + '\n', encoding='utf-8')
     return [index, *written]
 
 
@@ -103,7 +112,7 @@ def readable(chapter: Chapter, notebook: nbformat.NotebookNode) -> nbformat.Note
         if 'exercise' in cell.metadata or cell.cell_type == 'code' and cell.source.startswith('check('):
             cell.source, cell.outputs, cell.execution_count = stub.source, [], None
         elif cell.cell_type == 'markdown':
-            cell.source = _TO_A_CHAPTER.sub(r'](\1.html', stub.source)
+            cell.source = _TO_A_CHAPTER.sub(r'](\1.html\2', stub.source)
     return notebook
 
 

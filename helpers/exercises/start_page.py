@@ -16,6 +16,8 @@ from helpers import paths
 from helpers.exercises import manifest, progress_file
 
 FILE = 'START.md'
+# Pages for all chapters beside the notebooks, made by the build.
+PAGES = (('GLOSSARY.md', 'glossary'), ('SYMPTOMS.md', 'symptoms and their causes'))
 _STEPS = 10  # boxes in a bar
 
 _TEMPLATE = """\
@@ -55,6 +57,10 @@ points are those of that check. Graders judge the same rules again, with other v
 To go on in the middle of a chapter after a restart, add a cell there with `from helpers import resume; resume()`, save
 the notebook and run the cell: it brings back what the cells above it define, without their demonstrations.
 
+{% if pages %}
+For all chapters: {% for name, title in pages %}[{{ title }}]({{ name }}){{ ' · ' if not loop.last }}{% endfor %}.
+
+{% endif %}
 A second terminal with ROS in it: `./course shell`. When you are done: `./course submit --id YOUR-NAME`.
 
 {% for one in chapters %}
@@ -149,6 +155,7 @@ def text(folder: Path = paths.NOTEBOOKS) -> str:
         .render(
             chapters=chapters,
             next=next((one for one in chapters if one.open and one.readable), None),
+            pages=[(name, title) for name, title in PAGES if (folder / name).is_file()],
             damaged=[f'`{one.notebook}`' for one in chapters if not one.readable],
             missing=[
                 f'`{name}`'

@@ -56,15 +56,24 @@ def test_nothing_in_the_metadata_changes_from_build_to_build(tree):
     assert 'timestamp' not in text and 'iopub' not in text and '"version": "3.' not in text
 
 
-def test_an_unchanged_chapter_is_not_executed_again(built, monkeypatch):
+def test_a_chapter_is_executed_again_only_if_its_code_has_changed(built, monkeypatch):
     executed = []
     monkeypatch.setattr(execution, 'execute', lambda *args: executed.append(1))
     lines = []
     build.build(built, say=lines.append)
     assert executed == [] and lines == ['07_tiny: unchanged']
+    before = read(built.solved(only(built)))
     write(built, TINY.replace('Some prose.', 'Other prose.'))
     build.build(built, say=lines.append)
+    assert executed == [] and lines[1:] == ['07_tiny: only its prose has changed']
+    assert in_step.drift(built) == []
+    after = read(built.solved(only(built)))
+    assert [cell.get('outputs') for cell in after.cells] == [cell.get('outputs') for cell in before.cells]
+    write(built, TINY.replace("print('before')", "print('now')"))
+    build.build(built, say=lines.append)
     assert executed == [1]
+    build.build(built, force=True, say=lines.append)
+    assert executed == [1, 1]
 
 
 def test_only_the_selected_chapters_are_built(tree):

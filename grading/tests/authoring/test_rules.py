@@ -141,7 +141,7 @@ def test_the_directive_gives_heading_first_line_metadata_and_check(tree):
 
 CARD = """
 Write it. {rule}`once` Call it **once**, never
-`a__b__c` times. {rule}`twice-a_day` See [the *page*](x.html).
+`a__b__c` times. {rule}`twice-a_day` See [the *page*](https://a.org).
 
 1. {rule}`rate` It publishes **4 times a second**,
    as `*args` says:

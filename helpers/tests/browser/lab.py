@@ -54,6 +54,8 @@ def copy_notebooks(folder: Path) -> Path:
     for path in paths.NOTEBOOKS.glob('*.ipynb'):
         shutil.copy2(path, folder)
     shutil.copytree(paths.NOTEBOOKS / 'figures', folder / 'figures')
+    for name, _ in start_page.PAGES:
+        shutil.copy2(paths.NOTEBOOKS / name, folder)
     start_page.write(folder)
     return folder
 
