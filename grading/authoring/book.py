@@ -22,6 +22,7 @@ ROLE = re.compile(r'\{([a-z][a-z-]*)\}`([^`\n]*)`|(`+)(?!`).*?(?<!`)\3(?!`)')
 _OWN_TEXT = re.compile(r'(\S.*?)\s*<([^<>]+)>')
 _PLAIN = re.compile(r"[A-Za-z0-9\-._~:;,'()/?!*+=&@$]+")
 _NUMBER = re.compile(r'([A-Z]?\d+\.\d+)\s')
+PROSE = ('{quiz}', '{figure}')  # directives whose bodies are text
 _FENCE = re.compile(r'\s*(`{3,}|~{3,})(.*)')
 
 
@@ -99,12 +100,12 @@ def load(folder: Path) -> Book:
 
 
 def prose(lines: list[str]) -> Iterator[tuple[int, str]]:
-    """Yield the lines outside of fences, with their offsets; those of a quiz are prose, too."""
+    """Yield the lines outside of fences, with their offsets; those of a quiz and of a figure are prose, too."""
     end, shown = '', True
     for offset, line in enumerate(lines):
         fence = _FENCE.fullmatch(line)
         if not end and fence and '`' not in fence[2]:
-            end, shown = fence[1], fence[2].strip() == '{quiz}'
+            end, shown = fence[1], fence[2].strip().startswith(PROSE)
         elif end and line.strip().startswith(end) and not line.strip().strip(end[0]):
             end, shown = '', True
         elif shown:

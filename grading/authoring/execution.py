@@ -4,6 +4,7 @@ import os
 import re
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from jupyter_client.kernelspec import KernelSpecManager, NoSuchKernel
 from nbclient import NotebookClient
@@ -82,8 +83,9 @@ class _Client(NotebookClient):
         return done
 
     async def _run(self, code: str, source: SourceCell) -> None:
+        client: Any = self.kc  # asynchronous, as nbclient starts it
         try:
-            reply = await self.kc.execute_interactive(
+            reply = await client.execute_interactive(
                 code, store_history=False, timeout=self.timeout, output_hook=lambda message: None
             )
         except TimeoutError:

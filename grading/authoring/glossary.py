@@ -48,7 +48,7 @@ def read(path: Path) -> dict[str, Term]:
     except yaml.YAMLError as error:
         mark = getattr(error, 'problem_mark', None)
         raise AuthoringError(path, mark.line + 1 if mark else 1, 'no YAML', 'mend what stands there') from None
-    if not isinstance(entries, list):
+    if not isinstance(entries, list) or not isinstance(nodes, yaml.SequenceNode):
         raise AuthoringError(path, 1, 'no list of terms', 'write - term: …')
     terms: dict[str, Term] = {}
     for entry, node in zip(entries, nodes.value, strict=True):

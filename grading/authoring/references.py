@@ -6,6 +6,7 @@ same folder; the web edition gives them the names of its pages.
 """
 
 import re
+from functools import partial
 
 from grading.authoring import glossary
 from grading.authoring.book import ROLE, Book, prose, target
@@ -22,7 +23,7 @@ def render(source: str, book: Book) -> str:
     """
     lines = source.split('\n')
     for offset, line in prose(lines):
-        lines[offset] = ROLE.sub(lambda match, offset=offset: _link(match, offset, book), line)
+        lines[offset] = ROLE.sub(partial(_link, offset=offset, book=book), line)
     return '\n'.join(lines)
 
 
