@@ -1,6 +1,6 @@
 """Chapter 7: the questions from top to bottom, with their tools."""
 
-from grading.authoring.drawing import NOTE, Sheet
+from grading.authoring.drawing import NOTE, Sheet, stack
 
 ALT = (
     'Six steps from top to bottom. Question 0: is this terminal the one that I think it is? Then the five '
@@ -19,14 +19,12 @@ STEPS = (
 
 def draw():
     sheet = Sheet('Five questions', height=390)
-    before = None
-    for number, (question, tool) in enumerate(STEPS):
-        y = 18 + 60 * number
-        box = sheet.box(56, y, 344, 40, question, colour='blue' if number else 'muted', size=NOTE)
-        sheet.text(34, y + 20, str(number), bold=True)
-        sheet.text(420, y + 20, tool, anchor='start', size=NOTE)
-        if before:
-            sheet.arrow(before, box)
-        before = box
+    layers = [(question, 'blue' if number else 'muted') for number, (question, _) in enumerate(STEPS)]
+    boxes = stack(sheet, 56, 18, 344, layers, h=40, gap=20)
+    for number, (box, (_, tool)) in enumerate(zip(boxes, STEPS, strict=True)):
+        sheet.text(34, box.centre[1], str(number), bold=True)
+        sheet.text(420, box.centre[1], tool, anchor='start', size=NOTE)
+    for box, below in zip(boxes, boxes[1:], strict=False):
+        sheet.arrow(box, below)
     sheet.text(350, 374, 'Do not go on before you have the answer.', size=NOTE)
     return sheet

@@ -41,11 +41,11 @@ def panel(sheet, number, title, axes, nose, note):
         else:
             towards_you(sheet, x, y, colour)
             sheet.text(x + 17, y + 11, name, size=NOTE, colour=colour, bold=True)
-    sheet.text(x, 232, note, size=NOTE)
+    sheet.text(x, 216, note, size=NOTE)
 
 
 def draw():
-    sheet = Sheet('Axes and positive turns', height=262)
+    sheet = Sheet('Axes and positive turns', height=278)
     up, left, out = (0, -62), (-62, 0), (0, 0)
     panel(
         sheet,
@@ -79,6 +79,8 @@ def draw():
         [(-30, 24), (-30, -20), (30, -20), (30, 24)],
         'positive: the left\nside goes up',
     )
+    rule = 'Right hand: the thumb points along the axis, and the fingers curl in the positive sense.'
+    sheet.text(350, 258, rule, size=NOTE)
     for number in (1, 2, 3):
         turn(sheet, 92 + 172 * number, 128)
     return sheet

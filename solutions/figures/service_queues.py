@@ -16,11 +16,11 @@ def draw():
     boxes = [
         sheet.box(46, 30 + 60 * number, 100, 40, name, colour=colour) for number, (name, colour) in enumerate(CLIENTS)
     ]
-    cells = queue(sheet, 296, 92, ['', '', 'carl', 'ben', 'anna'], cell=42, height=36, size=NOTE)
-    sheet.text(401, 74, 'request queue, depth 10', size=NOTE)
+    cells = queue(sheet, 290, 92, [*[''] * 7, 'c', 'b', 'a'], cell=24, height=36)
+    sheet.text(410, 74, 'request queue, depth 10', size=NOTE)
     for number, box in enumerate(boxes):
         label = 'requests' if number == 0 else ''
-        sheet.arrow(box.right, (296, 100 + 10 * number), label, colour=CLIENTS[number][1], at=0.45)
+        sheet.arrow(box.right, (290, 100 + 10 * number), label, colour=CLIENTS[number][1], at=0.45)
     callback = sheet.box(560, 90, 108, 40, '`on_add`', colour='violet', plain=True)
     sheet.arrow(cells.right, callback)
     sheet.text(614, 74, 'one at a time', size=NOTE, colour='muted')

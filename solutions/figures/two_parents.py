@@ -15,10 +15,16 @@ def draw():
     table = sheet.box(30, 120, 110, 40, '`table`')
     gripper = sheet.box(230, 120, 110, 40, '`gripper`')
     cup = sheet.box(130, 230, 110, 40, '`cup`', colour='red')
-    sheet.arrow(world, table, 'x = 2', side='left', at=0.6)
-    sheet.arrow(world, gripper, 'x = 5, z = 1', side='right', at=0.75)
-    sheet.arrow(table, cup, 'x = 0.3', side='left', colour='red', dashed=True)
-    sheet.arrow(gripper, cup, 'z = 0.1', side='right', colour='red', dashed=True)
+    for parent, child, place, side, wrong in (
+        (world, table, 'x = 2', 'left', False),
+        (world, gripper, 'x = 5, z = 1', 'right', False),
+        (table, cup, 'x = 0.3', 'left', True),
+        (gripper, cup, 'z = 0.1', 'right', True),
+    ):
+        points = [parent.towards(child.centre), child.towards(parent.centre)]
+        colour = 'red' if wrong else 'muted'
+        sheet.line(points, colour=colour, dashed=wrong)
+        sheet.label(points, place, side=side, at=0.7 if parent is world else 0.5, colour=colour)
     sheet.text(540, 40, 'where is the cup in the world?', bold=True)
     for number, (who, place) in enumerate(
         (('table', '(2.3, 0, 0)'), ('gripper', '(5, 0, 1.1)'), ('table', '(2.3, 0, 0)'), ('gripper', '(5, 0, 1.1)'))

@@ -1,6 +1,6 @@
 """Chapter 2: three layers, and which package is found first."""
 
-from grading.authoring.drawing import NOTE, Sheet
+from grading.authoring.drawing import NOTE, Sheet, stack
 
 ALT = (
     'Three layers. On top the workspace top_ws with py_talker_listener version 4, below it ros2_ws with '
@@ -13,12 +13,11 @@ ALT = (
 def draw():
     sheet = Sheet('Layers of workspaces', height=300)
     layers = (
-        ('top_ws: overlay of ros2_ws', 'orange', 20),
-        ('ros2_ws: overlay of ROS', 'blue', 110),
-        ('the ROS installation: the underlay', 'muted', 200),
+        ('top_ws: overlay of ros2_ws', 'orange'),
+        ('ros2_ws: overlay of ROS', 'blue'),
+        ('the ROS installation: the underlay', 'muted'),
     )
-    for name, colour, y in layers:
-        sheet.box(130, y, 550, 80, heading=name, colour=colour)
+    stack(sheet, 130, 20, 550, layers, h=80, gap=10, heading=True)
     sheet.box(150, 54, 250, 34, '`py_talker_listener`, version 4', plain=True, size=NOTE, colour='orange')
     sheet.box(150, 144, 250, 34, '`py_talker_listener`, version 3', plain=True, size=NOTE, dashed=True)
     sheet.text(420, 161, 'hidden', anchor='start', size=NOTE, colour='muted')

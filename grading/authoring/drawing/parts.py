@@ -4,7 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from grading.authoring.drawing import style
-from grading.authoring.drawing.sheet import Box, Sheet
+from grading.authoring.drawing.geometry import Box
+from grading.authoring.drawing.sheet import Sheet
 
 
 def queue(
@@ -27,37 +28,30 @@ def queue(
 
 
 def stack(
-    sheet: Sheet, x: float, y: float, w: float, layers: Sequence[tuple[str, str]], *, h: float = 44, gap: float = 6
-) -> list[Box]:
-    """Draw layers (text, colour) one below the other, the uppermost first."""
-    return [
-        sheet.box(x, y + number * (h + gap), w, h, text, colour=colour) for number, (text, colour) in enumerate(layers)
-    ]
-
-
-def table(
     sheet: Sheet,
     x: float,
     y: float,
-    widths: Sequence[float],
-    rows: Sequence[Sequence[str | tuple[str, str]]],
+    w: float,
+    layers: Sequence[tuple[str, str]],
     *,
-    h: float = 34,
-    size: float = style.NOTE,
-) -> list[list[Box]]:
-    """Draw cells, each a text or a text and its colour; an empty text leaves its place free."""
-    drawn: list[list[Box]] = []
-    for number, row in enumerate(rows):
-        left, boxes = x, []
-        for width, cell in zip(widths, row, strict=True):
-            text, colour = (cell, 'muted') if isinstance(cell, str) else cell
-            place = Box(left, y + number * h, width, h)
-            if text:
-                sheet.box(place.x, place.y, width, h, text, colour=colour, round=0, size=size)
-            boxes.append(place)
-            left += width
-        drawn.append(boxes)
-    return drawn
+    h: float = 44,
+    gap: float = 6,
+    heading: bool = False,
+) -> list[Box]:
+    """Draw layers (text, colour) from top to bottom; as a `heading` the text leaves room below itself."""
+    return [
+        sheet.box(
+            x,
+            y + number * (h + gap),
+            w,
+            h,
+            '' if heading else text,
+            heading=text if heading else '',
+            colour=colour,
+            size=style.NOTE,
+        )
+        for number, (text, colour) in enumerate(layers)
+    ]
 
 
 @dataclass

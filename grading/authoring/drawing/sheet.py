@@ -6,68 +6,11 @@ from dataclasses import dataclass, field
 from xml.sax.saxutils import escape, quoteattr
 
 from grading.authoring.drawing import metrics, style
+from grading.authoring.drawing.geometry import Box, Point, Text, along, shortened
 
 WIDTH = 700
 GAP = 5  # between a line and its label
 HEAD = 9  # length of an arrow's head
-_CURVE = 16  # pieces of a curve
-
-Point = tuple[float, float]
-
-
-@dataclass(frozen=True)
-class Text:
-    """A block of text and the room that it takes."""
-
-    text: str
-    left: float
-    top: float
-    right: float
-    bottom: float
-    size: float
-
-
-@dataclass(frozen=True)
-class Box:
-    """A rectangle on the sheet."""
-
-    x: float
-    y: float
-    w: float
-    h: float
-
-    @property
-    def centre(self) -> Point:
-        return self.x + self.w / 2, self.y + self.h / 2
-
-    @property
-    def left(self) -> Point:
-        return self.on('left')
-
-    @property
-    def right(self) -> Point:
-        return self.on('right')
-
-    @property
-    def top(self) -> Point:
-        return self.on('top')
-
-    @property
-    def bottom(self) -> Point:
-        return self.on('bottom')
-
-    def on(self, side: str, part: float = 0.5) -> Point:
-        """A point of a side; `part` goes from left to right, or from top to bottom."""
-        if side in ('left', 'right'):
-            return self.x + (self.w if side == 'right' else 0), self.y + part * self.h
-        return self.x + part * self.w, self.y + (self.h if side == 'bottom' else 0)
-
-    def towards(self, point: Point) -> Point:
-        """Where the line from the centre to a point leaves the box."""
-        (cx, cy), (px, py) = self.centre, point
-        dx, dy = px - cx, py - cy
-        part = min(self.w / 2 / abs(dx) if dx else math.inf, self.h / 2 / abs(dy) if dy else math.inf)
-        return cx + dx * part, cy + dy * part
 
 
 @dataclass
@@ -175,7 +118,6 @@ class Sheet:
         label: str = '',
         *,
         via: Sequence[Point] = (),
-        bend: float = 0,
         side: str = '',
         at: float = 0.5,
         colour: str = 'muted',
@@ -186,7 +128,6 @@ class Sheet:
         """Draw an arrow, with a label beside its middle.
 
         :param via: corners between start and end.
-        :param bend: how far the arrow swings out to its left, in parts of its length; not together with `via`.
         :param side: of the label: 'above', 'below', 'left' or 'right'.
         :param at: the place of the label, in parts of the arrow's length.
         :param both: a head at both ends.
@@ -195,10 +136,10 @@ class Sheet:
         last = via[-1] if via else start.centre if isinstance(start, Box) else start
         begin = start.towards(first) if isinstance(start, Box) else start
         stop = end.towards(last) if isinstance(end, Box) else end
-        points = _curve(begin, stop, bend) if bend else [begin, *via, stop]
-        shaft = _shortened(points)
+        points = [begin, *via, stop]
+        shaft = shortened(points, HEAD / 2)
         if both:
-            shaft = _shortened(shaft[::-1])[::-1]
+            shaft = shortened(shaft[::-1], HEAD / 2)[::-1]
         self.line(shaft, colour=colour, dashed=dashed)
         self.head(points[-2], points[-1], colour)
         if both:
@@ -226,7 +167,7 @@ class Sheet:
         size: float = style.NOTE,
     ) -> None:
         """Write a label beside a line, so far away that it does not touch it."""
-        (x, y), (dx, dy) = _along(points, at)
+        (x, y), (dx, dy) = along(points, at)
         normals = {'above': (dy, -dx), 'below': (-dy, dx)}
         if not side:
             side = 'above' if abs(dx) >= abs(dy) else 'right'
@@ -290,35 +231,3 @@ def _spans(line: str, bold: bool) -> str:
         inside = escape(span.text)
         parts.append(f'<tspan{family}{weight}>{inside}</tspan>' if family or weight else inside)
     return ''.join(parts)
-
-
-def _curve(begin: Point, end: Point, bend: float) -> list[Point]:
-    """Points of a quadratic curve."""
-    (ax, ay), (bx, by) = begin, end
-    cx, cy = (ax + bx) / 2 + 2 * bend * (by - ay), (ay + by) / 2 - 2 * bend * (bx - ax)
-    parts = [number / _CURVE for number in range(_CURVE + 1)]
-    return [
-        ((1 - t) ** 2 * ax + 2 * t * (1 - t) * cx + t**2 * bx, (1 - t) ** 2 * ay + 2 * t * (1 - t) * cy + t**2 * by)
-        for t in parts
-    ]
-
-
-def _shortened(points: Sequence[Point]) -> list[Point]:
-    """The same line, ending inside of the arrow's head."""
-    (ax, ay), (bx, by) = points[-2], points[-1]
-    length = math.hypot(bx - ax, by - ay)
-    part = max(length - HEAD / 2, 0) / length if length else 0
-    return [*points[:-1], (ax + (bx - ax) * part, ay + (by - ay) * part)]
-
-
-def _along(points: Sequence[Point], at: float) -> tuple[Point, Point]:
-    """The point at this part of a line's length, and the direction there."""
-    pieces = list(zip(points, points[1:], strict=False))
-    lengths = [math.dist(a, b) for a, b in pieces]
-    left = at * sum(lengths)
-    for (a, b), length in zip(pieces, lengths, strict=True):
-        if length and left <= length + 1e-9:
-            dx, dy = (b[0] - a[0]) / length, (b[1] - a[1]) / length
-            return (a[0] + dx * left, a[1] + dy * left), (dx, dy)
-        left -= length
-    return points[-1], (1, 0)
