@@ -28,6 +28,7 @@ _HOME = {
     'cell_text': 'exercises.cell_text',
     'check': 'exercises.check',
     'collect': 'kernel.waiting',
+    'route_map': 'show.route_map',
     'routes': 'show.routes_table',
     'show_frames': 'show.views.frames_diagram',
     'show_graph': 'show.graph.view',
