@@ -1,14 +1,28 @@
 """A drawing of what needs what: lines from the chapters of the course to what comes after it."""
 
+from io import BytesIO
+
 import numpy as np
 
 
-def route_map(chapters: list[str], stacks: dict[str, tuple[int, ...]]):
+class Picture:
+    """A figure of matplotlib that any notebook shows, also one that has not imported pyplot."""
+
+    def __init__(self, figure):
+        self.figure = figure
+
+    def _repr_png_(self) -> bytes:
+        file = BytesIO()
+        self.figure.savefig(file, format='png', bbox_inches='tight')
+        return file.getvalue()
+
+
+def route_map(chapters: list[str], stacks: dict[str, tuple[int, ...]]) -> Picture:
     """Draw the chapters on the left, the stacks on the right, and a line between two that belong together.
 
     :param chapters: their names; the first one has the number 1.
     :param stacks: name -> the numbers of the chapters that it needs.
-    :return: the figure, which a notebook shows once.
+    :return: the drawing; `figure` is that of matplotlib.
     :raises ValueError: a stack needs a chapter that there is not.
     """
     from matplotlib.figure import Figure
@@ -31,4 +45,4 @@ def route_map(chapters: list[str], stacks: dict[str, tuple[int, ...]]):
         axes.text(1.03, end, stack, va='center', color=f'C{row}', weight='bold')
         for number in needed:
             axes.plot(along, -number + (end + number) * bend, color=f'C{row}')
-    return figure
+    return Picture(figure)

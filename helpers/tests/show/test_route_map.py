@@ -6,7 +6,9 @@ from helpers.show.route_map import route_map
 
 
 def test_one_line_for_each_chapter_that_a_stack_needs():
-    axes = route_map(['Topics', 'Services', 'Actions'], {'Driving': (1, 3), 'Arms': (2,)}).axes[0]
+    picture = route_map(['Topics', 'Services', 'Actions'], {'Driving': (1, 3), 'Arms': (2,)})
+    assert picture._repr_png_().startswith(b'\x89PNG')
+    axes = picture.figure.axes[0]
     assert {text.get_text() for text in axes.texts} == {'Topics', 'Services', 'Actions', 'Driving', 'Arms'}
     places = {text.get_text(): text.get_position()[1] for text in axes.texts}
     ends = [(line.get_ydata()[0], line.get_ydata()[-1]) for line in axes.lines]
