@@ -29,6 +29,7 @@ _HOME = {
     'check': 'exercises.check',
     'collect': 'kernel.waiting',
     'resume': 'exercises.resuming',
+    'route_map': 'show.route_map',
     'routes': 'show.routes_table',
     'show_frames': 'show.views.frames_diagram',
     'show_graph': 'show.graph.view',

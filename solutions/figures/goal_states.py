@@ -5,8 +5,8 @@ from grading.authoring.drawing import NOTE, Sheet
 ALT = (
     'The states of a goal. The goal callback answers ACCEPT or REJECT; after REJECT there is no goal. ACCEPTED '
     'becomes EXECUTING by execute(). From EXECUTING, succeed() leads to SUCCEEDED and abort() to ABORTED. A '
-    'cancel request that is accepted leads to CANCELING, from there canceled() leads to CANCELED; succeed() and '
-    'abort() are possible, too.'
+    'cancel request that is accepted leads from ACCEPTED or EXECUTING to CANCELING, from there canceled() leads to '
+    'CANCELED; succeed() and abort() are possible, too.'
 )
 
 
@@ -31,6 +31,6 @@ def draw():
     sheet.arrow(canceling.on('right', 0.2), (440, 200), 'or one\nof the two', side='above', at=0.4)
     sheet.arrow(canceling, canceled, '`canceled()`', colour='orange', side='below')
     sheet.text(
-        350, 346, 'The goal callback accepts or rejects. The other calls are those of the goal handle.', size=NOTE
+        350, 346, 'The calls are those of the goal handle. A cancel may also come before `execute()`.', size=NOTE
     )
     return sheet

@@ -1,6 +1,6 @@
-"""Faults to find: every row of chapter 7 as a small system that is broken, live, and can be repaired.
+"""Faults to find: every fault of chapter 7 as a small system that is broken, live, and can be repaired.
 
-    fault = faults.stage('A7.6', seed=3)    # or by name: faults.stage('no_data', seed=3)
+    fault = faults.stage('no_data', seed=3)
     fault                                   # what the system should do, and its files
     fault.symptom()                         # what its user sees
     fault.run('ros2 topic list')            # look at it with the real tools

@@ -34,7 +34,7 @@ FAULTS: tuple[type[Fault], ...] = (
 def plan(what: str, seed: int | str = 0, kind: str | None = None, folder=None, domain: int | None = None) -> Fault:
     """A fault that is drawn but not staged: nothing is written, nothing runs. For its ``files`` and ``diagnosis``.
 
-    :param what: row or name, such as ``'A7.6'`` or ``'no_data'``.
+    :param what: name or row, such as ``'no_data'`` or ``'A7.6'``.
     :param kind: one of the fault's ``kinds``; drawn from the seed if not given.
     :param folder: where to stage it; by default ``faults_ws/NAME`` in the current folder.
     :param domain: its ROS domain; by default that of the environment.
@@ -43,7 +43,7 @@ def plan(what: str, seed: int | str = 0, kind: str | None = None, folder=None, d
     for fault in FAULTS:
         if what in (fault.row, fault.name):
             return fault(seed, kind, folder, domain)
-    raise ValueError(f'there is no fault {what!r}: there are {", ".join(f"{f.row} ({f.name})" for f in FAULTS)}')
+    raise ValueError(f'there is no fault {what!r}: there are {", ".join(f.name for f in FAULTS)}')
 
 
 def stage(what: str, seed: int | str = 0, kind: str | None = None, folder=None, domain: int | None = None) -> Fault:

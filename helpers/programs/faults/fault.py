@@ -55,8 +55,8 @@ class Fault:
     it does its task. The same row, seed and kind give the same system, on every machine.
     """
 
-    row = ''  #: such as ``'A7.6'``
-    name = ''  #: one word for it
+    row = ''  #: its number in a finding of an exercise, such as ``'A7.6'``
+    name = ''  #: what the chapter calls it, such as ``'no_data'``
     title = ''  #: the symptom, as somebody would report it
     kinds: tuple[str, ...] = ()  #: the causes it may have
     machine = ''  #: the machine on which commands run; '' is this one
@@ -65,7 +65,7 @@ class Fault:
 
     def __init__(self, seed: int | str = 0, kind: str | None = None, folder=None, domain: int | None = None):
         if kind is not None and kind not in self.kinds:
-            raise ValueError(f'{self.row} has no kind {kind!r}: it has {", ".join(self.kinds)}')
+            raise ValueError(f'{self.name} has no kind {kind!r}: it has {", ".join(self.kinds)}')
         self.seed = seed
         self.random = random.Random(f'{self.row} {seed}')
         drawn = self.random.choice(self.kinds)
@@ -224,7 +224,7 @@ class Fault:
 
     def __repr__(self) -> str:
         files = '\n'.join(f'    {name}' for name in sorted(self.files))
-        return f'{self.row}: {self.title}\n{self.task}\nFiles in {_relative(self.path)}:\n{files}'
+        return f'{self.name}: {self.title}\n{self.task}\nFiles in {_relative(self.path)}:\n{files}'
 
     # What a subclass uses.
 
