@@ -113,4 +113,12 @@ MUTANTS = [
             '''),
             (STAMP, 'stamp = Time(seconds=scan.header.stamp.sec, clock_type=ClockType.ROS_TIME)')), expect='scan_gap',
            breaks='gap', also=('limit', 'own-state', 'old')),
+    Mutant('stamp_zero_is_none', edits=((STAMP, 'stamp = scan.header.stamp.sec + scan.header.stamp.nanosec / 1e9'),
+           ('gap = (stamp - (self.newest or stamp)).nanoseconds / 1e9', 'gap = stamp - (self.newest or stamp)')),
+           expect='nothing came on scan_gap', breaks='gap'),
+    Mutant('silence_is_a_gap', old='def on_second(self):', new='''
+        def on_second(self):
+            if self.newest is not None and not self.count:
+                self.gap.publish(Float64(data=1.0))
+        ''', expect='silence alone makes no gap', breaks='gap', also=('at-once', 'own-state', 'limit')),
 ]

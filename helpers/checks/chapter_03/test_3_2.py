@@ -42,6 +42,8 @@ def test_relay(learner):
     count = random.randint(5, 9)
     burst = [reading(random) for _ in range(count)]
     burst[2].range = burst[1].range  # an object that does not move: a message like any other
+    burst[3] = reading(random, range=0.0, min_range=0.0, variance=0.0)  # zero is a number like any other
+    burst[4] = reading(random, range=random.uniform(0.1, 0.9))  # nearer than min_range: a relay leaves out nothing
     sensor.send(*burst)
     learner.settle()
     check_number(heard, len(echoes) + count, 'one-each')
