@@ -121,4 +121,7 @@ MUTANTS = [
             if self.newest is not None and not self.count:
                 self.gap.publish(Float64(data=1.0))
         ''', expect='silence alone makes no gap', breaks='gap', also=('at-once', 'own-state', 'limit')),
+    Mutant('as_the_first_publisher', old="(LaserScan, 'scan', self.on_scan, sensor)",
+           new="(LaserScan, 'scan', self.on_scan, qos_profile_best_available)",
+           imports='from rclpy.qos import qos_profile_best_available', expect='requests RELIABLE', breaks='any-lidar'),
 ]

@@ -74,7 +74,7 @@ def test_order_of_the_message(learner):
 
 @pytest.mark.rules('success', 'one-thread')
 @about('one-thread')
-@pytest.mark.parametrize('success', [(True, False), (False, True), (False, False)], ids=str)
+@pytest.mark.parametrize('success', [(True, False), (False, True), (False, False), (True, True)], ids=str)
 def test_success(learner, success):
     """success is True only if both parts have it.
 
@@ -84,7 +84,11 @@ def test_success(learner, success):
     call = status.send()
     learner.run(0.5)
     expect(call.done, NEVER, 'one-thread')
-    expect(not call.response.success, f'The parts say {success[0]} and {success[1]}, the status says True.', 'success')
+    expect(
+        call.response.success is all(success),
+        f'The parts say {success[0]} and {success[1]}, the status says {call.response.success}.',
+        'success',
+    )
 
 
 @pytest.mark.rules('fresh', 'one-thread')
