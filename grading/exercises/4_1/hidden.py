@@ -20,6 +20,7 @@ def gripper(learner, answer, *args, delay=0.0, **options):
 
 @pytest.mark.weight(2)
 @pytest.mark.rules('late', 'request')
+@about('late')
 def test_late_answers(learner):
     """An answer that comes after its timeout is ignored.
 
@@ -90,6 +91,7 @@ def test_timeout_and_tries(learner):
     words = f'GripperClient({timeout}, {tries}), a silent server, a command at 0.7 s: '
     wanted = [round(0.7 + n * timeout, 3) for n in range(tries)]
     seen = [round(stamp, 3) for stamp in server.stamps]
+    expect(len(seen) > 1, f'{words}no second request came. When the timeout is over, send the next one.', 'timeout')
     expect(seen[:tries] == wanted[: len(seen)], f'{words}requests at {seen} s, expected at {wanted} s.', 'timeout')
     expect(
         len(seen) == tries,
@@ -127,6 +129,7 @@ def test_a_refusal_is_an_answer(learner):
 
 @pytest.mark.weight(2)
 @pytest.mark.rules('newest', 'request')
+@about('newest')
 def test_the_newest_command_wins(learner):
     """A new command drops the old one, without a report, and begins with all its tries.
 
