@@ -80,6 +80,7 @@ def test_timeout_and_tries(learner):
     close.send(Bool(data=data))
     with about('request'):
         learner.settle()
+    expect(not learner.slept, 'A callback sleeps, and the whole node stands still meanwhile.', 'timeout')
     expect(server.stamps, 'A command made no request at once.', 'request')
     with about('timeout'):
         learner.run(timeout * (tries + 1) + 1.0)
@@ -141,6 +142,9 @@ def test_the_newest_command_wins(learner):
     learner.run(0.5)
     close.send(Bool(data=False))
     learner.run(3.0)
+    if [round(stamp, 3) for stamp in server.stamps] == [0.2, 0.7]:
+        data = [request.data for request in server.requests]
+        expect(data == [True, False], f'close said True, then False; the requests say {data}.', 'request')
     asked = [(round(stamp, 3), request.data) for stamp, request in zip(server.stamps, server.requests, strict=True)]
     expect(
         asked[:2] == [(0.2, True), (0.7, False)],
@@ -210,7 +214,7 @@ def test_burst(learner):
     """
     _, close, server = gripper(learner, None)
     close.send(*[Bool(data=bool(number % 2)) for number in range(10)])
-    learner.settle()
+    learner.run(0.5)
     expect(len(server.requests) == 10, f'Ten commands at one moment made {len(server.requests)} requests, expected 10.')
 
 

@@ -72,7 +72,7 @@ def test_order_of_the_message(learner):
         node.stop()
 
 
-@pytest.mark.rules('success', 'one-thread')
+@pytest.mark.rules('success', 'message', 'one-thread')
 @about('one-thread')
 @pytest.mark.parametrize('success', [(True, False), (False, True), (False, False), (True, True)], ids=str)
 def test_success(learner, success):
@@ -88,6 +88,11 @@ def test_success(learner, success):
         call.response.success is all(success),
         f'The parts say {success[0]} and {success[1]}, the status says {call.response.success}.',
         'success',
+    )
+    expect(
+        call.response.message == 'battery: battery is here; lidar: lidar is here',
+        f'The parts say {success[0]} and {success[1]}; the message of the status is {call.response.message!r}.',
+        'message',
     )
 
 

@@ -100,4 +100,11 @@ MUTANTS = [
             self.futures = [client.call_async(Trigger.Request()) for client in (self.battery, self.lidar)]
         battery, lidar = [await future for future in self.futures]
         ''', expect='battery/check was asked 1 time, expected 2'),
+    Mutant('stops_at_a_battery_that_is_not_well', breaks='message', also='callers', old=AWAIT, new='''
+        battery = await futures[0]
+        if not battery.success:
+            response.message = f'battery: {battery.message}'
+            return response
+        lidar = await futures[1]
+        ''', expect='The message of the status is'),
 ]
