@@ -28,9 +28,9 @@ class Elsewhere:
         self._thread: threading.Thread | None = None
         self._matched: dict[str, int] = {}  # publishers that there have ever been, by topic
 
-    def listen(self, topic: str, msg_type) -> list:
-        """The list in which messages of `topic` appear while this node spins."""
-        heard: list = []
+    def listen(self, topic: str, msg_type, heard: list | None = None) -> list:
+        """The list in which messages of `topic` appear while this node spins; `heard`, if it is given."""
+        heard = [] if heard is None else heard
 
         def matched(info) -> None:
             self._matched[topic] = info.total_count

@@ -44,7 +44,7 @@ def explain(kind: str, text: str, early: str = '', elsewhere: Mapping[str, str] 
             f'`result()` was asked {early}, before the answer had come, and gave None. Go on in a done-callback, '
             'or after `await future`.'
         )
-    if kind == 'RuntimeError' and text == 'no running event loop':
+    if kind == 'RuntimeError' and text in ('no running event loop', "await wasn't used with future"):
         return (
             "rclpy's `await` is not asyncio: no event loop runs. Use futures, timers and callbacks of rclpy "
             'instead of functions of asyncio.'

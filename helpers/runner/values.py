@@ -33,6 +33,10 @@ class Opaque:
         return f'an object of type {self.type}'
 
 
+class SetAsList(list):
+    """A returned set, as a sorted list: for tests that want it to have been a list."""
+
+
 def type_name(message_class) -> str:
     """'std_msgs/msg/String' for the class std_msgs.msg.String."""
     package, kind, *_ = message_class.__module__.split('.')
@@ -53,9 +57,10 @@ def encode(value, depth: int = 0):
         return None
     if isinstance(value, (bytes, bytearray)):
         return {'$bytes': base64.b64encode(bytes(value)).decode()}
-    if isinstance(value, (list, tuple, set, frozenset, deque, KeysView, ValuesView)):
-        items = sorted(value, key=repr) if isinstance(value, (set, frozenset)) else value
-        return [encode(item, depth + 1) for item in items]
+    if isinstance(value, (set, frozenset)):
+        return {'$set': [encode(item, depth + 1) for item in sorted(value, key=repr)]}
+    if isinstance(value, (list, tuple, deque, KeysView, ValuesView)):
+        return [encode(item, depth + 1) for item in value]
     if isinstance(value, dict):
         return {'$dict': [[encode(k, depth + 1), encode(v, depth + 1)] for k, v in value.items()]}
     if isinstance(value, QoSProfile):
@@ -93,6 +98,8 @@ def decode(value, depth: int = 0):
         match value:
             case {'$bytes': str(data)}:
                 return base64.b64decode(data)
+            case {'$set': list(items)}:
+                return SetAsList(decode(item, depth + 1) for item in items)
             case {'$dict': list(items)}:
                 return {_hashable(decode(k, depth + 1)): decode(v, depth + 1) for k, v in items}
             case {'$qos': [history, size, reliability, durability, liveliness, deadline, lifespan]}:

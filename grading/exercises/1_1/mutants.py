@@ -33,7 +33,7 @@ def choose_distribution(ubuntu, today, releases=RELEASES):
     Mutant('dictionary_of_two', source='''
 def choose_distribution(ubuntu, today, releases=RELEASES):
     return {'24.04': ('jazzy', 'supported'), '20.04': (None, 'end of life')}.get(ubuntu, (None, 'unknown Ubuntu'))
-''', expect='expected', breaks='ends-last', also=('months', 'ended', 'to-come', 'table')),
+''', expect='expected', breaks='months', also=('ends-last', 'ended', 'to-come', 'table')),
     Mutant('ends_first', old='return max(supported', new='return min(supported', expect='whose support ends last',
            breaks='ends-last'),
     Mutant('first_found', old='return max(supported, key=lambda name: mine[name][2]),', new='return supported[0],',
@@ -67,4 +67,13 @@ def choose_distribution(ubuntu, today, releases=RELEASES):
     Mutant('years_only', edits=(('month = today[:7]', 'month = today[:4]'),
                                 ('first <= month <= last', 'first[:4] <= month <= last[:4]')), expect='expected',
            breaks='ended', also=('months', 'to-come', 'ends-last', 'table')),
+    Mutant('longest_support', old='key=lambda name: mine[name][2])',
+           new='key=lambda name: int(mine[name][2][:4]) - int(mine[name][1][:4]))', expect='whose support ends last',
+           breaks='ends-last'),
+    Mutant('months_of_thirty_days', edits=(('month = today[:7]', 'month = today'),
+                                           ('first <= month <= last', "first <= month <= last + '-30'")),
+           expect='on every day of them', breaks='months'),
+    Mutant('exchanged_pair', old="return max(supported, key=lambda name: mine[name][2]), 'supported'",
+           new="return 'supported', max(supported, key=lambda name: mine[name][2])",
+           expect='the name comes first, then the reason', breaks='pair'),
 ]

@@ -59,4 +59,12 @@ MUTANTS = [
         ''', new='''
         domain = environ.get('ROS_DOMAIN_ID', 'none')
         ''', expect='ROS_DOMAIN_ID', breaks='missing'),
+    Mutant('all_variables_named', old='return faults', new='return {name: faults.get(name) for name in NAMES}',
+           imports="NAMES = ('AMENT_PREFIX_PATH', 'PYTHONPATH', 'ROS_DOMAIN_ID', 'ROS_AUTOMATIC_DISCOVERY_RANGE')",
+           expect='must not be in the dictionary', breaks='dictionary'),
+    Mutant('opt_ros_anywhere', old=DISTROS, new="distros = set(re.findall('/opt/ros/([a-z]+)', prefixes))",
+           imports='import re', expect='Only what begins with /opt/ros/', breaks='workspace'),
+    Mutant('localhost_is_a_fault', old="if reach == 'OFF' or reach not in RANGES:",
+           new="if reach in ('OFF', 'LOCALHOST') or reach not in RANGES:",
+           expect='Nothing is wrong with ROS_AUTOMATIC_DISCOVERY_RANGE', breaks='unknown'),
 ]

@@ -95,4 +95,10 @@ class Bridge(Node):
     Mutant('wrong_direction', edits=(('.other_side.create_publisher', '.create_publisher'),
             ('self.create_subscription(', 'self.other_side.create_subscription(')),
            expect='does not listen on /chatter', breaks='carries', also=('one-way',)),
+    Mutant('absolute_topic', old="self.create_subscription(String, 'chatter',",
+           new="self.create_subscription(String, '/chatter',", expect='a relative name has no leading slash',
+           breaks='carries'),
+    Mutant('prints_the_list', old='return sorted(heard)', new='print(sorted(heard))', expect='gives None: return',
+           breaks='sorted'),
+    Mutant('set_of_domains', old='return sorted(heard)', new='return heard', expect='gives a set', breaks='sorted'),
 ]

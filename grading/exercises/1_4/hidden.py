@@ -45,7 +45,7 @@ def test_a_goal_behind(learner):
 
     Turn first; drive when the direction is nearly right.
     """
-    goals.goal_behind(learner).to_the_goal()
+    goals.goal_behind(learner).to_the_goal(wall_near=True)
 
 
 @pytest.mark.rules('node', 'topics')

@@ -20,7 +20,11 @@ def test_first_message(learner):
     begin = learner.now / 1e9
     with about('at-once'):
         learner.start('Beacon')
-    expect(not learner.slept, 'The constructor sleeps. It must return at once: a timer does the waiting.', 'at-once')
+    expect(
+        not learner.slept,
+        'The constructor sleeps, or a thread that it starts. A timer does the waiting: the constructor only prepares.',
+        'at-once',
+    )
     learner.settle()
     with about('texts'):
         learner.run(0.2)
@@ -63,6 +67,11 @@ def test_long_run(learner):
     wanted = [f'alive {number}' for number in range(1, len(heard) + 1)]
     first = next((pair for pair in zip(heard.data, wanted, strict=False) if pair[0] != pair[1]), ('', ''))
     expect(first[0] != 'alive 2' or first[1] != 'alive 1', 'The constructor publishes; only the timer should.', 'first')
+    expect(
+        heard.data[:2] != ['alive 1', 'alive 1'] or heard.stamps[0] > 0.2 or len(set(heard.data)) == 1,
+        'The constructor publishes; only the timer should.',
+        'first',
+    )
     expect(heard.data == wanted, f'A text is {first[0]!r}, expected {first[1]!r}.', 'texts')
     expect(
         len(heard) == quarters,
@@ -117,3 +126,6 @@ def test_name_and_qos(learner):
     check_name(beacon, 'beacon', 'node')
     check_topic(learner, 'publisher', space, 'beacon', 'topic')
     check_queue(learner, 'publisher', f'{space}/beacon', 10, 'qos')
+    with about('texts'):
+        learner.run(0.6)
+    check_topic(learner, 'publisher', space, 'beacon', 'topic')  # no callback has made another one

@@ -83,4 +83,7 @@ class Beacon(Node):
         self.publisher = self.create_publisher(String, 'beacon', 10)
         self.create_publisher(String, 'beacon', 10)
         ''', expect='2 publishers', breaks='topic'),
+    Mutant('publisher_in_callback', old=f"self.publisher.publish({TEXT})",
+           new=f"self.create_publisher(String, 'beacon', 10).publish({TEXT})",
+           expect='publishers on the topic beacon, expected one', breaks='topic'),
 ]

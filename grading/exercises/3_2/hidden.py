@@ -80,6 +80,7 @@ def test_one_out_for_each_in(learner):
     expect(not heard.messages, 'Your node publishes before it has received anything: use no timer.', 'one-each')
     values = [float(learner.random.randint(10, 300)) for _ in range(8)]
     values[3] = values[2]  # the same reading again is a message, too
+    values[5:7] = 0.0, 0.5  # zero, and one that is nearer than min_range, are readings like any other
     for value in values:
         sensor.send(reading(learner.random, range=value))
     learner.settle()

@@ -136,4 +136,14 @@ class RangeToMetres(Node):
            breaks='variance'),
     Mutant('whole_centimetres', old='msg.range /= 100', new='msg.range = round(msg.range, -2) / 100',
            expect='Convert all three distances', breaks='distances'),
+    Mutant('drops_zero', old='def on_range(self, msg):', new='''
+        def on_range(self, msg):
+            if not msg.range:
+                return
+        ''', expect='Publish', breaks='one-each'),
+    Mutant('drops_the_very_near', old='def on_range(self, msg):', new='''
+        def on_range(self, msg):
+            if msg.range < msg.min_range:
+                return
+        ''', expect='out', breaks='one-each'),
 ]

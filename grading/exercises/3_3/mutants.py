@@ -130,4 +130,22 @@ MUTANTS = [
             time.sleep(0.25)
             self.on_blink()
         ''', imports='import time', expect='did not return', breaks='no-wait'),
+    Mutant('rounded_time', edits=(('''
+            self.lit = False
+            self.seconds = 0
+            ''', '''
+            self.lit = False
+            self.start = self.get_clock().now()
+            '''),
+            ('''
+            self.seconds += 1
+            self.uptime.publish(Int32(data=self.seconds))
+            ''', '''
+            seconds = (self.get_clock().now() - self.start).nanoseconds / 1e9
+            self.uptime.publish(Int32(data=round(seconds)))
+            '''),
+            (RESET, '''
+            def on_reset(self, msg):
+                self.start = self.get_clock().now()
+            ''')), expect='the next one must be 1, then 2', breaks='reset'),
 ]

@@ -68,4 +68,7 @@ MUTANTS = [
     Mutant('zero_deadline_of_the_request', old=DEADLINE,
            new="if (offered['deadline'] or float('inf')) > requested['deadline']:", expect='0.0 is an endless period',
            breaks='no-deadline'),
+    Mutant('set_of_reasons', old='return reasons', new='return set(reasons)', expect='gives a set', breaks='list'),
+    Mutant('slashes_do_not_count', old='if offered[key] != requested[key]]',
+           new="if offered[key].strip('/') != requested[key].strip('/')]", expect='only if they are equal', breaks='names'),
 ]

@@ -86,6 +86,11 @@ def test_gaps_from_stamps(learner):
         learner.run(pause) if pause else None
     expect(gaps.data, 'Two gaps in the stamps gave nothing on /scan_gap.', 'gap')
     expect(
+        gaps.data != pytest.approx([1.15], abs=1e-6),
+        'RateMonitor() told the gap of 1.15 s, and not the one of 0.8 s: max_gap is 0.5 if nobody gives it.',
+        'limit',
+    )
+    expect(
         gaps.data == pytest.approx([1.15, 0.8], abs=1e-6),
         f'The gaps are {gaps.data}, expected [1.15, 0.8]. Use the stamps, with nanoseconds, '
         'and not the time of arrival.',
@@ -102,11 +107,11 @@ def test_gap_at_once(learner):
     _, gaps, lidar = monitor(learner)
     with about('silent'):
         learner.run(0.3)
-    lidar.send(scan(5.0), scan(7.0))
+    lidar.send(scan(0.0), scan(2.0))  # a simulated sensor begins so
     learner.settle()
     at_once = gaps.stamps
     learner.run(2.0)
-    expect(gaps.messages, 'The stamps 5 and 7 gave nothing on scan_gap.', 'gap')
+    expect(gaps.messages, 'The stamps 0 and 2 gave nothing on scan_gap.', 'gap')
     expect(
         at_once == [0.3] or gaps.stamps[0] == 0.3,
         'The gap was not published at once, when the scan after it came.',
@@ -201,15 +206,15 @@ def test_two_monitors(learner):
     expect(not gaps.messages, f'With max_gap 3 s, a difference of 2 s gave {gaps.data}.', 'limit')
     learner.start('RateMonitor', max_gap=1.0, beside=first)
     learner.settle()
-    lidar.send(scan(13.0), scan(15.0))
+    lidar.send(scan(13.0), scan(15.0), scan(20.0))
     with about('own-state'):
         learner.run(1.2)
     expect(
-        gaps.data == [2.0],
-        f'Two monitors with max_gap 3 and 1 s heard a difference of 2 s, and {gaps.data} came '
-        'on scan_gap, expected [2].',
+        gaps.data == [2.0, 5.0, 5.0],
+        f'Two monitors with max_gap 3 and 1 s heard differences of 1, 2 and 5 s, and {gaps.data} came '
+        'on scan_gap, expected [2, 5, 5].',
         'own-state',
     )
     expect(
-        rates.data[:2] == [4.0, 2.0], f'Two monitors heard 4 and 2 scans, and reported {rates.data[:2]}.', 'own-state'
+        rates.data[:2] == [5.0, 3.0], f'Two monitors heard 5 and 3 scans, and reported {rates.data[:2]}.', 'own-state'
     )

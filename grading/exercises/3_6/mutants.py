@@ -113,4 +113,15 @@ MUTANTS = [
             '''),
             (STAMP, 'stamp = Time(seconds=scan.header.stamp.sec, clock_type=ClockType.ROS_TIME)')), expect='scan_gap',
            breaks='gap', also=('limit', 'own-state', 'old')),
+    Mutant('stamp_zero_is_none', edits=((STAMP, 'stamp = scan.header.stamp.sec + scan.header.stamp.nanosec / 1e9'),
+           ('gap = (stamp - (self.newest or stamp)).nanoseconds / 1e9', 'gap = stamp - (self.newest or stamp)')),
+           expect='nothing came on scan_gap', breaks='gap'),
+    Mutant('silence_is_a_gap', old='def on_second(self):', new='''
+        def on_second(self):
+            if self.newest is not None and not self.count:
+                self.gap.publish(Float64(data=1.0))
+        ''', expect='silence alone makes no gap', breaks='gap', also=('at-once', 'own-state', 'limit')),
+    Mutant('as_the_first_publisher', old="(LaserScan, 'scan', self.on_scan, sensor)",
+           new="(LaserScan, 'scan', self.on_scan, qos_profile_best_available)",
+           imports='from rclpy.qos import qos_profile_best_available', expect='requests RELIABLE', breaks='any-lidar'),
 ]

@@ -89,4 +89,47 @@ class GripperClient(Node):
             self.end()
             self.state.publish(String(data='ok' if success else 'refused'))
 '''),
+    Alternative('await_with_a_timer', source='''
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.task import Future
+from std_msgs.msg import Bool, String
+from std_srvs.srv import SetBool
+
+
+class GripperClient(Node):
+    """Awaits what comes first, the answer or a timer of one shot; needs a reentrant group, as the next command comes."""
+
+    def __init__(self, timeout=1.0, tries=3):
+        super().__init__('gripper_client')
+        self.timeout, self.tries, self.newest = timeout, tries, 0
+        self.group = ReentrantCallbackGroup()
+        self.client = self.create_client(SetBool, 'set_gripper', callback_group=self.group)
+        self.state = self.create_publisher(String, 'gripper_state', 10)
+        self.create_subscription(Bool, 'close', self.on_close, 10, callback_group=self.group)
+
+    async def on_close(self, msg):
+        self.newest += 1
+        mine = self.newest
+        for _ in range(self.tries):
+            answer = await self.ask(msg.data)
+            if mine != self.newest:
+                return
+            if answer is not None:
+                self.state.publish(String(data='ok' if answer.success else 'refused'))
+                return
+        self.state.publish(String(data='failed'))
+
+    async def ask(self, data):
+        first = Future()
+
+        def done(result):
+            if not first.done():
+                first.set_result(result)
+
+        timer = self.create_timer(self.timeout, lambda: done(None), callback_group=self.group)
+        self.client.call_async(SetBool.Request(data=data)).add_done_callback(lambda future: done(future.result()))
+        answer = await first
+        self.destroy_timer(timer)
+        return answer
+'''),
 ]

@@ -20,6 +20,7 @@ def gripper(learner, answer, *args, delay=0.0, **options):
 
 @pytest.mark.weight(2)
 @pytest.mark.rules('late', 'request')
+@about('late')
 def test_late_answers(learner):
     """An answer that comes after its timeout is ignored.
 
@@ -73,12 +74,13 @@ def test_timeout_and_tries(learner):
     The last request has its full timeout, too, before the report is failed.
     """
     draw = learner.random
-    timeout, tries, data = draw.choice([0.25, 0.4, 2.5]), draw.choice([1, 2, 6]), draw.choice([False, True])
+    timeout, tries, data = draw.choice([0.25, 0.4, 2.5]), draw.choice([2, 5, 6]), draw.choice([False, True])
     states, close, server = gripper(learner, None, timeout, tries)
     learner.run(0.7)
     close.send(Bool(data=data))
     with about('request'):
         learner.settle()
+    expect(not learner.slept, 'A callback sleeps, and the whole node stands still meanwhile.', 'timeout')
     expect(server.stamps, 'A command made no request at once.', 'request')
     with about('timeout'):
         learner.run(timeout * (tries + 1) + 1.0)
@@ -90,6 +92,7 @@ def test_timeout_and_tries(learner):
     words = f'GripperClient({timeout}, {tries}), a silent server, a command at 0.7 s: '
     wanted = [round(0.7 + n * timeout, 3) for n in range(tries)]
     seen = [round(stamp, 3) for stamp in server.stamps]
+    expect(len(seen) > 1, f'{words}no second request came. When the timeout is over, send the next one.', 'timeout')
     expect(seen[:tries] == wanted[: len(seen)], f'{words}requests at {seen} s, expected at {wanted} s.', 'timeout')
     expect(
         len(seen) == tries,
@@ -127,6 +130,7 @@ def test_a_refusal_is_an_answer(learner):
 
 @pytest.mark.weight(2)
 @pytest.mark.rules('newest', 'request')
+@about('newest')
 def test_the_newest_command_wins(learner):
     """A new command drops the old one, without a report, and begins with all its tries.
 
@@ -138,6 +142,9 @@ def test_the_newest_command_wins(learner):
     learner.run(0.5)
     close.send(Bool(data=False))
     learner.run(3.0)
+    if [round(stamp, 3) for stamp in server.stamps] == [0.2, 0.7]:
+        data = [request.data for request in server.requests]
+        expect(data == [True, False], f'close said True, then False; the requests say {data}.', 'request')
     asked = [(round(stamp, 3), request.data) for stamp, request in zip(server.stamps, server.requests, strict=True)]
     expect(
         asked[:2] == [(0.2, True), (0.7, False)],
@@ -207,7 +214,7 @@ def test_burst(learner):
     """
     _, close, server = gripper(learner, None)
     close.send(*[Bool(data=bool(number % 2)) for number in range(10)])
-    learner.settle()
+    learner.run(0.5)
     expect(len(server.requests) == 10, f'Ten commands at one moment made {len(server.requests)} requests, expected 10.')
 
 

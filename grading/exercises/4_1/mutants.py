@@ -122,4 +122,74 @@ MUTANTS = [
         self.client = self.create_client(SetBool, 'set_gripper')
         self.client.wait_for_service()
         ''', expect='did not return within'),
+    Mutant('spins_in_callback', breaks='request', also=('answer', 'late', 'newest', 'no-server', 'queue', 'once',
+                                                        'refusal', 'names', 'timeout', 'tries'), source='''
+from std_msgs.msg import Bool, String
+from std_srvs.srv import SetBool
+
+
+class GripperClient(Node):
+    def __init__(self, timeout=1.0, tries=3):
+        super().__init__('gripper_client')
+        self.timeout, self.tries = timeout, tries
+        self.client = self.create_client(SetBool, 'set_gripper')
+        self.state = self.create_publisher(String, 'gripper_state', 10)
+        self.create_subscription(Bool, 'close', self.on_close, 10)
+
+    def on_close(self, msg):
+        for _ in range(self.tries):
+            future = self.client.call_async(SetBool.Request(data=msg.data))
+            rclpy.spin_until_future_complete(self, future, timeout_sec=self.timeout)
+            if future.done():
+                self.state.publish(String(data='ok' if future.result().success else 'refused'))
+                return
+        self.state.publish(String(data='failed'))
+''', expect='A callback spins'),
+    Mutant('awaits_without_end', breaks='timeout', also=('answer', 'late', 'newest', 'no-server', 'queue', 'once',
+                                                         'request', 'tries', 'names'), source='''
+from std_msgs.msg import Bool, String
+from std_srvs.srv import SetBool
+
+
+class GripperClient(Node):
+    def __init__(self, timeout=1.0, tries=3):
+        super().__init__('gripper_client')
+        self.tries = tries
+        self.client = self.create_client(SetBool, 'set_gripper')
+        self.state = self.create_publisher(String, 'gripper_state', 10)
+        self.create_subscription(Bool, 'close', self.on_close, 10)
+
+    async def on_close(self, msg):
+        for _ in range(self.tries):
+            answer = await self.client.call_async(SetBool.Request(data=msg.data))
+            if answer is not None:
+                self.state.publish(String(data='ok' if answer.success else 'refused'))
+                return
+        self.state.publish(String(data='failed'))
+''', expect='no second request came'),
+    Mutant('sleeps_in_callback', breaks='timeout', also=('answer', 'late', 'newest', 'no-server', 'queue', 'once',
+                                                         'refusal', 'request', 'names', 'tries'), source='''
+import time
+
+from std_msgs.msg import Bool, String
+from std_srvs.srv import SetBool
+
+
+class GripperClient(Node):
+    def __init__(self, timeout=1.0, tries=3):
+        super().__init__('gripper_client')
+        self.timeout, self.tries = timeout, tries
+        self.client = self.create_client(SetBool, 'set_gripper')
+        self.state = self.create_publisher(String, 'gripper_state', 10)
+        self.create_subscription(Bool, 'close', self.on_close, 10)
+
+    def on_close(self, msg):
+        for _ in range(self.tries):
+            future = self.client.call_async(SetBool.Request(data=msg.data))
+            time.sleep(0.2)
+            if future.done():
+                self.state.publish(String(data='ok' if future.result().success else 'refused'))
+                return
+        self.state.publish(String(data='failed'))
+''', expect='A callback sleeps'),
 ]

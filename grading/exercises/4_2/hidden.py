@@ -14,9 +14,9 @@ pytestmark = [pytest.mark.exercise('4.2'), pytest.mark.wiring(type='publish', qo
 LATCHED = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
-def info(width=640, height=480, fx=500.0, fy=510.0, cx=320.0, cy=240.0, model='plumb_bob', d=5):
+def info(width=640, height=480, fx=500.0, fy=510.0, cx=320.0, cy=240.0, model='plumb_bob', d=5, bend=0.01):
     return CameraInfo(
-        width=width, height=height, distortion_model=model, d=[0.01] * d, k=[fx, 0.0, cx, 0.0, fy, cy, 0.0, 0.0, 1.0]
+        width=width, height=height, distortion_model=model, d=[bend] * d, k=[fx, 0.0, cx, 0.0, fy, cy, 0.0, 0.0, 1.0]
     )
 
 
@@ -62,6 +62,7 @@ def test_every_rule(learner):
     refused(client, 'principal point', cx=641.0)
     refused(client, 'distortion', model='equidistant')
     refused(client, 'distortion', d=learner.random.choice([0, 4, 8]))
+    accepted(client, 'distortion', 'Five zeros are five numbers.', bend=0.0)
     accepted(client, 'accept')
 
 
@@ -176,6 +177,8 @@ def test_as_it_came(learner):
         heard.messages == [message],
         'What was published is not the calibration as it came: header, binning or p differ.',
     )
+    client.call(camera_info=message)
+    expect(len(heard) == 2, f'The same calibration was set twice, and published {len(heard)} times, expected 2.')
 
 
 @pytest.mark.rules('names')
@@ -189,6 +192,13 @@ def test_namespace(learner):
         node = learner.start('Camera', remap={'__ns': eye})
         expect(node.name == f'{eye}/camera', f'Your node is called {node.name}, expected {eye}/camera.')
         eyes[eye] = learner.listen(f'{eye}/camera_info', CameraInfo, LATCHED)
-    accepted(learner.client('/right/set_camera_info', SetCameraInfo), 'names')
+    client = learner.client('/right/set_camera_info', SetCameraInfo)
+    learner.settle()
+    expect(
+        '/right/set_camera_info' in client.theirs(),
+        'In the namespace /right your node has no service /right/set_camera_info: leave out the leading slash.',
+        'names',
+    )
+    accepted(client, 'names')
     counts = [len(heard) for heard in eyes.values()]
     expect(counts == [0, 1], f'The right camera was calibrated; left and right published {counts} times.')

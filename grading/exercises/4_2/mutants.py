@@ -88,4 +88,10 @@ MUTANTS = [
     Mutant('volatile', breaks='latched', also=('publish', 'unchanged', 'names', 'always'),
            old='latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)',
            new='latched = QoSProfile(depth=1)', expect='TRANSIENT_LOCAL'),
+    Mutant('only_new_ones', old='if response.success:', new='''
+        known, self.known = getattr(self, 'known', None), info if response.success else None
+        if response.success and info != known:
+        ''', expect='published', breaks='publish'),
+    Mutant('zeros_are_nothing', breaks='distortion', old='len(info.d) == 5', new='len(info.d) == 5 and any(info.d)',
+           expect='Five zeros are five numbers'),
 ]

@@ -72,9 +72,9 @@ def test_order_of_the_message(learner):
         node.stop()
 
 
-@pytest.mark.rules('success', 'one-thread')
+@pytest.mark.rules('success', 'message', 'one-thread')
 @about('one-thread')
-@pytest.mark.parametrize('success', [(True, False), (False, True), (False, False)], ids=str)
+@pytest.mark.parametrize('success', [(True, False), (False, True), (False, False), (True, True)], ids=str)
 def test_success(learner, success):
     """success is True only if both parts have it.
 
@@ -84,7 +84,16 @@ def test_success(learner, success):
     call = status.send()
     learner.run(0.5)
     expect(call.done, NEVER, 'one-thread')
-    expect(not call.response.success, f'The parts say {success[0]} and {success[1]}, the status says True.', 'success')
+    expect(
+        call.response.success is all(success),
+        f'The parts say {success[0]} and {success[1]}, the status says {call.response.success}.',
+        'success',
+    )
+    expect(
+        call.response.message == 'battery: battery is here; lidar: lidar is here',
+        f'The parts say {success[0]} and {success[1]}; the message of the status is {call.response.message!r}.',
+        'message',
+    )
 
 
 @pytest.mark.rules('fresh', 'one-thread')

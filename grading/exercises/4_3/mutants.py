@@ -90,4 +90,21 @@ MUTANTS = [
         ''', expect='Only another callback can receive'),
     Mutant('swapped', breaks='message', also=('callers', 'fresh'), old='{battery.message}; lidar: {lidar.message}',
            new='{lidar.message}; lidar: {battery.message}', expect='The message of the status is'),
+    Mutant('keeps_answers_for_a_while', breaks='fresh', also=('callers', 'message', 'success'), old='''
+        futures = [client.call_async(Trigger.Request()) for client in (self.battery, self.lidar)]
+        battery, lidar = [await future for future in futures]
+        ''', new='''
+        now = self.get_clock().now().nanoseconds
+        if now - getattr(self, 'asked', -(10**10)) > 10**9:
+            self.asked = now
+            self.futures = [client.call_async(Trigger.Request()) for client in (self.battery, self.lidar)]
+        battery, lidar = [await future for future in self.futures]
+        ''', expect='battery/check was asked 1 time, expected 2'),
+    Mutant('stops_at_a_battery_that_is_not_well', breaks='message', also='callers', old=AWAIT, new='''
+        battery = await futures[0]
+        if not battery.success:
+            response.message = f'battery: {battery.message}'
+            return response
+        lidar = await futures[1]
+        ''', expect='The message of the status is'),
 ]

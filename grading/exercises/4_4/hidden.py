@@ -145,14 +145,21 @@ def test_leaving(learner):
     The count never goes below 0.
     """
     _, enter, leave, _ = guard(learner, {'success': True}, 1)
-    words = []
-    for client in (leave, leave, enter, enter, leave, enter):
-        call = client.send()
-        learner.run(0.1)
-        words.append(told(call)[0])
+
+    def one_by_one(*clients):
+        words = []
+        for client in clients:
+            call = client.send()
+            learner.run(0.1)
+            words.append(told(call)[0])
+        return words
+
+    words = one_by_one(enter, enter)
+    expect(words == [True, False], f'enter and enter with the capacity 1 gave {words}.', 'full')
+    words = one_by_one(leave, enter, leave, leave, enter, enter)
     expect(
-        words == [True, True, True, False, True, True],
-        f'leave, leave, enter, enter, leave, enter with the capacity 1 gave {words}.',
+        words == [True, True, True, True, True, False],
+        f'One is inside; leave, enter, leave, leave, enter, enter with the capacity 1 gave {words}.',
         'leave',
     )
 

@@ -81,4 +81,18 @@ MUTANTS = [
             SetBool, 'lock', callback_group=MutuallyExclusiveCallbackGroup())
         ''', new="self.lock = self.create_client(SetBool, 'lock')",
            expect='waits in a callback group in which your callback still runs'),
+    Mutant('spins_in_callback', breaks='one-thread', also=NEVER, edits=(('async def on_enter', 'def on_enter'), (ASK, '''
+        future = self.lock.call_async(SetBool.Request(data=False))
+        rclpy.spin_until_future_complete(self, future)
+        answer = future.result()
+        ''')), expect='A callback spins'),
+    Mutant('looks_again_after_the_lock', breaks='full', edits=((
+           "self.create_service(Trigger, 'enter', self.on_enter)",
+           "self.create_service(Trigger, 'enter', self.on_enter, callback_group=ReentrantCallbackGroup())"),
+           (ASK, f'''
+        {ASK}
+        if self.inside >= self.capacity:
+            response.message = 'full'
+            return response
+        ''')), expect='The lock was asked'),
 ]

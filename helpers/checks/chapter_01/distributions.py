@@ -1,5 +1,6 @@
 """Tables of distributions, and which one is chosen from them: for exercise 1.1."""
 
+from calendar import monthrange
 from dataclasses import dataclass
 from random import Random
 
@@ -74,7 +75,7 @@ def drawn_cases(random: Random) -> list[Case]:
     # Of two distributions for one Ubuntu the one that ends sooner comes first in the table, older or newer.
     rows = [
         [long, f'{year + 1}-05', f'{year + 2}-11'],
-        [late, f'{year}-03', f'{year + 3}-02'],
+        [late, f'{year - 6}-03', f'{year + 3}-02'],  # supported for longer than the other one for `late`
         [long, f'{year}-05', f'{year + 9}-05'],
         [late, f'{year + 1}-09', f'{year + 8}-10'],
     ]
@@ -85,11 +86,11 @@ def drawn_cases(random: Random) -> list[Case]:
         ('ends-last', long, f'{year + 1}-08'),
         ('ends-last', late, f'{year + 2}-10'),
         ('months', gap, f'{year + 1}-11'),
-        ('months', late, f'{year}-03'),
+        ('months', late, f'{year - 6}-03'),
         ('months', gap, f'{year + 4}-05'),
         ('to-come', gap, f'{year + 2}-06'),
         ('to-come', gap, f'{year + 1}-12'),
-        ('to-come', late, f'{year - 1}-12'),
+        ('to-come', late, f'{year - 7}-12'),
         ('ended', gap, f'{year + 9}-06'),
         ('ended', late, f'{year + 12}-01'),
         ('table', '24.04', '2026-11'),
@@ -101,18 +102,38 @@ def drawn_cases(random: Random) -> list[Case]:
 def check(learner, asked: list[Case]) -> None:
     """`choose_distribution` answers these questions rightly."""
     for case in asked:
-        today = f'{case.month}-{learner.random.randint(1, 28):02}'
-        given = [] if case.table is None else [case.table]
-        got = learner.call('choose_distribution', case.ubuntu, today, *given)
-        where = f'Ubuntu {case.ubuntu!r} on {today}' + (f' with the table {case.table}' if given else '')
-        expect(
-            isinstance(got, list) and len(got) == 2, f'{where} gives {got!r}; expected a pair (name, reason).', 'pair'
-        )
-        wanted = chosen(case.ubuntu, today, case.table or RELEASES)
-        by_heart = bool(given) and got == chosen(case.ubuntu, today, RELEASES)
-        why = 'Use the argument `releases`, and nothing that you know by heart.' if by_heart else _WHY[case.rule]
-        expect(
-            got == wanted,
-            f'{where} gives {tuple(got)!r}, expected {tuple(wanted)!r}. {why}',
-            'table' if by_heart else case.rule,
-        )
+        last = monthrange(*map(int, case.month.split('-')))[1]
+        for day in (1, last) if case.rule == 'months' else (learner.random.randint(1, last),):
+            _check_day(learner, case, f'{case.month}-{day:02}')
+
+
+def _check_day(learner, case: Case, today: str) -> None:
+    given = [] if case.table is None else [case.table]
+    got = learner.call('choose_distribution', case.ubuntu, today, *given)
+    where = f'Ubuntu {case.ubuntu!r} on {today}' + (f' with the table {case.table}' if given else '')
+    expect(isinstance(got, list) and len(got) == 2, f'{where} gives {got!r}; expected a pair (name, reason).', 'pair')
+    table = case.table or RELEASES
+    wanted = chosen(case.ubuntu, today, table)
+    expect(
+        got == wanted or got != wanted[::-1],
+        f'{where} gives {tuple(got)!r}, expected {tuple(wanted)!r}: the name comes first, then the reason.',
+        'pair',
+    )
+    by_heart = bool(given) and got == chosen(case.ubuntu, today, RELEASES)
+    rule, why = ('table', 'Use the argument `releases`, and nothing that you know by heart.')
+    if not by_heart:
+        rule, why = _explained(case, got, wanted, table)
+    expect(got == wanted, f'{where} gives {tuple(got)!r}, expected {tuple(wanted)!r}. {why}', rule)
+
+
+def _explained(case: Case, got: list, wanted: list, table: dict) -> tuple[str, str]:
+    """The rule that a wrong answer breaks, and a sentence on it."""
+    supported = [
+        name
+        for name, (made_for, first, last) in table.items()
+        if made_for == case.ubuntu and first <= case.month <= last
+    ]
+    if not wanted[0] or case.rule == 'table' or got[0] in supported:
+        return case.rule, _WHY[case.rule]
+    _, first, last = table[wanted[0]]
+    return 'months', f'Its support goes from {first} to {last}. {_WHY["months"]}'

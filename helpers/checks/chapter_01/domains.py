@@ -8,6 +8,7 @@ from std_msgs.msg import String
 from helpers.kernel.domains import claim
 from helpers.runner import about, expect
 from helpers.runner.elsewhere import Elsewhere
+from helpers.runner.values import SetAsList
 
 ENOUGH = 1.5  # seconds that a listener is given
 
@@ -17,6 +18,22 @@ def domains(count: int):
     """So many domains that nobody else uses."""
     with ExitStack() as held:
         yield [held.enter_context(claim()) for _ in range(count)]
+
+
+def check_kind(got, call: str) -> None:
+    """What `who_hears` returned is a list of numbers: rule `sorted`."""
+    expect(got is not None, f'{call} gives None: return the list. What is only printed, no program can use.', 'sorted')
+    kind = 'a set' if isinstance(got, SetAsList) else f'{got!r}'
+    expect(
+        isinstance(got, list) and not isinstance(got, SetAsList),
+        f'{call} gives {kind}, expected a sorted list of domains.',
+        'sorted',
+    )
+    expect(
+        all(isinstance(domain, int) for domain in got),
+        f'{call} gives {got!r}: the list holds the domains as they were given, as numbers.',
+        'sorted',
+    )
 
 
 def check_roll_call(learner) -> None:
@@ -29,10 +46,11 @@ def check_roll_call(learner) -> None:
         here.wait_until(lambda: heard, timeout=1)
         expect(
             here.met('/roll_call'),
-            f'No speaker for /roll_call came into domain {ours}. Each context has its own '
+            f'No speaker for the topic roll_call came into domain {ours}. Each context has its own '
             'domain: rclpy.init(context=…, domain_id=…).',
             'measures',
         )
+        check_kind(got, f'who_hears({ours}, {asked})')
         expect(
             heard and got,
             f'A speaker was in domain {ours}, and who_hears({ours}, {asked}) gives {got!r}. '
@@ -57,6 +75,7 @@ def check_bridged(learner) -> None:
             with about('measures'):
                 got = learner.call('who_hears', ours, asked, 2.0)
         wanted = [second, ours]
+        check_kind(got, f'who_hears({ours}, {asked})')
         expect(
             got != [ours],
             f'The tests have a bridge for roll_call from domain {ours} to {second}. Your function '
@@ -64,7 +83,6 @@ def check_bridged(learner) -> None:
             'measures',
         )
         said = f'With a bridge from {ours} to {second}, who_hears({ours}, {asked}) gives {got!r}, expected {wanted}.'
-        expect(isinstance(got, list), said, 'sorted')
         expect(set(got) == set(wanted), said, 'measures')
         expect(got == wanted, f'{said} The domains must be sorted, each once.', 'sorted')
 
@@ -75,6 +93,7 @@ def check_time(learner) -> None:
         begin = time.monotonic()
         with about('in-time'):
             got = learner.call('who_hears', ours, [ours], 60.0)
+        check_kind(got, f'who_hears({ours}, {[ours]}, 60.0)')
         expect(got == [ours], f'who_hears({ours}, {[ours]}, 60.0) gives {got!r}, expected {[ours]}.', 'measures')
         with about('in-time'):
             got = learner.call('who_hears', ours, [other], 0.5)
@@ -93,9 +112,13 @@ def check_left(learner) -> None:
             heard = here.listen('/roll_call', String)
             with about('measures'):
                 got = learner.call('who_hears', ours, [ours, other], 1.0)
+            check_kind(got, f'who_hears({ours}, {[ours, other]}, 1.0)')
             expect(
-                here.wait_until(lambda: heard, timeout=2) and got == [ours],  # noqa: B023 - used at once
-                f'who_hears({ours}, {[ours, other]}) gives {got!r}, expected {[ours]}.',
+                got == [ours], f'who_hears({ours}, {[ours, other]}, 1.0) gives {got!r}, expected {[ours]}.', 'measures'
+            )
+            expect(
+                here.wait_until(lambda: heard, timeout=2),  # noqa: B023 - used at once
+                f'who_hears({ours}, {[ours, other]}, 1.0) said nothing on roll_call in domain {ours}.',
                 'measures',
             )
             if here.wait_until(lambda: not here.nodes(), timeout=1):  # noqa: B023
@@ -111,28 +134,42 @@ def check_left(learner) -> None:
     )
 
 
+def _far(space: str) -> tuple[str, str]:
+    """The topics on which a bridge may speak in the other domain: a namespace need not hold for both contexts."""
+    return '/chatter', f'{space}/chatter'
+
+
 def check_bridge(learner, count: int) -> None:
-    """A Bridge carries `count` drawn texts to the other domain, as they are, and nothing back."""
+    """A Bridge in a namespace carries `count` drawn texts to the other domain, as they are, and nothing back."""
     random = learner.random
+    space = f'/side{random.randint(2, 99)}'
+    near = f'{space}/chatter'
     with domains(1) as (domain,), Elsewhere(domain) as there, Elsewhere(learner.context.get_domain_id()) as here:
-        heard = there.listen('/chatter', String)
-        spoken = there.node.create_publisher(String, '/chatter', 100)
-        talker = learner.talk('/chatter', String)
+        heard: list = []
+        for topic in _far(space):
+            there.listen(topic, String, heard)
+        spoken = [there.node.create_publisher(String, topic, 100) for topic in _far(space)]
+        talker = learner.talk(near, String, strict=False)
         with about('bridge'):
-            node = learner.start('Bridge', domain)
-        expect(node.name == '/bridge', f'The node is called {node.name}, expected /bridge.', 'bridge')
+            node = learner.start('Bridge', domain, remap={'__ns': space})
+        expect(node.name == f'{space}/bridge', f'The node is called {node.name}, expected {space}/bridge.', 'bridge')
         expect(
-            learner.endpoints('/chatter').subscriptions,
+            learner.endpoints(near).subscriptions or not learner.endpoints('/chatter').subscriptions,
+            f'In the namespace {space} your bridge listens on /chatter: a relative name has no leading slash.',
+            'carries',
+        )
+        expect(
+            learner.endpoints(near).subscriptions,
             'Your bridge does not listen on /chatter in the domain of the program.',
             'carries',
         )
         expect(
-            learner.depths('subscription', '/chatter') == [10],
+            learner.depths('subscription', near) == [10],
             'The queue of your subscription to chatter has not the depth 10.',
             'carries',
         )
         expect(there.wait_until(there.nodes, 5), f'No node of yours is in domain {domain}.', 'bridge')
-        at_home = here.listen('/chatter', String)  # only now: it is a subscription on /chatter, too
+        at_home = here.listen(near, String)  # only now: it is a subscription on chatter, too
 
         def arrived():
             talker.send(String(data='first'))
@@ -142,7 +179,7 @@ def check_bridge(learner, count: int) -> None:
 
         expect(
             there.wait_until(arrived, timeout=6),
-            f'Messages were published on /chatter in the domain of the program, and none came in domain {domain}.',
+            f'Messages were published on chatter in the domain of the program, and none came in domain {domain}.',
             'carries',
         )
         texts = [f'  {random.choice(["north", "Süd", "EAST"])} {random.randint(0, 999)} \n' for _ in range(count)]
@@ -152,10 +189,15 @@ def check_bridge(learner, count: int) -> None:
         there.wait_until(lambda: len(heard) > len(texts) and heard[-1].data == texts[-1], timeout=3)
         got = [message.data for message in heard if message.data != 'first']
         expect(got == texts, f'{texts} was said here; in the other domain came {got}.', 'carries')
-        there.wait_until(lambda: there.node.count_subscribers('/chatter') > 1, timeout=0.3)
-        back = there.node.count_subscribers('/chatter') > 1  # the first one is the tests'
+
+        def listens_there():
+            return any(there.node.count_subscribers(topic) > 1 for topic in _far(space))  # the first is the tests'
+
+        there.wait_until(listens_there, timeout=0.3)
+        back = listens_there()
         before = len(at_home)
-        spoken.publish(String(data='echo?'))
+        for publisher in spoken:
+            publisher.publish(String(data='echo?'))
         for _ in range(5):
             with about('one-way'):
                 learner.settle()

@@ -12,6 +12,13 @@ RANGES = ('SUBNET', 'LOCALHOST', 'SYSTEM_DEFAULT')
 BAD_DOMAINS = ('-1', '102', '232', '233', '1000', '5.0', 'seven', 'domain 3', '0x10')
 BAD_RANGES = ('LOCAL', 'localhost', 'off', 'ON', 'SUBNETS', 'SUB')
 PREFIX, PYTHON, DOMAIN, RANGE = 'AMENT_PREFIX_PATH', 'PYTHONPATH', 'ROS_DOMAIN_ID', 'ROS_AUTOMATIC_DISCOVERY_RANGE'
+# The rules of each variable; the first one is broken if a good value is called a fault
+_RULES = {
+    PREFIX: ('workspace', 'mixed', 'ros-distro', 'not-sourced'),
+    PYTHON: ('python',),
+    DOMAIN: ('domain',),
+    RANGE: ('unknown', 'off'),
+}
 
 
 @dataclass(frozen=True)
@@ -69,11 +76,18 @@ def _workspaces(random: Random) -> list[Case]:
         environ = healthy(random, random.choice(DISTROS), workspaces=count)
         made.append(Case('workspace', environ, {}, 'The folders below /home are workspaces; their names say nothing.'))
     course = {PREFIX: f'/home/{random.choice(PEOPLE)}/ros2-course/.venv', 'ROS_DISTRO': random.choice(DISTROS)}
-    return [*made, Case('workspace', course, {}, 'A prefix outside of /opt/ros is a prefix, too.')]
+    distro = random.choice(DISTROS)
+    copy = {PREFIX: f'/home/{random.choice(PEOPLE)}/opt/ros/{other(random, DISTROS, distro)}:/opt/ros/{distro}'}
+    return [
+        *made,
+        Case('workspace', course, {}, 'A prefix outside of /opt/ros is a prefix, too.'),
+        Case('workspace', copy, {}, 'Only what begins with /opt/ros/ belongs to a distribution.'),
+    ]
 
 
 def _prefixes(random: Random, distro: str, good: dict) -> list[Case]:
     second = other(random, DISTROS, distro)
+    more = random.sample([one for one in DISTROS if one != distro], 3)
     two = [f'/opt/ros/{distro}', f'/opt/ros/{second}']
     mixed = {PREFIX: 'mixed'}
     sourced = 'Two distributions are in the path; ROS_DISTRO tells only which one was sourced last.'
@@ -84,6 +98,10 @@ def _prefixes(random: Random, distro: str, good: dict) -> list[Case]:
         Case('not-sourced', {**good, PREFIX: ''}, {PREFIX: 'not sourced'}),
         Case('mixed', {**good, PREFIX: good[PREFIX] + f':/opt/ros/{second}'}, mixed, sourced),
         Case('mixed', {**good, PREFIX: ':'.join(two[::-1]), 'ROS_DISTRO': second}, mixed, sourced),
+        *[
+            Case('mixed', {PREFIX: f'/opt/ros/{distro}:/opt/ros/{one}', 'ROS_DISTRO': one}, mixed, sourced)
+            for one in more  # of so many pairs, few know more than one by heart
+        ],
         Case('mixed', {PREFIX: ':'.join(two)}, mixed, 'Two distributions are in the path.'),
         Case('mixed', {PREFIX: f'{two[0]}:{two[1]}/opt/extra'}, mixed, 'Two distributions are in the path.'),
         Case('mixed', {PREFIX: inside, 'ROS_DISTRO': distro}, {}, 'Both folders belong to one distribution.'),
@@ -147,17 +165,23 @@ def _missing(distro: str) -> list[Case]:
 
 
 def several(random: Random, counts=(2, 3, 4, 4)) -> list[Case]:
-    """Environments with so many faults at once."""
+    """Environments with so many faults at once; of those with four, one after the other has each kind of fault."""
     choices = {
         PREFIX: ('not sourced', 'mixed'),
         PYTHON: ('other Python',),
         DOMAIN: ('not a domain',),
         RANGE: ('off', 'unknown'),
     }
-    made = []
+    made, full = [], random.randint(0, 1)
     for count in counts:
         variables = random.sample(list(choices), count)
-        faults = {variable: random.choice(choices[variable]) for variable in variables}
+        full += count == len(choices)
+        faults = {
+            variable: choices[variable][full % len(choices[variable])]
+            if count == len(choices)
+            else random.choice(choices[variable])
+            for variable in variables
+        }
         distro, python = random.choice(DISTROS), random.choice(('3.10', '3.12'))
         environ = healthy(random, distro, python)
         for variable, fault in faults.items():
@@ -198,8 +222,24 @@ def check(learner, asked: list[Case]) -> None:
             f'With {shown}, diagnose gives {got!r}; expected a dictionary, also when nothing is wrong.',
             'dictionary',
         )
+        right = [name for name in got if not got[name]]
+        expect(
+            not right,
+            f'With {shown}, diagnose gives {got}: {right and right[0]} is no fault, and must not be in the dictionary.',
+            'dictionary',
+        )
+        rule, why = _explained(case, got)
         expect(
             got == case.wanted,
-            f'With {shown} and Python {case.python}, diagnose gives {got}, expected {case.wanted}. {case.why}',
-            case.rule,
+            f'With {shown} and Python {case.python}, diagnose gives {got}, expected {case.wanted}. {why}',
+            rule,
         )
+
+
+def _explained(case: Case, got: dict) -> tuple[str, str]:
+    """The rule that a wrong answer breaks, and a sentence on it."""
+    wrong = [variable for variable in _RULES if got.get(variable) != case.wanted.get(variable)]
+    mine = [variable for variable, rules in _RULES.items() if case.rule in rules]
+    if not wrong or case.rule in ('missing', 'every-fault') or set(mine) & set(wrong):
+        return case.rule, case.why
+    return _RULES[wrong[0]][0], f'Nothing is wrong with {wrong[0]}.' if wrong[0] not in case.wanted else ''

@@ -50,8 +50,11 @@ class Drive:
                 'topics',
             )
 
-    def to_the_goal(self) -> None:
-        """The turtle comes to its goal and stands there."""
+    def to_the_goal(self, wall_near: bool = False) -> None:
+        """The turtle comes to its goal and stands there.
+
+        :param wall_near: it starts beside a wall; where it does not, who runs into one looks in a wrong direction.
+        """
         sim, nearest = self.sim, math.inf
 
         def arrived():
@@ -68,6 +71,12 @@ class Drive:
             'goal is near, and stop there.'
         )
         late = nearest > 0.6 or sim.distance(*self.goal) < WITHIN
+        expect(
+            not sim.bumps or not late or wall_near,
+            f'{self.way}the turtle drove to a wall, at {place}, and came to {nearest:.2f} m of the goal. The direction '
+            'is math.atan2(dy, dx), in radians, and the heading is subtracted from it.',
+            'reach',
+        )
         expect(
             not sim.bumps or not late,
             f'{self.way}the turtle ran into a wall at {place}. Turn first; drive when the direction is nearly right.',

@@ -35,18 +35,22 @@ def greeter(learner) -> ExerciseWorkspace:
     return workspace
 
 
-def line_follower(learner) -> ExerciseWorkspace:
-    """Exercise 2.2's package."""
+def line_follower(learner, changed: dict[str, str] | None = None, *arguments: str) -> ExerciseWorkspace:
+    """Exercise 2.2's package.
+
+    :param changed: other texts (by path) instead of given ones. :param arguments: of `colcon build`.
+    """
     workspace = learner.workspace(
         {
             **package(GIVEN / 'line_follower'),
+            **(changed or {}),
             'src/line_follower/setup.py': learner.text('FOLLOWER_SETUP'),
             'src/line_follower/setup.cfg': learner.text('FOLLOWER_CFG'),
             'src/line_follower/package.xml': learner.text('FOLLOWER_XML'),
         }
     )
     with about('builds'):
-        workspace.build()
+        workspace.build(*arguments)
     return workspace
 
 
@@ -69,11 +73,13 @@ def dock_interfaces(learner) -> ExerciseWorkspace:
     return workspace
 
 
-def interface(learner, *arguments: str) -> tuple[dict, list | None]:
+def interface(learner, cases: list | None = None) -> tuple[dict, list | None]:
     """The fields of exercise 2.3's types, its constant and its default value, as Python sees them.
 
-    With the `arguments` station and percent also what came over the wire.
+    With `cases` also what came over the wire, a list for each: [message, docked, frame_id, percent, charging]. A case
+    is [station, speed, docked, percent, charging]; a speed of None is left out.
     """
+    arguments = [json.dumps(cases)] if cases else []
     done = dock_interfaces(learner).run('python3', 'try_it.py', *arguments)
     absent = re.search(r"No module named 'dock_interfaces\.(msg|srv)'|cannot import name '(\w+)'", done.last_line)
     expect(
@@ -170,7 +176,6 @@ print(json.dumps({
                getattr(Dock.Response(), 'message', None)],
 }))
 if len(sys.argv) > 1:
-    station, percent = sys.argv[1], int(sys.argv[2])
     rclpy.init()
     node = rclpy.create_node('dock')
     heard = []
@@ -178,19 +183,24 @@ if len(sys.argv) > 1:
     publisher = node.create_publisher(Charge, 'charge', 10)
 
     def dock(request, response):
-        message = Charge(percent=percent, charging=True)
+        message = Charge(percent=percent, charging=charging)
         message.header.frame_id = request.station
         publisher.publish(message)
-        response.docked, response.message = True, request.station
+        response.docked, response.message = docked, f'{request.station} at {request.speed:.2f} m/s'
         return response
 
     node.create_service(Dock, 'dock', dock)
     client = node.create_client(Dock, 'dock')
     client.wait_for_service(timeout_sec=10)
-    answer = client.call_async(Dock.Request(station=station))
-    rclpy.spin_until_future_complete(node, answer, timeout_sec=10)
-    while not heard:
-        rclpy.spin_once(node, timeout_sec=10)
-    print(json.dumps([answer.result().docked, answer.result().message, heard[0].header.frame_id, heard[0].percent]))
+    arrived = []
+    for station, speed, docked, percent, charging in json.loads(sys.argv[1]):
+        answer = client.call_async(Dock.Request(station=station, **({} if speed is None else {'speed': speed})))
+        rclpy.spin_until_future_complete(node, answer, timeout_sec=10)
+        while not heard:
+            rclpy.spin_once(node, timeout_sec=10)
+        message = heard.pop()
+        arrived.append([answer.result().message, answer.result().docked, message.header.frame_id, message.percent,
+                        message.charging])
+    print(json.dumps(arrived))
     rclpy.try_shutdown()
 """

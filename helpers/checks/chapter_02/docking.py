@@ -74,24 +74,33 @@ def judge_dock(learner) -> None:
     )
 
 
-def judge_use(learner) -> None:
-    """Both types can be used by programs and tools: rule `both`."""
-    station, percent = f'dock{learner.random.randint(10, 99)}', learner.random.randint(1, 99)
-    found, wire = builds.interface(learner, station, str(percent))
+def judge_use(learner, others: bool = False) -> None:
+    """Both types can be used by programs and tools: rule `both`; with `others`, also with values of every kind."""
+    random = learner.random
+    station = f'dock{random.randint(10, 99)}'
+    cases = [[station, None, True, random.randint(1, 99), True]]
+    if others:
+        cases += [
+            [f'Süd {random.randint(1, 9)}', random.randint(30, 90) / 100, False, random.choice((0, 255)), False],
+            ['', -random.randint(30, 90) / 100, True, random.randint(100, 254), False],
+        ]
+        random.shuffle(cases)
+    found, wire = builds.interface(learner, cases)
     if all(
         _fields(found, key) == wanted for key, wanted in (('msg', CHARGE), ('request', REQUEST), ('response', RESPONSE))
     ):
+        wanted = [
+            [f'{name} at {found["speed"] if speed is None else speed:.2f} m/s', docked, name, percent, charging]
+            for name, speed, docked, percent, charging in cases
+        ]
+        expect(wire == wanted, f'A program that uses your types ended with: {found["last_line"]}', 'both')
+    for name, shown in (('srv/Dock', '---'), ('msg/Charge', ''))[: 2 if others else 1]:
+        done = builds.dock_interfaces(learner).run('ros2', 'interface', 'show', f'dock_interfaces/{name}')
         expect(
-            wire == [True, station, station, percent],
-            f'A program that uses your types ended with: {found["last_line"]}',
+            done.status == 0 and any(line.startswith(shown) for line in done.lines),
+            f'`ros2 interface show dock_interfaces/{name}` ended with: {done.last_line}',
             'both',
         )
-    done = builds.dock_interfaces(learner).run('ros2', 'interface', 'show', 'dock_interfaces/srv/Dock')
-    expect(
-        done.status == 0 and '---' in done.lines,
-        f'`ros2 interface show dock_interfaces/srv/Dock` ended with: {done.last_line}',
-        'both',
-    )
 
 
 def judge_declared(learner) -> None:

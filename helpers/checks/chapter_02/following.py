@@ -6,6 +6,7 @@ from xml.etree import ElementTree
 
 from helpers.checks.chapter_02 import builds
 from helpers.runner import about, expect
+from helpers.runner.workspaces import ExerciseWorkspace, package
 
 PROGRAM = 'lib/line_follower/follow'
 DATA = 'share/line_follower/config/gains.yaml'
@@ -174,9 +175,36 @@ def judge_rest(learner) -> None:
 
 def judge_drive(learner) -> None:
     """The repaired program prints what it should; a fault is named by the rule that it breaks."""
-    done = builds.line_follower(learner).run('ros2', 'run', 'line_follower', 'follow')
+    _judge_run(builds.line_follower(learner), SAID)
+
+
+def judge_linked(learner) -> None:
+    """With other gains and readings, and a build with --symlink-install, the program prints what follows from them."""
+    random = learner.random
+    folder = 'src/line_follower/line_follower'
+    text = package(builds.GIVEN / 'line_follower')[f'{folder}/follow.py']
+    speed, kp, offset = random.randint(11, 49) / 100, random.randint(5, 19) / 10, random.randint(2, 9) / 10
+    readings = random.sample([offset, -offset - random.random(), offset + 1 + random.random()], 3)
+    for old, new in (('= 0.2 ', f'= {speed} '), ('[0.1, 9.9, 0.1]', f'{readings}')):
+        assert text.count(old) == 1, old
+        text = text.replace(old, new)
+    changed = {f'{folder}/follow.py': text, 'src/line_follower/config/gains.yaml': f'kd: {random.random()}\nkp: {kp}\n'}
+    workspace = builds.line_follower(learner, changed, '--symlink-install')
+    elsewhere = [name.removeprefix('line_follower/') for name in workspace.installed() if name.endswith('/follow')]
+    expect(
+        not elsewhere or PROGRAM in elsewhere,
+        f'A build with --symlink-install puts the program into {min(elsewhere, default="")}; `ros2 run` looks for it '
+        'in lib/line_follower: look at script_dir in setup.cfg.',
+        'programs',
+    )
+    _judge_run(workspace, f'forward {speed:.2f} m/s, turn {-kp * offset:.2f} rad/s')
+
+
+def _judge_run(workspace: ExerciseWorkspace, said: str) -> None:
+    """The program follow prints this line, and no other."""
+    done = workspace.run('ros2', 'run', 'line_follower', 'follow')
     last = done.last_line
-    elsewhere = [name for name in _there(learner) if name.endswith('/follow')]
+    elsewhere = [name for name in workspace.installed() if name.endswith('/follow')]
     rule = 'entry-point'
     for word, other in (
         ("No module named 'line_follower.filters'", 'packages'),
@@ -187,4 +215,4 @@ def judge_drive(learner) -> None:
         rule = other if word in last else rule
     if 'No executable found' in done.output and elsewhere:
         rule = 'programs'
-    expect(done.lines == [SAID], f'`ros2 run line_follower follow` ended with: {last}', rule)
+    expect(done.lines == [said], f'`ros2 run line_follower follow` ended with: {last}; expected: {said}', rule)

@@ -21,16 +21,18 @@ def test_monitor(learner):
     learner.run(random.randint(3, 9), step=10.0)  # its own time does not begin at 0
     begin = learner.now / 1e9
     max_gap = random.choice([0.75, 1.25, 1.5])
-    rates, gaps, lidar, node = monitors.start(learner, robot(random), max_gap)
+    # A reliable lidar: who takes over what the first publisher offers is found out, too.
+    rates, gaps, lidar, node = monitors.start(learner, robot(random), max_gap, qos=10)
     learner.settle()
     with about('silent'):
         learner.run(2.05, step=1.0)
     check_reports(rates, [0, 0], begin)
     sent = [0, 0]
-    stamp = random.randint(100, 900) + 0.25
+    stamp = 0.0  # a simulated sensor begins so: it is a stamp like any other
     watched = monitors.Watched(learner, lidar, gaps, max_gap)
-    # The second scan follows at max_gap; one is late; after it comes one that is no gap from the newest.
-    steps = [0, max_gap, 0.25, max_gap + 0.625, 0.125, -max_gap - 0.5, max_gap, max_gap + 0.25, 0.125]
+    # The third scan follows at max_gap; one is late; after it comes one that is no gap from the newest.
+    late = -max_gap - random.choice([0.25, 0.5, 1.5])
+    steps = [0, max_gap + 0.125, max_gap, max_gap + 0.625, 0.125, late, max_gap, max_gap + 0.25, 0.125]
     for count in (3, 6):
         for _ in range(count):
             stamp += steps.pop(0)
@@ -43,6 +45,7 @@ def test_monitor(learner):
         check_reports(rates, sent, begin)
     learner.run(2.0, step=1.0)
     check_reports(rates, [*sent, 0, 0], begin)
+    watched.end()
     check_second(learner, rates, gaps, lidar, node, stamp)
 
 
@@ -91,6 +94,12 @@ def check_second(learner, rates, gaps, lidar, node, stamp):
         lidar.send(monitors.scan(stamp + 50.0))
         learner.settle()
     came = gaps.data[before:]
+    expect(
+        pytest.approx(stamp + 40.0) not in came or stamp < 1,
+        f'For a second monitor the first scan, with the stamp {stamp + 40:g}, made a gap of {stamp + 40:g} s: there is '
+        'nothing before it.',
+        'first',
+    )
     expect(
         came == pytest.approx([40.0, 10.0, 10.0]),
         'A second monitor was started in the same program. Then a scan came 40 s after the last one, and another '

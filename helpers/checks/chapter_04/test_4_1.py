@@ -18,6 +18,12 @@ def gripper(learner, answer, *args, delay=0.0):
     return states, close, server
 
 
+SLEEPS = (
+    'A callback sleeps, and the whole node stands still meanwhile: no answer can come in. The waiting is done by a '
+    'timer.'
+)
+
+
 @pytest.mark.rules('request', 'timeout', 'tries')
 @about('request')
 def test_silent_server(learner):
@@ -34,6 +40,7 @@ def test_silent_server(learner):
     with about('request'):
         learner.settle()
     words = f'GripperClient({timeout}, {tries}), a silent server, a command at {begin} s: '
+    expect(not learner.slept, SLEEPS, 'timeout')
     expect(
         server.stamps,
         'A command came on /close, and no request came to the service set_gripper at once.',
@@ -77,7 +84,7 @@ def test_silent_server(learner):
     )
 
 
-@pytest.mark.rules('request', 'answer', 'once', 'refusal', 'late')
+@pytest.mark.rules('request', 'answer', 'once', 'refusal', 'late', 'timeout')
 @about('request')
 def test_answers(learner):
     """Each command is reported once, with what the answer says; refusals are not tried again, late answers ignored.
@@ -94,6 +101,7 @@ def test_answers(learner):
         close.send(Bool(data=data))
         with about(rule):
             learner.run(seconds, step=1.0)
+        expect(not learner.slept, SLEEPS, 'timeout')
         expect(
             server.stamps,
             f'After {done} commands the next one made no request.'
