@@ -33,6 +33,13 @@ MUTANTS = [
            breaks='rejects-lost', alone=True),
     Mutant('two_at_a_time', old=".state != 'idle' or self.place", new='.place', expect='both were accepted',
            breaks='single', alone=True),
+    Mutant('taken_when_it_executes', edits=(("self.state = f'driving to {request.station}'", ''),
+            ('def execute(self, goal):',
+             "def execute(self, goal):\n    self.state = f'driving to {goal.request.station}'\n")),
+           expect='execute comes too late', breaks='single', alone=True),
+    Mutant('tolerance_of_the_start', edits=(("distance < self.value('tolerance')", 'distance < near'),
+            ('def execute(self, goal):', "def execute(self, goal):\n    near = self.value('tolerance')\n")),
+           expect='expected succeeded', breaks='succeeds', also='timeout', alone=True),
     Mutant('five_times_a_second', old='sleep_for(Duration(seconds=0.1))', new='sleep_for(Duration(seconds=0.2))',
            expect='from one command to the next', breaks='rhythm', also='timeout', alone=True),
     Mutant('parameters_read_once', edits=(('super().__init__(**options)', """
