@@ -24,7 +24,7 @@ MUTANTS = [
     Mutant('degrees', breaks='face', old='angle + math.pi', new='math.degrees(angle) + 180', expect='in degrees'),
     Mutant('never_turns', breaks='face', old='y, yaw=angle + math.pi)', new='y)', expect='It never turns.'),
     Mutant('no_stamp', breaks='stamp', old='message.header.stamp = now.to_msg()', new='', expect='it was not filled in'),
-    Mutant('period_is_a_rate', breaks='rate', old='(0.05, self', new='(0.2, self', expect='transforms came in 3 s, expected 60'),
+    Mutant('period_is_a_rate', breaks='rate', old='(0.05, self', new='(0.2, self', expect='transforms came in'),
     Mutant('static', breaks='frames', old='TransformBroadcaster', new='StaticTransformBroadcaster',
            expect='Transforms came on /tf_static.'),
     Mutant('swapped', breaks='frames', old="planet', 'moon", new="moon', 'planet", expect='Parent and child are swapped'),

@@ -54,7 +54,7 @@ MUTANTS = [
            ("'type': end.topic_type", "'type': types[0]")), expect='you have', breaks='read'),
     Mutant('near_to_another_deaf_one', old="[e['name'] for e in senders if e['type'] == end['type']]",
            new="[e['name'] for e in endpoints if e['type'] == end['type'] and e['name'] != end['name']]",
-           expect='Only a name that somebody publishes', breaks='nobody', also=('name', 'type', 'row', 'all', 'fits')),
+           expect='The name that is near has no publisher either', breaks='nobody', also=('name', 'type', 'row', 'all', 'fits')),
     Mutant('rule_with_a_relative_name', old="f'{name}:={value}'", new='f"{name.lstrip('"'/'"')}:={value}"',
            expect='still hears nothing', breaks='remapping'),
     Mutant('value_in_capitals', old='value.lower()', new='value', expect='The value is in small letters',

@@ -108,6 +108,8 @@ MUTANTS = [
            expect="the status is 'driving'", breaks='state', alone=True),
     Mutant('says_where_it_went', edits=(("self.state != 'idle' or", "self.state.startswith('driving') or"),
             ("self.state = 'idle'", "self.state = why")), expect="expected 'idle'", breaks='state', alone=True),
+    Mutant('idle_when_it_rejects', old='return GoalResponse.REJECT', new="self.state = 'idle'\nreturn GoalResponse.REJECT\n",
+           expect="expected 'driving to", breaks='state', alone=True),
     Mutant('never_idle_again', old="self.state = 'idle'", new="""
         if not goal.is_cancel_requested:
             self.state = 'idle'

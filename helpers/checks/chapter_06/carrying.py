@@ -22,7 +22,7 @@ class Scene:
         learner.now = learner.now or learner.random.randint(1000, 1900) * SECOND
         self._begin = learner.now / SECOND
         self._tf = learner.tf_broadcaster()
-        self.newest = 0.0  # stamp of the last transforms, simulated seconds
+        self.newest = 0.0  # stamp of the robot's last transform, simulated seconds
 
     def robot(self, seconds: float) -> np.ndarray:
         """The matrix of base_link in map."""
@@ -39,7 +39,8 @@ class Scene:
         for _ in range(rounds):
             self.newest = self.learner.now / SECOND
             self._tf.send('map', 'base_link', self.robot(self.newest), self.newest)
-            self._tf.send('map', 'cup', self.cup(self.newest), self.newest)
+            cup = self.newest - 0.03  # nobody says that both were seen at one time
+            self._tf.send('map', 'cup', self.cup(cup), cup)
             self.learner.run(period, step=period)
 
     def tell(self, frame: str) -> None:

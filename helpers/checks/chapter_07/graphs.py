@@ -151,7 +151,7 @@ def two_deaf(learner) -> None:
     compare(
         learner.call('diagnose_graph', endpoints),
         [('A7.6', f'{end["node"]} {end["name"]}', 'nobody', '') for end in endpoints],
-        {**WHY, 'name': 'Only a name that somebody publishes or serves can be meant.'},
+        {**WHY, 'nobody': 'The name that is near has no publisher either: it cannot be meant.'},
         'nobody',
         str(endpoints),
     )

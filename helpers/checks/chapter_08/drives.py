@@ -120,6 +120,7 @@ def judge_rejections(drives: Drives) -> str:
         f'{drives.goal.status} now. It goes on.',
         'single',
     )
+    drives.status(f'driving to {name}', f'While the robot drove to {name}, another goal was rejected. After that')
     return name
 
 
