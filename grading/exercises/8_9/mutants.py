@@ -108,6 +108,10 @@ MUTANTS = [
            expect="the status is 'driving'", breaks='state', alone=True),
     Mutant('says_where_it_went', edits=(("self.state != 'idle' or", "self.state.startswith('driving') or"),
             ("self.state = 'idle'", "self.state = why")), expect="expected 'idle'", breaks='state', alone=True),
+    Mutant('place_of_the_last_request', edits=((
+        'def on_goal(self, request):', 'def on_goal(self, request):\n    self.wanted = request.station\n'),
+        ('steer(*pose, *place,', 'steer(*pose, *(self.place(self.wanted) or place),')),
+           expect='Take the station from the goal that you execute', breaks='single', alone=True),
     Mutant('idle_when_it_rejects', old='return GoalResponse.REJECT', new="self.state = 'idle'\nreturn GoalResponse.REJECT\n",
            expect="expected 'driving to", breaks='state', alone=True),
     Mutant('never_idle_again', old="self.state = 'idle'", new="""

@@ -160,6 +160,12 @@ def judge_driving(drives: Drives, name: str) -> None:
     drives.run(3.0, goal)
     begin = len(goal.feedback)
     drives.run(2.0, goal)
+    expect(
+        drives.delivery.distance('other') > 0.4,
+        f'The goal other was rejected, and yet the robot drives there, and not to {name}. Take the station from the '
+        'goal that you execute.',
+        'single',
+    )
     expect(not goal.done, f'On the way to {name} the goal has ended: {goal.status}.', 'succeeds')
     rate = (len(goal.feedback) - begin) / 2.0
     expect(1.9 <= rate <= 5.6, f'{rate:g} feedback messages came in a second, expected 2 to 5.', 'feedback')
