@@ -57,8 +57,8 @@ class Table:
 
     @property
     def complete(self) -> bool:
-        """Whether no cell is empty and each name that is used is a rule of a card."""
-        return not self.problems and not any(row.lacks for row in self.rows)
+        """Whether each exercise has rules, no cell is empty, and each name that is used is a rule of a card."""
+        return not self.problems and not self.without_rules and not any(row.lacks for row in self.rows)
 
     def lines(self) -> list[str]:
         """The table as text."""
@@ -76,8 +76,7 @@ class Table:
         return [
             *(lines if self.rows else []),
             *self.problems,
-            f'{len(self.without_rules)} exercises have no rules'
-            + (f': {", ".join(self.without_rules)}' if self.without_rules else ''),
+            *(f'exercise {exercise}: its card has no rules' for exercise in self.without_rules),
         ]
 
 

@@ -86,8 +86,11 @@ class _SimulatedTimeSource(TimeSource):
             )
 
 
-def _note_errors_of_actions(note) -> None:
-    """Have `note` called with what an execute callback raises: rclpy only prints it and aborts the goal."""
+def _watch_actions(note: Callable[[Exception], Any], hold: Callable[[Callable[[], None]], Any]) -> None:
+    """Have `note` called with what an execute callback raises: rclpy only prints it and aborts the goal.
+
+    Each execution is given to `hold`, which begins it by a call when it is time.
+    """
     plain = ActionServer.notify_execute
 
     def notify_execute(self, goal_handle, execute_callback):
@@ -95,14 +98,18 @@ def _note_errors_of_actions(note) -> None:
 
         async def noting(goal_handle):
             try:
-                return await await_or_execute(callback, goal_handle)
+                result = await await_or_execute(callback, goal_handle)
+                if isinstance(result, self.action_type.Result):
+                    return result
+                what = 'nothing (None)' if result is None else f'an object of type {type(result).__name__}'
+                raise TypeError(f"execute returned {what}; return the action's Result on every way")
             except Exception as error:
                 note(error)
                 if goal_handle.is_active:
                     goal_handle.abort()
                 return self.action_type.Result()
 
-        plain(self, goal_handle, noting)
+        hold(functools.partial(plain, self, goal_handle, noting))
 
     ActionServer.notify_execute = notify_execute  # type: ignore[method-assign]  # put around it on purpose
 
@@ -245,7 +252,8 @@ class Conductor:
         self.pool: ThreadPool | None = None  # where callbacks run in threads
         self.in_callback = False  # one of the learner's runs in the main thread
         self.raised: list[Exception] = []  # by execute callbacks of actions
-        _note_errors_of_actions(self.raised.append)
+        self.accepted: list[Callable[[], None]] = []  # executions of goals that have not begun
+        _watch_actions(self.raised.append, self.accepted.append)
         self.node = Node(f'_{token}', start_parameter_services=False, enable_rosout=False, use_global_arguments=False)
         # Numbers seen: what was sent before them has arrived, too.
         self.step_seen = self.echo_seen = 0
@@ -323,17 +331,24 @@ class Conductor:
     _sent_since_echo = True
 
     def _drain(self, before: int) -> int:
-        """Run what is ready until nothing is; returns how many of the learner's callbacks ran."""
+        """Run what is ready until nothing is; returns how many of the learner's callbacks ran.
+
+        A goal begins to execute when nothing else is ready: all goals of one moment are answered before. With several
+        threads rclpy does so at times, and no program may rely on the contrary.
+        """
         total = spare = 0
-        while spare < _SPARE_ROUNDS:
+        while True:
             ran, progressed = self._pass()
             total += ran
             if total + before > MAX_CALLBACKS:
                 raise RequestError('busy', count=total + before)
-            if not ran and not progressed:
-                break
             spare = 0 if ran else spare + 1
-        return total
+            if progressed and spare < _SPARE_ROUNDS:
+                continue
+            if not self.accepted:
+                return total
+            self.accepted.pop(0)()
+            spare = 0
 
     def _pass(self) -> tuple[int, bool]:
         """One pass over all that is ready now: (finished callbacks of the learner's, anything at all)."""

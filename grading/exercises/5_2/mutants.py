@@ -65,6 +65,9 @@ MUTANTS = [
            new='Fibonacci.Goal(order=20)', expect='/outcome said'),
     Mutant('other_name', breaks='names', old="super().__init__('patient_client')", new="super().__init__('client')",
            expect='your node is called'),
+    Mutant('refused_is_lost', breaks='result', old='lambda future: self.timer.cancel())',
+           new='lambda future: future.result().goals_canceling and self.timer.cancel())',
+           expect='A cancel request is only a request'),
     Mutant('result_of_rejected', breaks='word', also=('send', 'once', 'numbers'), edits=(('''
             if not self.goal.accepted:
                 return self.finish('rejected', [])

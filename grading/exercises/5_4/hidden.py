@@ -81,6 +81,9 @@ def test_feedback(learner):
     expect(goal.feedback, 'No feedback came.')
     expect(rate <= 5.6, f'{rate:g} feedback messages came in a second, expected at most 5: do not flood.')
     expect(rate >= 1.9, f'{rate:g} feedback messages came in a second, expected at least 2.')
+    moments = [goal.sent, *goal.stamps]
+    pause = max(late - early for early, late in zip(moments, moments[1:], strict=False))
+    expect(pause < 0.65, f'For {pause:.1f} s no feedback came while the turtle drove.')
     told = [feedback.distance for feedback in goal.feedback]
     expect(
         told == sorted(told, reverse=True), 'The turtle comes nearer, but the distance in the feedback does not fall.'
@@ -180,6 +183,12 @@ def test_one_at_a_time(learner):
         'busy',
     )
     expect(first.status == 'succeeded', f'The first goal ended as {first.status}, expected succeeded.', 'arrive')
+    expect(
+        sim.distance(7.0, 5.5) < 0.2,
+        f'The goal (7, 5.5) succeeded {sim.distance(7.0, 5.5):.1f} m away from it: the robot went to a place of '
+        'a goal that was rejected.',
+        'busy',
+    )
 
 
 @pytest.mark.rules('give-up', 'zeros', 'steer')

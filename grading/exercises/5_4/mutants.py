@@ -63,6 +63,15 @@ MUTANTS = [
            new='goal.succeed', expect='expected aborted'),
     Mutant('two_at_a_time', breaks='busy', old='self.busy = True', new='', also='arrive',
            expect='Two goals came at one moment'),
+    Mutant('busy_when_it_executes', breaks='busy', also='arrive', edits=(('self.busy = True', ''), (
+        'def execute(self, goal):', 'def execute(self, goal):\n    self.busy = True\n')),
+           expect='Two goals came at one moment'),
+    Mutant('place_of_the_last_request', breaks='busy', also=('arrive', 'give-up'), edits=(
+        ('def on_goal(self, request):', 'def on_goal(self, request):\n    self.place = request\n'),
+        (STEER, 'distance, command = steer(self.pose, self.place.x, self.place.y)')),
+           expect='Take the place from the goal that you execute'),
+    Mutant('feedback_begins_late', breaks='feedback', old='if step % 2 == 0:', new='if step % 2 == 0 and step > 8:',
+           expect='no feedback came while'),
     Mutant('two_zeros', breaks='zeros', old='self.motor.publish(Twist())', new='''
         self.motor.publish(Twist())
         self.motor.publish(Twist())

@@ -1,7 +1,7 @@
 from grading.variants import Mutant
 
 MUTANTS = [
-    Mutant('all_on_the_base', old='''
+    Mutant('all_on_the_base', breaks='tree', also='optical', old='''
         transform('mast', 'lidar', z=height, roll=math.pi),
         transform('mast', 'camera', x=0.05, z=height - 0.1, pitch=math.radians(tilt)),
         transform('camera', 'camera_optical', roll=-math.pi / 2, yaw=-math.pi / 2),
@@ -10,8 +10,8 @@ MUTANTS = [
         transform('base_link', 'camera', x=0.05, z=height - 0.1, pitch=math.radians(tilt)),
         transform('base_link', 'camera_optical', roll=-math.pi / 2, yaw=-math.pi / 2),
         ''', expect='The parent of `lidar` is `base_link`'),
-    Mutant('degrees', old='math.radians(tilt)', new='tilt', expect='The tilt was taken for radians'),
-    Mutant('last_one_only', edits=(('''
+    Mutant('degrees', breaks='tilt', old='math.radians(tilt)', new='tilt', expect='The tilt was taken for radians'),
+    Mutant('last_one_only', breaks='late', edits=(('''
             self.broadcaster = StaticTransformBroadcaster(self)
             self.broadcaster.sendTransform([
             ''', '''
@@ -26,15 +26,15 @@ MUTANTS = [
         from rclpy.qos import DurabilityPolicy, QoSProfile
         from tf2_msgs.msg import TFMessage
         ''', expect='It gets the last message of each publisher'),
-    Mutant('lidar_looks_back', old=', roll=math', new=', pitch=math',
+    Mutant('lidar_looks_back', breaks='lidar', old=', roll=math', new=', pitch=math',
            expect='The x axis of the lidar points along (-1, 0, 0)'),
-    Mutant('looks_up', old='pitch=math.', new='pitch=-math.', expect='That is up.'),
-    Mutant('on_tf', old='StaticTransformBroadcaster', new='TransformBroadcaster',
+    Mutant('looks_up', breaks='tilt', old='pitch=math.', new='pitch=-math.', expect='That is up.'),
+    Mutant('on_tf', breaks='late', old='StaticTransformBroadcaster', new='TransformBroadcaster',
            expect='Your transforms went to /tf.'),
-    Mutant('optical_is_camera', old="', roll=-math.pi / 2, yaw=-math.pi / 2)", new="')",
+    Mutant('optical_is_camera', breaks='optical', old="', roll=-math.pi / 2, yaw=-math.pi / 2)", new="')",
            expect='The z axis of camera_optical points along (0, 0, 1)'),
-    Mutant('place_in_base_link', old='0.05, z=height - 0.1', new='-0.05, z=height + 0.2', expect='`camera` is at'),
-    Mutant('swapped', old='''
+    Mutant('place_in_base_link', breaks='places', old='0.05, z=height - 0.1', new='-0.05, z=height + 0.2', expect='`camera` is at'),
+    Mutant('swapped', breaks='tree', old='''
         transform('base_link', 'mast', x=-0.1, z=0.3),
         transform('mast', 'lidar', z=height, roll=math.pi),
         transform('mast', 'camera', x=0.05, z=height - 0.1, pitch=math.radians(tilt)),
@@ -45,7 +45,7 @@ MUTANTS = [
         transform('camera', 'mast', x=0.05, z=height - 0.1, pitch=math.radians(tilt)),
         transform('camera_optical', 'camera', roll=-math.pi / 2, yaw=-math.pi / 2),
         ''', expect='Parent and child are swapped'),
-    Mutant('w_first', source='''
+    Mutant('w_first', breaks='places', also=('tilt', 'lidar', 'optical'), source='''
 def placed(parent, child, roll=0.0, pitch=0.0, yaw=0.0, **place):
     message = transform(parent, child, **place)
     x, y, z, w = map(float, quaternion_from_euler(roll, pitch, yaw))
@@ -64,4 +64,16 @@ class SensorMast(Node):
             placed('camera', 'camera_optical', roll=-math.pi / 2, yaw=-math.pi / 2),
         ])
 ''', expect='In which order does a Quaternion have x, y, z and w?'),
+    Mutant('another_name', breaks='name', old="('sensor_mast')", new="('mast')", expect='expected /sensor_mast'),
+    Mutant('height_of_the_example', breaks='places', old="'lidar', z=height", new="'lidar', z=1.0",
+           expect='`lidar` is at'),
+    Mutant('tilt_of_the_example', breaks='tilt', old='math.radians(tilt)', new='math.radians(20.0)',
+           expect='the camera looks along'),
+    Mutant('lidar_stands', breaks='lidar', old=', roll=math.pi)', new=')', expect='The lidar stands upright'),
+    Mutant('one_more_frame', breaks='tree', old="transform('base_link', 'mast', x=-0.1, z=0.3),", new='''
+        transform('base_link', 'mast', x=-0.1, z=0.3),
+        transform('map', 'base_link'),
+        ''', expect='There is one more frame, `base_link`'),
+    Mutant('optical_turned_by_positive_angles', breaks='optical', old='roll=-math.pi / 2, yaw=-math.pi / 2',
+           new='roll=math.pi / 2, yaw=math.pi / 2', expect='axis of camera_optical points along'),
 ]

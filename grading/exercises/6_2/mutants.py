@@ -1,18 +1,18 @@
 from grading.variants import Mutant
 
 MUTANTS = [
-    Mutant('angle_as_quaternion', old="message = transform('planet', 'moon', x=x, y=y, yaw=angle + math.pi)", new='''
+    Mutant('angle_as_quaternion', breaks='face', old="message = transform('planet', 'moon', x=x, y=y, yaw=angle + math.pi)", new='''
         message = transform('planet', 'moon', x=x, y=y)
         message.transform.rotation = Quaternion(z=angle + math.pi, w=1.0)
         ''', expect='An angle is not a part of a quaternion'),
-    Mutant('clock_of_the_wall', edits=(('def tick(self):', '''
+    Mutant('clock_of_the_wall', breaks='stamp', edits=(('def tick(self):', '''
             def tick(self):
                 from rclpy.clock import Clock
             '''),
             ('= now.to_msg', '= Clock().now().to_msg')), expect='the time of the wall'),
-    Mutant('clockwise', old='self.radius * math.sin(angle)', new='self.radius * -math.sin(angle)',
+    Mutant('clockwise', breaks='circle', also='face', old='self.radius * math.sin(angle)', new='self.radius * -math.sin(angle)',
            expect='It goes round to the right'),
-    Mutant('counts_ticks', edits=(('period = radius, period', 'period, self.ticks = radius, period, 0'),
+    Mutant('counts_ticks', breaks='time', also='face', edits=(('period = radius, period', 'period, self.ticks = radius, period, 0'),
             ('''
             now = self.get_clock().now()
             angle = 2 * math.pi * (now.nanoseconds / 1e9) / self.period
@@ -21,11 +21,23 @@ MUTANTS = [
             now = self.get_clock().now()
             angle = 2 * math.pi * (0.05 * self.ticks) / self.period
             ''')), expect='It started on the x axis when the node was made'),
-    Mutant('degrees', old='angle + math.pi', new='math.degrees(angle) + 180', expect='in degrees'),
-    Mutant('never_turns', old='y, yaw=angle + math.pi)', new='y)', expect='It never turns.'),
-    Mutant('no_stamp', old='message.header.stamp = now.to_msg()', new='', expect='it was not filled in'),
-    Mutant('period_is_a_rate', old='(0.05, self', new='(0.2, self', expect='transforms came in 3 s, expected 60'),
-    Mutant('static', old='TransformBroadcaster', new='StaticTransformBroadcaster',
+    Mutant('degrees', breaks='face', old='angle + math.pi', new='math.degrees(angle) + 180', expect='in degrees'),
+    Mutant('never_turns', breaks='face', old='y, yaw=angle + math.pi)', new='y)', expect='It never turns.'),
+    Mutant('no_stamp', breaks='stamp', old='message.header.stamp = now.to_msg()', new='', expect='it was not filled in'),
+    Mutant('period_is_a_rate', breaks='rate', old='(0.05, self', new='(0.2, self', expect='transforms came in'),
+    Mutant('static', breaks='frames', old='TransformBroadcaster', new='StaticTransformBroadcaster',
            expect='Transforms came on /tf_static.'),
-    Mutant('swapped', old="planet', 'moon", new="moon', 'planet", expect='Parent and child are swapped'),
+    Mutant('swapped', breaks='frames', old="planet', 'moon", new="moon', 'planet", expect='Parent and child are swapped'),
+    Mutant('another_name', breaks='name', old="super().__init__('moon')", new="super().__init__('planet')",
+           expect='expected /moon'),
+    Mutant('radius_of_the_example', breaks='circle', old='self.radius, self.period = radius,',
+           new='self.radius, self.period = 3.0,', expect='m from the planet'),
+    Mutant('period_of_the_example', breaks='time', old='= radius, period', new='= radius, 8.0', expect='the moon is at'),
+    Mutant('looks_away', breaks='face', old='angle + math.pi', new='angle', expect='half a turn is missing'),
+    Mutant('whole_seconds', breaks='time', old='(now.nanoseconds / 1e9)', new='now.seconds_nanoseconds()[0]',
+           expect='the moon is at'),
+    Mutant('stamp_of_the_start', breaks='stamp', edits=(("super().__init__('moon')", '''
+           super().__init__('moon')
+           self.begin = self.get_clock().now()
+           '''), ('= now.to_msg()', '= self.begin.to_msg()')), expect='the stamp is'),
 ]

@@ -68,4 +68,8 @@ MUTANTS = [
            new='return PointStamped()', expect='No transforms have come'),
     Mutant('twenty_seconds', breaks='far', old='(seconds=31)', new='(seconds=20)',
            expect='How long does a buffer keep what it hears?'),
+    Mutant('stamp_of_the_cup', old='point = PointStamped(header=found.header)', new="""
+        point = PointStamped(header=found.header)
+        point.header.stamp = self.buffer.lookup_transform('map', 'cup', Time()).header.stamp
+        """, expect='has the stamp', breaks='stamp'),
 ]

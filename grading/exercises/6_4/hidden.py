@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from helpers.checks.chapter_06.scans import Laser, points
+from helpers.checks.chapter_06.scans import Laser, check_no_hits, check_topics, points
 from helpers.runner import about, expect
 from helpers.runner.frames import pose
 
@@ -57,6 +57,7 @@ def test_hits(learner):
     there.tell(0.0)
     learner.run(0.2)
     there.tell(0.2)
+    check_topics(there)
     scan = there.scan(ranges(learner), 0.1, learner.random.uniform(-2.0, -1.0), learner.random.uniform(0.1, 0.3))
     there.check(scan, only(there, 'A scan came, the transforms of its time are there'))
 
@@ -134,6 +135,7 @@ def test_no_hits(learner):
         'range',
     )
     there.check(scan, cloud)
+    check_no_hits(there, 0.0)
 
 
 @pytest.mark.weight(2)

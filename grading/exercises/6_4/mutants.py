@@ -89,4 +89,10 @@ MUTANTS = [
     Mutant('whole_seconds', breaks='time', also=('later', 'hopeless', 'one-cloud', 'frame'),
            old='Time.from_msg(scan.header.stamp)', new='Time(seconds=scan.header.stamp.sec)',
            expect='count the nanoseconds, too'),
+    Mutant('no_cloud_without_hits', old='self.publisher.publish(do_transform_cloud(cloud, laser_in_map))', new="""
+        if cloud.width:
+            self.publisher.publish(do_transform_cloud(cloud, laser_in_map))
+        """, expect='expected one', breaks='one-cloud'),
+    Mutant('depth_of_one', old="'points', 10)", new="'points', 1)", expect='has the depth 1, expected 10',
+           breaks='topics'),
 ]

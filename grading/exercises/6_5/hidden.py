@@ -5,7 +5,7 @@ import math
 import pytest
 
 from helpers.checks.chapter_06.geometry import explain, words
-from helpers.checks.chapter_06.pursuit import Pursuit, zeros
+from helpers.checks.chapter_06.pursuit import Pursuit, check_topic, zeros
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('6.5'), pytest.mark.wiring(type='topic', qos='topic')]
@@ -47,13 +47,14 @@ def test_command(learner):
     The frame in which you want to know the place is the target. Both names are arguments.
     """
     there = pursuit(learner)
-    # Ahead and to the left of it, 2 m away: with a look-up of anything else chase says something else.
-    there.me.theta = math.atan2(5.5 - there.me.y, 5.5 - there.me.x) - learner.random.choice([-0.6, 0.6])
+    # Ahead and to the right of it, 2 m away: with a look-up of anything else chase says something else.
+    there.me.theta = math.atan2(5.5 - there.me.y, 5.5 - there.me.x) + 0.6
     there.leader.theta = there.me.theta + 2.0
     for _ in range(3):
         there.tell()
         learner.run(0.1)
     heard(there, 3, 'In 0.3 s', 'rate')
+    check_topic(there)
     command, place = there.commands.messages[-1], there.place()
     told = (
         f'The leader is at {words(place)} in the frame of the follower. The command is linear.x '

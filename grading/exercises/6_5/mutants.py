@@ -78,4 +78,7 @@ MUTANTS = [
         """, expect='the transform of the follower'),
     Mutant('waits_a_little', breaks='no-wait', also=('unknown', 'rate'), old=LOOKUP,
            new='(self.me, self.leader, Time(), Duration(seconds=0.05))', expect='It must not wait'),
+    Mutant('depth_of_one', old="cmd_vel', 10)", new="cmd_vel', 1)", expect='has the depth 1, expected 10', breaks='topic'),
+    Mutant('always_to_the_left', old='found.transform.translation.y)', new='abs(found.transform.translation.y))',
+           expect='chase says something else', breaks='place'),
 ]

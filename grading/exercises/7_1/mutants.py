@@ -88,4 +88,13 @@ def repair_machine(files, want):
            breaks='kept', expect='keep all other lines'),
     Mutant('a_new_list', old="sources = keep['ros2.list'] + [DEB", new="sources = ['# ROS 2'] + [DEB",
            breaks='repaired', also='kept', expect='begins with `deb`'),
+    Mutant('path_at_the_end_only', old="'$PATH' not in value", new="not value.endswith('$PATH')",
+           expect='there is no such fault', breaks='path', also=('all', 'comments', 'kept', 'repaired')),
+    Mutant('any_name_with_path', old="name == 'PATH' and", new="name.endswith('PATH') and",
+           expect='there is no such fault', breaks='path', also=('all', 'comments', 'kept', 'repaired')),
+    Mutant('subnet_alone', old="value in ('OFF', 'LOCALHOST')", new="value != 'SUBNET'", expect='there is no such fault',
+           breaks='range', also=('all', 'comments', 'kept', 'repaired')),
+    Mutant('release_anywhere_in_the_line', old="line.split()[-2] != want['codename']",
+           new="want['codename'] not in line", expect='You did not find A7.1, cause `release`', breaks='release',
+           also=('all', 'repaired')),
 ]

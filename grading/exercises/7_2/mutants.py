@@ -50,4 +50,6 @@ MUTANTS = [
             setup = setup.replace(value, value.partition(':')[0] + ':main_')
     return {**files, 'setup.py': setup}
 ''', breaks='kept', expect='After your repair'),
+    Mutant('py_anywhere', old="module.endswith('.py')", new="'.py' in value", expect='there is no such fault',
+           breaks='file', also=('module', 'function', 'all', 'kept', 'repaired')),
 ]

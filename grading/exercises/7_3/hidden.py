@@ -26,6 +26,8 @@ def test_read_topics(learner):
         for end in graphs.draw(learner.random, 'both', 'healthy', 'durability')[0]
         if end['role'] in ('publisher', 'subscription')
     ]
+    strange = next(kind for kind in graphs.MESSAGES if kind != endpoints[0]['type'])  # two types on one topic
+    endpoints.append({**endpoints[0], 'node': '/hall/stranger', 'role': 'subscription', 'type': strange})
     secret = {**endpoints[0], 'node': '/_secret', 'role': 'subscription'}
     with graphs.System(learner.context.get_domain_id()) as system, about('read'):
         for endpoint in [secret, *endpoints]:
@@ -52,6 +54,7 @@ def test_names(learner):
     check(learner, 'name')
     check(learner, 'nobody')
     graphs.other_type(learner)
+    graphs.two_deaf(learner)
 
 
 @pytest.mark.rules('type')

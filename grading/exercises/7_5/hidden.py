@@ -8,12 +8,13 @@ from helpers.runner import about
 pytestmark = pytest.mark.exercise('7.5')
 
 
-@pytest.mark.rules('frames', 'kept')
+@pytest.mark.rules('frames', 'kept', 'inertia')
 def test_healthy_robot(learner):
     """A robot without a fault gives an empty list and is not changed. A link without <visual> is a frame.
 
     A frame needs neither mass nor collision.
     """
+    Robot(learner.random, flat=True).diagnose(learner, 'inertia')
     for _ in range(5):
         Robot(learner.random).diagnose(learner)
         robot = Robot(learner.random, frame=True)

@@ -63,4 +63,8 @@ MUTANTS = [
             robot.remove(link)
     return ElementTree.tostring(robot, encoding='unicode')
 ''', breaks='kept', expect='is gone'),
+    Mutant('flat_bodies_too', old='high > low + middle', new='high >= low + middle', expect='there is no such fault',
+           breaks='inertia'),
+    Mutant('no_moment_is_right', old='if low <= 0 or high', new='if low < 0 or high',
+           expect='You did not find A7.11, cause `inertia`', breaks='inertia', also=('all', 'weight', 'kept')),
 ]

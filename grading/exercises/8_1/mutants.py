@@ -54,6 +54,16 @@ MUTANTS = [
            expect='It is no text that names', breaks='no-text', also=('node', 'super', 'topic', 'keyword')),
     Mutant('private_is_bad', old=".removeprefix('~/').split", new='.split', expect='may begin with ~/', breaks='topic',
            also='service'),
+    Mutant('packages_in_lower_case', old=f"{WORDS} and (kind != 'package' or len(name) > 1)", new='''
+           return name == name.lower() and len(name) > 1 if kind == 'package' else all(map(WORD.fullmatch, words))
+           ''', expect='It has a hyphen', breaks='package'),
+    Mutant('no_keyword_of_super', old="'__init__': ('node', 0, 'node_name')", new="'__init__': ('node', 0, '')",
+           expect='It is given as a keyword', breaks='keyword'),
+    Mutant('a_number_is_a_name', old='if isinstance(name, str):', new='if name is not None:',
+           expect='raised TypeError', breaks='no-text'),
+    Mutant('a_tilde_has_no_words', old=WORDS,
+           new="return name in ('~', '~/') or all(WORD.fullmatch(word) for word in words)",
+           expect='There is no word in it', breaks='topic', also='service'),
     Mutant('short_package', old=") and (kind != 'package' or len(name) > 1)", new=')', expect='It has one character',
            breaks='package'),
     Mutant('three_characters', old='len(name) > 1', new='len(name) > 2', expect='at least two characters',

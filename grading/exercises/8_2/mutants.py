@@ -58,8 +58,19 @@ MUTANTS = [
            breaks='limit', also='modes'),
     Mutant('absolute_speed', old=CLAMP, new='command.linear.x = min(limit, abs(self.command.linear.x))',
            expect='linear.x -', breaks='limit', also='modes'),
-    Mutant('always_as_fast_as_it_may', old=CLAMP, new='command.linear.x = math.copysign(limit, self.command.linear.x)',
-           imports='import math', expect='Before the first command', breaks='limit', also=('before', 'newest')),
+    Mutant('always_as_fast_as_it_may', old=CLAMP, new='''
+           speed = self.command.linear.x
+           command.linear.x = math.copysign(limit, speed) if speed else 0.0
+           ''', imports='import math', expect='and it is not too fast', breaks='limit'),
+    Mutant('cut_off_when_it_comes', old=CLAMP, new='''
+           self.command.linear.x = max(-limit, min(limit, self.command.linear.x))
+           command.linear.x = self.command.linear.x
+           ''', expect='Keep the command as it came', breaks='at-once', also='newest'),
+    Mutant('stop_forgets', old='self.publisher.publish(command)',
+           new="self.publisher.publish(command)\nself.command = Twist() if mode == 'stop' else self.command\n",
+           expect='The mode was changed from stop to slow', breaks='newest'),
+    Mutant('a_part_of_a_mode', old="('normal', 'slow', 'stop'):", new="'normal, slow, stop':", expect='was accepted',
+           breaks='unknown-mode'),
     Mutant('limit_of_the_card',
            old="limit = self.get_parameter('slow_linear' if mode == 'slow' else 'max_linear').value",
            new="limit = self.get_parameter('slow_linear').value if mode == 'slow' else 0.5",

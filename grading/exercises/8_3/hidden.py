@@ -3,8 +3,6 @@
 import pytest
 
 from helpers.checks.chapter_08 import fleets
-from helpers.checks.chapter_08.test_8_3 import ROBOTS, WANTED, robots
-from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('8.3')
 
@@ -16,11 +14,7 @@ def test_values(learner):
 
     A later block of the file overrides an earlier one: the block for all comes first.
     """
-    there = robots(learner)
-    for name, parameters in WANTED.items():
-        for parameter, (wanted, rule) in parameters.items():
-            got = there[name][parameter]
-            expect(got == wanted, f'{name} has {parameter} = {got!r}, expected {wanted!r}.', rule)
+    fleets.judge_values(learner)
 
 
 @pytest.mark.rules('remapped', 'others-stay')
@@ -30,22 +24,7 @@ def test_remapped(learner):
 
     remappings=[('cmd_vel', 'base/cmd_vel')] for robot2, with relative names.
     """
-    first, second = (robots(learner)[name] for name in ROBOTS)
-    for report, wanted, rule in (
-        (second, '/robot2/base/cmd_vel', 'remapped'),
-        (first, '/robot1/cmd_vel', 'others-stay'),
-    ):
-        expect(
-            report['publishes'] == wanted,
-            f'{report["node"]} publishes on {report["publishes"]}, expected {wanted}.',
-            rule,
-        )
-        wanted = report['node'].replace('governor', 'cmd_vel_in')
-        expect(
-            report['listens'] == wanted,
-            f'{report["node"]} listens to {report["listens"]}, expected {wanted}.',
-            'others-stay',
-        )
+    fleets.judge_names(learner)
 
 
 @pytest.mark.rules('rate', 'max-linear')
@@ -55,21 +34,8 @@ def test_another_robot(learner):
 
     The name /** stands for all nodes in all namespaces.
     """
-    robots(learner)
     number = learner.random.randint(3, 99)
-    for namespace in (f'/robot1{number}', f'/hall{number}/robot2'):
-        with about('rate'):
-            report = fleets.alone(learner, namespace)
-        for name, wanted, rule in (
-            ('rate', 20.0, 'rate'),
-            ('max_linear', 0.6, 'max-linear'),
-            ('mode', 'normal', 'robot2'),
-        ):
-            expect(
-                report[name] == wanted,
-                f'A governor in {namespace} with your file has {name} = {report[name]!r}, expected {wanted!r}.',
-                rule,
-            )
+    fleets.judge_others(learner, f'/robot1{number}', f'/hall{number}/robot2')
 
 
 @pytest.mark.rules('installed-file')
@@ -78,11 +44,4 @@ def test_no_values_in_the_launch_file(learner):
 
     In the launch file, parameters= is a list with the path of the installed file.
     """
-    robots(learner)
-    drawn = learner.random.randint(21, 49)
-    rates = [report for report in fleets.launched_with_rate(learner, drawn) if report['rate'] == drawn]
-    expect(
-        len(rates) == 2,
-        f'The rate in the installed config/fleet.yaml was changed to {drawn}, and {len(rates)} of '
-        'the two governors have it. The launch file must use the installed file, for both.',
-    )
+    fleets.judge_installed_file(learner)

@@ -44,6 +44,22 @@ MUTANTS = [
         """, expect='messages came at', breaks='status-period'),
     Mutant('period_of_its_own', old="self.value('status_period')", new='0.5', expect='messages came at',
            breaks='status-period', also='status'),
+    Mutant('the_newest_period', edits=((
+           "self.create_timer(self.value('status_period'), lambda: self.publisher.publish(String(data=self.state)))", '''
+           self.timer = None
+           self.add_post_set_parameters_callback(self.renew)
+           self.renew([])
+           '''), ('def place(self, name):', '''
+           def renew(self, parameters):
+               self.timer and self.destroy_timer(self.timer)
+               self.timer = self.create_timer(
+                   self.value('status_period'), lambda: self.publisher.publish(String(data=self.state)))
+
+           def place(self, name):
+           ''')), expect='the value at the start counts', breaks='status-period'),
+    Mutant('names_in_any_letters', edits=(('return self.stations.get(name)', 'return self.stations.get(name.lower())'),
+            ('self.stations[request.name] =', 'self.stations[request.name.lower()] =')),
+           expect='nobody has set this station', breaks='unknown'),
     Mutant('a_rate', old="self.value('status_period')", new="1 / self.value('status_period')",
            expect='With status_period = ', breaks='status', also='status-period'),
     Mutant('many_are_kept', old='(depth=1, durability', new='(depth=10, durability',

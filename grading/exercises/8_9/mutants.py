@@ -33,6 +33,13 @@ MUTANTS = [
            breaks='rejects-lost', alone=True),
     Mutant('two_at_a_time', old=".state != 'idle' or self.place", new='.place', expect='both were accepted',
            breaks='single', alone=True),
+    Mutant('taken_when_it_executes', edits=(("self.state = f'driving to {request.station}'", ''),
+            ('def execute(self, goal):',
+             "def execute(self, goal):\n    self.state = f'driving to {goal.request.station}'\n")),
+           expect='execute comes too late', breaks='single', alone=True),
+    Mutant('tolerance_of_the_start', edits=(("distance < self.value('tolerance')", 'distance < near'),
+            ('def execute(self, goal):', "def execute(self, goal):\n    near = self.value('tolerance')\n")),
+           expect='expected succeeded', breaks='succeeds', also='timeout', alone=True),
     Mutant('five_times_a_second', old='sleep_for(Duration(seconds=0.1))', new='sleep_for(Duration(seconds=0.2))',
            expect='from one command to the next', breaks='rhythm', also='timeout', alone=True),
     Mutant('parameters_read_once', edits=(('super().__init__(**options)', """
@@ -101,6 +108,12 @@ MUTANTS = [
            expect="the status is 'driving'", breaks='state', alone=True),
     Mutant('says_where_it_went', edits=(("self.state != 'idle' or", "self.state.startswith('driving') or"),
             ("self.state = 'idle'", "self.state = why")), expect="expected 'idle'", breaks='state', alone=True),
+    Mutant('place_of_the_last_request', edits=((
+        'def on_goal(self, request):', 'def on_goal(self, request):\n    self.wanted = request.station\n'),
+        ('steer(*pose, *place,', 'steer(*pose, *(self.place(self.wanted) or place),')),
+           expect='Take the station from the goal that you execute', breaks='single', alone=True),
+    Mutant('idle_when_it_rejects', old='return GoalResponse.REJECT', new="self.state = 'idle'\nreturn GoalResponse.REJECT\n",
+           expect="expected 'driving to", breaks='state', alone=True),
     Mutant('never_idle_again', old="self.state = 'idle'", new="""
         if not goal.is_cancel_requested:
             self.state = 'idle'

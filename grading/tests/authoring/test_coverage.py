@@ -70,6 +70,6 @@ def test_what_is_missing_or_wrong(tmp_path, change, found):
     assert not made.complete and found in '\n'.join(made.lines())
 
 
-def test_an_exercise_without_rules_is_only_counted(tmp_path):
+def test_an_exercise_without_rules_is_not_complete(tmp_path):
     made = table(tmp_path, 'x = 1', 'x = 1', 'MUTANTS = []', small.exercise())
-    assert made.complete and made.lines() == ['1 exercises have no rules: 90.1']
+    assert not made.complete and made.lines() == ['exercise 90.1: its card has no rules']

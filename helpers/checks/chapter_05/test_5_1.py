@@ -163,7 +163,8 @@ def test_cancel(learner):
     goals = [client.send(order=4) for _ in range(2)]
     learner.run(0.7)
     goals[draw.choice([0, 1])].cancel()
-    learner.run(2.0)
+    with about('goals'):
+        learner.run(2.0)
     expect(
         sorted(goal.status or 'still running' for goal in goals) == ['canceled', 'succeeded'],
         'Two goals ran at the same time, and one of them was cancelled; they ended as '

@@ -90,10 +90,10 @@ def test_outcomes(learner):
         rounds.expect(wanted, 'word', 'The status stands beside the result.')
     server.plan = plan
     _stops_late(learner, rounds, draw.choice([1.25, 2.1]), value)
-    server.cancel = draw.choice(['reject', 'ignore'])
-    rounds.begin(5, 1.2, f'a server that goes on after the cancel request ({server.cancel}) and succeeds')
-    learner.run(4.5, step=1.0)
-    rounds.expect('succeeded [50, 51, 52, 53, 54]', 'result', 'A cancel request is only a request.')
+    for server.cancel, does in (('reject', 'refuses the cancel request'), ('ignore', 'accepts the cancel request')):
+        rounds.begin(5, 1.2, f'a server that {does}, goes on, and succeeds 1.3 s later')
+        learner.run(3.5, step=1.0)
+        rounds.expect('succeeded [50, 51, 52, 53, 54]', 'result', 'A cancel request is only a request.')
     _answers_late(learner, rounds)
 
 

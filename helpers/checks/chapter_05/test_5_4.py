@@ -105,6 +105,12 @@ def test_standing_robot(learner):
         'busy',
     )
     learner.run(1.0)
+    expect(
+        not robot.commands.messages or robot.said() != pytest.approx((0.0, -3 * math.pi), abs=0.01),
+        'Two goals came at one moment. The second one, (1, 1), was rejected, and yet the robot turns to it. Take the '
+        'place from the goal that you execute.',
+        'busy',
+    )
     count = len(robot.commands)
     expect(9 <= count <= 11, f'{count} commands came in the first second, expected one every 0.1 s.', 'steer')
     for theta, wanted in ((0.0, (2.0, 0.0)), (math.pi / 2, (0.0, -2 * math.pi)), (-0.25, (2.0, 1.0))):
@@ -118,9 +124,16 @@ def test_standing_robot(learner):
             f'the command is {robot.said()}, expected what steer gives, {wanted}: use the newest pose.',
             'steer',
         )
-    third = client.send(x=2.0, y=9.0)
-    learner.run(17.5)
+    third = client.send(x=2.0, y=8.0)
+    learner.run(0.5)
     expect(third.accepted is False, 'A goal was accepted while another one ran.', 'busy')
+    expect(
+        robot.said() == pytest.approx(wanted, abs=0.01),
+        f'While a goal ran, another one was rejected, and since then the command is {robot.said()}, expected {wanted} '
+        'as before: the first goal goes on. Take the place from the goal that you execute.',
+        'busy',
+    )
+    learner.run(17.0)
     expect(
         not goal.done,
         f'A robot that does not move: the goal ended as {goal.status} after {goal.finished or 0:g} s, expected 20 s.',
@@ -130,6 +143,13 @@ def test_standing_robot(learner):
     expect(
         1.9 <= rate <= 5.1,
         f'{rate:.1f} feedback messages came in a second, expected 2 to 5: it is for people and for slow decisions.',
+        'feedback',
+    )
+    moments = [goal.sent, *goal.stamps]
+    pause = max(late - early for early, late in zip(moments, moments[1:], strict=False))
+    expect(
+        pause < 0.65,
+        f'For {pause:.1f} s no feedback came while the goal ran, expected 2 to 5 in each second.',
         'feedback',
     )
     expect(

@@ -9,6 +9,8 @@ from helpers.runner import expect
 from helpers.runner.frames import pose
 from helpers.runner.peers import SECOND
 
+EARLIER = 0.03  # s: nobody says that cup and robot were seen at one moment
+
 
 class Scene:
     """Robot and cup move straight on, and turn evenly: what tf2 interpolates is exact.
@@ -22,7 +24,7 @@ class Scene:
         learner.now = learner.now or learner.random.randint(1000, 1900) * SECOND
         self._begin = learner.now / SECOND
         self._tf = learner.tf_broadcaster()
-        self.newest = 0.0  # stamp of the last transforms, simulated seconds
+        self.newest = 0.0  # stamp of the robot's last transform, simulated seconds
 
     def robot(self, seconds: float) -> np.ndarray:
         """The matrix of base_link in map."""
@@ -39,7 +41,8 @@ class Scene:
         for _ in range(rounds):
             self.newest = self.learner.now / SECOND
             self._tf.send('map', 'base_link', self.robot(self.newest), self.newest)
-            self._tf.send('map', 'cup', self.cup(self.newest), self.newest)
+            cup = self.newest - EARLIER
+            self._tf.send('map', 'cup', self.cup(cup), cup)
             self.learner.run(period, step=period)
 
     def tell(self, frame: str) -> None:
@@ -62,6 +65,7 @@ class Scene:
         )
         expect(isinstance(found, PointStamped), f'{call} gave {found}, expected a PointStamped.', 'point')
         place = (found.point.x, found.point.y, found.point.z)
+        both = self.newest - EARLIER  # the newest time of which all is known
         robot, before = np.linalg.inv(self.robot(self.newest)), np.linalg.inv(self.robot(then))
         expected = origin(robot @ self.cup(then))
         rules = [
@@ -76,7 +80,8 @@ class Scene:
                 (same(place, origin(wrong), 1e-3), reason)
                 for wrong, reason in (
                     (before @ self.cup(then), 'This is seen from the robot as it stood then. It has moved on.'),
-                    (robot @ self.cup(self.newest), 'This is where the cup was just now.'),
+                    (robot @ self.cup(both), 'This is where the cup was just now.'),
+                    (np.linalg.inv(self.robot(both)) @ self.cup(both), 'This is where the cup was just now.'),
                     (self.cup(then), 'This is in the frame map.'),
                     (
                         np.linalg.inv(robot @ self.cup(then)),

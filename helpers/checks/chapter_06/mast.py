@@ -3,11 +3,15 @@
 import math
 from difflib import get_close_matches
 
-from helpers.runner import expect
-from helpers.runner.frames import Listener, pose
+import numpy as np
+
+from helpers.checks.chapter_06.geometry import axis, check_rotation, explain, origin, same, words
+from helpers.runner import about, expect
+from helpers.runner.frames import Listener, pose, to_matrix
 
 PARENTS = {'mast': 'base_link', 'lidar': 'mast', 'camera': 'mast', 'camera_optical': 'camera'}
 NOT_TURNED = '"Not turned" is x=0, y=0, z=0, w=1.'
+ORDER = 'In which order does a Quaternion have x, y, z and w?'
 
 
 def truth(height: float, tilt: float) -> dict:
@@ -20,11 +24,40 @@ def truth(height: float, tilt: float) -> dict:
     }
 
 
-def late_joiner(learner, height: float, tilt: float) -> Listener:
-    """Start the mast, and listen when all has been said. Fails if not all frames are heard, with their parents."""
+class Mast:
+    """The learner's mast, of another height and tilt each time, and what a listener hears that comes late."""
+
+    def __init__(self, learner, numbers: tuple[float, float] | None = None):
+        """Fails if not all frames are heard, with their parents. `numbers`: height in m, tilt in degrees."""
+        self.height, self.tilt = numbers or _drawn(learner.random)
+        with about('late'):
+            self.late = _late_joiner(learner, self.height, self.tilt)
+        self.called = f'SensorMast({self.height}, {self.tilt})'
+
+    def in_base(self, child: str):
+        """The matrix of a frame in base_link; fails if there is no way."""
+        matrix = self.late.matrix('base_link', child)
+        expect(
+            matrix is not None,
+            f'tf2 finds no way from `{child}` to `base_link`: the frames are no tree. Look at the parents.',
+            'tree',
+        )
+        return matrix
+
+
+def _drawn(draw) -> tuple[float, float]:
+    """A height and a tilt; some degrees look the same as radians, and they are left out."""
+    height, tilt = round(draw.uniform(0.6, 2.5), 2), 0.0
+    while abs(math.sin(tilt) - math.sin(math.radians(tilt))) < 0.2:
+        tilt = round(draw.uniform(25, 50), 1)
+    return height, tilt
+
+
+def _late_joiner(learner, height: float, tilt: float) -> Listener:
+    """Start the mast, and listen when all has been said."""
     node = learner.start('SensorMast', height, tilt)
     learner.run(0.5)
-    expect(node.name == '/sensor_mast', f'Your node is called {node.name}, expected /sensor_mast.')
+    expect(node.name == '/sensor_mast', f'Your node is called {node.name}, expected /sensor_mast.', 'name')
     late = learner.tf_listener()
     learner.settle()
     heard = late.static_transforms
@@ -41,12 +74,14 @@ def late_joiner(learner, height: float, tilt: float) -> Listener:
             not swapped,
             f'You sent `{transform.header.frame_id}` as the parent of `{child}`. Parent and child are '
             'swapped: header.frame_id is the parent.',
+            'tree',
         )
     lost = [child for child in PARENTS if child not in heard]
     expect(
         not lost,
         f'A listener that came late heard of {", ".join(f"`{child}`" for child in sorted(heard))}, and '
         f'nothing of `{lost and lost[0]}`. {_why(heard, lost)}',
+        'late' if len(heard) == 1 else 'tree',
     )
     return late
 
@@ -60,11 +95,73 @@ def _why(heard, lost: list[str]) -> str:
     return f'Is it what you call `{near[0]}`? A name counts letter by letter.' if near else 'Nobody has sent it.'
 
 
-def in_base(late: Listener, child: str):
-    """The matrix of a frame in base_link; fails if there is no way."""
-    matrix = late.matrix('base_link', child)
-    expect(
-        matrix is not None,
-        f'tf2 finds no way from `{child}` to `base_link`: the frames are no tree. Look at the parents.',
+def judge_tree(mast: Mast) -> None:
+    """The rule `tree`."""
+    heard = mast.late.static_transforms
+    for child, parent in PARENTS.items():
+        there = heard[child].header.frame_id
+        expect(there == parent, f'The parent of `{child}` is `{there}`, expected `{parent}`.', 'tree')
+    others = sorted(set(heard) - set(PARENTS))
+    expect(not others, f'There is one more frame, `{others and others[0]}`.', 'tree')
+
+
+def judge_places(mast: Mast) -> None:
+    """The rule `places`."""
+    with about('places'):
+        for child, expected in truth(mast.height, mast.tilt).items():
+            transform = mast.late.static_transforms[child]
+            place = origin(to_matrix(transform))
+            expect(
+                same(place, origin(expected)),
+                f'{mast.called}: `{child}` is at {words(place)} in its parent, expected {words(origin(expected))}.',
+            )
+            check_rotation(transform, NOT_TURNED)
+        turn = to_matrix(mast.late.static_transforms['mast'])[:3, :3]
+        expect(same(turn, np.eye(3)), f'{mast.called}: `mast` is turned. {NOT_TURNED} {ORDER}')
+
+
+def judge_camera(mast: Mast) -> None:
+    """The rule `tilt`."""
+    view, tilt, angle = axis(mast.in_base('camera'), 'x'), mast.tilt, math.radians(mast.tilt)
+    expected = math.cos(angle), 0, -math.sin(angle)
+    explain(
+        same(view, expected),
+        f'{mast.called}: the camera looks along {words(view)} in base_link, expected {words(expected)}.',
+        (
+            same(view, (math.cos(angle), 0, math.sin(angle))),
+            'That is up. Positive angles turn from z to x: a positive pitch looks down.',
+        ),
+        (same(view, (math.cos(tilt), 0, -math.sin(tilt))), 'The tilt was taken for radians. It is in degrees.'),
+        (True, f'Which angle is it? {ORDER}'),
+        rule='tilt',
     )
-    return matrix
+
+
+def judge_lidar(mast: Mast) -> None:
+    """The rule `lidar`."""
+    lidar = mast.in_base('lidar')
+    expect(not same(lidar[:3, :3], np.eye(3)), 'The lidar stands upright. It hangs upside down.', 'lidar')
+    for name, expected in (('x', (1, 0, 0)), ('y', (0, -1, 0)), ('z', (0, 0, -1))):
+        expect(
+            same(axis(lidar, name), expected),
+            f'The {name} axis of the lidar points along {words(axis(lidar, name))} in base_link, expected '
+            f'{words(expected)}: half a turn about x. {ORDER}',
+            'lidar',
+        )
+
+
+def judge_optical(mast: Mast) -> None:
+    """The rule `optical`."""
+    optical = mast.late.matrix('camera', 'camera_optical')
+    expect(optical is not None, 'tf2 finds no way from `camera_optical` to `camera`.', 'tree')
+    for name, where, expected in (
+        ('z', 'ahead', (1, 0, 0)),
+        ('x', 'to the right', (0, -1, 0)),
+        ('y', 'down', (0, 0, -1)),
+    ):
+        expect(
+            same(axis(optical, name), expected),
+            f'The {name} axis of camera_optical points along {words(axis(optical, name))} in the frame camera. '
+            f'Expected {where}: {words(expected)}.',
+            'optical',
+        )

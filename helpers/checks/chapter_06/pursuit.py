@@ -95,3 +95,14 @@ class Pursuit:
 def zeros(command: Twist) -> bool:
     """Whether a command stops the robot."""
     return (command.linear.x, command.angular.z) == (0.0, 0.0)
+
+
+def check_topic(there: Pursuit) -> None:
+    """Fail unless the follower has its publisher, with the depth 10."""
+    leader, me = there.names
+    topic = f'/{me}/cmd_vel'
+    expect(
+        there.learner.endpoints(topic).publishers, f'Follower({leader!r}, {me!r}) has no publisher on {topic}.', 'topic'
+    )
+    depths = there.learner.depths('publisher', topic)
+    expect(depths == [10], f'Your publisher on {topic} has the depth {depths[0]}, expected 10.', 'topic')

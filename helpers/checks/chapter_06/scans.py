@@ -145,6 +145,23 @@ class Laser:
         )
 
 
+def check_topics(there: Laser) -> None:
+    """Fail unless the node has its two topics, with the depth 10."""
+    for topic, kind in (('/scan', 'subscription'), ('/points', 'publisher')):
+        expect(getattr(there.learner.endpoints(topic), f'{kind}s'), f'Your node has no {kind} on {topic}.', 'topics')
+        depths = there.learner.depths(kind, topic)
+        expect(depths == [10], f'Your {kind} on {topic} has the depth {depths[0]}, expected 10.', 'topics')
+
+
+def check_no_hits(there: Laser, seconds: float) -> None:
+    """Fail unless a scan of this time, whose transforms are there, gives a cloud although it sees nothing."""
+    there.clouds.clear()
+    there.scan([math.inf, math.nan, 0.0], seconds)
+    there.learner.run(0.1)
+    found = [len(points(cloud)) for cloud in there.clouds.messages]
+    expect(found == [0], f'A scan without a hit gave {len(found)} clouds, expected one without points.', 'one-cloud')
+
+
 def points(cloud: PointCloud2) -> np.ndarray:
     """The points of a cloud, Nx3; fails if it cannot be read."""
     try:

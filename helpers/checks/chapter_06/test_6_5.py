@@ -5,7 +5,7 @@ import math
 import pytest
 
 from helpers.checks.chapter_06.geometry import explain, words
-from helpers.checks.chapter_06.pursuit import Pursuit, zeros
+from helpers.checks.chapter_06.pursuit import Pursuit, check_topic, zeros
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('6.5'), pytest.mark.wiring(type='topic', qos='topic')]
@@ -24,11 +24,7 @@ def test_life(learner):
     leader, me = draw.sample(['anna', 'ben', 'chris', 'dora', 'emil'], 2)
     there = Pursuit(learner, leader, me, (5.5, 5.5, draw.uniform(2, 3)), (2.0, draw.uniform(2, 4), -0.4), threads=True)
     expect(there.node.name == '/follower', f'Your node is called {there.node.name}, expected /follower.', 'name')
-    expect(
-        learner.endpoints(f'/{me}/cmd_vel').publishers,
-        f'Follower({leader!r}, {me!r}) has no publisher on /{me}/cmd_vel.',
-        'topic',
-    )
+    check_topic(there)
     learner.run(1.2)
     there.tell([draw.choice(there.names)])
     learner.run(0.2)
@@ -57,7 +53,7 @@ def _check_command(there):
         there.tell()
         there.learner.run(0.1)
     before = there.place()
-    turn = there.me.theta + 0.6
+    turn = there.me.theta - 0.6  # to the right; before it was to the left
     there.leader.x, there.leader.y = there.me.x + 2.2 * math.cos(turn), there.me.y + 2.2 * math.sin(turn)
     there.tell()
     there.learner.run(0.1)

@@ -38,6 +38,8 @@ def draw(random, *causes: str, plain: bool = False, way: str = '', reach: str = 
     key = random.choice(
         ['[signed-by=/usr/share/keyrings/ros-archive-keyring.gpg]', '[arch=amd64 signed-by=/etc/apt/keyrings/ros.gpg]']
     )
+    if 'release' in causes:  # the right release stands in the line, but as no release
+        key = f'[signed-by=/usr/share/keyrings/ros-{codename}.gpg]'
     deb = (
         f'deb {"[arch=amd64]" if "key" in causes else key} {_URL} '
         f'{other_codename if "release" in causes else codename} main'
@@ -63,6 +65,8 @@ def draw(random, *causes: str, plain: bool = False, way: str = '', reach: str = 
         '# what every terminal reads',
         f'export ROBOT=robot{random.randint(10, 99)}',
         "alias ll='ls -l'",
+        f'export PATH=$PATH:/opt/arm{random.randint(10, 99)}/bin',
+        'export MANPATH=/opt/arm/man',
         *([] if plain else [f'#source /opt/ros/{older}/setup.bash']),
     ]
     if 'not sourced' in causes:
@@ -86,6 +90,7 @@ def draw(random, *causes: str, plain: bool = False, way: str = '', reach: str = 
         lines += [f'{random.choice(ways)}ROS_DOMAIN_ID={value}' for value in (wrong, want['domain'])]
     reach = reach or random.choice(['OFF', 'LOCALHOST'])
     name = f'{random.choice(ways)}ROS_AUTOMATIC_DISCOVERY_RANGE'
+    lines.append(f'{name}=SYSTEM_DEFAULT')
     lines.append(fault('A7.7', 'range', f'{name}={reach}') if 'range' in causes else f'{name}=SUBNET')
     return {'ros2.list': '\n'.join(sources) + '\n', '.bashrc': '\n'.join(lines) + '\n'}, want, expected
 

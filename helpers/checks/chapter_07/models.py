@@ -40,9 +40,12 @@ else:
 class Robot:
     """A drawn robot: its `urdf`, and the `expected` findings. `causes`: pairs of link and cause, or causes."""
 
-    def __init__(self, random, *causes, frame: bool = False, form: int | None = None):
-        """`frame`: there is a link without <visual>. `form`: which of the wrong values it is, by its number."""
-        self._form = form
+    def __init__(self, random, *causes, frame: bool = False, form: int | None = None, flat: bool = False):
+        """`frame`: there is a link without <visual>. `form`: which of the wrong values it is, by its number.
+
+        `flat`: the links are as thin as paper, so that one moment is the sum of the two others.
+        """
+        self._form, self._flat = form, flat
         names = random.sample(_LINKS, 3)
         faults: dict[str, list[str]] = {}
         for cause in causes:
@@ -95,10 +98,12 @@ class Robot:
             inertial = ElementTree.SubElement(link, 'inertial')
             value = self._one_of(random, ['0', '0.0', f'-{mass:.2f}']) if 'mass' in faults else f'{mass:.2f}'
             ElementTree.SubElement(inertial, 'mass', value=value)
-            moments = [f'{moment:.6f}' for moment in solid(*shape, mass)]
+            moments = ['0.0005', '0.0005', '0.001'] if self._flat else [f'{one:.6f}' for one in solid(*shape, mass)]
             if 'inertia' in faults:
                 place, low = random.randrange(3), min(map(float, moments))
-                moments[place] = self._one_of(random, ['0', f'-{low:.5f}', f'{2 * sum(map(float, moments)):.5f}'])
+                wrong = self._one_of(random, ['0', f'-{low:.5f}', f'{2 * sum(map(float, moments)):.5f}'])
+                moments = moments[:1] * 3 if wrong == '0' else moments  # then 0 is the only thing that is wrong
+                moments[place] = wrong
                 self.expected.append(('A7.11', name, 'inertia', ' '.join(moments)))
             ElementTree.SubElement(
                 inertial, 'inertia', dict(zip(('ixx', 'iyy', 'izz'), moments, strict=True)), ixy='0', ixz='0', iyz='0'

@@ -77,11 +77,12 @@ class Package:
     def __init__(self, random, *causes: str, form: int | None = None):
         """`form`: which of the forms of each cause it is, by its number; None: as it comes."""
         self.name = random.choice(PACKAGES)
-        programs = random.sample(PROGRAMS, 4)
+        programs = [*random.sample(PROGRAMS, 3), 'pylon']  # the last one has .py in its right side, and is right
         self.words = {program: f'word{random.randint(100, 999)}' for program in programs}
         self.right, self.expected, entries = {}, [], []
         self.files = {f'{self.name}/__init__.py': ''}
-        faulty = dict(zip(random.sample(programs, len(causes)), causes, strict=True))
+        faulty = dict(zip([*random.sample(programs[:3], 3), 'pylon'], causes, strict=False))
+        random.shuffle(programs)
         lost = f'{self.name}.{random.choice(["main", "program", "node"])}:main'  # programs may share a wrong one
         for program in programs:
             function, method = random.sample(FUNCTIONS, 2)

@@ -21,6 +21,8 @@ def test_read(learner):
         {'role': 'publisher', 'node': '/mouth', 'name': f'/{topic}', **common},
         {'role': 'subscription', 'node': f'/{room}/ear', 'name': f'/{room}/{topic}', **common, **graphs.WEAK},
     ]
+    other = next(kind for kind in graphs.MESSAGES if kind != common['type'])  # on one topic with the ear
+    there.append({**there[1], 'node': f'/{room}/other_ear', 'type': other})
     secret = {'role': 'subscription', 'node': '/_secret', 'name': f'/{topic}', **common}
     with graphs.System(learner.context.get_domain_id()) as system, about('read'):
         for endpoint in (secret, *there):
@@ -40,6 +42,7 @@ def test_diagnose(learner):
             with about(cause):
                 graphs.diagnose(learner, cause)
     graphs.other_type(learner)
+    graphs.two_deaf(learner)
     for _ in range(4):
         with about('fits'):
             graphs.diagnose(learner, 'healthy', 'healthy', 'healthy', rule='fits')

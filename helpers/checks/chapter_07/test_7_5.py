@@ -19,6 +19,7 @@ def test_causes(learner):
             with about(cause):
                 Robot(learner.random, cause, form=form).diagnose(learner)
     Robot(learner.random).diagnose(learner)
+    Robot(learner.random, flat=True).diagnose(learner, 'inertia')
     with about('frames'):
         Robot(learner.random, frame=True).diagnose(learner, 'frames')
     with about('all'):

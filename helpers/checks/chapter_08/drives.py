@@ -120,6 +120,7 @@ def judge_rejections(drives: Drives) -> str:
         f'{drives.goal.status} now. It goes on.',
         'single',
     )
+    drives.status(f'driving to {name}', f'While the robot drove to {name}, another goal was rejected. After that')
     return name
 
 
@@ -159,6 +160,12 @@ def judge_driving(drives: Drives, name: str) -> None:
     drives.run(3.0, goal)
     begin = len(goal.feedback)
     drives.run(2.0, goal)
+    expect(
+        drives.delivery.distance('other') > 0.4,
+        f'The goal other was rejected, and yet the robot drives there, and not to {name}. Take the station from the '
+        'goal that you execute.',
+        'single',
+    )
     expect(not goal.done, f'On the way to {name} the goal has ended: {goal.status}.', 'succeeds')
     rate = (len(goal.feedback) - begin) / 2.0
     expect(1.9 <= rate <= 5.6, f'{rate:g} feedback messages came in a second, expected 2 to 5.', 'feedback')
@@ -273,8 +280,9 @@ def judge_timeout(drives: Drives, timeout: float) -> None:
     expect(goal.done, f'With timeout = {timeout:g}, the goal still runs after {timeout + 0.4:g} s.', 'timeout')
     drives.ended(goal, 'aborted', 'timeout', f'The timeout of {timeout:g} s is over, and')
     tolerance = drives.learner.random.choice([0.35, 0.4, 0.45])
-    drives.set(tolerance=tolerance)
     drives.ahead('near', 0.9)
     again = drives.go('near', 'next', 'A goal has met its timeout, and this is the next one')
-    drives.run(timeout, again)
+    drives.run(0.3)
+    drives.set(tolerance=tolerance)
+    drives.run(timeout - 0.3, again)
     judge_arrived(drives, again, 'near', tolerance)

@@ -4,13 +4,18 @@ import math
 import signal
 from pathlib import Path
 
-from helpers.runner import expect
+from helpers.runner import about, expect
 from helpers.runner.observer import Observer
 from helpers.runner.workspaces import ExerciseWorkspace, package
 
 GIVEN = Path(__file__).with_name('given')
 PATIENCE = 20.0  # s of wall time until the governors are there
 _TWIST = 'geometry_msgs/msg/Twist'
+ROBOTS = ('/robot1/governor', '/robot2/governor')
+WANTED = {  # name of the node → parameter → (value, rule)
+    ROBOTS[0]: {'rate': (20.0, 'rate'), 'max_linear': (1.0, 'robot1'), 'mode': ('normal', 'robot2')},
+    ROBOTS[1]: {'rate': (20.0, 'rate'), 'max_linear': (0.6, 'max-linear'), 'mode': ('slow', 'robot2')},
+}
 
 
 def fleet(learner) -> ExerciseWorkspace:
@@ -98,6 +103,80 @@ def alone(learner, namespace: str) -> dict:
     task.end()
     expect(report, f'A governor with your parameter file ended with: {_last(task.output)}')
     return report
+
+
+def robots(learner) -> dict[str, dict]:
+    """What the two governors report; the rule `nodes`."""
+    with about('nodes'):
+        there = launched(learner)
+    expect(
+        set(there) == set(ROBOTS),
+        f'These nodes were started: {", ".join(sorted(there))}; expected {" and ".join(ROBOTS)}.',
+        'nodes',
+    )
+    return there
+
+
+def judge_values(learner) -> None:
+    """The rules `robot1` and `robot2`, and the values of these two for the others."""
+    there = robots(learner)
+    for name, parameters in WANTED.items():
+        for parameter, (wanted, rule) in parameters.items():
+            got = there[name][parameter]
+            expect(
+                got == wanted,
+                f'{name} has {parameter} = {got!r}, expected {wanted!r}. Does it get the file, does '
+                'the name of the block fit, and does a later block override it?',
+                rule,
+            )
+
+
+def judge_names(learner) -> None:
+    """The rules `remapped` and `others-stay`."""
+    there = robots(learner)
+    for name, wanted, rule in (
+        (ROBOTS[1], '/robot2/base/cmd_vel', 'remapped'),
+        (ROBOTS[0], '/robot1/cmd_vel', 'others-stay'),
+    ):
+        got = there[name]['publishes']
+        expect(
+            got == wanted, f'{name} publishes on {got}, expected {wanted}. Names in remappings are relative, too.', rule
+        )
+    for name in ROBOTS:
+        got, wanted = there[name]['listens'], name.replace('governor', 'cmd_vel_in')
+        expect(got == wanted, f'{name} listens to {got}, expected {wanted}.', 'others-stay')
+
+
+def judge_others(learner, *namespaces: str) -> None:
+    """The rules `rate` and `max-linear`, for governors in these namespaces."""
+    robots(learner)
+    for namespace in namespaces:
+        with about('rate'):
+            report = alone(learner, namespace)
+        for name, wanted, rule in (
+            ('rate', 20.0, 'rate'),
+            ('max_linear', 0.6, 'max-linear'),
+            ('mode', 'normal', 'robot2'),
+        ):
+            expect(
+                report[name] == wanted,
+                f'A governor in {namespace} with your file has {name} = {report[name]!r}, expected {wanted!r}.',
+                rule,
+            )
+
+
+def judge_installed_file(learner) -> None:
+    """The rule `installed-file`."""
+    robots(learner)
+    drawn = learner.random.randint(21, 49)
+    found = [report['rate'] for report in launched_with_rate(learner, drawn)]
+    expect(
+        found == [drawn, drawn],
+        f'The rate in the installed config/fleet.yaml was changed to {drawn}, and the '
+        f'governors have {found}. The launch file must use the installed file, for both, '
+        'and give no values itself.',
+        'installed-file',
+    )
 
 
 def _launch(learner, workspace, before: str) -> tuple[str, list[dict]]:

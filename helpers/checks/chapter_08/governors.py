@@ -79,7 +79,7 @@ class Governed:
 
 
 def judge_rhythm(governed: Governed, rate: float) -> None:
-    """The rules `rhythm`, `before` and `newest`; right after the start, with this rate."""
+    """The rules `rhythm`, `before`, `newest` and `limit`; right after the start, with this rate."""
     period = 1 / rate
     first = governed.after(2.5 * period)
     at = [round(stamp, 4) for stamp in governed.heard.stamps]
@@ -124,8 +124,8 @@ def judge_rhythm(governed: Governed, rate: float) -> None:
         got = [one.linear.x for one in came]
         expect(
             got == pytest.approx([wanted] * count),
-            f'After the commands {sent} m/s these came out: {got}. The newest one is {wanted}.',
-            'newest',
+            f'After the commands {sent} m/s these came out: {got}. The newest one is {wanted}, and it is not too fast.',
+            'newest' if {0.0, *sent} & set(got) else 'limit',
         )
         governed.send(command(speeds[2]))
 
@@ -133,7 +133,7 @@ def judge_rhythm(governed: Governed, rate: float) -> None:
 def judge_limit(governed: Governed, limit: float, period: float) -> None:
     """The rules `limit` and `other-fields`."""
     draw = governed.learner.random
-    turn = draw.choice([-1, 1]) * draw.randint(50, 300) / 100
+    turn = draw.choice([-1, 1]) * draw.randint(210, 300) / 100  # more than any limit of linear.x
     for speed in (0.5 * limit, limit + draw.randint(10, 90) / 100, -0.4 * limit, -limit - draw.randint(10, 90) / 100):
         wanted = max(-limit, min(limit, speed))
         message = command(speed, turn)
@@ -160,21 +160,29 @@ def judge_limit(governed: Governed, limit: float, period: float) -> None:
 
 
 def judge_changes(governed: Governed, limit: float, rate: float) -> None:
-    """The rules `at-once`, `new-rate` and `refused`, with the mode normal and this limit and rate."""
+    """The rules `at-once`, `newest`, `new-rate` and `refused`, with the mode normal and this limit and rate."""
     draw, period = governed.learner.random, 1 / rate
     governed.send(command(3.0, 0.5))
     governed.newest(period, 'rhythm')
-    governed.learner.run(0.3 * period)
-    other = round(limit + draw.choice([-0.15, 0.15]), 2)
-    governed.accepts('at-once', max_linear=other)
-    got = governed.newest(period, 'rhythm')
+    speeds = [one.linear.x for one in governed.after(2 * period)]
     expect(
-        got.linear.x == pytest.approx(other),
-        f'max_linear was changed from {limit:g} to {other:g}, and linear.x is '
-        f'still {got.linear.x:g}. Read the parameter when you publish, and '
-        'not once in the constructor.',
-        'at-once',
+        speeds == pytest.approx([limit] * 2),
+        f'With max_linear = {limit:g}, after the one command 3.0 m/s these came out: {speeds}, expected {limit:g} '
+        'again and again.',
+        'limit' if any(speeds) else 'newest',
     )
+    governed.learner.run(0.3 * period)
+    other = limit
+    for change in (-0.15, 0.3):  # what was cut off when it came does not come back
+        before, other = other, round(other + change, 2)
+        governed.accepts('at-once', max_linear=other)
+        got = governed.newest(period, 'rhythm')
+        expect(
+            got.linear.x == pytest.approx(other),
+            f'The command is 3.0 m/s. max_linear was changed from {before:g} to {other:g}, and linear.x is '
+            f'{got.linear.x:g}. Keep the command as it came, and read the parameter when you publish.',
+            'at-once',
+        )
     late = (governed.heard.stamps[-1] * rate) % 1
     expect(
         min(late, 1 - late) < 0.01,
@@ -218,6 +226,15 @@ def judge_changes(governed: Governed, limit: float, rate: float) -> None:
         f'The mode was changed to stop, and the next message says linear.x {got.linear.x:g}, '
         f'angular.z {got.angular.z:g}.',
         'at-once',
+    )
+    slow = governed.parameters.get('slow_linear')
+    governed.accepts('at-once', mode='slow')
+    got = governed.newest(1 / new, 'at-once')
+    expect(
+        got.linear.x == pytest.approx(slow),
+        f'The newest command is 3.0 m/s. The mode was changed from stop to slow, and the next message says linear.x '
+        f'{got.linear.x:g}, expected {slow:g}.',
+        'newest' if got == Twist() else 'at-once',
     )
 
 
@@ -310,7 +327,9 @@ def judge_rules(governed: Governed) -> None:
         ({'slow_linear': high}, False),
         ({'max_linear': low, 'slow_linear': high}, False),
         ({'slow_linear': low}, True),
-        ({'mode': draw.choice(['fast', 'Slow', ''])}, False),
+        ({'mode': draw.choice(['fast', 'Slow'])}, False),
+        ({'mode': ''}, False),
+        ({'mode': draw.choice(['norm', 'low', 'to'])}, False),
         ({'mode': 'slow'}, True),
         ({'mode': 'stop'}, True),
         ({'mode': 'normal '}, False),

@@ -106,6 +106,9 @@ def judge_topics(learner, kind: str, functions: tuple[str, str]) -> None:
         f'{one.capitalize()}/{two}': 'Its first word begins with a capital letter.',
         f'~/{one.capitalize()}': 'Its word begins with a capital letter.',
         f'{one}/~/{two}': 'Only at its beginning can ~/ stand.',
+        '~': 'There is no word in it.',
+        '~/': 'There is no word in it.',
+        '': 'It is empty.',
     }
     good = [one, f'{one}/{two}', f'~/{one}', f'~/{one}/{two}', f'{one}/{two}/{one}']
     for function in functions:
@@ -168,6 +171,7 @@ node.declare_parameter('{bad}', 1)
 node.create_subscription('{bad}', topic, print, 10)
 node.create_publisher(String)
 create_node(name)
+create_node(7)
 Node()
 launched = Node(package='x', executable='{bad}', name='{bad}')
 ''',
@@ -184,6 +188,10 @@ def judge_keywords(learner) -> None:
         learner,
         f'''
 create_node(node_name='{bad}A')
+Node(namespace='x', node_name='{bad}F')
+class Talker(Node):
+    def __init__(self):
+        super().__init__(node_name='{bad}G')
 node.create_publisher(msg_type=String, topic='{bad}B', qos_profile=10)
 node.create_subscription(String, callback=print, qos_profile=10,
                          topic="{bad}C")
@@ -192,6 +200,8 @@ node.create_service(srv_name='{bad}E', srv_type=Empty, callback=print)
 ''',
         [
             ('node', f'{bad}A'),
+            ('node', f'{bad}F'),
+            ('node', f'{bad}G'),
             ('topic', f'{bad}B'),
             ('topic', f'{bad}C'),
             ('service', f'{bad}D'),
@@ -206,9 +216,16 @@ def judge_packages(learner) -> None:
     """The rules `package` and `files`."""
     draw = learner.random
     bad, good = word(draw).capitalize(), f'{word(draw)}_{word(draw)}'
+    wrong = {bad: 'begins with a capital letter', draw.choice('abcxyz'): 'has one character'}
+    wrong |= {name: why for name, why in spoilt(draw).items() if name == name.strip() != ''}
     for path in ('package.xml', f'src/{good}/package.xml'):
-        for name, why in ((bad, 'It begins with a capital letter.'), (draw.choice('abcxyz'), 'It has one character.')):
-            compare(bad_names(learner, {path: package_xml(name)}, 'package'), [(path, 'package', name)], 'package', why)
+        for name, why in wrong.items():
+            compare(
+                bad_names(learner, {path: package_xml(name)}, 'package'),
+                [(path, 'package', name)],
+                'package',
+                f'It {why}.',
+            )
         for name in (good, draw.choice(['ur', 'go', 'my'])):
             compare(
                 bad_names(learner, {path: package_xml(name)}, 'package'),
@@ -232,7 +249,7 @@ def judge_packages(learner) -> None:
 def judge_list(learner) -> None:
     """The rules `once` and `sorted`."""
     draw = learner.random
-    names = [f'{word(draw).capitalize()}{letter}' for letter in 'CAB']
+    names = [f'{word(draw).capitalize()}{letter}' for letter in 'CAB'] + [f'{word(draw)}-a']  # capitals come first
     text = ''.join(f'n.create_publisher(S, "{name}", 1)\ncreate_node("{name}")\n' for name in names * 2)
     files = {'z/b.py': text, 'package.xml': package_xml(names[0]), 'a.py': text}
     expected = sorted(

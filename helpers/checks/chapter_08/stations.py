@@ -9,6 +9,7 @@ from std_msgs.msg import String
 
 from helpers.checks.chapter_08.parameters import Parameters
 from helpers.runner import about, expect
+from helpers.runner.peers import SECOND
 
 TABLE = {
     'max_linear': (0.5, 0.05, 1.0),
@@ -83,6 +84,17 @@ def judge_status(keeper: Keeper, period: float) -> None:
         f'{state!r}, and only that. Use transient local with depth 1.',
         'latched',
     )
+    heard.clear()
+    begin = learner.now / SECOND
+    changed = Parameters(learner, f'{keeper.namespace}/delivery_robot').set(status_period=2.5 * period)
+    expect(changed.successful, f'status_period = {2.5 * period:g} was refused: {changed.reason!r}.', 'parameters')
+    learner.run(3.05 * period)
+    expect(
+        len(heard) == 3,
+        f'At the start status_period was {period:g}. Then it was set to {2.5 * period:g}, and {len(heard)} messages '
+        f'came in {learner.now / SECOND - begin:.2f} s, expected 3: the value at the start counts.',
+        'status-period',
+    )
 
 
 def judge_table(learner, namespace: str, parameters: Parameters) -> None:
@@ -148,7 +160,7 @@ def judge_stations(keeper: Keeper) -> None:
         'new-place',
     )
     where(f'After {names[0]!r} got a new place', 'new-place')
-    for name in (nobody, names[0] + 's', names[0].upper() + 'X'):
+    for name in (nobody, names[0] + 's', names[0].upper()):
         found = keeper.place(name, 'unknown')
         expect(found is None, f'place({name!r}) is {found}, and nobody has set this station: expected None.', 'unknown')
     known = names[1]

@@ -88,9 +88,9 @@ def judge_distance(learner) -> None:
 def judge_angle(learner) -> None:
     """The rules `angle`, `short-way` and `max-angular`."""
     draw = learner.random
-    for size in (0.0, draw.uniform(0.1, 0.4), draw.uniform(0.6, 1.4)):
+    for size, yaw in ((0.0, None), (draw.uniform(0.1, 0.4), draw.uniform(2, 2.5)), (draw.uniform(0.6, 1.4), None)):
         for angle in (size, -size):
-            arguments = case(draw, angle, draw.uniform(1, 3))
+            arguments = case(draw, angle, draw.uniform(1, 3), yaw=yaw)
             got = steer(learner, 'angle', *arguments)[2]
             expect(
                 got == pytest.approx(2 * angle, abs=1e-6),
@@ -126,7 +126,7 @@ def judge_speed(learner) -> None:
     """The rules `linear` and `on-the-spot`."""
     draw = learner.random
     for angle in (0.0, draw.uniform(0.1, 0.2), -draw.uniform(0.1, 0.2)):
-        for distance in (draw.uniform(0.02, 0.25), draw.uniform(1.5, 4)):
+        for distance in (draw.uniform(0.002, 0.01), draw.uniform(0.05, 0.25), draw.uniform(1.5, 4)):
             limit = draw.uniform(0.3, 0.9)
             arguments = case(draw, angle, distance, max_linear=limit)
             got = steer(learner, 'linear', *arguments)[1]
@@ -137,7 +137,7 @@ def judge_speed(learner) -> None:
                 'linear',
             )
     for side in (1, -1):
-        for angle in (draw.uniform(0.51, 0.9), draw.uniform(2, 3)):
+        for angle in (0.505, draw.uniform(2, 3)):
             arguments = case(draw, side * angle, draw.uniform(0.5, 2))
             got = steer(learner, 'on-the-spot', *arguments)[1]
             expect(
@@ -146,7 +146,7 @@ def judge_speed(learner) -> None:
                 'more than 0.5 rad. First the robot must turn.',
                 'on-the-spot',
             )
-        angle, limit = side * draw.uniform(0.4, 0.49), draw.uniform(0.3, 0.9)
+        angle, limit = side * 0.495, draw.uniform(0.3, 0.9)
         arguments = case(draw, angle, draw.uniform(1, 2), max_linear=limit)
         got = steer(learner, 'on-the-spot', *arguments)[1]
         expect(

@@ -3,26 +3,8 @@
 import pytest
 
 from helpers.checks.chapter_08 import fleets
-from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('8.3')
-ROBOTS = ('/robot1/governor', '/robot2/governor')
-WANTED = {  # name of the node → parameter → (value, rule)
-    ROBOTS[0]: {'rate': (20.0, 'rate'), 'max_linear': (1.0, 'robot1'), 'mode': ('normal', 'robot2')},
-    ROBOTS[1]: {'rate': (20.0, 'rate'), 'max_linear': (0.6, 'max-linear'), 'mode': ('slow', 'robot2')},
-}
-
-
-def robots(learner) -> dict[str, dict]:
-    """What the two governors report."""
-    with about('nodes'):
-        there = fleets.launched(learner)
-    expect(
-        set(there) == set(ROBOTS),
-        f'These nodes were started: {", ".join(sorted(there))}; expected {" and ".join(ROBOTS)}.',
-        'nodes',
-    )
-    return there
 
 
 @pytest.mark.rules('nodes', 'types')
@@ -31,7 +13,7 @@ def test_two_robots(learner):
 
     One Node(…) for each robot, with its namespace.
     """
-    robots(learner)
+    fleets.robots(learner)
 
 
 @pytest.mark.rules('robot1', 'robot2')
@@ -40,16 +22,7 @@ def test_values(learner):
 
     A later block of the file overrides an earlier one: the block for all comes first.
     """
-    there = robots(learner)
-    for name, parameters in WANTED.items():
-        for parameter, (wanted, rule) in parameters.items():
-            got = there[name][parameter]
-            expect(
-                got == wanted,
-                f'{name} has {parameter} = {got!r}, expected {wanted!r}. Does it get the file, does '
-                'the name of the block fit, and does a later block override it?',
-                rule,
-            )
+    fleets.judge_values(learner)
 
 
 @pytest.mark.rules('remapped', 'others-stay')
@@ -58,18 +31,7 @@ def test_names(learner):
 
     remappings=[('cmd_vel', 'base/cmd_vel')] for robot2, with relative names.
     """
-    there = robots(learner)
-    for name, wanted, rule in (
-        (ROBOTS[1], '/robot2/base/cmd_vel', 'remapped'),
-        (ROBOTS[0], '/robot1/cmd_vel', 'others-stay'),
-    ):
-        got = there[name]['publishes']
-        expect(
-            got == wanted, f'{name} publishes on {got}, expected {wanted}. Names in remappings are relative, too.', rule
-        )
-    for name in ROBOTS:
-        got, wanted = there[name]['listens'], name.replace('governor', 'cmd_vel_in')
-        expect(got == wanted, f'{name} listens to {got}, expected {wanted}.', 'others-stay')
+    fleets.judge_names(learner)
 
 
 @pytest.mark.rules('rate', 'max-linear')
@@ -78,21 +40,8 @@ def test_another_robot(learner):
 
     The name /** stands for all nodes in all namespaces.
     """
-    robots(learner)
     number = learner.random.randint(3, 99)
-    for namespace in (f'/robot{number}', f'/hall{number}/robot1'):
-        with about('rate'):
-            report = fleets.alone(learner, namespace)
-        for name, wanted, rule in (
-            ('rate', 20.0, 'rate'),
-            ('max_linear', 0.6, 'max-linear'),
-            ('mode', 'normal', 'robot2'),
-        ):
-            expect(
-                report[name] == wanted,
-                f'A governor in {namespace} with your file has {name} = {report[name]!r}, expected {wanted!r}.',
-                rule,
-            )
+    fleets.judge_others(learner, f'/robot{number}', f'/hall{number}/robot1')
 
 
 @pytest.mark.rules('installed-file')
@@ -101,12 +50,4 @@ def test_installed_file(learner):
 
     In the launch file, parameters= is a list with the path of the installed file.
     """
-    robots(learner)
-    drawn = learner.random.randint(21, 49)
-    found = [report['rate'] for report in fleets.launched_with_rate(learner, drawn)]
-    expect(
-        found == [drawn, drawn],
-        f'The rate in the installed config/fleet.yaml was changed to {drawn}, and the '
-        f'governors have {found}. The launch file must use the installed file, for both, '
-        'and give no values itself.',
-    )
+    fleets.judge_installed_file(learner)

@@ -127,6 +127,25 @@ learner.settle()
 assert goal.accepted is False and goal.done and goal.answered == 0.0
 """,
     ),
+    'goals of one moment: all are answered before the first executes, then they begin in their order': Case(
+        SERVER.replace('if goal.order > 0', "if not hasattr(self, 'begun')")
+        + """
+    def execute(self, handle):
+        self.begun = getattr(self, 'begun', 0) + 1
+        handle.publish_feedback(Fibonacci.Feedback(sequence=[self.begun]))
+        self.get_clock().sleep_for(Duration(seconds=0.5))
+        return self.end(handle, list(range(handle.request.order)))
+""",
+        START
+        + """
+goals = [count.send(order=3), count.send(order=4)]
+learner.run(1.0)
+late = count.send(order=5)
+learner.run(1.0)
+assert [goal.accepted for goal in goals] == [True, True] and late.accepted is False, goals
+assert [list(goal.feedback[0].sequence) for goal in goals] == [[1], [2]], goals
+""",
+    ),
     'cancel: unknown, ended, all': Case(
         SERVER + STYLES['sleep_for'],
         START

@@ -1,0 +1,128 @@
+"""What the tests of exercise 6.2 share: the learner's moon, watched for some time."""
+
+import math
+
+import numpy as np
+
+from helpers.checks.chapter_06.geometry import axis, check_rotation, explain, origin, same, words
+from helpers.runner import about, expect
+from helpers.runner.frames import to_matrix
+
+STEP = 0.05  # s
+
+
+class Watched:
+    """A moon that was started at some time. `pairs`: (time of arrival in s, transform)."""
+
+    def __init__(self, learner, seconds: float):
+        draw = learner.random
+        self.radius, self.period = round(draw.uniform(1.5, 9.0), 1), round(draw.uniform(5.0, 15.0), 1)
+        self.called, self.seconds = f'Moon({self.radius}, {self.period})', seconds
+        learner.run(round(draw.uniform(0.2, 0.4) * self.period, 2))  # it starts when the moon is somewhere else
+        heard = learner.tf_listener()
+        node = learner.start('Moon', self.radius, self.period)
+        with about('rate'):
+            learner.run(seconds)
+        expect(node.name == '/moon', f'Your node is called {node.name}, expected /moon.', 'name')
+        expect(
+            not heard.static_transforms,
+            'Transforms came on /tf_static. That is for frames that never move: use a TransformBroadcaster.',
+            'frames',
+        )
+        expect(heard.transforms, 'No transform came on /tf.', 'frames')
+        for transform in heard.transforms:
+            names = transform.header.frame_id, transform.child_frame_id
+            expect(
+                names != ('moon', 'planet'),
+                'Your transform says where `planet` is in `moon`. Parent and child are '
+                'swapped: header.frame_id is the parent.',
+                'frames',
+            )
+            expect(
+                names == ('planet', 'moon'),
+                f'Your transform says where `{names[1]}` is in `{names[0]}`, expected `moon` in `planet`.',
+                'frames',
+            )
+        pairs = zip(heard.moving.stamps, heard.moving.messages, strict=True)
+        self.pairs = [(time, transform) for time, message in pairs for transform in message.transforms]
+
+    def angle(self, time: float) -> float:
+        """Where the moon is at this time, in rad from the planet's x axis."""
+        return 2 * math.pi * time / self.period
+
+    def place(self, angle: float) -> tuple[float, float, float]:
+        """The point of the circle at this angle."""
+        return self.radius * math.cos(angle), self.radius * math.sin(angle), 0.0
+
+
+def judge_rate(moon: Watched) -> None:
+    """The rule `rate`."""
+    wanted = round(moon.seconds / STEP)
+    expect(
+        len(moon.pairs) == wanted,
+        f'{len(moon.pairs)} transforms came in {moon.seconds:g} s, expected {wanted}.',
+        'rate',
+    )
+    gaps = np.diff([time for time, _ in moon.pairs])
+    expect(
+        same(gaps, np.full(wanted - 1, STEP)),
+        f'Between two transforms there were {gaps.min():g} to {gaps.max():g} s, expected {STEP} s.',
+        'rate',
+    )
+
+
+def judge_stamp(moon: Watched) -> None:
+    """The rule `stamp`."""
+    with about('stamp'):
+        for time, transform in moon.pairs:
+            stamp = transform.header.stamp.sec + transform.header.stamp.nanosec / 1e9
+            expect(
+                stamp != 0,
+                'The stamp of a transform is 0: it was not filled in. So tf2 cannot tell when the moon was there.',
+            )
+            expect(stamp < 1e9, f'The stamp is {stamp:.0f} s: the time of the wall. Use the clock of the node.')
+            expect(same(stamp, time), f'At time {time:g} s the stamp is {stamp:g} s.')
+
+
+def judge_circle(moon: Watched) -> None:
+    """The rules `circle` and `time`."""
+    start = moon.pairs[0][0]
+    for time, transform in moon.pairs:
+        angle, there = moon.angle(time), origin(to_matrix(transform))
+        told = f'{moon.called}: at time {time:g} s the moon is at {words(there)}'
+        expect(
+            same(math.hypot(*there[:2]), moon.radius, 1e-3) and same(there[2], 0.0),
+            f'{told}, expected {moon.radius:g} m from the planet, in the x-y plane.',
+            'circle',
+        )
+        right = same(there, moon.place(-angle), 1e-3)
+        late = any(same(there, moon.place(moon.angle(time - start + delay)), 1e-3) for delay in (0.0, STEP))
+        explain(
+            same(there, moon.place(angle), 1e-3),
+            f'{told}, expected {words(moon.place(angle))}.',
+            (late, 'It started on the x axis when the node was made. Its place depends on the time of the clock only.'),
+            (right, 'It goes round to the right, expected to the left: from x to y.'),
+            rule='circle' if right and not late else 'time',
+        )
+
+
+def judge_face(moon: Watched) -> None:
+    """The rule `face`: the moon looks to the planet from where it is."""
+    for time, transform in moon.pairs:
+        there = to_matrix(transform)
+        view, expected = axis(there, 'x'), -origin(there) / np.linalg.norm(origin(there))
+        with about('face'):
+            check_rotation(transform, 'An angle is not a part of a quaternion. Use quaternion_from_euler.')
+            told = f'{moon.called}: at time {time:g} s the x axis of the moon points along {words(view)}'
+            expect(
+                same(axis(there, 'z'), (0, 0, 1)),
+                f'{told}, and its z axis along {words(axis(there, "z"))}, expected '
+                '(0, 0, 1). In which order does a Quaternion have x, y, z and w?',
+            )
+            explain(
+                same(view, expected, 1e-3),
+                f'{told}, expected to the planet: {words(expected)}.',
+                (same(view, (1, 0, 0)), 'It never turns.'),
+                (same(view, -expected, 1e-3), 'It looks away from the planet: half a turn is missing.'),
+                (True, 'Is an angle in degrees, or is half an angle missing?'),
+            )
