@@ -6,7 +6,7 @@ answers to the same exercises get full marks: see `grading/tests/test_validity.p
 
 import pytest
 
-from grading import sandbox, trial
+from grading import reference, sandbox
 from grading.course import HIDDEN
 from grading.tests.attacks import arena
 from helpers.exercises import manifest, notebooks, program
@@ -24,10 +24,14 @@ def test_no_evidence_can_be_made(attack):
         notebooks.NotebookCell(f'# Exercise {exercise.id}: x\n{attack.source}', cell.number, cell.id)
         if program.exercise_id(cell) == exercise.id
         else cell
-        for cell in trial.solved(exercise.chapter)
+        for cell in reference.solved(exercise.chapter)
     ]
     report = session.run(
-        cells, [exercise], session.Options(hidden=HIDDEN, launcher=sandbox.launcher(arena.choose()), seed='evidence')
+        cells,
+        [exercise],
+        session.Options(
+            hidden=HIDDEN, launcher=sandbox.launcher(arena.choose()), seed='evidence', reference=reference.program
+        ),
     )
     (result,) = report.exercises
     story = [(test.test, test.verdict, test.message[:300], test.fault[-600:]) for test in result.tests], report.log
