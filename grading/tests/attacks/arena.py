@@ -1,7 +1,7 @@
 """A small course to be attacked: two functions and a talker, secrets that no attack may find, and a batch's grading.
 
-One attack is one file of the corpus: a header, and the text of an exercise's cell. A batch of them is graded at once,
-with an honest learner among them, as `grade` grades a class.
+One attack is one row of a file of the corpus: a name, a header, and the text of an exercise's cell. A batch of them is
+graded at once, with an honest learner among them, as `grade` grades a class.
 """
 
 import html
@@ -141,7 +141,7 @@ def test_prefix(learner):
 
 @dataclass(frozen=True)
 class Attack:
-    """One file of the corpus."""
+    """One row of the corpus."""
 
     name: str
     family: str
@@ -164,19 +164,25 @@ class Attack:
         return set(self.header['expect verdict'].split(' or '))
 
 
-def read(path: Path) -> Attack:
-    """Read an attack. Its header ends with the first line that is no `# key: value`."""
-    lines = path.read_text(encoding='utf-8').splitlines(keepends=True)
-    header = {}
-    while lines and (found := _HEADER.fullmatch(lines[0].rstrip('\n'))):
-        header[found[1]] = found[2]
-        lines.pop(0)
-    return Attack(path.stem, path.parent.name, header, ''.join(lines))
+def read(path: Path) -> list[Attack]:
+    """The attacks of a file: each begins with `# %% name`.
+
+    The header ends with the first line that is no `# key: value`.
+    """
+    found = []
+    for part in re.split(r'^# %% ', path.read_text(encoding='utf-8'), flags=re.MULTILINE)[1:]:
+        name, *lines = part.rstrip().splitlines(keepends=True)
+        header = {}
+        while lines and (line := _HEADER.fullmatch(lines[0].rstrip('\n'))):
+            header[line[1]] = line[2]
+            lines.pop(0)
+        found.append(Attack(name.strip(), path.stem, header, ''.join(lines) + '\n'))
+    return found
 
 
 def attacks() -> list[Attack]:
     """The corpus."""
-    return [read(path) for path in sorted(CORPUS.glob('*/*.py'))]
+    return [attack for path in sorted(CORPUS.glob('*.py')) for attack in read(path)]
 
 
 def exercises() -> tuple[Exercise, ...]:
