@@ -223,16 +223,28 @@ class _Collection:
             if test.verdict == verdicts.GRADER_ERROR and test.test not in self._doubled and self._begun[test.test]
         ]
         right = reference(exercise) if faulty and not self._late() else None
-        for test in faulty if right is not None else ():
-            other = _Collection(self.options, self._deadline)
-            other._round({exercise.id: right}, places, [test.test], lambda name: None)
-            if test.test in other.tests and other.tests[test.test].passed:
-                self._round({exercise.id: program}, places, [test.test], say)
-                if test.verdict == verdicts.GRADER_ERROR:
-                    test.verdict, test.message = verdicts.FAILED, _BREAKS_TESTS
-                    self.log.append(f'{test.test}: closed: only with this program the test does not come to its end')
+        if right is not None:
+            for test in faulty:
+                self._blame(test, exercise.id, program, right, places, say)
         if self._late():
             self._give_up()
+
+    def _blame(
+        self,
+        test: TestResult,
+        exercise: str,
+        program: dict,
+        right: dict,
+        places: list[Path],
+        say: Callable[[str], None],
+    ) -> None:
+        other = _Collection(self.options, self._deadline)
+        other._round({exercise: right}, places, [test.test], lambda name: None)
+        if test.test in other.tests and other.tests[test.test].passed:
+            self._round({exercise: program}, places, [test.test], say)
+            if test.verdict == verdicts.GRADER_ERROR:
+                test.verdict, test.message = verdicts.FAILED, _BREAKS_TESTS
+                self.log.append(f'{test.test}: closed: only with this program the test does not come to its end')
 
     def _late(self) -> bool:
         return time.monotonic() > self._deadline
