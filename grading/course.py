@@ -21,6 +21,7 @@ _GRADER = (
     'environment/ros2_ws',
     'environment/requirements.lock',
     'grading/sandbox',
+    'grading/reference.py',
     'grading/unit.py',
     'grading/course.py',
     'grading/submission.py',

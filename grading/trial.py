@@ -8,13 +8,11 @@ reads the expected words.
 import os
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cache
 
 from grading import sandbox, variants
-from grading.authoring import chapter as chapters
 from grading.authoring import coverage
-from grading.authoring import notebooks as authored
 from grading.course import HIDDEN
+from grading.reference import solved
 from helpers import paths
 from helpers.exercises import manifest, notebooks, program
 from helpers.exercises.manifest import Exercise
@@ -106,13 +104,6 @@ def judge(
         exercises,
         session.Options(hidden=HIDDEN, processes=processes, seed=seed, launcher=launcher, tests=tests or {}),
     )
-
-
-@cache
-def solved(number: int) -> tuple[notebooks.NotebookCell, ...]:
-    """The cells of a chapter's solved notebook."""
-    path = next(path for path in chapters.sources(paths.ROOT / 'solutions') if path.name.startswith(f'{number:02}_'))
-    return tuple(notebooks.parse(authored.dumps(authored.solved(chapters.read(path))).encode(), path.name))
 
 
 def varied(number: int, changed: Iterable[Answer]) -> list[notebooks.NotebookCell]:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from grading import sandbox
+from grading import reference, sandbox
 from grading.course import Course
 from grading.submission import Submission
 from helpers import paths
@@ -94,6 +94,7 @@ def judge(
         seed=seed,
         launcher=sandbox.launcher(course.sandbox),
         test_timeout=course.test_timeout,
+        reference=reference.program,
     )
     wanted = [exercise for exercise in course.exercises if only is None or exercise.id in only]
     found = submission.programs(wanted, course.exercises)

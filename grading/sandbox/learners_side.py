@@ -12,7 +12,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
-from grading.sandbox import layout, namespaces, seccomp
+from grading.sandbox import control_groups, layout, namespaces, seccomp
 from grading.sandbox.holder import Holder
 from helpers.runner import fork_server
 from helpers.runner.lifetime import die_with_parent
@@ -103,6 +103,7 @@ class Sandbox:
         self._sizes: tuple | None = None  # of the places that can be written
         self._limits = Limits()
         self._used = False  # since the last `clear`
+        self._bounds = control_groups.Bounds(None, self._limits)
 
     def start(self, limits: Limits, kept: list[int], act: Callable[[], None]) -> int:
         """Start a process inside that acts, with these open files; returns the pid of one outside that mirrors it."""
@@ -113,6 +114,9 @@ class Sandbox:
             self._processes = os.open(f'/proc/{self._holder.pid}/root/proc', os.O_PATH | os.O_DIRECTORY)
             self._mounts = os.open(f'/proc/{self._holder.pid}/ns/mnt', os.O_RDONLY)
             self._sizes = None
+            self._bounds = control_groups.Bounds(control_groups.settled(control_groups.own()), limits)
+        if limits != self._limits:
+            self._bounds.set(limits)
         self._limits, self._used = limits, True
         sizes = (limits.tmp, limits.home, limits.shared)
         if sizes != self._sizes:
@@ -129,6 +133,7 @@ class Sandbox:
         try:
             die_with_parent()
             assert self._holder is not None  # `start` has made it
+            self._bounds.join()
             namespaces.join(self._holder.pidfd, namespaces.ALL)
             namespaces.close_all_but(kept)
             pid = os.fork()
@@ -162,6 +167,9 @@ class Sandbox:
         most = self._limits.total_memory
         if self._holder is None or not self._used:
             return ''
+        if self._bounds.exceeded():
+            self._inside(_kill_all, namespaces.ALL)
+            return 'memory'
         # What forked processes still share counts once, but that takes longer to find out.
         buffers = _socket_buffers(self._holder.pid)
         if self._memory(_own) + buffers < most or self._memory(_share) + buffers < most:
@@ -173,6 +181,7 @@ class Sandbox:
         """End it. Idempotent."""
         if self._holder is not None:
             self._holder.close()
+            self._bounds.close()
             os.close(self._processes)
             os.close(self._mounts)
             self._holder = self._sizes = None

@@ -11,7 +11,7 @@ import threading
 import time
 from pathlib import Path
 
-from grading.sandbox import layout, unprivileged
+from grading.sandbox import control_groups, layout, unprivileged
 from helpers.paths import ROOT
 from helpers.runner import start_processes
 
@@ -22,6 +22,7 @@ class Station:
     def __init__(self, folders: tuple[Path, ...]):
         self.owner = os.getpid()
         self._processes, self._sockets = [], {}
+        self._leave_group = control_groups.begin(unprivileged.account().pw_uid if os.geteuid() == 0 else None)
         for kind in ('tests', 'programs'):
             ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
             with theirs:
@@ -50,6 +51,7 @@ class Station:
         if os.getpid() == self.owner:
             for process in self._processes:
                 process.wait()
+            self._leave_group()
 
 
 class Tests:

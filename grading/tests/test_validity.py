@@ -13,7 +13,7 @@ from itertools import zip_longest
 
 import pytest
 
-from grading import grade, trial, variants
+from grading import grade, reference, trial, variants
 from grading.authoring import chapter as chapters
 from grading.submissions import Submission
 from helpers import paths
@@ -75,7 +75,7 @@ class Validity:
     number: int
 
     def test_solution_gets_full_marks(self):
-        for result in judge(self.number, trial.solved(self.number)).values():
+        for result in judge(self.number, reference.solved(self.number)).values():
             assert not trial.faults_of_right(result), result.id
 
     def test_unsolved_notebook_gets_nothing_kindly(self):

@@ -4,10 +4,12 @@ Loaded by `helpers.runner.tester` in a process of its own. Each test's result go
 process that dies loses only the test that was running.
 """
 
+import faulthandler
 import inspect
 import json
 import os
 import signal
+import sys
 import traceback
 from collections.abc import Callable
 from dataclasses import replace
@@ -20,6 +22,8 @@ from helpers.runner.client import ForkServer
 from helpers.runner.learner import AGAIN, TIMEOUTS, Learner
 from helpers.runner.load import busy
 from helpers.runner.seeds import generator
+
+STUCK = 1.5  # so many times as long as a test may take all that comes before and after it, too
 
 
 class Plugin:
@@ -118,13 +122,16 @@ class Plugin:
     @pytest.hookimpl(hookwrapper=True)
     def pytest_runtest_call(self, item):
         """End a test that takes too long, however many things of the learner's it waits for, or reads."""
-        limit = self._limit * (3 if busy() else 1)
         signal.signal(signal.SIGALRM, _too_long)
-        signal.setitimer(signal.ITIMER_REAL, limit, 5.0)  # again, if somebody catches it
+        signal.setitimer(signal.ITIMER_REAL, self._longest(), 5.0)  # again, if somebody catches it
         try:
             yield
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)
+
+    def _longest(self) -> float:
+        """Seconds of wall time for a test."""
+        return self._limit * (3 if busy() else 1)
 
     @pytest.hookimpl(hookwrapper=True)
     def pytest_runtest_makereport(self, item, call):
@@ -143,7 +150,10 @@ class Plugin:
     def pytest_runtest_protocol(self, item):
         self.report({'event': 'running', 'test': test_id(item)})
         verdicts.met.clear()
+        # A test that is stuck where no signal ends it ends together with this process.
+        faulthandler.dump_traceback_later(STUCK * self._longest(), exit=True, file=sys.__stderr__)
         yield
+        faulthandler.cancel_dump_traceback_later()
         state = item.stash.get(_STATE, {**_NOTHING, 'fault': 'no report'})
         learner = getattr(item, 'learner', None)
         if state['verdict'] == verdicts.TIMEOUT:

@@ -45,6 +45,7 @@ class Options:
     seeds: Mapping[str, str] = field(default_factory=dict)  # exercise -> a seed of its own
     notebook: Sequence[notebooks.NotebookCell] = ()  # all cells, where only those that were run are judged
     tests: Mapping[str, Iterable[str]] = field(default_factory=dict)  # exercise -> names of the tests to run; else all
+    reference: Callable[[Exercise], dict | None] | None = None  # gives a program that is right, for `compare`
 
 
 @dataclass
@@ -114,9 +115,12 @@ def judge(
             places += [manifest.hidden_tests(options.hidden, exercise.id) for exercise in share]
         collection.run(
             {exercise.id: programs[exercise.id] for exercise in share},
-            [place for place in places if place.exists()],
+            places := [place for place in places if place.exists()],
             say,
         )
+        if options.reference is not None:
+            for exercise in share:
+                collection.compare(exercise, programs[exercise.id], options.reference, places, say)
         return collection
 
     if len(shares) <= 1:  # in the caller's thread, so that the stop button ends it at once
@@ -199,6 +203,48 @@ class _Collection:
             for exercise in programs:
                 if not any(test.hidden for test in self.of(exercise)):
                     self._owe(exercise, 'hidden tests', 'there are no hidden tests')
+
+    def compare(
+        self,
+        exercise: Exercise,
+        program: dict,
+        reference: Callable[[Exercise], dict | None],
+        places: list[Path],
+        say: Callable[[str], None],
+    ) -> None:
+        """Find out who makes the faults that leave tests of an exercise open: the grader, or the learner's program.
+
+        Each of these tests runs with a program that is right, in the same circumstances. If that one passes, the
+        learner's runs once more. Who then meets a fault again, makes it, and the test is not passed.
+        """
+        faulty = [
+            test
+            for test in self.of(exercise.id)
+            if test.verdict == verdicts.GRADER_ERROR and test.test not in self._doubled and self._begun[test.test]
+        ]
+        right = reference(exercise) if faulty and not self._late() else None
+        if right is not None:
+            for test in faulty:
+                self._blame(test, exercise.id, program, right, places, say)
+        if self._late():
+            self._give_up()
+
+    def _blame(
+        self,
+        test: TestResult,
+        exercise: str,
+        program: dict,
+        right: dict,
+        places: list[Path],
+        say: Callable[[str], None],
+    ) -> None:
+        other = _Collection(self.options, self._deadline)
+        other._round({exercise: right}, places, [test.test], lambda name: None)
+        if test.test in other.tests and other.tests[test.test].passed:
+            self._round({exercise: program}, places, [test.test], say)
+            if test.verdict == verdicts.GRADER_ERROR:
+                test.verdict, test.message = verdicts.FAILED, _BREAKS_TESTS
+                self.log.append(f'{test.test}: closed: only with this program the test does not come to its end')
 
     def _late(self) -> bool:
         return time.monotonic() > self._deadline
@@ -315,6 +361,12 @@ class _Collection:
         self._doubled.add(name)
         self.log.append(f'exercise {exercise}: {name}: {error}')
 
+
+_BREAKS_TESTS = (
+    'This test does not come to its end with your program, each time that it is tried; with another program it does. '
+    'Does yours send or return something that is huge, broken, or of another kind than what is asked for, such as a '
+    'text or nan in the place of a number?'
+)
 
 # What each kind of event must have.
 _FIELDS: dict[str, dict[str, type | tuple[type, ...]]] = {

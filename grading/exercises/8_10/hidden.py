@@ -39,7 +39,7 @@ def test_world(learner):
     test_8_10.test_world(learner)
 
 
-@pytest.mark.rules('drives', 'ends')
+@pytest.mark.rules('drives', 'ends', 'world')
 @pytest.mark.weight(4)
 def test_drives(learner):
     """Launched, the robot drives off, stands when it is called back, reaches another station, and ends with Ctrl+C."""

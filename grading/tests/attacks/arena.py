@@ -1,7 +1,7 @@
 """A small course to be attacked: two functions and a talker, secrets that no attack may find, and a batch's grading.
 
-One attack is one file of the corpus: a header, and the text of an exercise's cell. A batch of them is graded at once,
-with an honest learner among them, as `grade` grades a class.
+One attack is one row of a file of the corpus: a name, a header, and the text of an exercise's cell. A batch of them is
+graded at once, with an honest learner among them, as `grade` grades a class.
 """
 
 import html
@@ -19,8 +19,10 @@ from pathlib import Path
 import psutil
 import pytest
 
-from grading import grade, sandbox, submissions
+from grading import grade, reference, sandbox, submissions
 from grading.record import Record
+from helpers.exercises import notebooks
+from helpers.exercises import program as programs
 from helpers.exercises.manifest import Exercise, stub_digest
 from helpers.tests import small
 
@@ -105,7 +107,8 @@ def test_drawn(learner):
     for _ in range(3):
         numbers = [learner.random.randint(-1000, 1000) for _ in range(5)] + [5000]
         got = learner.call('total', numbers)
-        expect(got == sum(numbers), f'The total of six numbers is wrong: {str(got)[:80]}.')
+        # Computes with what it gets, and looks into it, as tests do.
+        expect(round(got - sum(numbers)) == 0, f'The total of six numbers is wrong: {str(got)[:80]}.')
 ''',
     '90.2': '''
 @pytest.mark.weight(3)
@@ -138,7 +141,7 @@ def test_prefix(learner):
 
 @dataclass(frozen=True)
 class Attack:
-    """One file of the corpus."""
+    """One row of the corpus."""
 
     name: str
     family: str
@@ -161,19 +164,25 @@ class Attack:
         return set(self.header['expect verdict'].split(' or '))
 
 
-def read(path: Path) -> Attack:
-    """Read an attack. Its header ends with the first line that is no `# key: value`."""
-    lines = path.read_text(encoding='utf-8').splitlines(keepends=True)
-    header = {}
-    while lines and (found := _HEADER.fullmatch(lines[0].rstrip('\n'))):
-        header[found[1]] = found[2]
-        lines.pop(0)
-    return Attack(path.stem, path.parent.name, header, ''.join(lines))
+def read(path: Path) -> list[Attack]:
+    """The attacks of a file: each begins with `# %% name`.
+
+    The header ends with the first line that is no `# key: value`.
+    """
+    found = []
+    for part in re.split(r'^# %% ', path.read_text(encoding='utf-8'), flags=re.MULTILINE)[1:]:
+        name, *lines = part.rstrip().splitlines(keepends=True)
+        header = {}
+        while lines and (line := _HEADER.fullmatch(lines[0].rstrip('\n'))):
+            header[line[1]] = line[2]
+            lines.pop(0)
+        found.append(Attack(name.strip(), path.stem, header, ''.join(lines) + '\n'))
+    return found
 
 
 def attacks() -> list[Attack]:
     """The corpus."""
-    return [read(path) for path in sorted(CORPUS.glob('*/*.py'))]
+    return [attack for path in sorted(CORPUS.glob('*.py')) for attack in read(path)]
 
 
 def exercises() -> tuple[Exercise, ...]:
@@ -266,10 +275,13 @@ def grade_batch(
     bystander = subprocess.Popen([sys.executable, '-c', 'import time; time.sleep(300)', batch.canary])
     os.environ |= {'HOME': str(home), 'GRADER_TOKEN': batch.canary}
     begin = time.monotonic()
+    patched = pytest.MonkeyPatch()
+    patched.setattr(reference, 'program', lambda exercise: programs.build(_right(), exercise).as_dict())
     try:
         course = _course(folder, batch.canary, used, patience)
         graded = grade.grade(submissions.find([incoming]), course, batch.output, jobs)
     finally:
+        patched.undo()
         for name, value in saved.items():
             os.environ.pop(name, None)
             if value is not None:
@@ -287,6 +299,10 @@ def grade_batch(
 def new_cookie() -> str:
     """A name for what attacks leave behind; at most 15 letters, so that it can name a process."""
     return f'ck{secrets.token_hex(6)}'
+
+
+def _right() -> list[notebooks.NotebookCell]:
+    return notebooks.parse(notebook(SOLVED), small.NOTEBOOK)
 
 
 def _course(folder: Path, canary: str, used: str, patience: str) -> grade.Course:

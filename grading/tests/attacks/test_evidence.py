@@ -1,18 +1,18 @@
 """Attacks on what counts as evidence: the real exercises that judge commands, packages, launched systems and tests.
 
-Each file in `evidence/` is an exercise's cell. It gains nothing: what it may have besides is in its header. The right
+Each row of `evidence.py` is an exercise's cell. It gains nothing: what it may have besides is in its header. The right
 answers to the same exercises get full marks: see `grading/tests/test_validity.py`.
 """
 
 import pytest
 
-from grading import sandbox, trial
+from grading import reference, sandbox
 from grading.course import HIDDEN
 from grading.tests.attacks import arena
 from helpers.exercises import manifest, notebooks, program
 from helpers.runner import session, verdicts
 
-ATTACKS = [arena.read(path) for path in sorted((arena.HERE / 'evidence').glob('*.py'))]
+ATTACKS = arena.read(arena.HERE / 'evidence.py')
 EXERCISES = manifest.load()
 
 
@@ -24,10 +24,14 @@ def test_no_evidence_can_be_made(attack):
         notebooks.NotebookCell(f'# Exercise {exercise.id}: x\n{attack.source}', cell.number, cell.id)
         if program.exercise_id(cell) == exercise.id
         else cell
-        for cell in trial.solved(exercise.chapter)
+        for cell in reference.solved(exercise.chapter)
     ]
     report = session.run(
-        cells, [exercise], session.Options(hidden=HIDDEN, launcher=sandbox.launcher(arena.choose()), seed='evidence')
+        cells,
+        [exercise],
+        session.Options(
+            hidden=HIDDEN, launcher=sandbox.launcher(arena.choose()), seed='evidence', reference=reference.program
+        ),
     )
     (result,) = report.exercises
     story = [(test.test, test.verdict, test.message[:300], test.fault[-600:]) for test in result.tests], report.log

@@ -11,6 +11,11 @@ KEYS = {'attack', 'row', 'aims at', 'stopped by', 'expect verdict', 'expect mess
 MORE = {'expect points', 'expect page'}
 
 
+def test_no_two_have_one_name():
+    names = [f'{attack.family}/{attack.name}' for attack in arena.attacks()]
+    assert len(set(names)) == len(names) > 100
+
+
 def test_the_table_is_up_to_date():
     assert readme.updated() == readme.README.read_text(encoding='utf-8'), 'python -m grading.tests.attacks.readme'
 
@@ -19,7 +24,7 @@ def test_the_table_is_up_to_date():
 def test_header(attack):
     assert KEYS <= attack.header.keys() <= KEYS | MORE
     assert attack.aim in arena.TITLES
-    assert attack.verdicts <= set(verdicts.VERDICTS) - {verdicts.PASSED}
+    assert attack.verdicts <= set(verdicts.VERDICTS) - {verdicts.PASSED, verdicts.GRADER_ERROR}
     assert 0 <= attack.points < arena.POINTS
     assert arena.NAMES[attack.aim] in attack.source
     ast.parse(attack.source)

@@ -10,11 +10,11 @@ import time
 from action_msgs.msg import GoalStatus
 from delivery_interfaces.action import GoToStation
 from delivery_interfaces.srv import SetStation
-from nav_msgs.msg import Odometry
 from rclpy.action import ActionClient
 
 from helpers.runner.load import busy
 from helpers.runner.observer import Observer
+from helpers.runner.retracing import Way
 
 PATIENCE = 25.0  # s of wall time for a step
 TRIES = 5
@@ -38,16 +38,15 @@ class Missing(Exception):
 class Customer:
     """Somebody who uses the robot."""
 
-    def __init__(self, observer: Observer, launch):
+    def __init__(self, observer: Observer, launch, factor: float):
         self.launch, self.observer, self.node = launch, observer, observer.node
-        self.odometry = Odometry()
-        self.node.create_subscription(Odometry, 'odom', lambda odometry: setattr(self, 'odometry', odometry), 10)
+        self.way = Way(self.node, factor)
         self.stations = self.node.create_client(SetStation, 'set_station')
         self.action = ActionClient(self.node, GoToStation, 'go_to_station')
 
     @property
     def x(self) -> float:
-        return self.odometry.pose.pose.position.x
+        return self.way.odometer
 
     def until(self, condition, what: str) -> None:
         deadline = time.monotonic() + PATIENCE * (3 if busy() else 1)
@@ -100,7 +99,7 @@ class Customer:
         return status
 
     def stands(self) -> bool:
-        return abs(self.odometry.twist.twist.linear.x) < 0.02
+        return abs(self.way.odometry.twist.twist.linear.x) < 0.02
 
 
 def _story(customer: Customer, told: dict) -> None:
@@ -121,6 +120,7 @@ def _story(customer: Customer, told: dict) -> None:
     told['arrived'] = customer.drive(near)
     customer.until(customer.stands, 'the robot standing at the station')
     told['ended_at'] = round(customer.x, 3)
+    told['retraced'] = round(customer.way.retraced(), 3)
 
 
 def story(learner, workspace) -> dict:
@@ -144,7 +144,7 @@ def story(learner, workspace) -> dict:
     )
     with Observer(learner) as observer:
         try:
-            _story(Customer(observer, launch), told)
+            _story(Customer(observer, launch, told['factor']), told)
         except Missing as missing:
             told['missing'] = str(missing)
     launch.signal(signal.SIGINT)

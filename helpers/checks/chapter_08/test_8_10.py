@@ -6,6 +6,7 @@ from helpers.checks.chapter_08 import deliveries
 from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('8.10')
+APART = 0.3  # m, at most between what the world says and where the robot's commands lead
 VALUES = (('max_linear', 0.4), ('tolerance', 0.08), ('timeout', 30.0), ('max_angular', 1.0))
 
 
@@ -30,6 +31,17 @@ def story(learner) -> dict:
         expect(word not in told['log'], f'Your node did not start. {why}', rule)
     expect('/delivery_robot' in told, f'The node /delivery_robot did not start: {told["last"]}', 'robot')
     return told
+
+
+def real(told: dict) -> None:
+    """Fail if the robot is elsewhere in the launched world than where its commands bring a robot."""
+    where, led = told.get('ended_at', 0.0), told.get('retraced', 0.0)
+    expect(
+        abs(where - led) < APART,
+        f'/odom says that the robot is at x = {where:.2f} m, but what came on /cmd_vel brings a robot to {led:.2f} m. '
+        'Does the launch file start the world of mujoco_world, and nothing else that publishes /odom?',
+        'world',
+    )
 
 
 @pytest.mark.rules('arguments')
@@ -86,9 +98,10 @@ def test_world(learner):
     expect(values, 'The node /world did not start: the launch file must include world.launch.py.')
     wanted = {'scene': 'empty', 'real_time_factor': told['factor']}
     expect(values == wanted, f'Launched with scene:=empty real_time_factor:={told["factor"]}, the world has {values}.')
+    real(told)
 
 
-@pytest.mark.rules('drives', 'ends')
+@pytest.mark.rules('drives', 'ends', 'world')
 def test_drives(learner):
     """Launched, the robot drives off, stands when it is called back, reaches another station, and ends with Ctrl+C.
 
@@ -119,6 +132,7 @@ def test_drives(learner):
         f'The station is at x = {near:g} m, and the robot stands at {told["ended_at"]:.2f} m.',
         'drives',
     )
+    real(told)
     expect(
         told['status'] == 0,
         f'After Ctrl+C, ros2 launch ended with the status {told["status"]}, expected 0. Does '

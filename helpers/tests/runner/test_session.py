@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from helpers.exercises import manifest
+from helpers.exercises import program as programs
 from helpers.runner import seeds, session, start_processes
 from helpers.tests import small
 
@@ -119,6 +120,67 @@ def test_late(learner):
     (result,) = run(tmp_path, (1,), total_timeout=4.0).exercises
     assert result.verdict == 'timeout' and result.score is not None
     assert 'did not run any more' in result.tests[-1].message
+
+
+COMPUTES = """
+def test_computes(learner):
+    \"\"\"Computes with what comes.\"\"\"
+    assert round(learner.call('Talker')) == 1
+
+
+def test_dies(learner):
+    \"\"\"Dies of what comes.\"\"\"
+    if learner.call('Talker') != 1:
+        os.kill(os.getpid(), 9)
+"""
+STUCK_IN_C = """
+def test_stuck(learner):
+    \"\"\"Stands in C, with the lock of the interpreter.\"\"\"
+    if learner.call('Talker') != 1:
+        sum(range(10**11))
+"""
+
+
+def reference(exercise):
+    """A program that is right."""
+    return programs.build(small.cells(PROGRAM), exercise).as_dict()
+
+
+@pytest.mark.parametrize('text', [COMPUTES, STUCK_IN_C], ids=['dies', 'stuck'])
+def test_who_alone_makes_a_fault_fails(tmp_path, text):
+    small.write_tests(tmp_path, ONE + text)
+    wrong = {'program': "def Talker():\n    return 'text'\n", 'test_timeout': 4.0}
+    assert run(tmp_path, **wrong).exercises[0].score is None  # nothing to compare with
+    report = run(tmp_path, **wrong, reference=reference)
+    (result,) = report.exercises
+    assert (result.verdict, result.score) == ('failed', 0), report.log
+    assert all('with another program it does' in test.message for test in result.tests[1:])
+    assert 'only with this program' in '\n'.join(report.log)
+
+
+def test_a_fault_that_other_programs_meet_too_stays_open(tmp_path):
+    text = '\ndef test_two(learner):\n    """Two."""\n    {}["key"]\n'
+    small.write_tests(tmp_path, ONE + text)
+    (result,) = run(tmp_path, program="def Talker():\n    return 'text'\n", reference=reference).exercises
+    assert (result.verdict, result.score) == ('grader_error', None)
+
+
+def test_a_fault_that_does_not_come_again_is_nobodys(tmp_path):
+    """Another program passes, and then this one does, too: the first faults came from elsewhere."""
+    faults = tmp_path / 'faults'
+    small.write_tests(
+        tmp_path,
+        ONE
+        + f"""
+def test_two(learner):
+    \"\"\"Two.\"\"\"
+    with open({str(faults)!r}, 'a') as file:
+        file.write('x')
+    assert os.path.getsize({str(faults)!r}) > 2 or {{}}['key']
+""",
+    )
+    report = run(tmp_path, reference=reference)
+    assert (report.exercises[0].verdict, report.exercises[0].score) == ('passed', 10), report.log
 
 
 def test_two_tests_of_one_name(tmp_path):

