@@ -218,7 +218,7 @@ def test_burst(learner):
     expect(len(server.requests) == 10, f'Ten commands at one moment made {len(server.requests)} requests, expected 10.')
 
 
-@pytest.mark.rules('answer', 'once')
+@pytest.mark.rules('answer', 'once', 'request')
 @about('answer')
 def test_one_command_after_the_other(learner):
     """Every command is reported once, also after a failure.
@@ -230,8 +230,10 @@ def test_one_command_after_the_other(learner):
     said = []
     for number, answer in enumerate(answers):
         server.answer = answer if number else None
-        close.send(Bool(data=bool(number % 2)))
+        before = len(server.requests)
+        close.send(Bool(data=number < 2))  # the same twice, then the other one twice
         learner.run(3.5)
+        expect(len(server.requests) > before, f'Command {number + 1} made no request.', 'request')
         said.append('failed' if not number else 'ok' if answer['success'] else 'refused')
         wanted = said[-1]
         got = states.data[len(said) - 1 :]

@@ -55,6 +55,7 @@ def test_every_rule(learner):
     _, client = camera(learner)
     low = -learner.random.uniform(0.1, 9.0)
     refused(client, 'size', height=0, cy=0.0)
+    refused(client, 'size', width=0, cx=0.0)
     refused(client, 'focal length', fx=0.0)
     refused(client, 'focal length', 'k[4] is the second focal length.', fy=low)
     refused(client, 'principal point', cx=low)

@@ -52,7 +52,7 @@ MUTANTS = [
             return response
         ''', expect='the callback of the service returned nothing (None)'),
     Mutant('no_width', breaks='size', also=('order', 'principal-point'), old='info.width > 0 and info.height > 0',
-           new='info.height > 0', expect="expected 'size'"),
+           new='info.height > 0', expect='width = 0, k[2] = 0.0 was accepted'),
     Mutant('other_name', breaks='names', old="super().__init__('camera')", new="super().__init__('camera_driver')",
            expect='your node is called'),
     Mutant('publishes_always', breaks='unchanged', old='''

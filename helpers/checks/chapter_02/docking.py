@@ -36,6 +36,11 @@ def judge_charge(learner) -> None:
         'full',
     )
     expect(
+        not isinstance(found['FULL'], str),
+        f'Charge.FULL is the text {found["FULL"]!r}. A constant of the type uint8 is a number.',
+        'full',
+    )
+    expect(
         found['FULL'] == 100 and not isinstance(found['FULL'], (str, bool)),
         f'Charge.FULL is {found["FULL"]!r}, expected 100. A constant needs `=`.',
         'full',

@@ -101,7 +101,8 @@ def judge_library(learner) -> None:
     )
     expect(
         all(number in ticks for number in asked),
-        f'With {ticks[0]} ticks on the command line, your program asks distance for {asked[0]!r}; expected {ticks[0]}.',
+        f'With {ticks[0]}, and then {ticks[1]} ticks on the command line, your program asks distance for '
+        f'{", then ".join(map(repr, asked))}.',
         'argument',
     )
     more = next((text for text in said if len(text.splitlines()) > 1), '')
