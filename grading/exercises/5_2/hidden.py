@@ -82,7 +82,9 @@ def test_deadline(learner):
     )
     learner.run(3.0)
     expect(
-        outcome.data == ['canceled [5, 6]'], f'/outcome said {outcome.data}, expected ["canceled [5, 6]"].', 'result'
+        outcome.data == ['canceled [5, 6]'],
+        f'/outcome said {outcome.data}, expected ["canceled [5, 6]"].',
+        'numbers' if outcome.data and outcome.data[0].startswith('canceled [') else 'result',
     )
 
 
@@ -103,7 +105,7 @@ def test_rejected(learner):
     expect(len(server.goals) == 1, f'{len(server.goals)} goals came, expected one.', 'send')
 
 
-@pytest.mark.rules('word')
+@pytest.mark.rules('word', 'numbers')
 @about('word')
 def test_aborted(learner):
     """A goal that the server gives up has the outcome "aborted".
@@ -116,6 +118,7 @@ def test_aborted(learner):
         outcome.data == ['aborted [9]'],
         f'The server aborted the goal, and /outcome said {outcome.data}, '
         'expected ["aborted [9]"]. Look at the status of the result.',
+        'numbers' if outcome.data and outcome.data[0].startswith('aborted [') else 'word',
     )
 
 
@@ -239,6 +242,12 @@ def test_slow_answers(learner):
     outcome, server, _ = begin(learner, 30, 1.4, partial=Fibonacci.Result(sequence=[3]))
     server.late = {'goal': learner.random.choice([0.6, 1.1]), 'cancel': 1.3}
     learner.run(4.5)
+    expect(
+        len(server.goals) == 1,
+        f'The server needs {server.late["goal"]} s to accept; in the meantime {len(server.goals)} goals came, expected '
+        'one.',
+        'send',
+    )
     expect(outcome.data, 'The cancel request was not answered within 1 s, and nothing came on /outcome.', 'deadline')
     sent = outcome.stamps[0] - 1.0 - server.goals[0].arrived
     expect(

@@ -62,7 +62,7 @@ MUTANTS = [
         {CANCEL}
         ''', new="self.finish('canceled', self.numbers)", expect='To stop waiting is not enough'),
     Mutant('order_is_constant', breaks='send', also=ALL, old='Fibonacci.Goal(order=self.order)',
-           new='Fibonacci.Goal(order=20)', expect='/outcome said'),
+           new='Fibonacci.Goal(order=20)', expect='goals of the orders'),
     Mutant('other_name', breaks='names', old="super().__init__('patient_client')", new="super().__init__('client')",
            expect='your node is called'),
     Mutant('refused_is_lost', breaks='result', old='lambda future: self.timer.cancel())',

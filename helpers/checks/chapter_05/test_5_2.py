@@ -63,15 +63,11 @@ def test_outcomes(learner):
     """
     draw, rounds = learner.random, Rounds(learner)
     server, order = rounds.server, draw.randint(2, 4)
-    goal = rounds.begin(order, 3.3, 'a server that does it in time')
+    rounds.begin(order, 3.3, 'a server that does it in time')
     learner.run(5.5, step=1.0)
+    orders = [goal.request.order for goal in server.goals]
+    expect(orders == [order], f'{rounds.story}goals of the orders {orders} came, expected one of {order}.', 'send')
     rounds.expect(f'succeeded {list(range(50, 50 + order))}', 'word', "It is in the future's result: .result().result.")
-    expect(
-        goal.request.order == order and len(server.goals) == 1,
-        f'{rounds.story}goals of the orders {[goal.request.order for goal in server.goals]} came, expected one of '
-        f'{order}.',
-        'send',
-    )
     expect(
         not server.cancel_stamps, f'{rounds.story}a cancel request came for a goal that had ended in time.', 'deadline'
     )

@@ -5,7 +5,7 @@ from contextlib import contextmanager
 from helpers.checks.chapter_07 import graphs, machines, models, packages, stacks, tf_trees
 from helpers.checks.chapter_07.findings import compare
 from helpers.runner import about, expect
-from helpers.runner.verdicts import LearnerError
+from helpers.runner.verdicts import LearnerError, LearnerTimeout
 
 WHY = {**machines.WHY, **packages.WHY, **graphs.WHY, **stacks.WHY, **models.WHY, **tf_trees.WHY}
 # Faults that do not hide another one, by the part of the case; graphs' as `graphs.draw` names them.
@@ -93,7 +93,11 @@ class Case:
     def triage(self, learner, rule: str) -> None:
         """Ask the learner's triage, and fail with words if it does not find what is expected."""
         with about(rule):
-            found = learner.call('triage', self.case)
+            try:
+                found = learner.call('triage', self.case)
+            except LearnerTimeout as error:
+                error.rule = 'ends'
+                raise
         twice = [one for one in found if found.count(one) > 1] if isinstance(found, list) else []
         expect(not twice, f'You found {twice and twice[0]} more than once.', 'once')
         compare(found, self.expected, WHY, rule)
