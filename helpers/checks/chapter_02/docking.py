@@ -86,7 +86,7 @@ def judge_use(learner) -> None:
             f'A program that uses your types ended with: {found["last_line"]}',
             'both',
         )
-    done = builds.dock_interfaces(learner).run('ros2', 'interface', 'show', 'dock_interfaces/srv/Dock')
+    done = builds.dock_interfaces(learner).once('ros2', 'interface', 'show', 'dock_interfaces/srv/Dock')
     expect(
         done.status == 0 and '---' in done.lines,
         f'`ros2 interface show dock_interfaces/srv/Dock` ended with: {done.last_line}',
