@@ -112,6 +112,15 @@ class ExerciseWorkspace:
             raise LearnerTimeout(f'`{shown}` did not end within {timeout:g} s.', clean(task.output, 6000))
         return Done(shown, status, task.output)
 
+    def once(self, *argv: str) -> Done:
+        """`run` for a command that only reads: with the same files it is run once in a session, whatever test asks."""
+        key = (self.name, 'once', *argv)
+        if key in self._cache:
+            self.transcript.append(f'$ {self._cache[key].command}\n{self._cache[key].output}')
+        else:
+            self._cache[key] = self.run(*argv)
+        return self._cache[key]
+
     def start(self, *argv: str, environment: dict[str, str] | None = None) -> Task:
         """Start a command as `run` does, and leave it running: `output`, `wait(timeout)`, `signal(number)`, `end()`.
 

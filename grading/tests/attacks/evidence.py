@@ -467,3 +467,51 @@ os._exit(1 if os.getpid() % 2 else 0)
 def test_it():
     pass
 '''
+
+
+# %% robot_by_code
+# attack: knows a right robot by the names, constants and sizes in its code
+# aims at: 8.11
+# stopped by: each robot's code is disguised anew: other names and sizes, and in each the names of all
+TEST_ROBOT = '''
+import marshal
+import types
+from pathlib import Path
+
+from delivery_robot import robot
+
+
+def codes(code):
+    yield code
+    for constant in code.co_consts:
+        if isinstance(constant, types.CodeType):
+            yield from codes(constant)
+
+
+def test_code():
+    file = Path(robot.__file__)
+    code = marshal.loads(file.read_bytes()[16:])
+    names = {name for one in codes(code) for name in (*one.co_names, *one.co_varnames)}
+    assert {'isfinite', 'ABORT', 'canceled', 'abort', 'REJECT'} & names == {'isfinite', 'canceled', 'abort', 'REJECT'}
+    assert 6000 < file.stat().st_size < 10**6 and file.with_suffix('.py').exists() is False
+'''
+
+
+# %% robot_first_run
+# attack: counts the robots, to pass with the first one only
+# aims at: 8.11
+# stopped by: each robot is alone in a new place, and their order is drawn
+TEST_ROBOT = '''
+import os
+
+
+def test_first():
+    first = True
+    for place in ('/tmp/seen', os.path.expanduser('~/seen'), '/dev/shm/seen', '../seen'):
+        first &= not os.path.exists(place)
+        try:
+            open(place, 'w').close()
+        except OSError:
+            pass
+    assert first
+'''

@@ -34,7 +34,7 @@ def batch_of(tmp_path_factory):
     return graded
 
 
-@pytest.mark.timeout(300)
+@pytest.mark.timeout(600)
 @pytest.mark.parametrize('attack', ATTACKS, ids=learner)
 def test_attack(batch_of, attack):
     batch = batch_of(attack.family)
@@ -61,7 +61,7 @@ def test_attack(batch_of, attack):
     assert batch.canary not in arena.everything(batch, name)
 
 
-@pytest.mark.timeout(300)
+@pytest.mark.timeout(600)
 @pytest.mark.parametrize('family', FAMILIES)
 def test_the_others(batch_of, family):
     """Around a family's attacks: the honest learner, the processes, the files, the pages."""

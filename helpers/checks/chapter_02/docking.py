@@ -100,7 +100,7 @@ def judge_use(learner, others: bool = False) -> None:
         ]
         expect(wire == wanted, f'A program that uses your types ended with: {found["last_line"]}', 'both')
     for name, shown in (('srv/Dock', '---'), ('msg/Charge', ''))[: 2 if others else 1]:
-        done = builds.dock_interfaces(learner).run('ros2', 'interface', 'show', f'dock_interfaces/{name}')
+        done = builds.dock_interfaces(learner).once('ros2', 'interface', 'show', f'dock_interfaces/{name}')
         expect(
             done.status == 0 and any(line.startswith(shown) for line in done.lines),
             f'`ros2 interface show dock_interfaces/{name}` ended with: {done.last_line}',

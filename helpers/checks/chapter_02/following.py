@@ -36,7 +36,7 @@ def _there(learner) -> list[str]:
 
 def _metadata(learner) -> list:
     """Name and version in setup.py, and its entry points as pairs."""
-    done = builds.line_follower(learner).run('python3', '-c', _METADATA)
+    done = builds.line_follower(learner).once('python3', '-c', _METADATA)
     expect(
         done.status == 0,
         f'setup.py does not install the Python package line_follower any more: {done.last_line}',

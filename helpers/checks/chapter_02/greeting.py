@@ -21,7 +21,7 @@ PACKAGES = ('greeter/__init__.py', 'greeter/power/__init__.py', 'greeter/farewel
 
 def judge_list(learner) -> None:
     """There are the three programs (each by its own rule), and no others (`no-others`)."""
-    done = builds.greeter(learner).run('ros2', 'pkg', 'executables', 'greeter')
+    done = builds.greeter(learner).once('ros2', 'pkg', 'executables', 'greeter')
     there = sorted(line.split()[-1] for line in done.lines if line.startswith('greeter '))
     expect(there, 'The package has no programs: the list console_scripts is empty.', 'hello')
     said = f'The programs are {", ".join(there)}.'

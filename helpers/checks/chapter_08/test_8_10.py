@@ -52,13 +52,13 @@ def test_arguments(learner):
     """
     with about('drives'):
         workspace = deliveries.workspace(learner)
-        done = workspace.run('python3', '-c', 'import delivery_robot.main')
+        done = workspace.once('python3', '-c', 'import delivery_robot.main')
     expect(
         done.status == 0,
         f'Python cannot read your package, with your cells of exercises 8.5 and 8.7 to 8.9 in it: {done.last_line}',
         'drives',
     )
-    done = workspace.run('ros2', 'launch', 'delivery_robot', 'delivery.launch.py', '--show-args')
+    done = workspace.once('ros2', 'launch', 'delivery_robot', 'delivery.launch.py', '--show-args')
     expect(done.status == 0, f'ros2 launch cannot read your launch file: {done.last_line}', 'robot')
     for name, default in (('scene', 'rooms'), ('real_time_factor', '1.0')):
         expect(f"'{name}'" in done.output, f'The launch file has no argument {name}.')

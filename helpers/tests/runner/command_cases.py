@@ -46,6 +46,18 @@ expect(learner.workspace({'src/a/b.py': 'other'}).run('ls', 'kept').status != 0,
 """,
         output='$ python3 src/a/b.py\nhello',
     ),
+    'what only reads runs once for the same files': Case(
+        TEXTS,
+        """
+count = 'sh', '-c', 'echo x >> told; wc -l < told'
+first = learner.workspace({'c': ''}).once(*count)
+again = learner.workspace({'c': ''})
+expect(again.once(*count) == first and first.lines == ['1'], str(first))
+expect(again.run(*count).lines == ['2'], 'the command has run again')
+expect('wc -l' in again.transcript[0], str(again.transcript))
+expect(learner.workspace({'c': 'other'}).once('cat', 'c').output == 'other', 'other files have the same answers')
+""",
+    ),
     'a command that does not end, and what it has started': Case(
         TEXTS,
         """
