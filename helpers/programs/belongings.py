@@ -3,6 +3,7 @@
 import hashlib
 import json
 import shutil
+from collections.abc import Iterable
 from pathlib import Path
 
 _LEDGER = '.made_by_the_lesson.json'  # in a workspace: path below src -> digest
@@ -15,10 +16,13 @@ class Belongings:
     def __init__(self, workspace: Path):
         self._src, self._ledger = workspace / 'src', workspace / _LEDGER
 
-    def note(self, before: dict[str, str]) -> None:
-        """Count as the lesson's what is other than `before`, which `now` gave before the lesson did something."""
-        made = self._made()
-        made |= {path: digest for path, digest in self.now().items() if before.get(path) != digest}
+    def note(self, before: dict[str, str], texts: Iterable[str] = ()) -> None:
+        """Count as the lesson's what is other than `before`, which `now` gave before the lesson did something.
+
+        :param texts: of the lesson; files that hold one of them are the lesson's, too.
+        """
+        made, known = self._made(), {_digest(text.encode()) for text in texts}
+        made |= {path: digest for path, digest in self.now().items() if before.get(path) != digest or digest in known}
         self._ledger.write_text(json.dumps(made))
 
     def now(self) -> dict[str, str]:
@@ -27,7 +31,7 @@ class Belongings:
         for path in sorted(self._src.rglob('*')):
             inside = path.relative_to(self._src)
             if path.is_file() and not path.is_symlink() and not _NO_WORK.intersection(inside.parts):
-                found[str(inside)] = hashlib.sha256(path.read_bytes()).hexdigest()
+                found[str(inside)] = _digest(path.read_bytes())
         return found
 
     def keep(self) -> Path | None:
@@ -50,3 +54,8 @@ class Belongings:
             return json.loads(self._ledger.read_text())
         except (OSError, ValueError):  # none yet
             return {}
+
+
+def _digest(content: bytes) -> str:
+    """Empty lines at the ends of a file are nobody's work."""
+    return hashlib.sha256(content.strip()).hexdigest()

@@ -118,7 +118,7 @@ class Workspace:
             yield
         finally:
             if self.path.is_dir():
-                self._belongings.note(before)
+                self._belongings.note(before, _texts_of_cells())
 
     def _start(self, script: str, shown: bool = True) -> BackgroundProcess:
         if not self.path.is_dir():
@@ -162,6 +162,12 @@ class Workspace:
                     shown += 1
                 meanwhile()
         return process.returncode
+
+
+def _texts_of_cells() -> list[str]:
+    """What cells of this kernel have written into files by the magic command `%%writefile`."""
+    parts = (cell.source.lstrip().partition('\n') for cell in journal.cells)
+    return [text for first, _, text in parts if first.startswith('%%writefile')]
 
 
 class _Progress:

@@ -3,6 +3,7 @@
 import pytest
 
 from helpers import Workspace
+from helpers.kernel import journal
 from helpers.programs.workspace import BuildError
 
 
@@ -62,6 +63,18 @@ def test_reset_keeps_what_the_learner_made(ws, capsys):
     (ws.path / 'src/note.txt').write_text('to do')
     ws.reset()
     assert (kept.with_name('2') / 'note.txt').read_text() == 'to do'
+
+
+def test_what_a_cell_has_written_is_the_lessons(ws, capsys, monkeypatch):
+    cells = [journal.ExecutedCell(None, '%%writefile ros2_ws/src/p/a.py\nprint(1)\n')]
+    monkeypatch.setattr(journal, 'cells', cells)
+    for text, mine in (('print(1)\n', False), ('print(2)\n', True)):
+        ws.write('src/p/b.py', '')
+        (ws.path / 'src/p/a.py').write_text(text)
+        ws.run('true')
+        capsys.readouterr()
+        ws.reset()
+        assert ('is kept: p,' in capsys.readouterr().out) is mine
 
 
 def test_a_folder_of_somebody_else_is_left_alone(tmp_path):
