@@ -101,7 +101,7 @@ MUTANTS = [
             self.goals.pop(0)
             if self.goals:
                 self.goals[0].execute()
-            ''')), expect='the first goal goes on beside the second one'),
+            ''')), expect='the second one has not begun'),
     Mutant('refuses', breaks='newest', also=('aborted',), old='= 1 else GoalResponse.',
            new='= 1 and (self.newest is None or not self.newest.is_active) else GoalResponse.',
            expect='the second goal was rejected'),

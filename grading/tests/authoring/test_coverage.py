@@ -48,7 +48,6 @@ def test_a_complete_table(tmp_path):
         ['90.1', 'rate', 'test_rate', 'slow'],
         ['90.1', 'texts', 'test_rate', 'slow'],
         ['90.1', 'stops', '-', '(takes', 'an', 'hour)', 'test_stop', 'runs'],
-        ['0', 'exercises', 'have', 'no', 'rules'],
     ]
 
 

@@ -116,9 +116,15 @@ def test_newest_wins(learner):
     old = client.send(order=20)
     learner.run(begin)
     new = client.send(order=order)
-    learner.run(0.5)
+    with about('aborted'):  # what the old goal does at its end
+        learner.run(0.5)
     words = f'A goal of order 20, and {begin:.1f} s after it one of order {order}: '
     expect(new.accepted, f'{words}the second goal was rejected. The newest goal wins.', 'newest')
+    expect(
+        old.done or new.feedback,
+        f'{words}0.5 s later the first goal goes on, and the second one has not begun: it begins at once.',
+        'newest',
+    )
     expect(old.done, f'{words}the first goal goes on beside the second one.', 'aborted')
     expect(
         old.status == 'aborted',
