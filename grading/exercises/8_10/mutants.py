@@ -24,13 +24,13 @@ MUTANTS = [
     Mutant('no_argument', old="DeclareLaunchArgument('scene', default_value='rooms'),",
            new="DeclareLaunchArgument('scene', default_value='empty'),", expect='The default of scene is not rooms',
            breaks='arguments', alone=True),
-    Mutant('scene_is_not_handed_on', old=HANDED_ON, new="for name in ('real_time_factor',)]", expect='the world has',
-           breaks='world', also=('drives', 'arguments'), alone=True),
+    Mutant('a_scene_of_its_own', old=HANDED_ON, new="for name in ('real_time_factor',)] + [('scene', 'rooms')]",
+           expect='the world has', breaks='world', also=('drives', 'arguments'), alone=True),
     Mutant('nobody_hears', old=ROBOT, new=ROBOT.replace("output='screen'",
                                                         "output='screen', remappings=[('cmd_vel', 'motor')]"),
            expect='This never came', breaks='drives', alone=True),
     Mutant('something_never_ends', old=ROBOT, new="""
-        ExecuteProcess(cmd=['bash', '-c', 'trap "" INT TERM; sleep 60 & wait; wait'], sigterm_timeout='60'),
+        ExecuteProcess(cmd=['bash', '-c', 'trap "" INT TERM; sleep 600 & wait; wait'], sigterm_timeout='60'),
         Node(package='delivery_robot', executable='robot', output='screen', parameters=[
         """, edits=(('from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription',
                      'from launch.actions import DeclareLaunchArgument, ExecuteProcess, IncludeLaunchDescription'),),
