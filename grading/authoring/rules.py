@@ -16,7 +16,7 @@ MEDIAN_LINES = 6
 METADATA = {'tags', 'editable', 'deletable', 'slideshow', 'jupyter'}
 NBVAL_TAGS = {'nbval-check-output', 'nbval-ignore-output', 'nbval-raises-exception', 'nbval-skip'}
 # Checked statements by chapter, see `checked`. Raise a number when a chapter has got more; never lower it.
-CHECKED_AT_LEAST = {1: 1, 2: 1, 3: 4, 4: 2, 5: 1, 6: 4, 7: 1, 8: 2}
+CHECKED_AT_LEAST = {1: 22, 2: 1, 3: 4, 4: 33, 5: 1, 6: 4, 7: 1, 8: 2}
 BY_HAND = re.compile(r"""check\(['"]\d+\.\d+['"]\)|# Exercise \d+\.\d+\b.*""")
 
 
