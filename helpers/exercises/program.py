@@ -189,10 +189,20 @@ def _is_definition(node: ast.stmt) -> bool:
         case ast.Import() | ast.ImportFrom() | ast.FunctionDef() | ast.AsyncFunctionDef() | ast.ClassDef():
             return True
         case ast.Assign(targets=targets, value=value):
-            return all(isinstance(target, (ast.Name, ast.Tuple)) for target in targets) and _is_constant(value)
+            return all(map(_is_name, targets)) and _is_constant(value)
         case ast.AnnAssign(target=ast.Name(), value=value):
             return value is None or _is_constant(value)
     return False
+
+
+def _is_name(target: ast.expr) -> bool:
+    """Names that are bound: an attribute of an object is none, which a demonstration has made."""
+    match target:
+        case ast.Tuple(elts=parts) | ast.List(elts=parts):
+            return all(map(_is_name, parts))
+        case ast.Starred(value=part):
+            return _is_name(part)
+    return isinstance(target, ast.Name)
 
 
 def _is_constant(node: ast.expr) -> bool:
