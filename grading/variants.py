@@ -163,8 +163,9 @@ def _block(text: str) -> list[str]:
 
 def _whole_lines(lines: list[str], old: list[str], new: list[str]) -> Iterator[tuple[int, int, str]]:
     place = 0
+    lead = len(old[0]) - len(old[0].lstrip()) if old else 0  # the first line may be further in than a later one
     for index, line in enumerate(lines):
-        indent = line[: len(line) - len(line.lstrip())]
+        indent = line[lead : len(line) - len(line.lstrip())]
         part = lines[index : index + len(old)]
         if old and [one.rstrip() for one in part] == _indented(old, indent):
             yield place, place + len(''.join(part)), ''.join(f'{one}\n' for one in _indented(new, indent))

@@ -15,7 +15,7 @@ MUTANTS = [
     Mutant('another_name', old="__init__('delivery_robot'", new="__init__('station_keeper'",
            expect='expected /delivery_robot', breaks='names'),
     Mutant('four_parameters', old="""
-                ('timeout', 60.0, 1.0, 600.0, 'a drive that takes longer is given up, in s'),
+                ('timeout', 60.0, 1.0, 600.0, 'longest time for a drive in s'),
                 """, new='', expect='There is no parameter timeout', breaks='parameters'),
     Mutant('integer_timeout', edits=((DECLARED, """
             if name == 'timeout':
