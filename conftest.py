@@ -19,7 +19,7 @@ _held = ExitStack()
 
 def pytest_configure(config):
     """Give this process, and all that it starts, its own domain. Each worker of xdist comes through here."""
-    os.environ.setdefault('COURSE_SAMPLE', secrets.token_hex(4))  # the workers of xdist inherit it
+    os.environ['COURSE_SAMPLE'] = os.environ.get('COURSE_SAMPLE') or secrets.token_hex(4)  # xdist's workers inherit it
     os.environ['ROS_DOMAIN_ID'] = str(_held.enter_context(domains.claim()))
 
 

@@ -144,7 +144,7 @@ def _faults_of_mutant(mutant: variants.Mutant, result: ExerciseResult, not_looke
     for fragment in mutant.expect:
         if fragment not in told(result):
             yield f'the learner does not read {fragment!r}, but: {told(result).strip()}'
-    rejecting = [test for test in failed if test.rule == mutant.breaks]
+    rejecting = [test for test in failed if test.rule in (mutant.breaks, *mutant.also)]
     unseen = mutant.breaks in not_looked_at
     for kind in ('hidden',) if unseen else ('visible', 'hidden'):
         if not any(test.hidden is (kind == 'hidden') for test in rejecting):

@@ -175,6 +175,7 @@ def test_the_linters_of_a_new_package_find_what_is_wrong(workspace):
 
 
 @pytest.mark.early
+@pytest.mark.timeout(400)
 def test_an_interface_package_as_upstream_writes_it_builds(workspace):
     root = workspace / 'src' / 'survey_msgs'
     texts = {

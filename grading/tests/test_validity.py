@@ -21,7 +21,7 @@ from helpers.exercises import manifest, notebooks, program
 
 pytestmark = pytest.mark.timeout(600)
 ALL_TESTS = bool(os.environ.get('COURSE_ALL_TESTS'))
-SOME = {'mutants': 3, 'alternatives': 1}  # so many answers to each exercise run by default, drawn anew each time,
+SOME = {'mutants': 2, 'alternatives': 1}  # so many answers to each exercise run by default, drawn anew each time,
 SOME_ALONE = 1  # or so many, where each needs a notebook of its own
 EXERCISES = manifest.load()
 CHAPTERS = {chapters.read(path).number: path for path in chapters.sources(paths.ROOT / 'solutions')}

@@ -163,7 +163,7 @@ class Governor(Node):
            edits=((MODE, f"{MODE}\nself.limit = self.get_parameter('max_linear').value\n"),
             ("limit = self.get_parameter('slow_linear' if mode == 'slow' else 'max_linear').value",
              "limit = self.get_parameter('slow_linear').value if mode == 'slow' else self.limit")),
-           expect='and not once in the constructor', breaks='at-once'),
+           expect='read the parameter when you publish', breaks='at-once'),
     Mutant('stores_while_checking', edits=(('timer = Twist(), None', 'timer, self.values = Twist(), None, {}'),
             ('def check(self, parameters):', '''
             def check(self, parameters):

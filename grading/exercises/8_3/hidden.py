@@ -7,6 +7,15 @@ from helpers.checks.chapter_08 import fleets
 pytestmark = pytest.mark.exercise('8.3')
 
 
+@pytest.mark.rules('installed-file')
+def test_no_values_in_the_launch_file(learner):
+    """The values come from the file: who changes the file changes the robots.
+
+    In the launch file, parameters= is a list with the path of the installed file.
+    """
+    fleets.judge_installed_file(learner)
+
+
 @pytest.mark.rules('nodes', 'types', 'robot1', 'robot2', 'installed-file', 'max-linear')
 @pytest.mark.weight(2)
 def test_values(learner):
@@ -36,12 +45,3 @@ def test_another_robot(learner):
     """
     number = learner.random.randint(3, 99)
     fleets.judge_others(learner, f'/robot1{number}', f'/hall{number}/robot2')
-
-
-@pytest.mark.rules('installed-file')
-def test_no_values_in_the_launch_file(learner):
-    """The values come from the file: who changes the file changes the robots.
-
-    In the launch file, parameters= is a list with the path of the installed file.
-    """
-    fleets.judge_installed_file(learner)

@@ -30,7 +30,9 @@ def test_check_says_what_is_out_of_step(course, capsys):
     assert 'run ./course build' in capsys.readouterr().out
     make_without_kernel(course)
     assert app.main(['build', '--check']) == 0
-    assert capsys.readouterr().out == '1 chapters are in step with their sources\n'
+    assert capsys.readouterr().out == (
+        'checked statements by chapter: 07: 0\n1 chapters are in step with their sources\n'
+    )
 
 
 def test_mistakes_of_the_author_end_with_one(course, capsys):

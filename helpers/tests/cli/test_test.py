@@ -108,9 +108,9 @@ def test_many_failures_are_no_accident(monkeypatch, tmp_path, capfd):
 
 def test_the_learners_edition_leaves_out_what_it_lacks(monkeypatch):
     names = [step.__name__ for step in command._plan()]
-    assert names == ['_style', '_types', '_unit_tests', '_in_step', '_rules', '_notebooks']
+    assert names == ['_format', '_style', '_types', '_unit_tests', '_in_step', '_rules', '_notebooks']
     monkeypatch.setattr(command, 'find_spec', lambda name: None)
-    assert [step.__name__ for step in command._plan()] == ['_style', '_unit_tests']
+    assert [step.__name__ for step in command._plan()] == ['_format', '_style', '_unit_tests']
 
 
 def test_notebooks_that_are_not_there_are_a_failure(monkeypatch, tmp_path, capsys):
