@@ -40,7 +40,7 @@ MUTANTS = [
     Mutant('no_row_for_models', old="'A7.10' if end['name'] == '/robot_description' else 'A7.6'", new="'A7.6'",
            breaks='row', expect='your row is'),
     Mutant('one_finding', old='    return found\n\n\ndef repair_graph(finding):',
-           new='    return found[:1]\n\n\ndef repair_graph(finding):', breaks='all', also='durability',
+           new='    return found[:1]\n\n\ndef repair_graph(finding):', breaks='all', also=('durability', 'nobody'),
            expect='You did not find'),
     Mutant('maps_backwards', old="f'{name}:={value}'", new="f'{value}:={name}'", breaks='remapping',
            expect='still hears nothing'),
