@@ -78,6 +78,7 @@ def python_package(workspace: Path, name: str, line: str, test: str) -> None:
     (root / 'test' / 'test_it.py').write_text(test)
 
 
+@pytest.mark.one_of(2)
 @pytest.mark.parametrize('line', LINES)
 def test_a_failing_test_is_told_and_the_build_is_quiet(workspace, line):
     python_package(workspace, 'subject', LINES[line], 'def test_sum():\n    assert 1 + 1 == 3\n')
@@ -175,6 +176,7 @@ def test_the_linters_of_a_new_package_find_what_is_wrong(workspace):
 
 
 @pytest.mark.early
+@pytest.mark.one_of(3)
 @pytest.mark.timeout(400)
 def test_an_interface_package_as_upstream_writes_it_builds(workspace):
     root = workspace / 'src' / 'survey_msgs'
