@@ -311,6 +311,12 @@ class ProgramProcess:
             number = os.WTERMSIG(status)
             if number == signal.SIGXCPU:
                 return LearnerTimeout('Your program used up its computing time.')
+            if number in (signal.SIGSEGV, signal.SIGABRT, signal.SIGBUS):
+                return LearnerCrashed(
+                    f'The process of your program crashed ({signal.Signals(number).name}). In Python this happens when '
+                    'something is destroyed that ROS still uses: does a callback call destroy_node() on its own node, '
+                    'or rclpy.shutdown()?'
+                )
             how = f'was ended by {signal.Signals(number).name}'
         return LearnerCrashed(
             f'The process of your program {how}. A node must not end its process: do not call exit().'

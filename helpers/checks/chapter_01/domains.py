@@ -46,8 +46,9 @@ def check_roll_call(learner) -> None:
         here.wait_until(lambda: heard, timeout=1)
         expect(
             here.met('/roll_call'),
-            f'No speaker for the topic roll_call came into domain {ours}. Each context has its own '
-            'domain: rclpy.init(context=…, domain_id=…).',
+            f'No speaker for the topic roll_call came into domain {ours}, or it left before others could find it: '
+            f'who_hears({ours}, {asked}) gives {got!r}. Each context has its own domain: '
+            'rclpy.init(context=…, domain_id=…).',
             'measures',
         )
         check_kind(got, f'who_hears({ours}, {asked})')

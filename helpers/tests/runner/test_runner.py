@@ -516,7 +516,7 @@ def Talker():
         'import ctypes\ndef Talker(): ctypes.string_at(0)\n',
         "learner.call('Talker')",
         'learner_crashed',
-        ('was ended by SIGSEGV',),
+        ('crashed (SIGSEGV)',),
     ),
     'KeyboardInterrupt': Case(
         'def Talker(): raise KeyboardInterrupt\n', "learner.call('Talker')", 'learner_crashed', ('KeyboardInterrupt',)
