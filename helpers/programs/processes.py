@@ -148,7 +148,7 @@ class BackgroundProcess:
                 raise RuntimeError(f'{self._name} has no terminal (any more): start it with terminal=True')
             os.write(self._keyboard, KEYS.get(keys, keys).encode())
 
-    def stop(self, timeout: float = 3.0) -> int:
+    def stop(self, timeout: float = 10.0) -> int:
         """End the process and all that it started: SIGINT, and SIGKILL after ``timeout`` seconds; idempotent.
 
         :return: its exit status.

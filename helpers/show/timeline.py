@@ -111,7 +111,7 @@ class Timeline:
     def _repr_mimebundle_(self, include=None, exclude=None) -> dict:
         from helpers.show import timeline_chart
 
-        return {'text/html': timeline_chart.svg(self), 'text/plain': repr(self)}
+        return {'text/html': timeline_chart.html(self), 'text/plain': repr(self)}
 
     def _now(self) -> float:
         return time.monotonic() - self._begun

@@ -2,6 +2,8 @@
 
 from jinja2 import Environment
 
+from helpers.show import inline_svg
+
 _COLOURS = ('#3b6fb6', '#b3541e', '#2e7d4f', '#8e4a9e', '#1f7a8c', '#a8324a', '#6b6f2a', '#5c5f66')
 _LEFT, _WIDTH, _LANE, _BAR = 84, 760, 44, 20  # px: begin of the time axis, whole width, height of a lane, of a bar
 _RIGHT = 66  # px; room for the label of the last bar
@@ -24,7 +26,7 @@ _LINE = '<line x1="-2" y1="12" x2="16" y2="12" stroke="currentColor" stroke-widt
 
 _TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).from_string("""\
 <svg xmlns="http://www.w3.org/2000/svg" role="img" viewBox="0 0 {{ width }} {{ height }}" \
-style="width: 100%; max-width: {{ width }}px; height: auto; color: var(--jp-ui-font-color1, currentColor)" \
+style="width: 100%; max-width: {{ width }}px; height: auto; {{ page_colour }}" \
 font-family="system-ui, -apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif" font-size="11" fill="currentColor">
 <title>{{ summary }}</title>
 <desc>{{ description }}</desc>
@@ -73,6 +75,11 @@ fill="{{ '#ffffff' if bar.inside else 'currentColor' }}" font-size="10.5">{{ bar
 """)
 
 
+def html(chart) -> str:
+    """The chart for a notebook."""
+    return inline_svg.html(svg(chart), _WIDTH, _summary(chart))
+
+
 def text(chart) -> str:
     """The recording as lines: what happened in each thread, in order."""
     lines = [_summary(chart)]
@@ -117,6 +124,7 @@ def svg(chart) -> str:
         for message in view.messages
     ]
     return _TEMPLATE.render(
+        page_colour=inline_svg.PAGE_COLOUR,
         width=_WIDTH,
         height=view.bottom + 36,
         left=_LEFT,

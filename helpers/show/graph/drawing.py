@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from jinja2 import Environment
 
 from helpers.kernel.qos import words
+from helpers.show import inline_svg
 from helpers.show.colours import BAD
 from helpers.show.graph.links import ROLES, Link
 from helpers.show.graph.model import Graph
@@ -25,12 +26,11 @@ _VERBS = {
     'action server': 'acts on',
 }
 
-_TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).from_string("""\
-{% if boxes %}
-<div style="overflow-x: auto">
+_TEMPLATES = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True)
+_DRAWING = _TEMPLATES.from_string("""\
 <svg xmlns="http://www.w3.org/2000/svg" role="img" viewBox="0 0 {{ width }} {{ height }}" \
 style="width: 100%; max-width: {{ width }}px; min-width: {{ (0.7 * width) | round | int }}px; height: auto; \
-color: var(--jp-ui-font-color1, currentColor)" font-family="{{ font }}" font-size="11.6" fill="currentColor">
+{{ page_colour }}" font-family="{{ font }}" font-size="11.6" fill="currentColor">
 <title>{{ summary }}</title>
 <desc>{{ description }}</desc>
 <g font-family="system-ui, -apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif" font-size="11">
@@ -79,6 +79,11 @@ font-weight="700" fill="#ffffff">{{ number }}</text>
 </g>
 {% endfor %}
 </svg>
+""")
+_PAGE = _TEMPLATES.from_string("""\
+{% if drawing %}
+<div style="overflow-x: auto">
+{{ drawing | safe }}
 </div>
 {% endif %}
 <div style="font-size: 0.92em; opacity: 0.8">{{ summary }}</div>
@@ -234,17 +239,23 @@ class _Drawing:
                     numbers.setdefault(key, []).append(number)
             for name in problem.nodes:
                 numbers.setdefault(name, []).append(number)
-        return _TEMPLATE.render(
+        drawing = _DRAWING.render(
+            page_colour=inline_svg.PAGE_COLOUR,
             width=self.width,
             height=self.height,
             font=_FONT,
             bad=BAD,
             summary=summary(self.graph),
             description=text(self.graph),
-            problems=self.graph.problems,
             legend=self.legend,
             arrows=sorted(map(self._draw, self.arrows), key=lambda arrow: arrow['bad']),
             boxes=[self._drawn_box(key, box, numbers.get(key, [])) for key, box in self.boxes.items()],
+        )
+        return _PAGE.render(
+            drawing=inline_svg.html(drawing, self.width, summary(self.graph)) if self.boxes else '',
+            summary=summary(self.graph),
+            problems=self.graph.problems,
+            bad=BAD,
         )
 
     def _drawn_box(self, key, box: NodeBox, problems: list[int]) -> dict:

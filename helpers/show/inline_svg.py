@@ -1,0 +1,30 @@
+"""A drawing as HTML that JupyterLab shows in every notebook, trusted or not.
+
+Inside of the page a drawing takes the page's colours, and tells more when the mouse is over it. But JupyterLab removes
+SVG elements (not their words) from outputs of a notebook that it does not trust, such as one that somebody else has
+run. It removes styles there, too, and keeps images: so a style decides which of two forms is seen.
+https://jupyterlab.readthedocs.io/en/stable/user/notebook.html#trust
+"""
+
+import base64
+import hashlib
+from html import escape
+
+PAGE_COLOUR = 'color: var(--jp-ui-font-color1, currentColor)'  #: in the style of a drawing that is given to `html`
+_CARD = 'color: #20262e; background: #fcfcfa'  # an image does not know the page's colours
+
+
+def html(svg: str, width: float, alternative: str) -> str:
+    """Return ``svg`` for the page, and as an image with the text ``alternative`` for notebooks without trust.
+
+    :param svg: its root has a ``style`` with `PAGE_COLOUR` in it.
+    :param width: the greatest one, in px.
+    """
+    image = base64.b64encode(svg.replace(PAGE_COLOUR, _CARD).encode()).decode()
+    name = 'drawing-' + hashlib.sha256(svg.encode()).hexdigest()[:12]  # the style of one output reaches all others
+    return (
+        f'<div hidden="hidden" class="{name}">{svg}</div>'
+        f'<style>.{name} {{display: block !important}} .{name}-image {{display: none}}</style>'
+        f'<img class="{name}-image" style="width: 100%; max-width: {width:g}px" alt="{escape(alternative)}" '
+        f'src="data:image/svg+xml;base64,{image}"/>'
+    )

@@ -1,0 +1,30 @@
+"""A drawing in a page, and the same as an image: what JupyterLab removes from a notebook that it does not trust."""
+
+import base64
+import re
+from xml.etree import ElementTree
+
+from helpers.show import inline_svg
+
+SVG = f'<svg xmlns="http://www.w3.org/2000/svg" style="{inline_svg.PAGE_COLOUR}"><text>a word</text></svg>'
+
+
+def test_the_image_is_the_drawing_with_colours_of_its_own():
+    shown = ElementTree.fromstring(f'<div>{inline_svg.html(SVG, 300, "a <word>")}</div>')
+    image = shown.find('img')
+    drawn = base64.b64decode(image.get('src').partition(',')[2]).decode()
+    assert drawn == SVG.replace(inline_svg.PAGE_COLOUR, 'color: #20262e; background: #fcfcfa')
+    assert image.get('alt') == 'a <word>' and 'max-width: 300px' in image.get('style')
+
+
+def test_without_its_style_only_the_image_is_seen():
+    """What JupyterLab leaves without trust: elements that HTML knew before SVG, no style element, the words."""
+    page = inline_svg.html(SVG, 300, 'words')
+    kept = re.sub(r'<style>.*?</style>|</?(svg|text)[^>]*>', '', page)
+    hidden = ElementTree.fromstring(f'<div>{kept}</div>').find('div')
+    assert (hidden.text, hidden.get('hidden')) == ('a word', 'hidden')
+
+
+def test_the_style_of_one_drawing_leaves_others_alone():
+    names = {re.search(r'class="(\S+)"', inline_svg.html(svg, 300, ''))[1] for svg in (SVG, SVG.replace('word', 'x'))}
+    assert len(names) == 2
