@@ -56,7 +56,9 @@ def render(source: str, first: int) -> tuple[str, int]:
             raise CellError(index, f'a quiz with {match[2]!r} in its first line', 'write the question below it')
         number += 1
         question, options = _parse(lines[index + 1 : end], index)
-        shown += [f'**{number}.** {question}', '', *(line for option in options for line in _details(option))]
+        folded = [line for option in options for line in _details(option)]
+        # JupyterLab leaves no space below a fold.
+        shown += [f'**{number}.** {question}', '', '<div style="margin-bottom: 1.2em">', *folded, '</div>']
         index = end + 1
     return '\n'.join(shown), number
 

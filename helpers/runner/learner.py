@@ -52,11 +52,16 @@ AGAIN = Timeouts(3.0, 3.0, 3.0, 3.0, stuck=1.5)
 
 @dataclass
 class Recording:
-    """What a subscription of the test's has received: `messages`, and `stamps` (simulated seconds of receipt)."""
+    """What a subscription of the test's has received: `messages`, and `stamps` (simulated seconds of receipt).
+
+    `numbers` are those that the publishers gave the messages, from 1: who comes late to a latched topic hears the last
+    message, and sees how many there were before it.
+    """
 
     topic: str
     messages: list = field(default_factory=list)
     stamps: list[float] = field(default_factory=list)
+    numbers: list[int] = field(default_factory=list)
     subscription: Subscription = field(init=False, repr=False)
     strict: bool = field(default=True, repr=False)
     optional: bool = field(default=False, repr=False)  # no hint if the learner has no publisher there
@@ -72,6 +77,7 @@ class Recording:
         """Forget what has been received."""
         self.messages.clear()
         self.stamps.clear()
+        self.numbers.clear()
 
     def __len__(self) -> int:
         return len(self.messages)
@@ -263,7 +269,7 @@ class Learner(Workspaces):
         recording.subscription = self.node.create_subscription(
             msg_type,
             topic,
-            lambda message: self._record(recording, message),
+            lambda message, info: self._record(recording, message, info),
             qos,
             event_callbacks=SubscriptionEventCallbacks(matched=lambda event: self._matched(recording, event)),
         )
@@ -474,7 +480,7 @@ class Learner(Workspaces):
     def _on_done(self, message: UInt64) -> None:
         self._done[message.data] = self._done.get(message.data, 0) + 1
 
-    def _record(self, recording: Recording, message) -> None:
+    def _record(self, recording: Recording, message, info: dict) -> None:
         moment, count = self._heard
         count = count + 1 if moment == self.now else 1
         self._heard = (self.now, count)
@@ -486,6 +492,7 @@ class Learner(Workspaces):
             )
         recording.messages.append(message)
         recording.stamps.append(self.now / SECOND)
+        recording.numbers.append(info['publication_sequence_number'])
 
     def _matched(self, recording: Recording, event) -> None:
         recording.matched = max(recording.matched, event.total_count)

@@ -5,7 +5,16 @@ from nav_msgs.msg import OccupancyGrid
 from std_msgs.msg import Int32
 
 from helpers.checks.chapter_03.endpoints import check_latched, check_name, check_topic
-from helpers.checks.chapter_03.maps import ALL_KEPT, LATCHED, check_answers, check_grid, grid_of, random_rows, walls
+from helpers.checks.chapter_03.maps import (
+    ALL_KEPT,
+    LATCHED,
+    check_answers,
+    check_grid,
+    check_once,
+    grid_of,
+    random_rows,
+    walls,
+)
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('3.4'), pytest.mark.wiring(type='topics', qos='qos')]
@@ -49,6 +58,7 @@ def test_one_map_only(learner):
     check_latched(learner, 'publisher', '/map', 1, 'qos')
     learner.settle()
     expect(len(maps) == 1, f'{len(maps)} maps came when the server had started, expected 1.', 'one-map')
+    check_once(maps, 0)
     learner.run(10.1, step=1.0)
     expect(len(maps) == 1, f'{len(maps)} maps came in 10 s, expected 1. Do not repeat in a timer: latch.', 'one-map')
     learner.start('MapServer', random_rows(learner.random), beside=first)

@@ -45,7 +45,7 @@ MUTANTS = [
         if not hasattr(self, 'told'):
             self.gap.publish(Float64(data=gap))
         self.told = True
-        ''', expect='nothing came on scan_gap', breaks='gap'),
+        ''', expect='nothing came on scan_gap', breaks='gap', also=('own-state',)),
     Mutant('latched_report', old="(Float64, 'scan_rate', 10)",
            new="(Float64, 'scan_rate', QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL))",
            expect='TRANSIENT_LOCAL', breaks='qos'),

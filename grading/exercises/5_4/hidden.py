@@ -184,7 +184,7 @@ def test_one_at_a_time(learner):
     )
     expect(first.status == 'succeeded', f'The first goal ended as {first.status}, expected succeeded.', 'arrive')
     expect(
-        sim.distance(7.0, 5.5) < 0.2,
+        sim.distance(7.0, 5.5) < 1.0,  # from (5.5, 5.5); the others lie far behind. How near it must be is another rule
         f'The goal (7, 5.5) succeeded {sim.distance(7.0, 5.5):.1f} m away from it: the robot went to a place of '
         'a goal that was rejected.',
         'busy',

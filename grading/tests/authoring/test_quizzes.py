@@ -31,6 +31,7 @@ def test_each_option_is_folded_by_itself(tree):
 
 **1.** What does `a < b` show? Say it.
 
+<div style="margin-bottom: 1.2em">
 <details><summary>(a) nothing</summary>
 
 ✗ **No.** It shows *something*.
@@ -41,6 +42,7 @@ def test_each_option_is_folded_by_itself(tree):
 ✓ **Right.** See [chapter 7](07_tiny.ipynb).
 
 </details>
+</div>
 
 **2.** What does"""
     )

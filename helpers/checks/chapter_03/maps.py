@@ -52,6 +52,12 @@ def grid_of(rows: list[str]) -> OccupancyGrid:
     return grid
 
 
+def check_once(maps, index: int) -> None:
+    """The map with this index is the first one that its publisher has sent: a late listener does not hear the others."""
+    number = maps.numbers[index]
+    expect(number == 1, f'A MapServer published {number} maps in its constructor, expected one.', 'one-map')
+
+
 def check_grid(grid: OccupancyGrid, rows: list[str]) -> None:
     """`grid` is the map of `rows`."""
     width, height = len(rows[0]), len(rows)

@@ -5,7 +5,15 @@ from nav_msgs.msg import OccupancyGrid
 from std_msgs.msg import Int32
 
 from helpers.checks.chapter_03.endpoints import check_latched, check_name, check_topic, robot
-from helpers.checks.chapter_03.maps import ALL_KEPT, LATCHED, check_answers, check_grid, grid_of, random_rows
+from helpers.checks.chapter_03.maps import (
+    ALL_KEPT,
+    LATCHED,
+    check_answers,
+    check_grid,
+    check_once,
+    grid_of,
+    random_rows,
+)
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('3.4'), pytest.mark.wiring(type='topics', qos='qos')]
@@ -27,6 +35,7 @@ def test_server(learner):
     maps = learner.late_listener(f'{space}/map', OccupancyGrid, ALL_KEPT)
     expect(maps.messages, 'No map came on map when the server was there. Publish it in the constructor.', 'one-map')
     check_grid(maps.messages[0], rows)
+    check_once(maps, 0)
     seconds = learner.random.randint(20, 90)
     learner.run(seconds, step=10.0)
     expect(
@@ -42,6 +51,7 @@ def test_server(learner):
         'one-map',
     )
     check_grid(maps.messages[1], other)
+    check_once(maps, 1)
     expect(
         len(maps) == 2,
         f'A second MapServer published {len(maps) - 1} maps in its constructor, expected one.',
