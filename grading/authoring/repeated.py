@@ -2,11 +2,12 @@
 
 Checked statements run after their cells.
 
-A solved notebook runs twice in one kernel. The learner's has the same cells with stubs in them, so that its second run
-would prove what that of the solved one proves: it runs once.
+A solved notebook runs twice in one kernel, of the chapters that are drawn. The learner's has the same cells with stubs
+in them, so that its second run would prove what that of the solved one proves: it runs once.
 """
 
-from collections.abc import Mapping
+import random
+from collections.abc import Callable
 from pathlib import Path
 
 import nbformat
@@ -14,7 +15,7 @@ from nbformat import NotebookNode
 
 from grading.authoring import checked
 
-RUNS = {'solutions': ('first', 'second'), 'notebooks': ('first',)}  # by the folder of a notebook
+ONCE, TWICE = ('first',), ('first', 'second')
 SKIP = 'nbval-skip'
 IGNORE = {'tags': ['nbval-ignore-output']}
 
@@ -51,8 +52,22 @@ leftovers.note()""",
     return nbformat.from_dict({**notebook, 'cells': cells})
 
 
-def write(notebooks: list[Path], target: Path, runs: Mapping[str, tuple[str, ...]] = RUNS) -> list[Path]:
+def all_twice(path: Path) -> tuple[str, ...]:
+    """The runs of a notebook if time does not matter."""
+    return ONCE if path.parent.name == 'notebooks' else TWICE
+
+
+def half_twice(notebooks: list[Path], seed: str) -> Callable[[Path], tuple[str, ...]]:
+    """The runs of a notebook if half of the chapters, drawn by ``seed``, run a second time."""
+    names = sorted({path.name for path in notebooks})
+    drawn = random.Random(f'{seed} second runs').sample(names, (len(names) + 1) // 2)
+    return lambda path: all_twice(path) if path.name in drawn else ONCE
+
+
+def write(notebooks: list[Path], target: Path, runs: Callable[[Path], tuple[str, ...]] = all_twice) -> list[Path]:
     """Write the repeated form of each notebook below ``target``, in a folder named as its own; return the paths.
+
+    :param runs: the names of a notebook's runs.
 
     :raises ValueError: a notebook cannot be read; the message names it.
     """
@@ -64,7 +79,7 @@ def write(notebooks: list[Path], target: Path, runs: Mapping[str, tuple[str, ...
             raise ValueError(f'{path.name} is no notebook: {error}') from None
         copy = target / path.parent.name / path.name
         copy.parent.mkdir(parents=True, exist_ok=True)
-        nbformat.write(repeated(notebook, path.parent, runs.get(path.parent.name, RUNS['solutions'])), copy)
+        nbformat.write(repeated(notebook, path.parent, runs(path)), copy)
         written.append(copy)
     return written
 

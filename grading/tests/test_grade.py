@@ -289,6 +289,7 @@ def _zip(folder: Path, name: str, learner: str, data: bytes, **label) -> Path:
     return folder / name
 
 
+@pytest.mark.one_of(3)
 @pytest.mark.parametrize('anonymous', [False, True])
 @pytest.mark.parametrize('name', ['eve.zip', 'submission-eve.zip', 'x (1).zip'])
 def test_an_id_in_a_zip_replaces_nobodys_record(course, tmp_path, name, anonymous):
@@ -317,6 +318,7 @@ def test_names_that_give_the_same_id_in_two_runs(course, tmp_path):
     assert {record.own: record.score for record in records} == {'José': 2.5, 'Jose': 10}
 
 
+@pytest.mark.one_of(3)
 @pytest.mark.parametrize(
     'harm',
     [

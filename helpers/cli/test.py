@@ -114,7 +114,7 @@ def _notebooks(scratch: Path) -> Step:
     name = 'notebooks'
     found = [*sorted((paths.ROOT / 'solutions').glob('*.ipynb')), *sorted(paths.NOTEBOOKS.glob('*.ipynb'))]
     try:
-        copies = repeated.write(found, scratch)
+        copies = repeated.write(found, scratch, _runs(found))
     except ValueError as error:
         _heading(name)
         print(error)
@@ -129,9 +129,17 @@ def _notebooks(scratch: Path) -> Step:
     return _pytest(name, scratch, ['-q', f'-n{min(_workers(), len(copies))}', *arguments, *map(str, copies)])
 
 
+def _runs(notebooks: list[Path]):
+    from grading.authoring import repeated
+
+    if os.environ.get('COURSE_ALL_TESTS'):
+        return repeated.all_twice
+    return repeated.half_twice(notebooks, os.environ['COURSE_SAMPLE'])
+
+
 def _workers() -> int:
-    # Two for each core: half of a ROS test is waiting for another process.
-    return max(2, min(8, 2 * len(os.sched_getaffinity(0))))
+    # More than cores: half of a ROS test is waiting for another process.
+    return max(2, min(8, 5 * len(os.sched_getaffinity(0)) // 2))
 
 
 def _command(name: str, arguments: list[str]) -> Step:

@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from pathlib import Path
 from xml.etree import ElementTree
 
 import nbformat
@@ -141,3 +142,15 @@ def test_what_takes_long_runs_once_in_a_solved_notebook_and_never_in_an_unsolved
 
     assert skipped('1\n') == {'cell-0-first': False, 'cell-0-second': True}
     assert skipped(None) == {'cell-0-first': True, 'cell-0-second': True}
+
+
+def test_half_of_the_chapters_run_a_second_time_and_others_with_another_seed():
+    found = [Path(folder, f'{number:02}.ipynb') for folder in ('solutions', 'notebooks') for number in range(1, 9)]
+    drawn = {}
+    for seed in 'abcdefgh':
+        runs = repeated.half_twice(found, seed)
+        assert all(runs(path) == ('first',) for path in found[8:])
+        drawn[seed] = [path.stem for path in found if runs(path) == ('first', 'second')]
+        assert len(drawn[seed]) == 4
+    assert {name for names in drawn.values() for name in names} == {path.stem for path in found}
+    assert [path for path in found[:8] if repeated.all_twice(path) != ('first', 'second')] == []
