@@ -9,8 +9,8 @@ pytestmark = pytest.mark.exercise('7.1')
 APT, SHELL = machines.CAUSES[:3], machines.CAUSES[3:]
 
 
-def check(learner, *causes, rule=''):
-    machines.diagnose(learner, *machines.draw(learner.random, *causes, plain=not rule), rule)
+def check(learner, *causes, rule='', **form):
+    machines.diagnose(learner, *machines.draw(learner.random, *causes, plain=not rule, **form), rule)
 
 
 @pytest.mark.rules('missing', 'release', 'key', 'not-sourced', 'path', 'other', 'domain', 'range')
@@ -41,8 +41,9 @@ def test_each_fault_of_a_shell(learner):
     The rows of the table from A7.2 to A7.7, for other distributions, folders and domains.
     """
     for cause in SHELL:
-        for _ in range(4):
-            check(learner, cause)
+        for form in machines.FORMS.get(cause, [{}]):
+            for _ in range(2):
+                check(learner, cause, **form)
 
 
 @pytest.mark.rules('comments', 'sources', 'variables')

@@ -7,6 +7,11 @@ from helpers.runner import expect
 
 RELEASES = (('jazzy', 'noble'), ('humble', 'jammy'), ('foxy', 'focal'))
 CAUSES = ('missing', 'release', 'key', 'not sourced', 'PATH', 'other', 'domain', 'range')
+# How a cause may show, where it has several forms: arguments of `draw`.
+FORMS = {
+    'domain': [{'way': way} for way in ('none', 'only', 'last')],
+    'range': [{'reach': reach} for reach in ('OFF', 'LOCALHOST')],
+}
 WHY = {
     'missing': 'Without a line that begins with `deb`, apt does not know where ROS is; a comment is no such line.',
     'release': 'The word before `main` is the release of Ubuntu; packages for another one do not fit.',

@@ -16,10 +16,8 @@ def test_each_cause(learner):
 
     The card has a line for each cause.
     """
-    ways = [{'way': way} for way in ('none', 'only', 'last')]
-    forms = {'domain': ways, 'range': [{'reach': 'OFF'}, {'reach': 'LOCALHOST'}]}
     for cause in machines.CAUSES:
-        for form in forms.get(cause, [{}]):
+        for form in machines.FORMS.get(cause, [{}]):
             with about(rule_of(cause)):
                 machines.diagnose(learner, *machines.draw(learner.random, cause, plain=True, **form))
     machines.diagnose(learner, *machines.draw(learner.random, plain=True))
