@@ -139,8 +139,8 @@ def of_files(exercise: Exercise, files: Mapping[str, bytes]) -> program.Program:
     """
     if not files:
         raise NotAttempted(
-            f'There is no package yet: {exercise.folder} is not there. Make it in a terminal, as the card says; '
-            'there is no cell to fill in.'
+            f'There is no package yet: the folder {exercise.folder} is not there. Make it in a terminal, as the card '
+            'says; there is no cell to fill in.'
         )
     cell = {'label': 'your package', 'source': source(exercise, texts(files)), 'line': 1, 'required': True}
     return program.Program(exercise, [cell])
@@ -222,7 +222,7 @@ def _elsewhere(notebooks: Path, exercise: Exercise) -> str:
     """A folder near the right one that holds a package of this name; empty if there is none."""
     workspace, name = Path(exercise.folder).parts[0], Path(exercise.folder).name
     candidates = [
-        *(f'{workspace}/{inside}' for inside in (name, f'src/src/{name}', f'src/{name}/{name}')),
+        *(f'{workspace}/{inside}' for inside in (name, f'src/src/{name}')),
         *(f'{found.name}/src/{name}' for found in sorted(notebooks.glob('*_ws'))),
         name,
         f'src/{name}',

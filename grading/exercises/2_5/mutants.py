@@ -92,7 +92,7 @@ MUTANTS = [
            expect='The type of /next_station is std_msgs/msg/Header', breaks='announce'),
     Mutant('rate_for_period', old='create_timer(0.5,', new='create_timer(2.0,', expect='is a period in seconds',
            breaks='announce'),
-    Mutant('too_fast', old='create_timer(0.5,', new='create_timer(0.05,', expect='at most, expected 0.5 s',
+    Mutant('too_fast', old='create_timer(0.5,', new='create_timer(0.05,', expect='in the mean, expected 0.5 s',
            breaks='announce'),
     Mutant('once_only', old=NAMES, new='iter(file.read_text().split())', expect='ended by itself', breaks='announce'),
     Mutant('there_and_back', old=NAMES,
