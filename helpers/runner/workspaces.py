@@ -88,10 +88,15 @@ class ExerciseWorkspace:
         """
         key = (self.name, *arguments)
         if key not in self._cache:
-            self._cache[key] = self.run(
-                'colcon', 'build', '--event-handlers', 'console_cohesion+', *arguments, timeout=BUILD_TIMEOUT
-            )
+            try:
+                self._cache[key] = self.run(
+                    'colcon', 'build', '--event-handlers', 'console_cohesion+', *arguments, timeout=BUILD_TIMEOUT
+                )
+            except LearnerTimeout as error:  # nobody waits for it a second time
+                self._cache[key] = error
         done = self._cache[key]
+        if isinstance(done, LearnerTimeout):
+            raise LearnerTimeout(done.message, done.details)
         if check and done.status != 0:
             raise LearnerError(f'colcon build failed: {reason(done.output)}', clean(done.output, 6000))
         return done
