@@ -187,8 +187,8 @@ def cells_of(files: Mapping[str, bytes], exercises: Iterable[Exercise]) -> dict[
             if (exercise := program.exercise_id(cell)) in wanted:
                 found[exercise].append(cell.source)
     for one in wanted.values():
-        if one.folder:
-            found[one.id] = _programs_of(one, files)
+        if one.folder and (texts := _programs_of(one, files)):
+            found[one.id] = texts
     return {exercise: texts[0] for exercise, texts in found.items() if len(texts) == 1}
 
 
