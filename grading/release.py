@@ -13,6 +13,7 @@ from helpers.exercises import manifest
 
 LEFT_OUT = ('solutions', 'grading', '.ci', '.github', 'build', 'log')
 _FILE_LEFT_OUT = re.compile(r'\.(pyc|part)$|^submission-.*\.zip$|^START\.md$|^\.progress\.json|^\.gitlab-ci\.yml$')
+_WORKSPACE = re.compile(r'notebooks/[^/]+_ws(_kept)?/')  # what somebody has made there, perhaps a solution
 _FOLDER_LEFT_OUT = {
     '.git',
     '.venv',
@@ -87,6 +88,7 @@ def files(root: Path, left_out: Sequence[str] = LEFT_OUT) -> list[str]:
             for name in names
             if name
             and not name.startswith(beginnings)
+            and not _WORKSPACE.match(name)
             and not _FILE_LEFT_OUT.search(name.rpartition('/')[2])
             and (root / name).is_file()
             and not (root / name).is_symlink()

@@ -32,7 +32,7 @@ from itertools import combinations
 
 from grading import reader
 from helpers import paths
-from helpers.exercises import program
+from helpers.exercises import packages, program
 from helpers.exercises.manifest import Exercise
 from helpers.exercises.notebooks import NotebookCell
 
@@ -43,6 +43,7 @@ ALIKE = 0.8  # the share of the smaller answer's own hashes that both have, from
 USUAL = 0.2  # the share of all learners from which on a hash belongs to the exercise's usual answer,
 _COMMENT = re.compile(r'<!--(?:(?!-->).){0,10000}-->|(?:^|(?<=\s))#[^\n]*', re.DOTALL)
 _WORDS = re.compile(r'[A-Za-z_][\w.-]*|\d[\w.]*|[^\s\w]')
+_GIVEN = {'setup.py', 'test/test_copyright.py', 'test/test_flake8.py', 'test/test_pep257.py'}  # in a package
 USUAL_LEAST = 5  # but at least so many learners
 
 
@@ -175,15 +176,31 @@ def _names(tree: ast.AST) -> Iterable[str]:
 def cells_of(files: Mapping[str, bytes], exercises: Iterable[Exercise]) -> dict[str, str]:
     """The text of each exercise's cell in a submission's notebooks, without those that are doubled.
 
+    A package counts with its programs and tests, without what `ros2 pkg create` writes.
+
     Only the text is looked for, without a full check of the notebook, which grading has made already.
     """
     wanted = {exercise.id: exercise for exercise in exercises}
     found: dict[str, list[str]] = defaultdict(list)
-    for data in files.values():
-        for cell in _code(data):
+    for name, data in files.items():
+        for cell in _code(data) if '/' not in name else ():
             if (exercise := program.exercise_id(cell)) in wanted:
                 found[exercise].append(cell.source)
+    for one in wanted.values():
+        if one.folder and (texts := _programs_of(one, files)):
+            found[one.id] = texts
     return {exercise: texts[0] for exercise, texts in found.items() if len(texts) == 1}
+
+
+def _programs_of(exercise: Exercise, files: Mapping[str, bytes]) -> list[str]:
+    """The text that stands for a package, if there is one."""
+    try:
+        made = packages.of_submission(exercise, files).cells[-1]['source']
+    except (program.InvalidExercise, program.NotAttempted):
+        return []
+    texts = ast.literal_eval(ast.parse(made).body[-1].value)  # type: ignore[attr-defined]
+    own = {name: text for name, text in texts.items() if name.endswith('.py') and name not in _GIVEN}
+    return [packages.source(exercise, own)]
 
 
 def prints_of(files: Mapping[str, bytes], exercises: Iterable[Exercise]):

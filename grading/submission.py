@@ -1,5 +1,7 @@
 """What one learner hands in: a zip made by `submit`, a folder of notebooks, or one notebook.
 
+A zip may also hold packages that are answers (`helpers.exercises.packages`).
+
 `grading.submissions` finds them. What looks into them runs in a child process with bounds: see `grading.reader`.
 
 Nothing of a submission is written to disk, and no name from it is used as a path: a zip is read member by member, into
@@ -23,7 +25,7 @@ from unicodedata import normalize
 from grading import reader
 from grading.late import is_stamp, stamp
 from grading.record import Attempt
-from helpers.exercises import notebooks, program
+from helpers.exercises import notebooks, packages, program
 from helpers.exercises.manifest import Exercise
 from helpers.exercises.notebooks import InvalidSubmission, NotebookCell
 from helpers.exercises.submit import LEARNER
@@ -51,7 +53,10 @@ class Programs(NamedTuple):
 
 @dataclass
 class Submission:
-    """One learner's work: the notebooks' bytes by file name, or what makes it unreadable."""
+    """One learner's work, or what makes it unreadable.
+
+    `files`: the notebooks' bytes by file name, and those of packages, see `helpers.exercises.packages.place`.
+    """
 
     learner: str
     source: Path
@@ -107,11 +112,14 @@ def programs(files: dict[str, bytes], notebook: str, exercises: list[Exercise], 
     except InvalidSubmission as problem:
         cells, without = None, (verdicts.INVALID_SUBMISSION, str(problem))
     for exercise in exercises:
-        if cells is None:
+        if cells is None and not exercise.folder:
             whys[exercise.id] = without
             continue
         try:
-            found[exercise.id] = program.build(cells, exercise).as_dict()
+            if exercise.folder:
+                found[exercise.id] = packages.of_submission(exercise, files).as_dict()
+            else:
+                found[exercise.id] = program.build(cells or [], exercise).as_dict()
         except program.NotAttempted as reason:
             whys[exercise.id] = results.NOT_ATTEMPTED, str(reason)
         except program.InvalidExercise as reason:
@@ -128,6 +136,7 @@ def cells_of(files: dict[str, bytes], notebook: str, exercises: list[Exercise]) 
     """
     if notebook in files:
         return notebooks.parse(files[notebook], notebook)
+    files = {name: data for name, data in files.items() if is_notebook(name)}
     wanted = {exercise.id for exercise in exercises}
     found, unread = [], []
     for name, data in sorted(files.items()):
@@ -213,7 +222,7 @@ def _read(path: Path) -> Submission:
             _add(submission, path.name, path.stat().st_size, path.read_bytes)
         else:
             raise Unusable(f'{path} is no submission: expected a .zip, a folder of notebooks or an .ipynb')
-        if not submission.files:
+        if not any(map(is_notebook, submission.files)):
             raise InvalidSubmission('There is no notebook in the submission.')
     except InvalidSubmission as problem:
         submission.problem, submission.files = str(problem), {}
@@ -241,6 +250,8 @@ def _read_zip(path: Path, submission: Submission) -> None:
                     raise InvalidSubmission('The zip is encrypted: hand in a file made by submit.')
                 if member.filename == 'submission.json':
                     _read_label(_bounded(archive, member, 10_000), submission)
+                elif place := packages.place(member.filename):
+                    _add_file(submission, *place, archive, member)
                 elif is_notebook(name):
                     _add(
                         submission,
@@ -286,9 +297,25 @@ def _add(submission: Submission, name: str, size: int, content) -> None:
         raise InvalidSubmission(f'The notebooks are larger than {MAX_TOTAL // 2**20} MB together.')
 
 
+def _add_file(
+    submission: Submission, folder: str, name: str, archive: zipfile.ZipFile, member: zipfile.ZipInfo
+) -> None:
+    """Take a file of a package. What is wrong with a package concerns its own exercise only."""
+    files, key = submission.files, f'{folder}/{name}'
+    if f'{folder}/' in files:
+        return
+    mine = [other for other in files if other.startswith(f'{folder}/')]
+    size = sum(len(files[other]) for other in mine)
+    if key in files:
+        files[f'{folder}/'] = f'There are two files called {key} in the zip: make it again with submit.'.encode()
+    elif len(mine) <= packages.MAX_FILES and size <= packages.MAX_BYTES:  # else there are too many already
+        with archive.open(member) as file:
+            files[key] = file.read(packages.MAX_FILE + 1)
+
+
 def is_notebook(name: str) -> bool:
-    """Whether a file of this name is read as a notebook."""
-    return name.endswith('.ipynb') and not name.startswith('.')
+    """Whether a file of this name is read as a notebook: a package's files stand in a folder."""
+    return name.endswith('.ipynb') and not name.startswith('.') and '/' not in name
 
 
 def own_name(path: Path) -> str:

@@ -7,9 +7,11 @@ The directive stands where the card's heading comes::
     :names: Beacon
     ```
 
-`names` are what the answer cell must define, `check` (optional) the tags of the check cell. In the card's Markdown,
-from the directive to the answer cell, the role ``{rule}`rate` `` names the rule that the text after it states: the rest
-of the list item or paragraph, or the text up to the next role.
+`names` are what the answer cell must define, `check` (optional) the tags of the check cell. With `folder`, such as
+`my_ws/src/patrol`, the answer is a package in this folder beside the notebook: see `helpers.exercises.packages`.
+
+In the card's Markdown, from the directive to the answer cell, the role ``{rule}`rate` `` names the rule that the text
+after it states: the rest of the list item or paragraph, or the text up to the next role.
 """
 
 import re
@@ -18,6 +20,7 @@ from dataclasses import dataclass
 import yaml
 
 from grading.authoring.errors import CellError
+from helpers.exercises import packages
 from helpers.exercises.manifest import Rule
 
 LEVEL = '###'
@@ -28,7 +31,8 @@ _ROLE = re.compile(r'\{rule\}`([^`\n]*)`[ \t]*')
 _NAME = re.compile(r'[a-z][a-z0-9]*([-_][a-z0-9]+)*')
 _ITEM = re.compile(r'(\s*)([-*+]|\d+[.)])\s+')
 EXAMPLE = '```{exercise} 3.1 a beacon'
-_OPTIONS = ('points', 'names', 'check')
+_OPTIONS = ('points', 'names', 'check', 'folder')
+_FOLDER = re.compile(r'\w+_ws/src/\w+')
 
 
 class CardError(CellError):
@@ -44,6 +48,7 @@ class Card:
     points: float
     names: tuple[str, ...]
     check_tags: tuple[str, ...]
+    folder: str = ''
 
     @property
     def heading(self) -> str:
@@ -63,7 +68,8 @@ class Card:
     @property
     def metadata(self) -> dict:
         """What the answer cell's metadata say of the exercise."""
-        return {'id': self.id, 'points': self.points, 'names': list(self.names)}
+        place = {'folder': self.folder} if self.folder else {}
+        return {'id': self.id, 'points': self.points, 'names': list(self.names)} | place
 
 
 @dataclass(frozen=True)
@@ -139,7 +145,14 @@ def declared(head: str, options: list[str], offset: int, chapter: int) -> Card:
     if not names or not all(name.isidentifier() for name in names):
         raise CardError(offset, f'{label} without names', 'add :names: what the answer cell must define')
     tags = tuple(filter(None, re.split(r'[,\s]+', values.get('check', ''))))
-    return Card(identity, title, points, names, tags or CHECK_TAGS)
+    folder = values.get('folder', '')
+    if folder and (not _FOLDER.fullmatch(folder) or names != (packages.NAME,)):
+        raise CardError(
+            offset,
+            f'{label} has the folder {folder!r} and the names {", ".join(names)}',
+            f'write :folder: NAME_ws/src/PACKAGE and :names: {packages.NAME}',
+        )
+    return Card(identity, title, points, names, tags or CHECK_TAGS, folder)
 
 
 def _rule(lines: list[str], index: int, match: re.Match) -> tuple[int, Rule]:

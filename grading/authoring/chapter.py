@@ -84,6 +84,7 @@ class Chapter:
                 cell_id=cell_ids.of_exercise(cell.card.id),
                 stub=manifest.stub_digest(cell.split.stub),
                 rules=cell.rules,
+                folder=cell.card.folder,
             )
             for cell in self.cells
             if cell.card is not None
@@ -194,7 +195,11 @@ class _Reader:
             self.cells.append(SourceCell('code', source, metadata, line, split))
             return
         first = f'{self._card.first_line}\n'
-        split = regions.Split(first + split.solved, first + split.stub, (0, *split.solved_lines), split.regions)
+        stub = split.stub
+        if self._card.folder:
+            nothing = f'# Your answer is the folder {self._card.folder}: there is nothing to write into this cell.'
+            stub = stub.replace(regions.PLACEHOLDER, nothing)
+        split = regions.Split(first + split.solved, first + stub, (0, *split.solved_lines), split.regions)
         self.cells.append(SourceCell('code', source, metadata, line, split, self._card, tuple(self._rules.values())))
         self._answered, self._card, self._after_answer = self._card, None, len(self.cells)
 

@@ -2,7 +2,9 @@
 
 import os
 import re
-from collections.abc import Mapping
+import shutil
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -39,6 +41,8 @@ def execute(
 ) -> None:
     """Run all cells of ``notebook``, the solved form of ``chapter``, in ``folder`` and fill in the outputs.
 
+    A package in ``folder`` that is somebody's answer to an exercise is as before afterwards.
+
     :param timeout: longest time of one cell, in seconds.
     :param environment: variables for the kernel beside those of this process.
     :raises AuthoringError: a cell failed or took too long; the message names the line in the source.
@@ -53,7 +57,7 @@ def execute(
         extra_arguments=['--log-level=ERROR'],
         resources={'metadata': {'path': str(folder)}},
     )
-    with domains.claim() as domain_id:
+    with domains.claim() as domain_id, _own_packages(chapter, folder):
         try:
             client.execute(
                 env={**os.environ, **(environment or {}), 'ROS_DOMAIN_ID': str(domain_id), 'COURSE_PROGRESS': 'off'}
@@ -62,6 +66,26 @@ def execute(
             raise _explain(error, notebook, chapter, timeout) from None
     notebook.metadata.clear()
     notebook.metadata.update(metadata)  # nbclient writes the kernel's version there
+
+
+@contextmanager
+def _own_packages(chapter: Chapter, folder: Path) -> Iterator[None]:
+    """Put packages that are answers aside, and back in place of what the solutions have made."""
+    places = [folder / cell.card.folder for cell in chapter.cells if cell.card is not None and cell.card.folder]
+    aside = {place: place.parent.parent / f'{place.name}_put_aside' for place in places}  # outside of src
+    for place, other in aside.items():
+        if other.exists() and place.exists():  # a run was killed: nobody knows whose the one in place is
+            problem = f'{other} was put aside by an execution that did not end'
+            raise AuthoringError(chapter.path, None, problem, f'move it back to {place}, or remove one of them')
+        if place.exists():
+            place.rename(other)
+    try:
+        yield
+    finally:
+        for place, other in aside.items():
+            shutil.rmtree(place, ignore_errors=True)
+            if other.exists():
+                other.rename(place)
 
 
 class _Client(NotebookClient):

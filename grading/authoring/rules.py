@@ -102,6 +102,8 @@ def _check_chapter(chapter: Chapter) -> Iterator[AuthoringError]:
 
 def _code_cell(cell: SourceCell):
     length = max(len(cell.split.solved.splitlines()), len(cell.split.stub.splitlines()))
+    if cell.card is not None and cell.card.folder:  # the solution is a whole package, which no learner's notebook shows
+        length = len(cell.split.stub.splitlines())
     limit = MAX_LINES if cell.card is None else MAX_EXERCISE_LINES
     if length > limit:
         yield f'a code cell of {length} lines, at most {limit} are allowed', 'split it'

@@ -98,3 +98,17 @@ def test_leaks(tmp_path, name, text):
     with pytest.raises(release.Leak, match=name):
         release.release(tmp_path / 'new', root)
     assert not (tmp_path / 'new').exists()
+
+
+def test_a_workspace_beside_the_notebooks_is_left_out(tmp_path):
+    """It may hold the solution of an exercise whose answer is a package; a copy without git has no .gitignore."""
+    root = tmp_path / 'course'
+    for name in (
+        'notebooks/a.ipynb',
+        'notebooks/my_ws/src/patrol/setup.py',
+        'notebooks/ros2_ws_kept/1/x',
+        'a_ws/src/b',
+    ):
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text('{}')
+    assert release.files(root) == ['a_ws/src/b', 'notebooks/a.ipynb']

@@ -166,6 +166,18 @@ def test_what_was_given_does_not_count_in_texts():
     assert not pairs(*[f'ANSWER = {YAML!r}'] * 2, stub=f'ANSWER = {YAML!r}')
 
 
+def test_a_package_counts_with_what_the_learner_wrote_in_it():
+    exercise = small.exercise(names=('PACKAGE',), folder='my_ws/src/patrol')
+    files = {
+        'patrol/route.py': 'x = 1', 'setup.py': 'setup()', 'test/test_flake8.py': 'y', 'LICENSE': 'long', 'a.txt': 'z',
+    }  # fmt: skip
+    handed_in = {f'my_ws/src/patrol/{name}': text.encode() for name, text in files.items()}
+    handed_in['my_ws/src/patrol/other.ipynb'] = small.notebook('# Exercise 90.2: b\nb = 2')
+    assert similarity.cells_of(handed_in, [exercise, small.exercise(2)]) == {
+        '90.1': "# Exercise 90.1: a talker\nPACKAGE = {\n    'patrol/route.py': 'x = 1',\n}\n"
+    }
+
+
 def test_cells_of_a_submission():
     other = small.exercise(2)
     files = {

@@ -419,4 +419,89 @@ def test_what_submit_packs_can_be_graded(tmp_path):
     read = submissions.read(packed.path)
     exercises = list(manifest.load().values())
     assert read.label == 'ada' and read.programs(exercises, exercises).without[exercises[0].id][0] == 'not_attempted'
-    assert sorted(read.files) == sorted(path.name for path in paths.NOTEBOOKS.glob('*.ipynb'))
+    books = [name for name in read.files if submission.is_notebook(name)]
+    assert sorted(books) == sorted(path.name for path in paths.NOTEBOOKS.glob('*.ipynb'))
+
+
+PACKAGE = small.exercise(2, names=('PACKAGE',), folder='my_ws/src/patrol')
+BOTH = [small.exercise(), PACKAGE]
+
+
+def packed(tmp_path, *members):
+    """A zip with a solved notebook and these members, read; what it holds for both exercises."""
+    path = zipped(tmp_path / 'ada.zip', (small.NOTEBOOK, small.solved()), *members)
+    found = submissions.read(path)
+    assert not found.problem
+    return found.programs(BOTH, BOTH)
+
+
+@pytest.mark.parametrize('top', ['', 'ada/notebooks/'])
+def test_a_package_in_a_zip(tmp_path, top):
+    made = packed(tmp_path, (f'{top}my_ws/src/patrol/setup.py', 'x'), (f'{top}my_ws/src/patrol/a/b.ipynb', '{}'))
+    source = made.programs['90.2']['cells'][-1]['source']
+    assert source == "# Exercise 90.2: a talker\nPACKAGE = {\n    'a/b.ipynb': '{}',\n    'setup.py': 'x',\n}\n"
+    assert '90.1' in made.programs
+
+
+def test_a_zip_of_an_older_version_has_no_package(tmp_path):
+    made = packed(tmp_path)
+    verdict, said = made.without['90.2']
+    assert verdict == 'not_attempted' and said.startswith('No package was handed in. `./course submit` packs my_ws/src')
+    assert '90.1' in made.programs
+
+
+def test_a_cell_does_not_stand_for_a_package(tmp_path):
+    """The answer is the folder, also if a cell has the heading of the exercise."""
+    text = small.solved().decode().replace('Exercise 90.1', 'Exercise 90.2')
+    found = submissions.read(zipped(tmp_path / 'ada.zip', (small.NOTEBOOK, text)))
+    assert found.programs([PACKAGE], BOTH).without['90.2'][0] == 'not_attempted'
+
+
+def test_a_package_without_its_notebook(tmp_path):
+    found = submissions.read(
+        zipped(tmp_path / 'ada.zip', ('x.ipynb', small.notebook('x')), ('my_ws/src/patrol/a', 'b'))
+    )
+    made = found.programs(BOTH, BOTH)
+    assert '90.2' in made.programs and '90.1' in made.without
+
+
+@pytest.mark.parametrize(
+    ('members', 'problem'),
+    [
+        ([('my_ws/src/patrol/../../../evil', 'x')], 'Use letters, digits'),
+        ([('my_ws/src/patrol//etc/passwd', 'x')], 'Use letters, digits'),
+        ([('my_ws/src/patrol/a\\b', 'x')], 'Use letters, digits'),
+        ([('my_ws/src/patrol/a', 'x'), ('my_ws/src/patrol/a', 'y')], 'two files called my_ws/src/patrol/a'),
+        ([('my_ws/src/patrol/a', 'x'), ('b/my_ws/src/patrol/a', 'y')], 'two files called my_ws/src/patrol/a'),
+        ([('my_ws/src/patrol/a', 'x'), ('my_ws/src/patrol/a/b', 'y')], 'the name of the folder of a/b'),
+        ([('my_ws/src/patrol/a', b' ' * 30 * 2**20)], 'a in your package has more than 64 kB'),
+        ([(f'my_ws/src/patrol/{number}', b' ' * 2**16) for number in range(90)], 'more than 256 kB together'),
+        ([(f'my_ws/src/patrol/{number}', '') for number in range(150)], 'files, more than 100'),
+        ([('my_ws/src/patrol/a', b'\xff')], 'no text in UTF-8'),
+    ],
+)
+@pytest.mark.filterwarnings('ignore:Duplicate name')
+def test_a_hostile_package_harms_its_own_exercise_only(tmp_path, members, problem):
+    made = packed(tmp_path, *members)
+    verdict, said = made.without['90.2']
+    assert verdict == 'invalid_submission' and problem in said
+    assert '90.1' in made.programs
+    assert [path.name for path in tmp_path.rglob('*')] == ['ada.zip']
+
+
+def test_a_link_or_a_device_in_a_package(tmp_path):
+    link, device = (zipfile.ZipInfo(f'my_ws/src/patrol/{name}') for name in ('link', 'device'))
+    link.external_attr, device.external_attr = (stat.S_IFLNK | 0o777) << 16, (stat.S_IFCHR | 0o666) << 16
+    found = submissions.read(zipped(tmp_path / 'ada.zip', (small.NOTEBOOK, small.solved()), (link, '/etc/passwd')))
+    assert 'symbolic link' in found.problem
+    assert "'device': 'x'" in packed(tmp_path, (device, 'x')).programs['90.2']['cells'][-1]['source']
+
+
+def test_the_digest_sees_a_package(tmp_path):
+    texts = 'one', 'other', ''
+    digests = set()
+    for text in texts:
+        members = [('my_ws/src/patrol/a', text)] if text else []
+        path = zipped(tmp_path / 'ada.zip', (small.NOTEBOOK, small.solved()), *members)
+        digests.add(submissions.read(path).digest())
+    assert len(digests) == len(texts)

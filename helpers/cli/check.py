@@ -35,7 +35,8 @@ def check(
     own = notebooks_folder.resolve() == paths.NOTEBOOKS
     seeds = progress_file.seeds(exercise.id for exercise in chosen) if own else {}
     launcher = session.Options.launcher if own else _launcher(notebooks_folder)
-    report = session.run(cells, chosen, session.Options(processes=2, seeds=seeds, launcher=launcher))
+    options = session.Options(processes=2, seeds=seeds, launcher=launcher, folder=notebooks_folder)
+    report = session.run(cells, chosen, options)
     if own:
         start_page.keep(report)
     console = Console(highlight=False, soft_wrap=True)

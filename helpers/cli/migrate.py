@@ -40,6 +40,6 @@ def migrate(
             'JupyterLab and open them again. Now test your answers, a chapter at a time: ./course check 3',
             markup=False,
         )
-    else:
+    elif not report.packages:
         console.print('Nothing had to be changed.')
     raise typer.Exit(int(any(one.lost for one in report.exercises)))

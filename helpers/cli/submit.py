@@ -27,6 +27,8 @@ def submit(
     console = Console(highlight=False, soft_wrap=True)
     for style, text in result_display.lines(packed.exercises):
         console.print(text, style=style or None, markup=False)
+    for line in packed.lists():
+        console.print(line, style='yellow' if line in packed.warnings else None, markup=False)
     passed = sum(exercise.passed for exercise in packed.exercises)
     console.print(
         f'\n{passed} of {len(packed.exercises)} exercises pass their visible tests; hidden tests '

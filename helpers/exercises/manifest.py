@@ -37,6 +37,7 @@ class Exercise:
     cell_id: str  # 'ex-3-2'
     stub: str  # stub_digest of the cell as the learner gets it
     rules: tuple[Rule, ...] = ()  # in the order of the card
+    folder: str = ''  # of the package that is the answer, from the folder of the notebooks on; else it is a cell
 
 
 class ManifestError(Exception):
@@ -91,7 +92,8 @@ def load(path: Path = MANIFEST) -> dict[str, Exercise]:
 def dumps(exercises: Iterable[Exercise]) -> str:
     """Return the text of the file for ``exercises``, sorted by chapter and number."""
     ordered = sorted(exercises, key=lambda exercise: [int(part) for part in exercise.id.split('.')])
-    return json.dumps({'exercises': [asdict(exercise) for exercise in ordered]}, indent=2, ensure_ascii=False) + '\n'
+    rows = [{key: value for key, value in asdict(exercise).items() if key != 'folder' or value} for exercise in ordered]
+    return json.dumps({'exercises': rows}, indent=2, ensure_ascii=False) + '\n'
 
 
 def _dump(node: object) -> str:

@@ -4,6 +4,8 @@ What the learner wrote is found from the notebooks alone: an exercise's cell has
 that is untouched has the id of its text (`cell_ids`), and all other cells the learner wrote or changed. With the older
 version's list of exercises beside its notebooks, untouched stubs are told from changed ones, too.
 
+An answer that is a package is copied, if there is none in the new folder yet.
+
 Nothing that the learner wrote is lost: an answer without a place becomes a raw cell, which does not run.
 """
 
@@ -16,7 +18,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from helpers import paths
-from helpers.exercises import cell_ids, manifest, notebooks, program
+from helpers.exercises import cell_ids, manifest, notebooks, packages, program
 
 _CHAPTER = re.compile(r'(\d\d)_\w+\.ipynb')
 _TITLE = re.compile(r'\s*#\s*Exercise\s+[\d.]+\s*:\s*(.+?)\s*$', re.IGNORECASE | re.MULTILINE)
@@ -42,8 +44,13 @@ class MigrationReport:
     exercises: list[CarriedOver] = field(default_factory=list)
     own: dict[str, int] = field(default_factory=dict)  # cells of the learner's own, by notebook
     notes: list[str] = field(default_factory=list)
-    written: list[Path] = field(default_factory=list)
+    written: list[Path] = field(default_factory=list)  # notebooks
+    packages: list[Path] = field(default_factory=list)  # folders that were made
     backup: Path | None = None  # the folder with the notebooks as they were before
+
+    def sort(self) -> None:
+        """Put the exercises into their order."""
+        self.exercises.sort(key=lambda one: [int(part) for part in one.exercise.split('.')])
 
 
 @dataclass(frozen=True)
@@ -87,6 +94,10 @@ def migrate(
         raise MigrationError(f'{folder} has no notebooks of the course: get a complete copy of the course.')
     migration = _Migration(before, copy.deepcopy(target), known, _stubs(source))
     report = migration.run()
+    for exercise in known.values():
+        if exercise.folder:
+            _carry_package(report, exercise, source, folder, dry_run)
+    report.sort()
     if workspaces := sorted(path.name for path in source.glob('*_ws') if path.is_dir()):
         report.notes.append(
             f'{", ".join(workspaces)} in {source}: workspaces are made again by the cells. Copy what '
@@ -118,7 +129,6 @@ class _Migration:
                 self._carry(answer)
         for name in self.before:
             self._carry_own(name)
-        self.report.exercises.sort(key=lambda one: [int(part) for part in one.exercise.split('.')])
         return self.report
 
     def _say(self, exercise: str, said: str, lost: bool = False) -> None:
@@ -170,7 +180,8 @@ class _Migration:
             return
         digest, moved = _digest(answer.source), ''
         if digest is not None and digest in (exercise.stub, self.stubs.get(answer.exercise)):
-            self._say(exercise.id, 'was not attempted; the new notebook stays as it is')
+            if not exercise.folder:  # its answer is no cell
+                self._say(exercise.id, 'was not attempted; the new notebook stays as it is')
             return
         source = answer.source
         if (answer.exercise, answer.title) != (exercise.id, exercise.title):
@@ -353,6 +364,42 @@ def _fresh(cell: dict) -> dict:
 
 
 # Files
+
+
+def _carry_package(
+    report: MigrationReport, exercise: manifest.Exercise, source: Path, folder: Path, dry_run: bool
+) -> None:
+    """Copy the package that is the answer of an exercise, if there is one and its place is free."""
+    name = exercise.folder
+
+    def say(said: str, lost: bool = False) -> None:
+        report.exercises.append(CarriedOver(exercise.id, said, lost))
+
+    try:
+        old, new = packages.read(source, name), packages.read(folder, name)
+    except program.InvalidExercise as error:
+        say(f'its package cannot be copied: {error}', lost=True)
+        return
+    if not old.files:
+        say(f'was not attempted: there is no {name} in {source}')
+    elif new.files == old.files:
+        say('has this answer already')
+    elif new.files:
+        say(f'has another package in {name} already, which stays; the old one is still in {source}', lost=True)
+    else:
+        say(f'carried over: {name}, {len(old.files)} files. Build it there again')
+        report.packages.append(folder / name)
+        if not dry_run:
+            _write_package(folder / name, old.files)
+
+
+def _write_package(folder: Path, files: dict[str, bytes]) -> None:
+    try:
+        for name, content in files.items():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_bytes(content)
+    except OSError as error:
+        raise MigrationError(f'{error.filename or folder} cannot be written: {error.strerror}.') from None
 
 
 def _chapters(folder: Path) -> list[Path]:

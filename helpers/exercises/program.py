@@ -49,6 +49,11 @@ class Program:
         return {'title': self.title, 'cells': self.cells, 'elsewhere': self.elsewhere}
 
 
+def unsolved(exercise: str) -> str:
+    """What is said of a cell that is still as it was given."""
+    return f'Exercise {exercise} is not solved yet.'
+
+
 def exercise_id(cell: NotebookCell) -> str | None:
     """The id in the cell's first line, `# Exercise 3.2: …`, or None."""
     first = next((line for line in cell.source.splitlines() if line.strip()), '')
@@ -87,7 +92,7 @@ def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[Note
     cell = found[0]
     tree = _parse_exercise(cell, exercise)
     if stub_digest(cell.source) == exercise.stub:
-        raise NotAttempted(f'Exercise {exercise.id} is not solved yet.')
+        raise NotAttempted(unsolved(exercise.id))
     missing = [name for name in exercise.names if name not in defined(tree.body)]
     if missing:
         there = sorted(name for name in defined(tree.body) if not name.startswith('_'))

@@ -11,6 +11,7 @@ import re
 from jinja2 import Environment
 from markupsafe import Markup, escape
 
+from helpers.exercises import program
 from helpers.runner import results, verdicts
 from helpers.runner.results import ExerciseResult, TestResult
 from helpers.show.colours import BAD, GOOD, OPEN
@@ -72,6 +73,8 @@ def summary(exercise: ExerciseResult) -> str:
     if exercise.passed:
         shown = kept if exercise.rules else f'{passed} of {total} tests passed'
         return f'Solved: {shown}. When your work is graded, they are tried with other values.'
+    if exercise.verdict == results.NOT_ATTEMPTED and exercise.message not in ('', program.unsolved(exercise.id)):
+        return exercise.message
     if exercise.verdict == results.NOT_ATTEMPTED:
         return 'Not solved yet: write your code where the cell says "Your code here", run the cell, and check again.'
     if exercise.verdict == verdicts.INVALID_SUBMISSION and not exercise.tests:

@@ -1,4 +1,4 @@
-"""`submit()`: pack the notebooks of the course into one file to hand in, after a look at what passes."""
+"""`submit()`: pack notebooks, and packages that are answers, into one file to hand in, after a look at what passes."""
 
 import getpass
 import io
@@ -9,6 +9,7 @@ import time
 import zipfile
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from helpers import paths
 
@@ -27,7 +28,19 @@ class Packed:
     path: Path
     learner: str
     exercises: list = field(default_factory=list)  # ExerciseResult
-    warnings: list[str] = field(default_factory=list)
+    warnings: list[str] = field(default_factory=list)  # what is not in it
+    packages: dict[str, Any] = field(default_factory=dict)  # by folder: `helpers.exercises.packages.Package`
+
+    def lists(self) -> list[str]:
+        """What is in it beside the notebooks, and what is not: lines for the learner."""
+        told = []
+        for folder, package in self.packages.items():
+            told.append(f'{folder}: {len(package.files)} files, {package.size / 1000:.1f} kB')
+            told += [f'    {name}' for name in package.files]
+            if package.left_out:
+                shown, more = package.left_out[:8], len(package.left_out) - 8
+                told.append(f'    left out: {", ".join(shown)}' + (f' and {more} more' if more > 0 else ''))
+        return told + self.warnings
 
 
 def submit(learner: str | None = None) -> None:
@@ -39,9 +52,11 @@ def submit(learner: str | None = None) -> None:
     try:
         packed = pack(learner)
         print(result_display.plain(packed.exercises))
+        print('', *packed.lists(), sep='\n')
         print(
             f'\nPacked for {packed.learner}: {packed.path.name}. Hand in this file. '
-            'It holds the notebooks as they were last saved.'
+            'It holds the notebooks as they were last saved'
+            f'{", and the packages that are listed." if packed.packages else "."}'
         )
     except SubmissionError as error:
         print(error)
@@ -56,11 +71,12 @@ def pack(
 ) -> Packed:
     """Write the zip file and run the visible tests (unless `test` is false).
 
-    Outputs of cells are left out. The same notebooks give the same bytes.
+    Outputs of cells are left out. Packages that are answers are in it, as far as they can be handed in. The same work
+    gives the same bytes.
 
     :raises SubmissionError: no notebook of the course is there, one cannot be read, or the learner's id is unusable.
     """
-    from helpers.exercises import manifest, notebooks
+    from helpers.exercises import manifest, notebooks, packages, program
     from helpers.runner import session
 
     learner = learner or _login()
@@ -83,7 +99,20 @@ def pack(
         saved = max(saved, path.stat().st_mtime)
         mine = [exercise for exercise in exercises.values() if exercise.notebook == name]
         if test:
-            packed.exercises += session.run(cells, mine, session.Options(processes=2)).exercises
+            options = session.Options(processes=2, folder=notebooks_folder)
+            packed.exercises += session.run(cells, mine, options).exercises
+    for exercise in exercises.values():
+        if not exercise.folder:
+            continue
+        try:
+            package = packages.read(notebooks_folder, exercise.folder)
+        except program.InvalidExercise as error:
+            packed.warnings.append(f'The package of exercise {exercise.id} is not in the file. {error}')
+            continue
+        if package.files:
+            packed.packages[exercise.folder] = package
+            members |= {f'{exercise.folder}/{name}': content for name, content in package.files.items()}
+            saved = max(saved, package.saved)
     label = {
         'format': FORMAT,
         'learner': learner,

@@ -15,7 +15,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from helpers.exercises import manifest, notebooks, program
+from helpers.exercises import manifest, notebooks, packages, program
 from helpers.exercises.manifest import Exercise
 from helpers.runner import results, seeds, start_processes, tests_process, verdicts
 from helpers.runner.results import ExerciseResult, TestResult
@@ -44,6 +44,7 @@ class Options:
     seed: str = ''  # what the tests draw is derived from it; a fresh one if empty
     seeds: Mapping[str, str] = field(default_factory=dict)  # exercise -> a seed of its own
     notebook: Sequence[notebooks.NotebookCell] = ()  # all cells, where only those that were run are judged
+    folder: Path | None = None  # of the notebooks, where answers that are packages are; else they are in cells
     tests: Mapping[str, Iterable[str]] = field(default_factory=dict)  # exercise -> names of the tests to run; else all
     reference: Callable[[Exercise], dict | None] | None = None  # gives a program that is right, for `compare`
 
@@ -76,7 +77,10 @@ def run(
     exercises = list(exercises)
     for exercise in exercises:
         try:
-            programs[exercise.id] = program.build(cells, exercise, options.notebook).as_dict()
+            if exercise.folder and options.folder is not None:
+                programs[exercise.id] = packages.of_folder(exercise, options.folder).as_dict()
+            else:
+                programs[exercise.id] = program.build(cells, exercise, options.notebook).as_dict()
         except program.NotAttempted as reason:
             without[exercise.id] = results.NOT_ATTEMPTED, str(reason)
         except program.InvalidExercise as reason:

@@ -20,6 +20,7 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
+from helpers.exercises import packages
 from helpers.runner import values
 from helpers.runner.client import ForkServer, ProgramProcess, Task
 from helpers.runner.load import busy
@@ -87,10 +88,15 @@ class ExerciseWorkspace:
         """
         key = (self.name, *arguments)
         if key not in self._cache:
-            self._cache[key] = self.run(
-                'colcon', 'build', '--event-handlers', 'console_cohesion+', *arguments, timeout=BUILD_TIMEOUT
-            )
+            try:
+                self._cache[key] = self.run(
+                    'colcon', 'build', '--event-handlers', 'console_cohesion+', *arguments, timeout=BUILD_TIMEOUT
+                )
+            except LearnerTimeout as error:  # nobody waits for it a second time
+                self._cache[key] = error
         done = self._cache[key]
+        if isinstance(done, LearnerTimeout):
+            raise LearnerTimeout(done.message, done.details)
         if check and done.status != 0:
             raise LearnerError(f'colcon build failed: {reason(done.output)}', clean(done.output, 6000))
         return done
@@ -211,6 +217,21 @@ class Workspaces:
         if len(found) > MAX_TEXT:
             raise InvalidProgram(f'`{name}` is longer than {MAX_TEXT} characters.')
         return found.lstrip('\n').encode('utf-8', 'replace').decode()
+
+    def files(self, name: str = packages.NAME) -> dict[str, str]:
+        """The texts of the package that is the learner's answer, by path in the package. Nothing of it is run."""
+        try:
+            statements = ast.parse(self.program['cells'][-1]['source']).body
+            found = next(
+                ast.literal_eval(one.value)
+                for one in statements
+                if isinstance(one, ast.Assign) and ast.unparse(one.targets[0]) == name
+            )
+            return packages.texts({path: text.encode() for path, text in found.items()})
+        except packages.InvalidExercise as error:
+            raise InvalidProgram(str(error)) from None
+        except (StopIteration, SyntaxError, ValueError, AttributeError, RecursionError, MemoryError):
+            raise InvalidProgram('There is no package.') from None
 
     def workspace(self, files: dict[str, str | bytes], alone: bool = False) -> ExerciseWorkspace:
         """A workspace with these files (path below the workspace -> content) in a place of its own.

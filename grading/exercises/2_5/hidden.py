@@ -1,0 +1,86 @@
+"""Hidden tests of exercise 2.5, a package from nothing."""
+
+import pytest
+
+from helpers.checks.chapter_02 import patrolling
+
+pytestmark = pytest.mark.exercise('2.5')
+
+WRONG = {
+    'does not come back to the first station': 'back = 0\n    return [one for one in stations[back:]]',
+    'leaves the second station out': 'there = list(stations)\n    del there[1:2]\n    return there + [stations[0]]',
+    'gives the stations in reverse order': 'there = list(stations)[::-1]\n    there.append(there[0])\n    return there',
+}
+RIGHT = (
+    'from itertools import chain, islice\n    return [*chain(stations, islice(stations, 1))]',
+    'there = list(stations)\n    there.append(there[0])\n    return there',
+    'return stations + [stations[0]] if isinstance(stations, list) else [*stations, stations[0]]',
+)
+
+
+@pytest.mark.rules('package', 'builds')
+def test_package(learner):
+    """The package patrol is of the build type ament_python, and builds without an error or a warning.
+
+    `ros2 pkg create patrol --build-type ament_python`, called in my_ws/src.
+    """
+    patrolling.judge_package(learner)
+    patrolling.judge_build(learner)
+
+
+@pytest.mark.rules('round-trip')
+def test_round_trip(learner):
+    """The function round_trip returns the stations, and the first one again at the end.
+
+    Also for other numbers of stations, and whatever their order is.
+    """
+    drawn = learner.random.sample(patrolling.STATIONS, 8)
+    patrolling.judge_round_trip(learner, sorted(drawn[:5], reverse=True), sorted(drawn[5:7], reverse=True), drawn[7:])
+
+
+@pytest.mark.rules('route')
+def test_route(learner):
+    """`ros2 run patrol route` prints the round trip of the stations on its command line.
+
+    The names are sys.argv[1:].
+    """
+    number = learner.random.randint(4, 6)
+    patrolling.judge_route(learner, sorted(learner.random.sample(patrolling.STATIONS, number), reverse=True))
+
+
+@pytest.mark.rules('stations', 'announce')
+@pytest.mark.weight(2)
+def test_announce(learner):
+    """The node /announce publishes the names of the installed stations.txt in turn, twice a second.
+
+    get_package_share_directory('patrol') is the folder; the file is read when the program starts.
+    """
+    number = learner.random.randint(4, 5)
+    patrolling.judge_announce(learner, sorted(learner.random.sample(patrolling.STATIONS, number), reverse=True))
+
+
+@pytest.mark.rules('dependencies')
+def test_dependencies(learner):
+    """package.xml declares the ROS packages that the code imports.
+
+    depend, or exec_depend.
+    """
+    patrolling.judge_dependencies(learner)
+
+
+@pytest.mark.rules('tests')
+def test_tests(learner):
+    """`colcon test` runs tests in test/test_route.py, and all of them pass.
+
+    Run `colcon test --packages-select patrol`, then `colcon test-result --verbose`.
+    """
+    patrolling.judge_tests(learner)
+
+
+@pytest.mark.rules('notices')
+def test_notices(learner):
+    """The learner's tests fail with a round_trip that is wrong, and pass with one that is right.
+
+    Compare the whole list that comes back with the one that is expected, for at least two stations.
+    """
+    patrolling.judge_notices(learner, WRONG, RIGHT)

@@ -1,0 +1,508 @@
+"""What the tests of exercise 2.5 look at: the learner's package, built, run and tested.
+
+All of it is data here: the files are written into a workspace in a place of its own, and commands run there.
+"""
+
+import ast
+import json
+import re
+from collections.abc import Iterable, Mapping
+from pathlib import PurePosixPath
+from xml.etree import ElementTree
+
+from rclpy.qos import QoSProfile, ReliabilityPolicy
+from std_msgs.msg import String
+
+from helpers.checks.chapter_02 import builds
+from helpers.kernel.nodes import UNKNOWN
+from helpers.runner import about, broken, disguise, expect
+from helpers.runner.load import busy
+from helpers.runner.observer import Observer
+from helpers.runner.workspaces import ExerciseWorkspace, reason
+
+NAME = 'patrol'
+DATA, ROUTE, TESTS = 'config/stations.txt', 'patrol/route.py', 'test/test_route.py'
+SHARED = f'{NAME}/share/{NAME}/{DATA}'
+STATIONS = ('attic', 'bench', 'cellar', 'garage', 'hall', 'kitchen', 'office', 'stairs', 'tower', 'yard')
+TIMEOUT = 20.0  # s, until a node is there, and for tests
+MATCHED = 4.0  # s, until all that belongs to the node is seen
+HEARD = 10.0  # s, until the names have come
+SLOW, FAST = 1.2, 0.2  # s between two names: the shortest pause must be below the one, the mean above the other
+_ALWAYS = 'ament_index_python', 'rclpy', 'std_msgs'
+
+_CALL = """\
+import json, sys
+from patrol.route import round_trip
+for stations in json.loads(sys.argv[1]):
+    found = round_trip(list(stations))
+    print(json.dumps([type(found).__name__, found]))
+"""
+
+# What a function does that is wrong -> its body
+WRONG = {
+    'does not come back to the first station': 'return list(stations)',
+    'leaves the second station out': 'return [*stations[:1], *stations[2:], stations[0]]',
+    'gives the stations in reverse order': 'return [*reversed(stations), stations[-1]]',
+}
+_NO_CALL = "raise RuntimeError('it is not to be called')"
+RIGHT = (
+    'return list(stations) + list(stations[:1])',
+    'found = []\n    for station in stations:\n        found.append(station)\n    return found + found[:1]',
+    'return [stations[place % len(stations)] for place in range(len(stations) + 1)]',
+)
+
+
+# The package
+
+
+def files(learner) -> dict[str, str]:
+    """The learner's package, path in it -> text; fails the test if it is no package called patrol."""
+    found = learner.files()
+    with about('package'):
+        inner = sorted({str(PurePosixPath(path).parent) for path in found if path.endswith('package.xml')} - {'.'})
+        expect(
+            'package.xml' in found,
+            'There is no package.xml in my_ws/src/patrol'
+            + (
+                f', but one in its folder {inner[0]}: move what is in there one folder up.'
+                if inner
+                else ', so colcon sees no package there. `ros2 pkg create patrol`, called in my_ws/src, writes one.'
+            ),
+        )
+        try:
+            declared = '<!DOCTYPE' in found['package.xml'] or '<!ENTITY' in found['package.xml']
+            expect(not declared, 'package.xml needs no DOCTYPE.')
+            manifest = ElementTree.fromstring(found['package.xml'].encode())
+        except ElementTree.ParseError as error:
+            raise broken(f'package.xml is not XML: {error}.', 'package') from None
+        name = (manifest.findtext('name') or '').strip()
+        expect(name == NAME, f'The package is called {name or "nothing"} in package.xml, expected {NAME}.')
+        build_type = (manifest.findtext('export/build_type') or '').strip()
+        expect(
+            build_type == 'ament_python',
+            f'The build type in package.xml is {build_type or "not given"}, expected ament_python. '
+            '`ros2 pkg create` takes ament_cmake if it has no `--build-type ament_python`.',
+        )
+        expect('setup.py' in found, 'There is no setup.py in my_ws/src/patrol: it says what is installed.')
+    return found
+
+
+def built(learner, changed: dict[str, str] | None = None) -> ExerciseWorkspace:
+    """The package in a workspace, built; with other texts (path in the package -> text) instead of the learner's."""
+    found = {**files(learner), **(changed or {})}
+    workspace = learner.workspace({f'src/{NAME}/{path}': text for path, text in found.items()})
+    done = workspace.build('--packages-select', NAME, check=False)
+    missing = re.search(r"can't copy '([^']+)'|No such file or directory: '([^']*resource/[^']+)'", done.output)
+    lacking = missing and (missing[1] or missing[2])
+    with about('builds'):
+        expect(
+            done.status == 0 or not lacking,
+            f'colcon build failed: setup.py names the file {lacking} in data_files, and there is no such file.',
+        )
+        expect(done.status == 0, f'colcon build failed: {reason(done.output)}')
+    return workspace
+
+
+def judge_package(learner) -> None:
+    """A package with this name and build type, also for Python: rule `package`."""
+    installed = built(learner).installed()
+    others = sorted({path.partition('/')[0] for path in installed if '/share/' in path} - {NAME})
+    expect(not others, f'The build has installed the package {others and others[0]}, expected {NAME}.', 'package')
+    done = built(learner).once('python3', '-c', f'from importlib.metadata import version; version("{NAME}")')
+    expect(
+        done.status == 0,
+        f'The name in setup.py is not {NAME}: Python has installed no package of that name.',
+        'package',
+    )
+
+
+def judge_build(learner) -> None:
+    """The build has no error, and no warning about what setup.py does not install: rule `builds`."""
+    output = built(learner).build('--packages-select', NAME).output
+    expect(
+        "doesn't explicitly install a marker" not in output,
+        'The build warns: setup.py does not install the marker resource/patrol into '
+        'share/ament_index/resource_index/packages. `ros2 pkg create` writes this line of data_files.',
+        'builds',
+    )
+    expect(
+        "doesn't explicitly install the 'package.xml'" not in output,
+        'The build warns: setup.py does not install package.xml into share/patrol. '
+        '`ros2 pkg create` writes this line of data_files.',
+        'builds',
+    )
+
+
+# The function and its program
+
+
+def judge_round_trip(learner, *cases: list[str]) -> None:
+    """What round_trip returns for these lists of stations: rule `round-trip`."""
+    workspace = built(learner)
+    with about('round-trip'):
+        expect(ROUTE in files(learner), _no_file(learner, ROUTE))
+        done = workspace.run('python3', '-c', _CALL, json.dumps(cases))
+        last = done.last_line
+        expect('cannot import name' not in last, f'{ROUTE} has no function `round_trip`.')
+        expect(
+            "No module named 'patrol" not in last,
+            f'Python does not find patrol.route in the installation ({last}). Is there an __init__.py in the folder '
+            'patrol/patrol, and does `packages` in setup.py name it?',
+        )
+        expect(done.status == 0 and len(done.lines) >= len(cases), f'round_trip({cases[0]}) ended with: {last}')
+        for stations, line in zip(cases, done.lines[-len(cases) :], strict=True):
+            kind, found = _answer(line)
+            call = f'round_trip({stations})'
+            expect(found is not None or kind != 'NoneType', f'{call} returned None: write `return`.')
+            expect(kind == 'list', f'{call} returned a {kind}, expected a list.')
+            expect(
+                found != stations,
+                f'{call} returned {found}: it does not come back to the first station, {stations[0]}.',
+            )
+            expect(found == [*stations, stations[0]], f'{call} returned {found}, expected {[*stations, stations[0]]}.')
+
+
+def _answer(line: str) -> tuple[str, object]:
+    try:
+        kind, found = json.loads(line)
+        return str(kind), found
+    except (ValueError, TypeError):
+        return 'something else', line[:80]
+
+
+def judge_route(learner, *cases: list[str]) -> None:
+    """What `ros2 run patrol route` prints for these stations: rule `route`."""
+    workspace = built(learner)
+    with about('route'):
+        for stations in cases:
+            done = _run(workspace, 'route', *stations)
+            wanted = ' '.join([*stations, stations[0]])
+            command, last = done.command, done.last_line
+            expect(
+                done.status == 0 or last != wanted,
+                f'`{command}` ended with: {last}. main returns the text, and does not print it: use print.',
+            )
+            expect(
+                done.status == 0,
+                f'`{command}` ended with: {last}' + (' The names are sys.argv[1:].' if 'IndexError' in last else ''),
+            )
+            expect(done.lines, f'`{command}` printed nothing: use print.')
+            expect(len(done.lines) == 1, f'`{command}` printed {len(done.lines)} lines, expected one: {wanted}')
+            expect(
+                last != ' '.join(stations), f'`{command}` printed {last}, and does not come back to the first station.'
+            )
+            expect(
+                last == wanted or re.findall(r'\w+', last) != wanted.split(),
+                f'`{command}` printed {last}: the right names in another form. Expected, with spaces only: {wanted}',
+            )
+            expect(last == wanted, f'`{command}` printed {last}, expected {wanted}')
+
+
+def _run(workspace: ExerciseWorkspace, program: str, *arguments: str):
+    """`ros2 run` of a program that ends; says why if there is no such program."""
+    _there(workspace, program)
+    return workspace.run('ros2', 'run', NAME, program, *arguments)
+
+
+def _there(workspace: ExerciseWorkspace, program: str) -> None:
+    """Fail if the program is not where `ros2 run` looks."""
+    installed = workspace.installed()
+    folder = f'{NAME}/lib/{NAME}/'
+    programs = sorted(path.removeprefix(folder) for path in installed if path.startswith(folder))
+    elsewhere = [path.removeprefix(f'{NAME}/') for path in installed if path == f'{NAME}/bin/{program}']
+    expect(
+        program in programs or not elsewhere,
+        f'The program `{program}` is installed as {min(elsewhere, default="")}; `ros2 run` looks for it in '
+        'lib/patrol. setup.cfg is missing, or install_scripts in it says something else.',
+    )
+    expect(
+        program in programs,
+        f'`ros2 run patrol {program}` finds no program: setup.py has no entry point `{program}`. '
+        f'Its programs are: {", ".join(programs) or "none"}.',
+    )
+
+
+# The node and its file
+
+
+def judge_announce(learner, stations: list[str]) -> None:
+    """With these names in stations.txt, what the node /announce publishes: rules `stations` and `announce`."""
+    own = files(learner)
+    with about('stations'):
+        expect(DATA in own, _no_file(learner, DATA))
+        names = [line.strip() for line in own[DATA].splitlines() if line.strip()]
+        expect(len(names) >= 2, f'{DATA} has {len(names)} names, expected at least two, one in each line.')
+        both = [name for name in names if len(name.split()) > 1]
+        expect(not both, f'{DATA} has the line {both and both[0]!r}: write one name in each line.')
+    workspace = built(learner, {DATA: '\n'.join(stations) + '\n'})
+    with about('stations'):
+        installed = workspace.installed()
+        found = [path.removeprefix(f'{NAME}/') for path in installed if path.endswith('/stations.txt')]
+        expect(
+            SHARED in installed or not found,
+            f'stations.txt is installed as {min(found, default="")}, expected share/patrol/{DATA}: look at the folder '
+            'in data_files.',
+        )
+        expect(SHARED in installed, f'share/patrol/{DATA} is not installed: name {DATA} in data_files of setup.py.')
+    with about('announce'):
+        _there(workspace, 'announce')
+        _judge_node(learner, workspace, stations)
+
+
+def _judge_node(learner, workspace: ExerciseWorkspace, stations: list[str]) -> None:
+    # Not in the folder of the workspace: a path that begins there leads to the sources.
+    task = workspace.start('bash', '-c', 'cd /tmp && exec ros2 run patrol announce')
+    with Observer(learner) as observer:
+        names, stamps = [], []
+        _until(observer, observer.nodes, task, TIMEOUT)
+        there = _until(observer, lambda: '/announce' in observer.nodes(), task, MATCHED)
+        if task.wait(0) is not None:
+            raise broken(*_ended(task.output))
+        expect(
+            there,
+            f'There is no node /announce; the nodes are: {", ".join(observer.nodes()) or "none"}. The name is the '
+            'first argument of create_node, or of the constructor of Node.',
+        )
+
+        def publishers():
+            return observer.node.get_publishers_info_by_topic('/next_station')
+
+        if not _until(observer, publishers, task, MATCHED):
+            others = observer.topics('/announce', 'publisher', 'std_msgs/msg/String')
+            if task.wait(0) is not None:
+                raise broken(*_ended(task.output))
+            raise broken(
+                'The node /announce does not publish on /next_station'
+                + (f', but on {", ".join(others)}.' if others else '.'),
+                'announce',
+            )
+        info = publishers()[0]
+        expect(
+            info.topic_type == 'std_msgs/msg/String',
+            f'The type of /next_station is {info.topic_type}, expected std_msgs/msg/String.',
+        )
+        expect(
+            info.node_name in ('announce', UNKNOWN),
+            f'The node {info.node_name} publishes on /next_station, expected the node announce.',
+        )
+        reliable = info.qos_profile.reliability != ReliabilityPolicy.BEST_EFFORT
+        qos = QoSProfile(
+            depth=10, reliability=ReliabilityPolicy.RELIABLE if reliable else ReliabilityPolicy.BEST_EFFORT
+        )
+
+        def heard(message) -> None:
+            names.append(message.data)
+            stamps.append(observer.node.get_clock().now().nanoseconds / 1e9)
+
+        observer.node.create_subscription(String, '/next_station', heard, qos)
+        wanted = len(stations) + 2
+        enough = _until(observer, lambda: len(names) >= wanted, task, HEARD)
+        if not enough and task.wait(0) is not None:
+            raise broken(*_ended(task.output))
+        task.end()
+    expect(names, f'In {HEARD:g} s nothing came on /next_station. Is the node spun, and has its timer a callback?')
+    _judge_names(names[:wanted], stations)
+    expect(
+        enough and min(_pauses(stamps), default=0.0) < SLOW,
+        f'Between two names pass {min(_pauses(stamps), default=HEARD):.1f} s at least, expected 0.5 s. The first '
+        'argument of create_timer is a period in seconds, not a rate.',
+    )
+    between = (stamps[-1] - stamps[0]) / (len(stamps) - 1)
+    expect(between > FAST, f'Between two names pass {between:.2f} s in the mean, expected 0.5 s.')
+
+
+def _judge_names(names: list[str], stations: list[str]) -> None:
+    """What came on the topic, from wherever on, against what is in the file."""
+    file = ', '.join(stations)
+    strange = [name for name in names if name not in stations]
+    if strange:
+        bare = [name for name in strange if name.strip() in stations]
+        expect(
+            not bare,
+            f'The node publishes {bare and bare[0]!r}: the end of the line is still in it. Take it away with '
+            '.strip(), or use .split() or .splitlines() on the whole text.',
+        )
+        raise broken(
+            f'The node publishes {strange[0][:60]!r}, and the installed stations.txt had {file}: it must read that '
+            'file, from the share folder of its package.',
+            'stations',
+        )
+    turn = dict(zip(stations, [*stations[1:], stations[0]], strict=True))
+    for one, other in zip(names, names[1:], strict=False):
+        why = 'after the last name the first one comes again' if turn[one] == stations[0] else 'they come in turn'
+        expect(other == turn[one], f'With {file} in the file, {other} came after {one}, expected {turn[one]}: {why}.')
+
+
+def _ended(output: str) -> tuple[str, str]:
+    """What to say of a node that has ended, and which rule it breaks."""
+    lines = [line.strip() for line in output.splitlines() if line.strip() and not line.startswith('[ros2run]')]
+    last = lines[-1][:300] if lines else 'no message'
+    if re.search('FileNotFoundError|NotADirectoryError|PackageNotFoundError|IsADirectoryError', last):
+        return (
+            f'`ros2 run patrol announce` ended with: {last}. The program must look for the file in the share folder, '
+            'get_package_share_directory("patrol"), wherever it is started.',
+            'stations',
+        )
+    return f'`ros2 run patrol announce` ended by itself, with: {last}', 'announce'
+
+
+def _pauses(stamps: list[float]) -> list[float]:
+    return [later - earlier for earlier, later in zip(stamps, stamps[1:], strict=False)]
+
+
+def _until(observer: Observer, condition, task, timeout: float) -> bool:
+    """Wait for a condition; longer while the machine is busy with something else."""
+    for _ in range(4):
+        if observer.until(condition, timeout, task):
+            return True
+        if task.wait(0) is not None or not busy():
+            return False
+    return False
+
+
+# What package.xml says
+
+
+def judge_dependencies(learner) -> None:
+    """package.xml declares the ROS packages that the code imports: rule `dependencies`."""
+    found = files(learner)
+    manifest = ElementTree.fromstring(found['package.xml'].encode())
+    declared: dict[str, set[str]] = {}
+    for element in manifest:
+        declared.setdefault(element.tag, set()).add((element.text or '').strip())
+    to_run = builds.to_run(declared)
+    imported = _imports(text for path, text in found.items() if _runs(path)) & _ros_packages() - {NAME}
+    with about('dependencies'):
+        expect(imported, 'Your code imports no ROS package, so there is nothing to declare: the node is missing.')
+        for name in sorted(imported):
+            tags = [tag for tag, names in declared.items() if name in names]
+            expect(
+                name in to_run or not tags,
+                f'package.xml declares {name} as {", ".join(tags)} only. Your code imports it when it runs: write '
+                f'<depend>{name}</depend> or <exec_depend>{name}</exec_depend>.',
+            )
+            expect(
+                name in to_run,
+                f'Your code imports {name}, and package.xml does not declare it: write <depend>{name}</depend>. On a '
+                'fresh machine it is not installed.',
+            )
+
+
+def _runs(path: str) -> bool:
+    """Whether a file is code that runs on the robot."""
+    return path.endswith('.py') and path != 'setup.py' and not path.startswith(('test/', 'launch/'))
+
+
+def _imports(texts: Iterable[str]) -> set[str]:
+    """The first names of all modules that are imported."""
+    found: set[str] = set()
+    for text in texts:
+        try:
+            nodes = list(ast.walk(ast.parse(text)))
+        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            continue  # running it says so
+        for node in nodes:
+            if isinstance(node, ast.Import):
+                found |= {alias.name.partition('.')[0] for alias in node.names}
+            elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+                found.add(node.module.partition('.')[0])
+    return found
+
+
+def _ros_packages() -> set[str]:
+    """The ROS packages of this machine."""
+    from ament_index_python.packages import get_packages_with_prefixes
+
+    return {*get_packages_with_prefixes(), *_ALWAYS}
+
+
+# The learner's tests
+
+
+def judge_tests(learner) -> None:
+    """`colcon test` runs tests in test/test_route.py, and they pass: rule `tests`.
+
+    What it counts comes from the learner's own process. So it counts only if the tests fail where round_trip cannot be
+    called.
+    """
+    workspace = built(learner)
+    with about('tests'):
+        expect(TESTS in files(learner), _no_file(learner, TESTS))
+        workspace.once('colcon', 'test', '--packages-select', NAME, '--pytest-args', TESTS)
+        counted = re.search(
+            r'^build/patrol/\S+: (\d+) tests?, (\d+) errors?, (\d+) failures?, (\d+) skipped',
+            workspace.once('colcon', 'test-result', '--all').output,
+            re.MULTILINE,
+        )
+        every, errors, failures, skipped = map(int, counted.groups()) if counted else (0, 0, 0, 0)
+        if every <= skipped or errors or failures:
+            said = _pytest(learner, {})[1]
+            expect(
+                every, f'`colcon test` found no test in {TESTS}: pytest takes functions whose names begin with test_.'
+            )
+            expect(every > skipped, f'All tests in {TESTS} are skipped.')
+            expect(not errors, f'{TESTS} cannot be run: {said}')
+            expect(not failures, f'{failures} of {every} tests in {TESTS} {_fail(failures)}: {said}')
+
+    status, _ = _pytest(learner, {ROUTE: _with(files(learner).get(ROUTE, ''), _NO_CALL, learner)})
+    expect(status != 0, f'{TESTS} passes also with a round_trip that cannot be called: it must call it.', 'notices')
+
+
+def _fail(number: int) -> str:
+    return 'fails' if number == 1 else 'fail'
+
+
+def judge_notices(learner, wrong: Mapping[str, str], rights: Iterable[str]) -> None:
+    """The learner's tests fail with a wrong round_trip, and pass with right ones: rule `notices`.
+
+    :param wrong: what such a function does -> its body, and :param rights: bodies.
+    """
+    own = files(learner)
+    with about('tests'):
+        expect(TESTS in own, _no_file(learner, TESTS))
+    with about('round-trip'):
+        expect(ROUTE in own, _no_file(learner, ROUTE))
+    with about('notices'):
+        for what, body in wrong.items():
+            status, _ = _pytest(learner, {ROUTE: _with(own[ROUTE], body, learner)})
+            expect(
+                status != 0,
+                f'Your tests pass with a round_trip that {what}: call it with two stations or more, and compare the '
+                'whole list with assert.',
+            )
+        for body in rights:
+            status, said = _pytest(learner, {ROUTE: _with(own[ROUTE], body, learner)})
+            expect(status == 0, f'Your tests do not pass with another round_trip that is right: {said}')
+
+
+def _with(module: str, body: str, learner) -> str:
+    """The learner's module with another function in it, which is written differently each time."""
+    function = disguise.disguised(f'def round_trip(stations):\n    {body}\n', ['append', 'copy'], learner.random)
+    return f'{module}\n\n{function}\n'
+
+
+def _pytest(learner, changed: dict[str, str]) -> tuple[int | None, str]:
+    """Status of pytest on the learner's tests, with other texts, and what it said last."""
+    own = files(learner)
+    workspace = learner.workspace({**own, **changed})
+    task = workspace.pytest('-q', '-p', 'no:cacheprovider', '--tb=short', TESTS)
+    status = task.wait(TIMEOUT)
+    while status is None and busy():
+        status = task.wait(TIMEOUT)
+    task.end()
+    errors = [line.strip()[1:].strip() for line in task.output.splitlines() if line.startswith('E ')]
+    return status, (errors[0] if errors else 'they do not end')[:300]
+
+
+def _no_file(learner, wanted: str) -> str:
+    """What to say of a file that is missing, with one that could be meant."""
+    name = PurePosixPath(wanted).name
+    others = sorted(path for path in learner.files() if PurePosixPath(path).name == name)
+    near = sorted(
+        path
+        for path in learner.files()
+        if PurePosixPath(path).parent == PurePosixPath(wanted).parent
+        and not path.endswith(('__init__.py', 'test_copyright.py', 'test_flake8.py', 'test_pep257.py'))
+    )
+    hint = f' There is {others[0]}: move it.' if others else f' There is {near[0]}.' if near else ''
+    return f'There is no file {wanted} in my_ws/src/patrol.{hint}'
