@@ -94,8 +94,8 @@ def scout(radius, separation, mast):
     def inertia(x, y, z):
         return f'<inertia ixx="{x}" ixy="0" ixz="0" iyy="{y}" iyz="0" izz="{z}"/>'
 
-    wheel = f"""<visual><origin rpy="-1.570796 0 0"/><geometry><cylinder radius="{radius}" length="0.04"/></geometry></visual>
-      <collision><origin rpy="-1.570796 0 0"/><geometry><cylinder radius="{radius}" length="0.04"/></geometry></collision>
+    wheel = f"""<visual><origin rpy="-1.570796 0 0"/><geometry><cylinder radius="{radius}" length="0.01"/></geometry></visual>
+      <collision><origin rpy="-1.570796 0 0"/><geometry><cylinder radius="{radius}" length="0.01"/></geometry></collision>
       <inertial><mass value="1.0"/>{inertia(radius**2 / 4, radius**2 / 2, radius**2 / 4)}</inertial>"""
     ball = 0.4 * 4.0 * 0.05**2
     return f"""<?xml version="1.0"?>

@@ -1,6 +1,6 @@
 """Looks at the robot of a URDF: `python probe.py FILE.urdf TASK JSON`, results as JSON on standard output.
 
-Tests run it on the learner's side (see `scouts.py`): a text of the learner's is not parsed on the tests' side. The tasks
+Tests run it on the learner's side (see `scouts.py`): a text of the learner's is not parsed on the tests' side. Tasks
 are `frames`, `bodies` and `ride`; JSON is what a test has drawn. `refused` is there alone if the URDF cannot be used.
 Lengths are in metres, angles in radians, masses in kilograms.
 """
@@ -30,7 +30,11 @@ def frames(text: str, given: dict) -> dict:
         found = _heard(robot)
     finally:
         publisher.terminate()
-        publisher.wait(PATIENCE)
+        try:
+            publisher.wait(2.0)
+        except subprocess.TimeoutExpired:  # on a busy machine it may be slow to end
+            publisher.kill()
+            publisher.wait()
     joints = {
         name: [joint.type, joint.parent, joint.child, joint.axis, joint.origin.matrix.tolist()]
         for name, joint in robot.joints.items()

@@ -21,7 +21,7 @@ def test_frames(learner):
     scout.check_places()
 
 
-@pytest.mark.rules('wheels', 'caster', 'floor', 'mass', 'inertia')
+@pytest.mark.rules('tree', 'wheels', 'caster', 'floor', 'mass', 'inertia')
 @about('urdf')
 def test_bodies(learner):
     """What touches, what is heavy, and how heavy it is.
@@ -29,6 +29,7 @@ def test_bodies(learner):
     The table of moments stands above the exercise. A cylinder that lies on its side has other axes.
     """
     scout = Scout(learner, 'bodies')
+    scout.check_links()
     scout.check_wheels()
     scout.check_caster()
     scout.check_floor()
