@@ -11,7 +11,7 @@ from grading.authoring.errors import AuthoringError
 from helpers.exercises import program
 
 MAX_LINES = 25
-MAX_EXERCISE_LINES = 36  # an exercise's cell cannot be split, and may hold the texts of files
+MAX_EXERCISE_LINES = 50  # a class that is an answer cannot be split, and a cell may hold the texts of files
 MEDIAN_LINES = 6
 METADATA = {'tags', 'editable', 'deletable', 'slideshow', 'jupyter'}
 NBVAL_TAGS = {'nbval-check-output', 'nbval-ignore-output', 'nbval-raises-exception', 'nbval-skip'}

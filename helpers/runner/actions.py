@@ -62,6 +62,7 @@ class Goal:
     feedback: list = field(default_factory=list)  # Feedback messages
     stamps: list[float] = field(default_factory=list)  # when they came
     statuses: list[str] = field(default_factory=list)  # accepted, executing, canceling, …: one after the other
+    changes: list[float] = field(default_factory=list)  # when each of these statuses came
     result: object = None
     status: str | None = None  # with the result: succeeded, canceled, aborted
     finished: float | None = None  # when the result came
@@ -168,6 +169,7 @@ class Client(Named):
             goal, status = self._by_id.get(bytes(entry.goal_info.goal_id.uuid)), STATUS[entry.status]
             if goal is not None and goal.statuses[-1:] != [status]:
                 goal.statuses.append(status)
+                goal.changes.append(self.learner.now / SECOND)
 
     _asked = False  # the request for a result was sent while the learner's side was idle
 

@@ -53,6 +53,7 @@ _ANSWERS = {
     'start': {'index': _count, 'endpoints': _count, 'nodes': _texts},
     'call': {'result': _anything},
     'value': {'result': _anything},
+    'switch': {'lines': _count, 'stood': _rows},
     'habits': {'queues': _queues, 'slept': _seconds},
     'step': {
         'count': _count,

@@ -124,6 +124,20 @@ class StartedNodes:
         """Call a method of the learner's object; arguments and result as in `learner.call`."""
         return self.process.call(method, args, kwargs, self.learner.timeouts.call, self.index)
 
+    def switch(self, line: int, hold: bool = False) -> tuple[int, str]:
+        """Let another thread go on in the middle of a callback, as real threads do; for `start(…, switches=True)`.
+
+        The thread that is about to begin the learner's line with the number `line`, counted over all callbacks from now
+        on, stands aside until nothing else can go on at that moment of simulated time. 0: none does.
+
+        :param hold: it stands aside until the next call at least, so that a test can send something meanwhile.
+        :returns: how many lines have begun since the last call, and the line at which a thread stood aside, in words
+            ('' for none).
+        """
+        answer = self.process.ask('switch', self.learner.timeouts.call, line=line, hold=hold)
+        stood = [f'{row["cell"]}, line {row["line"]}: `{row["code"]}`' for row in answer['stood'][-1:]]
+        return answer['lines'], ''.join(stood)
+
     def stop(self) -> None:
         """End this process; its nodes leave the graph."""
         self.learner.settle()
@@ -186,6 +200,7 @@ class Learner(Workspaces):
         remap: dict | None = None,
         beside: StartedNodes | None = None,
         threads: bool = False,
+        switches: bool = False,
         **kwargs,
     ) -> StartedNodes:
         """Make the learner's node in a process of its own, in simulated time.
@@ -194,7 +209,8 @@ class Learner(Workspaces):
         `-p name:=value` and `-r from:=to` on the command line. `beside` puts the node into the process of an earlier
         one, with that one's parameters and remappings: two objects of one class must not share state. `threads`: run
         the callbacks of this process in threads, as a MultiThreadedExecutor does, so that one may wait while others run
-        (`helpers.runner.threads`).
+        (`helpers.runner.threads`). `switches`: the same, and `StartedNodes.switch` may let threads change in the middle
+        of a callback.
         """
         ros_args = []
         for key, value in (parameters or {}).items():
@@ -206,7 +222,8 @@ class Learner(Workspaces):
             'start',
             self.timeouts.start,
             name=name,
-            threads=threads,
+            threads=threads or switches,
+            switches=switches,
             args=[values.encode(a) for a in args],
             kwargs={k: values.encode(v) for k, v in kwargs.items()},
         )

@@ -5,14 +5,18 @@ Then the main thread goes on, and lets the callback continue once what it waits 
 when every callback has either returned or waits; then simulated time may go on.
 
 Only these waits are known: `Clock.sleep_for` and `sleep_until` on simulated time, everything built on
-`threading.Condition` (Event, Semaphore, queue.Queue, rclpy's Rate and `Client.call`), `threading.Lock` in the learner's
-own code, and `time.sleep`, which waits on the wall clock. A timeout of a wait is counted in simulated time.
+`threading.Condition` (Event, Semaphore, queue.Queue, rclpy's Rate and `Client.call`), `threading.Lock` and `RLock` in
+the learner's own code, and `time.sleep`, which waits on the wall clock. A timeout is counted in simulated time.
+
+Real threads may also change in the middle of a callback. `ThreadPool.switch` brings that about, at a line of the
+learner's that the test names: so a test can try one line after the other, and finds each time what is not protected.
 """
 
 import _thread
 import sys
 import threading
 import time
+import traceback
 from collections.abc import Callable
 
 from rclpy.clock import Clock, ClockType
@@ -47,6 +51,7 @@ class _PoolThread(threading.Thread):
             self.turn.acquire()
             assert self.work is not None  # who gives the turn has set it
             handler, *_ = self.work
+            sys.settrace(self.pool.trace if self.pool.switches else None)
             try:
                 handler()
             except BaseException as error:  # noqa: BLE001 - SystemExit passes through rclpy's own handling
@@ -66,10 +71,19 @@ class _PoolThread(threading.Thread):
 
 
 class ThreadPool:
-    """The threads of a process. `now` gives the simulated time in nanoseconds."""
+    """The threads of a process.
 
-    def __init__(self, now: Callable[[], int]):
-        self.now = now
+    :param now: gives the simulated time in nanoseconds.
+    :param switches: whether `switch` may be used, which costs time.
+    :param more: whether there is something to run besides what is ready in the executor.
+    """
+
+    def __init__(self, now: Callable[[], int], switches: bool = False, more: Callable[[], bool] = lambda: False):
+        self.now, self.switches, self._more = now, switches, more
+        self.lines = 0  # of the learner's that were begun since the last call of `switch`
+        self.stood: traceback.StackSummary | None = None  # the line at which a thread has stood aside since then
+        self._switch_at, self._hold = 0, False
+        self._aside: _PoolThread | None = None  # stands aside until nothing else can go on
         self.idle: list[_PoolThread] = []
         self.waiting: list[_PoolThread] = []
         self.ended: list[tuple] = []  # work that has ended: (handler, entity, node)
@@ -87,8 +101,31 @@ class ThreadPool:
         self._give_turn(thread)
         return thread.work is not None
 
+    def switch(self, line: int, hold: bool) -> None:
+        """Let the thread that is about to begin the learner's line with this number, counted from now on, stand aside.
+
+        It goes on when nothing else can; with `hold` not before the next call. 0: none stands aside.
+        """
+        self.lines, self.stood, self._switch_at, self._hold = 0, None, line, hold
+
+    def trace(self, frame, event, arg):
+        """The trace function of the threads: it counts the learner's lines, in their cells only."""
+        if frame.f_globals.get('__name__') != 'notebook':
+            return None
+        thread = self.here()
+        if event == 'line' and thread is not None:
+            self.lines += 1
+            if self.lines == self._switch_at and self._aside is None:
+                self.stood = traceback.StackSummary.extract(iter([(frame, frame.f_lineno)]))
+                self._aside = thread
+                thread.wait_for(lambda: False)
+        return self.trace
+
     def resume(self) -> bool:
-        """Let every thread go on whose wait is over; returns whether there was one. Waits until a `time.sleep` ends."""
+        """Let every thread go on whose wait is over; returns whether there was one. Waits until a `time.sleep` ends.
+
+        It is called when nothing is ready in the executor: so one that stands aside goes on if there is no other.
+        """
         ready = [thread for thread in self.waiting if thread.ready is not None and thread.ready()]
         if not ready:
             sleepers = {thread: thread.awake_at for thread in self.waiting if thread.awake_at is not None}
@@ -96,6 +133,8 @@ class ThreadPool:
                 thread = min(sleepers, key=sleepers.__getitem__)
                 self._sleep(thread, sleepers[thread])
                 ready = [thread]
+        if not ready and self._aside is not None and not self._hold and not self._more():
+            ready, self._aside = [self._aside], None
         for thread in ready:
             self.waiting.remove(thread)
             self._give_turn(thread)
@@ -168,12 +207,73 @@ class _Lock:
         self.release()
 
 
+class _RLock(_Lock):
+    """The same, for a lock that its holder may take again."""
+
+    def __init__(self):
+        super().__init__()
+        self._take, self._owner, self._count = self.acquire, 0, 0
+        self.acquire = self._acquire
+
+    def _acquire(self, blocking: bool = True, timeout: float | None = None) -> bool:
+        if not self._is_owned():
+            if not self._take(blocking, timeout if blocking and timeout is not None and timeout >= 0 else None):
+                return False
+            self._owner = threading.get_ident()
+        self._count += 1
+        return True
+
+    def release(self) -> None:
+        if not self._is_owned():
+            raise RuntimeError('cannot release un-acquired lock')
+        self._count -= 1
+        if not self._count:
+            self._owner = 0
+            super().release()
+
+    # What a Condition asks of its lock
+
+    def _is_owned(self) -> bool:
+        return self._owner == threading.get_ident()
+
+    def _release_save(self) -> int:
+        count, self._count = self._count, 1
+        self.release()
+        return count
+
+    def _acquire_restore(self, count: int) -> None:
+        self._acquire()
+        self._count = count
+
+
 _plain_sleep = time.sleep
+
+
+def patch_locks() -> None:
+    """From now on, make the locks of the learner's own code such that threads of a pool may wait on them.
+
+    It comes before their cells are run: a class or a constructor may make a lock before there is a pool.
+    """
+    plain_lock, plain_rlock = threading.Lock, threading.RLock
+
+    def learners(frame) -> bool:
+        return frame.f_globals.get('__name__') == 'notebook'
+
+    def lock():
+        return _Lock() if learners(sys._getframe(1)) else plain_lock()
+
+    def rlock():
+        caller = sys._getframe(1)
+        if caller.f_code is threading.Condition.__init__.__code__:  # a Condition makes one for whoever makes it
+            caller = caller.f_back
+        return _RLock() if learners(caller) else plain_rlock()
+
+    threading.Lock, threading.RLock = lock, rlock  # type: ignore[assignment]  # on purpose
 
 
 def _patch(pool: ThreadPool) -> None:
     """In threads of the pool, make the known waits give the turn back; elsewhere they stay what they are."""
-    plain_wait, plain_sleep_until, plain_lock = threading.Condition.wait, Clock.sleep_until, threading.Lock
+    plain_wait, plain_sleep_until = threading.Condition.wait, Clock.sleep_until
 
     def wait(self, timeout=None):
         thread = pool.here()
@@ -209,9 +309,6 @@ def _patch(pool: ThreadPool) -> None:
         awake_at = time.monotonic() + seconds
         thread.wait_for(lambda: time.monotonic() >= awake_at, awake_at=awake_at)
 
-    def lock():
-        return _Lock() if sys._getframe(1).f_globals.get('__name__') == 'notebook' else plain_lock()
-
     # Replaced on purpose, which no type of theirs allows.
     threading.Condition.wait, Clock.sleep_until = wait, sleep_until  # type: ignore[method-assign]
-    time.sleep, threading.Lock = sleep, lock  # type: ignore[assignment]
+    time.sleep = sleep

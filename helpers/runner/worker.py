@@ -44,7 +44,7 @@ from helpers.kernel.nodes import destroy_actions
 from helpers.runner import values
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
 from helpers.runner.mistakes import WaitsInCallback, Watch, watch
-from helpers.runner.threads import Sleeps, ThreadPool
+from helpers.runner.threads import Sleeps, ThreadPool, patch_locks
 
 MAX_CALLBACKS = 5000  # in one step: more means that it never becomes idle
 _SPARE_ROUNDS = 3  # rounds in which only unfinished coroutines made progress: they wait for something else
@@ -514,6 +514,7 @@ class Worker:
             lambda frame: frame.f_code.co_filename in program.labels,
         )
         watch(program.watch)
+        patch_locks()
         program.load(cells)
         return {'notes': [note for _, note in program.notes]}
 
@@ -538,7 +539,7 @@ class Worker:
             raise RuntimeError('there is no conductor: `start` or `join` comes before this request')
         return self.conductor
 
-    def do_start(self, name: str, args: list, kwargs: dict, threads: bool = False):
+    def do_start(self, name: str, args: list, kwargs: dict, threads: bool = False, switches: bool = False):
         """Construct the learner's class (or call their function) and take the nodes that it gives."""
         factory = self._loaded().find(name)
         try:
@@ -556,7 +557,9 @@ class Worker:
         self.do_join()
         conductor = self._joined()
         if threads and conductor.pool is None:
-            conductor.pool = ThreadPool(lambda: _SimulatedTimeSource.now)
+            conductor.pool = ThreadPool(
+                lambda: _SimulatedTimeSource.now, switches, more=lambda: bool(conductor.accepted)
+            )
         for node in nodes:
             conductor.executor.add_node(node)
         self.nodes += nodes
@@ -671,6 +674,15 @@ class Worker:
                 left = max(0.0, deadline - time.monotonic())
                 publisher.wait_for_all_acked(Duration(seconds=left))
         return {}
+
+    def do_switch(self, line: int, hold: bool):
+        """Let a thread stand aside at a line of the learner's; tell what has come of the last such request."""
+        pool = self._joined().pool
+        if pool is None:
+            raise RuntimeError('callbacks run in one thread: `start` must say that they may be switched')
+        lines, stood = pool.lines, pool.stood
+        pool.switch(line, hold)
+        return {'lines': lines, 'stood': self._loaded().lines(stood or [])}
 
     def do_habits(self):
         """What only this process knows of its nodes: their queues, and how long their lines have slept."""

@@ -115,8 +115,52 @@ def news():
     return list(zip(heard.data, [round(stamp, 6) for stamp in heard.stamps]))
 plan = [(0.1, Fibonacci.Feedback()), (0.2, Fibonacci.Result())]
 """
+COUNTS = (
+    HEAD
+    + """\
+        self.count, self.lock = 0, %s
+        for _ in range(2):
+            self.create_timer(1.0, self.add, callback_group=MutuallyExclusiveCallbackGroup())
+
+    def add(self):
+        with self.lock:
+            found = self.count
+            self.count = found + 1
+
+    def told(self):
+        return self.count
+import contextlib
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+"""
+)
+SWITCHES = """
+node = learner.start('Talker', switches=True)
+lost, last, line = [], 0, 0
+for hold in (False, True):
+    for line in range(1, 20):
+        node.switch(line, hold)
+        learner.run(1.0)
+        lines, stood = node.switch(0)
+        learner.settle()
+        count = node.call('told')
+        if count < last + 2:
+            lost.append((hold, stood.partition('`')[2]))
+        last = count
+        expect(bool(stood) == (line <= lines), f'{line} {lines} {stood}')
+        if lines < line:
+            break
+expect(6 < line < 12, str(line))
+"""
 
 CASES = {
+    **{
+        f'threads change at each line, {lock}': Case(COUNTS % lock, SWITCHES + 'expect(not lost, str(lost))')
+        for lock in ('threading.Lock()', 'threading.RLock()', 'threading.Condition()')
+    },
+    'threads change at each line, and there is no lock': Case(
+        COUNTS % 'contextlib.nullcontext()',
+        SWITCHES + "expect(lost == [(hold, 'self.count = found + 1`') for hold in (False, True)], str(lost))",
+    ),
     **{f'an action server, {name}': Case(SERVER + style, JOURNEY) for name, style in STYLES.items()},
     'a goal is rejected': Case(
         SERVER + STYLES['rate'],

@@ -1,0 +1,236 @@
+from grading.variants import Mutant
+
+SLEEP = 'self.get_clock().sleep_for(Duration(seconds=0.5))'
+FEEDBACK = 'goal.publish_feedback(Fibonacci.Feedback(sequence=pages))'
+FULL = 'full = len(self.goals) > self.places  # the first one runs'
+ACCEPTED = '''
+with self.lock:
+    self.goals.append(goal)
+    alone = len(self.goals) == 1
+'''
+NEXT = '''
+with self.lock:
+    self.goals.pop(0)
+    following = self.goals[:1]
+for other in following:
+    other.execute()
+'''
+LOOK = '''
+with self.lock:
+    gone = [goal for goal in self.goals[1:] if goal.is_cancel_requested]
+    self.goals = [goal for goal in self.goals if goal not in gone]
+'''
+LEAVE = '''
+def leave(self, goal):
+    goal.canceled()
+'''
+
+MUTANTS = [
+    Mutant('absolute_name', breaks='names', old="'print', self.execute", new="'/print', self.execute",
+           expect='without a leading slash'),
+    Mutant('other_name', breaks='names', old="super().__init__('printer')", new="super().__init__('print')",
+           expect='Your node is called'),
+    Mutant('accepts_0', breaks='orders', old='request.order < 1', new='request.order < 0',
+           expect='there is no such number of pages'),
+    Mutant('accepts_all', breaks='orders', old='full or request.order < 1', new='full',
+           expect='there is no such number of pages'),
+    Mutant('from_0', breaks='pages', also=('lock', 'cancel'),
+           old='pages.append(len(pages) + 1)', new='pages.append(len(pages))',
+           expect='has the result [0'),
+    Mutant('slow', breaks='pages', also=('lock',), old=SLEEP, new='self.get_clock().sleep_for(Duration(seconds=0.6))',
+           expect='had pages at'),
+    Mutant('first_page_late', breaks='pages', also=('lock',), old='pages = []', new='''
+        pages = []
+        self.get_clock().sleep_for(Duration(seconds=0.1))
+        ''', expect='had pages at'),
+    Mutant('pages_in_self', breaks='pages', also=('end', 'lock', 'others'), old='pages = []',
+           new='pages = self.pages = []', edits=(
+           ('while len(pages) <', 'while len(self.all_pages) <'), ('pages.append(len(pages) + 1)', '''
+            self.all_pages.append(len(self.all_pages) + 1)
+            pages.append(len(self.all_pages))
+            '''), ('self.places, self.goals, self.lock = places, [], threading.Lock()',
+            'self.places, self.goals, self.lock, self.all_pages = places, [], threading.Lock(), []')),
+           expect='has the result'),
+    Mutant('no_feedback', breaks='feedback', also=('lock',), old=FEEDBACK, new='', expect='had 0 feedback messages'),
+    Mutant('only_the_new_page', breaks='feedback', old=FEEDBACK,
+           new='goal.publish_feedback(Fibonacci.Feedback(sequence=pages[-1:]))', expect='expected its pages so far'),
+    Mutant('feedback_of_another_goal', breaks='feedback', also=('lock', 'cancel'), old=FEEDBACK,
+           new='self.goals[-1].publish_feedback(Fibonacci.Feedback(sequence=pages))', expect='feedback messages'),
+    Mutant('forgets_succeed', breaks='end', also=('others', 'lock'), old='''
+        goal.canceled() if goal.is_cancel_requested else goal.succeed()
+        ''', new='''
+        if goal.is_cancel_requested:
+            goal.canceled()
+        ''', expect='ended as aborted, expected succeeded'),
+    Mutant('no_result', breaks='end', also=('lock',), old='return Fibonacci.Result(sequence=pages)',
+           new='return Fibonacci.Result(sequence=pages if goal.is_cancel_requested else [])',
+           expect='has the result [], expected [1'),
+    Mutant('side_by_side', breaks='queue', also=('cancel', 'cancel-waiting', 'others', 'lock'),
+           old='alone = len(self.goals) == 1', new='alone = True', edits=(
+           ('self.goals.pop(0)', 'self.goals.remove(goal)'), ('following = self.goals[:1]', 'following = []')),
+           expect='One goal runs at a time'),
+    Mutant('last_first', breaks='queue', also=('others',), old='self.goals.append(goal)',
+           new='self.goals.insert(1, goal)',
+           expect='expected to begin at'),
+    Mutant('shortest_first', breaks='queue', also=('others',), old='self.goals.append(goal)', new='''
+        self.goals.append(goal)
+        self.goals[1:] = sorted(self.goals[1:], key=lambda goal: goal.request.order)
+        ''', expect='expected to begin at'),
+    Mutant('a_timer_begins', breaks='queue', also=('others', 'lock'), edits=(
+           ("super().__init__('printer')", '''
+            super().__init__('printer')
+            self.running = False
+            self.create_timer(0.3, self.begin)
+            '''), ('''
+            if alone:
+                goal.execute()
+            ''', ''), (NEXT, '''
+            with self.lock:
+                self.goals.pop(0)
+                self.running = False
+            '''), ('def on_goal(self, request):', '''
+            def begin(self):
+                with self.lock:
+                    first = [] if self.running else self.goals[:1]
+                    self.running = self.running or bool(first)
+                for goal in first:
+                    goal.execute()
+
+            def on_goal(self, request):
+            ''')), expect='expected to begin at'),
+    Mutant('forgets_the_next', breaks='queue', also=('others', 'lock'), old='''
+        for other in following:
+            other.execute()
+        ''', new='', expect='never began'),
+    Mutant('executes_at_once', breaks='status', also=('cancel', 'cancel-waiting', 'lock'), old='''
+        if alone:
+            goal.execute()
+        ''', new='goal.execute()', edits=(
+           ('threading.Lock()', 'threading.Condition()'), (NEXT, '''
+            with self.lock:
+                self.goals.pop(0)
+                self.lock.notify_all()
+            '''), ('pages = []', '''
+            pages = []
+            with self.lock:
+                self.lock.wait_for(lambda: self.goals[0] is goal)
+            ''')), expect='but it waited until'),
+    Mutant('unbounded', breaks='places', also=('cancel-waiting',), old=FULL, new='full = False',
+           expect='was accepted, although one goal ran'),
+    Mutant('counts_the_one_that_runs', breaks='places', also=('cancel-waiting', 'others'), old=FULL,
+           new='full = len(self.goals) >= max(1, self.places)', expect='was rejected, although one goal ran'),
+    Mutant('one_more', breaks='places', also=('cancel-waiting',), old=FULL,
+           new='full = len(self.goals) > self.places + 1', expect='was accepted, although one goal ran'),
+    Mutant('places_are_never_free', breaks='places', also=('cancel-waiting', 'lock'), old=FULL,
+           new='full = self.count > self.places', edits=(
+           ("super().__init__('printer')", '''
+            super().__init__('printer')
+            self.count = 0
+            '''), ('self.goals.append(goal)', '''
+            self.goals.append(goal)
+            self.count += 1
+            ''')), expect='was rejected, although'),
+    Mutant('no_cancel_callback', breaks='cancel', also=('cancel-waiting', 'lock', 'others', 'status'), old='''
+        handle_accepted_callback=self.on_accepted, cancel_callback=accept)
+        ''', new='handle_accepted_callback=self.on_accepted)', expect='the request was answered: rejected'),
+    Mutant('does_not_look', breaks='cancel', also=('others', 'lock'), edits=(
+           ('while len(pages) < goal.request.order and not goal.is_cancel_requested:',
+            'while len(pages) < goal.request.order:'),
+           ('if not goal.is_cancel_requested:', 'if True:')), expect='was cancelled while it ran, and'),
+    Mutant('one_more_page', breaks='cancel', also=('lock',), old='if not goal.is_cancel_requested:', new='if True:',
+           expect='and its result is'),
+    Mutant('aborts_the_cancelled', breaks='cancel', also=('lock',), old='goal.canceled() if', new='goal.abort() if',
+           expect='ended as aborted, not canceled'),
+    Mutant('succeeds_the_cancelled', breaks='cancel', also=('lock',), old='goal.canceled() if', new='goal.succeed() if',
+           expect='ended as succeeded, not canceled'),
+    Mutant('nobody_looks_at_those_that_wait', breaks='cancel-waiting', also=('lock', 'others'),
+           old='self.look_at_the_others()', new='', expect='somebody must look at the goals that wait'),
+    Mutant('aborts_those_that_wait', breaks='cancel-waiting', also=('lock',), old=LEAVE,
+           new=LEAVE.replace('canceled', 'abort'), expect='ended as aborted, expected canceled'),
+    Mutant('place_is_lost', breaks='cancel-waiting', also=('lock', 'others'), old=LEAVE,
+           new=LEAVE + '    self.places -= 1\n',
+           expect='gives its place back'),
+    Mutant('executes_before_it_leaves', breaks='cancel-waiting', also=('others', 'lock'), edits=(
+           ('self.look_at_the_others()', ''),
+           ('while len(pages) < goal.request.order and not goal.is_cancel_requested:',
+            'while len(pages) < goal.request.order:'),
+           ('if not goal.is_cancel_requested:', 'if True:'),
+           ('goal.canceled() if', 'goal.succeed() if')), expect='printed all the same'),
+    Mutant('all_that_wait_leave', breaks='others', also=('lock', 'cancel-waiting'), edits=(
+           ('gone = [goal for goal in self.goals[1:] if goal.is_cancel_requested]', '''
+            gone = self.goals[1:] if any(goal.is_cancel_requested for goal in self.goals[1:]) else []
+            '''), (LEAVE, '''
+            def leave(self, goal):
+                goal.canceled() if goal.is_cancel_requested else goal.abort()
+            ''')), expect='ended as aborted, expected succeeded'),
+    Mutant('order_is_lost', breaks='others', also=('lock', 'queue', 'cancel'),
+           old='self.goals = [goal for goal in self.goals if goal not in gone]', new='''
+        self.goals = [goal for goal in self.goals if goal not in gone]
+        if gone:
+            self.goals[1:] = self.goals[:0:-1]
+        ''', expect='expected to begin at'),
+    Mutant('a_flag_for_all', breaks='others', also=('lock', 'cancel', 'cancel-waiting', 'queue'), edits=(
+           ('cancel_callback=accept', 'cancel_callback=self.on_cancel'), ('def on_goal(self, request):', '''
+            def on_cancel(self, goal):
+                self.stop = True
+                return CancelResponse.ACCEPT
+
+            def on_goal(self, request):
+            '''), ("super().__init__('printer')", '''
+            super().__init__('printer')
+            self.stop = False
+            '''), ('while len(pages) < goal.request.order and not goal.is_cancel_requested:',
+            'while len(pages) < goal.request.order and not self.stop:'),
+           ('goal.canceled() if goal.is_cancel_requested else goal.succeed()', '''
+            ends = goal.canceled if goal.is_cancel_requested else goal.abort if self.stop else goal.succeed
+            ends()
+            self.stop = False
+            ''')), expect='ended as aborted, expected succeeded'),
+    Mutant('holds_the_lock', breaks='at-once', also=('lock',), old=SLEEP, new='''
+        with self.lock:
+            self.get_clock().sleep_for(Duration(seconds=0.5))
+        ''', expect='Does a callback hold the lock'),
+    Mutant('thinks_it_over', breaks='at-once', also=('lock',), old='def on_goal(self, request):', new='''
+        def on_goal(self, request):
+            self.get_clock().sleep_for(Duration(seconds=0.2))
+        ''', expect='expected at once'),
+    Mutant('no_lock', breaks='lock', old='threading.Lock()', new='contextlib.nullcontext()',
+           imports='import contextlib',
+           expect='One thread stood still before'),
+    Mutant('no_lock_when_a_goal_comes', breaks='lock', old=ACCEPTED, new='''
+        self.goals.append(goal)
+        alone = len(self.goals) == 1
+        ''', expect='One thread stood still before'),
+    Mutant('no_lock_when_a_goal_ends', breaks='lock', old=NEXT, new='''
+        self.goals.pop(0)
+        following = self.goals[:1]
+        for other in following:
+            other.execute()
+        ''', expect='One thread stood still before'),
+    Mutant('two_locks_for_one_look', breaks='lock', old=ACCEPTED, new='''
+        with self.lock:
+            self.goals.append(goal)
+        with self.lock:
+            alone = len(self.goals) == 1
+        ''', expect='One thread stood still before'),
+    Mutant('no_lock_when_it_looks_at_the_others', breaks='lock', old=LOOK, new='''
+        gone = [goal for goal in self.goals[1:] if goal.is_cancel_requested]
+        rest = [goal for goal in self.goals if goal not in gone]
+        self.goals = rest
+        ''', expect='One thread stood still before'),
+    Mutant('a_flag_instead', breaks='lock', also=('queue', 'status', 'places'), edits=(
+           ("super().__init__('printer')", '''
+            super().__init__('printer')
+            self.busy = False
+            '''), (ACCEPTED, '''
+            alone = not self.busy
+            self.busy = True
+            self.goals.append(goal)
+            '''), (NEXT, '''
+            self.goals.pop(0)
+            following = self.goals[:1]
+            self.busy = bool(following)
+            for other in following:
+                other.execute()
+            ''')), expect='One thread stood still before'),
+]

@@ -1,0 +1,67 @@
+"""Visible tests of exercise 5.5, a printer and its queue."""
+
+import pytest
+
+from helpers.checks.chapter_05.printing import NEVER, Job, Printer, check_switches, drawn_orders
+from helpers.runner import about
+
+pytestmark = [pytest.mark.exercise('5.5'), pytest.mark.wiring(type='names')]
+
+
+@pytest.mark.rules('names', 'orders', 'pages', 'feedback', 'end', 'queue', 'status', 'places', 'at-once')
+@about('queue')
+def test_queue(learner):
+    """Goals of two clients are printed one after the other, in their order; what finds no place is rejected.
+
+    Keep a list of all goals that have not ended. The first one runs, the others wait.
+    """
+    draw = learner.random
+    places, space = draw.randint(2, 3), draw.choice(['', '/left', '/shop/door'])
+    printer = Printer(learner, places, space)
+    printer.check_names()
+    orders = drawn_orders(draw, places + 1)
+    burst = [Job('ABCD'[number], 0.0, order) for number, order in enumerate(orders)]
+    last = sum(orders[:-1]) / 2  # now the last of them begins
+    printer.tell(
+        *burst,
+        Job('too many', 0.1, 1),
+        Job('bad', 0.2, -draw.randint(1, 2**31), client=1),
+        *(Job(name, orders[0] / 2 + at, 1, client=1) for name, at in (('late', 0.1), ('too late', 0.2))),
+        Job('none', last + 0.2, 0),
+        Job('last', last + 0.3, 2),
+        Job('later', sum(orders) / 2 + 2.2, draw.randint(1, 3)),
+    )
+    printer.judge()
+
+
+@pytest.mark.rules('cancel', 'cancel-waiting', 'others', 'at-once')
+@about('cancel')
+def test_cancel(learner):
+    """Goals that wait and goals that run are cancelled, and the others do not notice.
+
+    In each step the goal that runs looks at is_cancel_requested, and at the goals that wait.
+    """
+    draw = learner.random
+    printer = Printer(learner, 3)
+    now = round(draw.choice([0.6, 0.7, 1.2]), 1)
+    leaves = draw.choice('BC')
+    printer.tell(
+        Job('A', 0.0, 4),
+        *(Job(name, 0.0, order, cancel_at=now if name == leaves else NEVER) for name, order in (('B', 3), ('C', 2))),
+        Job('D', 0.1, 1, client=1),
+        Job('E', now + 0.6, 2, client=1),
+    )
+    printer.judge()
+    now = draw.choice([0.3, 0.7, 1.3])
+    printer.tell(Job('F', 0.0, 9, cancel_at=now), Job('G', 0.1, 2, client=1), Job('H', 0.1, 1))
+    printer.judge()
+
+
+@pytest.mark.rules('lock')
+@about('lock')
+def test_threads(learner):
+    """A goal comes just when another one ends, and another thread goes on in the middle of a callback.
+
+    Each look at the list, together with the change that follows, stands in the lock.
+    """
+    check_switches(Printer(learner, 2, switches=True), cancel=False)
