@@ -19,6 +19,7 @@ from pathlib import Path
 
 from helpers.kernel import domains
 from helpers.programs import terminals
+from helpers.programs.faults.finding import Finding
 from helpers.programs.faults.machine import Machine
 from helpers.programs.processes import BackgroundProcess, background
 from helpers.programs.workspace import Workspace
@@ -75,7 +76,8 @@ class Fault:
         self.task = ''  #: what the system should do, in a sentence
         self.files: dict[str, str] = {}  #: the files as they are staged: path below the folder -> text
         self.repaired: dict[str, str] = {}  #: the files that a repair changes, as they should be
-        self.diagnosis: dict = {}  #: ``cause``, ``where`` (the file), and what the tools show of it
+        self.diagnosis: list[Finding] = []  #: the truth: a finding for each fault
+        self.facts: dict = {}  #: more that is true of this system: names of nodes, topics, types
         self.homes: dict[str, Machine] = {}  #: the machines of the system by name
         self.programs: dict[str, BackgroundProcess] = {}  #: running programs by name
         self._other = ''
@@ -92,6 +94,13 @@ class Fault:
 
     def prepare(self) -> None:
         """Put into the folder the files of the system that the learner does not change."""
+
+    def diagnose(self, where: str, cause: str, evidence: str = '', row: str = '') -> None:
+        """Note a fault of this system, with the words of the exercises' cards; for `plan`.
+
+        :param row: where the exercises know it by another row than that of this fault.
+        """
+        self.diagnosis.append(Finding(row or self.row, where, cause, evidence))
 
     def works(self, timeout: float) -> Verdict:
         """Watch the system for at most ``timeout`` seconds, and say whether it does its task."""
@@ -343,6 +352,7 @@ class Fault:
         self.prepare()
         for file, text in self.files.items():
             self.write(file, self._fill(text))
+        self.diagnosis = [found._replace(evidence=self._fill(found.evidence)) for found in self.diagnosis]
         return self
 
     def home(self, name: str) -> Machine:
