@@ -16,5 +16,6 @@ cause. A system lives in a folder of its own (``faults_ws/…`` beside the noteb
 from helpers.programs.faults.catalogue import FAULTS, plan, stage, stop
 from helpers.programs.faults.fault import Fault, Verdict
 from helpers.programs.faults.finding import Finding
+from helpers.programs.faults.live import live
 
-__all__ = ['FAULTS', 'Fault', 'Finding', 'Verdict', 'plan', 'stage', 'stop']
+__all__ = ['FAULTS', 'Fault', 'Finding', 'Verdict', 'live', 'plan', 'stage', 'stop']

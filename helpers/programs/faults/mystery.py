@@ -135,8 +135,8 @@ class Panel(Node):
     def on_timer(self):
         if self.client.service_is_ready():
 {ask}
-        self.get_logger().info(
-            f'{topic}: {{self.value}}, {{self.rate}} a second, {service}: {{self.answer}}, base_link: {{self.place()}}')
+        measured = f'{measured}: {{self.value}}, {{self.rate}} a second'
+        self.get_logger().info(f'{{measured}}, {asked}: {{self.answer}}, base_link: {{self.place()}}')
 
 
 rclpy.init()
@@ -201,6 +201,8 @@ class Mystery(Fault):
         speed, period = draw.randrange(4, 10) / 10, draw.choice([0.5, 0.8, 1.0])
         self._values: dict[str, object] = {
             'topic': topic,
+            'measured': topic,
+            'asked': service,
             'type': numbers[0][0],
             'value': numbers[0][1],
             'reliability': 'RELIABLE',
@@ -224,9 +226,10 @@ class Mystery(Fault):
         }
         self.task = (
             f'The machines robot and panel are in the room {self.rooms[0]}. robot publishes {topic} '
-            f'(std_msgs/msg/{numbers[0][0]}, RELIABLE) ten times a second, serves {service} ({packages[0]}/srv/Trigger), and '
-            f'says where base_link is in odom: it drives ahead with {speed} m/s, as params.yaml says. panel should '
-            'print all of it, three times a second.'
+            f'(std_msgs/msg/{numbers[0][0]}, RELIABLE) ten times a second, serves {service} '
+            f'({packages[0]}/srv/Trigger), and says where base_link is in odom: '
+            f'it drives ahead with {speed} m/s, as params.yaml says. panel should print all of '
+            'it, three times a second.'
         )
         shell = draw.choice([f'robot/{BASHRC}', f'panel/{BASHRC}'])
         wrong = {word: words.misspelt(word, draw) for word in (topic, service, 'base_link', robot, 'speed')}
@@ -267,7 +270,7 @@ class Mystery(Fault):
                     'robot/robot.py',
                     {'parent': 'base_link', 'child': 'odom'},
                     'base_link',
-                    (r'\[-\d', r'base_link: -\d', r'child_frame_id\W+odom', r'frame_id\W+base_link'),
+                    (r'\[-\d', r'base_link: -\d', r'child_frame_id\W+odom', r'(?<!child_)frame_id\W+base_link'),
                 ),
                 Drawn(
                     'unknown',
