@@ -4,6 +4,7 @@ Each is the robot with its panel (`helpers.programs.faults.mystery`). Two have t
 `LiveSystem`, which notes each look and each change; the tests of the exercise read the truth of a `Planned` one.
 """
 
+import ast
 import difflib
 import json
 import os
@@ -94,7 +95,7 @@ class LiveSystem(Planned):
     @property
     def diagnosis(self) -> list[Finding]:
         """The truth, as soon as the check of the exercise has passed."""
-        if not records.of(self.who)['passed']:
+        if not records.passed(self.who):
             raise RuntimeError(
                 f'the truth of this system comes when check("{EXERCISE}") has passed: until then, look with the tools'
             )
@@ -263,20 +264,20 @@ class Records:
         """What is noted of a name: ``passed``, ``systems``; or of one of its systems: ``looks``, ``changes``."""
         if self._names is None:
             self._names = _load()
-        mine = self._names.pop(who, None) or {'passed': False, 'systems': {}}
-        self._names[who] = mine  # the name that was used last stands last
+        mine = self._names.setdefault(who, {'passed': False, 'systems': {}})
         return mine['systems'].setdefault(str(number), {'looks': [], 'changes': 0}) if number else mine
 
-    def last(self) -> str | None:
-        """The name that was used last; None if there is none."""
-        if self._names is None:
-            self._names = _load()
-        return next(reversed(self._names), None)
+    def passed(self, who: str) -> bool:
+        """Whether a check has passed with this name, here or by `./course check`."""
+        self.of(who)['passed'] |= _load().get(who, {}).get('passed', False)
+        return bool(self.of(who)['passed'])
 
     def keep(self) -> None:
         """Write it down; not for copies, nor when an instructor's solutions are built."""
         if Path.cwd() != paths.NOTEBOOKS or os.environ.get('COURSE_PROGRESS') == 'off':
             return
+        for who in self._names or ():
+            self.passed(who)
         with suppress(OSError):
             with tempfile.NamedTemporaryFile('w', dir=paths.NOTEBOOKS, prefix=FILE, delete=False) as file:
                 json.dump(self._names, file, indent=1)
@@ -303,14 +304,24 @@ def _load() -> dict[str, dict[str, Any]]:
 records = Records()
 
 
-def way(passed: bool) -> list[str]:
+def name_in(source: str) -> str | None:
+    """The name that the exercise's cell assigns to NAME, if it stands there as a text; else None."""
+    try:
+        body = ast.parse(source).body
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return None
+    for node in body:
+        match node:
+            case ast.Assign(targets=[ast.Name(id='NAME')], value=ast.Constant(value=str(name))):
+                return key(name)
+    return None
+
+
+def way(who: str, passed: bool) -> list[str]:
     """How somebody came to the answer, for after the check: looks and changes, and which question is the shortest.
 
     The questions tell the causes, so they come only when the check has passed.
     """
-    who = records.last()
-    if who is None:
-        return []
     if passed and not records.of(who)['passed']:
         records.of(who)['passed'] = True
         records.keep()

@@ -233,6 +233,7 @@ class Mystery(Fault):
         )
         shell = draw.choice([f'robot/{BASHRC}', f'panel/{BASHRC}'])
         wrong = {word: words.misspelt(word, draw) for word in (topic, service, 'base_link', robot, 'speed')}
+        sign = {word: rf'\b{name}\b' for word, name in wrong.items()}  # 'pressur' is in 'pressure'
         asleep = draw.choice([{'robot_time': SIM_TIME.removeprefix(' --ros-args')}, {'panel_time': SIM_TIME}])
         source = str(self._values['source'])
         return {
@@ -241,10 +242,14 @@ class Mystery(Fault):
                 Drawn('not sourced', f'panel/{BASHRC}', {'source': source.replace('jazzy', 'humble')}, '', ()),
             ],
             'A7.6': [
-                Drawn('name', 'panel/panel.py', {'topic': wrong[topic]}, f'/{topic}', (wrong[topic],)),
+                Drawn('name', 'panel/panel.py', {'topic': wrong[topic]}, f'/{topic}', (sign[topic],)),
                 Drawn('reliability', 'robot/robot.py', {'reliability': 'BEST_EFFORT'}, 'BEST_EFFORT', ('BEST_EFFORT',)),
                 Drawn(
-                    'type', 'panel/panel.py', {'type': numbers[1][0]}, f'std_msgs/msg/{numbers[0][0]}', (numbers[1][0],)
+                    'type',
+                    'panel/panel.py',
+                    {'type': numbers[1][0]},
+                    f'std_msgs/msg/{numbers[0][0]}',
+                    (rf'\b{numbers[1][0]}\b',),
                 ),
             ],
             'A7.7': [
@@ -252,7 +257,7 @@ class Mystery(Fault):
                 Drawn('range', shell, {'range': 'OFF'}, 'export ROS_AUTOMATIC_DISCOVERY_RANGE=OFF', (r'\bOFF\b',)),
             ],
             'A7.8': [
-                Drawn('name', 'panel/panel.py', {'service': wrong[service]}, f'/{service}', (wrong[service],)),
+                Drawn('name', 'panel/panel.py', {'service': wrong[service]}, f'/{service}', (sign[service],)),
                 Drawn(
                     'type',
                     'panel/panel.py',
@@ -270,14 +275,10 @@ class Mystery(Fault):
                     'robot/robot.py',
                     {'parent': 'base_link', 'child': 'odom'},
                     'base_link',
-                    (r'\[-\d', r'base_link: -\d', r'child_frame_id\W+odom', r'(?<!child_)frame_id\W+base_link'),
+                    (r'\[-\d+\.\d', r'base_link: -\d', r'child_frame_id\W+odom', r'(?<!child_)frame_id\W+base_link'),
                 ),
                 Drawn(
-                    'unknown',
-                    'robot/robot.py',
-                    {'child': wrong['base_link']},
-                    wrong['base_link'],
-                    (wrong['base_link'],),
+                    'unknown', 'robot/robot.py', {'child': wrong['base_link']}, wrong['base_link'], (sign['base_link'],)
                 ),
             ],
             'A7.13': [
@@ -289,24 +290,16 @@ class Mystery(Fault):
                     ('use_sim_time', r'\bTrue\b', '/clock', r'count: 0'),
                 ),
                 Drawn(
-                    'other clock',
-                    'robot/robot.py',
-                    {'clock': _STEADY},
-                    _STEADY,
-                    (r'\bsec: \d{1,8}\b', 'STEADY', 'too old'),
+                    'other clock', 'robot/robot.py', {'clock': _STEADY}, _STEADY, (r'\bsec: \d{1,8}\b', 'STEADY_TIME')
                 ),
             ],
             'A7.14': [
                 Drawn('rate', 'robot/robot.py', {'period': period}, f'{1 / period:.1f}', (rf'create_timer\({period}',))
             ],
             'A7.15': [
-                Drawn('parameter', 'robot/params.yaml', {'node': wrong[robot]}, '0.0', (r'\b0\.0\b', wrong[robot])),
+                Drawn('parameter', 'robot/params.yaml', {'node': wrong[robot]}, '0.0', (r'\b0\.0\b', sign[robot])),
                 Drawn(
-                    'parameter',
-                    'robot/params.yaml',
-                    {'parameter': wrong['speed']},
-                    '0.0',
-                    (r'\b0\.0\b', wrong['speed']),
+                    'parameter', 'robot/params.yaml', {'parameter': wrong['speed']}, '0.0', (r'\b0\.0\b', sign['speed'])
                 ),
                 Drawn('parameter', START, {'parameters': ''}, '0.0', (r'\b0\.0\b',)),
             ],
