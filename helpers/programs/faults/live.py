@@ -20,7 +20,7 @@ from helpers import paths
 from helpers.programs.faults.finding import Finding
 from helpers.programs.faults.mystery import Mystery
 
-EXERCISE = '7.8'
+EXERCISE = '7.8'  # whose check tells the truth
 NUMBERS = (1, 2, 3, 4, 5)
 ROWS = ('A7.6', 'A7.7', 'A7.8', 'A7.9', 'A7.12', 'A7.13', 'A7.14', 'A7.15')
 FILE = '.looks.json'  # beside the notebooks
@@ -87,7 +87,14 @@ class Planned(Mystery):
 
 
 class LiveSystem(Planned):
-    """A system of the exercise to work on; made by `live`. It notes each look and each change."""
+    """A system of the exercise to work on; made by `live`. It notes each look and each change.
+
+    It holds nothing of the truth: neither what was drawn nor the repaired files.
+    """
+
+    def plan(self) -> None:
+        super().plan()
+        self.drawn, self.repaired, self._truth = {}, {}, []
 
     def __repr__(self) -> str:
         return super().__repr__().replace('live: ', f'system {self.number} of {self.who!r}: ', 1)
@@ -99,7 +106,7 @@ class LiveSystem(Planned):
             raise RuntimeError(
                 f'the truth of this system comes when check("{EXERCISE}") has passed: until then, look with the tools'
             )
-        return self._truth
+        return Planned(self.who, self.number).diagnosis
 
     def run(self, script: str, on: str = '') -> None:
         """Run commands, one a line, in a new terminal of this system; each is a look.
@@ -342,7 +349,11 @@ def _asked(looks: list[int], number: int, command: str) -> str:
     if number not in looks:
         return f'{shows}you did not ask it.'
     place = looks.index(number) + 1
-    return shows + ('you asked it first.' if place == 1 else f'you asked it with look {place}; first, it is shorter.')
+    return shows + (
+        'you asked it first.'
+        if place == 1
+        else f'you asked it with look {place}; as the first one it would have been shorter.'
+    )
 
 
 def _count(number: int, noun: str) -> str:

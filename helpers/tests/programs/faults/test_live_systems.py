@@ -158,6 +158,10 @@ def test_looks_and_changes_are_noted_and_the_truth_waits_for_the_check(domain, h
             system.diagnosis  # noqa: B018 - reading it is what is tried
         with pytest.raises(RuntimeError, match='yours to repair'):
             system.repair()
+        held = repr([value for name, value in vars(system).items() if name != 'files'])
+        for found in Planned('ada', 1).drawn.values():
+            for told in (found.where, *found.shows):
+                assert told not in held, 'the handle holds nothing of the truth'
         assert 'system 1 of' in repr(system) and system.task in repr(system)
         system.run('echo $ROS_DOMAIN_ID\nls')
         system.run('echo $ROS_DOMAIN_ID', on='robot')
@@ -188,7 +192,7 @@ def test_a_question_that_was_asked_late_would_have_been_shorter(noted):
     (number, command), *_ = Planned('ada', 2).questions()
     for looks, told in (
         ([number], 'you asked it first.'),
-        ([0, 0, number], 'you asked it with look 3; first, it is shorter.'),
+        ([0, 0, number], 'you asked it with look 3; as the first one it would have been shorter.'),
         ([0], 'you did not ask it.'),
     ):
         noted.of('ada', 2)['looks'] = looks
