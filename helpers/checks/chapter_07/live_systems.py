@@ -21,7 +21,7 @@ from helpers.kernel import domains
 from helpers.programs.faults.fault import START, commands
 from helpers.programs.faults.live import NUMBERS, Planned, changed, key
 from helpers.programs.faults.machine import SETUP, SYSTEM_PATH, ros_setup
-from helpers.programs.faults.mystery import MACHINES, ROOMS, lacks, lines_of_panel
+from helpers.programs.faults.mystery import MACHINES, ROOMS, Drawn, lacks, lines_of_panel
 from helpers.programs.faults.rates import ENOUGH
 from helpers.runner import broken, expect
 from helpers.runner.elsewhere import Elsewhere
@@ -157,14 +157,15 @@ def judge_findings(learner, number: int) -> None:
             'where',
         )
         expect(
-            _shows(one, evidence),
+            shows(one, evidence),
             f'System {number}: {evidence!r} does not show `{cause}`. Write a line that a tool has printed, with '
             f'{WANTED[row, cause]} in it.',
             'evidence',
         )
 
 
-def _shows(truth, evidence: str) -> bool:
+def shows(truth: Drawn, evidence: str) -> bool:
+    """Whether a text is evidence of a fault, in whatever words the rest of it is."""
     if truth.cause == 'rate':
         rate = float(truth.evidence)
         numbers = [float(number) for number in re.findall(r'\d+\.\d+|\d+', evidence)]

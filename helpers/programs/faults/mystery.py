@@ -242,13 +242,13 @@ class Mystery(Fault):
                 Drawn('not sourced', f'panel/{BASHRC}', {'source': source.replace('jazzy', 'humble')}, '', ()),
             ],
             'A7.6': [
-                Drawn('name', 'panel/panel.py', {'topic': wrong[topic]}, f'/{topic}', (sign[topic],)),
+                Drawn('name', 'panel/panel.py', {'topic': wrong[topic]}, f'/{wrong[topic]}', (sign[topic],)),
                 Drawn('reliability', 'robot/robot.py', {'reliability': 'BEST_EFFORT'}, 'BEST_EFFORT', ('BEST_EFFORT',)),
                 Drawn(
                     'type',
                     'panel/panel.py',
                     {'type': numbers[1][0]},
-                    f'std_msgs/msg/{numbers[0][0]}',
+                    f'std_msgs/msg/{numbers[1][0]}',
                     (rf'\b{numbers[1][0]}\b',),
                 ),
             ],
@@ -257,12 +257,12 @@ class Mystery(Fault):
                 Drawn('range', shell, {'range': 'OFF'}, 'export ROS_AUTOMATIC_DISCOVERY_RANGE=OFF', (r'\bOFF\b',)),
             ],
             'A7.8': [
-                Drawn('name', 'panel/panel.py', {'service': wrong[service]}, f'/{service}', (sign[service],)),
+                Drawn('name', 'panel/panel.py', {'service': wrong[service]}, f'/{wrong[service]}', (sign[service],)),
                 Drawn(
                     'type',
                     'panel/panel.py',
                     {'package': packages[1]},
-                    f'{packages[0]}/srv/Trigger',
+                    f'{packages[1]}/srv/Trigger',
                     (f'{packages[1]}/srv/Trigger', rf'from {packages[1]}\.srv'),
                 ),
             ],
@@ -274,7 +274,7 @@ class Mystery(Fault):
                     'exchanged',
                     'robot/robot.py',
                     {'parent': 'base_link', 'child': 'odom'},
-                    'base_link',
+                    "frame_id = 'base_link'",
                     (r'\[-\d+\.\d', r'base_link: -\d', r'child_frame_id\W+odom', r'(?<!child_)frame_id\W+base_link'),
                 ),
                 Drawn(

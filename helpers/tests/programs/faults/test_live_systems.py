@@ -8,6 +8,7 @@ import sys
 import pytest
 
 from helpers import paths
+from helpers.checks.chapter_07 import live_systems
 from helpers.exercises import remarks
 from helpers.exercises.notebooks import NotebookCell
 from helpers.programs import faults
@@ -82,6 +83,13 @@ def test_the_evidence_of_a_fault_is_not_in_a_healthy_system():
             for one in system.drawn.values():
                 if one.cause not in ('call', 'parameter', 'no clock'):  # words that a right file may have, too
                     assert not any(re.search(pattern, healthy) for pattern in one.shows), one
+
+
+def test_the_evidence_of_the_truth_would_be_accepted():
+    for who in map(str, range(40)):
+        for one in itertools.chain(*(Planned(who, number).drawn.values() for number in NUMBERS)):
+            assert live_systems.shows(one, one.evidence), one
+            assert not live_systems.shows(one, 'it must be the network'), one
 
 
 def test_a_repair_as_changes_is_the_repair():
