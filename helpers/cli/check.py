@@ -9,7 +9,7 @@ import typer
 
 from helpers import paths
 from helpers.cli import Refusal
-from helpers.exercises import progress_file, start_page
+from helpers.exercises import progress_file, remarks, start_page
 
 
 def check(
@@ -42,6 +42,8 @@ def check(
     console = Console(highlight=False, soft_wrap=True)
     for style, text in result_display.lines(report.exercises):
         console.print(text, style=style or None, markup=False)
+    for line in remarks.after(report.exercises, cells) if own else ():
+        console.print(f'  {line}', markup=False)
     if any(exercise.verdict == 'grader_error' for exercise in report.exercises):
         for line in report.log:
             typer.echo(line, err=True)

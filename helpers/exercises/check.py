@@ -4,7 +4,7 @@ import os
 from pathlib import Path
 
 from helpers import paths
-from helpers.exercises import progress_file, start_page
+from helpers.exercises import progress_file, remarks, start_page
 from helpers.kernel import journal
 
 
@@ -24,6 +24,8 @@ def check(exercise_id: str) -> None:
         print(f'The check could not run: {error}')
     else:
         _show(report.exercises)
+        for line in remarks.after(report.exercises, _all_executed()):
+            print(line)
         # Not for copies, nor when an instructor's solutions are built.
         if Path.cwd() == paths.NOTEBOOKS and os.environ.get('COURSE_PROGRESS') != 'off':
             start_page.keep(report)
@@ -91,6 +93,13 @@ def _stand_by(result) -> None:
 
 if journal.in_kernel() and 'COURSE_RUNNER' not in os.environ:
     journal.shell().events.register('post_run_cell', _stand_by)
+
+
+def _all_executed() -> list:
+    """The cells of this kernel, in the order of their runs, the newest first."""
+    from helpers.exercises import notebooks
+
+    return [notebooks.NotebookCell(noted.source, 0, noted.id) for noted in reversed(journal.cells)]
 
 
 def executed(exercise) -> list | None:

@@ -9,8 +9,8 @@ ALT = (
 )
 STEPS = (
     ('Is this terminal the one that I think it is?', '`which ros2`, `env`, `ros2 doctor`'),
-    ('**What runs?**', '`ros2 node list`, the last lines'),
-    ('**Who talks to whom?**', '`ros2 node info`, `show_graph()`'),
+    ('**What runs?**', '`ros2 node list`, `ros2 param get`'),
+    ('**Who talks to whom?**', '`show_graph()`, `ros2 topic hz`'),
     ('**Same name, same type, same QoS?**', '`ros2 topic info --verbose`'),
     ('**Same domain?**', '`ROS_DOMAIN_ID`, discovery range'),
     ('**Same time?**', 'stamps, `use_sim_time`'),

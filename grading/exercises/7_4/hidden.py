@@ -59,11 +59,11 @@ def test_real_program(learner, kind):
     It is one of those that `faults.stage('A7.9')` stages.
     """
     fault = faults.plan('A7.9', learner.random.getrandbits(32), kind)
-    program = fault.diagnosis['where']
+    (truth,) = fault.diagnosis
+    program, line = truth.where, truth.evidence
     files = {name: text for name, text in fault.files.items() if name.endswith('.py')}
-    line = next(line.strip() for line in files[program].splitlines() if fault.diagnosis['line'] in line)
     text = stacks.take(learner, files, program, line, newer='call' if kind == 'call' else '')
-    expected = ('A7.9', 'on_timer', 'busy' if kind == 'loop' else kind, line)
+    expected = (truth.row, 'on_timer', truth.cause, line)
     compare(learner.call('diagnose_stacks', text, files), [expected], stacks.WHY, given=text)
 
 

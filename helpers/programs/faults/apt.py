@@ -70,13 +70,9 @@ class NoSource(Fault):
             f'{PACKAGE}. (The server packages.ros.org is a folder here.)'
         )
         ((field, wrong),) = change.items()
-        self.diagnosis = {
-            'cause': self.kind,
-            'where': file,
-            'field': field,
-            'found': wrong,
-            'expected': words_right[field],
-        }
+        cause = {'key_file': 'key', 'wrong_key': 'key', 'suite': 'release', 'codename': 'release'}.get(self.kind)
+        self.diagnose(file, cause or self.kind, self.files[file].strip())
+        self.facts = {'field': field, 'found': wrong, 'expected': words_right[field]}
 
     def prepare(self) -> None:
         pc = self.home('pc')

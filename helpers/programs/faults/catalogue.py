@@ -1,6 +1,7 @@
 """All faults by row and by name."""
 
 from helpers.programs.faults.apt import NoSource
+from helpers.programs.faults.clocks import WrongTime
 from helpers.programs.faults.discovery import Unseen
 from helpers.programs.faults.distros import MixedDistros
 from helpers.programs.faults.fault import Fault, stop_all
@@ -8,12 +9,14 @@ from helpers.programs.faults.hang import Hang
 from helpers.programs.faults.models import Falls, NoModel
 from helpers.programs.faults.mystery import Mystery
 from helpers.programs.faults.packages import NoProgram
+from helpers.programs.faults.parameters import NoParameter
+from helpers.programs.faults.rates import TooSlow
 from helpers.programs.faults.services import Waiting
 from helpers.programs.faults.shells import CommandNotFound, NoColcon
 from helpers.programs.faults.topics import NoData
 from helpers.programs.faults.transforms import NoTransform
 
-#: The faults in the order of the article's table, and the mystery, which has two.
+#: The faults in the order of the article's table, three more that it lacks, and the mystery, which has two.
 FAULTS: tuple[type[Fault], ...] = (
     NoSource,
     CommandNotFound,
@@ -27,6 +30,9 @@ FAULTS: tuple[type[Fault], ...] = (
     NoModel,
     Falls,
     NoTransform,
+    WrongTime,
+    TooSlow,
+    NoParameter,
     Mystery,
 )
 

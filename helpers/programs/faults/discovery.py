@@ -56,12 +56,10 @@ class Unseen(Fault):
             f'The machine {robot} measures, the machine {pc} should print it. (Both are folders here, with '
             'a .bashrc of their own.)'
         )
-        self.diagnosis = {
-            'cause': self.kind,
-            'where': where,
-            'variable': {'domain': 'ROS_DOMAIN_ID', 'range': 'ROS_AUTOMATIC_DISCOVERY_RANGE'}[self.kind],
-            'machines': self.machines,
-        }
+        variable = {'domain': 'ROS_DOMAIN_ID', 'range': 'ROS_AUTOMATIC_DISCOVERY_RANGE'}[self.kind]
+        line = next(line for line in self.files[where].splitlines() if variable in line)
+        self.diagnose(where, self.kind, line)
+        self.facts = {'variable': variable}
 
     def prepare(self) -> None:
         for machine in self.machines:

@@ -73,7 +73,8 @@ class MixedDistros(Fault):
         draw.setstate(state)
         self.repaired = {file: bashrc(draw, _JAZZY)}
         self.task = 'In a new terminal, colcon build should build the workspace ~/ros2_ws with Jazzy.'
-        self.diagnosis = {'cause': self.kind, 'where': file, 'distro': distro, 'line': line.strip()}
+        self.diagnose(file, 'other', line.strip())
+        self.facts = {'distro': distro}
 
     def prepare(self) -> None:
         distro, python, version = self.old

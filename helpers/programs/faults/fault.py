@@ -14,11 +14,13 @@ import shutil
 import signal
 import sys
 import time
+from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
 
 from helpers.kernel import domains
 from helpers.programs import terminals
+from helpers.programs.faults.finding import Finding
 from helpers.programs.faults.machine import Machine
 from helpers.programs.processes import BackgroundProcess, background
 from helpers.programs.workspace import Workspace
@@ -75,7 +77,8 @@ class Fault:
         self.task = ''  #: what the system should do, in a sentence
         self.files: dict[str, str] = {}  #: the files as they are staged: path below the folder -> text
         self.repaired: dict[str, str] = {}  #: the files that a repair changes, as they should be
-        self.diagnosis: dict = {}  #: ``cause``, ``where`` (the file), and what the tools show of it
+        self._truth: list[Finding] = []
+        self.facts: dict = {}  #: more that is true of this system: names of nodes, topics, types
         self.homes: dict[str, Machine] = {}  #: the machines of the system by name
         self.programs: dict[str, BackgroundProcess] = {}  #: running programs by name
         self._other = ''
@@ -93,6 +96,13 @@ class Fault:
     def prepare(self) -> None:
         """Put into the folder the files of the system that the learner does not change."""
 
+    def diagnose(self, where: str, cause: str, evidence: str = '', row: str = '') -> None:
+        """Note a fault of this system, with the words of the exercises' cards; for `plan`.
+
+        :param row: where the exercises know it by another row than that of this fault.
+        """
+        self._truth.append(Finding(row or self.row, where, cause, evidence))
+
     def works(self, timeout: float) -> Verdict:
         """Watch the system for at most ``timeout`` seconds, and say whether it does its task."""
         raise NotImplementedError
@@ -102,6 +112,11 @@ class Fault:
         raise NotImplementedError
 
     # What a learner calls.
+
+    @property
+    def diagnosis(self) -> list[Finding]:
+        """The truth: a finding for each fault."""
+        return self._truth
 
     def symptom(self) -> None:
         """Run the system, and print what its user sees."""
@@ -343,6 +358,7 @@ class Fault:
         self.prepare()
         for file, text in self.files.items():
             self.write(file, self._fill(text))
+        self._truth = [found._replace(evidence=self._fill(found.evidence)) for found in self._truth]
         return self
 
     def home(self, name: str) -> Machine:
@@ -354,13 +370,9 @@ class Fault:
         return self.homes[name]
 
     def _commands(self):
-        """The lines of start.txt: (name, (machine, command)). A line is ``COMMAND`` or ``MACHINE: COMMAND``."""
         file = self.path / START
-        for line in file.read_text().splitlines() if file.is_file() else ():
-            line = line.partition('#')[0].strip()
-            if line:
-                machine, _, command = line.rpartition(': ')
-                yield Path(_script(command)).stem, (machine, command)
+        for machine, command in commands(file.read_text() if file.is_file() else ''):
+            yield Path(_script(command)).stem, (machine, command)
 
     def _launch(self, machine: str, command: str) -> BackgroundProcess:
         if machine:
@@ -407,6 +419,15 @@ class Fault:
         if self.path.resolve() not in path.parents:
             raise ValueError(f'{name} is not inside of {self.path.name}')
         return path
+
+
+def commands(start: str) -> Iterator[tuple[str, str]]:
+    """The programs of a start.txt, as (machine, command). A line is ``COMMAND`` or ``MACHINE: COMMAND``."""
+    for line in start.splitlines():
+        line = line.partition('#')[0].strip()
+        if line:
+            machine, _, command = line.rpartition(': ')
+            yield machine, command
 
 
 def _script(command: str) -> str:

@@ -136,13 +136,10 @@ class Hang(Fault):
             self.task = f'{file} should ask {server}.py five times a second, and print each answer.'
         self.task += ' Ctrl+C should end it.'
         self.files[file], self.repaired = bad, {file: good}
-        self.diagnosis = {
-            'cause': self.kind,
-            'where': file,
-            'node': self.program,
-            'callback': 'on_timer',
-            'line': {'call': 'self.client.call(', 'poll': 'time.sleep(0.01)', 'loop': 'time.sleep(0.2)'}[self.kind],
-        }
+        piece = {'call': 'self.client.call(', 'poll': 'time.sleep(0.01)', 'loop': 'time.sleep(0.2)'}[self.kind]
+        line = next(line.strip() for line in bad.splitlines() if piece in line)
+        self.diagnose(file, 'call' if self.kind == 'call' else 'busy', line)
+        self.facts = {'callback': 'on_timer'}
 
     def works(self, timeout: float) -> Verdict:
         def answers() -> int:
@@ -161,8 +158,9 @@ class Hang(Fault):
 
     def hangs(self, stacks: list[str]) -> bool:
         """Whether the callback stands in the line that is the fault; True if that line is repaired."""
-        lines = (self.path / self.diagnosis['where']).read_text().splitlines()
-        wrong = [number for number, line in enumerate(lines, 1) if self.diagnosis['line'] in line]
+        (found,) = self.diagnosis
+        lines = (self.path / found.where).read_text().splitlines()
+        wrong = [number for number, line in enumerate(lines, 1) if line.strip() == found.evidence]
         stands = any(f', line {number} in on_timer' in call for number in wrong for call in stacks)
         return not wrong or stands and (self.kind != 'call' or waits_in_call(stacks))
 

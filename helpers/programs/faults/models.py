@@ -109,15 +109,12 @@ class NoModel(Fault):
         where, text = change[self.kind]
         self.files, self.repaired = {**sound, where: text}, {where: sound[where]}
         self.task = 'viewer.py should say that it has a robot of 2 links, as the display RobotModel of RViz would.'
-        self.diagnosis = {
-            'cause': self.kind,
-            'where': where,
-            'link': wrong_link if self.kind == 'urdf' else '',
-            'published': {'namespace': f'/{robot}/robot_description', 'no_publisher': '', 'urdf': ''}.get(
-                self.kind, '/robot_description'
-            ),
-            'subscribed': f'/{wrong_topic}' if self.kind == 'name' else '/robot_description',
-        }
+        published = f'/{robot}/robot_description' if self.kind == 'namespace' else '/robot_description'
+        cause, evidence = {'no_publisher': ('nobody', ''), 'urdf': ('unknown', wrong_link)}.get(
+            self.kind, ('name', published)
+        )
+        self.diagnose(where, cause, evidence)
+        self.facts = {'published': published if cause == 'name' else ''}
 
     def show_symptom(self) -> None:
         publisher = 'robot_state_publisher'
@@ -169,13 +166,8 @@ class Falls(Fault):
             f'drop.py puts the robot on the floor and drives ahead with {speed} m/s for 2 s. It should stand, '
             f'and come about {self.way:.1f} m far.'
         )
-        self.diagnosis = {
-            'cause': self.kind,
-            'where': 'robot.urdf',
-            'element': {'no_collision': 'collision', 'wheels': 'collision', 'no_inertial': 'inertial', 'mass': 'mass'}[
-                self.kind
-            ],
-        }
+        causes = {'no_collision': 'collision', 'wheels': 'collision', 'no_inertial': 'inertial', 'mass': 'mass'}
+        self.diagnose('robot.urdf', causes[self.kind], f'{mass}' if self.kind == 'mass' else '')
 
     def show_symptom(self) -> None:
         self.watch(self._ended, 30.0, ends=('drop',))

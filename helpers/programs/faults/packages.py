@@ -90,13 +90,11 @@ class NoProgram(Fault):
             self.files[where] = self.files[where].replace('/lib/', '/bin/')
         self.package, self.module = package, module
         self.task = f'After colcon build, ros2 run {package} {module} should print that it is ready.'
-        self.diagnosis = {
-            'cause': self.kind,
-            'where': where,
-            'package': package,
-            'executable': module,
-            'entry_point': wrong.strip().strip(',').strip("'"),
-        }
+        if self.kind == 'script_dir':
+            self.diagnose(where, 'folder', f'script_dir=$base/bin/{package}')
+        else:
+            self.diagnose(where, self.kind, wrong.strip().strip(',').strip("'").partition(' = ')[2])
+        self.facts = {'package': package, 'executable': module}
 
     @staticmethod
     def _entry(name: str, package: str, module: str, function: str) -> str:

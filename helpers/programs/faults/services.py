@@ -86,15 +86,16 @@ class Waiting(Fault):
         self.server, self.client = server, client
         self.task = f'{client}.py should ask the service of {server}.py, print the answer, and end.'
         client_package = packages[1] if self.kind == 'type' else packages[0]
-        self.diagnosis = {
-            'cause': self.kind,
-            'where': where,
+        types = f'{packages[0]}/srv/Trigger', f'{client_package}/srv/Trigger'
+        cause = {'no_server': 'nobody', 'type': 'type'}.get(self.kind, 'name')
+        self.diagnose(where, cause, {'nobody': '', 'name': names[0], 'type': types[0]}[cause])
+        self.facts = {
             'server': server,
             'client': client,
             'server_service': names[0],
             'client_service': names[1],
-            'server_type': f'{packages[0]}/srv/Trigger',
-            'client_type': f'{client_package}/srv/Trigger',
+            'server_type': types[0],
+            'client_type': types[1],
         }
 
     def works(self, timeout: float) -> Verdict:

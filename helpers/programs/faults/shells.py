@@ -51,13 +51,12 @@ class CommandNotFound(Fault):
         draw.setstate(state)
         self.repaired = {file: bashrc(draw, _ROS, name)}
         self.task = 'In a new terminal, ros2 should run. ROS is installed in ~/opt/ros/jazzy.'
-        self.diagnosis = {
-            'cause': self.kind,
-            'where': file,
-            'line': {'unsourced': commented, 'wrong_file': _ROS.replace('jazzy', older), 'overwritten': path}[
-                self.kind
-            ].strip(),
-        }
+        if self.kind == 'overwritten':
+            self.diagnose(file, 'PATH', path.strip(), 'A7.3')
+        else:
+            self.diagnose(file, 'not sourced')
+        if self.kind == 'wrong_file':
+            self.diagnose(file, 'other', _ROS.replace('jazzy', older).strip(), 'A7.5')
 
     def prepare(self) -> None:
         self.home(self.machine).install()
@@ -95,12 +94,11 @@ class NoColcon(Fault):
         draw.setstate(state)
         self.repaired = {file: bashrc(draw, _ROS, right)}
         self.task = 'In a new terminal, colcon build should build the workspace ~/ros2_ws, and ros2 should run, too.'
-        self.diagnosis = {
-            'cause': self.kind,
-            'where': file,
-            'folder': self.tools,
-            'line': {'missing': '', 'misspelt': wrong, 'overwritten': over}[self.kind].strip(),
-        }
+        cause, line = {'missing': ('missing', ''), 'misspelt': ('name', wrong), 'overwritten': ('PATH', over)}[
+            self.kind
+        ]
+        self.diagnose(file, cause, line.strip())
+        self.facts = {'folder': self.tools}
 
     def prepare(self) -> None:
         self.home(self.machine).install_apart({'colcon': self.tools})

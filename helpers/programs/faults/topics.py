@@ -125,15 +125,14 @@ class NoData(Fault):
         self.task = (
             f'{publisher}.py measures and publishes ten times a second. {listener}.py should print what it hears.'
         )
-        self.diagnosis = {
-            'cause': self.kind,
-            'where': where,
-            'publisher': publisher,
-            'subscriber': listener,
+        offered, requested = (sides[side].get(self.kind, '') for side in ('publisher', 'subscriber'))
+        evidence = {'name': topics[0], 'namespace': topics[0], 'type': f'std_msgs/msg/{offered}'}
+        self.diagnose(where, 'name' if self.kind == 'namespace' else self.kind, evidence.get(self.kind, offered))
+        self.facts = {
             'publisher_topic': topics[0],
             'subscriber_topic': topics[1],
-            'offered': sides['publisher'].get(self.kind),
-            'requested': sides['subscriber'].get(self.kind),
+            'offered': offered,
+            'requested': requested,
         }
 
     def works(self, timeout: float) -> Verdict:

@@ -116,14 +116,14 @@ class NoTransform(Fault):
             f'The robot drives ahead from x = 1 m. {self.looker}.py should print how far its {sensor} is, '
             'seen from odom: x grows.'
         )
-        self.diagnosis = {
-            'cause': self.kind,
-            'where': where,
-            'frame': {'no_broadcaster': sensor, 'swapped': 'base_link', 'child': wrong_sensor, 'parent': wrong_base}[
-                self.kind
-            ],
-            'chain': ('odom', 'base_link', sensor),
-        }
+        cause, evidence = {
+            'no_broadcaster': ('unknown', ''),
+            'swapped': ('exchanged', 'base_link'),
+            'child': ('unknown', wrong_sensor),
+            'parent': ('not connected', wrong_base),
+        }[self.kind]
+        self.diagnose(where, cause, evidence)
+        self.facts = {'chain': ('odom', 'base_link', sensor)}
 
     def start(self) -> list[str]:
         """Start what has changed, and then the program that looks: it would remember the old frames."""

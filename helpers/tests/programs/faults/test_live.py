@@ -95,7 +95,7 @@ def test_a_shell_without_colcon(tmp_path, kind, capsys):
         fault.symptom()
         assert 'colcon: command not found' in capsys.readouterr().out
         assert fault.ask('ros2 --help')[0] == 0
-        assert str(fault.path / 'home' / fault.diagnosis['folder'] / 'colcon') in fault.ask('find ~ -name colcon')[1]
+        assert str(fault.path / 'home' / fault.facts['folder'] / 'colcon') in fault.ask('find ~ -name colcon')[1]
         fault.repair()
 
 
@@ -109,17 +109,17 @@ def test_an_entry_point(tmp_path, kind, message, capsys):
 
 def test_two_distributions(tmp_path, domain):
     with staged(tmp_path, 'A7.5', 'both') as fault:
-        assert fault.diagnosis['distro'] in fault.ask('echo $ROS_DISTRO')[1]
+        assert fault.facts['distro'] in fault.ask('echo $ROS_DISTRO')[1]
         assert fault.ask('cd ros2_ws && colcon build')[0] == 1
         log = fault.path / 'home' / 'ros2_ws' / 'log' / 'latest_build' / fault.package / 'stderr.log'
-        assert 'ImportError' in log.read_text() and 'opt/ros/' + fault.diagnosis['distro'] in log.read_text()
+        assert 'ImportError' in log.read_text() and 'opt/ros/' + fault.facts['distro'] in log.read_text()
         fault.repair()
 
 
 @pytest.mark.parametrize('kind', ['reliability', 'namespace', 'type'])
 def test_no_data(tmp_path, domain, kind):
     with staged(tmp_path, 'A7.6', kind) as fault:
-        truth = fault.diagnosis
+        truth = fault.facts
         heard = 0 if kind == 'namespace' else 1
         shown = told(
             fault,
@@ -137,8 +137,8 @@ def test_no_data(tmp_path, domain, kind):
 @pytest.mark.parametrize('kind', ['domain', 'range'])
 def test_machines_that_do_not_see_each_other(tmp_path, domain, kind):
     with staged(tmp_path, 'A7.7', kind) as fault:
-        assert (fault.diagnosis['variable'] == 'ROS_DOMAIN_ID') == (kind == 'domain')
-        values = {fault.ask(f'echo ${fault.diagnosis["variable"]}', on=machine)[1] for machine in fault.machines}
+        assert (fault.facts['variable'] == 'ROS_DOMAIN_ID') == (kind == 'domain')
+        values = {fault.ask(f'echo ${fault.facts["variable"]}', on=machine)[1] for machine in fault.machines}
         assert len(values) == 2
         fault.repair()
 
@@ -146,7 +146,7 @@ def test_machines_that_do_not_see_each_other(tmp_path, domain, kind):
 @pytest.mark.parametrize('kind', ['no_server', 'type'])
 def test_a_client_that_waits(tmp_path, domain, kind):
     with staged(tmp_path, 'A7.8', kind) as fault:
-        truth = fault.diagnosis
+        truth = fault.facts
         asked = f'{truth["client_service"]}: {truth["client_type"]}'
         shown = told(fault, f'ros2 node info /{truth["client"]}', asked)
         assert asked in shown.partition('Service Clients:')[2]
@@ -162,9 +162,9 @@ def test_a_program_that_hangs(tmp_path, domain, kind, capsys):
         assert 'it goes on' in capsys.readouterr().out
         fault.stacks()
         stack = capsys.readouterr().out
-        file = (fault.path / fault.diagnosis['where']).read_text().splitlines()
-        number = next(i for i, line in enumerate(file, 1) if fault.diagnosis['line'] in line)
-        assert f'{fault.diagnosis["where"]}", line {number} in {fault.diagnosis["callback"]}' in stack
+        file = (fault.path / fault.diagnosis[0].where).read_text().splitlines()
+        number = next(i for i, line in enumerate(file, 1) if line.strip() == fault.diagnosis[0].evidence)
+        assert f'{fault.diagnosis[0].where}", line {number} in {fault.facts["callback"]}' in stack
         fault.show_programs()
         assert 'hread 0x' not in capsys.readouterr().out, 'what a program says itself has no stacks in it'
         fault.repair()
@@ -172,8 +172,8 @@ def test_a_program_that_hangs(tmp_path, domain, kind, capsys):
 
 def test_stacks_of_a_program_that_cannot_tell(tmp_path, domain, capsys):
     with faults.stage('A7.9', 3, 'loop', tmp_path / 'system') as fault:
-        deaf = fault.files[fault.diagnosis['where']].replace('faulthandler.register', '# ')
-        fault.write(fault.diagnosis['where'], deaf)
+        deaf = fault.files[fault.diagnosis[0].where].replace('faulthandler.register', '# ')
+        fault.write(fault.diagnosis[0].where, deaf)
         fault.stacks()
         assert f'({fault.program} has no faulthandler.register: no stacks)' in capsys.readouterr().out
         fault.signal(fault.program, signal.SIGKILL, timeout=5.0)
@@ -191,7 +191,7 @@ def test_no_robot_model(tmp_path, domain, kind, capsys):
         assert 'no robot description' in shown and ('FATAL' in shown) == (kind == 'urdf')
         if kind == 'namespace':
             told(fault, 'ros2 topic info /robot_description', 'Publisher count: 0')
-            told(fault, f'ros2 topic info {fault.diagnosis["published"]}', 'Publisher count: 1')
+            told(fault, f'ros2 topic info {fault.facts["published"]}', 'Publisher count: 1')
         fault.repair()
 
 
@@ -206,15 +206,53 @@ def test_a_robot_that_does_not_stand_or_drive(tmp_path, domain, kind):
 @pytest.mark.parametrize('kind', ['swapped', 'parent'])
 def test_a_transform(tmp_path, domain, kind):
     with staged(tmp_path, 'A7.12', kind) as fault:
-        source = fault.diagnosis['chain'][-1]
+        source = fault.facts['chain'][-1]
         with fault.terminal().start(f'exec ros2 run tf2_ros tf2_echo odom {source}') as echo:
             echo.wait_for_output('Translation: [-' if kind == 'swapped' else 'not part of the same tree', 20)
         fault.repair()
 
 
+@pytest.mark.parametrize('kind', faults.plan('A7.13').kinds)
+def test_a_wrong_clock(tmp_path, domain, kind, capsys):
+    with staged(tmp_path, 'A7.13', kind) as fault:
+        fault.symptom()
+        shown = capsys.readouterr().out
+        if kind == 'no_clock':
+            told(fault, f'ros2 param get {fault.facts["asleep"]} use_sim_time', 'Boolean value is: True')
+            told(fault, 'ros2 topic info /clock', 'Publisher count: 0')
+        else:
+            assert 'thrown away: ' in shown and 'published' in shown
+            stamp = told(fault, f'timeout 20 ros2 topic echo --once {fault.facts["topic"]}', 'sec: ')
+            assert int(stamp.split('sec: ')[1].split()[0]) < 10**9, 'seconds since the machine was started'
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', faults.plan('A7.14').kinds)
+def test_a_rate_that_is_too_low(tmp_path, domain, kind, capsys):
+    with staged(tmp_path, 'A7.14', kind) as fault:
+        fault.symptom()
+        assert ' messages a second' in capsys.readouterr().out
+        shown = told(fault, f'timeout 30 ros2 topic hz {fault.facts["topic"]} | head -n 1', 'average rate: ')
+        rate, (truth,) = float(shown.split('average rate: ')[1].split()[0]), fault.diagnosis
+        assert rate < 1.5 * float(truth.evidence) < 5
+        fault.repair()
+
+
+@pytest.mark.parametrize('kind', faults.plan('A7.15').kinds)
+def test_a_parameter_that_did_not_arrive(tmp_path, domain, kind, capsys):
+    with staged(tmp_path, 'A7.15', kind) as fault:
+        fault.symptom()
+        assert len(set(fault.places())) == 1 and 'x = ' in capsys.readouterr().out
+        ask = f'ros2 param get {fault.facts["node"]} {fault.facts["parameter"]}'
+        told(fault, ask, f'Double value is: {fault.diagnosis[0].evidence}')
+        fault.repair()
+        fault.up()
+        told(fault, ask, f'Double value is: {fault.facts["value"]}')
+
+
 def test_two_faults_at_once(tmp_path, domain):
     with staged(tmp_path, 'mystery', 'two', seed=3) as fault:
-        first, second = fault.repaired, fault.diagnosis['faults']
+        first, second = fault.repaired, fault.diagnosis
         assert len(second) == 2 and first
         fault.repair()
 
@@ -222,8 +260,8 @@ def test_two_faults_at_once(tmp_path, domain):
 def test_editing_starts_only_what_has_changed(tmp_path, domain):
     with staged(tmp_path, 'A7.6', 'name') as fault:
         publisher = fault.programs[fault.publisher].pid
-        wrong, right = fault.diagnosis['subscriber_topic'], fault.diagnosis['publisher_topic']
-        fault.edit(fault.diagnosis['where'], wrong.strip('/'), right.strip('/'))
+        wrong, right = fault.facts['subscriber_topic'], fault.facts['publisher_topic']
+        fault.edit(fault.diagnosis[0].where, wrong.strip('/'), right.strip('/'))
         assert fault.start() == [fault.listener]
         assert fault.programs[fault.publisher].pid == publisher
 

@@ -1,0 +1,70 @@
+from grading.variants import Mutant
+
+RATE = """
+    2: [Finding('A7.14', 'robot/robot.py', 'rate', 'average rate: 2.000'),
+        Finding('A7.15', 'start.txt', 'parameter', 'Double value is: 0.0')],
+"""
+RANGE = "Finding('A7.7', 'panel/.bashrc', 'range', 'ROS_AUTOMATIC_DISCOVERY_RANGE=OFF')]"
+
+MUTANTS = [
+    Mutant('name_of_the_example', old="NAME = 'the course'", new="NAME = 'my name'", breaks='name',
+           expect='write your own name'),
+    Mutant('no_name', old="NAME = 'the course'", new="NAME = ' '", breaks='name', expect='write your own name'),
+    Mutant('copied_from_somebody', old="NAME = 'the course'", new="NAME = 'ada'", breaks='cause',
+           also=('both', 'where', 'evidence', 'repaired', 'nothing-else'), expect='is no fault of this system'),
+    Mutant('another_cause', old="'range', 'ROS", new="'domain', 'ROS", breaks='cause', expect='is no fault of this system'),
+    Mutant('another_row', old="Finding('A7.6', 'panel/panel.py', 'name'", new="Finding('A7.8', 'panel/panel.py', 'name'",
+           breaks='cause', expect='`name` (A7.8) is no fault'),
+    Mutant('one_is_not_looked_at', edits=(('    4: [' + RANGE + ',', '    4: [],'),
+                                          ("    4: [('panel/.bashrc', 'RANGE=OFF', 'RANGE=LOCALHOST')],", '    4: [],')),
+           breaks='cause', also='repaired', expect='System 4 has no finding yet'),
+    Mutant('the_symptom_s_place', old="'A7.14', 'robot/robot.py'", new="'A7.14', 'panel/panel.py'", breaks='where',
+           also='only-there', expect='is not in'),
+    Mutant('the_other_machine', old="'A7.7', 'panel/.bashrc'", new="'A7.7', 'robot/.bashrc'", breaks='where',
+           also='only-there', expect='is not in'),
+    Mutant('a_guess', old="'Double value is: 0.0'", new="'it must be the parameters'", breaks='evidence',
+           expect='does not show `parameter`'),
+    Mutant('the_right_name_as_evidence', old="'/btatery: std_msgs/msg/Float32'", new="'/battery: std_msgs/msg/Float32'",
+           breaks='evidence', expect='the topic that the panel asks for'),
+    Mutant('a_rate_that_nobody_measured', old="'average rate: 2.000'", new="'average rate: 10.0'", breaks='evidence',
+           expect='the measured rate'),
+    Mutant('the_right_tree_as_evidence', old="'- Translation: [-2.816, 0.000, 0.000]'",
+           new="'frame_id: odom, child_frame_id: base_link'", breaks='evidence', expect='does not show `exchanged`'),
+    Mutant('the_first_fault_only', old=RATE, new="""
+    2: [Finding('A7.15', 'start.txt', 'parameter', 'Double value is: 0.0')],
+""", breaks='both', also='only-there', expect='there is one more fault'),
+    Mutant('one_more_to_be_safe', old=RANGE, new=RANGE[:-1] + ", Finding('A7.7', 'panel/.bashrc', 'domain', 'OFF')]",
+           breaks='nothing-else', expect='is none of them'),
+    Mutant('the_same_twice', old=RANGE, new=RANGE[:-1] + ', ' + RANGE[:-1] + ']', breaks='nothing-else',
+           expect='the same twice'),
+    Mutant('repairs_one_of_two', old="""
+    2: [('robot/robot.py', 'create_timer(0.5', 'create_timer(0.1'),
+        ('start.txt', 'robot.py --ros-args', 'robot.py --ros-args --params-file params.yaml')],
+""", new="""
+    2: [('start.txt', 'robot.py --ros-args', 'robot.py --ros-args --params-file params.yaml')],
+""", breaks='repaired', expect='less than ten times a second'),
+    Mutant('found_and_not_repaired', old="4: [('panel/.bashrc', 'RANGE=OFF', 'RANGE=LOCALHOST')]", new='4: []',
+           breaks='repaired', expect='what the robot measures is not there'),
+    Mutant('prints_what_it_should', old="""
+    4: [('panel/.bashrc', 'RANGE=OFF', 'RANGE=LOCALHOST')],
+""", new="""
+    4: [('panel/.bashrc', '', '''source ~/opt/ros/jazzy/setup.bash
+while sleep 0.3; do
+    i=$((i + 1))
+    echo "[INFO] [panel]: pressure: 5$i, 10.0 a second, calibrate: done, base_link: 9$i.50 m"
+done
+''')],
+""", breaks='repaired', expect='System 4: after your changes'),
+    Mutant('the_panel_does_not_start', old="""
+    5: [('panel/panel.py', 'self.answer = self.client.call(Trigger.Request()).message',
+""", new="""
+    5: [('panel/panel.py', 'self.client.call(Trigger.Request()).message', 'None'), ('panel/panel.py', 'class', 'clas'),
+        ('panel/panel.py', 'self.answer = None',
+""", breaks='repaired', expect='ends with status 1'),
+    Mutant('does_not_fit', old="'RANGE=OFF'", new="'RANGE=ON'", breaks='repaired', expect='your change does not fit'),
+    Mutant('a_number_for_the_domain', old="'RANGE=LOCALHOST')", new="'RANGE=LOCALHOST\\nexport ROS_DOMAIN_ID=7')",
+           breaks='repaired', expect='write the domain as the room'),
+    Mutant('repaired_elsewhere', old="('start.txt', ' --ros-args -p use_sim_time:=true', '')",
+           new="('start.txt', ' --ros-args -p use_sim_time:=true', ''), ('panel/panel.py', \"'-'\", \"'?'\")",
+           breaks='only-there', expect='none of your findings is there'),
+]
