@@ -286,7 +286,8 @@ class Learner(Workspaces):
         recording.subscription = self.node.create_subscription(
             msg_type,
             topic,
-            lambda message, info: self._record(recording, message, info),
+            # rclpy's annotations leave out the callback with two arguments.
+            lambda message, info: self._record(recording, message, info),  # type: ignore[arg-type,misc]
             qos,
             event_callbacks=SubscriptionEventCallbacks(matched=lambda event: self._matched(recording, event)),
         )

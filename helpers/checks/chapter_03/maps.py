@@ -53,7 +53,7 @@ def grid_of(rows: list[str]) -> OccupancyGrid:
 
 
 def check_once(maps, index: int) -> None:
-    """The map with this index is the first one that its publisher has sent: a late listener does not hear the others."""
+    """The map with this index is the first that its publisher has sent: a late listener does not hear the others."""
     number = maps.numbers[index]
     expect(number == 1, f'A MapServer published {number} maps in its constructor, expected one.', 'one-map')
 
