@@ -84,7 +84,7 @@ def write(notebooks: list[Path], target: Path, runs: Callable[[Path], tuple[str,
     return written
 
 
-def nbval_arguments(config: Path, kernel: str, cell_timeout: float = 60.0) -> list[str]:
+def nbval_arguments(config: Path, kernel: str, cell_timeout: float = 180.0) -> list[str]:
     """Return pytest's arguments for the repeated notebooks; ``config`` is the file with outputs.nbval_config.
 
     ``--nbval`` serves both kinds: the cells of a learner's notebook were never executed, so nothing is compared there.
