@@ -36,7 +36,6 @@ def build(
 ):
     """Make the executed solution and the learner's notebook of each chapter from solutions/NN_name.md."""
     from grading.authoring import build as builder
-    from grading.authoring import in_step
     from grading.authoring.chapter import sources
     from grading.authoring.errors import ChapterErrors
 
@@ -48,33 +47,46 @@ def build(
         raise Refusal(f'no source of chapter {min(selected - known):02} in solutions/; there are: {there}')
     try:
         if check:
-            lines = in_step.drift(tree)
-            for line in lines:
-                print(line)
-            _checked(builder.read_all(tree))
-            print(
-                f'{len(lines)} generated files are out of step; run ./course build'
-                if lines
-                else f'{len(known)} chapters are in step with their sources'
-            )
-            raise typer.Exit(1 if lines else 0)
+            raise typer.Exit(_check(tree, len(known)))
         if rules:
             raise typer.Exit(_rules(builder.read_all(tree), selected, tree))
         if html:
-            from grading.edition import pages
-
             if chapters:
                 raise Refusal('--html always writes the whole course: leave the chapters out')
-            try:
-                written = pages.write(tree, html, scenes=scenes, timeout=timeout)
-            except (pages.EditionError, OSError) as error:
-                raise Refusal(str(error)) from None
-            print(f'{len(written)} pages; begin with {written[0]}')
+            _write_pages(tree, html, scenes, timeout)
             return
         builder.build(tree, selected or None, force=force, timeout=timeout)
     except ChapterErrors as errors:
         print(errors, file=sys.stderr)
         raise typer.Exit(1) from None
+
+
+def _check(tree, count: int) -> int:
+    """Print which generated files of the `count` chapters are out of step; returns the exit status."""
+    from grading.authoring import build as builder
+    from grading.authoring import in_step
+
+    lines = in_step.drift(tree)
+    for line in lines:
+        print(line)
+    _checked(builder.read_all(tree))
+    print(
+        f'{len(lines)} generated files are out of step; run ./course build'
+        if lines
+        else f'{count} chapters are in step with their sources'
+    )
+    return 1 if lines else 0
+
+
+def _write_pages(tree, folder: Path, scenes: bool, timeout: float) -> None:
+    """Write the course as web pages into a folder."""
+    from grading.edition import pages
+
+    try:
+        written = pages.write(tree, folder, scenes=scenes, timeout=timeout)
+    except (pages.EditionError, OSError) as error:
+        raise Refusal(str(error)) from None
+    print(f'{len(written)} pages; begin with {written[0]}')
 
 
 def _checked(chapters) -> None:

@@ -10,74 +10,67 @@ import typer
 from grading import sandbox as sandboxes
 from helpers.cli import Refusal
 
+CORES = len(os.sched_getaffinity(0))
+
+Submissions = Annotated[
+    list[Path],
+    typer.Argument(
+        metavar='SUBMISSION …', help='A .zip made by submit, a folder of notebooks, an .ipynb, or a folder of these.'
+    ),
+]
+Output = Annotated[Path, typer.Option('-o', '--output', metavar='DIR', help='Where results go; resumes there.')]
+Jobs = Annotated[
+    int, typer.Option('--jobs', metavar='N', min=1, help='Processes of tests at a time; the cores if not given.')
+]
+Sandbox = Annotated[
+    str, typer.Option(metavar='NAME', help=f"Where learners' code runs: {' or '.join(sandboxes.LAUNCHERS)}.")
+]
+Cluster = Annotated[str, typer.Option(metavar='ADDRESS', help='Grade on the Dask cluster of this scheduler.')]
+Chapters = Annotated[
+    list[int] | None,
+    typer.Option(
+        metavar='N',
+        help="Grade only this chapter's exercises, as an assignment; may be given several times. DIR keeps the choice.",
+    ),
+]
+Seed = Annotated[str, typer.Option(metavar='TEXT', help="Of the inputs that tests draw; DIR's own if not given.")]
+Only = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar='LEARNER[/EXERCISE]',
+        help='Grade only this, and leave the rest as it is; * for all. May be given several times.',
+    ),
+]
+Regrade = Annotated[bool, typer.Option('--regrade', help='Grade also what has a result already.')]
+Late = Annotated[Path | None, typer.Option(metavar='FILE', help='Late policy, YAML.')]
+Adjustments = Annotated[Path | None, typer.Option(metavar='FILE', help='Marks set or changed by hand, CSV or YAML.')]
+Anonymous = Annotated[bool, typer.Option('--anonymous', help='Pseudonyms instead of ids; the map is in DIR-private.')]
+
 
 def grade(
-    submissions: Annotated[
-        list[Path],
-        typer.Argument(
-            metavar='SUBMISSION …',
-            help='A .zip made by submit, a folder of notebooks, an .ipynb, or a folder of these.',
-        ),
-    ],
-    output: Annotated[Path, typer.Option('-o', '--output', metavar='DIR', help='Where results go; resumes there.')],
-    jobs: Annotated[
-        int, typer.Option('--jobs', metavar='N', min=1, help='Processes of tests at a time; the cores if not given.')
-    ] = len(os.sched_getaffinity(0)),
-    sandbox: Annotated[
-        str, typer.Option(metavar='NAME', help=f"Where learners' code runs: {' or '.join(sandboxes.LAUNCHERS)}.")
-    ] = sandboxes.DEFAULT,
-    cluster: Annotated[str, typer.Option(metavar='ADDRESS', help='Grade on the Dask cluster of this scheduler.')] = '',
-    chapter: Annotated[
-        list[int] | None,
-        typer.Option(
-            metavar='N',
-            help="Grade only this chapter's exercises, as an assignment; may be given several times. DIR "
-            'keeps the choice.',
-        ),
-    ] = None,
-    seed: Annotated[
-        str, typer.Option(metavar='TEXT', help="Of the inputs that tests draw; DIR's own if not given.")
-    ] = '',
-    only: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar='LEARNER[/EXERCISE]',
-            help='Grade only this, and leave the rest as it is; * for all. May be given several times.',
-        ),
-    ] = None,
-    regrade: Annotated[bool, typer.Option('--regrade', help='Grade also what has a result already.')] = False,
-    late: Annotated[Path | None, typer.Option(metavar='FILE', help='Late policy, YAML.')] = None,
-    adjustments: Annotated[
-        Path | None, typer.Option(metavar='FILE', help='Marks set or changed by hand, CSV or YAML.')
-    ] = None,
-    anonymous: Annotated[
-        bool, typer.Option('--anonymous', help='Pseudonyms instead of ids; the map is in DIR-private.')
-    ] = False,
+    submissions: Submissions,
+    output: Output,
+    jobs: Jobs = CORES,
+    sandbox: Sandbox = sandboxes.DEFAULT,
+    cluster: Cluster = '',
+    chapter: Chapters = None,
+    seed: Seed = '',
+    only: Only = None,
+    regrade: Regrade = False,
+    late: Late = None,
+    adjustments: Adjustments = None,
+    anonymous: Anonymous = False,
 ):
     """Grade submissions; run again on the same DIR to go on where it stopped."""
     from rich.console import Console
 
     from grading import adjustments as manual
-    from grading import anonymous as pseudonyms
-    from grading import choice, executors, folder, plan, progress, unit
+    from grading import folder, plan, progress
     from grading import grade as grader
     from grading import late as lateness
-    from grading.course import ChapterError
-    from grading.submissions import Unusable, find
-    from helpers.exercises import manifest
+    from grading.submissions import find
 
-    refused = (
-        Unusable,
-        manifest.ManifestError,
-        choice.ChoiceError,
-        ChapterError,
-        folder.FolderError,
-        executors.ClusterError,
-        lateness.PolicyError,
-        manual.AdjustmentError,
-        pseudonyms.AnonymousError,
-        unit.Mismatch,
-    )
+    refused = _refused()
     console = Console(highlight=False, soft_wrap=True)
     skipped: list[Path] = []
     try:
@@ -98,10 +91,7 @@ def grade(
             chapters,
             cluster,
         )
-        for path in skipped:
-            console.print(f'{path}: no submission, left out', style='yellow', markup=False)
-        if course.sandbox == 'none':
-            console.print(sandboxes.WARNING, style='bold yellow', markup=False)
+        _warn(skipped, course.sandbox, console)
         with progress.Shown(console) as shown:
             records = grader.grade(found, course, output, jobs, shown, settings)
     except refused as error:
@@ -113,6 +103,35 @@ def grade(
         os._exit(130)  # at once: the tests that still run end with this process
     console.print(f'{output / "gradebook.csv"}: {len(records)} learners', markup=False)
     raise typer.Exit(_summary(records, console))
+
+
+def _refused() -> tuple[type[Exception], ...]:
+    """The exceptions that say what is wrong with the arguments or their files."""
+    from grading import adjustments, anonymous, choice, executors, folder, late, unit
+    from grading.course import ChapterError
+    from grading.submissions import Unusable
+    from helpers.exercises import manifest
+
+    return (
+        Unusable,
+        manifest.ManifestError,
+        choice.ChoiceError,
+        ChapterError,
+        folder.FolderError,
+        executors.ClusterError,
+        late.PolicyError,
+        adjustments.AdjustmentError,
+        anonymous.AnonymousError,
+        unit.Mismatch,
+    )
+
+
+def _warn(skipped: list[Path], sandbox: str, console) -> None:
+    """Say what is no submission, and that the learners' code runs without protection."""
+    for path in skipped:
+        console.print(f'{path}: no submission, left out', style='yellow', markup=False)
+    if sandbox == 'none':
+        console.print(sandboxes.WARNING, style='bold yellow', markup=False)
 
 
 def _summary(records, console) -> int:

@@ -87,72 +87,95 @@ class ProgramProcesses:
 
 def serve(control: socket.socket, programs: ProgramProcesses) -> None:
     """Serve requests until the control socket closes."""
-    children: dict[int, tuple[str, str | None]] = {}  # pid -> key, place
-    why = ''  # the programs were ended
-    # A signal wakes the select below; its handler has nothing else to do.
-    woken, wake = os.pipe2(os.O_NONBLOCK | os.O_CLOEXEC)
-    signal.signal(signal.SIGCHLD, lambda *_: None)
-    signal.set_wakeup_fd(wake, warn_on_full_buffer=False)
+    _Server(control, programs).serve()
 
-    def tell(**event) -> None:
-        control.sendall(json.dumps(event).encode())
 
-    sources: list[socket.socket | int] = [control, woken]
-    while True:
-        ready, _, _ = select.select(sources, [], [], programs.patience if children else None)
-        if woken in ready:
-            os.read(woken, 4096)
-        if children:
-            why = programs.look() or why
-        for pid, (key, _) in list(children.items()):
+class _Server:
+    """Answers the requests that come from a control socket, and tells it which processes have ended."""
+
+    def __init__(self, control: socket.socket, programs: ProgramProcesses):
+        self._control, self._programs = control, programs
+        self._children: dict[int, tuple[str, str | None]] = {}  # pid -> key, place
+        self._why = ''  # the programs were ended
+
+    def serve(self) -> None:
+        """Serve requests until the control socket closes; end then what still runs."""
+        # A signal wakes the select below; its handler has nothing else to do.
+        woken, wake = os.pipe2(os.O_NONBLOCK | os.O_CLOEXEC)
+        signal.signal(signal.SIGCHLD, lambda *_: None)
+        signal.set_wakeup_fd(wake, warn_on_full_buffer=False)
+        sources: list[socket.socket | int] = [self._control, woken]
+        while True:
+            ready, _, _ = select.select(sources, [], [], self._programs.patience if self._children else None)
+            if woken in ready:
+                os.read(woken, 4096)
+            self._look_at_children()
+            if self._control not in ready:
+                continue
+            data, ancillary, _, _ = socket_receive(self._control)
+            if not data:
+                break
+            self._answer(json.loads(data), ancillary)
+            for descriptor in ancillary:
+                os.close(descriptor)
+        for pid in self._children:
+            self._programs.kill(pid)
+        self._programs.close()
+
+    def _tell(self, **event) -> None:
+        self._control.sendall(json.dumps(event).encode())
+
+    def _look_at_children(self) -> None:
+        """End those that use too much, and tell of those that have ended."""
+        if self._children:
+            self._why = self._programs.look() or self._why
+        for pid, (key, _) in list(self._children.items()):
             ended, status = os.waitpid(pid, os.WNOHANG)
             if ended:
-                del children[pid]
-                programs.ended(pid)
-                tell(event='ended', key=key, status=status, why=why)
-        if control not in ready:
-            continue
-        data, ancillary, _, _ = socket_receive(control)
-        if not data:
-            break
-        request = json.loads(data)
-        place = request.get('place')
+                del self._children[pid]
+                self._programs.ended(pid)
+                self._tell(event='ended', key=key, status=status, why=self._why)
+
+    def _answer(self, request: dict, descriptors: list[int]) -> None:
+        """Do what a request says. Its descriptors stay open."""
         match request['op']:
             case 'kill' | 'signal':
-                for pid, (key, _) in children.items():
+                for pid, (key, _) in self._children.items():
                     if key == request['key']:
-                        programs.signal(pid, request['number']) if 'number' in request else programs.kill(pid)
+                        if 'number' in request:
+                            self._programs.signal(pid, request['number'])
+                        else:
+                            self._programs.kill(pid)
             case 'clear' | 'forget':
-                for pid, (_, where) in children.items():
+                place = request['place']
+                for pid, (_, where) in self._children.items():
                     if place in (None, where):
-                        programs.kill(pid)
-                programs.clear(place) if request['op'] == 'clear' else programs.forget(place)
-                why = ''
-                tell(event='cleared')
+                        self._programs.kill(pid)
+                self._programs.clear(place) if request['op'] == 'clear' else self._programs.forget(place)
+                self._why = ''
+                self._tell(event='cleared')
             case 'fork':
-                channel, output = ancillary
-                preloading.warm_up_for(request.get('modules', []))
-                pid = programs.fork(Limits(**request['limits']), channel, output)
-                children[pid] = request['key'], None
-                tell(event='forked', key=request['key'], pid=pid)
+                self._fork(request, descriptors)
             case _:
-                output, *given = ancillary
-                if request['op'] == 'pytest':
-                    preloading.warm_up_for_pytest(request.get('modules', []))
-                pid = programs.task(
-                    Limits(**request['limits']),
-                    place,
-                    output,
-                    given,
-                    functools.partial(commands.perform, request, given),
-                )
-                children[pid] = request['key'], place
-                tell(event='forked', key=request['key'], pid=pid)
-        for descriptor in ancillary:
-            os.close(descriptor)
-    for pid in children:
-        programs.kill(pid)
-    programs.close()
+                self._start_task(request, descriptors)
+
+    def _fork(self, request: dict, descriptors: list[int]) -> None:
+        channel, output = descriptors
+        preloading.warm_up_for(request.get('modules', []))
+        pid = self._programs.fork(Limits(**request['limits']), channel, output)
+        self._children[pid] = request['key'], None
+        self._tell(event='forked', key=request['key'], pid=pid)
+
+    def _start_task(self, request: dict, descriptors: list[int]) -> None:
+        output, *given = descriptors
+        place = request['place']
+        if request['op'] == 'pytest':
+            preloading.warm_up_for_pytest(request.get('modules', []))
+        pid = self._programs.task(
+            Limits(**request['limits']), place, output, given, functools.partial(commands.perform, request, given)
+        )
+        self._children[pid] = request['key'], place
+        self._tell(event='forked', key=request['key'], pid=pid)
 
 
 def leave_server() -> None:

@@ -40,7 +40,36 @@ def links(folder):
     return found
 
 
-def facts(port, name, paths):
+def status():
+    """Who the program is, and what it may."""
+    with open('/proc/self/status') as file:
+        found = dict(line.rstrip('\n').split(':\t', 1) for line in file if ':\t' in line)
+    keys = ('Uid', 'Gid', 'CapInh', 'CapPrm', 'CapEff', 'CapBnd', 'CapAmb', 'NoNewPrivs', 'Seccomp')
+    return {key: found[key] for key in keys}
+
+
+def writes():
+    """What goes wrong when it writes to these places."""
+    places = (
+        '/x',
+        '/usr/x',
+        '/etc/x',
+        '/dev/x',
+        '/home/x',
+        os.path.join(sys.prefix, 'x'),
+        json.__file__,
+        '/proc/sys/kernel/core_pattern',
+        '/proc/sys/kernel/ns_last_pid',
+        '/tmp/x',
+        '/dev/shm/x',
+        os.path.expanduser('~/x'),
+    )
+    return {path: write(path) for path in places}
+
+
+def network(port, name):
+    """What goes wrong when it speaks to others; the host has a TCP port and an abstract Unix socket."""
+
     def unix():
         with socket.socket(socket.AF_UNIX) as client:
             client.connect('\0' + name)
@@ -49,15 +78,46 @@ def facts(port, name, paths):
         with socket.socket(family, socket.SOCK_DGRAM) as client:
             client.sendto(b'x', address)
 
-    with open('/proc/self/status') as file:
-        status = dict(line.rstrip('\n').split(':\t', 1) for line in file if ':\t' in line)
+    return {
+        'tcp to the host': attempt(lambda: socket.create_connection(('127.0.0.1', port), 2).close()),
+        'abstract unix socket of the host': attempt(unix),
+        'tcp': attempt(lambda: socket.create_connection(('192.0.2.1', 80), 2).close()),
+        'udp': attempt(lambda: datagram(socket.AF_INET, ('192.0.2.1', 53))),
+        'ipv6': attempt(lambda: datagram(socket.AF_INET6, ('2001:db8::1', 53))),
+        'dns': attempt(lambda: socket.getaddrinfo('example.org', 80)),
+        'vsock': attempt(lambda: socket.socket(40, socket.SOCK_STREAM).close()),
+        'packets': attempt(lambda: socket.socket(17, socket.SOCK_RAW).close()),
+        'raw': attempt(lambda: socket.socket(socket.AF_INET, socket.SOCK_RAW, 1).close()),
+    }
+
+
+def calls():
+    """What goes wrong in system calls, by their numbers."""
+    return {
+        'unshare': system_call(272, 0x10000000),
+        'clone': system_call(56, 0x10000011, 0, 0, 0, 0),
+        'clone3': system_call(435, 0, 0),
+        'ptrace': system_call(101, 0, 1, 0, 0),
+        'keyctl': system_call(250, 0, 0),
+        'bpf': system_call(321, 0, 0, 0),
+        'x32': system_call(0x40000027),
+        'mount': system_call(165, 0, 0, 0, 0, 0),
+        'setns': system_call(308, 0, 0),
+        'io_uring': system_call(425, 1, 0),
+        'getpid': system_call(39),
+    }
+
+
+def limits():
+    keys = ('RLIMIT_AS', 'RLIMIT_CPU', 'RLIMIT_NOFILE', 'RLIMIT_FSIZE', 'RLIMIT_CORE', 'RLIMIT_NPROC')
+    return {key: resource.getrlimit(getattr(resource, key)) for key in keys}
+
+
+def facts(port, name, paths):
     print(
         json.dumps(
             {
-                'status': {
-                    key: status[key]
-                    for key in ('Uid', 'Gid', 'CapInh', 'CapPrm', 'CapEff', 'CapBnd', 'CapAmb', 'NoNewPrivs', 'Seccomp')
-                },
+                'status': status(),
                 'namespaces': links('/proc/self/ns'),
                 'fds': links('/proc/self/fd'),
                 'parent': os.getppid(),
@@ -66,59 +126,11 @@ def facts(port, name, paths):
                 'modules': [key for key in sys.modules if key.startswith(('pytest', '_pytest'))],
                 'seen': {path: os.path.exists(path) for path in paths},
                 'folders': {path: sorted(os.listdir(path)) for path in ('/', '/home', '/etc', '/tmp', '/dev')},
-                'writes': {
-                    path: write(path)
-                    for path in (
-                        '/x',
-                        '/usr/x',
-                        '/etc/x',
-                        '/dev/x',
-                        '/home/x',
-                        os.path.join(sys.prefix, 'x'),
-                        json.__file__,
-                        '/proc/sys/kernel/core_pattern',
-                        '/proc/sys/kernel/ns_last_pid',
-                        '/tmp/x',
-                        '/dev/shm/x',
-                        os.path.expanduser('~/x'),
-                    )
-                },
-                'network': {
-                    'tcp to the host': attempt(lambda: socket.create_connection(('127.0.0.1', port), 2).close()),
-                    'abstract unix socket of the host': attempt(unix),
-                    'tcp': attempt(lambda: socket.create_connection(('192.0.2.1', 80), 2).close()),
-                    'udp': attempt(lambda: datagram(socket.AF_INET, ('192.0.2.1', 53))),
-                    'ipv6': attempt(lambda: datagram(socket.AF_INET6, ('2001:db8::1', 53))),
-                    'dns': attempt(lambda: socket.getaddrinfo('example.org', 80)),
-                    'vsock': attempt(lambda: socket.socket(40, socket.SOCK_STREAM).close()),
-                    'packets': attempt(lambda: socket.socket(17, socket.SOCK_RAW).close()),
-                    'raw': attempt(lambda: socket.socket(socket.AF_INET, socket.SOCK_RAW, 1).close()),
-                },
+                'writes': writes(),
+                'network': network(port, name),
                 'interfaces': [interface for _, interface in socket.if_nameindex()],
-                'calls': {
-                    'unshare': system_call(272, 0x10000000),
-                    'clone': system_call(56, 0x10000011, 0, 0, 0, 0),
-                    'clone3': system_call(435, 0, 0),
-                    'ptrace': system_call(101, 0, 1, 0, 0),
-                    'keyctl': system_call(250, 0, 0),
-                    'bpf': system_call(321, 0, 0, 0),
-                    'x32': system_call(0x40000027),
-                    'mount': system_call(165, 0, 0, 0, 0, 0),
-                    'setns': system_call(308, 0, 0),
-                    'io_uring': system_call(425, 1, 0),
-                    'getpid': system_call(39),
-                },
-                'limits': {
-                    key: resource.getrlimit(getattr(resource, key))
-                    for key in (
-                        'RLIMIT_AS',
-                        'RLIMIT_CPU',
-                        'RLIMIT_NOFILE',
-                        'RLIMIT_FSIZE',
-                        'RLIMIT_CORE',
-                        'RLIMIT_NPROC',
-                    )
-                },
+                'calls': calls(),
+                'limits': limits(),
                 'host': os.uname().nodename,
             }
         )

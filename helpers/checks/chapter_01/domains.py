@@ -151,24 +151,7 @@ def check_bridge(learner, count: int) -> None:
             there.listen(topic, String, heard)
         spoken = [there.node.create_publisher(String, topic, 100) for topic in _far(space)]
         talker = learner.talk(near, String, strict=False)
-        with about('bridge'):
-            node = learner.start('Bridge', domain, remap={'__ns': space})
-        expect(node.name == f'{space}/bridge', f'The node is called {node.name}, expected {space}/bridge.', 'bridge')
-        expect(
-            learner.endpoints(near).subscriptions or not learner.endpoints('/chatter').subscriptions,
-            f'In the namespace {space} your bridge listens on /chatter: a relative name has no leading slash.',
-            'carries',
-        )
-        expect(
-            learner.endpoints(near).subscriptions,
-            'Your bridge does not listen on /chatter in the domain of the program.',
-            'carries',
-        )
-        expect(
-            learner.depths('subscription', near) == [10],
-            'The queue of your subscription to chatter has not the depth 10.',
-            'carries',
-        )
+        _start_bridge(learner, domain, space)
         expect(there.wait_until(there.nodes, 5), f'No node of yours is in domain {domain}.', 'bridge')
         at_home = here.listen(near, String)  # only now: it is a subscription on chatter, too
 
@@ -190,22 +173,50 @@ def check_bridge(learner, count: int) -> None:
         there.wait_until(lambda: len(heard) > len(texts) and heard[-1].data == texts[-1], timeout=3)
         got = [message.data for message in heard if message.data != 'first']
         expect(got == texts, f'{texts} was said here; in the other domain came {got}.', 'carries')
+        _check_one_way(learner, there, here, spoken, at_home)
 
-        def listens_there():
-            return any(there.node.count_subscribers(topic) > 1 for topic in _far(space))  # the first is the tests'
 
-        there.wait_until(listens_there, timeout=0.3)
-        back = listens_there()
-        before = len(at_home)
-        for publisher in spoken:
-            publisher.publish(String(data='echo?'))
-        for _ in range(5):
-            with about('one-way'):
-                learner.settle()
-            here.wait_until(lambda: any(message.data == 'echo?' for message in at_home[before:]), timeout=0.05)
-        expect(
-            not back and not any(message.data == 'echo?' for message in at_home),
-            'Your bridge also listens in the other domain. It must carry in one direction only: two directions make '
-            'an endless echo.',
-            'one-way',
-        )
+def _start_bridge(learner, domain: int, space: str) -> None:
+    """Start a Bridge to this domain in a namespace, and look at its name and its subscription."""
+    near = f'{space}/chatter'
+    with about('bridge'):
+        node = learner.start('Bridge', domain, remap={'__ns': space})
+    expect(node.name == f'{space}/bridge', f'The node is called {node.name}, expected {space}/bridge.', 'bridge')
+    expect(
+        learner.endpoints(near).subscriptions or not learner.endpoints('/chatter').subscriptions,
+        f'In the namespace {space} your bridge listens on /chatter: a relative name has no leading slash.',
+        'carries',
+    )
+    expect(
+        learner.endpoints(near).subscriptions,
+        'Your bridge does not listen on /chatter in the domain of the program.',
+        'carries',
+    )
+    expect(
+        learner.depths('subscription', near) == [10],
+        'The queue of your subscription to chatter has not the depth 10.',
+        'carries',
+    )
+
+
+def _check_one_way(learner, there: Elsewhere, here: Elsewhere, spoken: list, at_home: list) -> None:
+    """What the publishers `spoken` say in the other domain does not come to this one, as `at_home` would show."""
+
+    def listens_there():
+        return any(there.node.count_subscribers(one.topic_name) > 1 for one in spoken)  # the first is the tests'
+
+    there.wait_until(listens_there, timeout=0.3)
+    back = listens_there()
+    before = len(at_home)
+    for publisher in spoken:
+        publisher.publish(String(data='echo?'))
+    for _ in range(5):
+        with about('one-way'):
+            learner.settle()
+        here.wait_until(lambda: any(message.data == 'echo?' for message in at_home[before:]), timeout=0.05)
+    expect(
+        not back and not any(message.data == 'echo?' for message in at_home),
+        'Your bridge also listens in the other domain. It must carry in one direction only: two directions make '
+        'an endless echo.',
+        'one-way',
+    )

@@ -11,17 +11,45 @@ from helpers.runner import about, expect
 pytestmark = [pytest.mark.exercise('4.1'), pytest.mark.wiring(type='request', qos='request')]
 
 
-def gripper(learner, answer, *args, delay=0.0):
-    states, close = learner.listen('/gripper_state', String), learner.talk('/close', Bool, 100)
-    server = learner.serve('/set_gripper', SetBool, answer, delay)
-    learner.start('GripperClient', *args)
-    return states, close, server
-
-
 SLEEPS = (
     'A callback sleeps, and the whole node stands still meanwhile: no answer can come in. The waiting is done by a '
     'timer.'
 )
+
+
+class Gripper:
+    """The learner's client, with its `server`, what the tests `close` it by, and the `states` that it reports."""
+
+    def __init__(self, learner, answer, *args, delay=0.0):
+        self.learner = learner
+        self.states, self.close = learner.listen('/gripper_state', String), learner.talk('/close', Bool, 100)
+        self.server = learner.serve('/set_gripper', SetBool, answer, delay)
+        self.commands = 0  # so many have been given by `command`
+        learner.start('GripperClient', *args)
+
+    def command(self, data, seconds, rule):
+        """Send a command, and let this time pass; returns how many requests it made, at least one."""
+        self.states.clear()
+        self.server.stamps.clear()
+        self.close.send(Bool(data=data))
+        with about(rule):
+            self.learner.run(seconds, step=1.0)
+        expect(not self.learner.slept, SLEEPS, 'timeout')
+        expect(
+            self.server.stamps,
+            f'After {self.commands} commands the next one made no request.'
+            if self.commands
+            else 'A command came on /close, and no request came to the service set_gripper.',
+            'request',
+            hint=True,
+        )
+        expect(
+            self.server.requests[-1].data is data,
+            f'close said {data}, the request says {not data}: send the same data.',
+            'request',
+        )
+        self.commands += 1
+        return len(self.server.stamps)
 
 
 @pytest.mark.rules('request', 'timeout', 'tries')
@@ -34,9 +62,10 @@ def test_silent_server(learner):
     draw = learner.random
     timeout, tries, begin = draw.choice([0.3, 0.45, 1.7, 2.4]), draw.choice([4, 5]), draw.choice([0.7, 1.3, 2.2])
     data = draw.choice([False, True])
-    states, close, server = gripper(learner, None, timeout, tries)
+    gripper = Gripper(learner, None, timeout, tries)
+    states, server = gripper.states, gripper.server
     learner.run(begin)
-    close.send(Bool(data=data))
+    gripper.close.send(Bool(data=data))
     with about('request'):
         learner.settle()
     words = f'GripperClient({timeout}, {tries}), a silent server, a command at {begin} s: '
@@ -93,34 +122,18 @@ def test_answers(learner):
     """
     draw = learner.random
     delay = draw.choice([0.2, 0.5, 0.75])
-    states, close, server = gripper(learner, {'success': True, 'message': draw.choice(['', 'refused'])}, delay=delay)
-
-    def command(data, seconds, rule):
-        states.clear()
-        server.stamps.clear()
-        close.send(Bool(data=data))
-        with about(rule):
-            learner.run(seconds, step=1.0)
-        expect(not learner.slept, SLEEPS, 'timeout')
-        expect(
-            server.stamps,
-            f'After {done} commands the next one made no request.'
-            if done
-            else 'A command came on /close, and no request came to the service set_gripper.',
-            'request',
-            hint=True,
-        )
-        expect(
-            server.requests[-1].data is data,
-            f'close said {data}, the request says {not data}: send the same data.',
-            'request',
-        )
-        return len(server.stamps)
-
-    done = 0
+    gripper = Gripper(learner, {'success': True, 'message': draw.choice(['', 'refused'])}, delay=delay)
     learner.run(draw.choice([0.4, 1.1]), step=1.0)
+    _in_time(gripper, delay)
+    _refused(gripper, draw.choice(['too hot', 'ok']))
+    _late(gripper, draw.choice([1.1, 1.4]))
+
+
+def _in_time(gripper, delay):
+    """Two commands, each of which the server answers after `delay`."""
+    states, server = gripper.states, gripper.server
     for data in (False, True):
-        count = command(data, 0.9, 'answer')
+        count = gripper.command(data, 0.9, 'answer')
         expect(
             states.data,
             f'The server answered with success=True after {delay} s; nothing came on gripper_state.',
@@ -132,16 +145,20 @@ def test_answers(learner):
             f"The server answered with success=True; gripper_state says {states.data}, expected ['ok'].",
             'answer',
         )
-        learner.run(3.5, step=1.0)
+        gripper.learner.run(3.5, step=1.0)
         expect(
             states.data == ['ok'] and len(server.stamps) == count == 1,
             f'One command was answered after {delay} s. It made {len(server.stamps)} requests and the reports '
             f'{states.data}, expected one of each: stop the timer when the answer has come.',
             'once',
         )
-        done += 1
-    server.answer = {'success': False, 'message': draw.choice(['too hot', 'ok'])}
-    count = command(True, 4.5, 'refusal')
+
+
+def _refused(gripper, message):
+    """A command that the server refuses with this message."""
+    states = gripper.states
+    gripper.server.answer = {'success': False, 'message': message}
+    count = gripper.command(True, 4.5, 'refusal')
     expect(
         count == 1,
         f'The server refused, and was asked {count} times: a refusal is an answer, do not try again.',
@@ -152,29 +169,30 @@ def test_answers(learner):
         f"The server answered with success=False; gripper_state says {states.data}, expected ['refused'].",
         'answer',
     )
-    done += 1
-    late = draw.choice([1.1, 1.4])
+
+
+def _late(gripper, late):
+    """A command whose first answer takes `late` seconds, one whose answers all come late, and one after these."""
+    states, server = gripper.states, gripper.server
     server.answer, delays = iter([{'success': True}, {'success': False}]), iter([late, 0.8])
     server.delay = lambda request: next(delays)
-    command(False, 4.5, 'late')
+    gripper.command(False, 4.5, 'late')
     expect(
         states.data == ['refused'],
         f'With the timeout 1 s, the first answer (success=True) came after {late} s, the second (success=False) in '
         f"time; gripper_state says {states.data}, expected ['refused']: what comes after its timeout is ignored.",
         'late',
     )
-    done += 1
     server.answer, server.delay = {'success': True}, 3.4
-    command(True, 7.0, 'late')
+    gripper.command(True, 7.0, 'late')
     expect(
         states.data == ['failed'],
         f'All answers came 3.4 s after their requests; gripper_state says {states.data}, '
         "expected ['failed']: what comes after its timeout is ignored.",
         'late',
     )
-    done += 1
     server.delay = 0.0
-    command(True, 0.5, 'request')
+    gripper.command(True, 0.5, 'request')
     expect(
         states.data == ['ok'],
         f"A command that came after a failed one was answered; gripper_state says {states.data}, expected ['ok'].",
@@ -191,7 +209,16 @@ def test_new_command(learner):
     """
     draw = learner.random
     first, pause, delay = draw.choice([False, True]), draw.choice([0.3, 0.5]), draw.choice([0.65, 0.8])
-    states, close, server = gripper(learner, lambda request: {'success': request.data}, delay=delay)
+    gripper = Gripper(learner, lambda request: {'success': request.data}, delay=delay)
+    _while_a_request_is_open(gripper, first, pause)
+    _while_a_server_is_silent(gripper, first, pause)
+    _ten_at_once(gripper, first)
+
+
+def _while_a_request_is_open(gripper, first, pause):
+    """Two commands, the second one `pause` after the first, whose answer comes later than that."""
+    learner, states, close, server = gripper.learner, gripper.states, gripper.close, gripper.server
+    delay = server.delay
     close.send(Bool(data=first))
     learner.run(pause)
     close.send(Bool(data=not first))
@@ -217,11 +244,16 @@ def test_new_command(learner):
         f'{words}gripper_state says {told}, expected {wanted}: nothing is reported for the old command.',
         'newest',
     )
+
+
+def _while_a_server_is_silent(gripper, first, pause):
+    """Two commands without an answer, the second one in the middle of the tries of the first."""
+    learner, states, server = gripper.learner, gripper.states, gripper.server
     server.answer = None
     states.clear()
     server.stamps.clear()
-    for _ in range(2):  # the second in the middle of the tries of the first
-        close.send(Bool(data=first))
+    for _ in range(2):
+        gripper.close.send(Bool(data=first))
         learner.run(1.0 + pause, step=1.0)
     learner.run(5.0, step=1.0)
     seen, begin = [round(stamp - server.stamps[0], 3) for stamp in server.stamps], round(1.0 + pause, 3)
@@ -237,9 +269,14 @@ def test_new_command(learner):
         f'{states.data}, expected one failed, for the second.',
         'newest',
     )
+
+
+def _ten_at_once(gripper, first):
+    """Ten commands before the node can look: none is lost."""
+    learner, server = gripper.learner, gripper.server
     server.answer, server.delay = {'success': True}, 0.0
     server.stamps.clear()
-    close.send(*[Bool(data=first)] * 10)
+    gripper.close.send(*[Bool(data=first)] * 10)
     learner.run(0.5)
     expect(
         len(server.stamps) == 10,

@@ -135,6 +135,26 @@ def test_published(learner):
     """
     draw = learner.random
     space = draw.choice(['/left', '/right', '/head/front'])
+    client = _start(learner, space)
+    heard, some = learner.listen(f'{space}/camera_info', CameraInfo), Calibrations(learner, client)
+    learner.run(0.2)
+    expect(not heard.messages, 'Something was published on camera_info before a calibration was set.', 'publish')
+    last = _set_three(some, heard)
+    for changes in ({'width': 0}, {'fx': -1.0}, {'cx': -1.0}, {'d': 3}):
+        client.call(camera_info=some.info(**changes))
+        expect(
+            len(heard) == 3,
+            f'After three good calibrations one with {_text(changes)} came, and a message was '
+            'published: a calibration that is refused is not published.',
+            'unchanged',
+        )
+    learner.run(1.0)
+    expect(len(heard) == 3, 'With no new calibration, camera_info was published again.', 'publish')
+    _listen_late(learner, heard.topic, last)
+
+
+def _start(learner, space):
+    """Start the camera in a namespace; returns a client of its service, which is there as its topic is."""
     node = learner.start('Camera', remap={'__ns': space})
     expect(
         node.name == f'{space}/camera',
@@ -150,16 +170,19 @@ def test_published(learner):
         'names without a leading slash.',
         'names',
     )
-    heard, some = learner.listen(topic, CameraInfo), Calibrations(learner, client)
-    learner.run(0.2)
-    expect(not heard.messages, 'Something was published on camera_info before a calibration was set.', 'publish')
+    return client
+
+
+def _set_three(some, heard):
+    """Set three good calibrations, the third one the second again: each is published once. Returns the last one."""
+    draw = some.draw
     for number in range(1, 4):
-        if number < 3:  # the third one is the second again
+        if number < 3:
             info = some.info(fx=draw.uniform(100, 900))
             info.header.frame_id, info.header.stamp.sec = draw.choice(['left_eye', 'lens']), draw.randint(1, 99)
             info.binning_x, info.p[3], info.roi.height = 2, draw.uniform(-60, 0), draw.randint(1, 99)
         expect(
-            client.call(camera_info=info).success,
+            some.client.call(camera_info=info).success,
             'A calibration that breaks no rule was refused. Header, binning, roi and p are not checked.',
             'publish',
         )
@@ -177,16 +200,11 @@ def test_published(learner):
             'publish',
         )
         expect(len(heard) == number, f'{number} good calibrations were published {len(heard)} times.', 'publish')
-    for changes in ({'width': 0}, {'fx': -1.0}, {'cx': -1.0}, {'d': 3}):
-        client.call(camera_info=some.info(**changes))
-        expect(
-            len(heard) == 3,
-            f'After three good calibrations one with {_text(changes)} came, and a message was '
-            'published: a calibration that is refused is not published.',
-            'unchanged',
-        )
-    learner.run(1.0)
-    expect(len(heard) == 3, 'With no new calibration, camera_info was published again.', 'publish')
+    return info
+
+
+def _listen_late(learner, topic, last):
+    """Who begins to listen now gets the last good calibration, and no other."""
     with about('latched'):
         late = learner.late_listener(topic, CameraInfo)  # would take ten
     expect(late.messages, 'A program that starts later gets no calibration: offer TRANSIENT_LOCAL.', 'latched')
@@ -196,7 +214,7 @@ def test_published(learner):
         'latched',
     )
     expect(
-        late.messages == [info],
+        late.messages == [last],
         'A program that starts later gets another calibration than the last good one.',
         'unchanged',
     )

@@ -43,45 +43,55 @@ def test_status(learner):
         learner.run(slow + 0.1, step=1.0)  # the next call comes soon: an answer that is kept is none
         if not call.done:
             learner.run(2.0, step=1.0)
-        expect(
-            call.done or battery.requests or lidar.requests,
-            'status was called; neither battery/check nor lidar/check was asked.',
-            'same-time',
-            hint=True,
-        )
-        expect(call.done, f'{words}status was never answered. {NEVER}', 'one-thread')
-        for part, server in (('battery', battery), ('lidar', lidar)):
-            count = len(server.requests)
-            expect(
-                count == number,
-                f'After {number} call{"s" * (number > 1)} of status {part}/check was asked {count} '
-                f'time{"s" * (count != 1)}, expected {number}.',
-                'fresh' if count else 'same-time',
-            )
-        asked = [round(server.stamps[-1] - begin, 3) for server in (battery, lidar)]
-        expect(
-            asked == [0.0, 0.0],
-            f'{words}They were asked {asked[0]} and {asked[1]} s after the call. Ask both at '
-            'the same time: first two call_async, then two await.',
-            'same-time',
-        )
-        expect(
-            call.received - begin == pytest.approx(slow),
-            f'{words}The status came after {call.received - begin:g} s, expected {slow} s.',
-            'same-time',
-        )
-        wanted = f'battery: {said[0]}; lidar: {said[1]}'
-        expect(
-            call.response.message == wanted,
-            f'{words}The message of the status is {call.response.message!r}, expected {wanted!r}.',
-            'message',
-        )
-        expect(
-            call.response.success is all(good),
-            f'{words}success of the status is {call.response.success}, expected {all(good)}.',
-            'success',
-        )
+        _look_at_questions(call, begin, battery, lidar, number, words)
+        _look_at_status(call, begin, slow, good, said, words)
     expect(len(battery.requests) == 4, 'The battery was asked although nobody had called status.', 'fresh')
+
+
+def _look_at_questions(call, begin, battery, lidar, number, words):
+    """Both parts were asked once for this call, the one with this number, at once."""
+    expect(
+        call.done or battery.requests or lidar.requests,
+        'status was called; neither battery/check nor lidar/check was asked.',
+        'same-time',
+        hint=True,
+    )
+    expect(call.done, f'{words}status was never answered. {NEVER}', 'one-thread')
+    for part, server in (('battery', battery), ('lidar', lidar)):
+        count = len(server.requests)
+        expect(
+            count == number,
+            f'After {number} call{"s" * (number > 1)} of status {part}/check was asked {count} '
+            f'time{"s" * (count != 1)}, expected {number}.',
+            'fresh' if count else 'same-time',
+        )
+    asked = [round(server.stamps[-1] - begin, 3) for server in (battery, lidar)]
+    expect(
+        asked == [0.0, 0.0],
+        f'{words}They were asked {asked[0]} and {asked[1]} s after the call. Ask both at '
+        'the same time: first two call_async, then two await.',
+        'same-time',
+    )
+
+
+def _look_at_status(call, begin, slow, good, said, words):
+    """The status came with the slower answer, and is put together from `good` and `said`: both of each part."""
+    expect(
+        call.received - begin == pytest.approx(slow),
+        f'{words}The status came after {call.received - begin:g} s, expected {slow} s.',
+        'same-time',
+    )
+    wanted = f'battery: {said[0]}; lidar: {said[1]}'
+    expect(
+        call.response.message == wanted,
+        f'{words}The message of the status is {call.response.message!r}, expected {wanted!r}.',
+        'message',
+    )
+    expect(
+        call.response.success is all(good),
+        f'{words}success of the status is {call.response.success}, expected {all(good)}.',
+        'success',
+    )
 
 
 @pytest.mark.rules('names', 'callers')

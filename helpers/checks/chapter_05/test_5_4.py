@@ -72,7 +72,16 @@ def test_standing_robot(learner):
     One round every 0.1 s: wait, steer(), look for a reason to end, else publish. Zeros come after the loop.
     """
     draw, robot = learner.random, Robot(learner)
-    client = robot.client
+    _check_names(learner, robot)
+    goal = _take_first_goal(learner, robot)
+    command = _follow_poses(learner, robot)
+    _reject_while_busy(learner, robot, command)
+    _give_up(learner, robot, goal)
+    _cancel(learner, robot, draw.choice([0.55, 1.15]), draw.uniform(0.3, 1.2))
+
+
+def _check_names(learner, robot):
+    """The node, its topics and its action are in the namespace."""
     expect(
         robot.node.name == f'{robot.space}/driver',
         f'Your node is called {robot.node.name}, expected {robot.space}/driver.',
@@ -80,19 +89,23 @@ def test_standing_robot(learner):
     )
     learner.run(0.3)
     expect(
-        client.name in client.theirs()
+        robot.client.name in robot.client.theirs()
         and learner.endpoints(robot.commands.topic).publishers
         and learner.endpoints(robot.poses.topic).subscriptions,
         f'In the namespace {robot.space} your node has not all of drive_to, turtle1/pose and turtle1/cmd_vel in it: '
         'write the names without a leading slash.',
         'names',
     )
+
+
+def _take_first_goal(learner, robot):
+    """Without a pose no goal is accepted; of two goals that come then, one: returns it."""
     with about('no-pose'):
-        goal = client.send(x=5.0, y=5.0)
+        goal = robot.client.send(x=5.0, y=5.0)
         learner.settle()
     expect(goal.accepted is False, 'No pose had come yet, and a goal was accepted. Where is the robot?', 'no-pose')
     robot.stand(2.0, 2.0)
-    goal, second = client.send(x=9.0, y=2.0), client.send(x=1.0, y=1.0)
+    goal, second = robot.client.send(x=9.0, y=2.0), robot.client.send(x=1.0, y=1.0)
     learner.settle()
     expect(
         goal.accepted,
@@ -113,6 +126,11 @@ def test_standing_robot(learner):
     )
     count = len(robot.commands)
     expect(9 <= count <= 11, f'{count} commands came in the first second, expected one every 0.1 s.', 'steer')
+    return goal
+
+
+def _follow_poses(learner, robot):
+    """Each command fits the newest pose; returns the last one, as speed and turn."""
     for theta, wanted in ((0.0, (2.0, 0.0)), (math.pi / 2, (0.0, -2 * math.pi)), (-0.25, (2.0, 1.0))):
         robot.stand(2.0, 2.0, theta)
         learner.run(0.3)
@@ -124,7 +142,12 @@ def test_standing_robot(learner):
             f'the command is {robot.said()}, expected what steer gives, {wanted}: use the newest pose.',
             'steer',
         )
-    third = client.send(x=2.0, y=8.0)
+    return wanted
+
+
+def _reject_while_busy(learner, robot, wanted):
+    """Another goal is rejected while one runs, and the robot drives on with the command `wanted`."""
+    third = robot.client.send(x=2.0, y=8.0)
     learner.run(0.5)
     expect(third.accepted is False, 'A goal was accepted while another one ran.', 'busy')
     expect(
@@ -133,6 +156,10 @@ def test_standing_robot(learner):
         'as before: the first goal goes on. Take the place from the goal that you execute.',
         'busy',
     )
+
+
+def _give_up(learner, robot, goal):
+    """The goal runs with feedback, and is aborted 20 s after its start."""
     learner.run(17.0)
     expect(
         not goal.done,
@@ -171,7 +198,6 @@ def test_standing_robot(learner):
         'give-up',
     )
     robot.check_end(goal, 'After a goal that was given up, ', 7.0)
-    _cancel(learner, robot, draw.choice([0.55, 1.15]), draw.uniform(0.3, 1.2))
 
 
 def _cancel(learner, robot, seconds, distance):

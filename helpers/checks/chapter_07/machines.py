@@ -32,72 +32,107 @@ def draw(random, *causes: str, plain: bool = False, way: str = '', reach: str = 
     :param way: how the domain is wrong: 'none' (no line), 'only' (one line), 'last' (the last of two lines).
     :param reach: the range that is wrong.
     """
-    (distro, codename), (older, other_codename) = random.sample(RELEASES, 2)
-    want = {'distro': distro, 'codename': codename, 'domain': random.randint(1, 101)}
-    expected = []
+    machine = _Machine(random, causes, plain)
+    sources = machine.sources()
+    lines = [*machine.setups(), *machine.path(), *machine.domain(way), *machine.reach(reach)]
+    files = {'ros2.list': '\n'.join(sources) + '\n', '.bashrc': '\n'.join(lines) + '\n'}
+    return files, machine.want, machine.expected
 
-    def fault(row, cause, line):
-        expected.append((row, '.bashrc' if row != 'A7.1' else 'ros2.list', cause, line))
+
+class _Machine:
+    """Draws the lines of a machine's files with its faults, and notes in `expected` the findings that are right."""
+
+    def __init__(self, random, causes: tuple[str, ...], plain: bool):
+        self._random, self._causes, self._plain = random, causes, plain
+        (self._distro, self._codename), (self._older, self._other_codename) = random.sample(RELEASES, 2)
+        self.want = {'distro': self._distro, 'codename': self._codename, 'domain': random.randint(1, 101)}
+        self.expected: list[tuple] = []
+
+    def sources(self) -> list[str]:
+        """The lines of ros2.list."""
+        key = self._random.choice(
+            [
+                '[signed-by=/usr/share/keyrings/ros-archive-keyring.gpg]',
+                '[arch=amd64 signed-by=/etc/apt/keyrings/ros.gpg]',
+            ]
+        )
+        if 'release' in self._causes:  # the right release stands in the line, but as no release
+            key = f'[signed-by=/usr/share/keyrings/ros-{self._codename}.gpg]'
+        deb = (
+            f'deb {"[arch=amd64]" if "key" in self._causes else key} {_URL} '
+            f'{self._other_codename if "release" in self._causes else self._codename} main'
+        )
+        for cause in ('key', 'release'):
+            if cause in self._causes:
+                self._fault('A7.1', cause, deb)
+        if 'missing' in self._causes:
+            deb = '' if self._plain else '# ' + deb
+            self._fault('A7.1', 'missing', '')
+        return ['# ROS 2', deb] + ([] if self._plain else [f'#deb-src {_URL} {self._other_codename} main'])
+
+    def setups(self) -> list[str]:
+        """The first lines of .bashrc, with what they source."""
+        source = self._setup(self._distro)
+        lines = [
+            '# what every terminal reads',
+            f'export ROBOT=robot{self._random.randint(10, 99)}',
+            "alias ll='ls -l'",
+            f'export PATH=$PATH:/opt/arm{self._random.randint(10, 99)}/bin',
+            'export MANPATH=/opt/arm/man',
+            *([] if self._plain else [f'#source /opt/ros/{self._older}/setup.bash']),
+        ]
+        if 'not sourced' in self._causes:
+            self._fault('A7.2', 'not sourced', '')
+            source = '' if self._plain else self._random.choice(['', f'# {source}', f'  # {source}'])
+        lines.append(source)
+        if 'other' in self._causes:
+            line = self._fault('A7.5', 'other', self._setup(self._older))
+            lines.insert(self._random.choice([2, len(lines)]), line)
+        return lines
+
+    def path(self) -> list[str]:
+        """The line of .bashrc that sets PATH."""
+        folder = f'/opt/tool{self._random.randint(10, 99)}/bin'
+        line = f'{self._export()}PATH={folder}:/usr/bin:/bin'
+        return [self._fault('A7.3', 'PATH', line) if 'PATH' in self._causes else f'export PATH={folder}:$PATH']
+
+    def domain(self, way: str) -> list[str]:
+        """The lines of .bashrc that set the domain; for `way` see `draw`."""
+        right = self.want['domain']
+        wrong = self._random.choice([number for number in range(102) if number != right])
+        if 'domain' not in self._causes:
+            return [f'{self._export()}ROS_DOMAIN_ID={value}' for value in (wrong, right)]
+        way = way or self._random.choice(['none', 'only', 'last'])
+        lines = [f'{self._export()}ROS_DOMAIN_ID={right}'] if way == 'last' else []
+        lines += [] if way == 'none' else [f'{self._export()}ROS_DOMAIN_ID={wrong}']
+        self._fault('A7.7', 'domain', lines[-1] if lines else '')
+        return lines
+
+    def reach(self, wrong: str) -> list[str]:
+        """The lines of .bashrc that set the range of discovery; `wrong`: the range that is, '' for any."""
+        wrong = wrong or self._random.choice(['OFF', 'LOCALHOST'])
+        name = f'{self._export()}ROS_AUTOMATIC_DISCOVERY_RANGE'
+        last = self._fault('A7.7', 'range', f'{name}={wrong}') if 'range' in self._causes else f'{name}=SUBNET'
+        return [f'{name}=SYSTEM_DEFAULT', last]
+
+    def _fault(self, row: str, cause: str, line: str) -> str:
+        """Note a finding; returns the line."""
+        self.expected.append((row, '.bashrc' if row != 'A7.1' else 'ros2.list', cause, line))
         return line
 
-    key = random.choice(
-        ['[signed-by=/usr/share/keyrings/ros-archive-keyring.gpg]', '[arch=amd64 signed-by=/etc/apt/keyrings/ros.gpg]']
-    )
-    if 'release' in causes:  # the right release stands in the line, but as no release
-        key = f'[signed-by=/usr/share/keyrings/ros-{codename}.gpg]'
-    deb = (
-        f'deb {"[arch=amd64]" if "key" in causes else key} {_URL} '
-        f'{other_codename if "release" in causes else codename} main'
-    )
-    for cause in ('key', 'release'):
-        if cause in causes:
-            fault('A7.1', cause, deb)
-    if 'missing' in causes:
-        deb = '' if plain else '# ' + deb
-        fault('A7.1', 'missing', '')
-    sources = ['# ROS 2', deb] + ([] if plain else [f'#deb-src {_URL} {other_codename} main'])
-
-    def setup(name):
-        if plain:
-            return f'source /opt/ros/{name}/setup.bash'
+    def _setup(self, distro: str) -> str:
+        """A line that sources a distribution."""
+        if self._plain:
+            return f'source /opt/ros/{distro}/setup.bash'
+        choice = self._random.choice
         return (
-            f'{random.choice(["source", "."])} {random.choice(["", "", "~", "/home/ada"])}/opt/ros/{name}/setup.'
-            f'{random.choice(["bash", "sh"])}'
+            f'{choice(["source", "."])} {choice(["", "", "~", "/home/ada"])}/opt/ros/{distro}/setup.'
+            f'{choice(["bash", "sh"])}'
         )
 
-    source = setup(distro)
-    lines = [
-        '# what every terminal reads',
-        f'export ROBOT=robot{random.randint(10, 99)}',
-        "alias ll='ls -l'",
-        f'export PATH=$PATH:/opt/arm{random.randint(10, 99)}/bin',
-        'export MANPATH=/opt/arm/man',
-        *([] if plain else [f'#source /opt/ros/{older}/setup.bash']),
-    ]
-    if 'not sourced' in causes:
-        fault('A7.2', 'not sourced', '')
-        source = '' if plain else random.choice(['', f'# {source}', f'  # {source}'])
-    lines.append(source)
-    if 'other' in causes:
-        line = fault('A7.5', 'other', setup(older))
-        lines.insert(random.choice([2, len(lines)]), line)
-    ways = ['export '] if plain else ['export ', '']
-    folder = f'/opt/tool{random.randint(10, 99)}/bin'
-    line = f'{random.choice(ways)}PATH={folder}:/usr/bin:/bin'
-    lines.append(fault('A7.3', 'PATH', line) if 'PATH' in causes else f'export PATH={folder}:$PATH')
-    wrong = random.choice([number for number in range(102) if number != want['domain']])
-    if 'domain' in causes:
-        way = way or random.choice(['none', 'only', 'last'])
-        lines += [f'{random.choice(ways)}ROS_DOMAIN_ID={want["domain"]}'] if way == 'last' else []
-        lines += [] if way == 'none' else [f'{random.choice(ways)}ROS_DOMAIN_ID={wrong}']
-        fault('A7.7', 'domain', lines[-1] if way != 'none' else '')
-    else:
-        lines += [f'{random.choice(ways)}ROS_DOMAIN_ID={value}' for value in (wrong, want['domain'])]
-    reach = reach or random.choice(['OFF', 'LOCALHOST'])
-    name = f'{random.choice(ways)}ROS_AUTOMATIC_DISCOVERY_RANGE'
-    lines.append(f'{name}=SYSTEM_DEFAULT')
-    lines.append(fault('A7.7', 'range', f'{name}={reach}') if 'range' in causes else f'{name}=SUBNET')
-    return {'ros2.list': '\n'.join(sources) + '\n', '.bashrc': '\n'.join(lines) + '\n'}, want, expected
+    def _export(self) -> str:
+        """The word before a variable, or nothing."""
+        return self._random.choice(['export '] if self._plain else ['export ', ''])
 
 
 def diagnose(learner, files: dict, want: dict, expected: list[tuple], rule: str = '') -> None:

@@ -38,57 +38,8 @@ def draw(random, *states: str, plain: bool = False) -> tuple[str, dict[str, str]
     ``waits in main`` (``call`` outside of a callback, which is no finding). :param plain: each thread has one own call
     besides that in main, and no file is called as one of rclpy's.
     """
-    rclpy = random.choice(_RCLPY)
-    nodes = random.sample(words.SERVICES, 3)
-    files, expected, threads = {}, [], []
-    # One file has the name of a file of rclpy: only the folder tells them apart.
-    names = [
-        f'{nodes[0][1]}.py',
-        f'{nodes[1][1]}.py',
-        'tools.py' if plain else random.choice(['client.py', 'executors.py', 'task.py']),
-    ]
-    folder = f'/home/{random.choice(["ada", "linus"])}/{random.choice(words.ROBOTS)}'
-    lines = {name: [f'# line {number} of {name}' for number in range(1, 60)] for name in names}
-
-    def own(code: str, function: str) -> str:
-        name = random.choice(names)
-        number = random.choice([n for n in range(5, 58) if lines[name][n - 1].startswith('#')])
-        lines[name][number - 1] = f'        {code}'
-        return _frame(f'{folder}/{name}', number, function)
-
-    def library(*calls: str) -> list[str]:
-        return [
-            _frame(f'{rclpy}/{file}', random.randint(50, 900), function)
-            for file, function in (call.split() for call in calls)
-        ]
-
-    for state in states:
-        callback = f'on_{random.choice(["timer", "scan", "request", "goal", "button"])}'
-        wait = ['  File "/usr/lib/python3.12/threading.py", line 355 in wait']
-        older = not plain and random.random() < 0.5
-        helper = [own('self.step()', callback)] if older else []  # the older of two own calls
-        function = random.choice(['step', 'work']) if helper else callback
-        outer = [*helper, *library(*_OUTER, *_SPIN), own('executor.spin()', 'main')]
-        newest = {
-            'server': library('client.py wait_for_service'),
-            'call': wait + library('client.py call'),
-            'spin': library('executors.py spin_until_future_complete', '__init__.py spin_until_future_complete'),
-            'busy': [],
-        }
-        if state == 'spinning':
-            threads.append(
-                [*library('executors.py _wait_for_ready_callbacks', *_SPIN), own('rclpy.spin(node)', 'main')]
-            )
-        elif state == 'idle':
-            threads.append([*wait, '  File "/usr/lib/python3.12/concurrent/futures/thread.py", line 90 in _worker'])
-        elif state == 'waits in main':
-            threads.append([*wait, *library('client.py call'), own('client.call(request)', 'main')])
-        else:
-            if state == 'server' and random.random() < 0.5:  # not in a callback
-                function, outer = 'main', []
-            threads.append([*newest[state], own(_LINES[state], function), *outer])
-            expected.append(('A7.8' if state == 'server' else 'A7.9', function, state, _LINES[state]))
-    files = {name: '\n'.join(text) + '\n' for name, text in lines.items()}
+    program = _Program(random, plain)
+    threads = [program.thread(state) for state in states]
     text = '\n\n'.join(
         '\n'.join([f'{head} (most recent call first):', *thread])
         for head, thread in zip(
@@ -97,7 +48,71 @@ def draw(random, *states: str, plain: bool = False) -> tuple[str, dict[str, str]
             strict=True,
         )
     )
-    return text, files, expected
+    return text, program.files, program.expected
+
+
+class _Program:
+    """Draws the threads of a program, line by line; `expected`: the findings in those that it has drawn."""
+
+    def __init__(self, random, plain: bool):
+        self._random, self._plain = random, plain
+        self._rclpy = random.choice(_RCLPY)
+        nodes = random.sample(words.SERVICES, 3)
+        # One file has the name of a file of rclpy: only the folder tells them apart.
+        names = [
+            f'{nodes[0][1]}.py',
+            f'{nodes[1][1]}.py',
+            'tools.py' if plain else random.choice(['client.py', 'executors.py', 'task.py']),
+        ]
+        self._folder = f'/home/{random.choice(["ada", "linus"])}/{random.choice(words.ROBOTS)}'
+        self._lines = {name: [f'# line {number} of {name}' for number in range(1, 60)] for name in names}
+        self.expected: list[tuple] = []
+
+    @property
+    def files(self) -> dict[str, str]:
+        """The program's files, by name."""
+        return {name: '\n'.join(text) + '\n' for name, text in self._lines.items()}
+
+    def thread(self, state: str) -> list[str]:
+        """The stack of a thread in this state, the newest call first."""
+        random = self._random
+        callback = f'on_{random.choice(["timer", "scan", "request", "goal", "button"])}'
+        wait = ['  File "/usr/lib/python3.12/threading.py", line 355 in wait']
+        older = not self._plain and random.random() < 0.5
+        helper = [self._own('self.step()', callback)] if older else []  # the older of two own calls
+        function = random.choice(['step', 'work']) if helper else callback
+        outer = [*helper, *self._library(*_OUTER, *_SPIN), self._own('executor.spin()', 'main')]
+        newest = {
+            'server': self._library('client.py wait_for_service'),
+            'call': wait + self._library('client.py call'),
+            'spin': self._library('executors.py spin_until_future_complete', '__init__.py spin_until_future_complete'),
+            'busy': [],
+        }
+        if state == 'spinning':
+            calls = self._library('executors.py _wait_for_ready_callbacks', *_SPIN)
+            return [*calls, self._own('rclpy.spin(node)', 'main')]
+        if state == 'idle':
+            return [*wait, '  File "/usr/lib/python3.12/concurrent/futures/thread.py", line 90 in _worker']
+        if state == 'waits in main':
+            return [*wait, *self._library('client.py call'), self._own('client.call(request)', 'main')]
+        if state == 'server' and random.random() < 0.5:  # not in a callback
+            function, outer = 'main', []
+        self.expected.append(('A7.8' if state == 'server' else 'A7.9', function, state, _LINES[state]))
+        return [*newest[state], self._own(_LINES[state], function), *outer]
+
+    def _own(self, code: str, function: str) -> str:
+        """A call in one of the program's files, into which the code is written."""
+        name = self._random.choice(list(self._lines))
+        number = self._random.choice([n for n in range(5, 58) if self._lines[name][n - 1].startswith('#')])
+        self._lines[name][number - 1] = f'        {code}'
+        return _frame(f'{self._folder}/{name}', number, function)
+
+    def _library(self, *calls: str) -> list[str]:
+        """Calls in files of rclpy."""
+        return [
+            _frame(f'{self._rclpy}/{file}', self._random.randint(50, 900), function)
+            for file, function in (call.split() for call in calls)
+        ]
 
 
 def diagnose(learner, *states: str, rule: str = '', plain: bool = False) -> None:

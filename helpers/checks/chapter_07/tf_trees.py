@@ -23,6 +23,20 @@ _ROOTS, _SENSORS = ('map', 'odom', 'world'), ('laser', 'camera', 'gripper', 'son
 _FIXED = ('mast', 'plate', 'bracket', 'housing')
 
 
+class _Faults:
+    """In what the published transforms differ from the tree; edges are named by their child."""
+
+    def __init__(self):
+        self.names: dict[tuple[str, str], str] = {}  # (edge, 'parent' or 'child') -> what is published instead
+        self.exchanged = ''  # the edge whose parent and child change places
+        self.ages: dict[str, float] = {}  # edge -> age of its newest transform, in seconds
+
+    def published(self, parent: str, child: str) -> tuple[str, str]:
+        """The parent and the child that are published for an edge."""
+        names = self.names.get((child, 'parent'), parent), self.names.get((child, 'child'), child)
+        return names[::-1] if child == self.exchanged else names
+
+
 class Tree:
     """A drawn robot: `moving`, `static`, `target`, `source`, `now`; the `expected` findings, and the `truth`."""
 
@@ -51,44 +65,46 @@ class Tree:
             sum(numbers[child][axis] for child in ('platform', middle, fixed, self.source)) for axis in range(3)
         ]
         self.expected: list[tuple] = []
-        names = {}  # (child of the edge, 'parent' or 'child') -> what is published instead
-        exchanged, ages = '', {}
-        for cause in causes:
-            if cause == 'unknown':
-                wrong = self._misspelt(self.source) if near else 'thermometer'
-                names[self.source, 'child'] = wrong
-                self._found(self.source, 'unknown', wrong if near else '')
-            elif cause == 'not connected':
-                parent, child = ('platform', middle) if moves else (middle, fixed)
-                wrong = self._misspelt(parent) if near else 'pedestal'
-                names[child, 'parent'] = wrong
-                self._found(wrong, 'not connected', parent if near else '')
-            elif cause == 'two parents':
-                exchanged = middle if moves else random.choice([other, fixed])
-                self._found('platform' if moves else middle, 'two parents', exchanged)
-            elif cause == 'old':
-                for child in random.choice([[middle], ['platform'], ['platform', middle]]):
-                    ages[child] = random.randint(11, 95) / 10
-                    self._found(child, 'old', f'{ages[child]:.1f}')
+        faults = self._draw_faults(causes, near, moves, (middle, fixed, other))
         lower = [one[1] for one in self.expected if one[2] == 'not connected'] if decoy else []
         for wrong in lower:
             edges.append((self.source, f'{wrong}2', False))
             numbers[f'{wrong}2'] = [0.1, 0.0, 0.0]
         self.moving, self.static = [], []
         for parent, child, moving in edges:
-            published = names.get((child, 'parent'), parent), names.get((child, 'child'), child)
-            if child == exchanged:
-                published = published[::-1]
+            published = faults.published(parent, child)
             if not moving:
                 self.static.append(_transform(*published, numbers[child], 0.0))
                 continue
             for back in range(4, -1, -1):  # what has come on /tf, the newest one last but for a late one
-                stamp = self.now - ages.get(child, random.randint(0, 9) / 10) - back
+                stamp = self.now - faults.ages.get(child, random.randint(0, 9) / 10) - back
                 self.moving.append(_transform(*published, numbers[child], stamp))
         # An end of the tree that has stopped, and is not on the way.
         self.moving.append(_transform(other, 'lid', [0.0, 0.0, 0.1], self.now - 30.0))
         random.shuffle(self.moving)
         random.shuffle(self.static)
+
+    def _draw_faults(self, causes, near: bool, moves: bool, frames: tuple[str, str, str]) -> '_Faults':
+        """Draw these faults into the edges to some of the frames, and note what is to be found."""
+        faults, (middle, fixed, other) = _Faults(), frames
+        for cause in causes:
+            if cause == 'unknown':
+                wrong = self._misspelt(self.source) if near else 'thermometer'
+                faults.names[self.source, 'child'] = wrong
+                self._found(self.source, 'unknown', wrong if near else '')
+            elif cause == 'not connected':
+                parent, child = ('platform', middle) if moves else (middle, fixed)
+                wrong = self._misspelt(parent) if near else 'pedestal'
+                faults.names[child, 'parent'] = wrong
+                self._found(wrong, 'not connected', parent if near else '')
+            elif cause == 'two parents':
+                faults.exchanged = middle if moves else self._random.choice([other, fixed])
+                self._found('platform' if moves else middle, 'two parents', faults.exchanged)
+            elif cause == 'old':
+                for child in self._random.choice([[middle], ['platform'], ['platform', middle]]):
+                    faults.ages[child] = self._random.randint(11, 95) / 10
+                    self._found(child, 'old', f'{faults.ages[child]:.1f}')
+        return faults
 
     @property
     def arguments(self) -> tuple:

@@ -161,7 +161,15 @@ def judge_limit(governed: Governed, limit: float, period: float) -> None:
 
 def judge_changes(governed: Governed, limit: float, rate: float) -> None:
     """The rules `at-once`, `newest`, `new-rate` and `refused`, with the mode normal and this limit and rate."""
-    draw, period = governed.learner.random, 1 / rate
+    limit = _judge_new_limits(governed, limit, rate)
+    _judge_refused(governed, limit, rate)
+    rate = _judge_new_rate(governed, rate)
+    _judge_new_modes(governed, rate)
+
+
+def _judge_new_limits(governed: Governed, limit: float, rate: float) -> float:
+    """A command that is too fast, while `max_linear` changes twice; returns the limit that is left."""
+    period = 1 / rate
     governed.send(command(3.0, 0.5))
     governed.newest(period, 'rhythm')
     speeds = [one.linear.x for one in governed.after(2 * period)]
@@ -189,8 +197,14 @@ def judge_changes(governed: Governed, limit: float, rate: float) -> None:
         'After a change of max_linear, the messages come at other moments. Only a new rate begins with a new period.',
         'new-rate',
     )
+    return other
+
+
+def _judge_refused(governed: Governed, limit: float, rate: float) -> None:
+    """Requests of which one part is wrong: refused, and nothing is changed by them."""
+    period = 1 / rate
     for bad in (
-        {'max_linear': round(other + 0.1, 2), 'mode': 'fast'},
+        {'max_linear': round(limit + 0.1, 2), 'mode': 'fast'},
         {'mode': 'turbo'},
         {'rate': 2 * rate, 'mode': 'Slow'},
         {'mode': 'slow', 'slow_linear': 2.5},
@@ -203,12 +217,16 @@ def judge_changes(governed: Governed, limit: float, rate: float) -> None:
         came = governed.after(2 * period)
         speeds = sorted({one.linear.x for one in came})
         expect(
-            len(came) == 2 and speeds == pytest.approx([other]),
+            len(came) == 2 and speeds == pytest.approx([limit]),
             f'The request {shown(bad)} was refused, and yet the node works in another way since then: {len(came)} '
             f'messages in {2 * period:g} s, linear.x {speeds}. While you check, store and change nothing.',
             'refused',
         )
-    new = draw.choice([one for one in (4.0, 5.0, 8.0, 20.0, 25.0) if one != rate])
+
+
+def _judge_new_rate(governed: Governed, rate: float) -> float:
+    """Another rate, which begins with a new period; returns it."""
+    new = governed.learner.random.choice([one for one in (4.0, 5.0, 8.0, 20.0, 25.0) if one != rate])
     governed.accepts('new-rate', rate=new)
     begin = governed.learner.now / 1e9
     governed.after(3.5 / new)
@@ -219,8 +237,13 @@ def judge_changes(governed: Governed, limit: float, rate: float) -> None:
         f'{1 / new:g} s.' + (' Does the old timer still run?' if len(at) > 3 else ''),
         'new-rate',
     )
+    return new
+
+
+def _judge_new_modes(governed: Governed, rate: float) -> None:
+    """The modes stop and slow, while the newest command is too fast for both."""
     governed.accepts('at-once', mode='stop')
-    got = governed.newest(1 / new, 'at-once')
+    got = governed.newest(1 / rate, 'at-once')
     expect(
         got == Twist(),
         f'The mode was changed to stop, and the next message says linear.x {got.linear.x:g}, '
@@ -229,7 +252,7 @@ def judge_changes(governed: Governed, limit: float, rate: float) -> None:
     )
     slow = governed.parameters.get('slow_linear')
     governed.accepts('at-once', mode='slow')
-    got = governed.newest(1 / new, 'at-once')
+    got = governed.newest(1 / rate, 'at-once')
     expect(
         got.linear.x == pytest.approx(slow),
         f'The newest command is 3.0 m/s. The mode was changed from stop to slow, and the next message says linear.x '

@@ -124,20 +124,38 @@ def judge_table(learner, namespace: str, parameters: Parameters) -> None:
 
 def judge_stations(keeper: Keeper) -> None:
     """The rules `station`, `new-place`, `unknown`, `bad-station`, `message` and `unchanged`."""
-    draw = keeper.learner.random
-    names = draw.sample(NAMES, 4)
+    names = keeper.learner.random.sample(NAMES, 4)
     nobody = names.pop()
+    wanted = _judge_new_stations(keeper, names)
+    for name in (nobody, names[0] + 's', names[0].upper()):
+        found = keeper.place(name, 'unknown')
+        expect(found is None, f'place({name!r}) is {found}, and nobody has set this station: expected None.', 'unknown')
+    _judge_bad_stations(keeper, wanted, names[1], nobody)
+    other = keeper.learner.start('StationKeeper', beside=keeper.node)
+    found = other.call('place', names[1])
+    expect(
+        found is None,
+        f'A second robot in the same program was told nothing, and its place({names[1]!r}) is {found}: '
+        'the stations belong to the object, not to the class.',
+        'unknown',
+    )
+
+
+def _judge_places(keeper: Keeper, wanted: dict[str, list[float]], what: str, rule: str) -> None:
+    """`place` knows all these stations. `what`: what has happened before."""
+    for name in wanted:
+        found = keeper.place(name, rule)
+        expect(
+            isinstance(found, (list, tuple)) and list(found) == wanted[name],
+            f'{what}, place({name!r}) is {found}, expected {tuple(wanted[name])}.',
+            rule,
+        )
+
+
+def _judge_new_stations(keeper: Keeper, names: list[str]) -> dict[str, list[float]]:
+    """Set these stations, and the first one again; returns where they are."""
+    draw = keeper.learner.random
     wanted: dict[str, list[float]] = {}
-
-    def where(what: str, rule: str) -> None:
-        for name in wanted:
-            found = keeper.place(name, rule)
-            expect(
-                isinstance(found, (list, tuple)) and list(found) == wanted[name],
-                f'{what}, place({name!r}) is {found}, expected {tuple(wanted[name])}.',
-                rule,
-            )
-
     for name in names:
         wanted[name] = [draw.randint(-40, 40) / 10, draw.randint(-40, 40) / 10]
         response = keeper.set(name, *wanted[name])
@@ -152,18 +170,19 @@ def judge_stations(keeper: Keeper) -> None:
             f'After set_station, place({name!r}) is {found}, expected {tuple(wanted[name])}.',
             'station',
         )
-        where(f'After {name!r} was set', 'new-place')
+        _judge_places(keeper, wanted, f'After {name!r} was set', 'new-place')
     wanted[names[0]] = [0.0, draw.randint(-40, 40) / 10]
     expect(
         keeper.set(names[0], *wanted[names[0]], 'new-place').success,
         f'A new place for {names[0]!r} was refused.',
         'new-place',
     )
-    where(f'After {names[0]!r} got a new place', 'new-place')
-    for name in (nobody, names[0] + 's', names[0].upper()):
-        found = keeper.place(name, 'unknown')
-        expect(found is None, f'place({name!r}) is {found}, and nobody has set this station: expected None.', 'unknown')
-    known = names[1]
+    _judge_places(keeper, wanted, f'After {names[0]!r} got a new place', 'new-place')
+    return wanted
+
+
+def _judge_bad_stations(keeper: Keeper, wanted: dict[str, list[float]], known: str, nobody: str) -> None:
+    """Stations that are refused, for a name that is `known` and one that nobody has set: `wanted` stays as it is."""
     for name, x, y in (
         ('', 1.0, 1.0),
         (known, math.nan, 1.0),
@@ -176,18 +195,10 @@ def judge_stations(keeper: Keeper) -> None:
         told = f'The station {name!r} at ({x:g}, {y:g})'
         expect(not response.success, f'{told} was accepted.', 'bad-station')
         expect(response.message.strip(), f'{told} was refused without a message.', 'message')
-        where(f'{told} was refused, and now', 'unchanged')
+        _judge_places(keeper, wanted, f'{told} was refused, and now', 'unchanged')
         for other in (one for one in (name,) if one not in wanted):
             expect(
                 keeper.place(other, 'unchanged') is None,
                 f'{told} was refused, and yet it is a station now.',
                 'unchanged',
             )
-    other = keeper.learner.start('StationKeeper', beside=keeper.node)
-    found = other.call('place', known)
-    expect(
-        found is None,
-        f'A second robot in the same program was told nothing, and its place({known!r}) is {found}: '
-        'the stations belong to the object, not to the class.',
-        'unknown',
-    )

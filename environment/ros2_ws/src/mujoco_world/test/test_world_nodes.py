@@ -51,6 +51,15 @@ def test_the_launched_world_has_the_frames_and_topics_of_its_robot_and_can_be_dr
     command = peer.publisher(Twist, '/cmd_vel')
     # Time is nobody's but the world's.
     peer.until(lambda: all(heard.values()), 'a message on each topic')
+    expect_frames(peer, buffer)
+    expect_messages({topic: messages[-1] for topic, messages in heard.items()})
+    expect_driving(launched, peer, command, heard['/odom'])
+    expect_services(peer, heard['/odom'])
+    expect_parameters(peer, heard['/scan'])
+
+
+def expect_frames(peer, buffer):
+    """REP 105: map -> odom -> base_footprint, and below it the robot's own."""
     peer.until(
         lambda: all(
             buffer.can_transform('map', frame, Time())
@@ -58,7 +67,6 @@ def test_the_launched_world_has_the_frames_and_topics_of_its_robot_and_can_be_dr
         ),
         'the frames',
     )
-    # REP 105: map -> odom -> base_footprint, and below it the robot's own.
     tree = yaml.safe_load(buffer.all_frames_as_yaml())
     parents = {frame: entry['parent'] for frame, entry in tree.items()}
     assert parents == {
@@ -72,25 +80,32 @@ def test_the_launched_world_has_the_frames_and_topics_of_its_robot_and_can_be_dr
         'left_wheel': 'base_link',
         'right_wheel': 'base_link',
     }
-    scan, odometry, info = heard['/scan'][-1], heard['/odom'][-1], heard['/camera_info'][-1]
+
+
+def expect_messages(newest):
+    """The newest message of each topic is the robot's."""
+    scan, odometry, info = newest['/scan'], newest['/odom'], newest['/camera_info']
     assert (scan.header.frame_id, info.header.frame_id) == ('laser', 'camera_optical_frame')
     assert (odometry.header.frame_id, odometry.child_frame_id) == ('odom', 'base_footprint')
     assert info.k[0] == pytest.approx(info.width / 2 / math.tan(0.6)) and info.k[2] == info.width / 2
-    assert heard['/joint_states'][-1].name == ['left_wheel_joint', 'right_wheel_joint']
+    assert newest['/joint_states'].name == ['left_wheel_joint', 'right_wheel_joint']
     assert len(scan.ranges) == 360 and scan.ranges[180] == pytest.approx(3.95, abs=0.06)
 
-    # A command counts for half a second, and one that is no number for nothing.
+
+def expect_driving(launched, peer, command, odometry):
+    """A command counts for half a second, and one that is no number for nothing."""
     twist = Twist()
     twist.linear.x = math.nan
     command.publish(twist)
     twist.linear.x = 0.5
     command.publish(twist)
-    odometry = heard['/odom']
     peer.until(lambda: odometry[-1].pose.pose.position.x > 0.1, 'the robot drives')
     peer.until(lambda: odometry[-1].twist.twist.linear.x < 0.001, 'the robot stops')
     launched.wait_for_output('ignoring a message on cmd_vel', timeout=30)
 
-    # Services: pause, one step, reset.
+
+def expect_services(peer, odometry):
+    """Pause, one step, reset. The world is paused then."""
     assert peer.call(SetBool, '/world/pause', data=True).success
     first = peer.call(Trigger, '/world/step').message
     second = peer.call(Trigger, '/world/step').message
@@ -99,7 +114,10 @@ def test_the_launched_world_has_the_frames_and_topics_of_its_robot_and_can_be_dr
     peer.call(Trigger, '/world/step')
     peer.until(lambda: abs(odometry[-1].pose.pose.position.x) < 0.001, 'the robot at its start')
 
-    # Parameters that can be changed, and one that cannot.
+
+def expect_parameters(peer, scans):
+    """Parameters that can be changed, and one that cannot; the world, which is paused, goes on."""
+
     def set_to(name, kind, **value):
         one = Parameter(name=name, value=ParameterValue(type=kind, **value))
         return peer.call(SetParameters, '/world/set_parameters', parameters=[one]).results[0].successful
@@ -110,7 +128,6 @@ def test_the_launched_world_has_the_frames_and_topics_of_its_robot_and_can_be_dr
     assert not set_to('odometry_noise', double, double_value=math.nan)
     assert not set_to('scene', ParameterType.PARAMETER_STRING, string_value='empty')
     peer.call(SetBool, '/world/pause', data=False)
-    scans = heard['/scan']
     peer.until(lambda: max(scans[-1].ranges[179:182]) - min(scans[-1].ranges[179:182]) > 0.1, 'noise on the scan')
 
 
