@@ -61,7 +61,7 @@ class Server:
         given, answer, write = os.memfd_create('given'), *os.pipe()
         try:
             with open(given, 'w+b', closefd=False) as file:
-                pickle.dump((task, arguments), file)  # from here to a process of ours; never back
+                pickle.dump((os.getcwd(), task, arguments), file)  # from here to a process of ours; never back
             socket.send_fds(self._requests, [b'read'], [given, write])
         except OSError:
             os.close(answer)
@@ -155,7 +155,8 @@ def _read(given: int, answer: int) -> None:
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     with open(given, 'rb') as file:
         file.seek(0)
-        task, arguments = pickle.load(file)
+        folder, task, arguments = pickle.load(file)
+    os.chdir(folder)  # paths may be relative, and the server was started elsewhere
     module, _, function = task.partition(':')
     value, blobs = getattr(importlib.import_module(module), function)(*arguments)
     _write(answer, value, blobs)

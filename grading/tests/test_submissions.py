@@ -7,6 +7,7 @@ import stat
 import time
 import unicodedata
 import zipfile
+from pathlib import Path
 
 import pytest
 
@@ -403,6 +404,13 @@ def test_reading_takes_no_time(tmp_path, source):
     found = submissions.read(tmp_path / 'eve.ipynb').programs([small.exercise()], [small.exercise()])
     assert '90.1' in found.programs
     assert time.monotonic() - begin < 10
+
+
+def test_a_relative_path_is_one_of_this_moment(tmp_path, monkeypatch):
+    """The reader's server was started in another folder."""
+    submissions.find([work(tmp_path / 'eve.ipynb')])
+    monkeypatch.chdir(tmp_path)
+    assert [one.learner for one in submissions.find([Path('eve.ipynb')])] == ['eve']
 
 
 def test_what_cannot_be_read_is_that_submissions_own(tmp_path):

@@ -19,7 +19,8 @@ MUTANTS = [
            expect='A callback that spins', **STACKS),
     Mutant('no_busy', old=CAUSE, new="cause = 'call' if ('client.py', 'call') in newer else 'spin' if spins else ''",
            breaks='busy', expect='does not return', **STACKS),
-    Mutant('main_thread_too', old=CALLBACK, new='if not cause:', expect='there is no such fault', **HEALTHY),
+    Mutant('main_thread_too', old=CALLBACK, new='if not cause:', expect='there is no such fault',
+           breaks='healthy', also=('all', 'spin')),
     Mutant('call_in_main_too', old='return found\n', new="""
     for thread in re.split(THREAD, stacks):
         if 'in call' in thread and 'await_or_execute' not in thread:

@@ -87,7 +87,7 @@ MUTANTS = [
                 command.linear.y, command.angular.x = self.command.linear.y, self.command.angular.x
             '''),), expect='Publish a new Twist', breaks='other-fields'),
     Mutant('slow_is_normal', old="'slow_linear' if mode == 'slow' else 'max_linear'", new="'max_linear'",
-           expect='Started with mode', breaks='modes'),
+           expect='Started with mode', breaks='modes', also='at-once'),
     Mutant('stop_still_turns', edits=(("if mode != 'stop':", "if mode == 'stop':\n    limit = 0.0\nif True:\n"),),
            expect="Started with mode = 'stop'", breaks='modes', also='at-once'),
     Mutant('waits_for_a_command',
