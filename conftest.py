@@ -49,6 +49,18 @@ def _scope(item):
     return item.nodeid.rpartition('::')[0]
 
 
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    """Give the tests of a module to one worker, but each of those that stand for themselves and take long to any."""
+    from xdist.scheduler import LoadScopeScheduling
+
+    class Scheduling(LoadScopeScheduling):
+        def _split_scope(self, nodeid):
+            return nodeid if 'test_validity.py' in nodeid else super()._split_scope(nodeid)
+
+    return Scheduling(config, log) if config.getvalue('dist') == 'loadscope' else None
+
+
 def _sample(config, items):
     """Leave out what costs much and seldom finds more than the rest: a part of each sample, as the seed draws it."""
     seen, left_out = Counter(), []

@@ -112,7 +112,7 @@ def programs(files: dict[str, bytes], notebook: str, exercises: list[Exercise], 
     except InvalidSubmission as problem:
         cells, without = None, (verdicts.INVALID_SUBMISSION, str(problem))
     for exercise in exercises:
-        if cells is None and not exercise.folder:
+        if cells is None and not packages.handed_in(exercise, files):
             whys[exercise.id] = without
             continue
         try:

@@ -1,8 +1,8 @@
 """Do the graders judge rightly? Every chapter's solution, unsolved notebook, wrong solutions and alternatives.
 
 Variants of different exercises share a notebook, so that there are as many runs as the richest exercise has variants.
-Of a wrong solution's exercise only the tests run that look at the rule which it breaks. Only some answers to each
-exercise run, drawn by the seed that pytest prints (COURSE_SAMPLE), so that ten runs see nearly all of them.
+Of a wrong solution's exercise only the tests run that look at the rule which it breaks. Only some answers run, drawn by
+the seed that pytest prints (COURSE_SAMPLE).
 COURSE_ALL_TESTS=1 in the environment leaves nothing out. After a change of one exercise `./course answers 3.1` tries
 all of its answers.
 """
@@ -19,10 +19,12 @@ from grading.submissions import Submission
 from helpers import paths
 from helpers.exercises import manifest, notebooks, program
 
-pytestmark = pytest.mark.timeout(600)
+pytestmark = [pytest.mark.timeout(600), pytest.mark.early]
 ALL_TESTS = bool(os.environ.get('COURSE_ALL_TESTS'))
-SOME = {'mutants': 2, 'alternatives': 1}  # so many answers to each exercise run by default, drawn anew each time,
-SOME_ALONE = 1  # or so many, where each needs a notebook of its own
+ONE_OF = {
+    'mutants': 2,
+    'alternatives': 4,
+}  # by default an answer runs to one of so many exercises, drawn anew each time
 EXERCISES = manifest.load()
 CHAPTERS = {chapters.read(path).number: path for path in chapters.sources(paths.ROOT / 'solutions')}
 VARIANTS = {
@@ -41,7 +43,8 @@ def layers(kind, number):
     """Variants of different exercises of a chapter, side by side: one notebook each. Some want one of their own."""
     mine = [answer for answer in ANSWERS[kind] if EXERCISES[answer.exercise].chapter == number]
     if not ALL_TESTS:
-        mine = [answer for identity in EXERCISES for answer in _some(kind, identity, mine)]
+        some = [answer for identity in EXERCISES for answer in _some(kind, identity, mine)]
+        mine = some or random.Random(os.environ.get('COURSE_SAMPLE')).sample(mine, 1)
     columns = [
         [answer for answer in mine if answer.exercise == identity and not answer.variant.alone]
         for identity in EXERCISES
@@ -51,11 +54,10 @@ def layers(kind, number):
 
 
 def _some(kind, identity, answers):
-    """The answers to an exercise that run by default."""
+    """The answer to an exercise that runs by default, or none."""
     mine = [answer for answer in answers if answer.exercise == identity]
-    count = SOME_ALONE if any(answer.variant.alone for answer in mine) else SOME[kind]
     drawn = random.Random(f'{os.environ.get("COURSE_SAMPLE")} {kind} {identity}')
-    return drawn.sample(mine, min(count, len(mine)))
+    return [drawn.choice(mine)] if mine and not drawn.randrange(ONE_OF[kind]) else []
 
 
 def judge(number, cells, only=None, tests=None):

@@ -10,7 +10,7 @@ A folder on the learner's own machine and the members of a zip that a stranger h
 import os
 import re
 import stat
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -158,6 +158,11 @@ def of_folder(exercise: Exercise, notebooks: Path) -> program.Program:
             'build again.'
         )
     return of_files(exercise, package.files)
+
+
+def handed_in(exercise: Exercise, files: Iterable[str]) -> bool:
+    """Whether these files, see `place`, have something of the exercise's package among them."""
+    return bool(exercise.folder) and any(name.startswith(f'{exercise.folder}/') for name in files)
 
 
 def of_submission(exercise: Exercise, handed_in: Mapping[str, bytes]) -> program.Program:

@@ -10,8 +10,8 @@ pytestmark = pytest.mark.exercise('6.7')
 
 @pytest.mark.rules('urdf', 'tree', 'joints', 'places')
 @about('urdf')
-def test_frames(learner):
-    """robot_state_publisher reads the description, and says where the links are.
+def test_frames_of_any_size(learner):
+    """robot_state_publisher reads the description, and says where the links are, whatever the sizes.
 
     Each joint says where its child is in its parent, and how it can move.
     """

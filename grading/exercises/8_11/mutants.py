@@ -40,7 +40,7 @@ def test_drive(bench):
     bench.place = 2.0, 0.0, 0.0
     assert bench.result(goal).status == GoalStatus.STATUS_SUCCEEDED
 '''
-""", expect='none of the 2 that take a place', breaks='values', also=('goals', 'ends', 'status')),
+""", expect='of the 2 that take a place', breaks='values', also=('goals', 'ends', 'status')),
     Mutant('how_a_cancel_ends',
            edits=(("bench.until(lambda: bench.status[-1:] == ['driving to gate'] and bench.commands)", '''
             bench.until(lambda: bench.status[-1:] == ['driving to gate'] and bench.commands[-1:])

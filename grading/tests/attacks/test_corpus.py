@@ -7,6 +7,7 @@ import pytest
 
 from grading.tests.attacks import arena
 
+pytestmark = pytest.mark.early
 ATTACKS = arena.attacks()
 FAMILIES = sorted({attack.family for attack in ATTACKS})
 _HANDLERS = re.compile(r'<[^>]*\son\w+\s*=', re.IGNORECASE)
