@@ -161,7 +161,6 @@ def turtlesim(ros2):  # noqa: F811
         yield process
 
 
-@pytest.mark.one_of(2)
 @pytest.mark.usefixtures('turtlesim')
 @pytest.mark.parametrize('tutorial,line,pattern', LINES, ids=[line for _, line, _ in LINES])
 def test_command_line(ros2, tutorial, line, pattern):  # noqa: F811
