@@ -257,6 +257,8 @@ def test_what_the_panel_lacks_is_said():
         (shown(answer='-'), 'answer of the service'),
         (shown(step=0.0), 'does not drive ahead'),
         (shown(begin=-3.0), 'does not drive ahead'),
+        ([shown()[0].replace('1.00 m', '-'), *shown(step=0.0)[1:]], 'does not drive ahead'),  # unknown, then at rest
+        ([*shown()[:7], shown()[7].partition('base_link')[0] + 'base_link: -'], 'does not drive ahead'),
         ([line.partition('base_link')[0] + 'base_link: too old' for line in shown()], 'does not drive ahead'),
     ):
         assert text in mystery.lacks(lines)

@@ -80,8 +80,8 @@ def test_the_events_of_the_lifecycle_example(launch_file, peer):
             configure,
         ])
     """)
-    process.wait_for_output('inactive now', timeout=60)
-    process.wait_for_output('active now', timeout=60)
+    process.wait_for_output(': inactive now', timeout=60)
+    process.wait_for_output(': active now', timeout=60)
     state = peer.call(GetState, '/demo/talker/get_state').current_state
     assert (state.id, state.label) == (State.PRIMARY_STATE_ACTIVE, 'active')
     assert process.stop(timeout=60) == 0
