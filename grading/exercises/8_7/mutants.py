@@ -13,7 +13,7 @@ MUTANTS = [
     Mutant('absolute_service', old="'set_station', self", new="'/set_station', self", expect='has no service on',
            breaks='names'),
     Mutant('another_name', old="__init__('delivery_robot'", new="__init__('station_keeper'",
-           expect='expected /delivery_robot', breaks='names'),
+           expect='/delivery_robot', breaks='names'),
     Mutant('four_parameters', old="""
                 ('timeout', 60.0, 1.0, 600.0, 'longest time for a drive in s'),
                 """, new='', expect='There is no parameter timeout', breaks='parameters'),
