@@ -37,7 +37,7 @@ class Step:
 
 
 def test(arguments: Arguments = None):
-    """Run all tests: style, types, unit tests, notebooks in step with their sources, every notebook (solved twice).
+    """Run all tests: style, types, unit tests, notebooks in step with their sources, every notebook.
 
     With arguments, only pytest runs, with these.
     """

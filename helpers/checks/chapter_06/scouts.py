@@ -377,6 +377,36 @@ class Scout:
         )
 
 
+def judge_frames(learner) -> None:
+    """What robot_state_publisher makes of the description: the tree, its joints and their places."""
+    scout = Scout(learner, 'frames')
+    scout.check_tree()
+    scout.check_joints()
+    scout.check_places()
+
+
+def judge_bodies(learner) -> None:
+    """The links with their shapes, masses and moments."""
+    scout = Scout(learner, 'bodies')
+    scout.check_links()
+    scout.check_wheels()
+    scout.check_caster()
+    scout.check_floor()
+    scout.check_mass()
+    scout.check_inertia()
+
+
+def judge_ride(learner) -> None:
+    """A drive in the simulated world, to a station that is drawn."""
+    station, given = journey(learner.random)
+    scout = Scout(learner, 'ride', **given)
+    scout.check_stands()
+    scout.check_scan()
+    scout.check_drive()
+    scout.check_odometry()
+    scout.check_arrival(station)
+
+
 def journey(random: Random) -> tuple[str, dict]:
     """A station, and what `probe.py` is to do: a course of commands, and places on the way to the station."""
     station = random.choice(sorted(STATIONS))
