@@ -80,7 +80,16 @@ def of_copy(root: Path, memory: Path) -> int:
 
 
 def _keep(root: Path, before: int | None) -> int:
-    folder, span = _folder(), LAST - FIRST + 1
+    folder = _folder()
+    # One after another: who looks whether an id is free locks it for a moment, and would seem to use it.
+    turn = FileLock(folder / 'copies.lock', mode=0o666, timeout=10, thread_local=False)
+    with suppress(Timeout, PermissionError), turn:
+        return _search(folder, root, before)
+    return _search(folder, root, before)
+
+
+def _search(folder: Path, root: Path, before: int | None) -> int:
+    span = LAST - FIRST + 1
     # Where the search begins follows from the folder's name: so that the id stays, also where /tmp is emptied.
     begin = zlib.crc32(os.fsencode(root)) % span
     order = [FIRST + (begin + step) % span for step in range(span)]
