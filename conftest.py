@@ -77,7 +77,7 @@ def _sample(config, items):
         elif ROS_PACKAGES in item.path.parents and whole:
             # The ROS packages have tests of their own, and few changes reach all of them.
             package = item.path.relative_to(ROS_PACKAGES).parts[0]
-            left_out += [] if _drawn('packages', PACKAGES.index(package), 2) else [item]
+            left_out += [] if _drawn('packages', PACKAGES.index(package), 3) else [item]
         seen[name] += 1
     config.hook.pytest_deselected(items=left_out)
     kept = set(items) - set(left_out)

@@ -2,8 +2,8 @@
 
 Checked statements run after their cells.
 
-A solved notebook runs twice in one kernel, of the chapters that are drawn. The learner's has the same cells with stubs
-in them, so that its second run would prove what that of the solved one proves: it runs once.
+A solved notebook can run twice in one kernel. The learner's has the same cells with stubs in them, so that its second
+run would prove what that of the solved one proves: it runs once.
 """
 
 import random
@@ -15,7 +15,7 @@ from nbformat import NotebookNode
 
 from grading.authoring import checked
 
-ONCE, TWICE = ('first',), ('first', 'second')
+NEVER, ONCE, TWICE = (), ('first',), ('first', 'second')
 SKIP = 'nbval-skip'
 IGNORE = {'tags': ['nbval-ignore-output']}
 
@@ -57,22 +57,36 @@ def all_twice(path: Path) -> tuple[str, ...]:
     return ONCE if path.parent.name == 'notebooks' else TWICE
 
 
-def half_twice(notebooks: list[Path], seed: str) -> Callable[[Path], tuple[str, ...]]:
-    """The runs of a notebook if half of the chapters, drawn by ``seed``, run a second time."""
+def sample(notebooks: list[Path], seed: str) -> Callable[[Path], tuple[str, ...]]:
+    """The runs of a notebook in a sample: each solved one runs.
+
+    ``seed`` draws a third of the chapters whose solved notebook runs a second time, and another third whose learner's
+    notebook runs.
+    """
     names = sorted({path.name for path in notebooks})
-    drawn = random.Random(f'{seed} second runs').sample(names, (len(names) + 1) // 2)
-    return lambda path: all_twice(path) if path.name in drawn else ONCE
+    random.Random(f'{seed} notebooks').shuffle(names)
+    third = (len(names) + 2) // 3
+    twice, unsolved = names[:third], names[third : 2 * third]
+
+    def runs(path: Path) -> tuple[str, ...]:
+        if path.parent.name == 'notebooks':
+            return ONCE if path.name in unsolved else NEVER
+        return TWICE if path.name in twice else ONCE
+
+    return runs
 
 
 def write(notebooks: list[Path], target: Path, runs: Callable[[Path], tuple[str, ...]] = all_twice) -> list[Path]:
     """Write the repeated form of each notebook below ``target``, in a folder named as its own; return the paths.
 
-    :param runs: the names of a notebook's runs.
+    :param runs: the names of a notebook's runs; without one it is left out.
 
     :raises ValueError: a notebook cannot be read; the message names it.
     """
     written = []
     for path in notebooks:
+        if not runs(path):
+            continue
         try:
             notebook = nbformat.read(path, as_version=4)
         except (ValueError, nbformat.ValidationError) as error:

@@ -61,6 +61,7 @@ def cluster(tmp_path):
         process.wait()
 
 
+@pytest.mark.one_of(3)
 @pytest.mark.timeout(300)
 def test_workers_that_die(cluster, tmp_path):
     """A unit whose worker dies is done again; one that kills each is a grader's fault; the others are as if local."""

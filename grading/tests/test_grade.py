@@ -181,6 +181,7 @@ grade.grade(works, course, folder / 'out', 2, Told(), grade.Settings(seed='s'))
 """
 
 
+@pytest.mark.one_of(3)
 @pytest.mark.timeout(300)
 def test_killed_while_tests_run(course, works, tmp_path):
     """Killed in the midst of tests, and after the first result: tests end with their grader, and nothing is lost."""

@@ -134,7 +134,7 @@ def _runs(notebooks: list[Path]):
 
     if os.environ.get('COURSE_ALL_TESTS'):
         return repeated.all_twice
-    return repeated.half_twice(notebooks, os.environ['COURSE_SAMPLE'])
+    return repeated.sample(notebooks, os.environ['COURSE_SAMPLE'])
 
 
 def _workers() -> int:

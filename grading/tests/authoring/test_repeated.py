@@ -144,13 +144,27 @@ def test_what_takes_long_runs_once_in_a_solved_notebook_and_never_in_an_unsolved
     assert skipped(None) == {'cell-0-first': True, 'cell-0-second': True}
 
 
-def test_half_of_the_chapters_run_a_second_time_and_others_with_another_seed():
+def test_a_sample_runs_each_solved_notebook_and_draws_second_runs_and_learners_notebooks():
     found = [Path(folder, f'{number:02}.ipynb') for folder in ('solutions', 'notebooks') for number in range(1, 9)]
-    drawn = {}
-    for seed in 'abcdefgh':
-        runs = repeated.half_twice(found, seed)
-        assert all(runs(path) == ('first',) for path in found[8:])
-        drawn[seed] = [path.stem for path in found if runs(path) == ('first', 'second')]
-        assert len(drawn[seed]) == 4
-    assert {name for names in drawn.values() for name in names} == {path.stem for path in found}
-    assert [path for path in found[:8] if repeated.all_twice(path) != ('first', 'second')] == []
+    solved, learners = found[:8], found[8:]
+    seen_twice, seen_unsolved = set(), set()
+    for seed in map(str, range(20)):
+        runs = repeated.sample(found, seed)
+        twice = {path.stem for path in solved if runs(path) == ('first', 'second')}
+        unsolved = {path.stem for path in learners if runs(path) == ('first',)}
+        assert len(twice) == len(unsolved) == 3
+        assert not twice & unsolved
+        assert all(runs(path) for path in solved)
+        seen_twice |= twice
+        seen_unsolved |= unsolved
+    assert seen_twice == seen_unsolved == {path.stem for path in found}
+    assert {repeated.all_twice(path) for path in solved} == {('first', 'second')}
+    assert {repeated.all_twice(path) for path in learners} == {('first',)}
+
+
+def test_a_notebook_that_is_not_drawn_is_not_written(tmp_path):
+    source = tmp_path / 'notebooks' / '01.ipynb'
+    source.parent.mkdir()
+    nbformat.write(nbformat.v4.new_notebook(), source)
+    assert repeated.write([source], tmp_path / 'out', lambda path: ()) == []
+    assert repeated.write([source], tmp_path / 'out', lambda path: ('first',)) == [tmp_path / 'out/notebooks/01.ipynb']
