@@ -24,7 +24,7 @@ def repeated(notebook: NotebookNode, folder: Path, runs: tuple[str, ...]) -> Not
     """Return ``notebook`` with all of its cells once for each of ``runs``; they run in ``folder``, wherever it is kept.
 
     Outputs are kept, so all runs are compared with them; a cell that was never executed is not compared. What is tagged
-    nbval-skip takes long: a solved notebook runs it, and compares it, the first time only.
+    nbval-skip takes long: only a solved notebook that runs twice runs it, and compares it, the first time.
     """
     cells = [
         _cell(
@@ -43,7 +43,7 @@ leftovers.note()""",
         for cell in notebook.cells:
             if cell.cell_type == 'code':
                 copy = nbformat.from_dict({**cell, 'id': f'{cell.id}-{run}'})
-                if run == runs[0] and cell.outputs:
+                if len(runs) > 1 and run == runs[0] and cell.outputs:
                     copy.metadata['tags'] = [tag for tag in cell.metadata.get('tags', []) if tag != SKIP]
                 cells.append(copy)
                 if checked.KEY in cell.metadata and SKIP not in copy.metadata.get('tags', []):

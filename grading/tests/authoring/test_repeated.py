@@ -133,14 +133,15 @@ def test_a_file_that_is_no_notebook_is_named(tmp_path):
         repeated.write([tmp_path / 'odd.ipynb'], tmp_path / 'out')
 
 
-def test_what_takes_long_runs_once_in_a_solved_notebook_and_never_in_an_unsolved_one():
-    def skipped(text):
+def test_what_takes_long_runs_once_in_a_solved_notebook_that_runs_twice_and_never_in_another_one():
+    def skipped(text, runs=('first', 'second')):
         long = notebook([('print(1)', text)])
         long.cells[0].metadata['tags'] = ['nbval-skip', 'other']
-        cells = repeated.repeated(long, paths.ROOT, ('first', 'second')).cells
+        cells = repeated.repeated(long, paths.ROOT, runs).cells
         return {cell.id: 'nbval-skip' in cell.metadata.tags for cell in cells if cell.id.startswith('cell-')}
 
     assert skipped('1\n') == {'cell-0-first': False, 'cell-0-second': True}
+    assert skipped('1\n', ('first',)) == {'cell-0-first': True}
     assert skipped(None) == {'cell-0-first': True, 'cell-0-second': True}
 
 
