@@ -146,7 +146,7 @@ def reference(exercise):
     return programs.build(small.cells(PROGRAM), exercise).as_dict()
 
 
-@pytest.mark.one_of(2)
+@pytest.mark.one_of(4)
 @pytest.mark.parametrize('text', [COMPUTES, STUCK_IN_C], ids=['dies', 'stuck'])
 def test_who_alone_makes_a_fault_fails(tmp_path, text):
     small.write_tests(tmp_path, ONE + text)
