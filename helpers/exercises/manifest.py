@@ -12,6 +12,8 @@ from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+from helpers.exercises import file_answers
+
 MANIFEST = Path(__file__).resolve().parents[1] / 'checks' / 'exercises.json'
 _TESTS = re.compile(r'(?:.*/)?(?:test_(\d+_\d+)|(\d+_\d+)/hidden)\.py')
 
@@ -45,14 +47,14 @@ class ManifestError(Exception):
 
 
 def stub_digest(source: str) -> str:
-    """Return the SHA-256 of the program in ``source``, the same for other comments, blank lines and layout.
+    """Return the SHA-256 of the program that a cell is, the same for other comments, blank lines and layout.
 
     It hashes the syntax tree as ``ast.dump`` would show it, less the empty fields: which of those exist and which are
     printed differs between Python versions, and the digest must be the same in all of them.
 
     :raises SyntaxError: ``source`` does not parse.
     """
-    return hashlib.sha256(_dump(ast.parse(source)).encode()).hexdigest()
+    return hashlib.sha256(_dump(ast.parse(file_answers.as_python(source))).encode()).hexdigest()
 
 
 def tested_in(path: Path) -> str | None:

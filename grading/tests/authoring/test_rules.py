@@ -73,6 +73,13 @@ def test_the_tiny_chapter_has_no_mistake(tree):
         (REGION, '    return 2\n', BEGIN, 'exercise 7.1 has no solution region', 'mark it'),
         ('    # STUB: return None\n', '', FIRST, 'the stub of exercise 7.1 does not parse', 'STUB: pass'),
         ('return 2 * number', 'return 2 *', FIRST, 'the solution of exercise 7.1 does not parse', 'correct it'),
+        (
+            REGION,
+            f'{REGION}%%answer CODE a_ws/a.py\nx = 1\ny = (\n',
+            FIRST,
+            "the solution of exercise 7.1: a_ws/a.py, line 2: '(' was never closed",
+            'correct it',
+        ),
         ('# STUB: return None', '# STUB: return 2 * number', FIRST, 'its stub is its solution', 'mark the solution'),
         ('def double', 'def triple', 'def triple', 'does not define double', 'define it'),
         ('Some prose.', 'Some prose.\n\n# BEGIN SOLUTION', '# BEGIN SOLUTION', 'solution marker in prose', 'move it'),
