@@ -40,6 +40,11 @@ class Exercise:
     stub: str  # stub_digest of the cell as the learner gets it
     rules: tuple[Rule, ...] = ()  # in the order of the card
     folder: str = ''  # of the package that is the answer, from the folder of the notebooks on; else it is a cell
+    earlier: tuple[str, ...] = ()  # how the digests of stubs begin that earlier versions of the course gave
+
+    def is_stub(self, digest: str | None) -> bool:
+        """Tell whether this is the digest of the cell as a learner gets it, or as one got it earlier."""
+        return digest is not None and (digest == self.stub or digest.startswith(self.earlier or ('-',)))
 
 
 class ManifestError(Exception):
@@ -80,7 +85,12 @@ def load(path: Path = MANIFEST) -> dict[str, Exercise]:
         rows = json.loads(path.read_text(encoding='utf-8'))['exercises']
         exercises = [
             Exercise(
-                **{**row, 'names': tuple(row['names']), 'rules': tuple(Rule(**rule) for rule in row.get('rules', ()))}
+                **{
+                    **row,
+                    'names': tuple(row['names']),
+                    'rules': tuple(Rule(**rule) for rule in row.get('rules', ())),
+                    'earlier': tuple(row.get('earlier', ())),
+                }
             )
             for row in rows
         ]
@@ -94,7 +104,10 @@ def load(path: Path = MANIFEST) -> dict[str, Exercise]:
 def dumps(exercises: Iterable[Exercise]) -> str:
     """Return the text of the file for ``exercises``, sorted by chapter and number."""
     ordered = sorted(exercises, key=lambda exercise: [int(part) for part in exercise.id.split('.')])
-    rows = [{key: value for key, value in asdict(exercise).items() if key != 'folder' or value} for exercise in ordered]
+    rows = [
+        {key: value for key, value in asdict(exercise).items() if key not in ('folder', 'earlier') or value}
+        for exercise in ordered
+    ]
     return json.dumps({'exercises': rows}, indent=2, ensure_ascii=False) + '\n'
 
 

@@ -179,7 +179,7 @@ class _Migration:
             )
             return
         digest, moved = _digest(answer.source), ''
-        if digest is not None and digest in (exercise.stub, self.stubs.get(answer.exercise)):
+        if exercise.is_stub(digest) or digest and digest == self.stubs.get(answer.exercise):
             if not exercise.folder:  # its answer is no cell
                 self._say(exercise.id, 'was not attempted; the new notebook stays as it is')
             return
@@ -190,7 +190,7 @@ class _Migration:
         if cells[index]['source'] == source:
             self._say(exercise.id, 'has this answer already')
             return
-        if _digest(cells[index]['source']) != exercise.stub:
+        if not exercise.is_stub(_digest(cells[index]['source'])):
             _insert(cells, index + 1, _raw(answer.exercise, 'the answer from the old notebook', source))
             self._say(
                 exercise.id,

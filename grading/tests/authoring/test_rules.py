@@ -47,6 +47,7 @@ def test_the_tiny_chapter_has_no_mistake(tree):
         (':points: 10', 'points: 10', 'points: 10', 'no option', 'write :name: value'),
         (':names: double\n', '', BEGIN, 'exercise 7.1 without names', 'add :names:'),
         (':names: double', ':names: 2 * x', BEGIN, 'exercise 7.1 without names', 'add :names:'),
+        (':points: 10', ':points: 10\n:earlier: abc', BEGIN, "the earlier digest 'abc'", 'write 12 hexadecimal digits'),
         (BEGIN, '```{exercise} 7.1', '```{exercise} 7.1', "'7.1' without id or title", 'write ```{exercise} 3.1'),
         (BEGIN, '```{exercise} twice as much', '{exercise}', 'without id or title', 'write ```{exercise} 3.1'),
         (BEGIN, '```{exercise} 8.1 twice', '{exercise}', 'exercise 8.1 in chapter 7', 'the id 7.N'),

@@ -1,5 +1,7 @@
 """Cells that hold files: what they are as a program, what the kernel does with them, and which mistakes are shown."""
 
+from dataclasses import replace
+
 import pytest
 
 from helpers.exercises import file_answers, file_syntax, manifest, program
@@ -57,6 +59,13 @@ def test_both_forms_are_the_same_program():
         exec(one.cells[-1]['source'], names)
     assert {found[0][name] == found[1][name] for name in ('CONFIG', 'CODE')} == {True}
     assert program.names_in(CELL) == program.names_in(QUOTED) == {'re', 'CONFIG', 'CODE'}
+
+
+def test_a_stub_in_quotes_of_an_earlier_version_is_not_attempted():
+    exercise = replace(_exercise('CONFIG', 'CODE'), stub='0' * 64, earlier=(manifest.stub_digest(QUOTED)[:16],))
+    with pytest.raises(program.NotAttempted):
+        program.build([NotebookCell(QUOTED, 1)], exercise)
+    assert program.build([NotebookCell(QUOTED.replace('name', 'rate'), 1)], exercise).cells
 
 
 def test_a_file_is_a_constant_for_later_exercises():
