@@ -9,6 +9,8 @@ The directive stands where the card's heading comes::
 
 `names` are what the answer cell must define, `check` (optional) the tags of the check cell. With `folder`, such as
 `my_ws/src/patrol`, the answer is a package in this folder beside the notebook: see `helpers.exercises.packages`.
+`earlier` is how the digests begin of stubs that earlier versions of the course gave: an exercise with one of these is
+not attempted either.
 
 In the card's Markdown, from the directive to the answer cell, the role ``{rule}`rate` `` names the rule that the text
 after it states: the rest of the list item or paragraph, or the text up to the next role.
@@ -31,7 +33,8 @@ _ROLE = re.compile(r'\{rule\}`([^`\n]*)`[ \t]*')
 _NAME = re.compile(r'[a-z][a-z0-9]*([-_][a-z0-9]+)*')
 _ITEM = re.compile(r'(\s*)([-*+]|\d+[.)])\s+')
 EXAMPLE = '```{exercise} 3.1 a beacon'
-_OPTIONS = ('points', 'names', 'check', 'folder')
+_OPTIONS = ('points', 'names', 'check', 'folder', 'earlier')
+_EARLIER = re.compile(r'[0-9a-f]{12,64}')
 _FOLDER = re.compile(r'\w+_ws/src/\w+')
 
 
@@ -49,6 +52,7 @@ class Card:
     names: tuple[str, ...]
     check_tags: tuple[str, ...]
     folder: str = ''
+    earlier: tuple[str, ...] = ()
 
     @property
     def heading(self) -> str:
@@ -152,7 +156,10 @@ def declared(head: str, options: list[str], offset: int, chapter: int) -> Card:
             f'{label} has the folder {folder!r} and the names {", ".join(names)}',
             f'write :folder: NAME_ws/src/PACKAGE and :names: {packages.NAME}',
         )
-    return Card(identity, title, points, names, tags or CHECK_TAGS, folder)
+    earlier = tuple(part.strip() for part in values.get('earlier', '').split(',') if part.strip())
+    if wrong := [part for part in earlier if not _EARLIER.fullmatch(part)]:
+        raise CardError(offset, f'{label} has the earlier digest {wrong[0]!r}', 'write 12 hexadecimal digits or more')
+    return Card(identity, title, points, names, tags or CHECK_TAGS, folder, earlier)
 
 
 def _rule(lines: list[str], index: int, match: re.Match) -> tuple[int, Rule]:

@@ -85,6 +85,7 @@ class Chapter:
                 stub=manifest.stub_digest(cell.split.stub),
                 rules=cell.rules,
                 folder=cell.card.folder,
+                earlier=cell.card.earlier,
             )
             for cell in self.cells
             if cell.card is not None

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from grading.authoring import cards, indexes, links, regions
 from grading.authoring.chapter import QUESTIONS, Chapter, SourceCell
 from grading.authoring.errors import AuthoringError
-from helpers.exercises import program
+from helpers.exercises import file_answers, file_syntax, program
 
 MAX_LINES = 25
 MAX_EXERCISE_LINES = 50  # a class that is an answer cannot be split, and a cell may hold the texts of files
@@ -131,11 +131,14 @@ def _programs(cell: SourceCell, card: cards.Card):
         ('stub', cell.split.stub, 'add what a body needs, as in # STUB: pass'),
     ):
         try:
-            trees[form] = ast.parse(text)
+            trees[form] = ast.parse(file_answers.as_python(text))
         except SyntaxError as error:
             lines = text.splitlines()
             shown = lines[error.lineno - 1].strip() if error.lineno and error.lineno <= len(lines) else ''
             yield f'the {form} of {label} does not parse ({error.msg} at {shown!r})', remedy
+        for _, path, content, _ in file_answers.files(text):
+            if found := file_syntax.mistake(path, content):
+                yield f'the {form} of {label}: {file_syntax.shown(path, content, found)}', remedy
     if len(trees) == 2:
         if ast.dump(trees['solution']) == ast.dump(trees['stub']):
             yield f'{label} leaves nothing to do, its stub is its solution', 'mark the solution'

@@ -20,7 +20,7 @@ from grading.authoring import build as builder
 from grading.authoring import execution, figures, notebooks, outputs
 from grading.authoring.chapter import Chapter
 from grading.authoring.errors import AuthoringError, ChapterErrors
-from helpers.exercises import start_page
+from helpers.exercises import file_answers, start_page
 from helpers.show.views import recording
 
 TEMPLATES = Path(__file__).with_name('templates')
@@ -111,6 +111,8 @@ def readable(chapter: Chapter, notebook: nbformat.NotebookNode) -> nbformat.Note
     for cell, stub in zip(notebook.cells, notebooks.learner(chapter).cells, strict=True):
         if 'exercise' in cell.metadata or cell.cell_type == 'code' and cell.source.startswith('check('):
             cell.source, cell.outputs, cell.execution_count = stub.source, [], None
+            if file_answers.files(cell.source):
+                cell.metadata['magics_language'] = 'python'  # else a cell has no colours from its first magic on
         elif cell.cell_type == 'markdown':
             cell.source = _TO_A_CHAPTER.sub(r'](\1.html\2', stub.source)
     return notebook

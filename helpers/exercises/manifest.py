@@ -12,6 +12,8 @@ from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+from helpers.exercises import file_answers
+
 MANIFEST = Path(__file__).resolve().parents[1] / 'checks' / 'exercises.json'
 _TESTS = re.compile(r'(?:.*/)?(?:test_(\d+_\d+)|(\d+_\d+)/hidden)\.py')
 
@@ -38,6 +40,11 @@ class Exercise:
     stub: str  # stub_digest of the cell as the learner gets it
     rules: tuple[Rule, ...] = ()  # in the order of the card
     folder: str = ''  # of the package that is the answer, from the folder of the notebooks on; else it is a cell
+    earlier: tuple[str, ...] = ()  # how the digests of stubs begin that earlier versions of the course gave
+
+    def is_stub(self, digest: str | None) -> bool:
+        """Tell whether this is the digest of the cell as a learner gets it, or as one got it earlier."""
+        return digest is not None and (digest == self.stub or digest.startswith(self.earlier or ('-',)))
 
 
 class ManifestError(Exception):
@@ -45,14 +52,14 @@ class ManifestError(Exception):
 
 
 def stub_digest(source: str) -> str:
-    """Return the SHA-256 of the program in ``source``, the same for other comments, blank lines and layout.
+    """Return the SHA-256 of the program that a cell is, the same for other comments, blank lines and layout.
 
     It hashes the syntax tree as ``ast.dump`` would show it, less the empty fields: which of those exist and which are
     printed differs between Python versions, and the digest must be the same in all of them.
 
     :raises SyntaxError: ``source`` does not parse.
     """
-    return hashlib.sha256(_dump(ast.parse(source)).encode()).hexdigest()
+    return hashlib.sha256(_dump(ast.parse(file_answers.as_python(source))).encode()).hexdigest()
 
 
 def tested_in(path: Path) -> str | None:
@@ -78,7 +85,12 @@ def load(path: Path = MANIFEST) -> dict[str, Exercise]:
         rows = json.loads(path.read_text(encoding='utf-8'))['exercises']
         exercises = [
             Exercise(
-                **{**row, 'names': tuple(row['names']), 'rules': tuple(Rule(**rule) for rule in row.get('rules', ()))}
+                **{
+                    **row,
+                    'names': tuple(row['names']),
+                    'rules': tuple(Rule(**rule) for rule in row.get('rules', ())),
+                    'earlier': tuple(row.get('earlier', ())),
+                }
             )
             for row in rows
         ]
@@ -92,7 +104,10 @@ def load(path: Path = MANIFEST) -> dict[str, Exercise]:
 def dumps(exercises: Iterable[Exercise]) -> str:
     """Return the text of the file for ``exercises``, sorted by chapter and number."""
     ordered = sorted(exercises, key=lambda exercise: [int(part) for part in exercise.id.split('.')])
-    rows = [{key: value for key, value in asdict(exercise).items() if key != 'folder' or value} for exercise in ordered]
+    rows = [
+        {key: value for key, value in asdict(exercise).items() if key not in ('folder', 'earlier') or value}
+        for exercise in ordered
+    ]
     return json.dumps({'exercises': rows}, indent=2, ensure_ascii=False) + '\n'
 
 

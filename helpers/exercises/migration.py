@@ -18,7 +18,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from helpers import paths
-from helpers.exercises import cell_ids, manifest, notebooks, packages, program
+from helpers.exercises import cell_ids, file_answers, manifest, notebooks, packages, program
 
 _CHAPTER = re.compile(r'(\d\d)_\w+\.ipynb')
 _TITLE = re.compile(r'\s*#\s*Exercise\s+[\d.]+\s*:\s*(.+?)\s*$', re.IGNORECASE | re.MULTILINE)
@@ -179,7 +179,7 @@ class _Migration:
             )
             return
         digest, moved = _digest(answer.source), ''
-        if digest is not None and digest in (exercise.stub, self.stubs.get(answer.exercise)):
+        if exercise.is_stub(digest) or digest and digest == self.stubs.get(answer.exercise):
             if not exercise.folder:  # its answer is no cell
                 self._say(exercise.id, 'was not attempted; the new notebook stays as it is')
             return
@@ -190,7 +190,7 @@ class _Migration:
         if cells[index]['source'] == source:
             self._say(exercise.id, 'has this answer already')
             return
-        if _digest(cells[index]['source']) != exercise.stub:
+        if not exercise.is_stub(_digest(cells[index]['source'])):
             _insert(cells, index + 1, _raw(answer.exercise, 'the answer from the old notebook', source))
             self._say(
                 exercise.id,
@@ -200,9 +200,15 @@ class _Migration:
             return
         given, cells[index]['source'] = cells[index]['source'], source
         changes = self._changes(answer, exercise, cells)
-        if self.stubs.get(answer.exercise, exercise.stub) != exercise.stub:
+        quoted = file_answers.MAGIC in given and file_answers.MAGIC not in source
+        if quoted or self.stubs.get(answer.exercise, exercise.stub) != exercise.stub:
             _insert(cells, index + 1, _raw(exercise.id, 'what the new version gives', given))
             changes.append('what is given, which stands below your answer as a raw cell')
+        if quoted:
+            changes.append(
+                f'files now stand below lines `{file_answers.USAGE}`; your answer in quotes counts as before, '
+                'but running it does not write the file'
+            )
         self._say(exercise.id, f'carried over{moved}' + (f'; changed since: {"; ".join(changes)}' if changes else ''))
 
     def _successor(self, answer: _Answer) -> manifest.Exercise | None:

@@ -11,6 +11,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import lru_cache
 
+from helpers.exercises import file_answers
 from helpers.exercises.manifest import Exercise, stub_digest
 from helpers.exercises.notebooks import NotebookCell
 
@@ -91,7 +92,7 @@ def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[Note
         )
     cell = found[0]
     tree = _parse_exercise(cell, exercise)
-    if stub_digest(cell.source) == exercise.stub:
+    if exercise.is_stub(stub_digest(cell.source)):
         raise NotAttempted(unsolved(exercise.id))
     missing = [name for name in exercise.names if name not in defined(tree.body)]
     if missing:
@@ -105,7 +106,8 @@ def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[Note
         program.cells += [
             {'label': other.label, 'source': text, 'line': line, 'required': False} for line, text in definitions(other)
         ]
-    program.cells.append({'label': cell.label, 'source': cell.source, 'line': 1, 'required': True})
+    own = file_answers.as_python(cell.source)
+    program.cells.append({'label': cell.label, 'source': own, 'line': 1, 'required': True})
     have = {name for part in program.cells for name in names_in(part['source'])}
     for other in notebook:
         for name in {name for _, text in definitions(other) for name in names_in(text)} - have:
@@ -120,14 +122,20 @@ def names_in(text: str) -> set[str]:
 
 
 def _parse_exercise(cell: NotebookCell, exercise: Exercise) -> ast.Module:
+    source = file_answers.as_python(cell.source)
     try:
-        tree = ast.parse(cell.source)
+        tree = ast.parse(source)
         if _nesting(tree) > MAX_NESTING:
             raise InvalidExercise(f'Exercise {exercise.id}: the cell is nested too deeply to be read.')
         return tree
     except SyntaxError as error:
-        lines = cell.source.splitlines()
+        lines = source.splitlines()
         for number, line in enumerate(lines, 1):
+            if line.startswith(file_answers.MAGIC):
+                raise InvalidExercise(
+                    f'Exercise {exercise.id}, line {number}: `{line.strip()[:60]}` must be `{file_answers.USAGE}`: a '
+                    'name, and where the file goes.'
+                ) from None
             if line.lstrip()[:1] in ('%', '!', '?'):
                 raise InvalidExercise(
                     f'Exercise {exercise.id}, line {number}: `{line.strip()[:60]}` is a notebook '
@@ -147,14 +155,15 @@ def definitions(cell: NotebookCell) -> tuple[tuple[int, str], ...]:
 
     Each is its first line's number in the cell, so that line numbers in messages are the learner's, and its text.
     """
-    if cell.source.lstrip().startswith('%%'):
+    text = file_answers.as_python(cell.source)
+    if text.lstrip().startswith('%%'):
         return ()
-    text, tree = cell.source, syntax_tree(cell.source)
+    tree = syntax_tree(text)
     if tree is None:
         # A notebook's command lines are not Python; they leave an empty line.
         text = '\n'.join(
             '' if _MAGIC.match(line.strip()) and syntax_tree(line.strip()) is None else line
-            for line in cell.source.splitlines()
+            for line in text.splitlines()
         )
         tree = syntax_tree(text)
     if tree is None:
@@ -172,9 +181,9 @@ def definitions(cell: NotebookCell) -> tuple[tuple[int, str], ...]:
 
 
 def syntax_tree(text: str) -> ast.Module | None:
-    """The syntax tree of a text; None if it is not Python, or nested too deeply."""
+    """The syntax tree of a text or of a cell; None if it is not Python, or nested too deeply."""
     try:
-        tree = ast.parse(text)
+        tree = ast.parse(file_answers.as_python(text))
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return None
     return tree if _nesting(tree) <= MAX_NESTING else None

@@ -7,6 +7,7 @@ import time
 from contextlib import contextmanager
 from pathlib import Path
 
+from helpers.exercises import file_answers
 from helpers.kernel import journal
 from helpers.programs import terminals
 from helpers.programs.belongings import Belongings
@@ -165,9 +166,10 @@ class Workspace:
 
 
 def _texts_of_cells() -> list[str]:
-    """What cells of this kernel have written into files by the magic command `%%writefile`."""
+    """What cells of this kernel have written into files by the magic commands `%%writefile` and `%%answer`."""
     parts = (cell.source.lstrip().partition('\n') for cell in journal.cells)
-    return [text for first, _, text in parts if first.startswith('%%writefile')]
+    written = [text for first, _, text in parts if first.startswith('%%writefile')]
+    return written + [text for cell in journal.cells for _, _, text, _ in file_answers.files(cell.source)]
 
 
 class _Progress:

@@ -15,4 +15,9 @@ ALTERNATIVES = [
             '''),
             ("packages=['line_follower', 'line_follower.filters'],", 'packages=find_packages(),'),
             ("['config/gains.yaml']", "glob('config/*.yaml')"))),
+    Alternative('in_quotes', edits=(
+        ('%%answer FOLLOWER_SETUP ros2_ws/src/line_follower/setup.py', "FOLLOWER_SETUP = '''"),
+        ('%%answer FOLLOWER_CFG ros2_ws/src/line_follower/setup.cfg', "'''\nFOLLOWER_CFG = '''\n"),
+        ('%%answer FOLLOWER_XML ros2_ws/src/line_follower/package.xml', "'''\nFOLLOWER_XML = '''\n"),
+        ('</package>', "</package>'''"))),
 ]

@@ -1,8 +1,9 @@
 from grading.variants import Mutant
 
-DEPEND = "'<depend>std_msgs</depend>',"
-RUNTIME = "'<exec_depend>rosidl_default_runtime</exec_depend>',"
-GENERATORS = "'<buildtool_depend>rosidl_default_generators</buildtool_depend>',"
+DEPEND = '<depend>std_msgs</depend>'
+RUNTIME = '<exec_depend>rosidl_default_runtime</exec_depend>'
+GENERATORS = '<buildtool_depend>rosidl_default_generators</buildtool_depend>'
+SRV = '%%answer SRV ros2_ws/src/dock_interfaces/srv/Dock.srv'
 
 MUTANTS = [
     Mutant('two_fields_exchanged', edits=(('uint8 percent', 'bool charging'), ('bool charging', 'uint8 percent')),
@@ -25,8 +26,8 @@ MUTANTS = [
     Mutant('no_default', old='speed 0.2', new='speed', expect='A new request has the speed 0, expected 0.2',
            breaks='default'),
     Mutant('double', old='float32 speed', new='float64 speed', expect='float64 speed', breaks='request'),
-    Mutant('exchanged', edits=(("SRV = '''# dock_interfaces/srv/Dock", """
-            SRV = '''# dock_interfaces/srv/Dock
+    Mutant('exchanged', edits=((SRV, f"""
+            {SRV}
             bool docked
             string message
             ---
@@ -49,12 +50,12 @@ MUTANTS = [
            expect='names the file Charge.msg, and there is none', breaks='both'),
     Mutant('service_not_built', old='msg" "srv/Dock.srv" DEPENDENCIES std_msgs', new='msg" DEPENDENCIES std_msgs',
            expect='Python does not find', breaks='both'),
-    Mutant('not_in_the_group', old="'<member_of_group>rosidl_interface_packages</member_of_group>',", new='',
+    Mutant('not_in_the_group', old='<member_of_group>rosidl_interface_packages</member_of_group>', new='',
            expect='a member of the group', breaks='group'),
-    Mutant('build_depend_only', old=DEPEND, new="'<build_depend>std_msgs</build_depend>',",
+    Mutant('build_depend_only', old=DEPEND, new='<build_depend>std_msgs</build_depend>',
            expect='Who uses your message needs it, too', breaks='to-run'),
     Mutant('no_runtime', old=RUNTIME, new='', expect='rosidl_default_runtime is not declared', breaks='to-run'),
-    Mutant('std_msgs_to_run_only', old=DEPEND, new="'<exec_depend>std_msgs</exec_depend>',",
+    Mutant('std_msgs_to_run_only', old=DEPEND, new='<exec_depend>std_msgs</exec_depend>',
            expect='std_msgs is needed for the build', breaks='to-build'),
     Mutant('std_msgs_not_declared', old=DEPEND, new='', expect='std_msgs is needed for the build', breaks='to-build'),
     Mutant('no_generators', old=GENERATORS, new='', expect='rosidl_default_generators is needed for the build',

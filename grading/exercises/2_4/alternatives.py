@@ -10,5 +10,23 @@ ALTERNATIVES = [
             '''))),
     Alternative('depend', edits=(('from wheel_math.geometry import distance', 'import wheel_math.geometry'),
             ("'{distance(", "'{wheel_math.geometry.distance("),
-            ("'<exec_depend>wheel_math</exec_depend>',", "'<depend>wheel_math</depend>',"))),
+            ('<exec_depend>wheel_math</exec_depend>', '<depend>wheel_math</depend>'))),
+    Alternative('in_quotes', source="""
+REPORT_PY = '''
+import sys
+
+from wheel_math.geometry import distance
+
+
+def main():
+    print(f'{distance(int(sys.argv[1])):.3f} m')
+'''
+WHEEL_MATH_XML = package_xml(
+    'wheel_math', 'ament_python',
+)
+ODOMETRY_XML = package_xml(
+    'odometry', 'ament_python',
+    '<exec_depend>wheel_math</exec_depend>',
+)
+"""),
 ]

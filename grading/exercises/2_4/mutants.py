@@ -1,15 +1,18 @@
 from grading.variants import Mutant
 
-WHEEL_MATH = "'wheel_math', 'ament_python',"
-NEEDS = "'<exec_depend>wheel_math</exec_depend>',"
+WHEEL_MATH = '<description>wheel_math</description>'
+NEEDS = '<exec_depend>wheel_math</exec_depend>'
 PRINT = "print(f'{distance(int(sys.argv[1])):.3f} m')"
 IMPORT = 'from wheel_math.geometry import distance'
+LIBRARY_ENDS = """
+      <export><build_type>ament_python</build_type></export>
+    </package>
+
+    %%answer ODOMETRY_XML ros2_ws/src/odometry/package.xml
+    """
 
 MUTANTS = [
-    Mutant('circle', old=WHEEL_MATH, new="""
-        'wheel_math', 'ament_python',
-        '<exec_depend>odometry</exec_depend>',
-        """, expect='in a circle', breaks='order'),
+    Mutant('circle', old=WHEEL_MATH, new=f'{WHEEL_MATH} <exec_depend>odometry</exec_depend>', expect='in a circle', breaks='order'),
     Mutant('computes_itself', edits=((IMPORT, 'import math'),
             ('distance(int(sys.argv[1]))', '2 * math.pi * 0.033 * int(sys.argv[1]) / 360')),
            expect='do not compute the distance again', breaks='library'),
@@ -38,17 +41,17 @@ MUTANTS = [
         """, expect='printed 2 lines', breaks='prints'),
     Mutant('returned', old=PRINT, new="return f'{distance(int(sys.argv[1])):.3f} m'",
            expect='The function main printed nothing', breaks='prints'),
-    Mutant('module_declared', old='wheel_math<', new='wheel_math.geometry<', expect='names a Python module',
+    Mutant('module_declared', old=NEEDS, new='<exec_depend>wheel_math.geometry</exec_depend>', expect='names a Python module',
            breaks='needs'),
-    Mutant('needed_to_build_only', old=NEEDS, new="'<build_depend>wheel_math</build_depend>',",
+    Mutant('needed_to_build_only', old=NEEDS, new='<build_depend>wheel_math</build_depend>',
            expect='It is imported when the program runs', breaks='needs'),
-    Mutant('needed_for_tests_only', old=NEEDS, new="'<test_depend>wheel_math</test_depend>',",
+    Mutant('needed_for_tests_only', old=NEEDS, new='<test_depend>wheel_math</test_depend>',
            expect='It is imported when the program runs', breaks='needs'),
     Mutant('nothing_declared', old=NEEDS, new='', expect='does not say that it needs wheel_math', breaks='needs'),
-    Mutant('library_declares_more', old=WHEEL_MATH, new=f"{WHEEL_MATH} '<exec_depend>rclpy</exec_depend>',",
+    Mutant('library_declares_more', old=WHEEL_MATH, new=f'{WHEEL_MATH} <exec_depend>rclpy</exec_depend>',
            expect='wheel_math declares rclpy', breaks='nothing-else'),
-    Mutant('program_declares_more', old=NEEDS, new=f"{NEEDS} '<depend>std_msgs</depend>',",
+    Mutant('program_declares_more', old=NEEDS, new=f'{NEEDS} <depend>std_msgs</depend>',
            expect='odometry declares std_msgs', breaks='nothing-else'),
-    Mutant('library_for_cmake', old="'wheel_math', 'ament_python'", new="'wheel_math', 'ament_cmake'",
+    Mutant('library_for_cmake', old=LIBRARY_ENDS, new=LIBRARY_ENDS.replace('python', 'cmake'),
            expect='The build type in WHEEL_MATH_XML is ament_cmake', breaks='build-type'),
 ]

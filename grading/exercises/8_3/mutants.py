@@ -41,8 +41,8 @@ def generate_launch_description():
             /robot2/governor:
               ros__parameters:
                 mode: slow
-            '''
-            FLEET_LAUNCH = '''
+
+            %%answer FLEET_LAUNCH delivery_ws/src/fleet/launch/fleet.launch.py
             """, """
             /robot2/governor:
               ros__parameters:
@@ -51,8 +51,8 @@ def generate_launch_description():
               ros__parameters:
                 rate: 20.0
                 max_linear: 0.6
-            '''
-            FLEET_LAUNCH = '''
+
+            %%answer FLEET_LAUNCH delivery_ws/src/fleet/launch/fleet.launch.py
             """)), expect='does a later block override it', breaks='robot1'),
     Mutant('integer', old='rate: 20.0', new='rate: 20', expect='has the wrong type', breaks='types',
            also=('nodes', 'rate')),

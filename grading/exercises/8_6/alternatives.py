@@ -41,4 +41,8 @@ ALTERNATIVES = [
                         assert steer(1, 2, yaw, *goal, 0.6, 1.4) == pytest.approx((0.3, linear, side * angular))
                 assert steer(1, 2, side, 1, 2, 0.6, 1.4) == pytest.approx((0, 0, 0))
             '''))),
+    Alternative('in_quotes', edits=(
+        ('%%answer TEST_STEERING delivery_ws/src/delivery_robot/test/test_steering.py', "TEST_STEERING = '''"),
+        ('assert steer(1.0, 2.0, 0.3, 1.0, 2.0, 0.5, 1.0) == pytest.approx((0.0, 0.0, 0.0))',
+         "assert steer(1.0, 2.0, 0.3, 1.0, 2.0, 0.5, 1.0) == pytest.approx((0.0, 0.0, 0.0))'''"))),
 ]

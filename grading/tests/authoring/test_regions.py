@@ -61,12 +61,21 @@ def test_a_cell_without_markers_is_the_same_in_both_forms():
     assert result.regions == 0
 
 
+def test_a_file_that_is_xml_has_the_markers_as_its_comments():
+    cell = '<a>\n  <!-- BEGIN SOLUTION -->\n  # STUB: <c/>\n  <b/>\n  <!-- END SOLUTION -->\n</a>'
+    result = regions.split(cell)
+    assert result.solved == '<a>\n  <b/>\n</a>'
+    assert result.stub == '<a>\n  <!-- Your code here. -->\n  <c/>\n</a>'
+    assert regions.has_marker('<!-- END SOLUTION -->')
+
+
 @pytest.mark.parametrize(
     ('lines', 'offset', 'message'),
     [
         (['a = 1', '# BEGIN SOLUTION', 'b = 2'], 1, 'BEGIN SOLUTION without # END SOLUTION'),
         (['a = 1', 'b = 2', '    # END SOLUTION'], 2, 'END SOLUTION without # BEGIN SOLUTION'),
         (['# BEGIN SOLUTION', '# BEGIN SOLUTION', '# END SOLUTION'], 1, 'inside a solution region'),
+        (['<!-- BEGIN SOLUTION -->', '<b/>'], 0, 'BEGIN SOLUTION without # END SOLUTION'),
         (['# STUB: pass'], 0, 'outside of a solution region'),
     ],
 )

@@ -160,6 +160,42 @@ def test_what_has_changed_is_said_and_the_new_stub_kept(case):
     assert raw['cell_type'] == 'raw' and newer in ''.join(raw['source'])
 
 
+@pytest.mark.parametrize('listed', [True, False])
+def test_an_answer_in_quotes_is_taken_over_as_it_is(case, listed):
+    """Such an answer counts as before; what a cell with files looks like stands below it."""
+    old = "# Exercise 3.1: a beacon\nbeacon = '''\n# Your code here.\n'''"
+    newer = '# Exercise 3.1: a beacon\n%%answer beacon a_ws/a.py\n# Your code here.'
+    case.known = [replace(KNOWN, stub=manifest.stub_digest(newer))]
+    if listed:
+        checks = case.old.parent / 'helpers' / 'checks'
+        checks.mkdir(parents=True)
+        (checks / 'exercises.json').write_text(manifest.dumps([replace(KNOWN, stub=manifest.stub_digest(old))]))
+    else:
+        case.known = [replace(case.known[0], earlier=(manifest.stub_digest(old)[:16],))]
+    assert said(case.migrate([exercise(old)], [exercise(newer)])) == {
+        '3.1': 'was not attempted; the new notebook stays as it is'
+    }
+    answer = old.replace('# Your code here.', 'print(1)')
+    report = case.migrate([exercise(answer)], [exercise(newer)])
+    assert said(report)['3.1'] == (
+        'carried over; changed since: what is given, which stands below your answer as a raw cell; '
+        'files now stand below lines `%%answer NAME FILE`; your answer in quotes counts as before, '
+        'but running it does not write the file'
+    )
+    assert case.sources()[0] == answer and newer in case.sources()[1]
+
+
+def test_an_answer_with_files_is_taken_over(case):
+    given_cell = '# Exercise 3.1: a beacon\n%%answer beacon a_ws/a.py\n# Your code here.'
+    case.known = [replace(KNOWN, stub=manifest.stub_digest(given_cell))]
+    assert said(case.migrate([exercise(given_cell)], [exercise(given_cell)])) == {
+        '3.1': 'was not attempted; the new notebook stays as it is'
+    }
+    answer = given_cell.replace('# Your code here.', 'print(1)')
+    assert said(case.migrate([exercise(answer)], [exercise(given_cell)])) == {'3.1': 'carried over'}
+    assert case.sources() == [answer]
+
+
 def test_an_exercise_that_has_moved_is_found_by_its_title(case):
     moved = replace(KNOWN, id='3.2', cell_id='ex-3-2')
     other = replace(KNOWN, title='new', names=('new',), stub='')

@@ -65,8 +65,9 @@ def test_reset_keeps_what_the_learner_made(ws, capsys):
     assert (kept.with_name('2') / 'note.txt').read_text() == 'to do'
 
 
-def test_what_a_cell_has_written_is_the_lessons(ws, capsys, monkeypatch):
-    cells = [journal.ExecutedCell(None, '%%writefile ros2_ws/src/p/a.py\nprint(1)\n')]
+@pytest.mark.parametrize('line', ['%%writefile ros2_ws/src/p/a.py', '# Exercise 2.9: a\n%%answer A ros2_ws/src/p/a.py'])
+def test_what_a_cell_has_written_is_the_lessons(ws, capsys, monkeypatch, line):
+    cells = [journal.ExecutedCell(None, f'{line}\nprint(1)\n')]
     monkeypatch.setattr(journal, 'cells', cells)
     for text, mine in (('print(1)\n', False), ('print(2)\n', True)):
         ws.write('src/p/b.py', '')
