@@ -22,9 +22,9 @@ TUTORIALS = {
     'Migrating launch files, in XML': 'SetEnvironmentVariable UnsetEnvironmentVariable SetLaunchConfiguration Command '
     'UnlessCondition PushRosNamespace FindPackagePrefix ExecutableInPackage ThisLaunchFileDir',
     'Integration testing with launch': 'LaunchService',
-    'Architecture of launch, and its examples': 'Action Condition Event EventHandler LaunchContext Substitution logging '
-    'LaunchDescriptionEntity LaunchDescriptionSource LaunchIntrospector process ProcessExited ProcessIO ProcessStarted '
-    'ProcessStderr ProcessStdout ShutdownProcess SignalProcess matches_action matches_name matches_pid '
+    'Architecture of launch, and its examples': 'Action Condition Event EventHandler LaunchContext Substitution '
+    'logging LaunchDescriptionEntity LaunchDescriptionSource LaunchIntrospector process ProcessExited ProcessIO '
+    'ProcessStarted ProcessStderr ProcessStdout ShutdownProcess SignalProcess matches_action matches_name matches_pid '
     'matches_executable OpaqueCoroutine OpaqueFunction UnregisterEventHandler TimerEvent',
     'demos: lifecycle': 'LifecycleNode LifecycleTransition ChangeState StateTransition OnStateTransition lifecycle '
     'matches_node_name',
