@@ -375,9 +375,7 @@ class ExecuteProcess(Action):
     async def _start(self, context: LaunchContext) -> bool:
         cmd = self._details['cmd']
         if self._log_cmd:
-            self._logger.info(
-                f"process details: cmd='{' '.join(cmd)}', cwd='{self._details['cwd']}', custom_env?=True"
-            )
+            self._logger.info(f"process details: cmd='{' '.join(cmd)}', cwd='{self._details['cwd']}', custom_env?=True")
         try:
             self._child = await ChildProcess.start(
                 ' '.join(cmd) if self._shell else cmd,
