@@ -1,6 +1,6 @@
 """Tests of a launched system: cases of unittest that run while it runs, and cases that run after its end."""
 
-from launch_testing import actions, asserts, markers, util
+from launch_testing import actions, asserts, markers, tools, util
 from launch_testing.io_handler import ActiveIoHandler, IoHandler
 from launch_testing.parametrize import parametrize
 from launch_testing.post_shutdown_test import post_shutdown_test
@@ -18,5 +18,6 @@ __all__ = [
     'parametrize',
     'post_shutdown_test',
     'ready_to_test_action_timeout',
+    'tools',
     'util',
 ]

@@ -46,6 +46,11 @@ class ActiveIoHandler:
         self._changed = threading.Condition()
         self._io_handler = IoHandler()
 
+    @property
+    def io_event(self) -> threading.Condition:
+        """Notified at each output."""
+        return self._changed
+
     def append(self, process_io: ProcessIO) -> None:
         """Add what a process has written."""
         with self._changed:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import time
 import unittest
 from collections.abc import Callable
 
@@ -14,8 +15,12 @@ def keep_alive(test_description: Callable) -> Callable:
     return test_description
 
 
-def retry_on_failure(*, times: int) -> Callable[[Callable], Callable]:
-    """Run a case again when it fails, up to so many times in all."""
+def retry_on_failure(*, times: int, delay: float = 0.0) -> Callable[[Callable], Callable]:
+    """
+    Run a case again when it fails, up to so many times in all.
+
+    :param delay: seconds between two runs
+    """
     if times < 1:
         raise ValueError(f"'times' of retry_on_failure has to be at least 1, got {times}")
 
@@ -26,7 +31,7 @@ def retry_on_failure(*, times: int) -> Callable[[Callable], Callable]:
                 try:
                     return case(self, *args, **kwargs)
                 except self.failureException:
-                    continue
+                    time.sleep(delay)
             return case(self, *args, **kwargs)
 
         return run

@@ -19,7 +19,9 @@ from launch_testing.asserts import (
     assertInStdout,
     assertSequentialStdout,
 )
+from launch_testing.tools import basic_output_filter, expect_output, expected_output_from_file
 from launch_testing.util import NoMatchingProcessException, resolveProcesses
+from launch_testing_ros.tools import basic_output_filter as ros_output_filter
 
 pytestmark = pytest.mark.timeout(120)
 
@@ -334,3 +336,82 @@ def test_processes_are_found_by_name_and_arguments():
         assertExitCodes(infos)
     with pytest.raises(ValueError, match='at least 1'):
         markers.retry_on_failure(times=0)
+
+
+WITH_TOOLS = """
+import functools
+import re
+from launch_testing.tools import ProcessProxy, basic_output_filter, expect_output, launch_process
+
+TALK = 'import sys; print("rc 0"); print("one"); print("two"); print("three", file=sys.stderr); sys.exit(3)'
+ECHO = 'import signal\\nsignal.signal(signal.SIGINT, lambda *_: sys.exit(0))\\n' + 'import sys\\n' + LOOP
+
+
+@pytest.mark.launch_test
+@launch_testing.markers.keep_alive
+def generate_test_description():
+    process = ExecuteProcess(cmd=[sys.executable, '-c', ECHO])
+    return launch.LaunchDescription([process, launch_testing.actions.ReadyToTest()]), {'process': process}
+
+
+class TestWhileItRuns(unittest.TestCase):
+    def test_a_program_of_its_own(self, launch_service, proc_info, proc_output):
+        action = ExecuteProcess(cmd=[sys.executable, '-c', TALK])
+        with launch_process(
+            launch_service, action, proc_info, proc_output, output_filter=basic_output_filter()
+        ) as talk:
+            self.assertTrue(talk.wait_for_shutdown(timeout=30))
+        self.assertEqual((talk.exit_code, talk.stdout, talk.stderr), (3, 'one\\ntwo\\n', 'three\\n'))
+        self.assertTrue(expect_output(expected_lines=['one', re.compile('t[w]o')], text=talk.stdout, strict=True))
+        self.assertFalse(talk.running)
+
+    def test_a_program_is_ended_with_the_block(self, launch_service, proc_info, proc_output):
+        action = ExecuteProcess(cmd=[sys.executable, '-c', ECHO])
+        with launch_process(launch_service, action, proc_info, proc_output) as echo:
+            told = echo.wait_for_output(functools.partial(expect_output, expected_lines=['tick']), timeout=30)
+            self.assertTrue(told)
+            self.assertIn('tick', repr(told))
+            self.assertFalse(echo.wait_for_output(lambda text: 'never' in text, timeout=0.2))
+        self.assertTrue(echo.wait_for_shutdown(timeout=30))
+
+    def test_a_program_of_the_description(self, process, proc_info, proc_output):
+        proxy = ProcessProxy(process, proc_info, proc_output)
+        self.assertTrue(proxy.wait_for_output(timeout=30))
+        self.assertTrue(proxy.running)
+        with self.assertRaises(TypeError):
+            ProcessProxy('process', proc_info, proc_output)
+"""
+
+
+def test_programs_are_started_by_tests(write):
+    result = launch_test(write(WITH_TOOLS))
+    assert result.returncode == 0, result.stdout + result.stderr
+    assert 'Ran 3 tests' in result.stderr
+
+
+def test_outputs_are_compared():
+    text = 'one\r\ntwo\nthree\n'
+    assert expect_output(text, expected_text='two\nthree')
+    assert not expect_output(text, expected_text='two\nthree', strict=True)
+    assert expect_output(text, expected_text=['one', re.compile('t.*e$', re.DOTALL)])
+    assert not expect_output(text, expected_text=['two', 'one'])
+    assert expect_output(text, expected_lines='thre') and not expect_output(text, expected_lines='four')
+    assert expect_output(text, expected_lines=['one', 'three']) and expect_output(
+        lines=['a', 'b'], expected_lines=['b']
+    )
+    assert not expect_output(text, expected_lines=['one', 'three'], strict=True)
+    assert not expect_output(text, expected_lines=['one', 'two', 'three', 'four'])
+    with pytest.raises(ValueError, match='not both'):
+        expect_output(text, expected_lines='one', expected_text='one')
+
+
+def test_lines_are_left_out_and_expectations_read_from_files(tmp_path):
+    assert basic_output_filter()('pid 5\nrc 0\nsaid\n') == 'said\n'
+    assert basic_output_filter([], ['.*noise'])('pid 5\nmuch noise here\n') == 'pid 5\n'
+    assert ros_output_filter(filtered_rmw_implementation='rmw_fastrtps_cpp')('rc 0\nsaid\n') == 'said\n'
+    (tmp_path / 'plain.txt').write_text('a\nb\n')
+    (tmp_path / 'patterns.regex').write_text('a.\n')
+    assert expected_output_from_file(tmp_path / 'plain') == ['a', 'b']
+    assert expected_output_from_file(tmp_path / 'patterns')[0].match('ab')
+    with pytest.raises(RuntimeError, match='could not find'):
+        expected_output_from_file(tmp_path / 'nothing')

@@ -1,5 +1,6 @@
 """What tests of launched ROS nodes need beside ``launch_testing``."""
 
+from launch_testing_ros import tools
 from launch_testing_ros.wait_for_topics import WaitForTopics
 
-__all__ = ['WaitForTopics']
+__all__ = ['WaitForTopics', 'tools']

@@ -11,6 +11,7 @@ import rclpy
 import yaml
 from rclpy.executors import SingleThreadedExecutor
 from rosbag2_py import SequentialReader, SequentialWriter, StorageOptions, TopicMetadata
+from rosbags.highlevel import AnyReader
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import Int32, String
 
@@ -156,21 +157,33 @@ def test_record_all_but_some(ros2):
     assert set(topics_of(ros2.directory / 'some_type')) == {'/one', '/two'}
 
 
-def test_a_killed_recording_is_reindexed(ros2):
+@pytest.mark.parametrize('storage,ending', [('mcap', 'mcap'), ('sqlite3', 'db3')])
+def test_a_killed_recording_is_reindexed(ros2, storage, ending):
+    bag = ros2.directory / f'killed_{storage}'
     with ros2.start('topic', 'pub', '-r', '50', '/chatter', 'std_msgs/msg/String', '{data: hello}'):
-        with ros2.start('bag', 'record', '-o', 'killed', '-a') as recorder:
+        with ros2.start('bag', 'record', '-s', storage, '-o', bag.name, '-a') as recorder:
             recorder.wait_for_output("Subscribed to topic '/chatter'", PATIENCE)
-            file = ros2.directory / 'killed' / 'killed_0.mcap'
+            file = bag / f'{bag.name}_0.{ending}'
             small, end = file.stat().st_size, time.monotonic() + PATIENCE
             while file.stat().st_size < small + 1000:
                 assert time.monotonic() < end, 'nothing was written'
                 time.sleep(0.05)
             os.kill(recorder.pid, signal.SIGKILL)
             ended(recorder)
-    assert 'run: ros2 bag reindex killed' in ros2.error('bag', 'info', 'killed')
-    done = ros2.run('bag', 'reindex', 'killed')
+    assert f'run: ros2 bag reindex {bag.name}' in ros2.error('bag', 'info', bag.name)
+    done = ros2.run('bag', 'reindex', bag.name)
     assert done.returncode == 0 and 'Reindexing complete.' in done.stderr
-    assert topics_of(ros2.directory / 'killed')['/chatter'] > 0
+    count = topics_of(bag)['/chatter']
+    assert count > 0
+    assert f'Topic: /chatter | Type: std_msgs/msg/String | Count: {count} |' in ros2.output('bag', 'info', bag.name)
+    with AnyReader([bag]) as reader:  # without these packages
+        assert sum(connection.topic == '/chatter' for connection, *_ in reader.messages()) == count
+    with ros2.start('topic', 'echo', '/chatter', 'std_msgs/msg/String') as echo:
+        played = ros2.run(
+            'bag', 'play', bag.name, '--topics', '/chatter', '--disable-keyboard-controls', '--delay', '2'
+        )
+        assert played.returncode == 0
+        echo.wait_for_output('data: hello', PATIENCE)
 
 
 def test_play_keeps_the_pace(ros2, listener, numbers):

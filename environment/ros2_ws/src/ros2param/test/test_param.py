@@ -93,3 +93,12 @@ def test_a_prefix_that_nothing_has_prints_nothing(ros2, robot):
 def test_load_looks_for_the_node_first(ros2, robot):
     assert ros2.error('param', 'load', '/nobody', 'no_such.yaml') == 'Node not found'
     assert ros2.error('param', 'load', '/robot', 'no_such.yaml').startswith("Cannot read parameter file 'no_such.yaml'")
+
+
+def test_the_type_of_a_text_is_guessed_as_by_set():
+    from rcl_interfaces.msg import ParameterType
+    from ros2param.api import get_parameter_value, get_value
+
+    value = get_parameter_value(string_value='[1, 2]')
+    assert (value.type, get_value(parameter_value=value)) == (ParameterType.PARAMETER_INTEGER_ARRAY, [1, 2])
+    assert get_parameter_value(string_value='["open"').type == ParameterType.PARAMETER_STRING

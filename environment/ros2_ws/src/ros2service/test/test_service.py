@@ -81,3 +81,12 @@ def test_echo_prints_the_events_of_a_service(ros2, node):
         'response',
     ]
     assert ros2.error('service', 'echo', '/no_such') == 'Could not load the type for the passed service'
+
+
+def test_echo_takes_a_quality_of_service(ros2, node):
+    options = ['--no-arr', '--qos-profile', 'services_default', '--qos-depth', '5']
+    with ros2.start('service', 'echo', '/watched', 'std_srvs/srv/SetBool', *options) as echo:
+        with ros2.start('service', 'call', '-r', '5', '/watched', 'std_srvs/srv/SetBool', '{data: true}'):
+            echo.wait_for_output("client_gid: '<array type: uint8[16]>'", PATIENCE)
+            echo.wait_for_output("request: '<sequence type: std_srvs/srv/SetBool_Request[1], length: 1>'", PATIENCE)
+    assert 'invalid choice' in ros2.error('service', 'echo', '/watched', '--qos-reliability', 'maybe', status=2)

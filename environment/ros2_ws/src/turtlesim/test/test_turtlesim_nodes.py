@@ -77,6 +77,15 @@ def test_it_starts_with_stocks_lines_and_ends_well(simulator, peer):
     assert len(simulator.lines) == 3, simulator.output
 
 
+@pytest.mark.parametrize('name', ['turtlesim_node', 'mimic'])
+def test_ros_arguments_that_cannot_be_read_are_told(start, tmp_path, name):
+    (tmp_path / 'bad.yaml').write_text('a: [')
+    process = start(program('turtlesim', name), '--ros-args', '--params-file', str(tmp_path / 'bad.yaml'))
+    process.wait_for_output("Couldn't parse params file", timeout=30)
+    assert process._popen.wait(30) == 1
+    assert 'Traceback' not in process.output
+
+
 def test_it_is_on_the_graph_as_stock_is(simulator, peer):
     node = peer.node
     services = {

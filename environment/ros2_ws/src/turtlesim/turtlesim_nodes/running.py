@@ -1,7 +1,9 @@
 """How every node here begins and ends."""
 
 import contextlib
+import sys
 from collections.abc import Callable
+from pathlib import Path
 
 import rclpy
 from rclpy._rclpy_pybind11 import RCLError
@@ -10,10 +12,18 @@ from rclpy.node import Node
 
 
 def run(make_node: Callable[[], Node], args: list[str] | None) -> None:
-    """Make a node and spin it until Ctrl+C, SIGTERM or a shutdown of its context."""
+    """
+    Make a node and spin it until Ctrl+C, SIGTERM or a shutdown of its context.
+
+    ROS arguments that cannot be read end the program with their error and status 1.
+    """
     with contextlib.suppress(KeyboardInterrupt):
         try:
             rclpy.init(args=args)
+        except RCLError as error:
+            print(f'{Path(sys.argv[0]).name}: {error}', file=sys.stderr)
+            raise SystemExit(1) from None
+        try:
             executor = SingleThreadedExecutor()  # before the node speaks: a signal in between would break it
             rclpy.spin(make_node(), executor)
         except ExternalShutdownException:

@@ -212,7 +212,7 @@ class ExecuteProcess(Action):
 
     @property
     def env(self):
-        """The whole environment: pairs of substitutions, or, once it is executed, texts; None for the launch's."""
+        """The whole environment: pairs of substitutions, None for the launch's; once it is executed, texts."""
         return self._details['env'] if self._details else self._env
 
     @property
@@ -375,15 +375,12 @@ class ExecuteProcess(Action):
     async def _start(self, context: LaunchContext) -> bool:
         cmd = self._details['cmd']
         if self._log_cmd:
-            custom = self._details['env'] is not None
-            self._logger.info(
-                f"process details: cmd='{' '.join(cmd)}', cwd='{self._details['cwd']}', custom_env?={custom}"
-            )
+            self._logger.info(f"process details: cmd='{' '.join(cmd)}', cwd='{self._details['cwd']}', custom_env?=True")
         try:
             self._child = await ChildProcess.start(
                 ' '.join(cmd) if self._shell else cmd,
                 cwd=self._details['cwd'],
-                env=self._details['env'] or dict(context.environment),
+                env=self._details['env'],
                 tty=self._emulate_tty,
                 on_output=lambda source, data: self._on_output(context, source, data),
             )
@@ -460,9 +457,8 @@ class ExecuteProcess(Action):
         except asyncio.TimeoutError:
             pass
 
-    def _expand_environment(self, context: LaunchContext) -> dict[str, str] | None:
-        if self._env is None and self._additional_env is None:
-            return None
+    def _expand_environment(self, context: LaunchContext) -> dict[str, str]:
+        """Return the environment as it is now: the process starts later, when others may have changed it."""
         result = dict(context.environment) if self._env is None else {}
         for name, value in [*(self._env or []), *(self._additional_env or [])]:
             result[to_text(context, name)] = to_text(context, value)

@@ -3,6 +3,7 @@
 from argparse import Namespace
 from typing import Any
 
+from rclpy.parameter import get_parameter_value as get_parameter_value  # upstream's API has it, too
 from ros2node.api import get_absolute_node_name, get_node_names
 
 # Seconds that a node has to answer.

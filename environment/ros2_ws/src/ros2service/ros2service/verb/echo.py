@@ -14,6 +14,8 @@ class EchoVerb(VerbExtension):
 
     def add_arguments(self, parser, cli_name):
         """Add the arguments."""
+        from ros2topic.api.qos import add_qos_arguments
+
         parser.description = (
             'Print the requests and responses of a service.\n\n'
             'Only services and clients that were told to publish their events are heard (configure_introspection).'
@@ -23,6 +25,7 @@ class EchoVerb(VerbExtension):
         argument.completer = ServiceNameCompleter(include_hidden_services_key='include_hidden_services')
         argument = parser.add_argument('service_type', nargs='?', help='Its type, for example std_srvs/srv/Empty')
         argument.completer = ServiceTypeCompleter(service_name_key='service_name')
+        add_qos_arguments(parser, 'subscribe', 'services_default')
         parser.add_argument(
             '--csv', action='store_true', help='Print the values of all fields in a line, separated by commas'
         )
@@ -42,8 +45,8 @@ class EchoVerb(VerbExtension):
 
     def main(self, *, args):
         """Print the events until Ctrl+C."""
-        from rclpy.qos import QoSPresetProfiles
         from ros2cli.node.strategy import NodeStrategy
+        from ros2topic.api.qos import qos_profile_from_arguments
 
         with NodeStrategy(args) as node:
             if args.service_type is None:
@@ -56,7 +59,7 @@ class EchoVerb(VerbExtension):
                 service_class.Event,
                 f'{args.service_name}/_service_event',
                 lambda event: _print(event, args),
-                QoSPresetProfiles.get_from_short_key('services_default'),
+                qos_profile_from_arguments(args),
             )
             node.spin()
 
