@@ -135,7 +135,7 @@ def test_command_line(ros2, line, pattern):  # noqa: F811
     assert re.fullmatch(pattern, done.stdout), done.stdout
 
 
-@pytest.mark.one_of(2)
+@pytest.mark.one_of(3)
 @pytest.mark.usefixtures('turtlesim')
 @pytest.mark.parametrize('line,status,said', REFUSED, ids=[line for line, _, _ in REFUSED])
 def test_refused_line(ros2, line, status, said):  # noqa: F811
