@@ -50,7 +50,7 @@ def test_limit(speed, distance):
         (-0.4, 0.5, 0.1, -0.4), (-0.4, 0.5, 0.6, -0.4),                        # backwards it does not matter
         (0.5, 0.5, nan, 0.0), (-0.4, 0.5, nan, -0.4),                          # the sensor has failed
         ''', new='(0.5, 0.5, nan, 0.0),                          # the sensor has failed',
-           expect='that slows down backwards, too', breaks='backwards'),
+           expect='that slows down backwards, too', breaks='backwards', also='max-speed'),
     Mutant('text_of_the_error', old='(ValueError):', new="(ValueError, match='^max_speed must not be negative$'):",
            expect='ask for nothing that is not in the docstring', breaks='right-functions'),
     Mutant('only_one_limit', edits=(
