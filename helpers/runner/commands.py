@@ -15,6 +15,7 @@ from typing import Any
 from helpers.programs import terminals
 
 MAX_FILES = 2000  # names in a listing
+MAX_READ = 64 * 2**10  # characters of a file
 
 
 def perform(request: dict, given: list[int]) -> int:
@@ -22,6 +23,7 @@ def perform(request: dict, given: list[int]) -> int:
 
     write     the files in the open file given[0] (JSON: path -> text, or base64) below `folder`, with colcon's defaults
     listing   print the names of the files and links below `folder`, without caches, as JSON
+    reading   print the text of the file `folder`, as JSON
     command   run `argv` in a new terminal: the ROS installation is sourced, then the folder's own `install`, if any
     pytest    run pytest with `argv`, in this process, which has imported it
     """
@@ -32,6 +34,9 @@ def perform(request: dict, given: list[int]) -> int:
                 _write(root, json.load(file))
         case 'listing':
             print(json.dumps(_listing(root)))
+        case 'reading':
+            with open(root, encoding='utf-8', errors='replace') as file:
+                print(json.dumps(file.read(MAX_READ)))
         case 'command':
             os.chdir(root)
             script = '[ ! -f install/setup.bash ] || source install/setup.bash\nexec "$@"'
