@@ -100,11 +100,11 @@ class ExerciseWorkspace:
                 self._cache[key] = error
             else:
                 if self._cache[key].status == 0:
-                    self._cache[('shadows', *key)] = self._shadows()
+                    self._cache[(self.name, 'shadows', *arguments)] = self._shadows()
         done = self._cache[key]
         if isinstance(done, LearnerTimeout):
             raise LearnerTimeout(done.message, done.details)
-        if shadows := self._cache.get(('shadows', *key)):
+        if shadows := self._cache.get((self.name, 'shadows', *arguments)):
             raise LearnerError(
                 f'Your package installs a Python module `{shadows[0]}`, and Python knows one by this name already: '
                 'each program in this workspace would load yours. Give it another name, or do not install it.'
