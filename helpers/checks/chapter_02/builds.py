@@ -161,9 +161,12 @@ def metadata(workspace: ExerciseWorkspace, package_name: str) -> tuple[str, str,
     if not about_it:
         return None
     said = email.message_from_string(workspace.read(about_it))
-    programs = configparser.RawConfigParser(delimiters='=')
+    programs = configparser.RawConfigParser(delimiters='=', strict=False)
     programs.optionxform = str  # type: ignore[assignment,method-assign]  # names keep their capital letters
-    programs.read_string(workspace.read(found['entry_points.txt']) if 'entry_points.txt' in found else '')
+    try:
+        programs.read_string(workspace.read(found['entry_points.txt']) if 'entry_points.txt' in found else '')
+    except configparser.Error:
+        programs.clear()  # what nobody can read has no programs
     scripts = dict(programs['console_scripts']) if programs.has_section('console_scripts') else {}
     return str(said['Name']), str(said['Version']), scripts
 

@@ -35,7 +35,7 @@ def _written_in(learner) -> dict:
         message = parser.parse_message_string('dock_interfaces', 'Charge', learner.text('MSG'))
         service = parser.parse_service_string('dock_interfaces', 'Dock', learner.text('SRV'))
     except Exception as error:  # noqa: BLE001 - of rosidl's parser: any
-        raise broken(f'The text of an interface cannot be read: {error}', 'both') from None
+        raise broken(f'The text of an interface cannot be read: {str(error)[:300]}', 'both') from None
     request, response = service.request, service.response
     defaults = {field.name: field.default_value for field in (*request.fields, *response.fields)}
     return {
