@@ -8,6 +8,7 @@ the tests, outside of that place. Requests: see `helpers.runner.fork_server`; te
 import base64
 import json
 import os
+import stat
 import sys
 from pathlib import Path
 from typing import Any
@@ -35,8 +36,7 @@ def perform(request: dict, given: list[int]) -> int:
         case 'listing':
             print(json.dumps(_listing(root)))
         case 'reading':
-            with open(root, encoding='utf-8', errors='replace') as file:
-                print(json.dumps(file.read(MAX_READ)))
+            return _read(root)
         case 'command':
             os.chdir(root)
             script = '[ ! -f install/setup.bash ] || source install/setup.bash\nexec "$@"'
@@ -60,6 +60,15 @@ def _write(root: Path, files: dict[str, str | dict]) -> None:
         path.write_bytes(content)
         if content.startswith(b'#!'):
             path.chmod(0o755)
+
+
+def _read(path: Path) -> int:
+    """Print the text of a regular file; 1 if it is none. A pipe that nobody writes to is not waited for."""
+    with open(os.open(path, os.O_RDONLY | os.O_NONBLOCK), encoding='utf-8', errors='replace') as file:
+        if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+            return 1
+        print(json.dumps(file.read(MAX_READ)))
+    return 0
 
 
 def _listing(root: Path) -> list[str]:
