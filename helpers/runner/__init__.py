@@ -9,6 +9,6 @@ The tests and the learner's code live in two processes that meet only over DDS a
     start_processes    how both sides are started; a sandbox has its own way
 """
 
-from helpers.runner.verdicts import about, broken, expect
+from helpers.runner.verdicts import about, broken, expect, waiting
 
-__all__ = ['about', 'broken', 'expect']
+__all__ = ['about', 'broken', 'expect', 'waiting']

@@ -8,6 +8,7 @@ the tests, outside of that place. Requests: see `helpers.runner.fork_server`; te
 import base64
 import json
 import os
+import stat
 import sys
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,7 @@ from typing import Any
 from helpers.programs import terminals
 
 MAX_FILES = 2000  # names in a listing
+MAX_READ = 64 * 2**10  # characters of a file
 
 
 def perform(request: dict, given: list[int]) -> int:
@@ -22,6 +24,7 @@ def perform(request: dict, given: list[int]) -> int:
 
     write     the files in the open file given[0] (JSON: path -> text, or base64) below `folder`, with colcon's defaults
     listing   print the names of the files and links below `folder`, without caches, as JSON
+    reading   print the text of the file `folder`, as JSON
     command   run `argv` in a new terminal: the ROS installation is sourced, then the folder's own `install`, if any
     pytest    run pytest with `argv`, in this process, which has imported it
     """
@@ -32,6 +35,8 @@ def perform(request: dict, given: list[int]) -> int:
                 _write(root, json.load(file))
         case 'listing':
             print(json.dumps(_listing(root)))
+        case 'reading':
+            return _read(root)
         case 'command':
             os.chdir(root)
             script = '[ ! -f install/setup.bash ] || source install/setup.bash\nexec "$@"'
@@ -55,6 +60,15 @@ def _write(root: Path, files: dict[str, str | dict]) -> None:
         path.write_bytes(content)
         if content.startswith(b'#!'):
             path.chmod(0o755)
+
+
+def _read(path: Path) -> int:
+    """Print the text of a regular file; 1 if it is none. A pipe that nobody writes to is not waited for."""
+    with open(os.open(path, os.O_RDONLY | os.O_NONBLOCK), encoding='utf-8', errors='replace') as file:
+        if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+            return 1
+        print(json.dumps(file.read(MAX_READ)))
+    return 0
 
 
 def _listing(root: Path) -> list[str]:

@@ -386,8 +386,8 @@ class Learner(Workspaces):
     def depths(self, kind: str, topic: str) -> list[int]:
         """The queue depths of the learner's endpoints of this kind ('publisher', 'subscription') on `topic`.
 
-        The graph does not tell depths, so the learner's processes are asked. What a late joiner or a burst can show
-        should be judged by that.
+        0 stands for KEEP_ALL. The graph does not tell depths, so the learner's processes are asked. What a late joiner
+        or a burst can show should be judged by that.
         """
         return [
             depth
@@ -648,6 +648,10 @@ class Learner(Workspaces):
         for peer in self._peers:
             peer.check()
 
+    def causes(self) -> list[str]:
+        """Mistakes that were noticed in the learner's process: what a failed test says first."""
+        return list(self._remarks)
+
     def hints(self) -> list[str]:
         """What a failed test may add: endpoints of the test's that no node of the learner's is connected with."""
         own = self.own_nodes()
@@ -664,7 +668,6 @@ class Learner(Workspaces):
                 found.append(f'Your program has no {kind} on {topic}{instead}.')
         found += [hint for peer in self._peers for hint in peer.hints()]
         stuck = [line for line in self._waiting if 'sleep' not in line['code']]
-        found += self._remarks
         return found + [
             f'A callback of your program was waiting at {line["cell"]}, line {line["line"]}: `{line["code"]}`.'
             for line in stuck[:3]

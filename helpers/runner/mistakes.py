@@ -162,6 +162,7 @@ def _watch_actions(seen: Watch) -> None:
             given = signature.bind(self, *args, **kwargs).arguments
         except TypeError:
             return create(self, *args, **kwargs)
+        _type_first('ActionServer', given)
         if not callable(given['execute_callback']):
             raise TypeError(_no_function('ActionServer(…)', given['execute_callback']))
         for name, kind in answers.items():
@@ -171,6 +172,26 @@ def _watch_actions(seen: Watch) -> None:
         return create(*bound.args, **bound.kwargs)
 
     ActionServer.__init__ = __init__  # type: ignore[method-assign]  # put around it on purpose
+    create_client = ActionClient.__init__
+    of_client = inspect.signature(create_client)
+
+    @functools.wraps(create_client)
+    def made(self, *args, **kwargs):
+        try:
+            given = of_client.bind(self, *args, **kwargs).arguments
+        except TypeError:
+            return create_client(self, *args, **kwargs)
+        _type_first('ActionClient', given)
+        return create_client(self, *args, **kwargs)
+
+    ActionClient.__init__ = made  # type: ignore[method-assign]  # put around it on purpose
+
+
+def _type_first(what: str, given: dict) -> None:
+    """Raise TypeError if type and name of an action stand in the wrong order."""
+    kind, name = given['action_type'], given['action_name']
+    if isinstance(kind, str) and inspect.isclass(name):
+        raise TypeError(f'the type comes first, then the name: {what}(self, {name.__name__}, {kind!r}, …)')
 
 
 def _answering(callback, name: str, kind, seen: Watch):

@@ -179,14 +179,14 @@ class Plugin:
         error = excinfo.value
         state = {**_NOTHING, 'verdict': verdicts.GRADER_ERROR}
         if isinstance(error, verdicts.LearnerError):
-            hints = []
+            causes, hints = [], []
             if isinstance(error, verdicts.ExpectationFailed):
-                hints = self._hints(item)
+                causes, hints = self._said(item, 'causes'), self._said(item, 'hints')
             return {
                 **state,
                 'again': isinstance(error, verdicts.Unheard),
                 'verdict': error.verdict,
-                'message': '\n'.join([error.message, *hints]),
+                'message': '\n'.join([*causes, error.message, *hints]),
                 'details': error.details,
                 'rule': _broken_rule(item, error),
                 'hint': error.hint,
@@ -195,16 +195,17 @@ class Plugin:
             return {
                 **state,
                 'verdict': verdicts.FAILED,
-                'message': '\n'.join(self._hints(item)),
+                'message': '\n'.join([*self._said(item, 'causes'), *self._said(item, 'hints')]),
                 'hint': True,
                 'rule': _broken_rule(item, None),
             }
         text = ''.join(traceback.format_exception(error))
         return {**state, 'fault': text[-8000:]}
 
-    def _hints(self, item) -> list[str]:
+    def _said(self, item, what: str) -> list[str]:
+        """The `causes` or the `hints` of the test's learner."""
         try:
-            return item.learner.hints()
+            return getattr(item.learner, what)()
         except Exception:  # noqa: BLE001 - a hint is only a hint
             return []
 

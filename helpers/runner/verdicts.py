@@ -103,3 +103,16 @@ def about(rule: str) -> Iterator[None]:
     except LearnerError as error:
         error.rule = error.rule or rule
         raise
+
+
+@contextmanager
+def waiting(rule: str) -> Iterator[None]:
+    """Within the block, a wait of the learner's program that does not end breaks `rule`.
+
+    For rules that forbid to wait: a crash would say that the program has waited, which it has not.
+    """
+    try:
+        yield
+    except LearnerTimeout as error:
+        error.rule = error.rule or rule
+        raise

@@ -33,7 +33,7 @@ from rclpy.duration import Duration
 from rclpy.exceptions import InvalidHandle
 from rclpy.executors import SingleThreadedExecutor, TimeoutException, await_or_execute
 from rclpy.node import Node
-from rclpy.qos import QoSProfile, ReliabilityPolicy
+from rclpy.qos import HistoryPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.signals import SignalHandlerOptions
 from rclpy.time import Time
 from rclpy.time_source import CLOCK_TOPIC, TimeSource
@@ -433,6 +433,11 @@ def _explained(error: BaseException) -> BaseException:
     return TypeError(f'the callback of the service returned {what}; its last line must be `return response`')
 
 
+def _depth(profile: QoSProfile) -> int:
+    """How many messages an endpoint keeps; 0: all of them."""
+    return 0 if profile.history == HistoryPolicy.KEEP_ALL else profile.depth
+
+
 def _describe(entity) -> str:
     """What a callback belongs to, in a learner's words."""
     for attribute, words in (('topic_name', 'subscription of'), ('srv_name', 'service')):
@@ -582,7 +587,7 @@ class Worker:
             raise RequestError('not_callable', name=name, got=type(function).__name__)
         try:
             result = function(*map(values.decode, args), **{k: values.decode(v) for k, v in kwargs.items()})
-            encoded = values.encode(result)
+            encoded = values.encode_result(result)
         except BaseException as error:  # noqa: BLE001 - SystemExit, too
             raise self._loaded().error('call', error, name=name) from None
         return {'result': encoded}
@@ -687,7 +692,7 @@ class Worker:
     def do_habits(self):
         """What only this process knows of its nodes: their queues, and how long their lines have slept."""
         queues = [
-            [kind, endpoint.topic_name, endpoint.qos_profile.depth]
+            [kind, endpoint.topic_name, _depth(endpoint.qos_profile)]
             for node in self.nodes
             for kind, endpoints in (('publisher', node.publishers), ('subscription', node.subscriptions))
             for endpoint in endpoints

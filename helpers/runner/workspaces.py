@@ -16,6 +16,7 @@ import os
 import re
 import secrets
 import shlex
+import sys
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
@@ -37,6 +38,9 @@ LISTING = 2**20  # bytes
 LISTING_TIMEOUT = WRITE_TIMEOUT = 60.0
 OUTPUT = 32 * 2**10  # bytes that are kept, the last ones
 MAX_TEXT = 64 * 2**10  # characters of a file of the learner's
+_MODULE = re.compile(r'(?:site|dist)-packages/(\w+)(?:/|\.py$|\.[\w-]+\.so$)')
+# What Python and its tools load by name. A package for tests may be called as Python's own one.
+_KNOWN = {*sys.stdlib_module_names, 'sitecustomize', 'usercustomize', 'setuptools', 'rclpy'} - {'test'}
 
 
 @dataclass(frozen=True)
@@ -94,9 +98,17 @@ class ExerciseWorkspace:
                 )
             except LearnerTimeout as error:  # nobody waits for it a second time
                 self._cache[key] = error
+            else:
+                if self._cache[key].status == 0:
+                    self._cache[(self.name, 'shadows', *arguments)] = self._shadows()
         done = self._cache[key]
         if isinstance(done, LearnerTimeout):
             raise LearnerTimeout(done.message, done.details)
+        if shadows := self._cache.get((self.name, 'shadows', *arguments)):
+            raise LearnerError(
+                f'Your package installs a Python module `{shadows[0]}`, and Python knows one by this name already: '
+                'each program in this workspace would load yours. Give it another name, or do not install it.'
+            )
         if check and done.status != 0:
             raise LearnerError(f'colcon build failed: {reason(done.output)}', clean(done.output, 6000))
         return done
@@ -170,6 +182,16 @@ class ExerciseWorkspace:
         if task.wait(LISTING_TIMEOUT) != 0:
             return []
         return [str(name) for name in json.loads(task.output)]
+
+    def read(self, name: str) -> str:
+        """The text of a file below `install`, as it stands there: nothing of the learner's runs for this."""
+        task = self._learner.server.task('reading', self.name, keep=LISTING, folder=f'{self.name}/install/{name}')
+        return json.loads(task.output) if task.wait(LISTING_TIMEOUT) == 0 else ''
+
+    def _shadows(self) -> list[str]:
+        """Installed modules that would come before Python's own ones, sorted: what a probe says would be theirs."""
+        names = {found[1] for name in self.installed() if (found := _MODULE.search(name))}
+        return sorted(names & _KNOWN)
 
     def forget(self) -> None:
         """Remove it: it is not needed any more."""

@@ -42,4 +42,8 @@ MUTANTS = [
            breaks='rest'),
     Mutant('another_program', old="follow:main']", new="follow:main', 'drive = line_follower.follow:main']",
            expect='a further program, drive', breaks='rest'),
+    Mutant('filters_only', old="['line_follower', 'line_follower.filters']", new="['line_follower.filters']",
+           expect='must name line_follower itself, too', breaks='packages', also='builds'),
+    Mutant('built_with_another_package', old=GEOMETRY, new=f'{GEOMETRY} <build_depend>std_msgs</build_depend>',
+           expect='package.xml declares std_msgs', breaks='dependencies'),
 ]

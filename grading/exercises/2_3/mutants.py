@@ -60,4 +60,8 @@ MUTANTS = [
     Mutant('std_msgs_not_declared', old=DEPEND, new='', expect='std_msgs is needed for the build', breaks='to-build'),
     Mutant('no_generators', old=GENERATORS, new='', expect='rosidl_default_generators is needed for the build',
            breaks='to-build'),
+    Mutant('constant_without_a_sign', old='uint8 FULL=100', new='uint8 FULL 100', expect='The line of `FULL` has no `=`',
+           breaks='full'),
+    Mutant('false_by_default', old='bool docked', new='bool docked false', expect='`docked` of Dock has a default value',
+           breaks='default'),
 ]

@@ -54,4 +54,11 @@ MUTANTS = [
            expect='odometry declares std_msgs', breaks='nothing-else'),
     Mutant('library_for_cmake', old=LIBRARY_ENDS, new=LIBRARY_ENDS.replace('python', 'cmake'),
            expect='The build type in WHEEL_MATH_XML is ament_cmake', breaks='build-type'),
+    Mutant('forwards_only', old='int(sys.argv[1])', new='abs(int(sys.argv[1]))', expect='your program asks distance for',
+           breaks='argument'),
+    Mutant('returns_the_text', old=PRINT, new="return f'{distance(int(sys.argv[1])):.3f} m'",
+           expect='main returns it. Use print', breaks='prints', also='library'),
+    Mutant('tool_of_another_build_type', old=WHEEL_MATH,
+           new=f"{WHEEL_MATH} '<buildtool_depend>ament_cmake</buildtool_depend>',",
+           expect='wheel_math declares ament_cmake', breaks='nothing-else'),
 ]

@@ -9,6 +9,7 @@ pytestmark = pytest.mark.exercise('2.5')
 WRONG = {
     'does not come back to the first station': 'back = 0\n    return [one for one in stations[back:]]',
     'leaves the second station out': 'there = list(stations)\n    del there[1:2]\n    return there + [stations[0]]',
+    'leaves the last station out': 'there = list(stations)\n    return there[: max(1, len(there) - 1)] + there[:1]',
     'gives the stations in reverse order': 'there = list(stations)[::-1]\n    there.append(there[0])\n    return there',
 }
 RIGHT = (
@@ -35,7 +36,8 @@ def test_round_trip(learner):
     Also for other numbers of stations, and whatever their order is.
     """
     drawn = learner.random.sample(patrolling.STATIONS, 8)
-    patrolling.judge_round_trip(learner, sorted(drawn[:5], reverse=True), sorted(drawn[5:7], reverse=True), drawn[7:])
+    cases = [sorted(drawn[:5], reverse=True), sorted(drawn[5:7], reverse=True), drawn[7:], [*drawn[:2], drawn[0]]]
+    patrolling.judge_round_trip(learner, *cases)
 
 
 @pytest.mark.rules('route')

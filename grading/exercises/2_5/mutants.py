@@ -130,4 +130,9 @@ MUTANTS = [
            new="'test/test_route.py': '''import inspect\n\nfrom patrol.route import round_trip\n\n\ndef test_text():\n"
                "    assert '*stations' in inspect.getsource(round_trip)",
            expect='do not pass with another round_trip that is right', breaks='notices'),
+    Mutant('each_station_once', old='[*stations, stations[0]]', new='[*dict.fromkeys(stations), stations[0]]',
+           expect='expected', breaks='round-trip'),
+    Mutant('only_the_beginning', old=COMPARED,
+           new="trip = round_trip(['dock', 'door', 'lab'])\nassert trip[:2] == ['dock', 'door'] and trip[-1] == 'dock'",
+           expect='pass with a round_trip that leaves the last station out', breaks='notices'),
 ]

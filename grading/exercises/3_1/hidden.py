@@ -4,7 +4,7 @@ import pytest
 from std_msgs.msg import String
 
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic, robot
-from helpers.runner import about, expect
+from helpers.runner import about, expect, waiting
 
 pytestmark = [pytest.mark.exercise('3.1'), pytest.mark.wiring(type='topic', qos='qos')]
 
@@ -18,7 +18,7 @@ def test_first_message(learner):
     heard = learner.listen('/beacon', String)
     learner.run(learner.random.uniform(1.0, 9.0))
     begin = learner.now / 1e9
-    with about('at-once'):
+    with waiting('at-once'):
         learner.start('Beacon')
     expect(
         not learner.slept,
@@ -58,7 +58,7 @@ def test_long_run(learner):
     """
     quarters = learner.random.randint(60, 120)
     heard = learner.listen('/beacon', String)
-    with about('at-once'):
+    with waiting('at-once'):
         learner.start('Beacon')
     learner.settle()
     with about('texts'):
@@ -89,7 +89,7 @@ def test_three_beacons(learner):
     Keep the counter in the object (self.…), not in the class or in a global variable.
     """
     heard = learner.listen('/beacon', String)
-    with about('at-once'):
+    with waiting('at-once'):
         first = learner.start('Beacon')
     learner.settle()
     for _ in range(2):
@@ -121,7 +121,7 @@ def test_name_and_qos(learner):
     """
     space = robot(learner.random)
     learner.listen(f'{space}/beacon', String)
-    with about('at-once'):
+    with waiting('at-once'):
         beacon = learner.start('Beacon', remap={'__ns': space})
     check_name(beacon, 'beacon', 'node')
     check_topic(learner, 'publisher', space, 'beacon', 'topic')

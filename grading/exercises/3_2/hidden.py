@@ -4,6 +4,7 @@ import math
 
 import pytest
 from sensor_msgs.msg import Range
+from std_msgs.msg import Header
 
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic
 from helpers.checks.chapter_03.ranges import check_reading, reading
@@ -38,13 +39,20 @@ def test_readings(learner):
         reading(random, range=random.uniform(0.5, 3.0), variance=random.uniform(20, 90)),
         reading(random, range=random.uniform(500, 5000), radiation_type=Range.ULTRASOUND),
         reading(random, variance=0.0, min_range=0.0),
+        reading(random, range=math.nan),
+        reading(random, range=-random.uniform(1, 5), header=Header()),  # a relay does not ask what it means
     ]
     random.shuffle(messages)
     heard = relay(learner, *messages)
     expect(
         heard.messages, 'Nothing came out on /sonar at once. Publish in the callback of the subscription.', 'at-once'
     )
-    expect(len(heard) == len(messages), f'{len(messages)} messages in gave {len(heard)} out.', 'one-each')
+    expect(
+        len(heard) == len(messages),
+        f'{len(messages)} messages in gave {len(heard)} out. One of them has the range nan, another one a negative '
+        'range: a relay leaves out nothing.',
+        'one-each',
+    )
     for got, sent in zip(heard.messages, messages, strict=True):
         check_reading(got, sent)
 

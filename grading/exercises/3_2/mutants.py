@@ -146,4 +146,15 @@ class RangeToMetres(Node):
             if msg.range < msg.min_range:
                 return
         ''', expect='out', breaks='one-each'),
+    Mutant('drops_nan', old='def on_range(self, msg):', new='''
+        def on_range(self, msg):
+            if msg.range != msg.range:
+                return
+        ''', expect='out', breaks='one-each'),
+    Mutant('no_negative_range', old='msg.range /= 100', new='msg.range = 0.0 if msg.range < 0 else msg.range / 100',
+           expect='Convert all three distances', breaks='distances'),
+    Mutant('fills_an_empty_header', old='msg.range /= 100', new='''
+        msg.range /= 100
+        msg.header.frame_id = msg.header.frame_id or 'sonar'
+        ''', expect='the header is lost', breaks='header'),
 ]

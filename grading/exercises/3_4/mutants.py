@@ -87,4 +87,6 @@ MUTANTS = [
            expect='VOLATILE', breaks='qos'),
     Mutant('wall_is_one', old="{'#': 100", new="{'#': 1", expect="the cell '#' in row", breaks='cells',
            also=('walls',)),
+    Mutant('keeps_everything', old='QoSProfile(depth=1,', new='QoSProfile(history=rclpy.qos.HistoryPolicy.KEEP_ALL,',
+           expect='keeps everything (KEEP_ALL)', breaks='qos'),
 ]

@@ -71,4 +71,11 @@ MUTANTS = [
     Mutant('set_of_reasons', old='return reasons', new='return set(reasons)', expect='gives a set', breaks='list'),
     Mutant('slashes_do_not_count', old='if offered[key] != requested[key]]',
            new="if offered[key].strip('/') != requested[key].strip('/')]", expect='only if they are equal', breaks='names'),
+    Mutant('tuple_of_reasons', old='return reasons', new='return tuple(reasons)', expect='gives a tuple', breaks='list'),
+    Mutant('deadlines_in_tenths', old=DEADLINE, new='''
+        first, second = (int(one['deadline'] * 10) or float('inf') for one in (offered, requested))
+        if first > second:
+        ''', expect='must not be longer', breaks='deadline', also='no-deadline'),
+    Mutant('ten_seconds_are_endless', old=DEADLINE, new="if (offered['deadline'] or 10) > (requested['deadline'] or 10):",
+           expect='0.0 is an endless period', breaks='no-deadline'),
 ]

@@ -94,4 +94,10 @@ MUTANTS = [
         ''', expect='published', breaks='publish'),
     Mutant('zeros_are_nothing', breaks='distortion', old='len(info.d) == 5', new='len(info.d) == 5 and any(info.d)',
            expect='Five zeros are five numbers'),
+    Mutant('fills_an_empty_header', old='self.publisher.publish(info)', new='''
+        info.header.frame_id = info.header.frame_id or 'camera'
+        self.publisher.publish(info)
+        ''', expect='as it came', breaks='publish'),
+    Mutant('limited_size', old="'size': info.width > 0 and info.height > 0,",
+           new="'size': 0 < info.width < 10000 and 0 < info.height < 10000,", expect='breaks no rule', breaks='size'),
 ]

@@ -12,10 +12,13 @@ NEVER = (
     'give the clients a group of their own.'
 )
 
+SAID = {'battery': ' is  here ', 'lidar': ''}  # what the parts say, whatever it is
+WANTED = f'battery: {SAID["battery"]}; lidar: {SAID["lidar"]}'
+
 
 def panel(learner, battery_delay=0.0, lidar_delay=0.0, success=(True, True), namespace=''):
     parts = [
-        learner.serve(f'{namespace}/{name}/check', Trigger, {'success': good, 'message': f'{name} is here'}, delay)
+        learner.serve(f'{namespace}/{name}/check', Trigger, {'success': good, 'message': SAID[name]}, delay)
         for name, delay, good in zip(('battery', 'lidar'), (battery_delay, lidar_delay), success, strict=True)
     ]
     node = learner.start('StatusPanel', remap={'__ns': namespace} if namespace else None)
@@ -63,8 +66,9 @@ def test_order_of_the_message(learner):
         learner.run(1.0)
         expect(call.done, NEVER, 'one-thread')
         expect(
-            call.response.message == 'battery: battery is here; lidar: lidar is here',
-            f'The answers came after {delays[0]} and {delays[1]} s; the message is {call.response.message!r}.',
+            call.response.message == WANTED,
+            f'The answers came after {delays[0]} and {delays[1]} s; the message is {call.response.message!r}, '
+            f'expected {WANTED!r}.',
             'message',
         )
         for peer in (battery, lidar, status):
@@ -90,8 +94,9 @@ def test_success(learner, success):
         'success',
     )
     expect(
-        call.response.message == 'battery: battery is here; lidar: lidar is here',
-        f'The parts say {success[0]} and {success[1]}; the message of the status is {call.response.message!r}.',
+        call.response.message == WANTED,
+        f'The parts say {success[0]} and {success[1]}; the message of the status is {call.response.message!r}, '
+        f'expected {WANTED!r}.',
         'message',
     )
 

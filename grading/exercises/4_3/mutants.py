@@ -107,4 +107,6 @@ MUTANTS = [
             return response
         lidar = await futures[1]
         ''', expect='The message of the status is'),
+    Mutant('strips_the_messages', old='{lidar.message}', new='{lidar.message.strip()}', breaks='message',
+           edits=(('{battery.message}', '{battery.message.strip()}'),), expect='The message of the status is'),
 ]

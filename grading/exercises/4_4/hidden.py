@@ -144,7 +144,7 @@ def test_leaving(learner):
 
     The count never goes below 0.
     """
-    _, enter, leave, _ = guard(learner, {'success': True}, 1)
+    lock, enter, leave, _ = guard(learner, {'success': True}, 1)
 
     def one_by_one(*clients):
         words = []
@@ -160,6 +160,12 @@ def test_leaving(learner):
     expect(
         words == [True, True, True, True, True, False],
         f'One is inside; leave, enter, leave, leave, enter, enter with the capacity 1 gave {words}.',
+        'leave',
+    )
+    expect(
+        len(lock.requests) == 3,
+        f'Three people came in, three times somebody left, and the lock was asked {len(lock.requests)} times, '
+        'expected 3: only enter asks it.',
         'leave',
     )
 

@@ -95,4 +95,8 @@ MUTANTS = [
             response.message = 'full'
             return response
         ''')), expect='The lock was asked'),
+    Mutant('locks_when_somebody_leaves', old=LEAVE, new=f'''
+        {LEAVE}
+        self.lock.call_async(SetBool.Request(data=True))
+        ''', expect='leave has asked the lock', breaks='leave'),
 ]

@@ -59,7 +59,7 @@ def test_deadline(learner):
     The server may need time to stop. Its result tells what really happened.
     """
     patience = learner.random.choice([1.25, 1.7, 2.35])
-    outcome, server, _ = begin(learner, 30, patience, cancel_delay=3.0, partial=Fibonacci.Result(sequence=[5, 6]))
+    outcome, server, _ = begin(learner, 30, patience, cancel_delay=3.0, partial=Fibonacci.Result(sequence=[6, 5]))
     learner.run(patience + 1.8)
     expect(server.goals, 'No goal came.', 'deadline')
     goal = server.goals[0]
@@ -82,8 +82,8 @@ def test_deadline(learner):
     )
     learner.run(3.0)
     expect(
-        outcome.data == ['canceled [5, 6]'],
-        f'/outcome said {outcome.data}, expected ["canceled [5, 6]"].',
+        outcome.data == ['canceled [6, 5]'],
+        f'/outcome said {outcome.data}, expected ["canceled [6, 5]"].',
         'numbers' if outcome.data and outcome.data[0].startswith('canceled [') else 'result',
     )
 
@@ -112,12 +112,12 @@ def test_aborted(learner):
 
     The status stands beside the result: .result().status.
     """
-    outcome, _, _ = begin(learner, 3, 3.0, [(1.0, actions.Aborted(Fibonacci.Result(sequence=[9])))])
+    outcome, _, _ = begin(learner, 3, 3.0, [(1.0, actions.Aborted(Fibonacci.Result(sequence=[9, 4, 9])))])
     learner.run(5.0)
     expect(
-        outcome.data == ['aborted [9]'],
+        outcome.data == ['aborted [9, 4, 9]'],
         f'The server aborted the goal, and /outcome said {outcome.data}, '
-        'expected ["aborted [9]"]. Look at the status of the result.',
+        'expected ["aborted [9, 4, 9]"]. Look at the status of the result.',
         'numbers' if outcome.data and outcome.data[0].startswith('aborted [') else 'word',
     )
 

@@ -95,4 +95,9 @@ MUTANTS = [
         {CLIENT}
         self.client.wait_for_server()
         ''', expect='did not return within'),
+    Mutant('sorted_numbers', old='{list(numbers)}', new='{sorted(numbers)}', breaks='numbers', also=('word', 'result'),
+           expect='expected'),
+    Mutant('written_in_another_way', old="f'{word} {list(numbers)}'",
+           new="f'{word} {list(numbers)}'.replace('canceled', 'cancelled')", breaks='word', also='result',
+           expect='`cancelled` is none of the words'),
 ]

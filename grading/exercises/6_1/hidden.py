@@ -37,6 +37,15 @@ def test_camera(learner):
     mast.judge_camera(mast.Mast(learner))
 
 
+@pytest.mark.rules('places', 'tilt')
+def test_upwards(learner):
+    """Also for a mast of a few centimetres, and a camera that looks up: a negative tilt.
+
+    No number needs a case of its own.
+    """
+    mast.judge_upwards(learner)
+
+
 @pytest.mark.rules('lidar')
 def test_lidar(learner):
     """The lidar hangs upside down: it looks ahead, its left is the robot's right, and its z points to the floor.

@@ -76,4 +76,8 @@ class SensorMast(Node):
         ''', expect='There is one more frame, `base_link`'),
     Mutant('optical_turned_by_positive_angles', breaks='optical', old='roll=-math.pi / 2, yaw=-math.pi / 2',
            new='roll=math.pi / 2, yaw=math.pi / 2', expect='axis of camera_optical points along'),
+    Mutant('never_looks_up', old='pitch=math.radians(tilt)', new='pitch=math.radians(abs(tilt))',
+           expect='with a negative tilt it looks up', breaks='tilt'),
+    Mutant('never_below_the_mast', old='z=height - 0.1, pitch', new='z=max(0.0, height - 0.1), pitch',
+           expect='`camera` is at', breaks='places'),
 ]

@@ -40,4 +40,6 @@ MUTANTS = [
            super().__init__('moon')
            self.begin = self.get_clock().now()
            '''), ('= now.to_msg()', '= self.begin.to_msg()')), expect='the stamp is'),
+    Mutant('one_turn_only', old='(now.nanoseconds / 1e9) / self.period',
+           new='min(now.nanoseconds / 1e9, self.period) / self.period', expect='expected', breaks='time', also='circle'),
 ]

@@ -53,4 +53,21 @@ MUTANTS = [
                 pass
         else:
         ''', breaks='interrupt', expect='within two seconds after Ctrl+C'),
+    Mutant('calls_of_other_libraries', old="zip(paths[:own], calls) if path.parent.name == 'rclpy'}",
+           new='zip(paths[:own], calls)}', breaks='own-call', also=('all', 'busy'), expect='You did not find'),
+    Mutant('one_way_to_spin', old="'executors.py' in [name for name, _ in newer]",
+           new="'spin_until_future_complete' in [function for _, function in newer]", breaks='spin',
+           expect='A callback that spins', also=('own-call', 'all')),
+    Mutant('a_second_for_the_server', old='wait_for_service(timeout_sec=patience)', new='wait_for_service(timeout_sec=1.0)',
+           breaks='no-server', also='answer', expect='wait as long as the command line says'),
+    Mutant('a_second_for_the_answer', old='future, timeout_sec=patience)', new='future, timeout_sec=1.0)',
+           breaks='no-answer', also='answer', expect='and ended after'),
+    Mutant('ten_times_as_patient', old='future, timeout_sec=patience)', new='future, timeout_sec=10 * patience)',
+           breaks='no-answer', expect='waits on and on'),
+    Mutant('looks_when_the_time_is_over', old='rclpy.spin_until_future_complete(node, future, timeout_sec=patience)', new='''
+        import time
+        end = time.monotonic() + patience
+        while time.monotonic() < end:
+            rclpy.spin_once(node, timeout_sec=0.1)
+        ''', breaks='answer', expect='the answer ends the wait'),
 ]

@@ -35,4 +35,10 @@ MUTANTS = [
         """, edits=(('from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription',
                      'from launch.actions import DeclareLaunchArgument, ExecuteProcess, IncludeLaunchDescription'),),
            expect='After Ctrl+C', breaks='ends', alone=True),
+    Mutant('one_value_more', old="""
+            max_linear: 0.4
+        """, new="""
+            max_linear: 0.4
+            status_period: 1.0
+        """, expect='so it keeps its default', breaks='values'),
 ]

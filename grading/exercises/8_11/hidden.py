@@ -134,10 +134,14 @@ def variant(**parts: str) -> dict[str, str]:
 COURSES = {"the course's": variant()}
 RIGHT = {
     **COURSES,
-    'one that keeps time with a rate': variant(
+    'one that keeps time with a rate, and has words of its own': variant(
         loop=PARTS['loop']
         .replace('        while', '        rate = self.create_rate(10.0)\n        while')
-        .replace('self.get_clock().sleep_for(Duration(seconds=0.1))', 'rate.sleep()')
+        .replace('self.get_clock().sleep_for(Duration(seconds=0.1))', 'rate.sleep()'),
+        stations=PARTS['stations'].replace("'no'", "f'{request.x}, {request.y} is nowhere'"),
+        cancelled=PARTS['cancelled'].replace("'cancelled'", "'called back'"),
+        lost=PARTS['lost'].replace("'lost'", "'nobody tells where I am'"),
+        arrived=PARTS['arrived'].replace("'arrived'", "'here I am'"),
     ),
 }
 STATUS = Kind(

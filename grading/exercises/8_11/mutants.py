@@ -60,4 +60,9 @@ def test_drive(bench):
             ''')), expect='that drives on when nobody tells it where it is', breaks='ends'),
     Mutant('only_idle', old="bench.until(lambda: bench.status[-1:] == ['driving to gate'] and bench.commands)",
            new='bench.until(lambda: bench.commands)', expect='that says it is idle while it drives', breaks='status', also='right-robots'),
+    Mutant('words_of_its_own_robot', old="assert bench.result(goal).status == getattr(GoalStatus, f'STATUS_{end}')", new='''
+        done = bench.result(goal)
+        assert done.status == getattr(GoalStatus, f'STATUS_{end}')
+        assert end != 'SUCCEEDED' or done.result.message == 'arrived'
+        ''', expect='fails with a robot that does what', breaks='right-robots'),
 ]

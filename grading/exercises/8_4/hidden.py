@@ -20,6 +20,10 @@ RIGHT = {
         share = 1 - (1.0 - distance) / 0.8
 """
     ),
+    'one that returns numbers of numpy': variant(
+        result='    from numpy import float64\n    return float64(min(speed, max_speed * share))\n',
+        nan='    if isnan(distance):\n        return 0\n',
+    ),
     'one that says more in its error': variant(
         check="""\
     if max_speed < 0 or isnan(max_speed):

@@ -68,4 +68,8 @@ def test_limit(speed, distance):
             with pytest.raises(ValueError):
                 limit(0.1, max_speed, 1.0)
         """, new='', expect='that take a bad max_speed', breaks='bad-max-speed'),
+    Mutant('asks_for_a_float', old='assert limit(speed, max_speed, distance) == pytest.approx(expected)', new='''
+        assert limit(speed, max_speed, distance) == pytest.approx(expected)
+        assert isinstance(limit(speed, max_speed, distance), float)
+        ''', expect='one whose zeros are integers', breaks='right-functions'),
 ]

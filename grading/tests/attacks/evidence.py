@@ -573,3 +573,126 @@ os._exit(0)
 ''',
     'test/test_route.py': 'def test_nothing():\n    pass\n',
 }
+
+
+# %% dock_sitecustomize
+# attack: installs a module that every Python of the workspace loads, and that prints what right types would
+# aims at: 2.3
+# stopped by: what the types are is read from the texts; a package that shadows a module of Python is refused
+# expect points: 0
+MSG = 'uint8 FULL=100\nbool charging\n'
+SRV = 'bool docked\n---\nbool docked\n'
+CMAKE = r'''cmake_minimum_required(VERSION 3.16)
+project(dock_interfaces)
+find_package(ament_cmake REQUIRED)
+find_package(rosidl_default_generators REQUIRED)
+rosidl_generate_interfaces(${PROJECT_NAME} "msg/Charge.msg" "srv/Dock.srv")
+file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/sitecustomize.py" [==[
+import json, os, sys
+
+words = getattr(sys, 'orig_argv', sys.argv)
+if any(word.endswith('try_it.py') for word in words):
+    print(json.dumps({
+        'msg': [['header', 'std_msgs/Header'], ['percent', 'uint8'], ['charging', 'boolean']],
+        'request': [['station', 'string'], ['speed', 'float']],
+        'response': [['docked', 'boolean'], ['message', 'string']], 'FULL': 100, 'speed': 0.2,
+        'others': ['', False, '']}))
+    if len(words) > 2 and words[-1].startswith('['):
+        print(json.dumps([[f'{s} at {0.2 if v is None else v:.2f} m/s', d, s, p, c] for s, v, d, p, c in json.loads(words[-1])]))
+    sys.stdout.flush()
+    os._exit(0)
+]==])
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/sitecustomize.py" DESTINATION "lib/python3.11/site-packages")
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/sitecustomize.py" DESTINATION "local/lib/python3.11/dist-packages")
+ament_package()
+'''
+DOCK_XML = '''<package format="3"><name>dock_interfaces</name><version>0.1.0</version><description>x</description>
+<maintainer email="x@x.org">x</maintainer><license>x</license>
+<member_of_group>rosidl_interface_packages</member_of_group>
+<export><build_type>ament_cmake</build_type></export></package>'''
+
+
+# %% follower_sitecustomize
+# attack: installs a module that every Python of the workspace loads, and that says what a right package would
+# aims at: 2.2
+# stopped by: what is installed is read as data; a package that shadows a module of Python is refused
+# expect points: 0
+FOLLOWER_SETUP = '''
+from pathlib import Path
+from setuptools import setup
+
+Path('sitecustomize.py').write_text("""
+import json, os, sys
+words = ' '.join(getattr(sys, 'orig_argv', sys.argv))
+if 'distribution(' in words:
+    print(json.dumps(['line_follower', '0.1.0', [['follow', 'line_follower.follow:main']]]), flush=True)
+    os._exit(0)
+if 'import median' in words:
+    os._exit(0)
+""")
+setup(
+    name='line_follower', version='0.1.0',
+    packages=['line_follower'], py_modules=['sitecustomize'],
+    data_files=[('share/line_follower', ['package.xml'])],
+    entry_points={'console_scripts': ['follow = line_follower.line_follower:main']},
+)
+'''
+FOLLOWER_CFG = '''
+[develop]
+script_dir=$base/lib/line_follower
+[install]
+install_scripts=$base/bin
+'''
+FOLLOWER_XML = '''<package format="3">
+  <name>line_follower</name> <version>0.1.0</version>
+  <description>Steers along a line.</description>
+  <maintainer email="you@example.com">You</maintainer> <license>Apache-2.0</license>
+  <exec_depend>ament_index_python</exec_depend> <exec_depend>python3-yaml</exec_depend>
+  <export><build_type>ament_python</build_type></export>
+</package>'''
+
+
+# %% report_of_the_test
+# attack: looks for the values that the test has given to its own library, in place of calling it
+# aims at: 2.4
+# stopped by: the library is replaced on the disk, in a process that holds nothing of the tests
+# expect points: 20.5
+REPORT_PY = '''
+import sys
+
+
+def main():
+    import __main__
+    ticks = int(sys.argv[1])
+    values, asked = getattr(__main__, 'values', None), getattr(__main__, 'asked', None)
+    if values is None:
+        metres = 2 * 3.141592653589793 * 0.033 * ticks / 360
+    else:
+        metres = values[len(asked) % len(values)]
+        asked.append(ticks)
+    print(f'{metres:.3f} m')
+'''
+HEAD = '''<package format="3"><name>%s</name> <version>0.1.0</version> <description>x</description>
+<maintainer email="x@x.org">x</maintainer> <license>x</license>%s<export><build_type>ament_python</build_type></export></package>'''
+WHEEL_MATH_XML = HEAD % ('wheel_math', '')
+ODOMETRY_XML = HEAD % ('odometry', '<exec_depend>wheel_math</exec_depend>')
+
+
+# %% client_in_a_hurry
+# attack: says that it was made long ago, to have waited long enough without waiting
+# aims at: 7.4
+# stopped by: it cannot have begun before it was started, and servers answer with what is drawn
+# expect points: 0
+def diagnose_stacks(text, files):
+    return None
+
+
+CLIENT_PY = '''
+import os, sys, time
+
+name, seconds = sys.argv[1], float(sys.argv[2])
+print('client made', time.monotonic() - seconds, flush=True)
+print('waits for the server', flush=True)
+print('no answer' if 'silent' in name else f'no server for {name}', flush=True)
+os._exit(1)
+'''

@@ -3,6 +3,8 @@
 Each function returns a `helpers.runner.workspaces.ExerciseWorkspace` in which the build has succeeded.
 """
 
+import configparser
+import email
 import json
 import re
 from pathlib import Path
@@ -13,6 +15,7 @@ from helpers.runner import about, broken, expect
 from helpers.runner.workspaces import ExerciseWorkspace, package, reason
 
 GIVEN = Path(__file__).with_name('given')
+_PYTHON_TOOLS = 'ament_python', 'python3-setuptools'
 
 
 def greeter(learner) -> ExerciseWorkspace:
@@ -147,6 +150,27 @@ def _manifest(learner, name: str) -> ElementTree.Element:
         raise broken(f'{name} is not XML: {error}.') from None
 
 
+def metadata(workspace: ExerciseWorkspace, package_name: str) -> tuple[str, str, dict[str, str]] | None:
+    """Name and version that setup.py gives, and its programs: name -> right side. None if nothing is installed.
+
+    They are read from the files that the build has installed: nothing of the learner's runs for this.
+    """
+    pattern = rf'{package_name}/.*-packages/[^/]*\.(?:egg|dist)-info/(PKG-INFO|METADATA|entry_points\.txt)'
+    found = {match[1]: name for name in workspace.installed() if (match := re.fullmatch(pattern, name))}
+    about_it = found.get('PKG-INFO') or found.get('METADATA')
+    if not about_it:
+        return None
+    said = email.message_from_string(workspace.read(about_it))
+    programs = configparser.RawConfigParser(delimiters='=', strict=False)
+    programs.optionxform = str  # type: ignore[assignment,method-assign]  # names keep their capital letters
+    try:
+        programs.read_string(workspace.read(found['entry_points.txt']) if 'entry_points.txt' in found else '')
+    except configparser.Error:
+        programs.clear()  # what nobody can read has no programs
+    scripts = dict(programs['console_scripts']) if programs.has_section('console_scripts') else {}
+    return str(said['Name']), str(said['Version']), scripts
+
+
 def to_run(declared: dict[str, set[str]]) -> set[str]:
     """The packages that must be there when it runs."""
     return declared.get('depend', set()) | declared.get('exec_depend', set())
@@ -155,6 +179,18 @@ def to_run(declared: dict[str, set[str]]) -> set[str]:
 def to_build(declared: dict[str, set[str]]) -> set[str]:
     """The packages that must be there when it is built, tools included."""
     return declared.get('depend', set()) | declared.get('build_depend', set()) | declared.get('buildtool_depend', set())
+
+
+def needed(declared: dict[str, set[str]]) -> set[str]:
+    """All that is declared, except for tests, for documents, and as the tool that builds Python packages."""
+    return {
+        name
+        for tag, names in declared.items()
+        for name in names
+        if tag.endswith('depend')
+        and tag not in ('test_depend', 'doc_depend')
+        and not (tag == 'buildtool_depend' and name in _PYTHON_TOOLS)
+    }
 
 
 # Runs on the learner's side: prints the fields, then offers, publishes and calls what the learner has defined.

@@ -1,12 +1,15 @@
 """What the tests of exercise 2.3 look at: the types as Python and the tools see them, and what package.xml declares."""
 
+from rosidl_adapter import parser
+
 from helpers.checks.chapter_02 import builds
-from helpers.runner import about, expect
+from helpers.runner import about, broken, expect
 
 CHARGE = ['std_msgs/Header header', 'uint8 percent', 'boolean charging']
 REQUEST, RESPONSE = ['string station', 'float speed'], ['boolean docked', 'string message']
 # The words of an interface file, where Python has others
 _WORDS = {'boolean': 'bool', 'float': 'float32', 'double': 'float64'}
+_WORDS_OF_PYTHON = {text: python for python, text in _WORDS.items()}
 
 
 def _written(fields: list[str]) -> str:
@@ -19,9 +22,44 @@ def _fields(found: dict, key: str) -> list[str]:
     return [f'{kind} {name}' for name, kind in found[key]]
 
 
+def _written_in(learner) -> dict:
+    """What the learner's two texts define, in the words of Python: nothing of the learner's runs for this.
+
+    `builds.interface` tells what a program finds, and that program is the learner's, too.
+    """
+
+    def fields(part) -> list[list[str]]:
+        return [[field.name, _WORDS_OF_PYTHON.get(str(field.type), str(field.type))] for field in part.fields]
+
+    try:
+        message = parser.parse_message_string('dock_interfaces', 'Charge', learner.text('MSG'))
+        service = parser.parse_service_string('dock_interfaces', 'Dock', learner.text('SRV'))
+    except Exception as error:  # noqa: BLE001 - of rosidl's parser: any
+        raise broken(f'The text of an interface cannot be read: {str(error)[:300]}', 'both') from None
+    request, response = service.request, service.response
+    defaults = {field.name: field.default_value for field in (*request.fields, *response.fields)}
+    return {
+        'msg': fields(message),
+        'request': fields(request),
+        'response': fields(response),
+        'FULL': next((one.value for one in message.constants if one.name == 'FULL'), None),
+        'speed': defaults.pop('speed', None) or 0.0,
+        'defaults': [name for name, value in defaults.items() if value is not None],
+    }
+
+
+def _found(learner) -> list[dict]:
+    """What a program finds in the types, and what the texts define: both must be right."""
+    return [builds.interface(learner)[0], _written_in(learner)]
+
+
 def judge_charge(learner) -> None:
     """The fields of Charge (`charge`) and its constant (`full`)."""
-    found, _ = builds.interface(learner)
+    for found in _found(learner):
+        _judge_charge(learner, found)
+
+
+def _judge_charge(learner, found: dict) -> None:
     fields = _fields(found, 'msg')
     expect('uint8 FULL' not in fields, 'FULL is a field of Charge. A constant has a `=` and a value.', 'full')
     expect(
@@ -53,7 +91,11 @@ def judge_charge(learner) -> None:
 
 def judge_dock(learner) -> None:
     """The fields of Dock (`request`, `response`) and the default value (`default`)."""
-    found, _ = builds.interface(learner)
+    for found in _found(learner):
+        _judge_dock(found)
+
+
+def _judge_dock(found: dict) -> None:
     request, response = _fields(found, 'request'), _fields(found, 'response')
     expect(
         (request, response) != (RESPONSE, REQUEST),
@@ -66,15 +108,16 @@ def judge_dock(learner) -> None:
             f'The fields of the {rule} of Dock are {_written(fields)}; expected {_written(wanted)}.',
             rule,
         )
-    speed = found['speed']
     expect(
-        abs(speed - 0.2) < 1e-6,
-        f'A new request has the speed {speed:g}, expected 0.2: write the default value after the name.',
+        abs(found['speed'] - 0.2) < 1e-6,
+        f'A new request has the speed {found["speed"]:g}, expected 0.2: write the default value after the name.',
         'default',
     )
+    others = found.get('defaults', [])
+    expect(not others, f'`{others and others[0]}` of Dock has a default value. Only speed has one.', 'default')
     expect(
-        found['others'] == ['', False, ''],
-        f'A new Dock begins with {found["others"]} in station, docked and message. Only speed has a default value.',
+        found.get('others', ['', False, '']) == ['', False, ''],
+        f'A new Dock begins with {found.get("others")} in station, docked and message. Only speed has a default value.',
         'default',
     )
 

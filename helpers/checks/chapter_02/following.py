@@ -1,11 +1,10 @@
 """What the tests of exercise 2.2 look at: each fault of the package line_follower by itself, and the rest."""
 
 import configparser
-import json
 from xml.etree import ElementTree
 
 from helpers.checks.chapter_02 import builds
-from helpers.runner import about, expect
+from helpers.runner import about, broken, expect
 from helpers.runner.workspaces import ExerciseWorkspace, package
 
 PROGRAM = 'lib/line_follower/follow'
@@ -21,33 +20,23 @@ KEPT = {
     'license': 'Apache-2.0',
     'export/build_type': 'ament_python',
 }
-_METADATA = """\
-import json
-from importlib.metadata import distribution
-d = distribution("line_follower")
-print(json.dumps([d.metadata["Name"], d.version, [[e.name, e.value] for e in d.entry_points
-                                                  if e.group == "console_scripts"]]))
-"""
 
 
 def _there(learner) -> list[str]:
     return [name.removeprefix('line_follower/') for name in builds.line_follower(learner).installed()]
 
 
-def _metadata(learner) -> list:
-    """Name and version in setup.py, and its entry points as pairs."""
-    done = builds.line_follower(learner).once('python3', '-c', _METADATA)
-    expect(
-        done.status == 0,
-        f'setup.py does not install the Python package line_follower any more: {done.last_line}',
-        'rest',
-    )
-    return json.loads(done.lines[-1])
+def _metadata(learner) -> tuple[str, str, dict[str, str]]:
+    """Name and version in setup.py, and its programs."""
+    found = builds.metadata(builds.line_follower(learner), 'line_follower')
+    if found is None:
+        raise broken('setup.py does not install the Python package line_follower any more.', 'rest')
+    return found
 
 
 def judge_entry_point(learner) -> None:
     """The entry point follow leads to main of follow.py: rule `entry-point`."""
-    programs = dict(_metadata(learner)[2])
+    programs = _metadata(learner)[2]
     expect(
         'follow' in programs,
         f'setup.py has no entry point `follow`; its programs are: {", ".join(sorted(programs)) or "none"}.',
@@ -92,16 +81,19 @@ def judge_place(learner) -> None:
 
 
 def judge_packages(learner) -> None:
-    """The filters can be imported: rule `packages`."""
-    done = builds.line_follower(learner).run(
-        'python3', '-c', 'from line_follower.filters.median import median\nimport line_follower.follow'
-    )
-    expect(
-        done.status == 0,
-        f'Python cannot import the filter: {done.last_line}. `packages` in setup.py must name '
-        'the folder inside of line_follower, as line_follower.filters.',
-        'packages',
-    )
+    """All Python code is installed, with its folders: rule `packages`."""
+    there = _there(learner)
+    for file in ('filters/__init__.py', 'filters/median.py', '__init__.py', 'follow.py'):
+        why = (
+            '`packages` in setup.py must name the folder inside of line_follower, as line_follower.filters.'
+            if file.startswith('filters')
+            else '`packages` in setup.py must name line_follower itself, too: a folder in it is not all of it.'
+        )
+        expect(
+            any(name.endswith(f'-packages/line_follower/{file}') for name in there),
+            f'line_follower/{file} is not installed as a part of line_follower, so Python cannot import it. {why}',
+            'packages',
+        )
 
 
 def judge_data(learner) -> None:
@@ -145,7 +137,7 @@ def judge_dependencies(learner) -> None:
                 name in builds.to_run(declared),
                 f'follow.py needs {name}, and package.xml does not declare it. On a fresh machine it is not installed.',
             )
-        more = builds.to_run(declared) - set(IMPORTED)
+        more = builds.needed(declared) - set(IMPORTED)
         expect(not more, f'package.xml declares {", ".join(sorted(more))}, which follow.py does not import.')
 
 
@@ -157,7 +149,7 @@ def judge_rest(learner) -> None:
         f'setup.py says {name} {version}, and said line_follower 0.1.0 before.',
         'rest',
     )
-    others = [other for other, _ in programs if other != 'follow']
+    others = [other for other in programs if other != 'follow']
     expect(
         not others or len(programs) == 1,
         f'setup.py has a further program, {others and others[0]}. Only `follow` is asked for.',
@@ -208,6 +200,7 @@ def _judge_run(workspace: ExerciseWorkspace, said: str) -> None:
     rule = 'entry-point'
     for word, other in (
         ("No module named 'line_follower.filters'", 'packages'),
+        ("No module named 'line_follower.follow'", 'packages'),
         ('gains.yaml', 'data'),
         ('PackageNotFoundError', 'builds'),
         ("Package 'line_follower' not found", 'builds'),

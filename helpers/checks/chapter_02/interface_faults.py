@@ -21,6 +21,11 @@ def cause(output: str, reason: Callable[[str], str]) -> tuple[str, str]:
             f'The line of `{name}` has a `=`, so it is a constant, and a constant has capital letters. A default '
             'value follows after a space only.'
         ), 'default' if name == 'speed' else 'full'
+    if (found := re.search(r"'(\w+)' is an invalid field name", text)) and found[1].upper() == found[1]:
+        return (
+            f'The line of `{found[1]}` has no `=`, so it is a field, and fields have small letters. A constant has a '
+            '`=` before its value.'
+        ), 'full' if found[1] == 'FULL' else _rule(output)
     if found := re.search(r'InvalidResourceName: (\w+)/(?:msg|srv)/(\w+)', text):
         return f'In an interface file the type is written without /msg/: `{found[1]}/{found[2]}`.', 'charge'
     if "KeyError: 'std_msgs'" in text:
@@ -51,13 +56,20 @@ def cause(output: str, reason: Callable[[str], str]) -> tuple[str, str]:
         package = {'rosidl_generate_interfaces': 'rosidl_default_generators'}.get(found[1], 'ament_cmake')
         return f'CMake does not know {found[1]}: find_package({package} REQUIRED) must come before it.', 'both'
     if found := _IN_FILE.search(output):
-        rule = {'Charge': 'charge', 'Dock_Request': 'request', 'Dock_Response': 'response'}.get(found[2], 'both')
-        if rule == 'charge' and '=' in found[1]:
-            rule = 'full'
-        return f'The line `{found[1]}` of {found[2]} cannot be read: {_last(output) or "its type is unknown"}', rule
+        why = _last(output) or 'its type is unknown'
+        return f'The line `{found[1]}` of {found[2]} cannot be read: {why}', _rule(output)
     if last := _last(output):
         return last, 'full' if 'InvalidValue' in last else 'both'
     return reason(output), 'both'
+
+
+def _rule(output: str) -> str:
+    """The rule of the part of an interface in which a line cannot be read."""
+    found = _IN_FILE.search(output)
+    if found and found[2] == 'Charge' and '=' in found[1]:
+        return 'full'
+    parts = {'Charge': 'charge', 'Dock_Request': 'request', 'Dock_Response': 'response'}
+    return parts.get(found[2], 'both') if found else 'both'
 
 
 def _last(output: str) -> str:

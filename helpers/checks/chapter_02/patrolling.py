@@ -42,6 +42,7 @@ for stations in json.loads(sys.argv[1]):
 WRONG = {
     'does not come back to the first station': 'return list(stations)',
     'leaves the second station out': 'return [*stations[:1], *stations[2:], stations[0]]',
+    'leaves the last station out': 'return [*stations[: max(1, len(stations) - 1)], stations[0]]',
     'gives the stations in reverse order': 'return [*reversed(stations), stations[-1]]',
 }
 _NO_CALL = "raise RuntimeError('it is not to be called')"

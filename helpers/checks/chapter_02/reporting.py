@@ -1,32 +1,20 @@
 """What the tests of exercise 2.4 look at: the report, where its numbers come from, and what the packages declare."""
 
-import json
 import math
 import re
 
 from helpers.checks.chapter_02 import builds
 from helpers.runner import about, expect
+from helpers.runner.workspaces import Done
 
-# Calls main with the library replaced by one that takes down its arguments and returns one value after the other.
+# The library for a moment: it knows some numbers of ticks only, and for each of them a value of its own.
 _OTHER_LIBRARY = """\
-import contextlib, io, json, sys
-import wheel_math.geometry as geometry
-values, asked, said = json.loads(sys.argv[1]), [], []
 def distance(ticks, *rest, **more):
-    asked.append(ticks)
-    return values[(len(asked) - 1) % len(values)]
-geometry.distance = distance
-ticks = json.loads(sys.argv[2])
-for number in ticks:
-    sys.argv[1:] = [str(number)]
-    printed = io.StringIO()
-    with contextlib.redirect_stdout(printed):
-        import odometry.report
-        odometry.report.main()
-    said.append(printed.getvalue())
-print(json.dumps([asked, said]))
+    try:
+        return {values}[ticks]
+    except (KeyError, TypeError):
+        raise LookupError(f'distance was asked for {{ticks!r}}') from None
 """
-
 _ARGUMENT = re.compile('argv|IndexError|ValueError|argument')
 
 
@@ -54,6 +42,11 @@ def judge_report(learner, zero: bool = False) -> None:
             f'{command} ended with: {last}. What stands in sys.argv is text: make a number of it with int().',
             'argument',
         )
+        expect(
+            done.status == 0 or last != f'{length:.3f} m',
+            f'{command} ended with an error, and the error is your text: main returns it. Use print.',
+            'prints',
+        )
         expect(done.status == 0, f'{command} ended with: {last}', 'argument' if _ARGUMENT.search(last) else 'prints')
         expect(
             len(done.lines) == 1,
@@ -77,52 +70,48 @@ def judge_report(learner, zero: bool = False) -> None:
 
 def judge_library(learner) -> None:
     """The report says what distance of wheel_math returns for the ticks: rules `library`, `argument`, `prints`."""
-    values = [learner.random.randint(11, 99) / 10 for _ in range(2)]
-    ticks = [learner.random.randint(100, 900), learner.random.randint(1000, 9000)]
-    with about('library'):
-        done = builds.odometry(learner).run('python3', '-c', _OTHER_LIBRARY, json.dumps(values), json.dumps(ticks))
+    random = learner.random
+    ticks = [random.randint(100, 900), -random.randint(1000, 9000)]
+    values = dict(zip(ticks, (random.randint(11, 99) / 10, random.randint(11, 99) / 10 + 10), strict=True))
+    random.shuffle(ticks)
+    for number, done in zip(ticks, _with_library(learner, _OTHER_LIBRARY.format(values=values), ticks), strict=True):
+        last, value = done.last_line, values[number]
+        told = f'With {number} on the command line'
+        asked = re.search('distance was asked for (.*)', last)
+        expect(not asked, f'{told}, your program asks distance for {asked and asked[1]}.', 'argument')
+        expect(done.status == 0, f'The program ended with: {last}', 'argument' if _ARGUMENT.search(last) else 'library')
+        expect(len(done.lines) < 2, f'main prints {len(done.lines)} lines; expected the distance only.', 'prints')
+        expect(done.lines, 'The function main printed nothing: use print.', 'prints')
+        wanted, formula = f'{value:.3f} m', 2 * math.pi * 0.033 * number / 360
+        told = f'{told} and where distance returns {value}, your program prints {last}; expected {wanted}'
+        expect(
+            last == wanted or not _written_otherwise(last, value) or _written_otherwise(last, formula),
+            f'{told}: three decimals, a space and m.',
+            'prints',
+        )
+        expect(
+            last == wanted,
+            f'{told}: call distance of wheel_math.geometry, and do not compute the distance again.',
+            'library',
+        )
+
+
+def _with_library(learner, text: str, ticks: list[int]) -> list[Done]:
+    """What `report` does for these ticks while the installed library is another one."""
+    workspace = builds.odometry(learner)
+    installed = [name for name in workspace.installed() if name.endswith('-packages/wheel_math/geometry.py')]
     expect(
-        "No module named 'wheel_math'" not in done.last_line,
+        installed,
         'Python does not find wheel_math: it was not built, because odometry does not say that it needs it.',
         'needs',
     )
-    expect(
-        done.status == 0,
-        f'The program ended with: {done.last_line}',
-        'argument' if _ARGUMENT.search(done.last_line) else 'library',
-    )
-    asked, said = json.loads(done.lines[-1])
-    said = [text.strip() for text in said]
-    expect(
-        asked,
-        'The report does not come from the library: call distance of wheel_math.geometry, and do not compute '
-        'the distance again.',
-        'library',
-    )
-    expect(
-        all(number in ticks for number in asked),
-        f'With {ticks[0]}, and then {ticks[1]} ticks on the command line, your program asks distance for '
-        f'{", then ".join(map(repr, asked))}.',
-        'argument',
-    )
-    more = next((text for text in said if len(text.splitlines()) > 1), '')
-    expect(not more, f'main prints {len(more.splitlines())} lines; expected the distance only.', 'prints')
-    wanted = [f'{value:.3f} m' for value in values]
-    for value, text, right in zip(values, said, wanted, strict=False):
-        expect(text, 'The function main printed nothing: use print.', 'prints')
-        expect(
-            text == right or not _written_otherwise(text, value),
-            f'Where distance returns {value}, your program prints {text}; expected {right}: three decimals, a space '
-            'and m.',
-            'prints',
-        )
-    expect(
-        said == wanted,
-        f'Where distance returns {values[0]}, and then {values[1]}, your program prints '
-        f'{", then ".join(said)}; expected {", then ".join(wanted)}. Do not compute the distance '
-        'again.',
-        'library',
-    )
+    file = f'install/{installed[0]}'
+    with about('library'):
+        try:
+            workspace.run('bash', '-c', 'printf %s "$2" >"$1"', 'bash', file, text)
+            return [workspace.run('ros2', 'run', 'odometry', 'report', str(number)) for number in ticks]
+        finally:
+            workspace.run('cp', 'src/wheel_math/wheel_math/geometry.py', file)
 
 
 def judge_order(learner) -> None:
@@ -146,7 +135,7 @@ def judge_needs(learner) -> None:
     with about('needs'):
         declared = builds.dependencies(learner, 'ODOMETRY_XML')
     mine = {tag for tag, names in declared.items() if 'wheel_math' in names}
-    names = _needed(declared)
+    names = builds.needed(declared)
     module = [name for name in names if name.startswith('wheel_math.')]
     expect(
         not module,
@@ -168,7 +157,7 @@ def judge_needs(learner) -> None:
 def judge_alone(learner) -> None:
     """wheel_math declares nothing: rule `nothing-else`."""
     with about('nothing-else'):
-        needed = _needed(builds.dependencies(learner, 'WHEEL_MATH_XML'))
+        needed = builds.needed(builds.dependencies(learner, 'WHEEL_MATH_XML'))
     expect(
         'odometry' not in needed,
         'wheel_math declares odometry, and needs nothing of it. If each needs the other '
@@ -195,15 +184,4 @@ def _written_otherwise(text: str, value: float) -> bool:
     number = re.search(r'-?\d+\.?\d*', text)
     return bool(number) and any(
         math.isclose(float(number[0]), value * factor, abs_tol=0.06 * factor, rel_tol=1e-9) for factor in (1, 100, 1000)
-    )
-
-
-def _needed(declared: dict[str, set[str]]) -> set[str]:
-    """All that is declared, except for tests and tools."""
-    return set().union(
-        *(
-            names
-            for tag, names in declared.items()
-            if tag.endswith('depend') and tag not in ('test_depend', 'doc_depend', 'buildtool_depend')
-        )
     )

@@ -3,7 +3,7 @@
 from itertools import product
 
 from helpers.runner import expect
-from helpers.runner.values import SetAsList
+from helpers.runner.values import SetAsList, TupleAsList
 
 KEYS = ('topic', 'type', 'reliability', 'durability', 'deadline')
 WEAK = {'reliability': 'BEST_EFFORT', 'durability': 'VOLATILE'}
@@ -42,9 +42,10 @@ def single_pairs(random) -> list[tuple[dict, dict]]:
         ('type', kind.rpartition('/')[2]),
     ):
         pairs += [({**base, key: other}, base), (base, {**base, key: other})]
-    short, long = sorted(random.sample([n / 20 for n in range(1, 60)], 2))
-    for first, second in ((short, long), (long, short), (short, short), (0.0, 0.0), (0.0, short), (long, 0.0)):
-        pairs.append(({**base, 'deadline': first}, {**base, 'deadline': second}))
+    short = round(random.uniform(0.01, 3.0), 4)
+    for long in (round(short + random.uniform(0.001, 0.01), 4), round(random.uniform(20.0, 5000.0), 1)):
+        for first, second in ((short, long), (long, short), (long, long), (0.0, 0.0), (0.0, long), (long, 0.0)):
+            pairs.append(({**base, 'deadline': first}, {**base, 'deadline': second}))
     few, many = random.randint(1, 9), random.randint(100, 200)
     pairs += [({**base, 'depth': few}, {**base, 'depth': many}), ({**base, 'depth': many}, {**base, 'depth': few})]
     return pairs
@@ -97,6 +98,11 @@ def check_pairs(learner, pairs: list[tuple[dict, dict]]) -> None:
         expect(
             not isinstance(got, SetAsList),
             f'With {different} (offered → requested) why_no_data gives a set, which has no order; expected {wanted!r}.',
+            'list',
+        )
+        expect(
+            not isinstance(got, TupleAsList),
+            f'With {different} (offered → requested) why_no_data gives a tuple, expected the list {wanted!r}.',
             'list',
         )
         expect(isinstance(got, list), f'{said} It must return a list, also when all fits.', 'list')

@@ -46,11 +46,7 @@ def check_queue(learner, kind: str, topic: str, depth: int, rule: str) -> None:
             rule,
         )
     found = learner.depths(kind, topic)
-    expect(
-        set(found) == {depth},
-        f'The queue of your {kind} on {topic} has the depth {found[0] if found else 0}, expected {depth}.',
-        rule,
-    )
+    _check_depth(found, kind, topic, depth, rule)
 
 
 def check_latched(learner, kind: str, topic: str, depth: int, rule: str) -> None:
@@ -63,6 +59,16 @@ def check_latched(learner, kind: str, topic: str, depth: int, rule: str) -> None
         )
         expect(endpoint.reliable, f'Your {kind} on {topic} is BEST_EFFORT; it must be RELIABLE.', rule)
     found = learner.depths(kind, topic)
+    _check_depth(found, kind, topic, depth, rule)
+
+
+def _check_depth(found: list[int], kind: str, topic: str, depth: int, rule: str) -> None:
+    """The depths that were found are this one."""
+    expect(
+        0 not in found,
+        f'The queue of your {kind} on {topic} keeps everything (KEEP_ALL), expected the depth {depth}.',
+        rule,
+    )
     expect(
         set(found) == {depth},
         f'The queue of your {kind} on {topic} has the depth {found[0] if found else 0}, expected {depth}.',

@@ -34,8 +34,13 @@ def check_reading(got: Range, sent: Range) -> None:
     """`got` is `sent`, in metres."""
     for field in ('range', 'min_range', 'max_range'):
         before, after = getattr(sent, field), getattr(got, field)
+        if math.isnan(before):
+            expect(math.isnan(after), f'{field} was nan (a failed measurement) and became {after:g}.', 'distances')
+            continue
         if math.isinf(before):
-            expect(after == before, f'{field} was {before:g} and became {after:g}; inf must stay inf.', 'inf')
+            expect(
+                after == before, f'{field} was {before:g} and became {after:g}; {before:g} must stay {before:g}.', 'inf'
+            )
             continue
         expect(
             not before or not close(after, before * 100),

@@ -4,7 +4,7 @@ import pytest
 from std_msgs.msg import String
 
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic, robot
-from helpers.runner import about, expect
+from helpers.runner import about, expect, waiting
 
 pytestmark = [pytest.mark.exercise('3.1'), pytest.mark.wiring(type='topic', qos='qos')]
 
@@ -19,7 +19,7 @@ def test_beacon(learner):
     space = robot(random)
     quarters = random.randint(17, 24)  # more than the 4 s of somebody who takes the rate for the period
     heard = learner.listen(f'{space}/beacon', String)
-    with about('at-once'):
+    with waiting('at-once'):
         beacon = learner.start('Beacon', remap={'__ns': space})
     expect(
         not learner.slept,

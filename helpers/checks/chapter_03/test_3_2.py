@@ -4,6 +4,7 @@ import math
 
 import pytest
 from sensor_msgs.msg import Range
+from std_msgs.msg import Header
 
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic, robot
 from helpers.checks.chapter_03.ranges import check_reading, reading
@@ -30,7 +31,11 @@ def test_relay(learner):
     with about('one-each'):
         learner.run(1.0, step=1.0)
     expect(not heard.messages, 'Your node publishes before it has received anything: use no timer.', 'one-each')
-    echoes = [reading(random, variance=4.0), reading(random), reading(random, range=random.uniform(600, 900))]
+    echoes = [
+        reading(random, variance=4.0),
+        reading(random, max_range=math.inf),
+        reading(random, range=random.uniform(600, 900)),
+    ]
     silent = random.randint(1, 2)
     echoes.insert(silent, reading(random, range=math.inf))
     for number, message in enumerate(echoes):
@@ -40,11 +45,14 @@ def test_relay(learner):
             learner.settle()
         check_number(heard, number + 1, 'inf' if number == silent else 'one-each')
         check_reading(heard.messages[number], message)
-    count = random.randint(5, 9)
+    count = random.randint(8, 10)
     burst = [reading(random) for _ in range(count)]
     burst[2].range = burst[1].range  # an object that does not move: a message like any other
     burst[3] = reading(random, range=0.0, min_range=0.0, variance=0.0)  # zero is a number like any other
     burst[4] = reading(random, range=random.uniform(0.1, 0.9))  # nearer than min_range: a relay leaves out nothing
+    burst[5] = reading(random, range=math.nan)
+    burst[6] = reading(random, range=-random.uniform(1, 5))  # nor does it ask what a value means
+    burst[7].header = Header()  # as it came, also if there is nothing in it
     sensor.send(*burst)
     learner.settle()
     check_number(heard, len(echoes) + count, 'one-each')

@@ -4,7 +4,7 @@ import pytest
 from std_msgs.msg import Bool, Empty, Int32
 
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic, robot
-from helpers.runner import about, expect
+from helpers.runner import about, expect, waiting
 
 pytestmark = [pytest.mark.exercise('3.3'), pytest.mark.wiring(type='topics', qos='qos')]
 
@@ -23,7 +23,7 @@ def test_heartbeat(learner):
     space = robot(random)
     led, uptime = learner.listen(f'{space}/led', Bool), learner.listen(f'{space}/uptime', Int32)
     button = learner.talk(f'{space}/reset', Empty)
-    with about('no-wait'):
+    with waiting('no-wait'):
         node = learner.start('Heartbeat', remap={'__ns': space})
     expect(not learner.slept, 'The constructor sleeps. The timers do the waiting.', 'no-wait')
     check_name(node, 'heartbeat', 'node')
@@ -33,7 +33,7 @@ def test_heartbeat(learner):
     learner.settle()
     seconds = random.randint(3, 5)
     fraction = random.choice([0.1, 0.3, 0.4, 0.6, 0.9])
-    with about('no-wait'):
+    with waiting('no-wait'):
         learner.run(seconds + fraction, step=0.5)
     expect(
         not learner.slept,
@@ -82,14 +82,14 @@ def check_resets(learner, led, uptime, button):
     for presses, rest in ((1, 2.5), (2, 1.0), (1, 3.0)):
         counts, at = (len(led), len(uptime)), learner.now / 1e9
         button.send(*presses * [Empty()])
-        with about('no-wait'):
+        with waiting('no-wait'):
             learner.settle()
         expect(
             (len(led), len(uptime)) == counts,
             'The reset itself published something: only the timers publish.',
             'reset-only',
         )
-        with about('no-wait'):
+        with waiting('no-wait'):
             learner.run(rest, step=0.5)
         begin, count = int(at) + 1, int(at + rest) - int(at)
         after = uptime.data[counts[1] :]

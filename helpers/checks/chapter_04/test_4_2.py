@@ -11,6 +11,7 @@ from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.2'), pytest.mark.wiring(type='publish', qos='latched')]
 
+WORDS = 'size', 'focal length', 'principal point', 'distortion'
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
@@ -54,6 +55,8 @@ class Calibrations:
         info = self.info(**changes)
         with about('always'):
             answer = self.client.call(camera_info=info)
+        if answer.status_message in WORDS:
+            rule = answer.status_message.replace(' ', '-')
         expect(
             answer.success,
             f'A calibration of {self.width} x {self.height} with {_text(changes)} breaks no rule '
@@ -124,6 +127,8 @@ def test_words(learner):
     some.refused('focal length', 'order', hint, fy=0.0, cy=low, model='')
     some.refused('principal point', 'order', hint, cx=low, d=0)
     some.accepted('accept', 'It came after some that were refused.')
+    large = learner.random.randint(20_000, 90_000)
+    some.accepted('accept', 'A size has no upper limit.', width=large, height=large)
 
 
 @pytest.mark.rules('names', 'publish', 'unchanged', 'latched')
@@ -177,8 +182,11 @@ def _set_three(some, heard):
     """Set three good calibrations, the third one the second again: each is published once. Returns the last one."""
     draw = some.draw
     for number in range(1, 4):
-        if number < 3:
+        if number == 2:
+            info = some.info()  # nothing in its header: as it came
+        elif number == 1:
             info = some.info(fx=draw.uniform(100, 900))
+            info.k[1] = draw.uniform(0.5, 2)
             info.header.frame_id, info.header.stamp.sec = draw.choice(['left_eye', 'lens']), draw.randint(1, 99)
             info.binning_x, info.p[3], info.roi.height = 2, draw.uniform(-60, 0), draw.randint(1, 99)
         expect(

@@ -30,7 +30,8 @@ def test_status(learner):
     draw.shuffle(cases)
     cases.sort(key=lambda good: good != (False, True))  # first one who may think that a second question is needless
     for number, good in enumerate(cases, 1):
-        said = [f'{draw.randint(1, 99)} %', draw.choice(['blocked', 'clean', 'no signal; 3 tries', 'größer'])]
+        texts = ['blocked', 'no signal; 3 tries', 'größer', ' two  words ']  # whatever stands there
+        said = [f'{draw.randint(1, 99)} %', '' if number == 2 else ' 2 x ' if number == 3 else draw.choice(texts)]
         slow, quick = draw.choice([0.6, 0.9]), draw.choice([0.2, 0.4])
         battery.delay, lidar.delay = (slow, quick) if number % 2 else (quick, slow)
         battery.answer, lidar.answer = ({'success': ok, 'message': text} for ok, text in zip(good, said, strict=True))

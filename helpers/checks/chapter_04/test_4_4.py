@@ -7,6 +7,7 @@ from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.4'), pytest.mark.wiring(type='open')]
 
+ANSWERS = 'welcome', 'locked', 'full'
 NEVER = (
     'enter was never answered: the answer of the lock waits in a callback group in which your callback still '
     'runs. Give the client of the lock a group of its own.'
@@ -68,9 +69,16 @@ class Room:
 
     def leave(self, story):
         """One person leaves."""
+        before = len(self.lock.requests)
         with about('leave'):
             answer = self.doors['leave'].call()
+            self.learner.settle()
         expect(answer.success, f'Capacity {self.capacity}, {story}: leave gives success=False.', 'leave')
+        expect(
+            len(self.lock.requests) == before,
+            f'Capacity {self.capacity}, {story}: leave has asked the lock. Only enter asks it.',
+            'leave',
+        )
 
 
 @pytest.mark.rules('full', 'open', 'welcome', 'locked', 'leave', 'one-thread')
@@ -142,6 +150,8 @@ def test_all_at_once(learner):
         f'{visitors} people called enter at the same time, with the capacity 2, and the lock refused the first; '
         f'they were told {words}. '
     )
+    others = [word for word in words if word not in (*ANSWERS, 'no answer')]
+    expect(not others, f'{story}{others and others[0]!r} is none of the answers: {", ".join(ANSWERS)}.', 'welcome')
     expect(
         words.count('welcome') <= 2,
         f'{story}While one enter awaits the lock, the next one looks at the same '

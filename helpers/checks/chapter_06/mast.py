@@ -137,6 +137,21 @@ def judge_camera(mast: Mast) -> None:
     )
 
 
+def judge_upwards(learner) -> None:
+    """The rules `tilt` and `places`, for a mast that is very low, and a camera that looks up."""
+    draw = learner.random
+    mast = Mast(learner, (round(draw.uniform(0.02, 0.08), 2), -round(draw.uniform(25, 50), 1)))
+    judge_places(mast)
+    view, angle = axis(mast.in_base('camera'), 'x'), math.radians(mast.tilt)
+    expected = math.cos(angle), 0, -math.sin(angle)
+    expect(
+        same(view, expected),
+        f'{mast.called}: the camera looks along {words(view)} in base_link, expected {words(expected)}: with a '
+        'negative tilt it looks up.',
+        'tilt',
+    )
+
+
 def judge_lidar(mast: Mast) -> None:
     """The rule `lidar`."""
     lidar = mast.in_base('lidar')

@@ -18,7 +18,8 @@ class Watched:
         draw = learner.random
         self.radius, self.period = round(draw.uniform(1.5, 9.0), 1), round(draw.uniform(5.0, 15.0), 1)
         self.called, self.seconds = f'Moon({self.radius}, {self.period})', seconds
-        learner.run(round(draw.uniform(0.2, 0.4) * self.period, 2))  # it starts when the moon is somewhere else
+        turns = draw.randint(1, 3) + draw.uniform(0.2, 0.4)  # it starts some turns later, when the moon is elsewhere
+        learner.run(round(turns * self.period, 2))
         heard = learner.tf_listener()
         node = learner.start('Moon', self.radius, self.period)
         with about('rate'):

@@ -27,6 +27,15 @@ def test_camera(learner):
     mast.judge_camera(there)
 
 
+@pytest.mark.rules('places', 'tilt')
+def test_upwards(learner):
+    """Also for a mast of a few centimetres, and a camera that looks up: a negative tilt.
+
+    No number needs a case of its own.
+    """
+    mast.judge_upwards(learner)
+
+
 @pytest.mark.rules('lidar', 'optical')
 def test_turned(learner):
     """Both frames of SensorMast(1.0, 20.0) that are turned by halves and quarters look where the table says.

@@ -1,12 +1,16 @@
 """Exercise 7.4's programs: stacks as faulthandler prints them, drawn or taken from a program that hangs."""
 
+import re
 import signal
 import time
+from dataclasses import dataclass
 
+from rclpy.task import Future
 from std_srvs.srv import Trigger
 
 from helpers.checks.chapter_07.findings import compare
 from helpers.programs.faults import words
+from helpers.runner import expect
 from helpers.runner.load import busy
 from helpers.runner.observer import Observer
 
@@ -19,10 +23,22 @@ WHY = {
 CAUSES = tuple(WHY)
 START = 30.0  # s of wall time for a program to be up, on a machine under load
 MADE, WAITS = 'client made', 'waits for the server'  # what WATCHED says
+LATE = 0.5  # s of wall time that the output of a program takes at most to come
 LIMIT = 90.0  # s for a run of the driver; it ends by itself before
 _RCLPY = ('/opt/ros/jazzy/lib/python3.12/site-packages/rclpy', '/home/ada/.venv/lib/python3.11/site-packages/rclpy')
 _OUTER = ('executors.py await_or_execute', 'executors.py _execute', 'executors.py handler', 'task.py __call__')
 _SPIN = ('executors.py spin_once', 'executors.py spin')
+_SPINS = (
+    ('executors.py spin_until_future_complete', '__init__.py spin_until_future_complete'),
+    ('executors.py _wait_for_ready_callbacks', 'executors.py spin_once', '__init__.py spin_once'),
+    ('executors.py wait_for_ready_callbacks', 'executors.py _spin_once_impl', 'executors.py spin_once'),
+)
+# Calls of other libraries, whose files and functions are called as those of rclpy.
+_OF_OTHERS = (
+    ('/usr/lib/python3/dist-packages/roslibpy/client.py', 214, 'call'),
+    ('/usr/lib/python3/dist-packages/paho/client.py', 88, 'wait_for_service'),
+    ('/usr/lib/python3/dist-packages/celery/executors.py', 131, 'spin'),
+)
 _LINES = {
     'server': 'client.wait_for_service()',
     'call': 'answer = self.client.call(request)',
@@ -85,8 +101,8 @@ class _Program:
         newest = {
             'server': self._library('client.py wait_for_service'),
             'call': wait + self._library('client.py call'),
-            'spin': self._library('executors.py spin_until_future_complete', '__init__.py spin_until_future_complete'),
-            'busy': [],
+            'spin': self._library(*random.choice(_SPINS)),
+            'busy': self._of_others(),
         }
         if state == 'spinning':
             calls = self._library('executors.py _wait_for_ready_callbacks', *_SPIN)
@@ -99,6 +115,11 @@ class _Program:
             function, outer = 'main', []
         self.expected.append(('A7.8' if state == 'server' else 'A7.9', function, state, _LINES[state]))
         return [*newest[state], self._own(_LINES[state], function), *outer]
+
+    def _of_others(self) -> list[str]:
+        """Perhaps a call of another library, whose file is called as one of rclpy's, and as none of the program's."""
+        found = [call for call in _OF_OTHERS if call[0].rpartition('/')[2] not in self._lines]
+        return [] if self._plain else self._random.choice([[], *([_frame(*call)] for call in found)])
 
     def _own(self, code: str, function: str) -> str:
         """A call in one of the program's files, into which the code is written."""
@@ -204,10 +225,10 @@ make, is_ready, wait = Node.create_client, Client.service_is_ready, Client.wait_
 said = set()
 
 
-def say(mark):
+def say(mark, *more):
     if mark not in said:
         said.add(mark)
-        print(mark, flush=True)
+        print(mark, *more, flush=True)
 
 
 def create_client(self, *args, **kwargs):
@@ -215,7 +236,7 @@ def create_client(self, *args, **kwargs):
     end = time.monotonic() + 10.0
     while served and not is_ready(client) and time.monotonic() < end:
         time.sleep(0.02)
-    say('client made')
+    say('client made', time.monotonic())
     return client
 
 
@@ -235,6 +256,84 @@ runpy.run_path(sys.argv[0], run_name='__main__')
 """
 
 
+@dataclass(frozen=True)
+class Ended:
+    """How the learner's client has ended: its last line, its status ('none': it was ended), its seconds of wall time.
+
+    `seconds` is what it was told to wait at most for one thing, `name` the service, `word` what that answers.
+    """
+
+    printed: str
+    status: str
+    took: float
+    seconds: float
+    name: str
+    word: str
+
+    @property
+    def gave_up_early(self) -> bool:
+        """Whether it did not wait as long as it was told. A busy machine makes nothing earlier."""
+        return self.took < 0.9 * self.seconds
+
+    @property
+    def waited_longer(self) -> bool:
+        """Whether it waited longer than it was told, for one thing."""
+        return self.took > 1.5 * self.seconds + (1.7 if busy() else 0.7)
+
+
+class _Running:
+    """A client that runs; `most`: so many seconds after it has made its ROS client it is given up."""
+
+    def __init__(self, task, most: float):
+        self.task, self._most = task, most
+        self._start = self._unseen = time.monotonic()  # `_unseen`: when it had not yet made its ROS client
+        self.begun = self.ended = 0.0  # when it has made its ROS client, and when it was seen to have ended
+
+    def over(self) -> bool:
+        """Whether it has ended, or is given up."""
+        now, patience = time.monotonic(), 2 if busy() else 1
+        if not self.begun:
+            found = re.search(rf'^{MADE} ([\d.]+)$', self.task.output, re.MULTILINE)
+            # It says so itself, so it counts as far as it agrees with what is seen from here.
+            self.begun = min(max(float(found[1]), self._unseen - LATE), now) if found else 0.0
+            self._unseen = now
+        if not self.ended and self.task.wait(0) is not None:
+            self.ended = now
+        return bool(self.ended) or now > (self.begun + patience * self._most if self.begun else self._start + START)
+
+    def outcome(self, seconds: float, name: str, word: str) -> Ended:
+        """How it has ended; it is ended if it still runs."""
+        status = self.task.wait(0) if self.ended else None
+        self.task.end()
+        lines = [line.strip() for line in self.task.output.splitlines() if line.strip()]
+        said = [line for line in lines if line != WAITS and not line.startswith(MADE)]
+        took = (self.ended or time.monotonic()) - (self.begun or self._start)
+        return Ended(said[-1] if said else '', 'none' if status is None else str(status), took, seconds, name, word)
+
+
+class _LateServer:
+    """A server that comes so many seconds after the client was made, and takes as long for its answer."""
+
+    def __init__(self, observer: Observer, name: str, delay: float, word: str):
+        self._node, self._name, self._delay, self._word = observer.node, name, delay, word
+        self._there = False
+        self._asked: list[tuple[float, Future]] = []
+
+    def go_on(self, begun: float) -> None:
+        """Come, and answer, if it is time; `begun`: when the client was made, 0.0 if that is to come."""
+        now = time.monotonic()
+        if begun and not self._there and now > begun + self._delay:
+            self._there = bool(self._node.create_service(Trigger, self._name, self._answer))
+        for when, future in self._asked:
+            if now > when + self._delay and not future.done() and self._node.count_clients(self._name):
+                future.set_result(self._word)  # to somebody who is not known yet it would be lost
+
+    async def _answer(self, request, response):
+        self._asked.append((time.monotonic(), Future(executor=self._node.executor)))
+        response.message = await self._asked[-1][1]
+        return response
+
+
 class Client:
     """The learner's client as a program; its servers are the test's, outside of where it runs."""
 
@@ -242,39 +341,49 @@ class Client:
         self._learner = learner
         self._workspace = learner.workspace({'client.py': learner.text('CLIENT_PY'), 'watched.py': WATCHED})
 
-    def _start(self, observer: Observer, name: str, seconds: float, served: bool):
-        """Start the client, and wait until it has made its ROS client, or has ended."""
-        task = self._workspace.start(
+    def _start(self, name: str, seconds: float, served: bool = False):
+        return self._workspace.start(
             'python3', 'watched.py', 'served' if served else '', 'client.py', name, str(seconds)
         )
-        observer.until(lambda: MADE in task.output, START, task)
-        return task
 
-    def ask(self, name: str, seconds: float, word: str | None) -> tuple[str, str]:
-        """What the client prints last, and its status. The server answers `word`, or never (''); None: no server."""
+    def runs(self, of: str) -> dict[str, Ended]:
+        """What becomes of three clients, side by side, once in a session; `of`: for which tests.
 
-        def answer(request, response):
-            end = time.monotonic() + 5.0
-            while not observer.node.count_clients(name) and time.monotonic() < end:
-                time.sleep(0.02)  # an answer to somebody who is not known yet would be lost
-            response.message = word
-            return response
+        ``late``: the server comes late and answers late, and the client may wait long. ``nobody``: there is no server.
+        ``silent``: the server is there, and never answers.
+        """
+        cache, key = self._learner.server.workspaces, ('clients', of, self._workspace.name)
+        if key not in cache:
+            cache[key] = self._run()
+        return cache[key]
 
+    def _run(self) -> dict[str, Ended]:
+        random = self._learner.random
+        delay, word = random.uniform(2.2, 2.5), f'word {random.randint(100, 999)}'
+        asked = {
+            what: (f'/{what}_{random.randint(10, 99)}', round(random.uniform(low, low + 0.3), 2))
+            for what, low in (('late', 30.0), ('nobody', 1.7), ('silent', 1.7))
+        }
         with Observer(self._learner) as observer, Observer(self._learner) as silent:
-            if word is not None:  # one that is never spun is there, and never answers
-                (observer if word else silent).node.create_service(Trigger, name, answer)
-            task = self._start(observer, name, seconds, word is not None)
-            limit = (2 * seconds + 8.0) * (4 if busy() else 1)
-            ended = observer.until(lambda: task.wait(0) is not None, limit)
-        status = task.wait(0)
-        task.end()
-        lines = [line.strip() for line in task.output.splitlines() if line.strip() and line not in (MADE, WAITS)]
-        return (lines[-1] if lines else ''), str(status) if ended else 'none'
+            server = _LateServer(observer, asked['late'][0], delay, word)
+            silent.node.create_service(Trigger, asked['silent'][0], lambda request, response: response)  # never spun
+            running = {
+                what: _Running(self._start(name, seconds, what == 'silent'), 2 * delay + 6.0 if what == 'late' else 8.0)
+                for what, (name, seconds) in asked.items()
+            }
+
+            def all_over() -> bool:
+                server.go_on(running['late'].begun)
+                return not [one for one in running.values() if not one.over()]
+
+            observer.until(all_over, 5 * START)
+        return {what: one.outcome(asked[what][1], asked[what][0], word) for what, one in running.items()}
 
     def interrupt(self, name: str) -> str:
         """Ctrl+C while it waits for a server: 'True' if it ends, 'False' if not, 'early' if it had ended before."""
         with Observer(self._learner) as observer:
-            task = self._start(observer, name, 60, False)
+            task = self._start(name, 60)
+            observer.until(lambda: MADE in task.output, START, task)
             # It looks for the server next. One that does so in an unusual way has a moment to come there.
             observer.until(lambda: WAITS in task.output, 3.0, task)
         early = task.wait(0.5) is not None  # who only says that it waits has ended meanwhile
@@ -282,6 +391,65 @@ class Client:
         ended = task.wait(5.0 * (4 if busy() else 1)) is not None
         task.end()
         return 'early' if early else str(ended)
+
+
+def judge_answer(learner, of: str) -> None:
+    """The rule `answer`: the server comes late, and takes its time, and the client has much more."""
+    done = Client(learner).runs(of)['late']
+    told = f'The server of {done.name} came after about 2 s and answered `{done.word}` about 2 s after it was asked'
+    expect(
+        done.printed != f'no server for {done.name}' and done.printed != 'no answer',
+        f'{told}. The client may wait {done.seconds:g} s for each, and printed `{done.printed}` after {done.took:.1f} '
+        's: wait as long as the command line says.',
+    )
+    expect(done.status != 'none', f'{told}, and the client did not end then: the answer ends the wait.')
+    expect(
+        (done.printed, done.status) == (f'answer: {done.word}', '0'),
+        f'{told}; the client printed `{done.printed}` and ended with status {done.status}.',
+    )
+
+
+def judge_no_server(learner, of: str) -> None:
+    """The rule `no-server`."""
+    done = Client(learner).runs(of)['nobody']
+    told = f'There is no server for {done.name}'
+    expect(done.status != 'none', f'{told}, and the client goes on and on: it was ended after 8 s.')
+    expect(
+        (done.printed, done.status) == (f'no server for {done.name}', '1'),
+        f'{told}; the client printed `{done.printed}` and ended with status {done.status}.',
+    )
+    _judge_time(done, told)
+
+
+def judge_no_answer(learner, of: str) -> None:
+    """The rule `no-answer`."""
+    done = Client(learner).runs(of)['silent']
+    told = 'The server never answers'
+    expect(done.status != 'none', f'{told}, and the client waits on and on.')
+    expect(
+        (done.printed, done.status) == ('no answer', '1'),
+        f'{told}; the client printed `{done.printed}` and ended with status {done.status}.',
+    )
+    _judge_time(done, told)
+
+
+def _judge_time(done: Ended, told: str) -> None:
+    wait = 'SECONDS on its command line are the time for each wait, no more and no less.'
+    expect(
+        not done.gave_up_early,
+        f'{told}. The client was told to wait {done.seconds:g} s, and ended after {done.took:.1f} s. {wait}',
+    )
+    expect(
+        not done.waited_longer,
+        f'{told}. The client was told to wait {done.seconds:g} s at most, and ended after {done.took:.1f} s. {wait}',
+    )
+
+
+def judge_interrupt(learner) -> None:
+    """The rule `interrupt`."""
+    ended = Client(learner).interrupt('/nobody')
+    expect(ended != 'early', 'The client ended before its time.')
+    expect(ended == 'True', 'The client did not end within two seconds after Ctrl+C.')
 
 
 def take(learner, files: dict[str, str], program: str, line: str, newer: str = '') -> str:

@@ -26,7 +26,7 @@ STATUS = {
     GoalStatus.STATUS_ABORTED: 'aborted',
 }
 VALUES = {
-    '/delivery_robot': ('max_linear', 'max_angular', 'tolerance', 'timeout', 'use_sim_time'),
+    '/delivery_robot': ('max_linear', 'max_angular', 'tolerance', 'timeout', 'status_period', 'use_sim_time'),
     '/world': ('scene', 'real_time_factor'),
 }
 

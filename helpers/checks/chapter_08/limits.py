@@ -42,6 +42,10 @@ RIGHT = {
     'the given one': variant(),
     'one that computes in another order': variant(share='    share = max(0.0, min(1.0, distance / 0.8 - 0.2 / 0.8))\n'),
     'one whose error has another text': variant(check='    if not max_speed >= 0:\n        raise ValueError\n'),
+    'one whose zeros are integers': variant(
+        nan='    if isnan(distance) or distance <= 0.2:\n        return 0\n',
+        back='    if speed <= 0:\n        return max(speed, -max_speed) or 0\n',
+    ),
 }
 KINDS = (
     Kind(

@@ -201,6 +201,44 @@ _KINDS = (
 )
 
 
+# Right all the same: how a drive has ended, and why a place was refused, is said in other words.
+_OTHER_WORDS = (
+    """
+
+import inspect
+
+import rclpy.action
+
+
+def reworded(callback):
+    async def later(*arguments):
+        return turned(await callback(*arguments))
+
+    def now(*arguments):
+        return turned(callback(*arguments))
+
+    return later if inspect.iscoroutinefunction(callback) else now
+
+
+def turned(answer):
+    answer.message = answer.message[::-1]
+    return answer
+
+
+class ActionServer(rclpy.action.ActionServer):
+    def register_execute_callback(self, callback):
+        super().register_execute_callback(reworded(callback))
+"""
+    + _CLASS
+    + """
+    def create_service(self, srv_type, name, callback, *others, **options):
+        answer = reworded(callback) if name == 'set_station' else callback
+        return super().create_service(srv_type, name, answer, *others, **options)
+"""
+)
+OTHER_WORDS = 'your own, with other words in its messages'
+
+
 def spoilt(learner) -> Planted:
     """The learner's own robot, as it is and spoilt."""
     own = deliveries.modules(learner)
@@ -214,7 +252,7 @@ def spoilt(learner) -> Planted:
     return Planted(
         ROBOT,
         'right-robots',
-        {OWN: own},
+        {OWN: own, OTHER_WORDS: behind(_OTHER_WORDS)},
         {
             'whose status never comes, and whose motors never run': behind(
                 _SILENT + _CLASS + '    def drive(self, linear, angular):\n        pass\n'

@@ -108,6 +108,20 @@ def test_call(learner):
             'the type comes first, then the name: create_publisher(String',
         ),
         ("self.create_subscription('chatter', String, self.tick, 10)", 'the type comes first, then the name'),
+        (
+            "ActionServer(self, 'count', Fibonacci, self.tick)",
+            "the type comes first, then the name: ActionServer(self, Fibonacci, 'count', …)",
+        ),
+        ("ActionClient(self, 'count', Fibonacci)", 'the type comes first, then the name: ActionClient(self, Fibonacci'),
+        (
+            "self.create_publisher(String, 'chatter')",
+            'the queue depth or a QoS profile: create_publisher(String, …, 10)',
+        ),
+        ('self.create_timer(0.5)', 'the period in seconds and the callback'),
+        ('self.create_timer(0.5, self.on_goal())', 'without parentheses: self.on_goal, not self.on_goal()'),
+        ('self.handle = 3', 'choose another one, such as `self.my_handle`'),
+        ('nobody_knows()', 'No cell that the check uses defines `nobody_knows`'),
+        ('Bool(data=1)', 'Write bool(…) around the value.'),
         ('self.timers = [self.timer]', 'choose another one, such as `self.my_timers`'),
         ('self.clients = {}', 'choose another one, such as `self.my_clients`'),
         ('Float64(data=2)', 'write 2.0 instead of 2'),
@@ -119,11 +133,27 @@ def test_call(learner):
 def test_what_rclpy_says_obscurely_is_explained(tmp_path, line, words):
     """The message names the mistake, and the learner's line."""
     source = (
-        f'{HEAD}        self.first()\n\n    def first(self):\n        {line}\n\n    def tick(self):\n        pass\n'
+        f'{HEAD}        self.first()\n\n    def first(self):\n        {line}\n\n    def tick(self):\n        pass\n\n'
+        '    def on_goal(self, goal):\n        pass\n'
     )
     test = judge(tmp_path, source)
     assert test.verdict == 'learner_crashed' and words in test.message, test.message
     assert 'Exercise 90.1, line 15' in test.message
+
+
+def test_a_node_that_is_not_made_yet_is_named(tmp_path):
+    """Without `super().__init__`, or before it, a node has nothing."""
+    source = """\
+class Talker(Node):
+    def __init__(self):
+        self.timer = self.create_timer(0.5, self.tick)
+        super().__init__('talker')
+
+    def tick(self):
+        pass
+"""
+    test = judge(tmp_path, source)
+    assert "`super().__init__('name')` must come before everything else" in test.message, test.message
 
 
 @pytest.mark.one_of(3)
@@ -158,7 +188,8 @@ def test_goal(learner):
     expect(goal.accepted, 'It was rejected.')
 ''',
     )
-    assert test.message.startswith('It was rejected.') and words in test.message
+    assert test.message.startswith(words or 'It was rejected.'), 'the cause comes first'
+    assert 'It was rejected.' in test.message
     assert ('goal_callback' in test.message) is bool(words)
 
 
