@@ -194,6 +194,7 @@ class Learner:
         """Run the cell with this id by Shift+Enter."""
         index = self._go_to(cell)
         self._started[cell] = index, self.page.evaluate(_COUNT, index)
+        self.page.evaluate(_LEAVE_VIEW)
         self.page.keyboard.press('Escape')
         self.page.keyboard.press('Shift+Enter')
 
@@ -254,6 +255,8 @@ _ALL_RUN = f"""() => {{
     return cells.every(model => model.executionCount !== null && model.executionState !== "running")
         || cells.some(stops);
 }}"""
+# Who has clicked into a view (an iframe) has the keyboard there.
+_LEAVE_VIEW = f'() => {{ if (document.activeElement?.tagName === "IFRAME") {_NOTEBOOK}.activate(); }}'
 _COUNT = f'(index) => {_NOTEBOOK}.widgets[index].model.executionCount'
 # JupyterLab sets the new number when all output has come.
 _RAN_AGAIN = f"""([index, before]) => {{
