@@ -11,6 +11,8 @@ from nbformat import NotebookNode
 
 MAX_BYTES = 1_000_000
 FIELDS = {'stream': ('text',), 'error': ('evalue',)}
+# Widgets live as long as their kernel: what is kept is the still that stands beside them.
+WIDGET = 'application/vnd.jupyter.widget-view+json'
 TEXT_TYPES = ('text/plain', 'text/html', 'text/markdown', 'text/latex')
 
 
@@ -56,6 +58,7 @@ def settle(notebook: NotebookNode, root: Path) -> None:
                 output[key] = clean(output[key])
             if 'traceback' in output:
                 output.traceback = [clean(line) for line in output.traceback]
+            output.get('data', {}).pop(WIDGET, None)
             for mime in TEXT_TYPES:
                 if mime in output.get('data', {}):
                     output.data[mime] = clean(output.data[mime])

@@ -10,7 +10,9 @@ a plain Python process never replaces anything.
 """
 
 import functools
+import sys
 from collections.abc import Callable
+from contextlib import suppress
 from weakref import WeakKeyDictionary, WeakSet
 
 from helpers.kernel import journal
@@ -47,7 +49,8 @@ def track() -> None:
         _doomed.add(self)
         for let_go in before_destroy:
             let_go(self)
-        return plain_destroy_node(self)
+        plain_destroy_node(self)
+        _destroy_state_machine(self)
 
     __init__.tracks_nodes = True
     Node.__init__, Node.destroy_node = __init__, destroy_node
@@ -104,6 +107,16 @@ def destroy_actions(node) -> None:
     for waitable in list(node.waitables):
         if isinstance(waitable, (ActionClient, ActionServer)):
             waitable.destroy()
+
+
+def _destroy_state_machine(node) -> None:
+    """Destroy what rclpy's LifecycleNode.destroy_node() leaves, which keeps the node in the graph until collection."""
+    from rclpy.exceptions import InvalidHandle
+
+    lifecycle = sys.modules.get('rclpy.lifecycle')
+    if lifecycle is not None and isinstance(node, lifecycle.LifecycleNodeMixin):
+        with suppress(InvalidHandle):  # it is destroyed already
+            node._state_machine.destroy_when_not_in_use()
 
 
 def _replace(name: str, context, but=None) -> None:

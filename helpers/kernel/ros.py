@@ -10,6 +10,7 @@ destroys the node of the same name that an earlier cell run left.
 
 import atexit
 import os
+from collections.abc import Callable
 
 import rclpy
 from rclpy.signals import SignalHandlerOptions, get_current_signal_handlers_options, uninstall_signal_handlers
@@ -18,6 +19,8 @@ from rclpy.utilities import get_default_context
 from helpers.kernel import journal, nodes
 from helpers.kernel.handles import stop_all
 
+# Called when ROS is about to stop, for what is left in the notebook of something that has no node any more.
+before_stop: list[Callable[[], None]] = []
 _process = os.getpid()
 
 
@@ -42,6 +45,8 @@ def stop(timeout: float = 5.0) -> None:
 
     :param timeout: seconds to wait for running callbacks, for each background thread.
     """
+    for end in before_stop:
+        end()
     stop_all(timeout)
     context = get_default_context()
     for node in nodes.living():

@@ -1,13 +1,14 @@
 """The world of turtlesim as a picture in a notebook: live while the simulator runs, still afterwards.
 
-`TurtleView` follows the simulator of any process by its poses; it needs no window and no screen. The picture is
-turtlesim's own (`turtlesim_nodes.svg`).
+`TurtleView` follows the simulator of any process by its poses; it needs no window and no screen. Its arrows drive the
+turtle.
 """
 
-import math
 import random
 import sys
+import time
 
+from helpers.kernel import journal, nodes
 from helpers.kernel.spinning import spinning
 from helpers.paths import ROOT
 
@@ -15,42 +16,53 @@ try:
     import turtlesim_nodes  # noqa: F401
 except ModuleNotFoundError:  # stock turtlesim is a C++ program: the simulation and its drawing come from our source
     sys.path.append(str(ROOT / 'environment' / 'ros2_ws' / 'src' / 'turtlesim'))
-from turtlesim_nodes.svg import draw_svg
 from turtlesim_nodes.world import STEP, World
+
+from helpers.show import turtle_drawing
+from helpers.show.widgets import WidgetOutput
 
 __all__ = ['STEP', 'TurtlePicture', 'TurtleView', 'World', 'show_turtle']
 RATE = 10.0  # pictures a second, at most
 _POSE = 'turtlesim/msg/Pose'
 _LOOK = 0.25  # s between two looks at the graph
+_LATE = 2.0  # s; a command that nobody has heard by then is forgotten
+_SIZE = 320  # px
 _views: list['TurtleView'] = []
 
 
 class TurtlePicture:
-    """A turtlesim world as Jupyter shows it: an SVG, and a line of text for each turtle."""
+    """A turtlesim world as Jupyter shows it: an SVG, and a line of text for each turtle.
 
-    def __init__(self, world: World, size: int):
-        self._world, self._size = world, size
+    :param goal: a place to mark, (x, y) in m.
+    """
+
+    def __init__(self, world: World, size: int = _SIZE, goal: tuple[float, float] | None = None):
+        self._world, self._size, self.goal = world, size, goal
+
+    def svg(self) -> str:
+        """Return the picture as it is now."""
+        return turtle_drawing.draw(self._world, self._size, self.goal)
 
     def _repr_mimebundle_(self, include=None, exclude=None) -> dict[str, str]:
-        return {'image/svg+xml': draw_svg(self._world, self._size), 'text/plain': str(self)}
+        return {'image/svg+xml': self.svg(), 'text/plain': str(self)}
 
     def __str__(self) -> str:
-        turtles = [self._world.turtles[name] for name in sorted(self._world.turtles)]
-        lines = [f'{t.name}: x {t.x:.2f} m, y {t.y:.2f} m, theta {math.degrees(t.theta):.0f}°' for t in turtles]
-        return '\n'.join(lines) or 'no turtle'
+        turtles = (self._world.turtles[name] for name in sorted(self._world.turtles))
+        return '\n'.join(map(turtle_drawing.describe, turtles)) or 'no turtle'
 
     __repr__ = __str__
 
 
-def show_turtle(world: World, size: int = 250) -> None:
+def show_turtle(world: World, size: int = _SIZE, goal: tuple[float, float] | None = None) -> None:
     """Show a world as it is now.
 
     :param world: a ``turtlesim_nodes.world.World``.
-    :param size: side of the picture in pixels.
+    :param size: width of the picture in pixels.
+    :param goal: a place to mark, (x, y) in m.
     """
     from IPython.display import display
 
-    display(TurtlePicture(world, size))
+    display(TurtlePicture(world, size, goal))
 
 
 class TurtleView:
@@ -68,26 +80,34 @@ class TurtleView:
     ``…/pose`` of type turtlesim/msg/Pose in its domain. It sees poses only, not the pens: all lines have one colour. A
     second view, in another cell, replaces the first one.
 
-    :param size: side of the picture in pixels.
+    While the view is live, its arrow buttons drive a turtle, and so do the arrow keys while the view has the focus:
+    each press publishes a geometry_msgs/Twist on the turtle's ``cmd_vel``. A front end that knows no widgets shows a
+    still picture without arrows.
+
+    :param size: width of the picture in pixels.
+    :param goal: a place to mark, (x, y) in m; the attribute `goal` can be assigned later, too.
+    :param drive: the name of the turtle that the arrows drive.
     :raises RuntimeError: ROS is not started.
     """
 
-    def __init__(self, size: int = 250):
+    def __init__(self, size: int = _SIZE, goal: tuple[float, float] | None = None, drive: str = 'turtle1'):
         import rclpy
 
         if not rclpy.ok():
             raise RuntimeError('ROS is not started: run helpers.ros.start() first')
         self._world = World(random_source=random.Random(0))  # the same colours in every run
-        self._picture = TurtlePicture(self._world, size)
+        self._picture = TurtlePicture(self._world, size, goal)
+        self._driven, self._publisher = drive, None
+        self._command: tuple[float, object] | None = None  # until when it is worth something, and the message
         self._poses: dict[str, object] = {}
         self._subscriptions: dict[str, object] = {}
-        self._handle = None
+        self._output: WidgetOutput | None = None
         self._changed = False
         for other in _views.copy():
             other.stop()
         self._node = rclpy.create_node('_turtle_view', enable_rosout=False, start_parameter_services=False)
         self._node.create_timer(_LOOK, self._look)
-        self._node.create_timer(1 / RATE, self._draw)
+        self._node.create_timer(1 / RATE, self._update)
         self._look()
         self._spinning = spinning(self._node)
         _views.append(self)
@@ -102,6 +122,16 @@ class TurtleView:
         """The names of the turtles that have been seen."""
         return sorted(self._poses)
 
+    @property
+    def goal(self) -> tuple[float, float] | None:
+        """The place that is marked, (x, y) in m."""
+        return self._picture.goal
+
+    @goal.setter
+    def goal(self, place: tuple[float, float] | None) -> None:
+        self._picture.goal = place
+        self._changed = True
+
     def clear(self) -> None:
         """Forget the lines drawn so far, as turtlesim's service ``clear`` does."""
         self._world.clear()
@@ -111,8 +141,10 @@ class TurtleView:
         """Stop watching; the last picture stays. Idempotent."""
         if self in _views:
             _views.remove(self)
-            self._spinning.stop()
-            self._draw()
+            self._spinning.let_go(self._node)
+            nodes.destroy(self._node)
+            if self._output is not None:
+                self._output.close(self._picture)
 
     def __enter__(self) -> 'TurtleView':
         return self
@@ -156,18 +188,50 @@ class TurtleView:
         self._changed = True
 
     def _show(self) -> None:
-        from IPython import get_ipython
-        from IPython.display import display
+        if journal.in_kernel():
+            from helpers.show.turtle_pad import TurtlePad
 
-        if get_ipython() is not None:
-            self._handle = display(self._picture, display_id=True)
+            self._output = WidgetOutput(TurtlePad(self._picture.svg(), self._drive), self._picture)
 
-    def _draw(self) -> None:
-        if self._changed and self._handle is not None:
+    def _update(self) -> None:
+        if self._changed and self._output is not None:
             self._changed = False
-            self._handle.update(self._picture)
+            self._output.widget.picture = self._picture.svg()
+        self._send()
+
+    def _drive(self, linear: float, angular: float) -> None:
+        """Keep a command for the turtle, which the next update sends; in the thread of the browser's messages."""
+        from geometry_msgs.msg import Twist
+
+        command = Twist()
+        command.linear.x, command.angular.z = linear, angular
+        self._command = time.monotonic() + _LATE, command
+
+    def _send(self) -> None:
+        """Send the command as soon as somebody listens. While no arrow is pressed the graph has no publisher of it."""
+        from geometry_msgs.msg import Twist
+
+        if self._command is None:
+            return
+        if self._publisher is None:
+            self._publisher = self._node.create_publisher(Twist, f'/{self._driven}/cmd_vel', 10)
+        until, command = self._command
+        if self._publisher.get_subscription_count():
+            self._command = None
+            self._publisher.publish(command)
+        elif time.monotonic() > until:
+            self._command = None
 
 
 def _turtle(topic: str) -> str:
     """``/turtle1/pose`` -> ``turtle1``; in a namespace ``/sim2/turtle1/pose`` -> ``sim2/turtle1``."""
     return topic.removesuffix('/pose').strip('/')
+
+
+def _on_destroy(node) -> None:
+    for view in _views.copy():
+        if view._node is node:
+            view.stop()
+
+
+nodes.before_destroy.append(_on_destroy)

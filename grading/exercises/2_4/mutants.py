@@ -59,6 +59,6 @@ MUTANTS = [
     Mutant('returns_the_text', old=PRINT, new="return f'{distance(int(sys.argv[1])):.3f} m'",
            expect='main returns it. Use print', breaks='prints', also='library'),
     Mutant('tool_of_another_build_type', old=WHEEL_MATH,
-           new=f"{WHEEL_MATH} '<buildtool_depend>ament_cmake</buildtool_depend>',",
+           new=f'{WHEEL_MATH} <buildtool_depend>ament_cmake</buildtool_depend>',
            expect='wheel_math declares ament_cmake', breaks='nothing-else'),
 ]

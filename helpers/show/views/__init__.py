@@ -9,8 +9,8 @@ A *display* (named after RViz's) turns topics into shapes: `display.Display` is 
 
 Displays, each with the topic that it shows unless another is given: `RobotModel` (``/robot_description``), `LaserScan`
 (``/scan``), `PointCloud2` (``/points``), `Odometry` (``/odom``), `Marker` (``/visualization_marker``), `MarkerArray`
-(``/visualization_marker_array``). Their `status`, which is also in ``view.problems``, says why nothing is seen. Beside
-the scene, `ImageView` (``/image``) shows a camera's pictures.
+(``/visualization_marker_array``), `Text`. Their `status`, which is also in ``view.problems``, says why nothing is seen.
+Beside the scene, `ImageView` (``/image``) shows a camera's pictures.
 
 Units are metres and radians; colours are (red, green, blue) from 0 to 1; axes are x red, y green, z blue.
 """
@@ -27,6 +27,7 @@ _HOME = {
     'Odometry': 'odometry',
     'PointCloud2': 'point_cloud',
     'RobotModel': 'robot_model',
+    'Text': 'text',
     'TfView': 'tf_view',
     'show_frames': 'frames_diagram',
 }

@@ -47,13 +47,16 @@ class LiveRenderer:
         """Whether a browser shows it."""
         return self._channel.watched
 
-    def update(self) -> None:
-        """Send what has changed since the last time, if the browsers are ready; otherwise send it later."""
+    def update(self, final: bool = False) -> None:
+        """Send what has changed since the last time, if the browsers are ready; otherwise send it later.
+
+        :param final: it is the last time, so a browser that is not ready gets everything once it is.
+        """
         if not self._channel.watched:
             self._scene.changes()
             self._shown = None
             return
-        if not self._channel.ready:
+        if not self._channel.ready and not final:
             return
         state = self._state()
         with self._order:

@@ -3,10 +3,12 @@
 import math
 import os
 import threading
+import time
 from pathlib import Path
 
-from helpers.kernel import journal, nodes
+from helpers.kernel import journal, nodes, ros
 from helpers.kernel.spinning import spinning
+from helpers.kernel.waiting import spin_for
 from helpers.show.views import picture
 from helpers.show.views.display import Display
 from helpers.show.views.frame_tree import Tree
@@ -17,6 +19,7 @@ from helpers.show.views.tf_display import MOVES, STATIC, TF
 
 RATE = 30.0  # updates a second, at most
 NODE = '_tf_view'
+_LOOK = 0.1  # s between two looks at whether a browser shows it
 _FIRST = 0.4  # s, the longest wait for the first frames
 _SETTLED = 2  # updates in which no frame is added
 _views: list['TfView'] = []
@@ -63,10 +66,10 @@ class TfView:
 
     Axes are x red, y green, z blue. A line with an arrow head leads from each frame to its parent: solid for moving
     frames, dashed for static ones. Frames that come late appear; a moving frame that is not broadcast any more fades,
-    and is gone after `frame_timeout`. The slider below goes back in time, as `rewind` does. When the view stops, a
-    still picture remains in the notebook.
+    and is gone after `frame_timeout`. The slider below goes back in time, as `rewind` does.
 
-    It is a node of this process (``/_tf_view``) that spins in the background. A view in a later cell replaces it.
+    It is a node of this process (``/_tf_view``) that spins in the background. After its block it shows what was last
+    and can still be turned; a view in a later cell, `stop` or helpers.ros.stop() puts a still picture in its place.
 
     :param displays: what to show beside the frames, see `helpers.show.views`.
     :param fixed_frame: the frame that stands still; None: the root of the largest tree.
@@ -123,6 +126,7 @@ class TfView:
         self._live: LiveRenderer | None = None
         self._recording: Recording | None = None
         self._output = None
+        self._last: dict | None = None  # what the page shows beside the scene once the block has ended
         self._node = rclpy.create_node(_free_name(), enable_rosout=False, start_parameter_services=False)
         try:
             self._tf.start(self._node, self.buffer, self.scene.below('TF'))
@@ -191,33 +195,54 @@ class TfView:
         """Return a still picture of what the view shows."""
         return ViewPicture(self._svg(), str(self))
 
+    def watch(self, seconds: float = 8.0, at_least: float = 1.0) -> None:
+        """Go on for so many seconds while a browser shows the view; else (in a test, say) for `at_least` seconds."""
+        end = time.monotonic() + seconds
+        spin_for(at_least)
+        while self._live is not None and self._live.watched and time.monotonic() < end:
+            spin_for(min(_LOOK, max(0.0, end - time.monotonic())))
+
     def stop(self) -> None:
         """Stop watching; a still picture stays. Idempotent."""
         if self not in _views:
             return
         _views.remove(self)
+        try:
+            self._end()
+        finally:
+            live, self._live = self._live, None
+            if live is not None:
+                live.close()
+            scene = self._recording.write(Path(os.environ[VARIABLE])) if self._recording is not None else None
+            if self._output is not None:
+                self._output.update(ViewPicture(self._svg(), str(self), scene))
+
+    def _end(self) -> None:
+        """Stop listening: the scene stays as it is. Idempotent."""
+        if self._last is not None:
+            return
         self._spinning.let_go(self._node)
         try:
             if self._node.context.ok():
                 self._update()
                 if self._recording is not None:
                     self._recording.update(final=True)
+            self._last = {**self._state(), 'ended': True}
         finally:  # a display that a learner has written may raise
+            self._last = self._last or {}
             for display in (self._tf, *self._parts.values()):
                 display.stop()
-            live, self._live = self._live, None
-            if live is not None:
-                live.close()
             nodes.destroy(self._node)
-            scene = self._recording.write(Path(os.environ[VARIABLE])) if self._recording is not None else None
-            if self._output is not None:
-                self._output.update(ViewPicture(self._svg(), str(self), scene))
 
     def __enter__(self) -> 'TfView':
         return self
 
     def __exit__(self, kind, error, tb) -> None:
-        self.stop()
+        if self._live is None or not journal.in_kernel() or self not in _views:
+            self.stop()
+            return
+        self._end()
+        self._live.update(final=True)
 
     def __repr__(self) -> str:
         tree = self._tf.tree
@@ -275,7 +300,7 @@ class TfView:
         self._moment = max(1, self._latest - round(self._past * 1e9))
 
     def _state(self) -> dict:
-        return {
+        return self._last or {
             'fixed_frame': self._fixed_frame,
             'chosen': self._chosen,
             'frames': sorted(self._tf.tree.frames),
@@ -338,7 +363,7 @@ def _names(displays) -> dict[str, Display]:
 
 
 def _free_name() -> str:
-    taken = {view._node.get_name() for view in _views}
+    taken = {view._node.get_name() for view in _views if view._last is None}
     number = next(number for number in range(1, len(taken) + 2) if _numbered(number) not in taken)
     return _numbered(number)
 
@@ -365,8 +390,14 @@ def _depth_first(tree: Tree, members):
 
 def _on_destroy(node) -> None:
     for view in _views.copy():
-        if view._node is node:
+        if view._node is node and view._last is None:
             view.stop()
 
 
+def _on_stop() -> None:
+    for view in _views.copy():
+        view.stop()
+
+
 nodes.before_destroy.append(_on_destroy)
+ros.before_stop.append(_on_stop)

@@ -61,8 +61,8 @@ def copy_notebooks(folder: Path) -> Path:
 
 
 @contextmanager
-def served(folder: Path, private: Path) -> Iterator[str]:
-    """Serve `folder` with the arguments of `./course lab`; yields the address with its token.
+def served(folder: Path, private: Path, file: str = start_page.FILE) -> Iterator[str]:
+    """Serve `folder` with the arguments of `./course lab`; yields the address of `file` in JupyterLab, with its token.
 
     `private`: where Jupyter keeps its settings and its memory of open tabs, and where its log goes.
     """
@@ -79,10 +79,7 @@ def served(folder: Path, private: Path) -> Iterator[str]:
         probe.bind(('127.0.0.1', 0))
         port = probe.getsockname()[1]
     # The last one, so that a test can ask JupyterLab whether all cells have run.
-    arguments = [
-        *lab.arguments(port, True, True, f'/lab/tree/{start_page.FILE}', folder),
-        '--LabApp.expose_app_in_browser=True',
-    ]
+    arguments = [*lab.arguments(port, True, True, f'/lab/tree/{file}', folder), '--LabApp.expose_app_in_browser=True']
     with (
         log.open('w') as output,
         subprocess.Popen(
@@ -118,12 +115,19 @@ class Learner:
 
     def __init__(self, page):
         self.page = evidence.watch(page)
+        self._started: dict = {}  # by cell: its index, and its count before
         page.set_default_timeout(PATIENCE)
 
     def open(self, address: str, workspace: str = 'default') -> None:
         """Open the start page, in a workspace of that name: JupyterLab remembers the tabs of each one."""
         self.page.goto(address.replace('/lab/', f'/lab/workspaces/{workspace}/', 1))
         self.page.locator('.jp-RenderedMarkdown h1').first.wait_for()
+
+    def open_notebook(self, address: str) -> None:
+        """Open the notebook at this address, and wait for its kernel."""
+        self.page.goto(address)
+        self.page.locator('.jp-NotebookPanel:not(.lm-mod-hidden)').first.wait_for()
+        self.wait_until_idle()
 
     def follow(self, link: str) -> None:
         """Follow a link of the start page that leads to a notebook, by Tab and Enter, and wait for its kernel."""
@@ -183,11 +187,20 @@ class Learner:
 
     def run(self, cell: str) -> None:
         """Run the cell with this id by Shift+Enter, and wait for its end."""
+        self.start(cell)
+        self.wait_until_ran(cell)
+
+    def start(self, cell: str) -> None:
+        """Run the cell with this id by Shift+Enter."""
         index = self._go_to(cell)
-        before = self.page.evaluate(_COUNT, index)
+        self._started[cell] = index, self.page.evaluate(_COUNT, index)
+        self.page.evaluate(_LEAVE_VIEW)
         self.page.keyboard.press('Escape')
         self.page.keyboard.press('Shift+Enter')
-        self.page.wait_for_function(_RAN_AGAIN, arg=[index, before])
+
+    def wait_until_ran(self, cell: str) -> None:
+        """Until the cell that was started has ended."""
+        self.page.wait_for_function(_RAN_AGAIN, arg=[*self._started.pop(cell)])
 
     def sees(self, cell: str, text) -> None:
         """Wait until the output of the cell with this id shows `text`, a string or a pattern.
@@ -242,6 +255,8 @@ _ALL_RUN = f"""() => {{
     return cells.every(model => model.executionCount !== null && model.executionState !== "running")
         || cells.some(stops);
 }}"""
+# Who has clicked into a view (an iframe) has the keyboard there.
+_LEAVE_VIEW = f'() => {{ if (document.activeElement?.tagName === "IFRAME") {_NOTEBOOK}.activate(); }}'
 _COUNT = f'(index) => {_NOTEBOOK}.widgets[index].model.executionCount'
 # JupyterLab sets the new number when all output has come.
 _RAN_AGAIN = f"""([index, before]) => {{

@@ -1,5 +1,6 @@
 """start and stop of ROS, in any order; what importing helpers does and does not."""
 
+import gc
 import os
 import subprocess
 import sys
@@ -8,7 +9,7 @@ import pytest
 import rclpy
 from rclpy.node import Node
 
-from helpers import spin_for, spinning
+from helpers import spin_for, spinning, wait_for
 from helpers.kernel import ros as ros_module
 from helpers.kernel.domains import claim
 from helpers.kernel.nodes import is_alive
@@ -87,7 +88,6 @@ def test_a_node_with_actions_leaves_the_graph_when_it_is_destroyed(ros):
     from example_interfaces.action import Fibonacci
     from rclpy.action import ActionClient, ActionServer
 
-    from helpers import wait_for
     from helpers.kernel.nodes import destroy
 
     watcher, node = Node('watcher'), Node('asker')
@@ -96,3 +96,17 @@ def test_a_node_with_actions_leaves_the_graph_when_it_is_destroyed(ros):
     destroy(node)
     wait_for(lambda: 'asker' not in watcher.get_node_names(), timeout=20)
     assert len(held) == 2
+
+
+def test_a_lifecycle_node_leaves_the_graph_when_it_is_destroyed(ros):
+    from rclpy.lifecycle import LifecycleNode
+
+    watcher, node = rclpy.create_node('watcher'), LifecycleNode('managed')
+    wait_for(lambda: 'managed' in watcher.get_node_names(), timeout=30)
+    gc.disable()  # it must not need a collection
+    try:
+        node.destroy_node()
+        wait_for(lambda: 'managed' not in watcher.get_node_names(), timeout=30)
+    finally:
+        gc.enable()
+    node.destroy_node()  # a second time does no harm

@@ -10,7 +10,11 @@ from std_srvs.srv import Empty
 
 from helpers import TurtleView, background, spinning, wait_for
 from helpers.kernel.ros import nodes
+from helpers.show.turtle_pad import TurtlePad
 from helpers.show.turtle_view import TurtlePicture, World
+from helpers.show.widgets import VIEW
+
+from turtlesim_nodes.world import to_pixels  # isort: skip  (its folder is found by turtle_view)
 
 SVG = 'image/svg+xml'
 
@@ -30,8 +34,22 @@ def test_a_world_is_shown_as_a_picture_and_as_text():
     assert str(TurtlePicture(world, 200)) == 'no turtle'
     world.spawn(2.0, 3.0, math.pi / 2, 'ada')
     bundle = TurtlePicture(world, 200)._repr_mimebundle_()
-    assert ElementTree.fromstring(bundle[SVG]).get('width') == '200'
+    drawing = ElementTree.fromstring(bundle[SVG])
+    assert drawing.get('width') == '200'
+    texts = [element.text for element in drawing.iter() if element.tag.endswith('}text')]
+    assert bundle['text/plain'] in texts and {'0', '10', 'x [m]', 'y [m]'} <= set(texts)
     assert bundle['text/plain'] == 'ada: x 2.00 m, y 3.00 m, theta 90°'
+
+
+def test_where_a_turtle_looks_and_the_goal_are_drawn_at_their_places():
+    world = World()
+    world.spawn(2.0, 3.0, math.pi / 2, 'ada')
+    without, drawing = (TurtlePicture(world, goal=goal).svg() for goal in (None, (4.0, 3.0)))
+    x, y = to_pixels(2.0, 3.0)
+    assert f'd="M {x:.1f} {y:.1f} l 0.0 -' in drawing, 'it looks up'
+    x, y = to_pixels(4.0, 3.0)
+    mark = f'cx="{x:.1f}" cy="{y:.1f}"'
+    assert mark in drawing and mark not in without
 
 
 def test_a_view_follows_the_simulator_of_another_process_and_leaves_nothing(simulator, ros):
@@ -57,6 +75,23 @@ def test_a_view_follows_the_simulator_of_another_process_and_leaves_nothing(simu
     assert not nodes.is_alive(node)
     view.stop()
     assert repr(view).startswith('turtle1: x ')
+
+
+def test_an_arrow_drives_the_turtle_and_until_then_the_graph_has_no_publisher(simulator, ros):
+    with TurtleView() as view:
+        wait_for(view.pose, timeout=30)
+        assert view._node.count_publishers('/turtle1/cmd_vel') == 0
+        TurtlePad('', view._drive)._on_page(None, {'press': 'up'}, [])
+        wait_for(lambda: view.pose().x > 6.0, timeout=30)
+        assert view._node.count_publishers('/turtle1/cmd_vel') == 1
+
+
+def test_what_a_page_says_and_is_no_arrow_is_ignored():
+    sent = []
+    pad = TurtlePad('', lambda *speeds: sent.append(speeds))
+    for content in ({'press': 'left'}, {'press': 'home'}, {}, 'up', None):
+        pad._on_page(None, content, [])
+    assert sent == [(0.0, 2.0)]
 
 
 def test_a_second_view_replaces_the_first(ros):
@@ -111,24 +146,28 @@ def move():
     state.x += 0.05
     publisher.publish(state)
 node.create_timer(0.02, move)
-with spinning(node), TurtleView(size=100) as view:
+with spinning(node):
+    view = TurtleView(size=100)
     wait_for(lambda: view.pose() and view.pose().x > 3.0, timeout=30)
 ros.stop()
 """
 
 
-def test_the_picture_of_a_cell_changes_while_the_cell_runs(kernel):
-    shown = []
+def test_the_picture_of_a_cell_changes_while_the_cell_runs_and_a_still_is_left(kernel):
+    outputs, pictures = [], []
 
     def note(message):
+        content = message['content']
         if message['msg_type'] in ('display_data', 'update_display_data'):
-            content = message['content']
-            shown.append((message['msg_type'], content['transient']['display_id'], content['data'][SVG]))
+            outputs.append((content['transient']['display_id'], content['data']))
+        elif message['msg_type'].startswith('comm') and 'picture' in content['data'].get('state', {}):
+            pictures.append(content['data']['state']['picture'])
 
     reply = kernel.client.execute_interactive(LIVE, output_hook=note, timeout=60, allow_stdin=False)
     assert reply['content']['status'] == 'ok', reply['content']
-    kinds, ids, pictures = zip(*shown, strict=True)
-    assert kinds[0] == 'display_data' and set(kinds[1:]) == {'update_display_data'}
-    assert len(set(ids)) == 1, 'one picture, not one after the other'
+    (live_id, live), (still_id, still) = outputs
+    assert live_id == still_id, 'one picture, not one after the other'
+    assert VIEW in live and SVG in live, 'a front end without widgets shows a still'
+    assert VIEW not in still and '<polyline' in still[SVG]
     assert len(set(pictures)) == len(pictures) > 3, 'only a changed picture is sent'
     assert '<polyline' in pictures[-1]

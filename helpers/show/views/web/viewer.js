@@ -41,6 +41,7 @@ live.addEventListener('click', () => tell({past: 0}));
 const ENDED = 4000;       // the server's code for a view that has stopped
 const TRIES = [1, 3, 9];  // s before each try to connect again, as after a proxy's hiccup
 let socket, tries = 0;
+let ended = false;  // the view's block has ended: nothing more comes, but it can be turned
 
 function connect() {
   socket = new WebSocket(new URL('socket', location.href).href.replace(/^http/, 'ws'));
@@ -49,8 +50,11 @@ function connect() {
     undrawn += 1;
     tries = 0;
     const state = show(event.data);
-    if (state) showState(state);
-    document.body.classList.remove('ended');
+    if (state) {
+      showState(state);
+      ended = Boolean(state.ended);
+    }
+    document.body.classList.toggle('ended', ended);
   };
   socket.onclose = (event) => {
     undrawn = 0;

@@ -17,7 +17,7 @@ from tf2_ros import Buffer
 from visualization_msgs.msg import Marker as MarkerMsg
 from visualization_msgs.msg import MarkerArray as MarkerArrayMsg
 
-from helpers.show.views import LaserScan, Marker, MarkerArray, Odometry, PointCloud2, RobotModel
+from helpers.show.views import LaserScan, Marker, MarkerArray, Odometry, PointCloud2, RobotModel, Text
 from helpers.show.views.scene import Scene
 from helpers.show.views.shapes import Arrow, Box, Cylinder, Label, Line, Mesh, Points, Sphere
 
@@ -68,6 +68,25 @@ def stage(ros):
     yield make
     for display in displays:
         display.stop()
+
+
+# Texts
+
+
+def test_a_text_stands_above_its_frame(stage):
+    one = stage(Text('/status', 'robot', above=0.5))
+    one.update()
+    assert not one.seen()
+    one.display.take(String(data='idle'))
+    assert 'robot' in one.update() and not one.seen()
+    one.frame('odom', 'robot', x=2.0, static=True)
+    assert one.update() == ''
+    (item,) = one.seen().values()
+    assert item.shape.text == 'idle' and item.pose[:3, 3] == pytest.approx([2.0, 0.0, 0.5])
+    one.display.take(String(data='driving to gate'))
+    one.update()
+    (item,) = one.seen().values()
+    assert item.shape.text == 'driving to gate'
 
 
 # Laser scans

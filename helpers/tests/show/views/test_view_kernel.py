@@ -58,3 +58,26 @@ def test_a_view_leaves_nothing_behind(kernel):
     kernel.process.kill()
     kernel.process.wait()
     assert not listening(fifth) and kernel.complaints() == ''
+
+
+BLOCK = """
+helpers.ros.start()
+with helpers.TfView() as view:
+    view.watch(600, at_least=0.1)
+print(view.address.split(':')[2].split('/')[0])
+"""
+
+
+def test_after_its_block_a_view_can_be_turned_until_the_next_one_or_the_end_of_ros(kernel):
+    kernel.ok(BEGIN)
+    first = int(kernel.ok(BLOCK).stdout)  # nobody watches, so the block is short
+    assert listening(first) and kernel.value('len(outputs)') == 1, 'the live view stays'
+    assert kernel.value('view._node.context.ok() and helpers.kernel.nodes.is_alive(view._node)') is False
+    second = int(kernel.ok(BLOCK).stdout)
+    kinds = kernel.value('[list(output)[0] for output in outputs]')
+    assert kinds == ['text/html', 'image/svg+xml', 'text/html']
+    assert listening(second)
+    kernel.ok('helpers.ros.stop()')
+    assert not listening(second) and kernel.value('list(outputs[-1])')[0] == 'image/svg+xml'
+    assert 'views' not in kernel.value('[thread.name for thread in __import__("threading").enumerate()]')
+    assert kernel.complaints() == ''
