@@ -125,7 +125,9 @@ def _replace(name: str, context, but=None) -> None:
     if not run:
         return
     for node in living(context):
-        if node is not but and _made_in.get(node, run) < run and full_name(node) == name:
+        if node is but or not is_alive(node):  # the end of one node may be that of others
+            continue
+        if _made_in.get(node, run) < run and full_name(node) == name:
             destroy(node)
 
 

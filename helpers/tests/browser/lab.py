@@ -107,6 +107,18 @@ def _address(server: subprocess.Popen, log: Path, port: int, patience: float = P
     raise RuntimeError(f'JupyterLab did not start: {log.read_text()[-2000:]}')
 
 
+def wait_for_file(path: Path, patience: float = PATIENCE / 1000) -> None:
+    """Until there is a file.
+
+    :raises TimeoutError: it does not come.
+    """
+    end = time.monotonic() + patience
+    while not path.exists():
+        if time.monotonic() > end:
+            raise TimeoutError(f'{path} does not come')
+        time.sleep(0.1)
+
+
 class Learner:
     """Someone at the keyboard. `page`: a Playwright page that shows JupyterLab.
 
@@ -127,6 +139,28 @@ class Learner:
         """Open the notebook at this address, and wait for its kernel."""
         self.page.goto(address)
         self.page.locator('.jp-NotebookPanel:not(.lm-mod-hidden)').first.wait_for()
+        self.wait_until_idle()
+
+    def open_terminal(self) -> None:
+        """Menu: File, New, Terminal; it has the keyboard then."""
+        self.page.get_by_role('menuitem', name='File', exact=True).click()
+        for entry in ('New', 'Terminal'):
+            self.page.locator('.lm-Menu-itemLabel').get_by_text(entry, exact=True).click()
+        self.page.locator('.jp-Terminal .xterm-screen').click()
+
+    def type_lines(self, text: str) -> None:
+        """Type lines into the terminal, each with Enter."""
+        for line in text.split('\n'):
+            self.page.keyboard.insert_text(line)
+            self.page.keyboard.press('Enter')
+
+    def restart(self) -> None:
+        """Restart the kernel of the notebook: 0, 0, and Enter in the dialog."""
+        self.page.evaluate(_NOTE_RESTART)
+        for key in ('Escape', '0', '0'):
+            self.page.keyboard.press(key)
+        self.page.locator('.jp-Dialog .jp-mod-accept').click()
+        self.page.wait_for_function('window.restarted')
         self.wait_until_idle()
 
     def follow(self, link: str) -> None:
@@ -255,6 +289,11 @@ _ALL_RUN = f"""() => {{
     return cells.every(model => model.executionCount !== null && model.executionState !== "running")
         || cells.some(stops);
 }}"""
+_NOTE_RESTART = """() => {
+    window.restarted = false;
+    const context = window.jupyterapp.shell.currentWidget.sessionContext;
+    context.statusChanged.connect((_, status) => { window.restarted ||= status.includes("starting"); });
+}"""
 # Who has clicked into a view (an iframe) has the keyboard there.
 _LEAVE_VIEW = f'() => {{ if (document.activeElement?.tagName === "IFRAME") {_NOTEBOOK}.activate(); }}'
 _COUNT = f'(index) => {_NOTEBOOK}.widgets[index].model.executionCount'

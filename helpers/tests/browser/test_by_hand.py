@@ -1,8 +1,13 @@
-"""What one drives in a notebook, in a real browser: the turtle's arrows, sliders, a view whose block has ended."""
+"""What one does by hand, in a real browser: drive the turtle by its arrows, move a slider, turn a view whose block has
+ended, make a package in a terminal, and go on with the capstone after a restart of the kernel."""
+
+import json
+import re
 
 import nbformat
 import pytest
 
+from helpers import paths
 from helpers.tests.browser import lab
 from helpers.tests.browser.drawn import DRAWN
 
@@ -53,18 +58,43 @@ node.destroy_node()""",
 
 
 @pytest.fixture(scope='module')
-def learner(browser, tmp_path_factory):
-    """Somebody in a notebook with the cells above, which has been run so far as `start`."""
-    folder = tmp_path_factory.mktemp('notebooks')
+def folder(tmp_path_factory):
+    """The chapters, and a notebook with the cells above."""
+    folder = lab.copy_notebooks(tmp_path_factory.mktemp('notebooks'))
     cells = [nbformat.v4.new_code_cell(source, id=name) for name, source in CELLS.items()]
     kernel = {'kernelspec': {'name': 'python3', 'display_name': 'Python 3'}}  # else JupyterLab asks for one
     nbformat.write(nbformat.v4.new_notebook(cells=cells, metadata=kernel), folder / NOTEBOOK)
+    return folder
+
+
+@pytest.fixture(scope='module')
+def address(folder, tmp_path_factory):
+    """One server for all of these tests: the address of that notebook."""
     with lab.served(folder, tmp_path_factory.mktemp('jupyter'), NOTEBOOK) as address:
-        learner = lab.Learner(browser.new_page(viewport={'width': 1366, 'height': 900}))
-        learner.open_notebook(address)
-        learner.run('start')
-        yield learner
+        yield address
+
+
+@pytest.fixture(scope='module')
+def newcomer(browser):
+    """Makes somebody at the keyboard, who has opened nothing yet."""
+    made = []
+
+    def make():
+        made.append(lab.Learner(browser.new_page(viewport={'width': 1366, 'height': 900})))
+        return made[-1]
+
+    yield make
+    for learner in made:
         learner.page.close()
+
+
+@pytest.fixture(scope='module')
+def learner(newcomer, address):
+    """Somebody in that notebook, of which `start` has been run."""
+    learner = newcomer()
+    learner.open_notebook(address)
+    learner.run('start')
+    return learner
 
 
 def test_an_arrow_button_drives_the_turtle_while_a_cell_runs_and_a_key_when_the_view_has_the_focus(learner):
@@ -117,3 +147,80 @@ _TURNED = r"""() => {
     const said = document.querySelector('.turtle-view')?.textContent.match(/theta (-?\d+)°/);
     return said && Number(said[1]) > 60;
 }"""
+
+
+SOLVED = paths.ROOT / 'solutions'
+needs_solutions = pytest.mark.skipif(not SOLVED.is_dir(), reason="the learner's edition has no solutions")
+# What a learner types, with the files of the solution: see `written`.
+COMMANDS = """\
+mkdir -p my_ws/src
+cd my_ws/src
+ros2 pkg create --build-type ament_python --license Apache-2.0 --dependencies rclpy std_msgs -- patrol > ../created.txt
+rm -r patrol/test
+mkdir patrol/config patrol/test
+{files}
+cd ..
+colcon build --packages-select patrol
+echo $? > status.txt
+mv status.txt done.txt
+"""
+
+
+def solution(chapter: str) -> dict[str, str]:
+    """The sources of a solved chapter by cell id."""
+    cells = json.loads((SOLVED / f'{chapter}.ipynb').read_text())['cells']
+    return {cell['id']: ''.join(cell['source']) for cell in cells}
+
+
+def written(package: dict[str, str]) -> str:
+    """The lines that write these files of a package in a shell."""
+    return '\n'.join(f"cat > 'patrol/{path}' <<'END'\n{text.rstrip()}\nEND" for path, text in package.items())
+
+
+@needs_solutions
+@pytest.mark.one_of(3)  # the check itself builds the package several times
+def test_a_package_is_made_in_the_terminal_and_its_check_passes(newcomer, address, folder):
+    learner, names = newcomer(), {}
+    exec(solution('02_workspace_and_packages')['ex-2-5'].partition('\nmy_ws = ')[0], names)
+    learner.open_notebook(address.replace(NOTEBOOK, '02_workspace_and_packages.ipynb'))
+    learner.open_terminal()
+    learner.type_lines(f'{paths.ROOT}/course shell')
+    learner.type_lines('touch ready.txt')
+    lab.wait_for_file(folder / 'ready.txt')
+    learner.type_lines(COMMANDS.format(files=written(names['PACKAGE'])).rstrip())
+    lab.wait_for_file(folder / 'my_ws' / 'done.txt')
+    assert (folder / 'my_ws' / 'done.txt').read_text() == '0\n'
+    assert 'creating folder ./patrol' in (folder / 'my_ws' / 'created.txt').read_text()
+
+    learner.open_notebook(address.replace(NOTEBOOK, '02_workspace_and_packages.ipynb'))
+    sources = learner.sources()
+    learner.run(next(cell for cell, source in sources.items() if 'from helpers import' in source))
+    check = next(cell for cell, source in sources.items() if source == 'check("2.5")')
+    learner.run(check)
+    learner.sees(check, SOLVED_ALL)
+
+
+SOLVED_ALL = re.compile(r'Solved: (\d+) of \1 rules are kept')
+
+
+@needs_solutions
+def test_the_capstone_goes_on_after_a_restart_of_the_kernel(newcomer, address, folder):
+    learner = newcomer()
+    learner.open_notebook(address.replace(NOTEBOOK, '08_best_practices.ipynb'))
+    sources = learner.sources()
+    cells = [cell for cell, source in sources.items() if source]
+    learner.run(next(cell for cell in cells if 'helpers.ros.start()' in sources[cell]))
+    learner.restart()
+    begin = next(cell for cell in cells if 'resume()' in sources[cell])
+    learner.run(begin)
+    learner.sees(begin, re.compile(r'Back from the \d+ cells above: '))
+    learner.sees(begin, 'the workspace delivery_ws is in')
+    code = [cell for cell in cells[cells.index(begin) + 1 : cells.index('ex-8-5')] if cell in learner.outputs()]
+    for cell in code:
+        learner.run(cell)
+    assert (folder / 'delivery_ws' / 'src' / 'delivery_robot' / 'package.xml').is_file()
+    learner.write('ex-8-5', solution('08_best_practices')['ex-8-5'])
+    learner.run('ex-8-5')
+    check = next(cell for cell in cells if sources[cell] == 'check("8.5")')
+    learner.run(check)
+    learner.sees(check, SOLVED_ALL)

@@ -115,3 +115,18 @@ def test_a_front_end_without_widgets_shows_a_still_and_so_does_the_end(kernel):
     live, still = shown
     assert VIEW in live and 'depth is 1' in live['text/html']
     assert VIEW not in still and 'depth is 1' in still['text/plain']
+
+
+AGAIN = """
+import helpers
+helpers.ros.start()
+pair = helpers.QosSliders()
+helpers.wait_for(lambda: pair.read, timeout=30)
+"""
+
+
+def test_a_cell_with_sliders_can_be_run_again(kernel):
+    kernel.ok(AGAIN)
+    kernel.ok(AGAIN)
+    kernel.ok('helpers.ros.stop()')
+    assert kernel.complaints() == ''
