@@ -25,7 +25,7 @@ MUTANTS = [
            expect='The program follow leads to line_follower.follow:steer', breaks='entry-point'),
     Mutant('filters_without_parent', old="line_follower.filters']",
            new="filters'], package_dir={'filters': 'line_follower/filters'}", expect='as line_follower.filters',
-           breaks='packages'),
+           breaks='packages', also='builds'),
     Mutant('filters_forgotten', old=", 'line_follower.filters']", new=']', expect='as line_follower.filters',
            breaks='packages'),
     Mutant('marker_forgotten', old=MARKER, new='', expect='does not install the marker', breaks='builds'),

@@ -59,6 +59,11 @@ def judge_report(learner, zero: bool = False) -> None:
             f'{command} printed {last}, as for 360 ticks: the number must come from the command line.',
             'argument',
         )
+        expect(
+            ticks >= 0 or last != f'{-length:.3f} m',
+            f'{command} printed {last}; expected {wanted}. Backwards the ticks are negative, and so is the distance.',
+            'argument',
+        )
         expect(last != wanted.split()[0], f'{command} printed {last}, without the unit; expected {wanted}.', 'prints')
         expect(
             last == wanted or not _written_otherwise(last, length),
@@ -79,10 +84,16 @@ def judge_library(learner) -> None:
         told = f'With {number} on the command line'
         asked = re.search('distance was asked for (.*)', last)
         expect(not asked, f'{told}, your program asks distance for {asked and asked[1]}.', 'argument')
+        wanted = f'{value:.3f} m'
+        expect(
+            done.status == 0 or last != wanted,
+            f'{told}, the program ended with an error, and the error is your text: main returns it. Use print.',
+            'prints',
+        )
         expect(done.status == 0, f'The program ended with: {last}', 'argument' if _ARGUMENT.search(last) else 'library')
         expect(len(done.lines) < 2, f'main prints {len(done.lines)} lines; expected the distance only.', 'prints')
         expect(done.lines, 'The function main printed nothing: use print.', 'prints')
-        wanted, formula = f'{value:.3f} m', 2 * math.pi * 0.033 * number / 360
+        formula = 2 * math.pi * 0.033 * number / 360
         told = f'{told} and where distance returns {value}, your program prints {last}; expected {wanted}'
         expect(
             last == wanted or not _written_otherwise(last, value) or _written_otherwise(last, formula),
