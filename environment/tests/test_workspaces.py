@@ -78,7 +78,7 @@ def python_package(workspace: Path, name: str, line: str, test: str) -> None:
     (root / 'test' / 'test_it.py').write_text(test)
 
 
-@pytest.mark.one_of(2)
+@pytest.mark.one_of(4)
 @pytest.mark.parametrize('line', LINES)
 def test_a_failing_test_is_told_and_the_build_is_quiet(workspace, line):
     python_package(workspace, 'subject', LINES[line], 'def test_sum():\n    assert 1 + 1 == 3\n')
@@ -120,6 +120,7 @@ def results(workspace: Path) -> dict[str, tuple[int, int, int]]:
 
 
 @pytest.mark.early
+@pytest.mark.one_of(2)
 def test_new_packages_build_and_pass_their_tests(workspace):
     def create(*words):
         subprocess.run(
@@ -156,6 +157,7 @@ def test_new_packages_build_and_pass_their_tests(workspace):
     assert found['python/pytest.xml'] == (3, 0, 1)  # the copyright test, until the files have a header
 
 
+@pytest.mark.one_of(2)
 def test_the_linters_of_a_new_package_find_what_is_wrong(workspace):
     subprocess.run(
         [ROS2, 'pkg', 'create', 'subject', '--build-type', 'ament_python', '--license', 'Apache-2.0'],

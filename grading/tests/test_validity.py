@@ -28,6 +28,7 @@ ONE_OF = {
 # Their cells make one robot, and 8.10 and 8.11 are judged with all of it: one wrong answer of them in a notebook.
 ROBOT = {'8.5', '8.7', '8.8', '8.9', '8.10', '8.11'}
 EXERCISES = manifest.load()
+COLUMNS = [ROBOT, *({identity} for identity in EXERCISES if identity not in ROBOT)]
 CHAPTERS = {chapters.read(path).number: path for path in chapters.sources(paths.ROOT / 'solutions')}
 VARIANTS = {
     'mutants': {identity: variants.mutants(identity) for identity in EXERCISES},
@@ -45,20 +46,19 @@ def layers(kind, number):
     """Variants of different exercises of a chapter, side by side: one notebook each. Some want one of their own."""
     mine = [answer for answer in ANSWERS[kind] if EXERCISES[answer.exercise].chapter == number]
     if not ALL_TESTS:
-        some = [answer for identity in EXERCISES for answer in _some(kind, identity, mine)]
+        some = [answer for together in COLUMNS for answer in _some(kind, together, mine)]
         mine = some or random.Random(os.environ.get('COURSE_SAMPLE')).sample(mine, 1)
     columns = [
-        [answer for answer in mine if answer.exercise in together and not answer.variant.alone]
-        for together in (ROBOT, *({identity} for identity in EXERCISES if identity not in ROBOT))
+        [answer for answer in mine if answer.exercise in together and not answer.variant.alone] for together in COLUMNS
     ]
     rows = [*zip_longest(*columns), *([answer] for answer in mine if answer.variant.alone)]
     return [pytest.param([answer for answer in row if answer], id=str(index)) for index, row in enumerate(rows)]
 
 
-def _some(kind, identity, answers):
-    """The answer to an exercise that runs by default, or none."""
-    mine = [answer for answer in answers if answer.exercise == identity]
-    drawn = random.Random(f'{os.environ.get("COURSE_SAMPLE")} {kind} {identity}')
+def _some(kind, together, answers):
+    """The answer to one of these exercises that runs by default, or none."""
+    mine = [answer for answer in answers if answer.exercise in together]
+    drawn = random.Random(f'{os.environ.get("COURSE_SAMPLE")} {kind} {min(together)}')
     return [drawn.choice(mine)] if mine and not drawn.randrange(ONE_OF[kind]) else []
 
 

@@ -136,8 +136,12 @@ class Learner:
         self.page.locator('.jp-RenderedMarkdown h1').first.wait_for()
 
     def open_notebook(self, address: str) -> None:
-        """Open the notebook at this address, and wait for its kernel."""
-        self.page.goto(address)
+        """Open the notebook at this address, and wait for its kernel.
+
+        In a workspace of its own: else JupyterLab brings back another notebook's tab, which may come to the front.
+        """
+        name = address.partition('?')[0].rpartition('/')[2].partition('.')[0]
+        self.page.goto(address.replace('/lab/', f'/lab/workspaces/{name}/', 1))
         self.page.locator('.jp-NotebookPanel:not(.lm-mod-hidden)').first.wait_for()
         self.wait_until_idle()
 
