@@ -83,21 +83,20 @@ def _unit_tests(scratch: Path) -> Step:
     step = _pytest('unit tests', scratch, ['-q', f'-n{_workers()}', '--dist=loadscope', '--no-loadscope-reorder'])
     if not 0 < step.failed <= FEW:
         return step
-    # A test may fail because others took the processor. It must pass alone, and is reported as unstable.
     again = _pytest(
         'unit tests again, one at a time', scratch, ['-q', '--last-failed', '--last-failed-no-failures=none']
     )
+    return _after(step, again, step.passed + again.passed)
+
+
+def _after(step: Step, again: Step, passed: int) -> Step:
+    """What counts after what failed has run again, alone.
+
+    A test may fail because others took the processor. It must pass alone, and is reported as unstable.
+    """
     unstable = [name for name in step.failures if name not in again.failures]
-    return Step(
-        step.name,
-        step.passed + again.passed,
-        again.failed,
-        step.skipped,
-        step.seconds + again.seconds,
-        again.failures,
-        unstable,
-        step.left_out,
-    )
+    seconds = step.seconds + again.seconds
+    return Step(step.name, passed, again.failed, step.skipped, seconds, again.failures, unstable, step.left_out)
 
 
 def _in_step(scratch: Path) -> Step:
@@ -125,8 +124,23 @@ def _notebooks(scratch: Path) -> Step:
         return Step(name, failed=1)
     config = scratch / 'sanitize.cfg'
     config.write_text(outputs.nbval_config(paths.ROOT), encoding='utf-8')
-    arguments = repeated.nbval_arguments(config, execution.kernel_name())
-    return _pytest(name, scratch, ['-q', f'-n{min(_workers(), len(copies))}', *arguments, *map(str, copies)])
+    return _run_notebooks(scratch, copies, repeated.nbval_arguments(config, execution.kernel_name()))
+
+
+def _run_notebooks(scratch: Path, copies: list[Path], arguments: list[str]) -> Step:
+    """Run notebooks side by side, and those of which a few cells failed once more, one at a time."""
+    name = 'notebooks'
+    step = _pytest(name, scratch, ['-q', f'-n{min(_workers(), len(copies))}', *arguments, *map(str, copies)])
+    failed = [copy for copy in copies if any(_of_notebook(failure, copy) for failure in step.failures)]
+    if not 0 < step.failed <= FEW or not failed:
+        return step
+    again = _pytest(f'{name} again, one at a time', scratch, ['-q', *arguments, *map(str, failed)])
+    return _after(step, again, step.passed + step.failed - again.failed)
+
+
+def _of_notebook(failure: str, copy: Path) -> bool:
+    """Whether the name of a failed cell, as JUnit's file has it, belongs to this notebook."""
+    return f'{copy.parent.name}.{copy.stem}' in failure.replace('/', '.')
 
 
 def _runs(notebooks: list[Path]):
@@ -139,7 +153,7 @@ def _runs(notebooks: list[Path]):
 
 def _workers() -> int:
     # More than cores: half of a ROS test is waiting for another process.
-    return max(2, min(8, 5 * len(os.sched_getaffinity(0)) // 2))
+    return max(2, min(8, 2 * len(os.sched_getaffinity(0))))
 
 
 def _command(name: str, arguments: list[str]) -> Step:

@@ -27,7 +27,7 @@ def relay(learner, *messages):
 
 
 @pytest.mark.weight(2)
-@pytest.mark.rules('distances', 'variance', 'header', 'others')
+@pytest.mark.rules('distances', 'variance', 'header', 'others', 'one-each')
 def test_readings(learner):
     """Every field has the right unit, or is as it was, for near and far objects.
 

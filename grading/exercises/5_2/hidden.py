@@ -51,7 +51,7 @@ def test_in_time(learner):
 
 
 @pytest.mark.weight(2)
-@pytest.mark.rules('deadline', 'result', 'numbers')
+@pytest.mark.rules('deadline', 'result', 'numbers', 'word')
 @about('deadline')
 def test_deadline(learner):
     """The cancel request comes `patience` seconds after the goal was accepted; then the result is waited for.
@@ -81,6 +81,12 @@ def test_deadline(learner):
         'result',
     )
     learner.run(3.0)
+    words = [text.partition(' ')[0] for text in outcome.data]
+    expect(
+        set(words) <= {'succeeded', 'canceled', 'aborted', 'rejected', 'lost'},
+        f'/outcome said {outcome.data}; the word of a goal that was cancelled is `canceled`, as in ROS.',
+        'word',
+    )
     expect(
         outcome.data == ['canceled [6, 5]'],
         f'/outcome said {outcome.data}, expected ["canceled [6, 5]"].',

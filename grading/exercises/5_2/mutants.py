@@ -98,6 +98,6 @@ MUTANTS = [
     Mutant('sorted_numbers', old='{list(numbers)}', new='{sorted(numbers)}', breaks='numbers', also=('word', 'result'),
            expect='expected'),
     Mutant('written_in_another_way', old="f'{word} {list(numbers)}'",
-           new="f'{word} {list(numbers)}'.replace('canceled', 'cancelled')", breaks='word', also='result',
+           new="f'{word} {list(numbers)}'.replace('canceled', 'cancelled')", breaks='word', also=('result', 'names'),
            expect='`cancelled` is none of the words'),
 ]

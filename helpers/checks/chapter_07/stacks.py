@@ -362,7 +362,7 @@ class Client:
         delay, word = random.uniform(2.2, 2.5), f'word {random.randint(100, 999)}'
         asked = {
             what: (f'/{what}_{random.randint(10, 99)}', round(random.uniform(low, low + 0.3), 2))
-            for what, low in (('late', 30.0), ('nobody', 1.7), ('silent', 1.7))
+            for what, low in (('late', 30.0), ('nobody', 3.0), ('silent', 3.0))
         }
         with Observer(self._learner) as observer, Observer(self._learner) as silent:
             server = _LateServer(observer, asked['late'][0], delay, word)

@@ -94,6 +94,31 @@ def test_what_failed_beside_others_has_to_pass_alone_and_is_named(monkeypatch, t
     assert 'unstable: test_sample.test_starved failed beside other tests and passed alone' in capfd.readouterr().out
 
 
+def test_a_notebook_of_which_a_cell_failed_beside_others_has_to_pass_alone(monkeypatch, tmp_path, capfd):
+    pytest.importorskip('grading')
+    import nbformat
+
+    from grading.authoring import execution, repeated
+
+    starved = "from pathlib import Path\nmark = Path('once')\nonce, _ = mark.exists(), mark.touch()\nassert once"
+    copies = []
+    for folder, source in (('solutions', starved), ('notebooks', 'assert 0'), ('notebooks', '1')):
+        path = tmp_path / folder / f'{len(copies):02}_chapter.ipynb'
+        path.parent.mkdir(exist_ok=True)
+        cells = [nbformat.v4.new_code_cell(source, id='only')]
+        nbformat.write(nbformat.v4.new_notebook(cells=cells), path)
+        copies.append(path)
+    for name in ('PYTEST_DISABLE_PLUGIN_AUTOLOAD', 'PYTEST_PLUGINS'):
+        monkeypatch.delenv(name)
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / 'sanitize.cfg').touch()
+    arguments = [*repeated.nbval_arguments(tmp_path / 'sanitize.cfg', execution.kernel_name()), f'--rootdir={tmp_path}']
+    step = command._run_notebooks(tmp_path, copies, arguments)
+    assert (step.passed, step.failed) == (2, 1)
+    assert ['01_chapter' in name for name in step.failures] == [True]
+    assert ['00_chapter' in name for name in step.unstable] == [True]
+
+
 def test_many_failures_are_no_accident(monkeypatch, tmp_path, capfd):
     sample = tmp_path / 'test_sample.py'
     sample.write_text(

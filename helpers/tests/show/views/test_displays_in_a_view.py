@@ -16,7 +16,7 @@ from helpers.tests.show.views.test_displays import ROBOT, marker, scan
 
 def problem(view, text: str) -> None:
     """Wait until a problem is told."""
-    wait_for(lambda: text in '\n'.join(view.problems), message=f'{text}; it says {view.problems}')
+    wait_for(lambda: text in '\n'.join(view.problems), message=f'{text}; it says {view.problems}', timeout=30.0)
 
 
 def test_scan_robot_and_marker_are_in_the_picture(ros):
