@@ -34,6 +34,11 @@ def pytest_report_header():
     return f'a sample runs: COURSE_SAMPLE={seed} draws it again, COURSE_ALL_TESTS=1 runs everything'
 
 
+def pytest_ignore_collect(collection_path, config):
+    """Do not even read the tests of ROS packages that are not drawn; None leaves the others to pytest."""
+    return True if collection_path.parent == ROS_PACKAGES and _left_out(collection_path.name, config) else None
+
+
 def pytest_collection_modifyitems(config, items):
     """Leave out what is sampled; with several workers, bring the rest into an order that keeps all of them busy."""
     if not os.environ.get('COURSE_ALL_TESTS'):
@@ -64,7 +69,6 @@ def pytest_xdist_make_scheduler(config, log):
 def _sample(config, items):
     """Leave out what costs much and seldom finds more than the rest: a part of each sample, as the seed draws it."""
     seen, left_out = Counter(), []
-    whole = set(config.args) == set(config.getini('testpaths'))  # nobody has named what to run
     for item in items:
         sample = item.get_closest_marker('one_of')
         name = item.nodeid.partition('[')[0]
@@ -74,14 +78,18 @@ def _sample(config, items):
             left_out += [] if _drawn(_module(item), sample.kwargs['group'], sample.args[0]) else [item]
         elif sample:
             left_out += [] if _drawn(name, seen[name], sample.args[0]) else [item]
-        elif ROS_PACKAGES in item.path.parents and whole:
-            # The ROS packages have tests of their own, and few changes reach all of them.
-            package = item.path.relative_to(ROS_PACKAGES).parts[0]
-            left_out += [] if _drawn('packages', PACKAGES.index(package), 3) else [item]
         seen[name] += 1
     config.hook.pytest_deselected(items=left_out)
     kept = set(items) - set(left_out)
     items[:] = [item for item in items if item in kept]
+
+
+def _left_out(package, config):
+    """Whether the tests of this ROS package wait for another run: few changes reach all of these packages."""
+    if os.environ.get('COURSE_ALL_TESTS') or package not in PACKAGES:
+        return False
+    whole = set(config.args) == set(config.getini('testpaths'))  # nobody has named what to run
+    return whole and not _drawn('packages', PACKAGES.index(package), 3)
 
 
 def _drawn(name, index, count):

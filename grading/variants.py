@@ -114,12 +114,14 @@ def alternatives(exercise: str, folder: Path = FOLDER) -> tuple[Alternative, ...
 @cache
 def solved_cells(solutions: Path) -> Mapping[str, str]:
     """Return the solved cell of each exercise, from the chapters' sources in this folder."""
+    from grading.authoring import book as books
     from grading.authoring import chapter
 
+    book = books.load(solutions)
     return {
         cell.exercise['id']: cell.split.solved
         for path in chapter.sources(solutions)
-        for cell in chapter.read(path).cells
+        for cell in chapter.read(path, book).cells
         if cell.exercise is not None
     }
 
