@@ -69,7 +69,7 @@ class ForkServer:
     def fork(self, modules: Sequence[str] = ()) -> tuple[str, socket.socket, int]:
         """Start a process for one program, within `limits`: (its key, its channel, the read end of its output).
 
-        `modules`: what it imports, as far as the server may import it for all (`preloading.ON_DEMAND`).
+        `modules`: what it imports, as far as the server may import it for all (`preloading.on_demand`).
         """
         key = str(next(self._keys))
         ours, theirs = socket.socketpair()

@@ -2,8 +2,9 @@
 
 import importlib
 import re
-import sys
 from contextlib import suppress
+
+import helpers
 
 # What most programs import; the rest is imported by the program itself.
 _MESSAGE_PACKAGES = (
@@ -27,7 +28,18 @@ _MESSAGES = {
 }
 
 # Slow to import, and only some programs do: the server imports them for the first one, and the others have them.
-ON_DEMAND = ('tf2_ros', 'tf_transformations', 'tf2_geometry_msgs', 'tf2_sensor_msgs', 'sensor_msgs_py.point_cloud2')
+ON_DEMAND = (
+    'tf2_ros',
+    'tf_transformations',
+    'tf2_geometry_msgs',
+    'tf2_sensor_msgs',
+    'sensor_msgs_py.point_cloud2',
+    'matplotlib.pyplot',
+    'mujoco_world.world',
+    'rosbags.rosbag2',
+)
+# So do names of `helpers`, behind which its modules are; `check` alone brings nbformat.
+_FROM_HELPERS = re.compile(r'^\s*from\s+helpers\s+import\s+(\([^)]*\)|.+)', re.MULTILINE)
 
 
 def warm_up() -> None:
@@ -64,17 +76,30 @@ def warm_up() -> None:
 
 
 def warm_up_for(modules: list[str]) -> None:
-    """Import those of `modules` that are in ON_DEMAND."""
-    for name in ON_DEMAND:
-        if name in modules and name not in sys.modules:
-            with suppress(Exception):  # the program's own import will tell
+    """Import those of `modules` that `on_demand` may name."""
+    for name in modules:
+        with suppress(Exception):  # the program's own import will tell
+            if name in ON_DEMAND:
                 importlib.import_module(name)
+            elif name in _names_of_helpers():
+                getattr(helpers, name.removeprefix('helpers.'))
 
 
 def on_demand(cells: list[dict]) -> list[str]:
-    """Those of ON_DEMAND that a program's cells (`helpers.exercises.program.Program.cells`) seem to import."""
+    """What the server imports before a program with these cells (`helpers.exercises.program.Program.cells`) begins.
+
+    These are modules of ON_DEMAND and names of `helpers`, as ``helpers.check``, that the cells seem to import.
+    """
     text = '\n'.join(cell['source'] for cell in cells)
-    return [name for name in ON_DEMAND if re.search(rf'^\s*(import|from)\s+{re.escape(name)}\b', text, re.MULTILINE)]
+    named = {name for names in _FROM_HELPERS.findall(text) for name in re.findall(r'\w+', names)}
+    return [
+        *(name for name in ON_DEMAND if re.search(rf'^\s*(import|from)\s+{re.escape(name)}\b', text, re.MULTILINE)),
+        *(name for name in _names_of_helpers() if name.removeprefix('helpers.') in named),
+    ]
+
+
+def _names_of_helpers() -> list[str]:
+    return [f'helpers.{name}' for name in dir(helpers) if not name.startswith('_')]
 
 
 def warm_up_for_pytest(modules: list[str]) -> None:
