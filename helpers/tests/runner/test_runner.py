@@ -485,6 +485,14 @@ learner.settle()
         'timeout',
         ('The cell did not return', 'line 4'),
     ),
+    'an import that takes longer than a cell may: that is up to the machine': Case(
+        'import pathlib, sys, tempfile\n'
+        "module = pathlib.Path(tempfile.mkdtemp(), 'slow_to_load.py')\n"
+        "module.write_text('import time; time.sleep(3)')\n"
+        'sys.path.insert(0, str(module.parent))\n'
+        'import slow_to_load\n' + small.TALKER,
+        START,
+    ),
     'a call that ignores signals': Case(
         """\
 import signal
