@@ -60,13 +60,13 @@ def all_twice(path: Path) -> tuple[str, ...]:
 def sample(notebooks: list[Path], seed: str) -> Callable[[Path], tuple[str, ...]]:
     """The runs of a notebook in a sample: each solved one runs.
 
-    ``seed`` draws a third of the chapters whose solved notebook runs a second time, and another third whose learner's
-    notebook runs.
+    ``seed`` draws a quarter of the chapters, whose solved notebook runs a second time, and another quarter, whose
+    learner's notebook runs.
     """
     names = sorted({path.name for path in notebooks})
     random.Random(f'{seed} notebooks').shuffle(names)
-    third = (len(names) + 2) // 3
-    twice, unsolved = names[:third], names[third : 2 * third]
+    quarter = (len(names) + 3) // 4
+    twice, unsolved = names[:quarter], names[quarter : 2 * quarter]
 
     def runs(path: Path) -> tuple[str, ...]:
         if path.parent.name == 'notebooks':
