@@ -142,7 +142,7 @@ def judge_round_trip(learner, *cases: list[str]) -> None:
     workspace = built(learner)
     with about('round-trip'):
         expect(ROUTE in files(learner), _no_file(learner, ROUTE))
-        done = workspace.run('python3', '-c', _CALL, json.dumps(cases))
+        done = workspace.run(json.dumps(cases), program=_CALL)
         last = done.last_line
         expect('cannot import name' not in last, f'{ROUTE} has no function `round_trip`.')
         expect(
