@@ -325,9 +325,9 @@ def own_name(path: Path) -> str:
 
 
 def apart(own: str) -> str:
-    """An id for a name whose plain id is another learner's."""
-    digest = hashlib.sha256(own.encode(errors='replace')).hexdigest()[:6]
-    return f'{identity(own)[:57]}-{digest}'
+    """An id for a name whose plain id is another learner's: so long that nobody finds a name which gives it, too."""
+    digest = hashlib.sha256(own.encode(errors='replace')).hexdigest()[:20]
+    return f'{identity(own)[:43]}-{digest}'
 
 
 def identity(name: str) -> str:
