@@ -364,6 +364,35 @@ def test_who_finds_a_name_with_the_same_short_id_is_told_apart(tmp_path):
     assert len({one.learner for one in made}) == 2
 
 
+@pytest.mark.parametrize(
+    'name', ['jane/evil.zip', 'jane/work.ipynb', 'evil.zip', 'Jane_5_assignsubmission_file_x.ipynb']
+)
+def test_what_is_no_file_stops_nobody_else(tmp_path, name):
+    """A pipe, as an archive of a learner's may have made it."""
+    work(tmp_path / 'zoe' / small.NOTEBOOK)
+    (tmp_path / name).parent.mkdir(exist_ok=True)
+    os.mkfifo(tmp_path / name)
+    found = {one.learner: one for one in submissions.find([tmp_path])}
+    bad = found.pop(next(learner for learner in found if learner != 'zoe'))
+    assert 'cannot be read' in bad.problem and late.is_stamp(bad.handed_in)
+    assert set(found) == {'zoe'} and not found['zoe'].problem
+
+
+def test_a_protected_folder_stops_nobody_else(tmp_path, monkeypatch):
+    work(tmp_path / 'zoe' / small.NOTEBOOK)
+    work(tmp_path / 'jane' / small.NOTEBOOK)
+    plain = Path.iterdir
+
+    def iterdir(path):
+        if path.name == 'jane':  # also for root, whom no mode keeps out
+            raise PermissionError(13, 'Permission denied')
+        return plain(path)
+
+    monkeypatch.setattr(Path, 'iterdir', iterdir)
+    found = {one.learner: one.problem for one in submissions.find([tmp_path])}
+    assert found['zoe'] == '' and 'cannot be read' in found['jane']
+
+
 def test_one_name_in_two_forms_of_unicode_is_one_learner(tmp_path):
     for folder, form in (('a', 'NFC'), ('b', 'NFD')):
         (tmp_path / folder).mkdir()
