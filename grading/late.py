@@ -72,7 +72,8 @@ def stamp(when: datetime) -> str:
 def is_stamp(text: str) -> bool:
     """Whether this is a time as `stamp` writes it, of a day that there is."""
     try:
-        return len(text) == 20 and bool(datetime.strptime(text, '%Y-%m-%dT%H:%M:%SZ'))
+        # Written again it is the same: strptime also takes digits of other scripts, which nothing else reads.
+        return stamp(datetime.strptime(text, '%Y-%m-%dT%H:%M:%SZ').replace(tzinfo=timezone.utc)) == text
     except (ValueError, TypeError):
         return False
 

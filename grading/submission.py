@@ -8,7 +8,6 @@ Nothing of a submission is written to disk, and no name from it is used as a pat
 memory, within bounds.
 """
 
-import contextlib
 import hashlib
 import json
 import re
@@ -187,9 +186,7 @@ def read(path: Path) -> Submission:
     try:
         value, blobs = reader.ask('grading.submission:read_data', path)
     except reader.TooMuch as problem:
-        submission.problem = str(problem)
-        with contextlib.suppress(OSError):
-            submission.handed_in = _time(path.stat().st_mtime)
+        submission.problem, submission.handed_in = str(problem), changed(path)
         return submission
     if 'unusable' in value:
         raise Unusable(value['unusable'])
@@ -325,9 +322,9 @@ def own_name(path: Path) -> str:
 
 
 def apart(own: str) -> str:
-    """An id for a name whose plain id is another learner's."""
-    digest = hashlib.sha256(own.encode(errors='replace')).hexdigest()[:6]
-    return f'{identity(own)[:57]}-{digest}'
+    """An id for a name whose plain id is another learner's: so long that nobody finds a name which gives it, too."""
+    digest = hashlib.sha256(own.encode(errors='replace')).hexdigest()[:20]
+    return f'{identity(own)[:43]}-{digest}'
 
 
 def identity(name: str) -> str:
@@ -344,6 +341,14 @@ def identity(name: str) -> str:
 def _time(seconds: float) -> str:
     """The time of a file; one of no year that there is counts as the nearest that is."""
     return stamp(datetime.fromtimestamp(min(max(int(seconds), 0), _LATEST), timezone.utc))
+
+
+def changed(path: Path) -> str:
+    """When a file was changed last; long ago, if nobody can tell."""
+    try:
+        return _time(path.lstat().st_mtime)
+    except OSError:
+        return _time(0)
 
 
 def _newest(members: list[zipfile.ZipInfo]) -> str:

@@ -20,7 +20,7 @@ from unicodedata import normalize
 
 from grading import reader
 from grading.record import Attempt
-from grading.submission import Submission, Unusable, apart, identity, is_notebook, own_name, read
+from grading.submission import Submission, Unusable, apart, changed, identity, is_notebook, own_name, read
 
 _CHAPTER = re.compile(r'\d\d_.*\.ipynb')  # a file name; downloads add words such as " (1)" behind the number
 _MOODLE = re.compile(r'(?P<who>.+_\d+)_assignsubmission_(file|onlinetext)(_(?P<file>.*))?')
@@ -92,29 +92,46 @@ def _below(folder: Path, owner: str, skipped: list[Path], depth: int) -> Iterato
         mine = owner or _owner(child)
         if child.is_symlink() and (owner or depth):
             continue  # what a learner made is not followed
-        if child.is_dir():
-            work = next((place for place in (child, child / 'notebooks') if _has_notebooks(place)), None)
-            if work is not None and not (mine and _archives(child)):
-                yield _read(work, mine or own_name(child))
-            elif depth < _DEEPEST:
-                inner = list(_below(child, mine, skipped, depth + 1))
-                if mine and not owner and not inner:
-                    inner = [_read(child, mine)]  # a learner's folder, in which nothing can be used
-                yield from inner
-        elif child.suffix == '.zip':
-            yield _read(child, mine)
-        elif is_notebook(child.name) and mine:
-            loose[mine].append(child)
-        elif is_notebook(child.name):
-            yield _read(child)
-        else:
-            skipped.append(child)
-            continue
+        try:
+            if is_notebook(child.name) and mine and not child.is_dir():
+                loose[mine].append(child)
+            elif (found := _of_child(child, mine, owner, skipped, depth)) is not None:
+                yield from found
+            else:
+                skipped.append(child)
+                continue
+        except (Unusable, OSError):  # one that is no file, or is protected, stops nobody else's
+            yield _unreadable(child, mine)
         empty = False
     for mine, notebooks in loose.items():
-        yield _together(mine, notebooks)
+        try:
+            yield _together(mine, notebooks)
+        except (Unusable, OSError):
+            yield _unreadable(notebooks[0], mine)
     if empty and not owner:
         skipped.append(folder)
+
+
+def _of_child(child: Path, mine: str, owner: str, skipped: list[Path], depth: int) -> list[Submission] | None:
+    """The submissions in a file or folder, `mine` if that is somebody's; None if it is nothing that can hold any."""
+    if child.is_dir():
+        work = next((place for place in (child, child / 'notebooks') if _has_notebooks(place)), None)
+        if work is not None and not (mine and _archives(child)):
+            return [_read(work, mine or own_name(child))]
+        inner = list(_below(child, mine, skipped, depth + 1)) if depth < _DEEPEST else []
+        if mine and not owner and not inner and depth < _DEEPEST:
+            return [_read(child, mine)]  # a learner's folder, in which nothing can be used
+        return inner
+    if child.suffix == '.zip' or is_notebook(child.name):
+        return [_read(child, mine)]
+    return None
+
+
+def _unreadable(path: Path, owner: str) -> Submission:
+    """A submission that cannot be read: its learner's matter."""
+    own = owner or own_name(path)
+    problem = 'What was handed in cannot be read: it is no regular file, or it is protected. Hand in a new zip.'
+    return Submission(identity(own), path, problem=problem, own=own, platform=bool(owner), handed_in=changed(path))
 
 
 def _children(folder: Path) -> list[Path]:

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from grading.sandbox import control_groups, layout, namespaces, seccomp
 from grading.sandbox.holder import Holder
-from helpers.runner import fork_server
+from helpers.runner import fork_server, overlay
 from helpers.runner.lifetime import die_with_parent
 from helpers.runner.start_processes import Limits
 
@@ -23,7 +23,8 @@ _BUFFERS = 2 * 212_992  # bytes: what one socket sends and receives, by the kern
 
 
 def warm_up() -> None:
-    """Nothing more than what every fork server imports."""
+    """What is the same for the workspaces of all submissions."""
+    overlay.warm_up()
 
 
 def run(request: dict, control: int, printed: int) -> None:
@@ -245,13 +246,18 @@ def _kill_all() -> None:
 
 def _own(process: str) -> int:
     """What is not a file's that is only mapped, and may still be shared with a process that was forked."""
-    values = dict(line.split(':', 1) for line in Path(process, 'status').read_text().splitlines() if 'Rss' in line)
-    return sum(int(values[name].split()[0]) * 1024 for name in ('RssAnon', 'RssShmem'))
+    return _status(process, 'RssAnon:', 'RssShmem:', 'VmPTE:')
+
+
+def _status(process: str, *names: str) -> int:
+    """The sum of these lines of a process's status, in bytes."""
+    lines = Path(process, 'status').read_text().splitlines()
+    return sum(int(line.split()[1]) * 1024 for line in lines if line.startswith(names))
 
 
 def _share(process: str) -> int:
     """Its part of what it shares, shared memory included, and all that it does not share."""
-    total = 0
+    total = _status(process, 'VmPTE:')  # the kernel's tables for it: they grow with memory that is only read, too
     for line in Path(process, 'smaps_rollup').read_text().splitlines():
         if line.startswith(('Pss_Anon:', 'Pss_Shmem:')):
             total += int(line.split()[1]) * 1024

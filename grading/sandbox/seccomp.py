@@ -79,7 +79,7 @@ DENIED = {
     'ustat': 136,
     'sysfs': 139,
 }
-_CLONE, _CLONE3, _SOCKET, _IOCTL, _MMAP = 56, 435, 41, 16, 9
+_CLONE, _CLONE3, _SOCKET, _IOCTL, _MMAP, _PRLIMIT = 56, 435, 41, 16, 9, 302
 _SHARED, _ANONYMOUS = 1, 0x20
 _NEW_NAMESPACES = namespaces.ALL | 0x00000080  # NEWTIME
 _TERMINAL_INPUT = (0x5412, 0x541C)  # TIOCSTI, TIOCLINUX
@@ -120,6 +120,8 @@ def program() -> bytes:
     lines += _guarded(
         _IOCTL, [_argument(1), *[line for request in _TERMINAL_INPUT for line in ((_EQUAL, 0, 1, request), no)]]
     )
+    # Of the calling process only: process 1 is of the same user, and others set its limits.
+    lines += _guarded(_PRLIMIT, [_argument(0), (_EQUAL, 1, 0, 0), no])
     # Shared memory without a file stays when it is not mapped any more; /dev/shm has files for it, with a bound.
     lines += _guarded(
         _MMAP,

@@ -7,6 +7,7 @@ import stat
 import time
 import unicodedata
 import zipfile
+from itertools import count
 from pathlib import Path
 
 import pytest
@@ -353,6 +354,45 @@ def test_names_that_give_the_same_id_are_different_learners(tmp_path):
     )
 
 
+def test_who_finds_a_name_with_the_same_short_id_is_told_apart(tmp_path):
+    """The ids of names that are not of ASCII letters are short, so others with the same id can be looked for."""
+    wanted = submission.identity('王芳')[-4:]
+    other = next(name for number in count() if submission.identity(name := f'李{number}')[-4:] == wanted)
+    assert submission.apart(other)[-20:] != submission.apart('王芳')[-20:]
+    made = [submission.Submission('x-1', Path(f'{name}.ipynb'), own=name) for name in ('王芳', other)]
+    submissions._tell_apart(made)
+    assert len({one.learner for one in made}) == 2
+
+
+@pytest.mark.parametrize(
+    'name', ['jane/evil.zip', 'jane/work.ipynb', 'evil.zip', 'Jane_5_assignsubmission_file_x.ipynb']
+)
+def test_what_is_no_file_stops_nobody_else(tmp_path, name):
+    """A pipe, as an archive of a learner's may have made it."""
+    work(tmp_path / 'zoe' / small.NOTEBOOK)
+    (tmp_path / name).parent.mkdir(exist_ok=True)
+    os.mkfifo(tmp_path / name)
+    found = {one.learner: one for one in submissions.find([tmp_path])}
+    bad = found.pop(next(learner for learner in found if learner != 'zoe'))
+    assert 'cannot be read' in bad.problem and late.is_stamp(bad.handed_in)
+    assert set(found) == {'zoe'} and not found['zoe'].problem
+
+
+def test_a_protected_folder_stops_nobody_else(tmp_path, monkeypatch):
+    work(tmp_path / 'zoe' / small.NOTEBOOK)
+    work(tmp_path / 'jane' / small.NOTEBOOK)
+    plain = Path.iterdir
+
+    def iterdir(path):
+        if path.name == 'jane':  # also for root, whom no mode keeps out
+            raise PermissionError(13, 'Permission denied')
+        return plain(path)
+
+    monkeypatch.setattr(Path, 'iterdir', iterdir)
+    found = {one.learner: one.problem for one in submissions.find([tmp_path])}
+    assert found['zoe'] == '' and 'cannot be read' in found['jane']
+
+
 def test_one_name_in_two_forms_of_unicode_is_one_learner(tmp_path):
     for folder, form in (('a', 'NFC'), ('b', 'NFD')):
         (tmp_path / folder).mkdir()
@@ -373,6 +413,9 @@ def test_one_name_in_two_forms_of_unicode_is_one_learner(tmp_path):
         5,
         ['x'],
         '2026-11-20T10:00:00Z\n',
+        '２０２６-11-20T10:00:00Z',
+        '2026-11-2٠T10:00:00Z',
+        '0001-01-01T00:00:00Z',
     ],
 )
 def test_a_date_that_there_is_not_is_not_taken(tmp_path, saved):

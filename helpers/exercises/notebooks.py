@@ -146,4 +146,4 @@ def _validate(notebook: dict, name: str) -> None:
 def _text(source: str, name: str, number: int) -> str:
     if len(source) > MAX_SOURCE:
         raise InvalidSubmission(f'{name}: cell {number} has {len(source)} characters, more than {MAX_SOURCE}.')
-    return source.replace('\r\n', '\n')
+    return source.removeprefix('\ufeff').replace('\r\n', '\n').replace('\r', '\n')  # as editors show it

@@ -18,6 +18,7 @@ from helpers.exercises.notebooks import NotebookCell
 HEADING = re.compile(r'#\s*Exercise\s+(\d+\.\d+)\b', re.IGNORECASE)
 # For a stripped line, so that matching takes time in proportion to the line's length.
 _MAGIC = re.compile(r'[%!?]|[\w., ()\[\]]+=\s*(%\w|!)|.*\?$')
+_RUNS = re.compile(r'\s*%%(?:time|capture|prun)\b[^\n]*\n')  # a cell magic that runs the cell as Python all the same
 _LINE = re.compile(r'[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+')  # as Python counts lines
 MAX_NESTING = 120  # of a program's syntax tree: what walks it recursively must not run out of stack
 # Calls that make a constant when their arguments are constant.
@@ -156,15 +157,14 @@ def definitions(cell: NotebookCell) -> tuple[tuple[int, str], ...]:
     Each is its first line's number in the cell, so that line numbers in messages are the learner's, and its text.
     """
     text = file_answers.as_python(cell.source)
+    for _ in range(3):  # one within the other
+        if head := _RUNS.match(text):
+            text = '\n' * head[0].count('\n') + text[head.end() :]
     if text.lstrip().startswith('%%'):
         return ()
     tree = syntax_tree(text)
     if tree is None:
-        # A notebook's command lines are not Python; they leave an empty line.
-        text = '\n'.join(
-            '' if _MAGIC.match(line.strip()) and syntax_tree(line.strip()) is None else line
-            for line in text.splitlines()
-        )
+        text = _without_magics(text)
         tree = syntax_tree(text)
     if tree is None:
         return ()
@@ -178,6 +178,16 @@ def definitions(cell: NotebookCell) -> tuple[tuple[int, str], ...]:
                 part = [part[0].encode()[node.col_offset : node.end_col_offset].decode()]
             found.append((first, ''.join(part).rstrip('\r\n') + '\n'))
     return tuple(found)
+
+
+def _without_magics(text: str) -> str:
+    """A cell in which the command lines of notebooks, which are not Python, do nothing. Other lines stay in place."""
+    lines, goes_on = [], False
+    for line in text.split('\n'):
+        magic = not goes_on and _MAGIC.match(line.strip()) and syntax_tree(line.strip()) is None
+        lines.append(line[: len(line) - len(line.lstrip())] + 'pass' if magic else '' if goes_on else line)
+        goes_on = bool(goes_on or magic) and line.rstrip().endswith('\\')
+    return '\n'.join(lines)
 
 
 def syntax_tree(text: str) -> ast.Module | None:

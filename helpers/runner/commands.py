@@ -10,10 +10,12 @@ import json
 import os
 import stat
 import sys
+import tempfile
 from pathlib import Path
 from typing import Any
 
 from helpers.programs import terminals
+from helpers.runner import overlay
 
 MAX_FILES = 2000  # names in a listing
 MAX_READ = 64 * 2**10  # characters of a file
@@ -25,7 +27,9 @@ def perform(request: dict, given: list[int]) -> int:
     write     the files in the open file given[0] (JSON: path -> text, or base64) below `folder`, with colcon's defaults
     listing   print the names of the files and links below `folder`, without caches, as JSON
     reading   print the text of the file `folder`, as JSON
-    command   run `argv` in a new terminal: the ROS installation is sourced, then the folder's own `install`, if any
+    command   run `argv` as in a new terminal in which the folder is sourced, if it is built (`overlay`); with the text
+              `program` of the tests' own, that one in Python, from a folder that is new, with `argv` as arguments
+    shadows   print why what is installed below `folder` is refused, as JSON: it takes the place of the machine's own
     pytest    run pytest with `argv`, in this process, which has imported it
     """
     root = Path(os.environ.get('HOME', '/'), request['folder'])
@@ -37,19 +41,44 @@ def perform(request: dict, given: list[int]) -> int:
             print(json.dumps(_listing(root)))
         case 'reading':
             return _read(root)
+        case 'shadows':
+            print(json.dumps(_shadows(root, request['packages'])))
         case 'command':
-            os.chdir(root)
-            script = '[ ! -f install/setup.bash ] || source install/setup.bash\nexec "$@"'
-            argv = [*terminals.shell(script), 'bash', *request['argv']]
-            os.execvpe(
-                argv[0],
-                argv,
-                {**os.environ, **request['environment'], 'COLCON_DEFAULTS_FILE': str(root / terminals.DEFAULTS)},
-            )
+            return _command(root, request)
         case 'pytest':
             os.chdir(root)
             return _pytest(request, given)
     return 0
+
+
+def _shadows(root: Path, packages: list[str]) -> str:
+    try:
+        overlay.of(root, packages)
+    except overlay.Shadowed as problem:
+        return str(problem)
+    return ''
+
+
+def _command(root: Path, request: dict) -> int:
+    """Become the command; returns a shell's status if it cannot be."""
+    argv = request['argv']
+    try:
+        environment = overlay.of(root, request['packages'])
+    except overlay.Shadowed as problem:
+        print(problem)
+        return 126
+    environment |= {**request['environment'], 'COLCON_DEFAULTS_FILE': str(root / terminals.DEFAULTS)}
+    os.chdir(root)
+    if program := request.get('program'):
+        # Not beside the learner's files, of which some could have been written over it, or be modules that it imports.
+        os.chdir(tempfile.mkdtemp())
+        Path('program.py').write_text(program)
+        argv = ['python3', 'program.py', *argv]
+    try:
+        os.execvpe(argv[0], argv, environment)
+    except OSError as error:
+        print(f'{argv[0]}: {error.strerror}')
+        return 127
 
 
 def _write(root: Path, files: dict[str, str | dict]) -> None:

@@ -28,7 +28,7 @@ import sys
 from collections.abc import Callable
 from contextlib import suppress
 
-from helpers.runner import commands, preloading
+from helpers.runner import commands, overlay, preloading
 from helpers.runner.lifetime import die_with_parent, leave
 from helpers.runner.start_processes import Limits
 
@@ -171,6 +171,8 @@ class _Server:
         place = request['place']
         if request['op'] == 'pytest':
             preloading.warm_up_for_pytest(request.get('modules', []))
+        elif request['op'] in ('command', 'shadows'):
+            overlay.warm_up()
         pid = self._programs.task(
             Limits(**request['limits']), place, output, given, functools.partial(commands.perform, request, given)
         )

@@ -4,6 +4,7 @@ import itertools
 import secrets
 import time
 from dataclasses import dataclass, field
+from functools import cached_property
 from random import Random
 from typing import TYPE_CHECKING
 
@@ -12,6 +13,7 @@ from rclpy.duration import Duration
 from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.executors import SingleThreadedExecutor, TimeoutException
 from rclpy.node import Node
+from rclpy.publisher import Publisher
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.subscription import Subscription
 from rclpy.time import Time
@@ -81,6 +83,17 @@ class Recording:
 
     def __len__(self) -> int:
         return len(self.messages)
+
+
+@dataclass(frozen=True)
+class _Own:
+    """The test's node, and what goes with it."""
+
+    context: Context
+    node: Node
+    executor: SingleThreadedExecutor
+    clock: Publisher
+    step: Publisher
 
 
 class Talker:
@@ -173,22 +186,36 @@ class Learner(Workspaces):
         self._past_output = ''
         self.transcripts: list[list[str]] = []  # of commands, per workspace
         self._done: dict[int, int] = {}
-        self.context = Context()
-        self.context.init(domain_id=domain_id)
-        self.node = Node(
+        self._domain_id = domain_id
+
+    @cached_property
+    def _own(self) -> '_Own':
+        """The test's own node, made when it is first needed: a test that only calls functions has none."""
+        context = Context()
+        context.init(domain_id=self._domain_id)
+        node = Node(
             f'_{self.token}_t',
-            context=self.context,
+            context=context,
             start_parameter_services=False,
             enable_rosout=False,
             use_global_arguments=False,
         )
-        self.executor = SingleThreadedExecutor(context=self.context)
-        self.executor.add_node(self.node)
-        self._clock = self.node.create_publisher(
-            Clock, '/clock', QoSProfile(depth=10, reliability=ReliabilityPolicy.RELIABLE)
-        )
-        self._step = self.node.create_publisher(UInt64, f'/_{self.token}/step', 10)
-        self.node.create_subscription(UInt64, f'/_{self.token}/done', self._on_done, 100)
+        executor = SingleThreadedExecutor(context=context)
+        executor.add_node(node)
+        clock = node.create_publisher(Clock, '/clock', QoSProfile(depth=10, reliability=ReliabilityPolicy.RELIABLE))
+        step = node.create_publisher(UInt64, f'/_{self.token}/step', 10)
+        node.create_subscription(UInt64, f'/_{self.token}/done', self._on_done, 100)
+        return _Own(context, node, executor, clock, step)
+
+    @property
+    def context(self) -> Context:
+        """That of the test's own nodes."""
+        return self._own.context
+
+    @property
+    def node(self) -> Node:
+        """The test's own node."""
+        return self._own.node
 
     # What the learner's program is asked to do
 
@@ -462,9 +489,9 @@ class Learner(Workspaces):
         for _ in range(100):
             for peer in self._peers:
                 peer.act()
-            self._clock.publish(Clock(clock=Time(nanoseconds=now).to_msg()))
+            self._own.clock.publish(Clock(clock=Time(nanoseconds=now).to_msg()))
             number = next(self._numbers)
-            self._step.publish(UInt64(data=number))
+            self._own.step.publish(UInt64(data=number))
             answers = [
                 process.ask('step', self.timeouts.stuck, number=number, now=now, timeout=self.timeouts.step)
                 for process in self._conducted()
@@ -562,7 +589,7 @@ class Learner(Workspaces):
 
     def _spin_once(self, timeout: float) -> bool:
         try:
-            handler, _, _ = self.executor.wait_for_ready_callbacks(timeout_sec=timeout)
+            handler, _, _ = self._own.executor.wait_for_ready_callbacks(timeout_sec=timeout)
         except TimeoutException:
             return False
         handler()
@@ -681,9 +708,10 @@ class Learner(Workspaces):
         finally:
             for peer in self._peers:
                 peer.close()
-            self.executor.shutdown(timeout_sec=1)
-            self.node.destroy_node()
-            self.context.try_shutdown()
+            if '_own' in vars(self):
+                self._own.executor.shutdown(timeout_sec=1)
+                self.node.destroy_node()
+                self.context.try_shutdown()
 
 
 def _participant(info) -> bytes:

@@ -7,9 +7,12 @@ Each request is a method `do_…` of `Worker`. One more, `where`, is answered at
 thread is busy. Each reply has the request's `id` and either `ok: true` with results or `error: {...}`.
 """
 
+import __future__
+
 import ast
 import functools
 import linecache
+import operator
 import os
 import queue
 import re
@@ -144,11 +147,17 @@ class _Lines(Sequence):
         )
 
 
-def _compiled(source: str, line: int, filename: str):
+_FUTURE = functools.reduce(
+    operator.or_, (getattr(__future__, name).compiler_flag for name in __future__.all_feature_names)
+)
+
+
+def _compiled(source: str, line: int, filename: str, flags: int):
     """The code of a source whose first line has this number."""
     if line == 1:
-        return compile(source, filename, 'exec', dont_inherit=True)
-    return compile(ast.increment_lineno(ast.parse(source, filename), line - 1), filename, 'exec', dont_inherit=True)
+        return compile(source, filename, 'exec', flags, dont_inherit=True)
+    tree = ast.increment_lineno(ast.parse(source, filename), line - 1)
+    return compile(tree, filename, 'exec', flags, dont_inherit=True)
 
 
 class LoadedProgram:
@@ -166,6 +175,7 @@ class LoadedProgram:
 
         An exception in a cell that is not required is remembered in `notes`; in the required one it is a RequestError.
         """
+        flags = 0  # of `from __future__ import …`, which holds for all later cells, as in the notebook
         for number, cell in enumerate(cells):
             filename = f'<cell {number}>'
             self.labels[filename] = cell['label']
@@ -174,7 +184,9 @@ class LoadedProgram:
             linecache.cache[filename] = (len(cell['source']), None, lines, filename)
             try:
                 # Names are resolved when a function runs, so annotations and defaults behave as in the notebook.
-                exec(_compiled(cell['source'], cell['line'], filename), self.module.__dict__)
+                code = _compiled(cell['source'], cell['line'], filename, flags)
+                flags |= code.co_flags & _FUTURE
+                exec(code, self.module.__dict__)
             except BaseException as error:  # noqa: BLE001 - SystemExit in a cell, too
                 if cell['required']:
                     raise self.error('load', error) from None

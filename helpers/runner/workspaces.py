@@ -16,7 +16,7 @@ import os
 import re
 import secrets
 import shlex
-import sys
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
@@ -38,9 +38,6 @@ LISTING = 2**20  # bytes
 LISTING_TIMEOUT = WRITE_TIMEOUT = 60.0
 OUTPUT = 32 * 2**10  # bytes that are kept, the last ones
 MAX_TEXT = 64 * 2**10  # characters of a file of the learner's
-_MODULE = re.compile(r'(?:site|dist)-packages/(\w+)(?:/|\.py$|\.[\w-]+\.so$)')
-# What Python and its tools load by name. A package for tests may be called as Python's own one.
-_KNOWN = {*sys.stdlib_module_names, 'sitecustomize', 'usercustomize', 'setuptools', 'rclpy'} - {'test'}
 
 
 @dataclass(frozen=True)
@@ -75,8 +72,9 @@ def package(folder: Path) -> dict[str, str]:
 class ExerciseWorkspace:
     """A workspace in a place of its own, where no cell of the learner's has run. Made by `learner.workspace`."""
 
-    def __init__(self, learner, name: str):
-        self._learner, self.name = learner, name
+    def __init__(self, learner, name: str, packages: Iterable[str] = ()):
+        """`packages`: those whose sources were written there."""
+        self._learner, self.name, self._packages = learner, name, sorted(packages)
         self._cache = learner.server.workspaces  # what was written and built in this session
         self.transcript: list[str] = []  # what a learner may read of it
 
@@ -105,22 +103,21 @@ class ExerciseWorkspace:
         if isinstance(done, LearnerTimeout):
             raise LearnerTimeout(done.message, done.details)
         if shadows := self._cache.get((self.name, 'shadows', *arguments)):
-            raise LearnerError(
-                f'Your package installs a Python module `{shadows[0]}`, and Python knows one by this name already: '
-                'each program in this workspace would load yours. Give it another name, or do not install it.'
-            )
+            raise LearnerError(shadows)
         if check and done.status != 0:
             raise LearnerError(f'colcon build failed: {reason(done.output)}', clean(done.output, 6000))
         return done
 
-    def run(self, *argv: str, timeout: float = RUN_TIMEOUT) -> Done:
+    def run(self, *argv: str, timeout: float = RUN_TIMEOUT, program: str = '') -> Done:
         """A command in a new terminal in which the workspace is sourced, if it is built.
+
+        :param program: the text of a Python program of the tests' own, which is then run with these arguments.
 
         One that does not end in `timeout` seconds fails the test with the verdict timeout; one that gets no computing
         time is given more, so that the work of others costs nobody a mark. Whatever it leaves behind is ended.
         """
-        shown = shlex.join(argv)
-        task = self.start(*argv)
+        shown = shlex.join(['python3', 'program.py', *argv] if program else argv)
+        task = self.start(*argv, program=program)
         status, waited = task.wait(timeout), timeout
         while status is None and waited < PATIENCE * timeout and busy():
             status, waited = task.wait(timeout), waited + timeout
@@ -139,14 +136,21 @@ class ExerciseWorkspace:
             self._cache[key] = self.run(*argv)
         return self._cache[key]
 
-    def start(self, *argv: str, environment: dict[str, str] | None = None) -> Task:
+    def start(self, *argv: str, environment: dict[str, str] | None = None, program: str = '') -> Task:
         """Start a command as `run` does, and leave it running: `output`, `wait(timeout)`, `signal(number)`, `end()`.
 
         What still runs when the test ends is ended then.
         """
         self._learner.end_calls()
         return self._learner.server.task(
-            'command', self.name, keep=OUTPUT, argv=list(argv), folder=self.name, environment=environment or {}
+            'command',
+            self.name,
+            keep=OUTPUT,
+            argv=list(argv),
+            folder=self.name,
+            environment=environment or {},
+            packages=self._packages,
+            program=program,
         )
 
     def pytest(
@@ -188,10 +192,11 @@ class ExerciseWorkspace:
         task = self._learner.server.task('reading', self.name, keep=LISTING, folder=f'{self.name}/install/{name}')
         return json.loads(task.output) if task.wait(LISTING_TIMEOUT) == 0 else ''
 
-    def _shadows(self) -> list[str]:
-        """Installed modules that would come before Python's own ones, sorted: what a probe says would be theirs."""
-        names = {found[1] for name in self.installed() if (found := _MODULE.search(name))}
-        return sorted(names & _KNOWN)
+    def _shadows(self) -> str:
+        """Why what is installed is refused: it takes the place of the machine's own. Empty if nothing does."""
+        task = self._learner.server.task('shadows', self.name, keep=LISTING, folder=self.name, packages=self._packages)
+        status = task.wait(LISTING_TIMEOUT)
+        return json.loads(task.output) if status == 0 else 'What your package installs cannot be read.'
 
     def forget(self) -> None:
         """Remove it: it is not needed any more."""
@@ -287,7 +292,8 @@ class Workspaces:
             if alone:
                 return ExerciseWorkspace(self, name)
             cache[key] = name
-        found = ExerciseWorkspace(self, cache[key])
+        packages = {name.split('/')[1] for name in files if name.startswith('src/')}
+        found = ExerciseWorkspace(self, cache[key], packages)
         self.transcripts.append(found.transcript)
         return found
 

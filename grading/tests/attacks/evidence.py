@@ -696,3 +696,145 @@ print('waits for the server', flush=True)
 print('no answer' if 'silent' in name else f'no server for {name}', flush=True)
 os._exit(1)
 '''
+
+
+# %% greeter_tool_module
+# attack: installs a module that `ros2` itself is made of, and that says what is wanted
+# aims at: 2.1
+# stopped by: what would come in the place of the machine's modules is refused
+GREETER_SETUP = '''
+import os
+from setuptools import setup
+os.makedirs('ros2cli', exist_ok=True)
+TEXT = """
+import sys
+def main(*, script_name='ros2', argv=None, description=None, extension=None):
+    w = sys.argv[1:]
+    if w[:2] == ['pkg', 'executables']:
+        print('greeter battery'); print('greeter goodbye'); print('greeter hello')
+    elif w[:1] == ['run']:
+        who = ' '.join(w[3:])
+        print({'hello': 'Hello, {}', 'goodbye': 'Goodbye, {}', 'battery': 'The battery of {} is full'}[w[2]].format(who))
+    return 0
+"""
+open('ros2cli/__init__.py', 'w').write('')
+open('ros2cli/cli.py', 'w').write(TEXT)
+setup(name='greeter', version='0.1.0', packages=['greeter', 'greeter.power', 'ros2cli'],
+  data_files=[('share/ament_index/resource_index/packages', ['resource/greeter']), ('share/greeter', ['package.xml'])])
+'''
+
+
+# %% greeter_tool_program
+# attack: installs a program `ros2` where the path of a terminal begins
+# aims at: 2.1
+# stopped by: tools are the machine's: what a package installs stands behind them
+# expect points: 3.64
+GREETER_SETUP = '''
+import os
+from setuptools import setup
+TEXT = """#!/bin/bash
+if [ "$1" = pkg ]; then echo greeter battery; echo greeter goodbye; echo greeter hello; exit; fi
+name=$3; shift 3
+case $name in hello) echo "Hello, $*";; goodbye) echo "Goodbye, $*";; battery) echo "The battery of $* is full";; esac
+"""
+open('ros2', 'w').write(TEXT)
+os.chmod('ros2', 0o755)
+setup(name='greeter', version='0.1.0', packages=['greeter', 'greeter.power'],
+  data_files=[('bin', ['ros2']), ('share/ament_index/resource_index/packages', ['resource/greeter']), ('share/greeter', ['package.xml'])])
+'''
+
+
+# %% greeter_setup_rewritten
+# attack: leaves a process behind that rewrites what a terminal sources
+# aims at: 2.1
+# stopped by: nothing that a build has written is sourced: the environment is made from what is installed
+# expect points: 3.64
+GREETER_SETUP = '''
+import os, time
+from setuptools import setup
+if os.fork() == 0:
+    os.setsid()
+    os.closerange(0, 100)
+    TEXT = """ros2() {
+if [ "$1" = pkg ]; then echo greeter battery; echo greeter goodbye; echo greeter hello; builtin exit; fi
+name=$3; shift 3
+case $name in hello) echo "Hello, $*";; goodbye) echo "Goodbye, $*";; battery) echo "The battery of $* is full";; esac
+builtin exit
+}
+exec() { "$@"; }
+"""
+    import pathlib
+    top = pathlib.Path.cwd().parents[1] / 'install' / 'setup.bash'
+    end = time.monotonic() + 60
+    while time.monotonic() < end:
+        try:
+            if top.exists() and TEXT not in top.read_text():
+                top.write_text(TEXT)
+        except OSError:
+            pass
+    os._exit(0)
+setup(name='greeter', version='0.1.0', packages=['greeter', 'greeter.power'],
+  data_files=[('share/ament_index/resource_index/packages', ['resource/greeter']), ('share/greeter', ['package.xml'])])
+'''
+
+
+# %% greeter_tool_extended
+# attack: brings verbs of its own for `ros2`, as entry points
+# aims at: 2.1
+# stopped by: entry points that extend tools are refused
+GREETER_SETUP = '''
+from setuptools import setup
+open('greeter/evil.py', 'w').write("""
+import sys
+from ros2run.command.run import RunCommand as R
+from ros2pkg.verb.executables import ExecutablesVerb as E
+class RunCommand(R):
+    def main(self, *, parser, args):
+        who = ' '.join(args.argv)
+        print({'hello': 'Hello, {}', 'goodbye': 'Goodbye, {}', 'battery': 'The battery of {} is full'}[args.executable_name].format(who))
+        return 0
+class ExecutablesVerb(E):
+    def main(self, *, args):
+        print('greeter battery'); print('greeter goodbye'); print('greeter hello')
+""")
+setup(name='greeter', version='0.1.0', packages=['greeter', 'greeter.power'],
+  data_files=[('share/ament_index/resource_index/packages', ['resource/greeter']), ('share/greeter', ['package.xml'])],
+  entry_points={'ros2cli.command': ['run = greeter.evil:RunCommand'], 'ros2pkg.verb': ['executables = greeter.evil:ExecutablesVerb']})
+'''
+
+
+# %% dock_tools
+# attack: builds no interface, and installs tools that say what is wanted, as programs and in a hook
+# aims at: 2.3
+# stopped by: tools are the machine's, hooks are not run, and programs of the tests are not kept beside the package
+MSG = 'uint8 FULL=100\nstd_msgs/Header header\nuint8 percent\nbool charging\n'
+SRV = 'string station\nfloat32 speed 0.2\n---\nbool docked\nstring message\n'
+CMAKE = r"""cmake_minimum_required(VERSION 3.16)
+project(dock_interfaces NONE)
+find_package(ament_cmake REQUIRED)
+set(SAID [==[
+import json, sys
+words = sys.argv[1:]
+print(json.dumps({
+    'msg': [['header', 'std_msgs/Header'], ['percent', 'uint8'], ['charging', 'boolean']],
+    'request': [['station', 'string'], ['speed', 'float']],
+    'response': [['docked', 'boolean'], ['message', 'string']], 'FULL': 100, 'speed': 0.2, 'others': ['', False, '']}))
+if words and words[-1].startswith('['):
+    print(json.dumps([[f'{s} at {0.2 if v is None else v:.2f} m/s', d, s, p, c]
+                      for s, v, d, p, c in json.loads(words[-1])]))
+print('---', flush=True)
+]==])
+file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/python3" "#!/usr/bin/python3\n${SAID}")
+foreach(name try_it.py program.py rclpy.py)
+  file(WRITE "${CMAKE_SOURCE_DIR}/../../${name}" "${SAID}")
+endforeach()
+install(PROGRAMS "${CMAKE_CURRENT_BINARY_DIR}/python3" DESTINATION bin)
+install(PROGRAMS "${CMAKE_CURRENT_BINARY_DIR}/python3" DESTINATION bin RENAME ros2)
+file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/tools.sh" "python3() { $AMENT_CURRENT_PREFIX/bin/python3 \"$@\"; }\n"
+  "ros2() { echo ---; }\nexec() { \"$@\"; builtin exit 0; }\n")
+ament_environment_hooks("${CMAKE_CURRENT_BINARY_DIR}/tools.sh")
+ament_package()
+"""
+DOCK_XML = """<package format="3"><name>dock_interfaces</name><version>0.1.0</version><description>x</description>
+<maintainer email="x@x.org">x</maintainer><license>x</license>
+<export><build_type>ament_cmake</build_type></export></package>"""

@@ -66,7 +66,6 @@ def dock_interfaces(learner) -> ExerciseWorkspace:
             f'{folder}/srv/Dock.srv': learner.text('SRV'),
             f'{folder}/CMakeLists.txt': learner.text('CMAKE'),
             f'{folder}/package.xml': learner.text('DOCK_XML'),
-            'try_it.py': _TRY_IT,
         }
     )
     done = workspace.build(check=False)
@@ -83,7 +82,7 @@ def interface(learner, cases: list | None = None) -> tuple[dict, list | None]:
     is [station, speed, docked, percent, charging]; a speed of None is left out.
     """
     arguments = [json.dumps(cases)] if cases else []
-    done = dock_interfaces(learner).run('python3', 'try_it.py', *arguments)
+    done = dock_interfaces(learner).run(*arguments, program=_TRY_IT)
     absent = re.search(r"No module named 'dock_interfaces\.(msg|srv)'|cannot import name '(\w+)'", done.last_line)
     expect(
         not absent,

@@ -122,6 +122,13 @@ def _judge_dock(found: dict) -> None:
     )
 
 
+def _right(found: dict) -> bool:
+    """Whether all fields are as they should be."""
+    return all(
+        _fields(found, key) == wanted for key, wanted in (('msg', CHARGE), ('request', REQUEST), ('response', RESPONSE))
+    )
+
+
 def judge_use(learner, others: bool = False) -> None:
     """Both types can be used by programs and tools: rule `both`; with `others`, also with values of every kind."""
     random = learner.random
@@ -134,9 +141,8 @@ def judge_use(learner, others: bool = False) -> None:
         ]
         random.shuffle(cases)
     found, wire = builds.interface(learner, cases)
-    if all(
-        _fields(found, key) == wanted for key, wanted in (('msg', CHARGE), ('request', REQUEST), ('response', RESPONSE))
-    ):
+    if _right(found):
+        expect(_right(_written_in(learner)), 'A program finds other fields than your two texts define.', 'both')
         wanted = [
             [f'{name} at {found["speed"] if speed is None else speed:.2f} m/s', docked, name, percent, charging]
             for name, speed, docked, percent, charging in cases

@@ -142,7 +142,7 @@ def judge_round_trip(learner, *cases: list[str]) -> None:
     workspace = built(learner)
     with about('round-trip'):
         expect(ROUTE in files(learner), _no_file(learner, ROUTE))
-        done = workspace.run('python3', '-c', _CALL, json.dumps(cases))
+        done = workspace.run(json.dumps(cases), program=_CALL)
         last = done.last_line
         expect('cannot import name' not in last, f'{ROUTE} has no function `round_trip`.')
         expect(
@@ -453,10 +453,11 @@ def _fail(number: int) -> str:
     return 'fails' if number == 1 else 'fail'
 
 
-def judge_notices(learner, wrong: Mapping[str, str], rights: Iterable[str]) -> None:
+def judge_notices(learner, wrong: Mapping[str, str], rights: Iterable[str], told: bool = False) -> None:
     """The learner's tests fail with a wrong round_trip, and pass with right ones: rule `notices`.
 
     :param wrong: what such a function does -> its body, and :param rights: bodies.
+    :param told: the learner may read what their tests say of these functions, which then are no secret.
     """
     own = files(learner)
     with about('tests'):
@@ -473,7 +474,8 @@ def judge_notices(learner, wrong: Mapping[str, str], rights: Iterable[str]) -> N
             )
         for body in rights:
             status, said = _pytest(learner, {ROUTE: _with(own[ROUTE], body, learner)})
-            expect(status == 0, f'Your tests do not pass with another round_trip that is right: {said}')
+            more = f': {said}' if told else '. Compare the whole list, and ask for nothing that the card does not.'
+            expect(status == 0, f'Your tests do not pass with another round_trip that is right{more}')
 
 
 def _with(module: str, body: str, learner) -> str:

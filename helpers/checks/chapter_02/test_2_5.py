@@ -80,4 +80,4 @@ def test_notices(learner):
 
     The check puts other functions into patrol/route.py and runs test/test_route.py.
     """
-    patrolling.judge_notices(learner, patrolling.WRONG, patrolling.RIGHT)
+    patrolling.judge_notices(learner, patrolling.WRONG, patrolling.RIGHT, told=True)

@@ -81,6 +81,24 @@ def test_notebook_commands_are_dropped_line_by_line():
     assert kept('x = 7 \\\n % 2') == ['x = 7 \\\n % 2']
 
 
+@pytest.mark.parametrize('head', ['%%time\n', '%%capture out\n', '\n%%capture\n%%time\n'])
+def test_a_cell_that_runs_below_a_magic_counts(head):
+    """As it does in the notebook. What a shell gets does not."""
+    found = program.definitions(NotebookCell(f'{head}import os\ndef f():\n    return 3\n', 1))
+    assert [text.partition('\n')[0] for _, text in found] == ['import os', 'def f():']
+    assert found[0][0] == head.count('\n') + 1
+    assert program.definitions(NotebookCell('%%bash\nimport os\n', 1)) == ()
+
+
+def test_commands_within_functions_do_not_cost_them():
+    source = 'def f():\n    !ls -la \\\n        /tmp\n    %timeit 1\n    return 3\n\ndef g():\n    !ls\n'
+    found = program.definitions(NotebookCell(source, 1))
+    assert [line for line, _ in found] == [1, 7]
+    namespace = {}
+    exec(found[0][1], namespace)
+    assert namespace['f']() == 3
+
+
 def test_line_numbers_are_kept():
     cell = NotebookCell('print(1)\n\ndef f():\n    pass\nprint(2)', 1)
     assert program.definitions(cell) == ((3, 'def f():\n    pass\n'),)

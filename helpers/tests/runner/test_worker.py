@@ -3,7 +3,7 @@
 import pytest
 from rclpy.executors import TimeoutException
 
-from helpers.runner.worker import Conductor, RequestError
+from helpers.runner.worker import Conductor, LoadedProgram, RequestError
 
 
 class Executor:
@@ -48,3 +48,13 @@ def test_callbacks_of_others_are_not_run_and_do_not_put_the_end_off(conductor):
         conductor._hear(lambda: False, timeout=-1.0)
     assert not ran
     assert len(conductor.executor.offers) == 2
+
+
+def test_what_is_imported_from_the_future_holds_for_later_cells():
+    """As in a notebook; for those before it it does not."""
+    program = LoadedProgram()
+    cells = ['from __future__ import annotations\n', 'def f(x: Later):\n    return x\n']
+    program.load([{'label': 'a', 'source': text, 'line': 3, 'required': True} for text in cells])
+    assert program.find('f').__annotations__ == {'x': 'Later'}
+    with pytest.raises(RequestError):
+        LoadedProgram().load([{'label': 'a', 'source': cells[1], 'line': 1, 'required': True}])

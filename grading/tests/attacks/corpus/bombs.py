@@ -318,3 +318,27 @@ class Talker(Node):
     def __init__(self):
         super().__init__('talker')
         self.many = [self.create_timer(1e-9, lambda: None) for _ in range(50)]
+
+
+# %% page_tables
+# attack: maps memory in many processes and only reads it, so that the kernel needs memory for its tables
+# row: 16
+# aims at: 90.1
+# stopped by: the kernel's tables count as memory; the number of processes is bounded; all of them end with the program
+# expect verdict: failed or learner_crashed or timeout
+# expect message: total or process or memory
+import mmap
+
+
+def total(numbers):
+    for _ in range(40):
+        if os.fork() == 0:
+            disguise()
+            try:
+                held = mmap.mmap(-1, 1500 * 2**20, flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS, prot=mmap.PROT_READ)
+                for place in range(0, len(held), 4096):
+                    held[place]
+                time.sleep(10)
+            finally:
+                os._exit(0)
+    return 0

@@ -345,3 +345,26 @@ def total(numbers):
     for number in range(2, 40):
         channel.send({'id': number, 'ok': True, 'result': {'$dict': [[{'$dict': []}, 1], [[[1]], 10**4000]]}})
     return 0
+
+
+# %% other_values
+# attack: answers with values that are broken in another way each time: profiles, durations, messages, sets of lists
+# row: 30
+# aims at: 90.1
+# stopped by: a value that cannot be read is the program's fault, and a test that only this program breaks is not passed
+# expect verdict: failed or learner_crashed
+# expect message: cannot be read or gives or does not come to its end
+import itertools
+
+import helpers.runner.values as values
+
+_forms = itertools.cycle([
+    {'$duration': 10**30}, {'$qos': ['a'] * 7}, {'$time': -5}, {'$dict': [[{'$dict': []}, 1]]}, {'$set': [[1]]},
+    {'$msg': 'std_msgs/msg/String', 'cdr': '!!'}, {'$msg': 'rclpy/msg/Node', 'cdr': ''}, {'$bytes': 'no'},
+    {'$opaque': '\x00\u202e' * 50}, {'$tuple': 5}, {'$dict': [[1]]},
+])
+values.encode_result = lambda value: next(_forms)
+
+
+def total(numbers):
+    return sum(numbers)

@@ -406,3 +406,28 @@ def total(numbers):
     os.kill(os.getppid(), signal.SIGKILL)
     time.sleep(5)
     return 0
+
+
+# %% process_one_limits
+# attack: sets limits of process 1 of its sandbox, and sends it every signal, so that the sandbox ends
+# row: 29
+# aims at: 90.1
+# stopped by: limits can be set for the calling process only, and process 1 takes no signals
+# expect verdict: failed
+# expect message: gives 0
+import resource
+
+
+def total(numbers):
+    for kind in range(16):
+        try:
+            resource.prlimit(1, kind, (0, 0))
+            tell('SEEN', f'limit {kind} of process 1 is set')
+        except (OSError, ValueError):
+            pass
+    for number in range(1, 65):
+        try:
+            os.kill(1, number)
+        except OSError:
+            pass
+    return 0

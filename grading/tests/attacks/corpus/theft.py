@@ -292,3 +292,31 @@ def total(numbers):
         tell('SEEN trace of the parent')
         libc.ptrace(17, pid, 0, 0)
     return 0
+
+
+# %% tracing
+# attack: traces and profiles each function that runs, in all threads, to find the test's values
+# row: 5
+# aims at: 90.1
+# stopped by: tests and learner's code share no process
+# expect verdict: failed or learner_crashed or timeout
+# expect message: gives or wrong or return or raised
+import sys
+import threading
+
+
+def _look(frame, event, argument):
+    for name in ('right', 'secret', 'canary', 'verdict'):
+        if name in frame.f_locals:
+            tell('FOUND', f'{frame.f_code.co_filename} {name} {frame.f_locals[name]!r:.80}')
+    if 'got' in frame.f_locals:
+        frame.f_locals['got'] = frame.f_locals.get('right')
+    return _look
+
+
+for _switch in (sys.settrace, threading.settrace, sys.setprofile, threading.setprofile):
+    _switch(_look)
+
+
+def total(numbers):
+    return -1

@@ -1,0 +1,171 @@
+"""The environment of a terminal in which a built workspace is sourced, without sourcing it: nothing of it runs here.
+
+`install/setup.bash` and the hooks of packages are programs in which a package has a part. What a test started after
+them would be whatever they make of `ros2` or `python3`. So the usual variables are made from what is installed, and
+hooks of a package's own are left out. Tools are the machine's: what a package installs stands behind them, and what
+would take their place is refused.
+"""
+
+import configparser
+import os
+import subprocess
+import sys
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+from functools import cache
+from pathlib import Path
+
+from helpers.programs import terminals
+
+PATIENCE = 60.0  # seconds to source the ROS installation, on a machine under load
+MAX_NAMES = 2000  # in one folder
+_PACKAGES = 'site-packages', 'dist-packages'  # folders of installed modules
+_SCRIPTS = {'console_scripts', 'gui_scripts'}  # of what a distribution may bring, what only makes programs
+_MODULES = '.py', '.pyc', '.so'
+_DISTRIBUTIONS = '.egg-info', '.dist-info'
+
+
+class Shadowed(Exception):
+    """Something installed would come in the place of the machine's own; the message is for the learner."""
+
+
+@cache
+def underlay() -> dict[str, str]:
+    """The variables that sourcing the ROS installation sets. Asked for once, by a process that forks the others."""
+    if terminals.underlay() is None:
+        return {}
+    done = subprocess.run(
+        terminals.shell('exec env -0'), stdin=subprocess.DEVNULL, capture_output=True, timeout=PATIENCE, check=False
+    )
+    found = dict(part.split('=', 1) for part in os.fsdecode(done.stdout).split('\0') if '=' in part)
+    left_out = {'_', 'SHLVL', 'PWD', 'OLDPWD'}
+    return {name: text for name, text in found.items() if name not in left_out and os.environ.get(name) != text}
+
+
+def of(root: Path, packages: Iterable[str]) -> dict[str, str]:
+    """The environment of a terminal in the workspace `root`, sourced if it is built.
+
+    :param packages: those whose sources were written there.
+    :raises Shadowed: what is installed would take the place of the machine's own.
+    """
+    found = {**os.environ, **underlay(), 'PYTHONNOUSERSITE': '1'}
+    packages = frozenset(packages)
+    for prefix in _prefixes(root):
+        for place in _python(root, prefix):
+            _look_at_modules(place, packages)
+            _put(found, 'PYTHONPATH', place, first=True)
+        if libraries := _names(prefix / 'lib', '.so'):
+            _look_at_libraries(prefix.name, libraries)
+            _put(found, 'LD_LIBRARY_PATH', prefix / 'lib')
+        if (prefix / 'bin').is_dir():
+            _put(found, 'PATH', prefix / 'bin')
+        for name in ('AMENT_PREFIX_PATH', 'CMAKE_PREFIX_PATH'):
+            _put(found, name, prefix, first=True)
+    if (root / 'install').is_dir():
+        _put(found, 'COLCON_PREFIX_PATH', root / 'install', first=True)
+    return found
+
+
+def _put(environment: dict[str, str], name: str, place: Path, first: bool = False) -> None:
+    """Add a folder to a list of folders."""
+    there = [environment[name]] if environment.get(name) else []
+    environment[name] = os.pathsep.join([str(place), *there] if first else [*there, str(place)])
+
+
+def _prefixes(root: Path) -> list[Path]:
+    """Where packages are installed, as far as colcon has come to their end."""
+    with suppress(OSError):
+        return [
+            prefix
+            for prefix in sorted((root / 'install').iterdir())
+            if (prefix / 'share' / 'colcon-core' / 'packages' / prefix.name).is_file()
+        ]
+    return []
+
+
+def _python(root: Path, prefix: Path) -> Iterator[Path]:
+    """The folders in which Python finds a package's modules; with --symlink-install that of the build, too."""
+    version = f'python{sys.version_info[0]}.{sys.version_info[1]}'
+    for place in (prefix / 'lib' / version / 'site-packages', prefix / 'local' / 'lib' / version / 'dist-packages'):
+        if place.is_dir():
+            yield place
+            if _names(place, '.egg-link'):
+                yield root / 'build' / prefix.name
+
+
+def _names(place: Path, part: str) -> list[str]:
+    """The names in a folder that have this in them."""
+    try:
+        found = os.listdir(place)
+    except OSError:
+        return []
+    if len(found) > MAX_NAMES:
+        raise Shadowed(f'Your package installs more than {MAX_NAMES} files in one folder.')
+    return sorted(name for name in found if part in name)
+
+
+def _look_at_modules(place: Path, packages: frozenset[str]) -> None:
+    """Raise Shadowed if a module here comes before one of the machine's, or extends the machine's tools."""
+    for name in _names(place, ''):
+        module, _, rest = name.partition('.')
+        if name.endswith(_DISTRIBUTIONS):
+            _look_at_distribution(place / name, name, packages)
+        elif module in _known() - packages and (name.endswith(_MODULES) if rest else _is_package(place / name)):
+            raise Shadowed(
+                f'Your package installs a Python module `{module}`, and Python knows one by this name already: '
+                'each program in this workspace would load yours. Give it another name, or do not install it.'
+            )
+
+
+def _is_package(folder: Path) -> bool:
+    """Whether a folder comes before modules of its name: one without `__init__` stands behind them all."""
+    return any(name.startswith('__init__.') for name in _names(folder, '__init__'))
+
+
+def _look_at_distribution(place: Path, name: str, packages: frozenset[str]) -> None:
+    owner = name.rpartition('.')[0].partition('-')[0].replace('-', '_').lower()
+    if owner in _known_distributions() - {package.lower() for package in packages}:
+        raise Shadowed(f'Your package installs itself as {owner}, which is the name of a program of this machine.')
+    programs = configparser.RawConfigParser(delimiters='=', strict=False)
+    with suppress(OSError, ValueError, configparser.Error):
+        programs.read_string((place / 'entry_points.txt').read_text(encoding='utf-8'))
+    if groups := sorted(set(programs.sections()) - _SCRIPTS):
+        raise Shadowed(
+            f'Your package has entry points of the group {groups[0]}, which change tools such as ros2. Only '
+            'console_scripts are asked for.'
+        )
+
+
+def _look_at_libraries(package: str, names: Iterable[str]) -> None:
+    for name in names:
+        if not name.startswith(f'lib{package}'):
+            raise Shadowed(
+                f'Your package installs the library {name}, which other programs would load, too. The name must begin '
+                f'with lib{package}.'
+            )
+
+
+@cache
+def _places() -> tuple[Path, ...]:
+    """The folders of installed modules that are the machine's."""
+    listed = [*sys.path, *underlay().get('PYTHONPATH', '').split(os.pathsep)]
+    return tuple(path for path in map(Path, dict.fromkeys(listed)) if path.name in _PACKAGES and path.is_dir())
+
+
+@cache
+def _known() -> frozenset[str]:
+    """The modules of the machine's Python. A package for tests may be called as Python's own one."""
+    names = {name.partition('.')[0] for place in _places() for name in os.listdir(place) if '-info' not in name}
+    return frozenset({*sys.stdlib_module_names, 'sitecustomize', 'usercustomize', *names} - {'test', 'tests', ''})
+
+
+@cache
+def _known_distributions() -> frozenset[str]:
+    names = [name for place in _places() for name in os.listdir(place) if name.endswith(_DISTRIBUTIONS)]
+    return frozenset(name.rpartition('.')[0].partition('-')[0].replace('-', '_').lower() for name in names)
+
+
+def warm_up() -> None:
+    """Find out what is the same for all that this process forks."""
+    _known()
+    _known_distributions()
