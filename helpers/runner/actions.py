@@ -63,6 +63,7 @@ class Goal:
     stamps: list[float] = field(default_factory=list)  # when they came
     statuses: list[str] = field(default_factory=list)  # accepted, executing, canceling, …: one after the other
     changes: list[float] = field(default_factory=list)  # when each of these statuses came
+    published: list[int] = field(default_factory=list)  # when it was published, as in `Recording`: ns of the machine
     result: object = None
     status: str | None = None  # with the result: succeeded, canceled, aborted
     finished: float | None = None  # when the result came
@@ -164,12 +165,13 @@ class Client(Named):
             goal.feedback.append(message.feedback)
             goal.stamps.append(self.learner.now / SECOND)
 
-    def _on_status(self, message: GoalStatusArray) -> None:
+    def _on_status(self, message: GoalStatusArray, info: dict) -> None:
         for entry in message.status_list:
             goal, status = self._by_id.get(bytes(entry.goal_info.goal_id.uuid)), STATUS[entry.status]
             if goal is not None and goal.statuses[-1:] != [status]:
                 goal.statuses.append(status)
                 goal.changes.append(self.learner.now / SECOND)
+                goal.published.append(info['source_timestamp'])
 
     _asked = False  # the request for a result was sent while the learner's side was idle
 

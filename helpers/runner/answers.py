@@ -54,7 +54,7 @@ _ANSWERS = {
     'call': {'result': _anything},
     'value': {'result': _anything},
     'switch': {'lines': _count, 'stood': _rows},
-    'habits': {'queues': _queues, 'slept': _seconds},
+    'habits': {'queues': _queues, 'slept': _seconds, 'contexts': _count},
     'step': {
         'count': _count,
         'reached': _truth,

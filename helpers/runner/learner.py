@@ -57,13 +57,15 @@ class Recording:
     """What a subscription of the test's has received: `messages`, and `stamps` (simulated seconds of receipt).
 
     `numbers` are those that the publishers gave the messages, from 1: who comes late to a latched topic hears the last
-    message, and sees how many there were before it.
+    message, and sees how many there were before it. `published` is when, in ns of the machine's clock: the
+    order of what one process has said on several topics at one simulated moment.
     """
 
     topic: str
     messages: list = field(default_factory=list)
     stamps: list[float] = field(default_factory=list)
     numbers: list[int] = field(default_factory=list)
+    published: list[int] = field(default_factory=list)
     subscription: Subscription = field(init=False, repr=False)
     strict: bool = field(default=True, repr=False)
     optional: bool = field(default=False, repr=False)  # no hint if the learner has no publisher there
@@ -80,6 +82,7 @@ class Recording:
         self.messages.clear()
         self.stamps.clear()
         self.numbers.clear()
+        self.published.clear()
 
     def __len__(self) -> int:
         return len(self.messages)
@@ -425,8 +428,13 @@ class Learner(Workspaces):
 
     @property
     def slept(self) -> float:
-        """For how many seconds the learner's lines have called `time.sleep` so far, outside of `threads=True`."""
+        """How many seconds the learner's lines have slept or waited for a server so far, outside of `threads=True`."""
         return sum(process.ask('habits', self.timeouts.call)['slept'] for process in self._conducted())
+
+    @property
+    def contexts(self) -> int:
+        """How many contexts are initialised and not shut down where functions are called."""
+        return self.command_process().ask('habits', self.timeouts.call)['contexts']
 
     def _is_foreign(self, info) -> bool:
         # By participant, as any program may use a name. The conductor belongs to the learner's participant, too.
@@ -538,6 +546,7 @@ class Learner(Workspaces):
         recording.messages.append(message)
         recording.stamps.append(self.now / SECOND)
         recording.numbers.append(info['publication_sequence_number'])
+        recording.published.append(info['source_timestamp'])
 
     def _matched(self, recording: Recording, event) -> None:
         recording.matched = max(recording.matched, event.total_count)

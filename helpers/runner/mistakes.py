@@ -10,6 +10,7 @@ import inspect
 import sys
 import time
 from collections.abc import Callable
+from types import FrameType
 
 import rclpy
 from rclpy import executors
@@ -28,6 +29,10 @@ class WaitsInCallback(BaseException):
         self.call = call  # 'rclpy.spin_until_future_complete'
 
 
+# They sleep until the graph shows a server.
+_POLLING = (Client.wait_for_service.__code__, ActionClient.wait_for_server.__code__)
+
+
 class Watch:
     """What the checks ask, and what they have seen."""
 
@@ -40,7 +45,7 @@ class Watch:
         self.in_callback, self.in_threads, self.is_learners = in_callback, in_threads, is_learners
         self.early: tuple[str, int] | None = None  # (file, line) of the last `result()` of a future that was not done
         self.remarks: list[str] = []  # sentences for the learner
-        self.slept = 0.0  # seconds for which the learner's lines have called time.sleep
+        self.slept = 0.0  # seconds for which the learner's lines have slept, also in wait_for_server
 
     def remark(self, sentence: str) -> None:
         """Keep a sentence for the learner, once."""
@@ -139,11 +144,17 @@ def _asked_early(result, seen: Watch):
 
 
 def _counted(sleep, seen: Watch):
-    """`time.sleep` that adds up how long the learner's lines sleep. The count is the same on a busy machine."""
+    """`time.sleep` that adds up how long the learner's lines sleep, themselves or while they wait for a server.
+
+    The count is the same on a busy machine.
+    """
 
     @functools.wraps(sleep)
     def sleeping(seconds):
-        if seen.is_learners(sys._getframe(1)):
+        caller: FrameType | None = sys._getframe(1)
+        if caller and caller.f_code in _POLLING:
+            caller = caller.f_back
+        if caller and seen.is_learners(caller):
             seen.slept += max(0.0, float(seconds))
         return sleep(seconds)
 

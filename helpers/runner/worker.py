@@ -28,6 +28,7 @@ from contextlib import suppress
 from typing import Any
 
 import rclpy
+import rclpy.context
 import rclpy.node
 from rclpy.action import ActionServer
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
@@ -702,14 +703,17 @@ class Worker:
         return {'lines': lines, 'stood': self._loaded().lines(stood or [])}
 
     def do_habits(self):
-        """What only this process knows of its nodes: their queues, and how long their lines have slept."""
+        """What only this process knows: the queues of its nodes, how long their lines have slept, which contexts live.
+
+        rclpy counts the contexts that have been initialised and not shut down, also those that nobody refers to.
+        """
         queues = [
             [kind, endpoint.topic_name, _depth(endpoint.qos_profile)]
             for node in self.nodes
             for kind, endpoints in (('publisher', node.publishers), ('subscription', node.subscriptions))
             for endpoint in endpoints
         ]
-        return {'queues': queues, 'slept': self.program.watch.slept}
+        return {'queues': queues, 'slept': self.program.watch.slept, 'contexts': rclpy.context.g_logging_ref_count}
 
     def do_stop(self):
         """Leave the graph, so that other participants forget this one at once."""

@@ -76,4 +76,14 @@ def choose_distribution(ubuntu, today, releases=RELEASES):
     Mutant('exchanged_pair', old="return max(supported, key=lambda name: mine[name][2]), 'supported'",
            new="return 'supported', max(supported, key=lambda name: mine[name][2])",
            expect='the name comes first, then the reason', breaks='pair'),
+    Mutant('ends_in_the_same_year', old='mine[name][2])', new='mine[name][2][:4])', expect='whose support ends last',
+           breaks='ends-last'),
+    Mutant('to_come_for_another_ubuntu', old='in mine.values())', new='in releases.values())', expect='has ended by then',
+           breaks='ended'),
+    Mutant('first_row_to_come', old='any(first > month for _, first, _ in mine.values())',
+           new='list(mine.values())[0][1] > month', expect="'not released yet'", breaks='to-come'),
+    Mutant('empty_table_is_the_own_one', old='month = today[:7]', new="""
+        releases = releases or RELEASES
+        month = today[:7]
+        """, expect='nothing that you know by heart', breaks='table'),
 ]

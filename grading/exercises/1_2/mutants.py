@@ -2,7 +2,7 @@ from grading.variants import Mutant
 
 DISTROS = "distros = {part[3] for part in parts if part[:3] == ['', 'opt', 'ros'] and len(part) > 3}"
 MIXED = "elif distros and len(distros | {environ.get('ROS_DISTRO') or min(distros)}) > 1:"
-PYTHON = "if any(part.startswith('python3.') and part != f'python{python}' for part in folders):"
+PYTHON = "if any(part.startswith('python') and '.' in part and part != f'python{python}' for part in folders):"
 REACH = "reach = environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE') or 'SUBNET'"
 
 MUTANTS = [
@@ -67,4 +67,17 @@ MUTANTS = [
     Mutant('localhost_is_a_fault', old="if reach == 'OFF' or reach not in RANGES:",
            new="if reach in ('OFF', 'LOCALHOST') or reach not in RANGES:",
            expect='Nothing is wrong with ROS_AUTOMATIC_DISCOVERY_RANGE', breaks='unknown'),
+    Mutant('distributions_of_today', old=DISTROS, new="""
+        known = ('foxy', 'galactic', 'humble', 'iron', 'jazzy', 'kilted', 'lyrical', 'rolling')
+        distros = {part[3] for part in parts if part[:3] == ['', 'opt', 'ros'] and part[3:] and part[3] in known}
+        """, expect='whatever stands behind /opt/ros/', breaks='mixed'),
+    Mutant('python_3_only', old=PYTHON, new=PYTHON.replace("'python')", "'python3')"), expect='is for Python 2.7',
+           breaks='python'),
+    Mutant('python_of_two_digits', old=PYTHON, new=PYTHON.replace("'python')", "'python3.1')"),
+           expect='One of its folders is for Python', breaks='python'),
+    Mutant('python_of_a_distribution', old=PYTHON, new="""
+        folders = [folder.split('/') for folder in environ.get('PYTHONPATH', '').split(':') if '/opt/ros/' in folder]
+        folders = [part for folder in folders for part in folder]
+        if any(part.startswith('python') and '.' in part and part != f'python{python}' for part in folders):
+        """, expect='it is no folder of a distribution', breaks='python'),
 ]

@@ -55,7 +55,7 @@ def test_bridge(learner):
 
     Subscribe on this side, publish on the other one.
     """
-    domains.check_bridge(learner, 7)
+    domains.check_bridge(learner, 6)
 
 
 @pytest.mark.rules('one-way', 'bridge', 'carries')

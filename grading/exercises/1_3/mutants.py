@@ -52,7 +52,7 @@ class Bridge(Node):
         self.other_side = join(other_domain, 'bridge')
         self.publisher = self.other_side.create_publisher(String, 'chatter', 10)
         self.create_subscription(String, 'chatter', self.publisher.publish, 10)
-''', expect='does it compare numbers', breaks='measures'),
+''', expect='does it compare numbers', breaks='measures', also=('in-time',)),
     Mutant('default_context', edits=(("source = join(speaker, 'speaker')", '''
             rclpy.init(domain_id=speaker)
             source = rclpy.create_node('speaker')
@@ -101,4 +101,29 @@ class Bridge(Node):
     Mutant('prints_the_list', old='return sorted(heard)', new='print(sorted(heard))', expect='gives None: return',
            breaks='sorted'),
     Mutant('set_of_domains', old='return sorted(heard)', new='return heard', expect='gives a set', breaks='sorted'),
+    Mutant('destroys_nodes_only', old='leave(node)', new='node.destroy_node()', expect='contexts are not shut down',
+           breaks='leaves'),
+    Mutant('speaker_is_forgotten', old='for node in [source, *nodes.values()]:', new='for node in nodes.values():',
+           expect='contexts are not shut down', breaks='leaves'),
+    Mutant('tuple_of_domains', old='return sorted(heard)', new='return tuple(sorted(heard))', expect='gives a tuple',
+           breaks='sorted'),
+    Mutant('one_second_whatever_is_given', old='time.monotonic() + seconds', new='time.monotonic() + min(seconds, 0.8)',
+           expect='it must listen', breaks='in-time', also=('measures', 'leaves')),
+    Mutant('three_seconds_whatever_is_given', old='time.monotonic() + seconds', new='time.monotonic() + 3.0',
+           expect='It is done', breaks='in-time'),
+    Mutant('one_listener_after_the_other', old="""
+        while len(heard) < len(nodes) and time.monotonic() < end:
+            publisher.publish(String(data='hello'))
+            for node in nodes.values():
+                spin_for(0.02, node)
+        """, new="""
+        for domain, node in nodes.items():
+            end = time.monotonic() + seconds
+            while domain not in heard and time.monotonic() < end:
+                publisher.publish(String(data='hello'))
+                spin_for(0.02, node)
+        """, expect='all of them listen at the same time', breaks='in-time'),
+    Mutant('says_nothing_twice', old="(String, 'chatter', self.publisher.publish, 10)",
+           new="(String, 'chatter', lambda msg, said=['']: msg.data == said[-1] or said.append(msg.data) or "
+               'self.publisher.publish(msg), 10)', expect='in the other domain came', breaks='carries'),
 ]

@@ -40,4 +40,6 @@ MUTANTS = [
     Mutant('package_xml_taken_away', old="('share/greeter', ['package.xml']),", new='',
            expect='no longer installs package.xml', breaks='rest'),
     Mutant('another_version', old='0.1.0', new='1.0.0', expect='said greeter 0.1.0 before', breaks='rest'),
+    Mutant('tests_are_installed', old="find_packages(exclude=['test'])", new='find_packages()',
+           expect='is installed as a package, too', breaks='rest'),
 ]

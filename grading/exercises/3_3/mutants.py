@@ -148,4 +148,6 @@ MUTANTS = [
             def on_reset(self, msg):
                 self.start = self.get_clock().now()
             ''')), expect='the next one must be 1, then 2', breaks='reset'),
+    Mutant('minute_wraps', old='Int32(data=self.seconds)', new='Int32(data=self.seconds % 60)',
+           expect='also after a minute', breaks='uptime'),
 ]

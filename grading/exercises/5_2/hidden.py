@@ -6,7 +6,7 @@ import pytest
 from example_interfaces.action import Fibonacci
 from std_msgs.msg import String
 
-from helpers.runner import about, actions, expect
+from helpers.runner import about, actions, expect, waiting
 
 pytestmark = [pytest.mark.exercise('5.2'), pytest.mark.wiring(type='names', qos='once')]
 NEAR = 0.011  # s
@@ -202,7 +202,7 @@ def test_server_is_gone(learner):
 
 
 @pytest.mark.rules('at-once', 'send', 'deadline')
-@about('at-once')
+@about('send')
 def test_server_comes_late(learner):
     """The client may start before the server. Its constructor returns at once, and the deadline begins with the goal.
 
@@ -211,8 +211,10 @@ def test_server_comes_late(learner):
     outcome = learner.listen('/outcome', String)
     server = learner.action_server('/fibonacci', Fibonacci, plan)
     server.stop()
-    node = learner.start('PatientClient', 2, 1.5)
-    learner.run(4.0)
+    with waiting('at-once'):
+        node = learner.start('PatientClient', 2, 1.5)
+        learner.run(4.0)
+    expect(not learner.slept, 'The client sleeps, or waits for the server: it must ask in a timer instead.', 'at-once')
     expect(not outcome.data, f'There is no server, and /outcome said {outcome.data}.', 'send')
     server.start()
     learner.run(4.0)

@@ -91,6 +91,8 @@ MUTANTS = [
         {CLIENT}
         self.client.wait_for_server(timeout_sec=1.0)
         ''', expect='must not wait for the server'),
+    Mutant('waits_in_a_callback', breaks='at-once', also=ALL, old='if self.client.server_is_ready():',
+           new='if self.client.wait_for_server(timeout_sec=0.05):', expect='in `wait_for_server`'),
     Mutant('waits_in_constructor', breaks='at-once', also=ALL, old=CLIENT, new=f'''
         {CLIENT}
         self.client.wait_for_server()

@@ -7,6 +7,7 @@ from geometry_msgs.msg import Twist
 from turtle_interfaces.action import DriveTo
 from turtlesim.msg import Pose
 
+from helpers.checks.chapter_05.driving import check_order
 from helpers.runner import about, expect
 from helpers.runner.turtlesim import TurtleSim
 
@@ -61,6 +62,7 @@ def test_arrive(learner):
             'result',
         )
         expect(stands(sim), 'The goal succeeded, but the last command still drives. Publish a Twist of zeros.', 'zeros')
+        check_order(sim.commands, goal, 'The goal succeeded: ')
 
 
 @pytest.mark.weight(2)
@@ -132,6 +134,7 @@ def test_cancel(learner):
     expect(len(sim.commands) == count, 'Commands came after the goal had ended.', 'zeros')
     zeros = [command for command in sim.commands.messages if not command.linear.x and not command.angular.z]
     expect(len(zeros) == 1, f'{len(zeros)} commands of zeros came at the end of a goal, expected one.', 'zeros')
+    check_order(sim.commands, goal, 'The goal was cancelled: ')
     again = client.send(x=sim.turtle.x, y=1.5)
     sim.run(4.0, until=lambda: again.done)
     expect(
@@ -232,6 +235,7 @@ def test_stuck(learner):
         'The goal was given up, but the last command still drives: publish a Twist of zeros.',
         'zeros',
     )
+    check_order(commands, goal, 'The goal was given up: ')
 
 
 @pytest.mark.rules('names', 'no-pose', 'steer', 'next')

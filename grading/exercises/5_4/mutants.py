@@ -83,4 +83,11 @@ MUTANTS = [
         end()
         self.create_timer(0.3, lambda: self.motor.publish(Twist()))
         ''')), also=('cancel', 'steer', 'arrive'), expect='commands came after the goal had ended'),
+    Mutant('zeros_directly_after_end', breaks='zeros', edits=(('''
+        self.motor.publish(Twist())
+        self.busy = False
+        ''', 'self.busy = False'), ('end()', '''
+        end()
+        self.motor.publish(Twist())
+        ''')), expect='published only after the goal had ended'),
 ]

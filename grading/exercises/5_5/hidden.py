@@ -21,10 +21,10 @@ def test_alone(learner):
     first, second = draw.randint(2, 5), draw.randint(1, 3)
     printer.tell(
         Job('bad', 0.0, 0),
+        Job('minus', 0.0, -draw.randint(1, 99)),
         Job('A', 0.1, first),
         Job('too many', draw.choice([0.2, 0.3, 0.8]), 1, client=1),
         Job('B', first / 2 + 0.3, second, client=1),
-        Job('minus', first / 2 + 0.4, -draw.randint(1, 99)),
         Job('C', (first + second) / 2 + 1.4, 1),
     )
     printer.judge()

@@ -32,6 +32,8 @@ MUTANTS = [
            expect='Your node is called'),
     Mutant('accepts_0', breaks='orders', old='request.order < 1', new='request.order < 0',
            expect='there is no such number of pages'),
+    Mutant('accepts_less_than_0', breaks='orders', old='request.order < 1', new='request.order == 0',
+           expect='there is no such number of pages'),
     Mutant('accepts_all', breaks='orders', old='full or request.order < 1', new='full',
            expect='there is no such number of pages'),
     Mutant('from_0', breaks='pages', also=('lock', 'cancel'),

@@ -45,4 +45,5 @@ class CupFinder(Node):
         map_in_robot = self.buffer.lookup_transform('base_link', 'map', Time())
         return do_transform_point(in_map, map_in_robot)
 '''),
+    Alternative('exactly_thirty', old='(seconds=31)', new='(seconds=30)'),
 ]

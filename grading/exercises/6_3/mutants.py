@@ -72,4 +72,5 @@ MUTANTS = [
         point = PointStamped(header=found.header)
         point.header.stamp = self.buffer.lookup_transform('map', 'cup', Time()).header.stamp
         """, expect='has the stamp', breaks='stamp'),
+    Mutant('twenty_nine_seconds', breaks='far', old='(seconds=31)', new='(seconds=29.5)', expect='30 s are wanted'),
 ]

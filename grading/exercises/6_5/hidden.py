@@ -5,7 +5,7 @@ import math
 import pytest
 
 from helpers.checks.chapter_06.geometry import explain, words
-from helpers.checks.chapter_06.pursuit import Pursuit, check_topic, zeros
+from helpers.checks.chapter_06.pursuit import Pursuit, check_limit, check_topic, zeros
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('6.5'), pytest.mark.wiring(type='topic', qos='topic')]
@@ -180,3 +180,4 @@ def test_age(learner):
                 told = f'At {stamp:.2f} s, the transform had the stamp {newest:.2f} s, so it was {age:.2f} s old'
                 expect(age > 0.49 or not zeros(command), f'{told}, and the command is zeros.')
                 expect(age < 0.51 or zeros(command), f'{told}, and the command drives.')
+    check_limit(there)

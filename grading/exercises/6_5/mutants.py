@@ -81,4 +81,6 @@ MUTANTS = [
     Mutant('depth_of_one', old="cmd_vel', 10)", new="cmd_vel', 1)", expect='has the depth 1, expected 10', breaks='topic'),
     Mutant('always_to_the_left', old='found.transform.translation.y)', new='abs(found.transform.translation.y))',
            expect='chase says something else', breaks='place'),
+    Mutant('half_a_second_is_too_old', old='age <= Duration', new='age < Duration', expect='0.5 s is not',
+           breaks='old'),
 ]

@@ -49,4 +49,14 @@ MUTANTS = [
         box = f'<geometry><box size="{width} {length} {height}"/></geometry>'
         collision = f'<collision>{middle}{box}</collision>'
         """, expect='its <collision> reaches from'),
+    Mutant('turned', breaks='place', old='collision>{middle}{shape}<',
+           new='collision><origin xyz="0 0 {height / 2}" rpy="0 0 1.5708"/>{shape}<', also='collision',
+           expect='is it turned by an rpy'),
+    Mutant('another_link', breaks='urdf', old='link name="crate"', new='link name="box"',
+           also=('collision', 'mass'), expect='expected one link with the name crate'),
+    Mutant('two_links', breaks='urdf', old='</link></robot>',
+           new='</link><link name="lid"/><joint name="hinge" type="fixed"><parent link="crate"/><child link="lid"/>'
+               '</joint></robot>', also=('collision', 'mass'), expect='has the links crate, lid'),
+    Mutant('visual_at_the_frame', breaks='visual', old='<visual>{middle}{shape}', new='<visual>{shape}',
+           expect='is not the one that was given'),
 ]

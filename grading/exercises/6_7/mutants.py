@@ -128,4 +128,7 @@ MUTANTS = [
         link('bumper', '<box size="0.04 1.6 0.02"/>', ''),
         joint('bumper_joint', 'fixed', 'base_link', 'bumper', '-0.05 0 0.05'),
         """, expect='was driven to the'),
+    Mutant('own_gravity', breaks='urdf', also=('tree', 'wheels', 'stands'), old='</plugin></gazebo></robot>',
+           new='</plugin></gazebo><mujoco><option gravity="0 0 -20"/></mujoco></robot>',
+           expect='sets the physics of the whole world'),
 ]

@@ -70,15 +70,20 @@ def cases(random: Random) -> list[Case]:
 
 def drawn_cases(random: Random) -> list[Case]:
     """Questions about a table of which nobody knows anything by heart."""
-    year = random.randint(2033, 2060)
-    long, gap, late = random.sample(['34.04', '36.04', '38.04', '40.04'], 3)
+    year = random.choice([random.randint(1970, 1990), random.randint(2033, 2060)])
+    long, gap, late, far = random.sample(['34.04', '36.04', '38.04', '40.04'], 4)
     # Of two distributions for one Ubuntu the one that ends sooner comes first in the table, older or newer.
     rows = [
         [long, f'{year + 1}-05', f'{year + 2}-11'],
-        [late, f'{year - 6}-03', f'{year + 3}-02'],  # supported for longer than the other one for `late`
+        [
+            late,
+            f'{year - 6}-03',
+            f'{year + 8}-02',
+        ],  # supported for longer than the other one, which ends in the same year
         [long, f'{year}-05', f'{year + 9}-05'],
         [late, f'{year + 1}-09', f'{year + 8}-10'],
     ]
+    rows.insert(random.randint(0, len(rows)), [far, f'{year + 13}-05', f'{year + 18}-05'])  # what is to come for others
     for row in ([gap, f'{year}-05', f'{year + 1}-11'], [gap, f'{year + 4}-05', f'{year + 9}-05']):
         rows.insert(random.randint(0, len(rows)), row)
     table = dict(zip(random.sample(_NAMES, len(rows)), rows, strict=True))
@@ -96,7 +101,12 @@ def drawn_cases(random: Random) -> list[Case]:
         ('table', '24.04', '2026-11'),
         ('unknown', long + '.1', f'{year + 1}-08'),
     ]
-    return [Case(rule, ubuntu, month, table) for rule, ubuntu, month in asked]
+    turned = dict(reversed(table.items()))  # what comes first in a table means nothing
+    return [
+        *[Case(rule, ubuntu, month, table) for rule, ubuntu, month in asked],
+        *[Case(rule, ubuntu, month, turned) for rule, ubuntu, month in asked if rule == 'to-come'],
+        Case('table', '24.04', '2026-11', {}),
+    ]
 
 
 def check(learner, asked: list[Case]) -> None:
@@ -112,7 +122,7 @@ def _check_day(learner, case: Case, today: str) -> None:
     got = learner.call('choose_distribution', case.ubuntu, today, *given)
     where = f'Ubuntu {case.ubuntu!r} on {today}' + (f' with the table {case.table}' if given else '')
     expect(isinstance(got, list) and len(got) == 2, f'{where} gives {got!r}; expected a pair (name, reason).', 'pair')
-    table = case.table or RELEASES
+    table = RELEASES if case.table is None else case.table
     wanted = chosen(case.ubuntu, today, table)
     expect(
         got == wanted or got != wanted[::-1],
@@ -123,7 +133,7 @@ def _check_day(learner, case: Case, today: str) -> None:
     rule, why = ('table', 'Use the argument `releases`, and nothing that you know by heart.')
     if not by_heart:
         rule, why = _explained(case, got, wanted, table)
-    expect(got == wanted, f'{where} gives {tuple(got)!r}, expected {tuple(wanted)!r}. {why}', rule)
+    expect(got == wanted, f'{why} {where} gives {tuple(got)!r}, expected {tuple(wanted)!r}.', rule)
 
 
 def _explained(case: Case, got: list, wanted: list, table: dict) -> tuple[str, str]:

@@ -8,7 +8,7 @@ from std_msgs.msg import String
 from helpers.kernel.domains import claim
 from helpers.runner import about, expect
 from helpers.runner.elsewhere import Elsewhere
-from helpers.runner.values import SetAsList
+from helpers.runner.values import SetAsList, TupleAsList
 
 ENOUGH = 1.5  # seconds that a listener is given
 
@@ -23,9 +23,9 @@ def domains(count: int):
 def check_kind(got, call: str) -> None:
     """What `who_hears` returned is a list of numbers: rule `sorted`."""
     expect(got is not None, f'{call} gives None: return the list. What is only printed, no program can use.', 'sorted')
-    kind = 'a set' if isinstance(got, SetAsList) else f'{got!r}'
+    kind = {SetAsList: 'a set', TupleAsList: 'a tuple'}.get(type(got), repr(got))
     expect(
-        isinstance(got, list) and not isinstance(got, SetAsList),
+        isinstance(got, list) and not isinstance(got, SetAsList | TupleAsList),
         f'{call} gives {kind}, expected a sorted list of domains.',
         'sorted',
     )
@@ -89,21 +89,46 @@ def check_bridged(learner) -> None:
 
 
 def check_time(learner) -> None:
-    """`who_hears` returns soon if all have heard, long before `seconds`, and not later than that if one cannot hear."""
-    with domains(2) as (ours, other):
+    """`who_hears` returns soon if all have heard, long before `seconds`, and after `seconds` if one cannot hear."""
+    with domains(1) as (ours,):
         begin = time.monotonic()
         with about('in-time'):
             got = learner.call('who_hears', ours, [ours], 60.0)
         check_kind(got, f'who_hears({ours}, {[ours]}, 60.0)')
         expect(got == [ours], f'who_hears({ours}, {[ours]}, 60.0) gives {got!r}, expected {[ours]}.', 'measures')
-        with about('in-time'):
-            got = learner.call('who_hears', ours, [other], 0.5)
-        expect(got == [], f'who_hears({ours}, {[other]}, 0.5) gives {got!r}, expected an empty list.', 'measures')
         expect(
             time.monotonic() - begin < 12,
-            'who_hears takes much longer than it may. It is done when all have heard, or after `seconds`.',
+            'All heard, and who_hears goes on much longer than it may. It is done when all have heard.',
             'in-time',
         )
+    with domains(4) as (ours, *others):
+        seconds = round(learner.random.uniform(1.6, 2.0), 1)
+        for last in (False, False, True):  # a busy machine may need long to make the nodes, but not three times
+            none, took = (_time(learner, ours, others, limit) for limit in (0.0, seconds))
+            expect(
+                took >= seconds - 0.1,
+                f'who_hears({ours}, {others}, {seconds}) gave up after {took:.1f} s: none had heard, and it '
+                'must listen for `seconds`.',
+                'in-time',
+            )
+            if none < 2.5 and took - none < 1.8 * seconds:
+                break
+            expect(
+                not last,
+                f'who_hears({ours}, {others}, {seconds}) took {took:.1f} s, with 0.0 s instead {none:.1f} s. It '
+                'is done after `seconds`, however many listeners there are: all of them listen at the same time.',
+                'in-time',
+            )
+
+
+def _time(learner, ours: int, others: list[int], seconds: float) -> float:
+    """How long `who_hears` takes with listeners of which none can hear."""
+    begin = time.monotonic()
+    with about('in-time'):
+        got = learner.call('who_hears', ours, others, seconds)
+    took = time.monotonic() - begin
+    expect(got == [], f'who_hears({ours}, {others}, {seconds}) gives {got!r}, expected an empty list.', 'measures')
+    return took
 
 
 def check_left(learner) -> None:
@@ -111,8 +136,10 @@ def check_left(learner) -> None:
     for _ in range(3):  # a goodbye may get lost on a busy machine; three in a row do not
         with domains(2) as (ours, other), Elsewhere(ours) as here, Elsewhere(other) as there:
             heard = here.listen('/roll_call', String)
+            before = learner.contexts
             with about('measures'):
                 got = learner.call('who_hears', ours, [ours, other], 1.0)
+            alive = learner.contexts - before
             check_kind(got, f'who_hears({ours}, {[ours, other]}, 1.0)')
             expect(
                 got == [ours], f'who_hears({ours}, {[ours, other]}, 1.0) gives {got!r}, expected {[ours]}.', 'measures'
@@ -125,6 +152,12 @@ def check_left(learner) -> None:
             if here.wait_until(lambda: not here.nodes(), timeout=1):  # noqa: B023
                 there.wait_until(lambda: not there.nodes(), timeout=1)  # noqa: B023
                 if not there.nodes():
+                    expect(
+                        not alive,
+                        f'After the call {alive} of its contexts are not shut down. `leave` does it, or '
+                        'rclpy.shutdown(context=…), for the speaker and for each listener.',
+                        'leaves',
+                    )
                     return
             left = here.nodes() or there.nodes()
     expect(
@@ -167,11 +200,15 @@ def check_bridge(learner, count: int) -> None:
             'carries',
         )
         texts = [f'  {random.choice(["north", "Süd", "EAST"])} {random.randint(0, 999)} \n' for _ in range(count)]
-        texts += ['', texts[0]]
+        texts += ['', texts[0], texts[0]]  # what was said before is said again, and twice in a row
         talker.send(*[String(data=text) for text in texts])
         learner.settle()
-        there.wait_until(lambda: len(heard) > len(texts) and heard[-1].data == texts[-1], timeout=3)
-        got = [message.data for message in heard if message.data != 'first']
+
+        def came():
+            return [message.data for message in heard if message.data != 'first']
+
+        there.wait_until(lambda: len(came()) >= len(texts), timeout=3)
+        got = came()
         expect(got == texts, f'{texts} was said here; in the other domain came {got}.', 'carries')
         _check_one_way(learner, there, here, spoken, at_home)
 

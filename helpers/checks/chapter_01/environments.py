@@ -6,11 +6,13 @@ from random import Random
 from helpers.runner import about, expect
 
 DISTROS = ('foxy', 'humble', 'iron', 'jazzy', 'kilted', 'lyrical')
+INVENTED = ('meadow', 'nimbus', 'orchard')  # nobody knows what a distribution will be called
 PEOPLE = ('ada', 'linus', 'grace', 'alan')
 PYTHONS = ('3.8', '3.10', '3.11', '3.12', '3.13')
 RANGES = ('SUBNET', 'LOCALHOST', 'SYSTEM_DEFAULT')
 BAD_DOMAINS = ('-1', '102', '232', '233', '1000', '5.0', 'seven', 'domain 3', '0x10')
 BAD_RANGES = ('LOCAL', 'localhost', 'off', 'ON', 'SUBNETS', 'SUB')
+ANY_NAME = 'Two distributions are in the path: whatever stands behind /opt/ros/ is the name of one.'
 PREFIX, PYTHON, DOMAIN, RANGE = 'AMENT_PREFIX_PATH', 'PYTHONPATH', 'ROS_DOMAIN_ID', 'ROS_AUTOMATIC_DISCOVERY_RANGE'
 # The rules of each variable; the first one is broken if a good value is called a fault
 _RULES = {
@@ -102,6 +104,7 @@ def _prefixes(random: Random, distro: str, good: dict) -> list[Case]:
             Case('mixed', {PREFIX: f'/opt/ros/{distro}:/opt/ros/{one}', 'ROS_DISTRO': one}, mixed, sourced)
             for one in more  # of so many pairs, few know more than one by heart
         ],
+        Case('mixed', {PREFIX: f'{two[0]}:/opt/ros/{random.choice(INVENTED)}'}, mixed, ANY_NAME),
         Case('mixed', {PREFIX: ':'.join(two)}, mixed, 'Two distributions are in the path.'),
         Case('mixed', {PREFIX: f'{two[0]}:{two[1]}/opt/extra'}, mixed, 'Two distributions are in the path.'),
         Case('mixed', {PREFIX: inside, 'ROS_DISTRO': distro}, {}, 'Both folders belong to one distribution.'),
@@ -129,6 +132,16 @@ def _pythons(random: Random, distro: str) -> list[Case]:
                 python,
             ),
         ]
+    good, elsewhere = healthy(random, distro), f'/home/{random.choice(PEOPLE)}/tools_ws/install/lib'
+    made += [
+        Case(
+            'python',
+            {**good, PYTHON: f'{good[PYTHON]}:{elsewhere}/python{wrong}/site-packages'},
+            {PYTHON: 'other Python'},
+            f'One of its folders is for Python {wrong}; it is no folder of a distribution, and counts all the same.',
+        )
+        for wrong in ('2.7', '3.8', random.choice(('3.10', '3.11', '3.13')))
+    ]
     tools = {**healthy(random, distro), PYTHON: '/home/ada/python/tools:/home/ada/my.python3'}
     return [*made, Case('python', tools, {}, 'PYTHONPATH has no part pythonX.Y.')]
 
@@ -231,7 +244,7 @@ def check(learner, asked: list[Case]) -> None:
         rule, why = _explained(case, got)
         expect(
             got == case.wanted,
-            f'With {shown} and Python {case.python}, diagnose gives {got}, expected {case.wanted}. {why}',
+            f'{why} With {shown} and Python {case.python}, diagnose gives {got}, expected {case.wanted}.'.lstrip(),
             rule,
         )
 

@@ -97,6 +97,11 @@ def judge_rest(learner) -> None:
             'an __init__.py.',
             'rest',
         )
+    expect(
+        not any(name.endswith('site-packages/test/__init__.py') for name in there),
+        "The folder `test` is installed as a package, too: `find_packages(exclude=['test'])` has left it out.",
+        'rest',
+    )
     found = builds.metadata(workspace, 'greeter')
     name, version = found[:2] if found else ('', '')
     expect(name == 'greeter', f'The name of the package in setup.py is {name or "nothing"}, and was greeter.', 'rest')

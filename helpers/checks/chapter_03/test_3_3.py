@@ -42,6 +42,7 @@ def test_heartbeat(learner):
     )
     check_led(led, seconds + fraction)
     check_uptime(uptime, seconds)
+    check_minute(learner, led, uptime)
     check_resets(learner, led, uptime, button)
     check_second(learner, led, uptime, node)
 
@@ -74,6 +75,30 @@ def check_uptime(uptime, seconds):
         uptime.data == list(range(1, seconds + 1)),
         f'The uptimes of the first {seconds} s are {uptime.data}, expected 1, 2, 3 …',
         'uptime',
+    )
+
+
+def check_minute(learner, led, uptime):
+    """After more than a minute without a reset both go on as before."""
+    with waiting('no-wait'):
+        learner.run(60, step=0.5)
+    wanted = list(range(1, int(learner.now / 1e9) + 1))
+    for said, right in zip(uptime.data, wanted, strict=False):
+        expect(
+            said == right,
+            f'After {right - 1} uptime says {said}, expected {right}: it counts on, also after a minute.',
+            'uptime',
+        )
+    expect(len(uptime) == len(wanted), f'In {len(wanted)} s {len(uptime)} messages came on uptime.', 'uptime-rate')
+    expect(
+        len(led) == int(learner.now / 1e9 * 4 + 1e-6),
+        f'In {learner.now / 1e9:g} s {len(led)} messages came on led; every 0.25 s also after a minute.',
+        'led-rate',
+    )
+    expect(
+        led.data == [number % 2 == 0 for number in range(len(led))],
+        'In more than a minute the LED does not change with every message.',
+        'led',
     )
 
 

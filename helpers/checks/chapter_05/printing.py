@@ -425,6 +425,7 @@ def _judge_rush(goal, begin: int, words: str) -> None:
         'lock',
     )
     count = len(goal.feedback)
+    expect(count, f'{words}Then the goal that came had no feedback for its only page.', 'lock')
     expect(count == 1, f'{words}Then the goal that came printed its only page {count} times: it ran twice.', 'lock')
     took = goal.finished - begin / SECOND
     expect(near(took, PAGE), f'{words}Then the goal that came ended {took:g} s later, expected {PAGE} s.', 'lock')

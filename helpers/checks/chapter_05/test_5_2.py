@@ -6,7 +6,7 @@ import pytest
 from example_interfaces.action import Fibonacci
 from std_msgs.msg import String
 
-from helpers.runner import about, actions, expect
+from helpers.runner import about, actions, expect, waiting
 
 pytestmark = [pytest.mark.exercise('5.2'), pytest.mark.wiring(type='names', qos='once')]
 NEAR = 0.011  # s
@@ -24,6 +24,16 @@ def plan(goal):
     return [*steps, (0.0, Fibonacci.Result(sequence=result_of(goal.order)))]
 
 
+def check_no_wait(learner):
+    """Neither the constructor nor a callback has slept, or waited for the server: rule `at-once`."""
+    expect(
+        not learner.slept,
+        'Your client sleeps, or waits in `wait_for_server`, and the whole node stands still meanwhile. It must not '
+        'wait for the server: ask `server_is_ready()` in the callback of a timer.',
+        'at-once',
+    )
+
+
 class Rounds:
     """One client after the other in one process, each with a server that behaves in another way."""
 
@@ -38,9 +48,10 @@ class Rounds:
         self.story = f'PatientClient({order}, {patience}), {story}: '
         before = len(self.server.goals)
         self.server.cancel_stamps.clear()
-        with about('at-once'):
+        with waiting('at-once'):
             self.node = self.learner.start('PatientClient', order, patience, beside=self.node)
         self.learner.run(0.3)
+        check_no_wait(self.learner)
         goals = self.server.goals[before:]
         expect(
             goals or self.server.late,
@@ -162,7 +173,7 @@ def _answers_late(learner, rounds):
 
 
 @pytest.mark.rules('names', 'at-once', 'send', 'deadline')
-@about('at-once')
+@about('send')
 def test_server_comes_late(learner):
     """The client starts before the server; the deadline begins when the goal is accepted.
 
@@ -171,7 +182,8 @@ def test_server_comes_late(learner):
     draw = learner.random
     space, order = draw.choice(['/left', '/robot_2']), draw.randint(2, 3)
     outcome = learner.listen(f'{space}/outcome', String)
-    node = learner.start('PatientClient', order, 0.5 * order + 0.5, remap={'__ns': space})
+    with waiting('at-once'):
+        node = learner.start('PatientClient', order, 0.5 * order + 0.5, remap={'__ns': space})
     expect(
         node.name == f'{space}/patient_client',
         f'In the namespace {space} your node is called {node.name}, expected {space}/patient_client.',
@@ -184,6 +196,7 @@ def test_server_comes_late(learner):
         'names',
     )
     learner.run(draw.choice([1.3, 2.2]), step=1.0)
+    check_no_wait(learner)
     expect(not outcome.data, f'There is no server, and /outcome said {outcome.data}.', 'send')
     server = learner.action_server(f'{space}/fibonacci', Fibonacci, plan)
     server.late = {'goal': 1.2}

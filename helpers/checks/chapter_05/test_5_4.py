@@ -7,6 +7,7 @@ from geometry_msgs.msg import Twist
 from turtle_interfaces.action import DriveTo
 from turtlesim.msg import Pose
 
+from helpers.checks.chapter_05.driving import check_order
 from helpers.runner import about, expect
 from helpers.runner.turtlesim import TurtleSim
 
@@ -60,6 +61,7 @@ def check_zeros(commands, goal, story):
         'zeros',
     )
     expect(len(zeros) == 1, f'{story}{len(zeros)} commands of zeros came, expected one.', 'zeros')
+    check_order(commands, goal, story)
 
 
 @pytest.mark.rules(

@@ -25,8 +25,8 @@ def test_queue(learner):
     printer.tell(
         *burst,
         Job('too many', 0.1, 1),
-        Job('bad', 0.2, -draw.randint(1, 2**31), client=1),
         *(Job(name, orders[0] / 2 + at, 1, client=1) for name, at in (('late', 0.1), ('too late', 0.2))),
+        Job('bad', last + 0.1, -draw.randint(1, 2**31), client=1),  # now that places are free
         Job('none', last + 0.2, 0),
         Job('last', last + 0.3, 2),
         Job('later', sum(orders) / 2 + 2.2, draw.randint(1, 3)),

@@ -50,6 +50,22 @@ class Scene:
         place = self.robot if frame == 'base_link' else self.cup
         self._tf.send('map', frame, place(self.learner.now / SECOND))
 
+    def ask_long_ago(self, node) -> None:
+        """Half a minute passes; then ask where the cup was some 25 s ago, and exactly 30 s ago."""
+        self.run(33, 1.0)
+        self._ask_kept(node, round(self.learner.random.uniform(24.0, 29.5), 1))
+        self.run(10, 0.1)  # what is newest is so new now that a buffer of 29.5 s has lost what was 30 s ago
+        self._ask_kept(node, 30.0)
+
+    def _ask_kept(self, node, seconds: float) -> None:
+        expect(
+            node.call('where_was', seconds) is not None,
+            f'where_was({seconds:g}) gave None, and where_was of some seconds gave a point. How long does a buffer '
+            'keep what it hears? 10 s, unless you tell it otherwise; 30 s are wanted.',
+            'far',
+        )
+        self.ask(node, seconds)
+
     def ask(self, node, seconds: float) -> None:
         """Ask the node where the cup was so many seconds ago, and fail with the reason if it is wrong."""
         now = self.learner.now / SECOND

@@ -2,8 +2,9 @@
 
 Tests run it on the learner's side (see `falling.py`): a text of the learner's is not parsed on the tests' side. The
 results, of the root link and in its frame, in metres, kilograms and kg m²: `mass`; `centre` of the mass; `inertia`
-about the centre, 3x3; `touches` and `looks`, how many shapes; `low` and `high`, the corners of what touches; `height`
-of the frame 1.5 s after it was let go 0.5 m above the floor.
+about the centre, 3x3; `links`, the names of all of them; `touches` and `looks`, how many shapes; `low` and `high`, the
+corners of what touches; `seen`, those of what is seen; `height` of the frame 1.5 s after it was let go 0.5 m above the
+floor.
 """
 
 import json
@@ -28,22 +29,34 @@ def results(text: str) -> dict:
     turn = turn.reshape(3, 3)
     geoms = [geom for geom in range(model.ngeom) if model.geom_bodyid[geom] == root]
     boxes = [geom for geom in geoms if model.geom_group[geom] == BODY]
-    corners = np.array([model.geom_pos[geom] + sign * model.geom_size[geom] for geom in boxes for sign in (-1, 1)])
+    visible = [geom for geom in geoms if model.geom_group[geom] == LOOKS]
+    corners = np.array([corner for geom in boxes for corner in _corners(model, geom)])
+    seen = np.array([corner for geom in visible for corner in _corners(model, geom)])
     world.data.qpos[2] += 0.5
     try:
         world.run(1.5)
     except UnstableError as error:
         return {'refused': str(error)}
     return {
+        'links': list(world.robot.description.links),
         'mass': model.body_mass[root],
         'centre': model.body_ipos[root].tolist(),
         'inertia': (turn @ np.diag(model.body_inertia[root]) @ turn.T).tolist(),
         'touches': len(boxes),
-        'looks': sum(int(model.geom_group[geom]) == LOOKS for geom in geoms),
+        'looks': len(visible),
         'low': corners.min(axis=0).tolist() if boxes else None,
         'high': corners.max(axis=0).tolist() if boxes else None,
+        'seen': [seen.min(axis=0).tolist(), seen.max(axis=0).tolist()] if visible else None,
         'height': world.pose.z,
     }
+
+
+def _corners(model: mujoco.MjModel, geom: int) -> list[np.ndarray]:
+    """The lowest and the highest place that a box reaches along each axis of its link, however it is turned."""
+    turn = np.empty(9)
+    mujoco.mju_quat2Mat(turn, model.geom_quat[geom])
+    reach = np.abs(turn.reshape(3, 3)) @ model.geom_size[geom]
+    return [model.geom_pos[geom] - reach, model.geom_pos[geom] + reach]
 
 
 if __name__ == '__main__':

@@ -29,6 +29,13 @@ class Crate:
             expect(False, f'{self.name} cannot be simulated: {done.last_line}', 'urdf')
         expect('refused' not in self.found, f'{self.name} cannot be simulated: {self.found.get("refused")}', 'urdf')
 
+        links = self.found['links']
+        expect(
+            links == ['crate'],
+            f'{self.name} has the links {", ".join(links)}; expected one link with the name crate.',
+            'urdf',
+        )
+
     def check_fall(self) -> None:
         """It stands on the floor in the end, and touches where it is seen."""
         found, (length, width, height) = self.found, self.size
@@ -41,6 +48,11 @@ class Crate:
         expect(found['looks'], f'{self.name} cannot be seen: its <visual> is gone.', 'visual')
         low, high = np.array(found['low']), np.array(found['high'])
         wanted = np.array([-length / 2, -width / 2, 0.0]), np.array([length / 2, width / 2, height])
+        expect(
+            same(found['seen'], wanted),
+            f'{self.name}: its <visual> is not the one that was given, a box on top of the frame. It stays as it is.',
+            'visual',
+        )
         told = (
             f'{self.name}: its <collision> reaches from {words(low)} to {words(high)}, expected from '
             f'{words(wanted[0])} to {words(wanted[1])}.'
@@ -53,6 +65,10 @@ class Crate:
                 'The middle of the box is at the frame: the <collision> needs an <origin>, too.',
             ),
             (same(high - low, np.array(self.size) / 2), 'A <box> has whole sides, not half ones.'),
+            (
+                same((high - low)[[1, 0, 2]], self.size),
+                'Length and width are exchanged: is it turned by an rpy that the <visual> does not have?',
+            ),
             rule='place' if same(high - low, self.size) else 'collision',
         )
         expect(

@@ -11,6 +11,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
 import urdf_reader
@@ -189,11 +190,24 @@ def _drive_to(world, places: list, seconds: float) -> dict:
     return {'there': not places, 'took': took, 'pose': [pose.x, pose.y, pose.z], 'touched': sorted(touched)}
 
 
+def _foreign(text: str) -> str:
+    """An element that sets the physics of the whole world, which no robot may do; '' if there is none."""
+    try:
+        elements = [element.tag for element in ElementTree.fromstring(text).iter()]
+    except ElementTree.ParseError:
+        return ''  # whoever reads the URDF says so
+    return next((tag for tag in elements if tag in ('mujoco', 'gravity', 'physics')), '')
+
+
 def main() -> dict:
     """See above."""
     from mujoco_world.world import UnstableError
 
     text, given = Path(sys.argv[1]).read_text(), json.loads(sys.argv[3])
+    if tag := _foreign(text):
+        return {
+            'refused': f'<{tag}> sets the physics of the whole world. A URDF describes the robot only: leave it out.'
+        }
     try:
         return {'frames': frames, 'bodies': bodies, 'ride': ride}[sys.argv[2]](text, given)
     except (UrdfError, UnstableError) as error:

@@ -22,8 +22,8 @@ class Pursuit:
     """
 
     def __init__(self, learner, leader, me, first=(5.5, 5.5, 0.0), second=(2.0, 2.0, 0.0), **start):
-        """The clock is far from 0, as every clock is: `now - 0.5 s` is a time, too."""
-        learner.now = round((learner.random.randint(1000, 1900) + 0.83) * SECOND)
+        """The clock is far from 0, as every clock is: `now - 0.5 s` is a time, too. Half seconds have ticks."""
+        learner.now = round((learner.random.randint(1000, 1900) + 0.8) * SECOND)
         self.learner, self.names = learner, (leader, me)
         self.begin = learner.now / SECOND
         self._world = World(random_source=random.Random(0))
@@ -90,6 +90,25 @@ class Pursuit:
             self.leader.command(now, *drive)
             for step in range(1, STEPS + 1):
                 self._world.step(now + step * STEP)
+
+
+def check_limit(there: Pursuit) -> None:
+    """A transform that is 0.5 s old to the nanosecond is not older than that: rule `old`.
+
+    The times are full and half seconds, so that answers which count in seconds have them exactly, too.
+    """
+    learner, half = there.learner, SECOND // 2
+    learner.run(0.6)
+    tick = (learner.now // half + 1) * half
+    there.tell(seconds=(tick - half) / SECOND)
+    learner.run((tick - learner.now) / SECOND)
+    for stamp, command in zip(there.commands.stamps, there.commands.messages, strict=True):
+        expect(
+            stamp != tick / SECOND or not zeros(command),
+            f'At {stamp:.1f} s, the newest transforms had the stamp {stamp - 0.5:.1f} s, so they were exactly 0.5 s '
+            'old, and the command is zeros. What is older than 0.5 s is too old; 0.5 s is not.',
+            'old',
+        )
 
 
 def zeros(command: Twist) -> bool:

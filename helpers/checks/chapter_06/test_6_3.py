@@ -45,12 +45,4 @@ def test_cup(learner):
             'expected None: nobody knows. Do not take another time instead.',
         )
     with about('far'):
-        there.run(33, 1.0)
-        seconds = round(draw(24.0, 29.5), 1)
-        found = node.call('where_was', seconds)
-        expect(
-            found is not None,
-            f'where_was({seconds}) gave None, and where_was of some seconds gave a point. How '
-            'long does a buffer keep what it hears? 10 s, unless you tell it otherwise.',
-        )
-        there.ask(node, seconds)
+        there.ask_long_ago(node)

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from helpers.checks.chapter_06.geometry import explain, words
-from helpers.checks.chapter_06.pursuit import Pursuit, check_topic, zeros
+from helpers.checks.chapter_06.pursuit import Pursuit, check_limit, check_topic, zeros
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('6.5'), pytest.mark.wiring(type='topic', qos='topic')]
@@ -36,6 +36,7 @@ def test_life(learner):
     _check_silence(there)
     for quiet in draw.sample(there.names, 2):
         _check_age(there, quiet)
+    check_limit(there)
 
 
 def _gaps(there, begin=0, end=None) -> list[float]:

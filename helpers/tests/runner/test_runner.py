@@ -93,6 +93,54 @@ learner.run(2.5)
 expect(round(learner.slept, 6) == 0.04, f'{learner.slept}')
 """,
     ),
+    'who waits for a server sleeps': Case(
+        'from std_srvs.srv import Trigger\n'
+        + NODE
+        + """\
+        client = self.create_client(Trigger, 'nobody')
+        self.create_timer(1.0, lambda: client.wait_for_service(timeout_sec=0.1))
+""",
+        """
+learner.start('Talker')
+expect(learner.slept == 0.0, f'{learner.slept}')
+learner.run(1.5)
+expect(learner.slept == 0.25, f'{learner.slept}')
+""",
+    ),
+    'contexts that a function leaves are counted': Case(
+        """\
+def Talker(ends):
+    context = rclpy.Context()
+    rclpy.init(context=context)
+    rclpy.create_node('short', context=context).destroy_node()
+    if ends:
+        rclpy.shutdown(context=context)
+""",
+        """
+before = learner.contexts
+learner.call('Talker', True)
+expect(learner.contexts == before, 'it was shut down')
+learner.call('Talker', False)
+expect(learner.contexts == before + 1, 'it was not, though nobody refers to it')
+""",
+    ),
+    'the order of what was published at one moment': Case(
+        NODE
+        + """\
+        self.a, self.b = (self.create_publisher(String, name, 10) for name in ('a', 'b'))
+        self.create_timer(1.0, self.tick)
+
+    def tick(self):
+        self.b.publish(String(data='first'))
+        self.a.publish(String(data='second'))
+""",
+        """
+a, b = learner.listen('/a', String), learner.listen('/b', String)
+learner.start('Talker')
+learner.run(1.5)
+expect(a.stamps == b.stamps and b.published[0] < a.published[0], f'{a.published} {b.published}')
+""",
+    ),
     'settle does not let time pass': Case(
         small.TALKER,
         """
