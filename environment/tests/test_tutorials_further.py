@@ -5,13 +5,12 @@ by its exit status and a pattern for the whole of what it prints; what a refused
 """
 
 import re
-import subprocess
 
 import pytest
 
 from environment.tests.commands import ros2  # noqa: F401
 from environment.tests.running import PATIENCE
-from environment.tests.test_tutorials import NUMBER, turtlesim, with_programs  # noqa: F401
+from environment.tests.test_tutorials import NUMBER, run_line, turtlesim  # noqa: F401
 
 PARAMETERS = ['background_b', 'background_g', 'background_r', 'holonomic', 'start_type_description_service']
 TYPES = ['integer', 'integer', 'integer', 'boolean', 'boolean']
@@ -115,22 +114,10 @@ REFUSED = [
 ]  # fmt: skip
 
 
-def run(ros2, line):  # noqa: F811
-    return subprocess.run(
-        f'ros2 {line}',
-        shell=True,
-        env=with_programs(ros2),
-        cwd=ros2.directory,
-        capture_output=True,
-        text=True,
-        timeout=2 * PATIENCE,
-    )
-
-
 @pytest.mark.usefixtures('turtlesim')
 @pytest.mark.parametrize('line,pattern', LINES, ids=[line for line, _ in LINES])
 def test_command_line(ros2, line, pattern):  # noqa: F811
-    done = run(ros2, line)
+    done = run_line(ros2, line)
     assert done.returncode == 0, done
     assert re.fullmatch(pattern, done.stdout), done.stdout
 
@@ -139,7 +126,7 @@ def test_command_line(ros2, line, pattern):  # noqa: F811
 @pytest.mark.usefixtures('turtlesim')
 @pytest.mark.parametrize('line,status,said', REFUSED, ids=[line for line, _, _ in REFUSED])
 def test_refused_line(ros2, line, status, said):  # noqa: F811
-    done = run(ros2, line)
+    done = run_line(ros2, line)
     assert done.returncode == status, done
     assert (done.stdout + done.stderr).splitlines()[-1] == said
     assert 'Traceback' not in done.stderr
