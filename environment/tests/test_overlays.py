@@ -58,11 +58,13 @@ import unittest
 
 import launch
 import launch_testing.actions
+import launch_testing.markers
 import pytest
 from launch.actions import ExecuteProcess
 
 
 @pytest.mark.launch_test
+@launch_testing.markers.keep_alive  # echo may end before the test does
 def generate_test_description():
     return launch.LaunchDescription([ExecuteProcess(cmd=['echo', 'heard']), launch_testing.actions.ReadyToTest()])
 

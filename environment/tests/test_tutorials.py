@@ -164,7 +164,14 @@ def turtlesim(ros2):  # noqa: F811
 @pytest.mark.usefixtures('turtlesim')
 @pytest.mark.parametrize('tutorial,line,pattern', LINES, ids=[line for _, line, _ in LINES])
 def test_command_line(ros2, tutorial, line, pattern):  # noqa: F811
-    done = subprocess.run(
+    done = run_line(ros2, line)
+    assert done.returncode == 0, done
+    assert re.fullmatch(pattern, done.stdout), done.stdout
+
+
+def run_line(ros2, line):  # noqa: F811
+    """Run what stands behind `ros2`, with the shell's quotes, to its end."""
+    return subprocess.run(
         f'ros2 {line}',
         shell=True,
         env=with_programs(ros2),
@@ -173,8 +180,6 @@ def test_command_line(ros2, tutorial, line, pattern):  # noqa: F811
         text=True,
         timeout=2 * PATIENCE,
     )
-    assert done.returncode == 0, done
-    assert re.fullmatch(pattern, done.stdout), done.stdout
 
 
 def with_programs(ros2):  # noqa: F811

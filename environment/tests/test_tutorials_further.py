@@ -5,13 +5,14 @@ by its exit status and a pattern for the whole of what it prints; what a refused
 """
 
 import re
-import subprocess
+import sys
 
 import pytest
 
 from environment.tests.commands import ros2  # noqa: F401
 from environment.tests.running import PATIENCE
-from environment.tests.test_tutorials import NUMBER, turtlesim, with_programs  # noqa: F401
+from environment.tests.test_tutorials import NUMBER, run_line, turtlesim, with_programs  # noqa: F401
+from helpers.programs.processes import background
 
 PARAMETERS = ['background_b', 'background_g', 'background_r', 'holonomic', 'start_type_description_service']
 TYPES = ['integer', 'integer', 'integer', 'boolean', 'boolean']
@@ -115,22 +116,10 @@ REFUSED = [
 ]  # fmt: skip
 
 
-def run(ros2, line):  # noqa: F811
-    return subprocess.run(
-        f'ros2 {line}',
-        shell=True,
-        env=with_programs(ros2),
-        cwd=ros2.directory,
-        capture_output=True,
-        text=True,
-        timeout=2 * PATIENCE,
-    )
-
-
 @pytest.mark.usefixtures('turtlesim')
 @pytest.mark.parametrize('line,pattern', LINES, ids=[line for line, _ in LINES])
 def test_command_line(ros2, line, pattern):  # noqa: F811
-    done = run(ros2, line)
+    done = run_line(ros2, line)
     assert done.returncode == 0, done
     assert re.fullmatch(pattern, done.stdout), done.stdout
 
@@ -139,7 +128,7 @@ def test_command_line(ros2, line, pattern):  # noqa: F811
 @pytest.mark.usefixtures('turtlesim')
 @pytest.mark.parametrize('line,status,said', REFUSED, ids=[line for line, _, _ in REFUSED])
 def test_refused_line(ros2, line, status, said):  # noqa: F811
-    done = run(ros2, line)
+    done = run_line(ros2, line)
     assert done.returncode == status, done
     assert (done.stdout + done.stderr).splitlines()[-1] == said
     assert 'Traceback' not in done.stderr
@@ -151,6 +140,43 @@ def test_parameters_of_a_file_for_all_nodes(ros2, turtlesim):  # noqa: F811
     assert ros2.output('param', 'get', '/turtlesim', 'background_r') == 'Integer value is: 7\n'
     refused = ros2.error('param', 'load', '/turtlesim', 'all.yaml', '--no-use-wildcard')
     assert refused.startswith('Param file does not contain parameters for /turtlesim')
+
+
+MONITOR = """
+import rclpy
+from rclpy.node import Node
+from rclpy.parameter import parameter_value_to_python
+from rclpy.parameter_event_handler import ParameterEventHandler
+
+
+class Monitor(Node):
+    def __init__(self):
+        super().__init__('monitor')
+        self.declare_parameter('own', 0)
+        self.handler = ParameterEventHandler(self)
+        self.kept = [
+            self.handler.add_parameter_callback(parameter_name=name, node_name=node, callback=self.tell)
+            for name, node in (('own', 'monitor'), ('background_r', 'turtlesim'))
+        ]
+        print('listening', flush=True)
+
+    def tell(self, parameter):
+        self.get_logger().info(f'{parameter.name} is {parameter_value_to_python(parameter.value)}')
+
+
+rclpy.init()
+rclpy.spin(Monitor())
+"""
+
+
+def test_changes_of_parameters_are_monitored(ros2, turtlesim):  # noqa: F811
+    """Monitoring for parameter changes (Python): a node's own parameter, and one of another node."""
+    (ros2.directory / 'monitor.py').write_text(MONITOR)
+    with background([sys.executable, 'monitor.py'], env=with_programs(ros2), cwd=ros2.directory) as monitor:
+        monitor.wait_for_output('listening', PATIENCE)
+        for node, name, value in (('monitor', 'own', '43'), ('/turtlesim', 'background_r', '12')):
+            assert ros2.output('param', 'set', node, name, value) == 'Set parameter successful\n'
+            monitor.wait_for_output(f'[monitor]: {name} is {value}', PATIENCE)
 
 
 def test_a_turtle_is_recorded_and_played(ros2, turtlesim):  # noqa: F811

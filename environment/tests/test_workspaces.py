@@ -84,9 +84,8 @@ def test_a_failing_test_is_told_and_the_build_is_quiet(workspace, line):
     python_package(workspace, 'subject', LINES[line], 'def test_sum():\n    assert 1 + 1 == 3\n')
     built = colcon(workspace, 'build')
     assert (built.returncode, built.stderr) == (0, '')
-    tested = colcon(workspace, 'test')
-    assert '1 package had test failures: subject' in tested.stdout
-    assert colcon(workspace, 'test', '--return-code-on-test-failure').returncode == 1
+    tested = colcon(workspace, 'test', '--return-code-on-test-failure')
+    assert (tested.returncode, '1 package had test failures: subject' in tested.stdout) == (1, True)
     result = colcon(workspace, 'test-result', '--all')
     assert (result.returncode, '1 test, 0 errors, 1 failure' in result.stdout) == (1, True)
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from os import PathLike
 from typing import Any
 
 import yaml
@@ -10,9 +11,41 @@ from launch.launch_context import LaunchContext
 from launch.substitution import Substitution
 from launch.utilities import to_text
 
-from launch_ros.parameter_descriptions import ParameterValue
+from launch_ros.parameter_descriptions import ParameterFile, ParameterValue
 
 _PLAIN = (bool, int, float, str)
+
+
+def check_parameters(parameters: Iterable) -> None:
+    """
+    Check what a node is given as parameters, before anything is launched.
+
+    :raises TypeError: for what is neither a dictionary nor a file, and for names and values that no parameter can have
+    """
+    for item in parameters:
+        if isinstance(item, Mapping):
+            _check_values(item)
+        elif not isinstance(item, (ParameterFile, PathLike)) and not _is_text(item):
+            raise TypeError(f"'parameters' of Node takes dictionaries and paths of files, got {item!r}")
+
+
+def _check_values(parameters: Mapping) -> None:
+    for name, value in parameters.items():
+        if not _is_text(name):
+            raise TypeError(f'the name of a parameter must be a text, got {name!r}')
+        if isinstance(value, Mapping):
+            _check_values(value)
+        elif not isinstance(value, (ParameterValue, Substitution, *_PLAIN)):
+            is_array = isinstance(value, Sequence) or hasattr(value, 'tolist')  # numpy's are no sequences
+            if not is_array or not all(isinstance(item, _PLAIN) or _is_text(item) for item in value):
+                raise TypeError(f"parameter '{name}' has a value that no parameter can have: {value!r}")
+
+
+def _is_text(value: Any) -> bool:
+    """Return whether a value is a text, or has parts which together become one."""
+    if isinstance(value, (list, tuple)):
+        return all(isinstance(part, (str, Substitution)) for part in value)
+    return isinstance(value, (str, Substitution))
 
 
 def evaluate_parameters(context: LaunchContext, parameters: Mapping) -> dict[str, Any]:

@@ -3,6 +3,7 @@
 import io
 import os
 import threading
+from array import array
 from pathlib import Path
 
 import launch.logging
@@ -69,6 +70,37 @@ def test_the_command_of_a_node():
         Node(package='turtlesim', executable='mimic', name='a b').get_command(context)
 
 
+@pytest.mark.parametrize(
+    'bad',
+    [{5: 'x'}, {'a': None}, {'a': [1, 2, [3, 4]]}, {'a': {1, 2}}, {'a': object()}],
+    ids=lambda bad: repr(bad)[:20],
+)
+def test_parameters_that_no_node_can_have_are_refused_at_once(bad):
+    for parameters in ([bad], [{'outer': {'inner': bad}}]):
+        with pytest.raises(TypeError, match='parameter'):
+            Node(executable='mimic', parameters=parameters)
+
+
+def test_parameters_that_are_neither_values_nor_files_are_refused_at_once():
+    with pytest.raises(TypeError, match=r"'parameters' of Node takes dictionaries and paths of files, got 5\.0"):
+        Node(executable='mimic', parameters=[5.0])
+
+
+@pytest.mark.parametrize('remappings', [{'a': 'b'}, [{'a': 'b'}], ['ab', 'cd']], ids=str)
+def test_remappings_that_are_no_pairs_are_refused_at_once(remappings):
+    with pytest.raises(TypeError, match="'remappings' of Node must be"):
+        Node(executable='mimic', remappings=remappings)
+
+
+def test_parameters_are_taken_in_all_forms():
+    word = LaunchConfiguration('word')
+    given = ['a.yaml', Path('b.yaml'), [word, '.yaml'], word, ParameterFile('c.yaml'), {}, {
+        'a': 1, word: 'x', ('b', word): word, 'c': [1, 2.5], 'd': ['x', word], 'e': {'f': [word, [word, 'y']]},
+        'g': array('d', [0.5]), 'h': range(3), 'i': ParameterValue(word, value_type=str), 'j': (), 'k': '',
+    }]  # fmt: skip
+    Node(executable='mimic', parameters=given, remappings=[('a', word), [word, [word, 'b']]])
+
+
 def test_find_package_share():
     share = FindPackageShare('turtlesim').perform(LaunchContext())
     assert os.path.isfile(os.path.join(share, 'package.xml'))
@@ -103,6 +135,7 @@ def test_a_node_of_an_xml_file():
         <node pkg="turtlesim" exec="mimic" name="n$(var x)" namespace="low" args="--flag '$(var word)' x$(var x)"
               ros_args="--log-level debug" output="screen" respawn="$(var x)" launch-prefix="nice">
           <param name="i" value="$(var x)"/>
+          <param name="none" value=""/>
           <param name="s" value="$(var x)" type="str"/>
           <param name="f" value="5" type="float"/>
           <param name="l" value="1.5, 2.5" value-sep=", "/>
@@ -115,7 +148,13 @@ def test_a_node_of_an_xml_file():
     assert words[8:14] == ['-r', '__ns:=/top/low', '-p', 'use_sim_time:=true', '-p', 'a b:=5']
     assert words[-2:] == ['-r', 'a:=5/b'] and words[-4:-2] == ['--params-file', '/no/such.yaml']
     values = [yaml.safe_load(file)['/top/low/n5']['ros__parameters'] for file in files]
-    assert values == [{'i': 5}, {'s': '5'}, {'f': 5.0}, {'l': [1.5, 2.5]}, {'group.inner': True}]
+    assert values == [{'i': 5}, {'none': ''}, {'s': '5'}, {'f': 5.0}, {'l': [1.5, 2.5]}, {'group.inner': True}]
+
+
+def test_a_node_of_an_xml_file_without_a_package():
+    entity, parser = Parser.load(io.StringIO('<launch><node exec="sleep" args="1"/></launch>'))
+    (node,) = parser.parse_description(entity).entities
+    assert node.get_command(LaunchContext())[:2] == ['sleep', '1']
 
 
 @pytest.mark.parametrize(

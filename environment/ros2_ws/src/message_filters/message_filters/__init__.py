@@ -189,7 +189,8 @@ class TimeSynchronizer(SimpleFilter):
     """
     Hands on messages of several filters together when they have the same stamp.
 
-    The callback gets one message of each filter, in the order of the filters.
+    The callback gets one message of each filter, in the order of the filters. What is older than the set that was
+    handed on last, and still waits for others, is forgotten, as in C++.
     """
 
     def __init__(self, fs: Iterable[SimpleFilter], queue_size: int) -> None:
@@ -210,6 +211,9 @@ class TimeSynchronizer(SimpleFilter):
         with self.lock:
             self._keep(my_queue, Time.from_msg(msg.header.stamp).nanoseconds, msg)
             for stamp in sorted(set.intersection(*(set(queue) for queue in self.queues))):
+                for queue in self.queues:
+                    for older in [each for each in queue if each < stamp]:
+                        del queue[older]
                 self._hand_on([stamp] * len(self.queues))
 
     def _keep(self, queue: dict[int, Any], stamp: int, msg: Any) -> None:

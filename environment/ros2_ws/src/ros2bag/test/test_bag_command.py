@@ -10,10 +10,13 @@ import pytest
 import rclpy
 import yaml
 from rclpy.executors import SingleThreadedExecutor
+from rclpy.serialization import serialize_message
 from rosbag2_py import SequentialReader, SequentialWriter, StorageOptions, TopicMetadata
 from rosbags.highlevel import AnyReader
 from rosgraph_msgs.msg import Clock
+from service_msgs.msg import ServiceEventInfo
 from std_msgs.msg import Int32, String
+from std_srvs.srv import SetBool
 
 from environment.tests.running import PATIENCE
 
@@ -59,8 +62,6 @@ def listener(ros2):
 @pytest.fixture
 def numbers(ros2):
     """A bag with the numbers 0 to 9 on /number, a tenth of a second apart, and a word after 0.55 s."""
-    from rclpy.serialization import serialize_message
-
     path = ros2.directory / 'numbers'
     if not path.exists():
         writer = SequentialWriter()
@@ -235,6 +236,41 @@ def test_play_in_a_loop_until_interrupted(ros2, listener, numbers):
         assert player.stop(PATIENCE) == 0
     data = [message.data for _, message in heard]
     assert set(data) == {0, 1, 2} and data.count(0) >= 2
+
+
+def test_requests_of_a_service_are_recorded_and_sent_again(ros2, node, listener):
+    """Managing service data, of the tutorial on recording."""
+    node('introspected')
+    with ros2.start('bag', 'record', '-o', 'services', '--service', '/watched') as recorder:
+        recorder.wait_for_output("Subscribed to topic '/watched/_service_event'", PATIENCE)
+        ros2.output('service', 'call', '/watched', 'std_srvs/srv/SetBool', '{data: true}')
+        assert recorder.stop(PATIENCE) == 0
+    told = ros2.output('bag', 'info', 'services')
+    assert 'Service: /watched | Type: std_srvs/srv/SetBool | Event Count: 2 | Serialization Format: cdr' in told
+    events = listener.hear(SetBool.Event, '/watched/_service_event')
+    play = ('bag', 'play', 'services', '--disable-keyboard-controls', '--publish-service-requests')
+    assert ros2.run(*play, '--service-requests-source', 'client_introspection').returncode == 0  # it was not recorded
+    assert ros2.run(*play, '--exclude-services', '/watched').returncode == 0
+    assert ros2.run(*play, '--services', '/watched').returncode == 0
+    listener.until(lambda: len(events) >= 2, 'a request and its answer')
+    (request, answer) = (event for _, event in events)
+    assert (request.info.event_type, request.request[0].data) == (ServiceEventInfo.REQUEST_RECEIVED, True)
+    assert (answer.info.event_type, answer.response[0].success) == (ServiceEventInfo.RESPONSE_SENT, True)
+
+
+def test_requests_that_nobody_serves_are_told(ros2, tmp_path):
+    bag = tmp_path / 'bag'
+    event = SetBool.Event(
+        info=ServiceEventInfo(event_type=ServiceEventInfo.REQUEST_RECEIVED), request=[SetBool.Request(data=True)]
+    )
+    writer = SequentialWriter()
+    writer.open(StorageOptions(str(bag), 'mcap'))
+    writer.create_topic(TopicMetadata(0, '/nobody/_service_event', 'std_srvs/srv/SetBool_Event', 'cdr'))
+    writer.write('/nobody/_service_event', serialize_message(event), 10**9)
+    writer.close()
+    played = ros2.run('bag', 'play', str(bag), '--disable-keyboard-controls', '--publish-service-requests')
+    assert played.returncode == 0
+    assert "Service request hasn't been sent. The '/nobody' service isn't ready !" in played.stderr
 
 
 def test_a_latched_topic_is_played_latched(ros2, listener, tmp_path):

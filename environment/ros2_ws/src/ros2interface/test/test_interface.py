@@ -72,14 +72,31 @@ def test_a_lone_hash_is_no_comment(overlay_of_messages):
 
 @pytest.fixture
 def overlay_of_messages(ros2, tmp_path):
-    """A function that makes the message made_up/msg/Thing, and returns the command that sees it."""
+    """A function that writes a file of the package made_up, and returns the command that sees it."""
 
-    def make(definition):
+    def make(definition, file='Thing.msg'):
         for folder in ('share/ament_index/resource_index/packages', 'share/made_up/msg'):
             (tmp_path / folder).mkdir(parents=True)
         (tmp_path / 'share/ament_index/resource_index/packages/made_up').touch()
-        (tmp_path / 'share/made_up/msg/Thing.msg').write_text(definition)
+        (tmp_path / 'share/made_up/msg' / file).write_text(definition)
         prefixes = f'{tmp_path}:{ros2.environ.get("AMENT_PREFIX_PATH", sys.prefix)}'
         return type(ros2)({**ros2.environ, 'AMENT_PREFIX_PATH': prefixes}, tmp_path)
 
     return make
+
+
+def test_what_is_defined_in_idl_only_is_shown_as_it_is(overlay_of_messages):
+    text = 'module made_up {\n  module msg {\n    struct Other {\n      uint32 value;  // a number\n    };\n  };\n};\n'
+    assert overlay_of_messages(text, 'Other.idl').output('interface', 'show', 'made_up/msg/Other') == text
+
+
+def test_lines_know_their_comments():
+    from ros2interface.verb.show import InterfaceTextLine
+
+    for text in ('#', '  # text'):
+        assert InterfaceTextLine('made_up', 'Thing', text).is_comment()
+    line = InterfaceTextLine('made_up', 'Thing', "string s 'a#b'  # text\n")
+    assert not line.is_comment() and line.is_trailing_comment()
+    assert (line.text_without_comment, str(line)) == ("string s 'a#b'", "string s 'a#b'  # text")
+    assert not InterfaceTextLine('made_up', 'Thing', "string s 'a#b'").is_trailing_comment()
+    assert InterfaceTextLine('made_up', 'Thing', 'Other[] others').nested_type == 'made_up/msg/Other'

@@ -70,14 +70,26 @@ def message_class(name: str) -> Any:
 
     :raises RuntimeError: if it is not installed.
     """
+    if '/srv/' in name and '_Event' in name:
+        return service_class(name).Event
+    return _import(name, name)
+
+
+def service_class(event: str) -> Any:
+    """
+    Return the class of a service by the name that a bag has for its events.
+
+    :raises RuntimeError: if it is not installed.
+    """
+    return _import(event.partition('_Event')[0], event)
+
+
+def _import(name: str, told: str) -> Any:
     from rosidl_parser.definition import NamespacedType
     from rosidl_runtime_py.import_message import import_message_from_namespaced_type
 
     package, kind, short = name.split('/')
-    service, event, _ = short.partition('_Event')
     try:
-        if kind == 'srv' and event:
-            return import_message_from_namespaced_type(NamespacedType([package, kind], service)).Event
         return import_message_from_namespaced_type(NamespacedType([package, kind], short))
     except (AttributeError, ModuleNotFoundError):
-        raise RuntimeError(f"the message type '{name}' is not installed") from None
+        raise RuntimeError(f"the message type '{told}' is not installed") from None

@@ -11,10 +11,12 @@ from rclpy.node import Node
 from rclpy.qos import QoSProfile
 from rclpy.time import Time
 
-from rosbag2_py.definitions import message_class
-from rosbag2_py.options import StorageFilter
+from rosbag2_py.definitions import message_class, service_class
+from rosbag2_py.describe import SERVICE_EVENTS, is_service_event
+from rosbag2_py.options import StorageFilter, TopicMetadata
 from rosbag2_py.qos import to_publish
 from rosbag2_py.reader import SequentialReader
+from rosbag2_py.service_requests import ServiceRequests
 
 _SECOND = 1_000_000_000
 _STEP = 0.05  # seconds after which a wait looks at the keyboard
@@ -40,6 +42,10 @@ class PlayOptions:
     playback_duration: float = -1.0
     playback_until: int = -1  # nanoseconds since 1970
     wait_acked_timeout: int = -1  # milliseconds; 0: for ever
+    services_to_filter: list[str] = field(default_factory=list)
+    exclude_services_to_filter: list[str] = field(default_factory=list)
+    publish_service_requests: bool = False  # and not the events
+    service_requests_source: str = 'service_introspection'
 
 
 class Player:
@@ -68,11 +74,13 @@ class Player:
             from rosgraph_msgs.msg import Clock
 
             self._clock = node.create_publisher(Clock, '/clock', 10)
+        events = [f'{name}{SERVICE_EVENTS}' for name in options.services_to_filter]
+        others = [f'{name}{SERVICE_EVENTS}' for name in options.exclude_services_to_filter]
         reader.set_filter(
             StorageFilter(
-                topics=options.topics_to_filter,
+                topics=[*options.topics_to_filter, *events],
                 regex=options.regex_to_filter,
-                exclude_topics=options.exclude_topics_to_filter,
+                exclude_topics=[*options.exclude_topics_to_filter, *others],
                 exclude_regex=options.exclude_regex_to_filter,
             )
         )
@@ -84,13 +92,20 @@ class Player:
             name = topic.name
             if not self.reader.passes(name):
                 continue
-            profile = self.options.topic_qos_profile_overrides.get(name) or to_publish(topic.offered_qos_profiles)
             try:
-                kind = message_class(topic.type)
+                self.publishers[name] = self._publisher(topic)
             except RuntimeError as error:
                 self.node.get_logger().warning(f"Ignoring a topic '{name}', reason: {error}")
-                continue
-            self.publishers[name] = self.node.create_publisher(kind, self.options.remap.get(name, name), profile)
+
+    def _publisher(self, topic: TopicMetadata) -> Any:
+        """Return what the messages of a topic go to; RuntimeError if the type is not installed."""
+        name, options = topic.name, self.options
+        if options.publish_service_requests and is_service_event(name):
+            service = name.removesuffix(SERVICE_EVENTS)
+            kind = service_class(topic.type)
+            return ServiceRequests(self.node, kind, service, options.service_requests_source, self._wait)
+        profile = options.topic_qos_profile_overrides.get(name) or to_publish(topic.offered_qos_profiles)
+        return self.node.create_publisher(message_class(topic.type), options.remap.get(name, name), profile)
 
     def play(self) -> int:
         """Play to the end, again and again with `loop`; returns how many messages were published."""

@@ -82,6 +82,8 @@ def coerce_to_type(value: str, data_type: AllowedTypesType = None, can_be_str: b
     """
     ensure_argument_type(value, str, 'value', 'coerce_to_type')
     if data_type is None:
+        if not value:  # YAML makes nothing of it; it is a text without characters
+            return value
         return _from_yaml(value, f"Failed to convert '{value}' using yaml rules", can_be_str)
     scalar, is_list = extract_type(data_type)
     kinds = (str, scalar) if can_be_str else (scalar,)

@@ -18,7 +18,7 @@ from launch_ros.actions.set_remap import REMAPPINGS
 from launch_ros.global_parameters import GLOBAL_PARAMETERS, GlobalParameter
 from launch_ros.namespaces import join_namespace
 from launch_ros.parameter_descriptions import ParameterFile, ParameterValue, write_temporary_file
-from launch_ros.parameters import evaluate_parameters
+from launch_ros.parameters import check_parameters, evaluate_parameters
 from launch_ros.substitutions import ExecutableInPackage
 
 UNSPECIFIED_NAME = '<node_name_unspecified>'
@@ -53,7 +53,7 @@ class Node(ExecuteProcess):
     :param remappings: (from, to) pairs
     :param ros_arguments: further words for behind --ros-args
     :param arguments: further words for the program
-    :raises TypeError: if parameters or remappings are not lists
+    :raises TypeError: if parameters or remappings are not lists, or have items that they cannot have
     """
 
     def __init__(
@@ -73,6 +73,8 @@ class Node(ExecuteProcess):
         for label, value in (('parameters', parameters), ('remappings', remappings)):
             if value is not None and not isinstance(value, (list, tuple)):
                 raise TypeError(f"'{label}' of Node must be a list, got {type(value).__name__}")
+        check_parameters(parameters or [])
+        check_remappings(remappings or [])
         program = executable if package is None else ExecutableInPackage(package=package, executable=executable)
         cmd = [program, *(arguments or []), '--ros-args', *(ros_arguments or [])]
         cmd += [] if name is None else ['-r', _NodeName(name)]
@@ -86,12 +88,16 @@ class Node(ExecuteProcess):
     def parse(cls, entity: Entity, parser: Parser):
         """Read ``node``."""
         _, kwargs = super().parse(entity, parser, ignore=('cmd', 'name'))
-        for attribute, argument in (('pkg', 'package'), ('exec', 'executable')):
-            kwargs[argument] = parser.parse_substitution(entity.get_attr(attribute))
-        for attribute in ('name', 'exec_name', 'namespace'):
+        kwargs['executable'] = parser.parse_substitution(entity.get_attr('exec'))
+        for attribute, argument in (
+            ('pkg', 'package'),
+            ('name', 'name'),
+            ('exec_name', 'exec_name'),
+            ('namespace', 'namespace'),
+        ):
             value = entity.get_attr(attribute, optional=True)
             if value is not None:
-                kwargs[attribute] = parser.parse_substitution(value)
+                kwargs[argument] = parser.parse_substitution(value)
         for attribute, argument in (('args', 'arguments'), ('ros_args', 'ros_arguments')):
             value = entity.get_attr(attribute, optional=True)
             if value is not None:
@@ -160,6 +166,17 @@ class Node(ExecuteProcess):
         if not path.is_file():
             launch.logging.get_logger('launch_ros.actions.node').warning(f'Parameter file path is not a file: {path}')
         return ['--params-file', str(path)]
+
+
+def check_remappings(remappings: Iterable) -> None:
+    """
+    Check that remappings are pairs.
+
+    :raises TypeError: if one is not
+    """
+    for remapping in remappings:
+        if not isinstance(remapping, (tuple, list)) or len(remapping) != 2:
+            raise TypeError(f"'remappings' of Node must be pairs (from, to), got {remapping!r}")
 
 
 _TYPES = {'bool': bool, 'int': int, 'float': float, 'str': str}

@@ -29,9 +29,11 @@ class PlayVerb(VerbExtension):
         add('--read-ahead-queue-size', type=int, default=1000, help='Accepted; messages are read as they are due')
         add('-r', '--rate', type=check_positive_float, default=1.0, help='How fast to play (default: 1, as recorded)')
         add('--topics', nargs='+', default=[], metavar='TOPIC', help='Play only these topics')
+        add('--services', nargs='+', default=[], metavar='SERVICE', help='Play the events of these services only')
         add('-e', '--regex', default='', help='Play only topics that this regular expression matches')
         add('-x', '--exclude-regex', default='', help='Leave out topics that this regular expression matches')
         add('--exclude-topics', nargs='+', default=[], metavar='TOPIC', help='Leave out these topics')
+        add('--exclude-services', nargs='+', default=[], metavar='SERVICE', help='Leave out these services')
         add('--qos-profile-overrides-path', help='YAML file with the quality of service of some topics')
         add('-l', '--loop', action='store_true', help='Begin again at the end, until Ctrl+C')
         add('--remap', '-m', nargs='+', default=[], metavar='OLD:=NEW', help='Publish topics under other names')
@@ -64,6 +66,17 @@ class PlayVerb(VerbExtension):
             default=-1,
             metavar='TIMEOUT',
             help='Wait at the end for slow reliable readers, at most so many milliseconds; 0: for ever',
+        )
+        add(
+            '--publish-service-requests',
+            action='store_true',
+            help='Send the recorded requests to their services, instead of publishing the recorded events',
+        )
+        add(
+            '--service-requests-source',
+            choices=('service_introspection', 'client_introspection'),
+            default='service_introspection',
+            help='Send the requests as services received them (default), or as clients sent them',
         )
         add('--log-level', choices=('debug', 'info', 'warn', 'error', 'fatal'), default='info', help='What to log')
 
@@ -119,6 +132,10 @@ def _play(running, reader, overrides, args):
                 rate=args.rate,
                 topics_to_filter=full(args.topics),
                 exclude_topics_to_filter=full(args.exclude_topics),
+                services_to_filter=full(args.services),
+                exclude_services_to_filter=full(args.exclude_services),
+                publish_service_requests=args.publish_service_requests,
+                service_requests_source=args.service_requests_source,
                 regex_to_filter=args.regex,
                 exclude_regex_to_filter=args.exclude_regex,
                 topic_qos_profile_overrides=overrides,

@@ -39,47 +39,76 @@ class ShowVerb(VerbExtension):
             return str(e)
 
 
+class InterfaceTextLine:
+    """
+    A line of the definition of an interface.
+
+    :param pkg_name: the package of the interface, where types without a package are looked for
+    :param msg_name: the name of the interface
+    :param line_text: the line
+    """
+
+    def __init__(self, pkg_name, msg_name, line_text):
+        self.pkg_name, self.msg_name = pkg_name, msg_name
+        self.text = line_text.rstrip()
+        # A lone # stays, as with the stock that these commands were compared with: it has no text.
+        self.text_without_comment = (
+            self.text if self.text.strip() == '#' else self.text[: self._comment_position()].rstrip()
+        )
+
+    def __str__(self):
+        return self.text
+
+    def _comment_position(self):
+        """Return the position of the # that is not part of a string; without one, the end."""
+        quote = ''
+        for position, character in enumerate(self.text):
+            if quote:
+                quote = '' if character == quote else quote
+            elif character in '\'"':
+                quote = character
+            elif character == '#':
+                return position
+        return len(self.text)
+
+    def is_comment(self):
+        """Return whether the line has nothing but a comment."""
+        return self.text.lstrip().startswith('#')
+
+    def is_trailing_comment(self):
+        """Return whether a comment follows something else."""
+        return not self.is_comment() and self.text_without_comment != self.text
+
+    @property
+    def nested_type(self):
+        """The full name of the message that the line's field holds, or None."""
+        from rosidl_adapter.parser import InvalidSpecification, parse_message_string
+
+        if self.text.strip() in ('', '---'):
+            return None
+        try:
+            fields = parse_message_string(self.pkg_name, self.msg_name, self.text).fields
+        except (InvalidSpecification, ValueError):
+            return None
+        if not fields or not fields[0].type.pkg_name:
+            return None
+        return f'{fields[0].type.pkg_name}/msg/{fields[0].type.type}'
+
+
 def _show(name, *, comments, nested_comments, indentation):
     from rosidl_runtime_py import get_interface_path
 
     if name.count('/') != 2:
         raise ValueError(f"Invalid name '{name}'. Expected three parts separated by '/'")
-    with open(get_interface_path(name), encoding='utf-8') as definition:
-        lines = definition.read().splitlines()
+    package, _, interface = name.split('/')
+    path = get_interface_path(name)
+    with open(path, encoding='utf-8') as definition:
+        lines = [InterfaceTextLine(package, interface, line) for line in definition.read().splitlines()]
     for line in lines:
-        text = line.rstrip() if comments else _without_comment(line)
+        text = line.text if comments else line.text_without_comment
         if text or comments:
             print(f'{indentation}{text}' if text else '')
-        nested = _nested_type(line, name.partition('/')[0])
+        # What is defined in IDL only has another syntax.
+        nested = None if path.endswith('.idl') else line.nested_type
         if nested:
             _show(nested, comments=nested_comments, nested_comments=nested_comments, indentation=indentation + '\t')
-
-
-def _nested_type(line, package):
-    """Return the full name of the message that a line's field holds, or None."""
-    from rosidl_adapter.parser import InvalidSpecification, parse_message_string
-
-    if line.strip() in ('', '---'):
-        return None
-    try:
-        fields = parse_message_string(package, 'Line', line).fields
-    except (InvalidSpecification, ValueError):  # a line of an .idl file
-        return None
-    if not fields or not fields[0].type.pkg_name:
-        return None
-    return f'{fields[0].type.pkg_name}/msg/{fields[0].type.type}'
-
-
-def _without_comment(line):
-    """Return the line up to a # that is not part of a string. A lone # stays, as with stock: it has no text."""
-    if line.strip() == '#':
-        return line.rstrip()
-    quote = ''
-    for position, character in enumerate(line):
-        if quote:
-            quote = '' if character == quote else quote
-        elif character in '\'"':
-            quote = character
-        elif character == '#':
-            return line[:position].rstrip()
-    return line.rstrip()
