@@ -190,7 +190,8 @@ class _View:
 
     def bars(self) -> list[dict]:
         """The callbacks, with a label inside if it fits, else beside if that is free."""
-        made = []
+        made: list[dict] = []
+        free_from: dict[int, float] = {}  # by thread: where its last label beside a bar ends
         for callback in sorted(self.chart.callbacks, key=lambda c: c.start):
             end = callback.end if callback.end is not None else self.chart.end
             x, width = self.x(callback.start), max(3.0, self.x(end) - self.x(callback.start))
@@ -222,6 +223,9 @@ class _View:
                     default=_WIDTH - 8,
                 )
                 text_x, shown = x + width + 5, words if after - (x + width) >= needed else ''
+            if shown and not inside:
+                shown = shown if text_x >= free_from.get(callback.thread, 0.0) else ''
+                free_from[callback.thread] = max(free_from.get(callback.thread, 0.0), text_x + needed * bool(shown))
             made.append(
                 {
                     'x': x,
