@@ -84,6 +84,7 @@ class Fault:
         self._other = ''
         self._held = ExitStack()  # the domains that it has claimed
         self._versions: dict[str, str] = {}  # of the running programs
+        self._edited: dict[tuple[str, str, str], str] = {}  # by edit: the file's text after it
         self._asked: dict[str, set[int]] = {}  # by program: lines of output that are stacks
         self.plan()
 
@@ -139,12 +140,15 @@ class Fault:
         print(self._read(file).rstrip('\n'))
 
     def edit(self, file: str, old: str, new: str) -> None:
-        """Replace a piece of text in a file, as an editor would.
+        """Replace a piece of text in a file, as an editor would. The same edit again changes nothing.
 
         :raises ValueError: the text is not there, or more than once.
         :raises FileNotFoundError: there is no such file.
         """
         text = self._read(file)
+        if old not in text and self._edited.get((file, old, new)) == text:  # the same cell once more
+            print(f'{file}: this edit has been made already')
+            return
         if text.count(old) != 1:
             raise ValueError(
                 f'{file} has {old!r} {text.count(old)} times: give more of the text around it'
@@ -152,6 +156,7 @@ class Fault:
                 else f'{file} has no {old!r}: fault.show({file!r}) prints it'
             )
         self.write(file, text.replace(old, new))
+        self._edited[file, old, new] = self._read(file)
 
     def write(self, file: str, text: str) -> None:
         """Write a file of the system; a first empty line of the text is left out.
