@@ -84,7 +84,7 @@ class Fault:
         self._other = ''
         self._held = ExitStack()  # the domains that it has claimed
         self._versions: dict[str, str] = {}  # of the running programs
-        self._edited: dict[tuple[str, str, str], str] = {}  # by edit: the file's text after it
+        self._edits: set[tuple[str, str, str]] = set()  # that were made
         self._asked: dict[str, set[int]] = {}  # by program: lines of output that are stacks
         self.plan()
 
@@ -146,7 +146,7 @@ class Fault:
         :raises FileNotFoundError: there is no such file.
         """
         text = self._read(file)
-        if old not in text and self._edited.get((file, old, new)) == text:  # the same cell once more
+        if (file, old, new) in self._edits and old not in text and new in text:  # the same cell once more
             print(f'{file}: this edit has been made already')
             return
         if text.count(old) != 1:
@@ -156,7 +156,7 @@ class Fault:
                 else f'{file} has no {old!r}: fault.show({file!r}) prints it'
             )
         self.write(file, text.replace(old, new))
-        self._edited[file, old, new] = self._read(file)
+        self._edits.add((file, old, new))
 
     def write(self, file: str, text: str) -> None:
         """Write a file of the system; a first empty line of the text is left out.
