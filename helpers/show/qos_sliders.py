@@ -35,7 +35,6 @@ class QosSliders:
             raise RuntimeError('ROS is not started: run helpers.ros.start() first')
         self.sent: deque = deque(maxlen=1000)  #: (number, s) of the latest messages
         self.read: deque = deque(maxlen=1000)  #: the same, when the reader took them
-        self._begin = time.monotonic()
         self._wanted: dict = {}
         self._offered: tuple = ()  # what the publisher was made with
         self._requested: tuple = ()  # what the subscription was made with
@@ -111,7 +110,8 @@ class QosSliders:
         now = time.monotonic()
         sent = {number: when for number, when in self.sent.copy() if now - when < 2 * _WINDOW}
         read = [(number, when) for number, when in self.read.copy() if now - when < _WINDOW]
-        summary = _summary(now, min(_WINDOW, now - self._begin), sent, read)
+        since = min(sent.values(), default=now - _WINDOW)  # less than the window at the beginning
+        summary = _summary(now, max(_LOOK, min(_WINDOW, now - since)), sent, read)
         return f'<div>{inline_svg.html(_svg(now, sent, read), _WIDTH, summary)}</div><div>{summary}</div>'
 
 
