@@ -156,6 +156,7 @@ def test_a_cell_with_a_file_tells_a_mistake_with_its_line_and_writes_the_file(le
     (folder / 'config').mkdir()
     for text in (WRONG, RIGHT):
         learner.write('file', text)
+        learner.page.wait_for_function(_COLOURED)
         learner.run('file')
         learner.sees('file', 'Written: config/robot.yaml')
         written = (folder / 'config/robot.yaml').read_text()
@@ -167,6 +168,12 @@ def test_a_cell_with_a_file_tells_a_mistake_with_its_line_and_writes_the_file(le
     learner.sees(shown, 'low: 0.25')
 
 
+# Whether the course's own language colours the active cell, and a key of YAML has a colour.
+_COLOURED = """() => {
+    const cell = window.jupyterapp.shell.currentWidget.content.activeCell;
+    return cell.model.mimeType === 'text/x-ros2-course-answers'
+        && [...cell.node.querySelectorAll('.cm-line span')].some(span => span.textContent.includes('ros__parameters'));
+}"""
 # The view says the heading in degrees. How far a press turns it depends on how busy the machine is.
 _TURNED = r"""() => {
     const said = document.querySelector('.turtle-view')?.textContent.match(/theta (-?\d+)°/);

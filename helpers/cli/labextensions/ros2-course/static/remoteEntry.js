@@ -1,23 +1,45 @@
-/* A prebuilt extension of JupyterLab, written by hand: it needs nothing of JupyterLab's packages, so nothing is bundled.
-
-   https://jupyterlab.readthedocs.io/en/stable/extension/extension_dev.html */
+/* A prebuilt extension of JupyterLab, written by hand: it bundles nothing, and takes JupyterLab's own packages from the
+   scope that they share. https://jupyterlab.readthedocs.io/en/stable/extension/extension_dev.html */
 (() => {
-  const style = new URL('style.css', document.currentScript.src);
-  const plugin = {
+  const here = document.currentScript.src;
+  let scope = {};
+
+  const style = {
     id: 'ros2-course:style',
-    description: 'Pictures and tables of the course stay inside of a narrow pane.',
+    description: 'Pictures and tables stay inside of a narrow pane.',
     autoStart: true,
     activate: () => {
       const link = document.createElement('link');
       link.rel = 'stylesheet';
-      link.href = style.href;
+      link.href = new URL('style.css', here).href;
       document.head.append(link);
     },
   };
+
+  async function shared(name) {
+    const versions = Object.values(scope[name]);
+    return (await (versions.find((version) => version.loaded) ?? versions[0]).get())();
+  }
+
+  async function plugins() {
+    try {
+      const { answers } = await import(new URL('answers.js', here).href);
+      return [style, await answers(shared)];
+    } catch (error) {
+      console.warn('ros2-course: cells with files are coloured as Python', error);
+      return [style];
+    }
+  }
+
   // The container of webpack's module federation, as JupyterLab looks for it.
   window._JUPYTERLAB = window._JUPYTERLAB || {};
   window._JUPYTERLAB['ros2-course'] = {
-    init: async () => {},
-    get: async () => () => ({ __esModule: true, default: plugin }),
+    init: async (given) => {
+      scope = given;
+    },
+    get: async () => {
+      const found = await plugins();
+      return () => ({ __esModule: true, default: found });
+    },
   };
 })();
