@@ -30,6 +30,8 @@ def sanitizers(root: Path) -> list[tuple[str, str, str]]:
         # Bounded, and only from a word's beginning: else a long line without @ takes minutes.
         ('email', r'(?<![\w.+-])[\w.+-]{1,64}@[\w-]{1,63}\.[\w.-]+', 'you@example.com'),
         ('pid', r'\b(pid|process)([ =]\[?)\d+', r'\1\g<2>0'),
+        # A workspace tells what of an earlier run it has put aside.
+        ('kept', r'What you made or changed in \w+ is kept: [^\n]*\n', ''),
         # ros2 launch names its folder of logs after ROS_HOME, the time, the host and the process.
         ('ros_log', r'(?<!\S)/\S*/\.?ros/log/[\w.-]+', '/home/you/.ros/log/0'),
     ]
