@@ -190,8 +190,7 @@ class _View:
 
     def bars(self) -> list[dict]:
         """The callbacks, with a label inside if it fits, else beside if that is free."""
-        made: list[dict] = []
-        free_from: dict[int, float] = {}  # by thread: where its last label beside a bar ends
+        made = []
         for callback in sorted(self.chart.callbacks, key=lambda c: c.start):
             end = callback.end if callback.end is not None else self.chart.end
             x, width = self.x(callback.start), max(3.0, self.x(end) - self.x(callback.start))
@@ -223,9 +222,6 @@ class _View:
                     default=_WIDTH - 8,
                 )
                 text_x, shown = x + width + 5, words if after - (x + width) >= needed else ''
-            if shown and not inside:
-                shown = shown if text_x >= free_from.get(callback.thread, 0.0) else ''
-                free_from[callback.thread] = max(free_from.get(callback.thread, 0.0), text_x + needed * bool(shown))
             made.append(
                 {
                     'x': x,
@@ -241,6 +237,7 @@ class _View:
                     'title': _bar_text(callback),
                 }
             )
+        _uncover(made)
         return sorted(made, key=lambda bar: not bar['rest'])  # those that await are drawn behind the others
 
     def paths(self) -> list[dict]:
@@ -260,6 +257,19 @@ class _View:
                         {'d': f'M{x1} {y1} C{middle} {y1} {middle} {y2} {x2} {y2}', 'back': begin == 'respond'}
                     )
         return found
+
+
+def _uncover(bars: list[dict]) -> None:
+    """Leave out labels that would cover another one of their lane; first those of callbacks that await."""
+    taken: dict[float, list[tuple[float, float]]] = {}
+    for bar in sorted(bars, key=lambda bar: bar['rest']):
+        if bar['text'] and not bar['inside']:
+            begin, end = bar['text_x'], bar['text_x'] + _CHARACTER * len(bar['text'])
+            lane = taken.setdefault(bar['y'], [])
+            if any(begin < other_end and other_begin < end for other_begin, other_end in lane):
+                bar['text'] = ''
+            else:
+                lane.append((begin, end))
 
 
 def _mark(x: float, y: float, sent: bool, colour: str = 'currentColor') -> str:
