@@ -1,4 +1,4 @@
-"""What `./course --help` says while there is no environment yet: the commands themselves need it to be imported.
+"""What `./course --help` says while the environment is not ready: the commands themselves need it to be imported.
 
 Names and sentences are read from the sources of the command line, not repeated here.
 """
@@ -7,7 +7,18 @@ import ast
 from collections.abc import Iterator
 from pathlib import Path
 
+from environment.setup.layout import Layout
+
 _WORDS = ('-h', '--help')
+_NOTHING = (
+    'Nothing is set up yet in this folder. The first command that you give, such as ./course lab, first does',
+    'what ./course setup does: it makes the folder .venv with Python, ROS 2 Jazzy and Jupyter (1 GB; up to 310',
+    'MB come from PyPI).',
+)
+_OUT_OF_DATE = (
+    'The folder .venv is not complete, or it is older than the course. The first command that you give, such as',
+    './course lab, first does what ./course setup does: it brings .venv up to date, and keeps what is still right.',
+)
 
 
 def asked(arguments: list[str]) -> bool:
@@ -46,10 +57,9 @@ def text(root: Path) -> str:
             '',
             'The ROS 2 course: notebooks, checks and submissions.',
             '',
-            'Nothing is set up yet in this folder. The first command that you give, such as ./course lab, first does',
-            'what ./course setup does: it makes the folder .venv with Python, ROS 2 Jazzy and Jupyter (1 GB; up to 310',
-            'MB come from PyPI), says how far it is, and goes on where it was if you interrupt it. After that every',
-            'command starts at once, and has a --help of its own.',
+            *(_OUT_OF_DATE if Layout(root).prefix.is_dir() else _NOTHING),
+            'It says how far it is, and goes on where it was if you interrupt it. After that every command starts at',
+            'once, and has a --help of its own.',
             '',
             'Commands:',
             *lines,

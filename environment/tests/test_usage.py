@@ -54,6 +54,13 @@ def test_a_fresh_copy_answers_at_once_and_sets_nothing_up(tmp_path, clean_enviro
     assert max(map(len, done.stdout.partition('Commands:')[0].splitlines())) <= 120
 
 
+def test_it_says_whether_there_is_an_environment(tmp_path, monkeypatch):
+    monkeypatch.setattr(usage, 'commands', lambda root: iter(()))
+    assert 'Nothing is set up yet' in usage.text(tmp_path)
+    (tmp_path / '.venv').mkdir()
+    assert 'older than the course' in usage.text(tmp_path) and 'Nothing' not in usage.text(tmp_path)
+
+
 def test_setup_says_what_is_ready():
     code = 'from helpers.cli.app import main; import sys; sys.exit(main(["setup"]))'
     done = subprocess.run([sys.executable, '-c', code], cwd=ROOT, capture_output=True, text=True, timeout=60)

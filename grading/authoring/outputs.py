@@ -29,9 +29,11 @@ def sanitizers(root: Path) -> list[tuple[str, str, str]]:
         ('duration', r'\[(?:\d+min )?\d+(?:\.\d+)?s\b', '[… s'),  # colcon: Finished <<< package [1.28s]
         # Bounded, and only from a word's beginning: else a long line without @ takes minutes.
         ('email', r'(?<![\w.+-])[\w.+-]{1,64}@[\w-]{1,63}\.[\w.-]+', 'you@example.com'),
-        ('pid', r'\b(pid|process)([ =])\d+', r'\1\g<2>0'),
-        # ros2 launch names its folder of logs after the home, the time, the host and the process.
-        ('ros_log', r'(?<!\S)/\S*/\.ros/log/[\w.-]+', '/home/you/.ros/log/0'),
+        ('pid', r'\b(pid|process)([ =]\[?)\d+', r'\1\g<2>0'),
+        # A workspace tells what of an earlier run it has put aside.
+        ('kept', r'What you made or changed in \w+ is kept: [^\n]*\n', ''),
+        # ros2 launch names its folder of logs after ROS_HOME, the time, the host and the process.
+        ('ros_log', r'(?<!\S)/\S*/\.?ros/log/[\w.-]+', '/home/you/.ros/log/0'),
     ]
 
 
@@ -52,7 +54,7 @@ def settle(notebook: NotebookNode, root: Path) -> None:
     for cell in notebook.cells:
         cell.metadata.pop('execution', None)
         if cell.cell_type == 'code':
-            cell.outputs = _merged(cell.outputs)
+            cell.outputs = _merged([output for output in cell.outputs if not _is_empty(output)])
         for output in cell.get('outputs', []):
             for key in FIELDS.get(output.output_type, ()):
                 output[key] = clean(output[key])
@@ -62,6 +64,11 @@ def settle(notebook: NotebookNode, root: Path) -> None:
             for mime in TEXT_TYPES:
                 if mime in output.get('data', {}):
                     output.data[mime] = clean(output.data[mime])
+
+
+def _is_empty(output: NotebookNode) -> bool:
+    """Whether nothing is left of it: a progress bar that has ended, say."""
+    return output.output_type == 'display_data' and not any(output.data.values())
 
 
 def _merged(found: list[NotebookNode]) -> list[NotebookNode]:

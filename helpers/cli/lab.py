@@ -15,6 +15,7 @@ from helpers.cli import Refusal, own
 from helpers.exercises import manifest, start_page
 
 DEFAULT_PORT = 8888
+EXTENSIONS = paths.ROOT / 'helpers' / 'cli' / 'labextensions'  # the course's own
 TRIES = 50  # ports from DEFAULT_PORT on, if no port is asked for
 
 
@@ -104,6 +105,7 @@ def arguments(
         # All versions are locked: no questions about news and newer versions.
         '--LabApp.news_url=None',
         '--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate',
+        f'--LabApp.extra_labextensions_path={EXTENSIONS}',
         '--Application.log_level=WARN',  # shows the address and errors, not a line for each of the server's extensions
     ]
     if no_browser:

@@ -23,7 +23,7 @@ def register() -> None:
 def answer(line: str, cell: str) -> None:
     """Keep the cell's text under a name, and write it into a file: `%%answer NAME FILE`.
 
-    FILE begins at the notebook's folder. A mistake in a Python, XML or YAML file is shown; it is written all the same.
+    FILE begins at the notebook's folder. A mistake that `file_syntax` finds is shown; the file is written all the same.
     """
     from IPython.core.error import UsageError
 

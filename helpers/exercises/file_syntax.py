@@ -1,4 +1,4 @@
-"""Whether a file can be read by the programs that it is for: Python, XML, YAML, and settings (.cfg)."""
+"""Whether a file can be read by what it is for: Python, XML, YAML, settings (.cfg), interfaces and CMakeLists.txt."""
 
 import configparser
 import warnings
@@ -8,6 +8,8 @@ from typing import NamedTuple
 from xml.etree import ElementTree
 
 import yaml
+
+from helpers.exercises import cmake_syntax, interface_syntax
 
 
 class Mistake(NamedTuple):
@@ -20,8 +22,13 @@ class Mistake(NamedTuple):
 
 def mistake(path: str, text: str) -> Mistake | None:
     """The first mistake in the text of a file; None if there is none, or if nothing here reads such files."""
-    reads = _READERS.get(PurePosixPath(path).suffix)
+    file = PurePosixPath(path)
+    reads = _READERS.get(file.suffix)
     try:
+        if file.suffix in interface_syntax.PARTS:
+            return _placed(interface_syntax.mistake(path, text))
+        if file.name == 'CMakeLists.txt':
+            return _placed(cmake_syntax.mistake(text))
         return reads(text) if reads else None
     except (ValueError, RecursionError, MemoryError) as error:  # null bytes, very deep nesting
         return Mistake(str(error) or type(error).__name__)
@@ -36,6 +43,10 @@ def shown(path: str, text: str, found: Mistake) -> str:
         if found.column:
             lines.append(' ' * (3 + found.column) + '^')
     return '\n'.join(lines)
+
+
+def _placed(found: tuple[str, int] | None) -> Mistake | None:
+    return Mistake(*found) if found else None
 
 
 def _python(text: str) -> Mistake | None:

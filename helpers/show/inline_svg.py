@@ -2,7 +2,8 @@
 
 Inside of the page a drawing takes the page's colours, and tells more when the mouse is over it. But JupyterLab removes
 SVG elements (not their words) from outputs of a notebook that it does not trust, such as one that somebody else has
-run. It removes styles there, too, and keeps images: so a style decides which of two forms is seen.
+run. It removes styles there, too, and keeps images: so a style decides which of two forms is seen. It has to be
+`!important`, as JupyterLab has rules of its own for images.
 https://jupyterlab.readthedocs.io/en/stable/user/notebook.html#trust
 """
 
@@ -24,7 +25,7 @@ def html(svg: str, width: float, alternative: str) -> str:
     name = 'drawing-' + hashlib.sha256(svg.encode()).hexdigest()[:12]  # the style of one output reaches all others
     return (
         f'<div hidden="hidden" class="{name}">{svg}</div>'
-        f'<style>.{name} {{display: block !important}} .{name}-image {{display: none}}</style>'
+        f'<style>.{name} {{display: block !important}} .{name}-image {{display: none !important}}</style>'
         f'<img class="{name}-image" style="width: 100%; max-width: {width:g}px" alt="{escape(alternative)}" '
         f'src="data:image/svg+xml;base64,{image}"/>'
     )

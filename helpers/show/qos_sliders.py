@@ -110,7 +110,8 @@ class QosSliders:
         now = time.monotonic()
         sent = {number: when for number, when in self.sent.copy() if now - when < 2 * _WINDOW}
         read = [(number, when) for number, when in self.read.copy() if now - when < _WINDOW]
-        summary = _summary(now, sent, read)
+        since = min(sent.values(), default=now - _WINDOW)  # less than the window at the beginning
+        summary = _summary(now, max(_LOOK, min(_WINDOW, now - since)), sent, read)
         return f'<div>{inline_svg.html(_svg(now, sent, read), _WIDTH, summary)}</div><div>{summary}</div>'
 
 
@@ -120,13 +121,13 @@ def _qos(depth: int, reliability: str):
     return QoSProfile(depth=depth, reliability=ReliabilityPolicy[reliability])
 
 
-def _summary(now: float, sent: dict, read: list) -> str:
-    rate = sum(now - when < _WINDOW for when in sent.values()) / _WINDOW
+def _summary(now: float, seconds: float, sent: dict, read: list) -> str:
+    rate = sum(now - when < seconds for when in sent.values()) / seconds
     if not read:
         return f'sent: {rate:.0f} a second; nothing is read'
     ages = [when - sent[number] for number, when in read if number in sent]
-    age = f'; each one is {sum(ages) / len(ages):.2f} s old then' if ages else ''
-    return f'sent: {rate:.0f} a second; read: {len(read) / _WINDOW:.0f} a second{age}'
+    age = f', on average {sum(ages) / len(ages):.2f} s after it was sent' if ages else ''
+    return f'sent: {rate:.0f} a second; read: {len(read) / seconds:.0f} a second{age}'
 
 
 def _svg(now: float, sent: dict, read: list) -> str:

@@ -237,6 +237,7 @@ class _View:
                     'title': _bar_text(callback),
                 }
             )
+        _uncover(made)
         return sorted(made, key=lambda bar: not bar['rest'])  # those that await are drawn behind the others
 
     def paths(self) -> list[dict]:
@@ -256,6 +257,19 @@ class _View:
                         {'d': f'M{x1} {y1} C{middle} {y1} {middle} {y2} {x2} {y2}', 'back': begin == 'respond'}
                     )
         return found
+
+
+def _uncover(bars: list[dict]) -> None:
+    """Leave out labels that would cover another one of their lane; first those of callbacks that await."""
+    taken: dict[float, list[tuple[float, float]]] = {}
+    for bar in sorted(bars, key=lambda bar: bar['rest']):
+        if bar['text'] and not bar['inside']:
+            begin, end = bar['text_x'], bar['text_x'] + _CHARACTER * len(bar['text'])
+            lane = taken.setdefault(bar['y'], [])
+            if any(begin < other_end and other_begin < end for other_begin, other_end in lane):
+                bar['text'] = ''
+            else:
+                lane.append((begin, end))
 
 
 def _mark(x: float, y: float, sent: bool, colour: str = 'currentColor') -> str:

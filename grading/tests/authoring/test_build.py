@@ -183,6 +183,7 @@ def test_sanitizers_leave_alone_what_they_made(tmp_path):
             'temporary': '/tmp/tmpc3i2_xnc/a',
             'port': 'localhost:4242',
             'pid': 'pid=12',
+            'kept': 'What you made or changed in a_ws is kept: b, now in /course/notebooks/a_ws_kept/3\n$ cd src\n',
             'ros_log': 'below /home/ada/.ros/log/2026-11-21-09-59-04-704598-lab-23551',
         }[name]
         once = re.sub(regex, replace, example)

@@ -84,6 +84,7 @@ class Fault:
         self._other = ''
         self._held = ExitStack()  # the domains that it has claimed
         self._versions: dict[str, str] = {}  # of the running programs
+        self._edits: set[tuple[str, str, str]] = set()  # that were made
         self._asked: dict[str, set[int]] = {}  # by program: lines of output that are stacks
         self.plan()
 
@@ -139,12 +140,15 @@ class Fault:
         print(self._read(file).rstrip('\n'))
 
     def edit(self, file: str, old: str, new: str) -> None:
-        """Replace a piece of text in a file, as an editor would.
+        """Replace a piece of text in a file, as an editor would. The same edit again changes nothing.
 
         :raises ValueError: the text is not there, or more than once.
         :raises FileNotFoundError: there is no such file.
         """
         text = self._read(file)
+        if (file, old, new) in self._edits and old not in text and new in text:  # the same cell once more
+            print(f'{file}: this edit has been made already')
+            return
         if text.count(old) != 1:
             raise ValueError(
                 f'{file} has {old!r} {text.count(old)} times: give more of the text around it'
@@ -152,6 +156,7 @@ class Fault:
                 else f'{file} has no {old!r}: fault.show({file!r}) prints it'
             )
         self.write(file, text.replace(old, new))
+        self._edits.add((file, old, new))
 
     def write(self, file: str, text: str) -> None:
         """Write a file of the system; a first empty line of the text is left out.

@@ -48,7 +48,7 @@ def _by_planes(parts: list[Part]) -> list[Part]:
     heapq.heapify(free)
     left, found = set(range(len(parts))), []
     while left:
-        number = heapq.heappop(free) if free else min(left)  # hidden in a ring: begin with the farthest
+        number = heapq.heappop(free) if free else _in_ring(left, after, waiting)
         if number not in left:
             continue
         left.remove(number)
@@ -58,6 +58,15 @@ def _by_planes(parts: list[Part]) -> list[Part]:
             if waiting[other] == 0:
                 heapq.heappush(free, int(other))
     return found
+
+
+def _in_ring(left: set[int], after: list[np.ndarray], waiting: np.ndarray) -> int:
+    """Where to begin if the parts that are left hide each other in a ring.
+
+    It is the part that the most others wait for, less those that it waits for itself: so a floor comes before the walls
+    on it, even if an arrow lies a little below its surface. Of equal ones it is the farthest.
+    """
+    return min(left, key=lambda number: (waiting[number] - sum(int(other) in left for other in after[number]), number))
 
 
 def _who_is_first(parts: list[Part], faces: list[int]) -> np.ndarray:

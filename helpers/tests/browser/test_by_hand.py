@@ -1,5 +1,5 @@
 """What one does by hand, in a real browser: drive the turtle by its arrows, move a slider, turn a view whose block has
-ended, make a package in a terminal, and go on with the capstone after a restart of the kernel."""
+ended, write a file in a cell, make a package in a terminal, and go on with the capstone after a restarted kernel."""
 
 import json
 import re
@@ -54,7 +54,14 @@ with TfView() as view:
 with TfView(frames=False):
     pass
 node.destroy_node()""",
+    'file': '',
 }
+# What somebody types into a cell: a file with a mistake in its second line, and the same without it.
+WRONG = """\
+%%answer CONFIG config/robot.yaml
+/**:
+  ros__parameters: low: 0.25"""
+RIGHT = WRONG.replace(': low', ':\n    low')
 
 
 @pytest.fixture(scope='module')
@@ -144,6 +151,29 @@ def test_a_slider_calls_its_function_and_a_view_can_be_turned_after_its_block_un
     learner.sees('sliders', 'the cup is at 1, 0')
 
 
+@pytest.mark.one_of(3)
+def test_a_cell_with_a_file_tells_a_mistake_with_its_line_and_writes_the_file(learner, folder):
+    (folder / 'config').mkdir()
+    for text in (WRONG, RIGHT):
+        learner.write('file', text)
+        learner.page.wait_for_function(_COLOURED)
+        learner.run('file')
+        learner.sees('file', 'Written: config/robot.yaml')
+        written = (folder / 'config/robot.yaml').read_text()
+        assert written == text.partition('\n')[2] + '\n'
+        if text == WRONG:
+            learner.sees('file', 'config/robot.yaml, line 2: mapping values are not allowed here')
+    assert learner.output('file').inner_text().strip() == 'Written: config/robot.yaml'
+    shown = learner.add('print(CONFIG)')
+    learner.sees(shown, 'low: 0.25')
+
+
+# Whether the course's own language colours the active cell, and a key of YAML has a colour.
+_COLOURED = """() => {
+    const cell = window.jupyterapp.shell.currentWidget.content.activeCell;
+    return cell.model.mimeType === 'text/x-ros2-course-answers'
+        && [...cell.node.querySelectorAll('.cm-line span')].some(span => span.textContent.includes('ros__parameters'));
+}"""
 # The view says the heading in degrees. How far a press turns it depends on how busy the machine is.
 _TURNED = r"""() => {
     const said = document.querySelector('.turtle-view')?.textContent.match(/theta (-?\d+)°/);

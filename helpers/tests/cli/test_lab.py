@@ -45,6 +45,7 @@ def test_a_free_port_is_taken_as_it_is():
 
 def test_root_must_be_allowed_and_the_browser_left_out():
     assert '--allow-root' not in lab.arguments(1234, False, False)
+    assert f'--LabApp.extra_labextensions_path={lab.EXTENSIONS}' in lab.arguments(1234, False, False)
     assert {'--allow-root', '--no-browser'} < set(lab.arguments(1234, True, True))
 
 

@@ -25,6 +25,14 @@ def test_without_its_style_only_the_image_is_seen():
     assert (hidden.text, hidden.get('hidden')) == ('a word', 'hidden')
 
 
+def test_with_its_style_only_the_drawing_is_seen():
+    page = inline_svg.html(SVG, 300, 'words')
+    name = re.search(r'class="(drawing-[0-9a-f]+)"', page)[1]
+    # JupyterLab's own rule for images in outputs, `.jp-RenderedHTMLCommon > img`, is more specific than a class.
+    assert f'.{name} {{display: block !important}}' in page
+    assert f'.{name}-image {{display: none !important}}' in page
+
+
 def test_the_style_of_one_drawing_leaves_others_alone():
     names = {re.search(r'class="(\S+)"', inline_svg.html(svg, 300, ''))[1] for svg in (SVG, SVG.replace('word', 'x'))}
     assert len(names) == 2

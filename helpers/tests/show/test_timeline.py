@@ -17,6 +17,8 @@ from rclpy.service import Service
 
 from helpers import spin_for, spinning, timeline, wait_for
 from helpers.kernel import executors
+from helpers.show import timeline_chart
+from helpers.show.timeline import Callback, Timeline
 from helpers.tests.sample_nodes import Listener, Talker
 
 pytestmark = pytest.mark.usefixtures('ros')
@@ -171,6 +173,17 @@ def test_the_chart():
     assert {'asker', 'adder', 'sent', 'received', 'awaits', 'thread 1', 'on_add'} <= set(words)
     assert root.get('role') == 'img' and root[0].text.startswith('Timeline: 2 callbacks in 1 thread, 4 messages')
     assert bundle['text/plain'] == root[1].text and 'adder takes a request of /add' in bundle['text/plain']
+
+
+def test_two_labels_beside_their_bars_do_not_cover_each_other():
+    chart = Timeline()
+    chart.threads, chart.end = {1: 'thread 1'}, 0.6
+    chart.callbacks = [
+        Callback('patient', 'first', 1, 0.0, 0.01, [(0.0, 0.01)]),
+        Callback('patient', 'tick', 1, 0.5, 0.52, [(0.5, 0.503), (0.518, 0.52)]),
+        Callback('patient', 'callback', 1, 0.51, 0.515, [(0.51, 0.515)]),
+    ]
+    assert re.findall('>(first|tick|callback)</text>', timeline_chart.svg(chart)) == ['first', 'callback']
 
 
 def test_an_empty_chart():

@@ -282,6 +282,17 @@ def test_staging_again_stops_the_earlier_one(tmp_path, domain):
         assert set(second.files) <= {path.name for path in second.path.iterdir()}
 
 
+def test_the_same_edit_again_changes_nothing(tmp_path, capsys):
+    with faults.stage('A7.2', 1, 'unsourced', tmp_path / 'system') as fault:
+        fault.write('notes.txt', 'one two')
+        for edit in (('one', 'three'), ('two', 'four'), ('one', 'three')):
+            fault.edit('notes.txt', *edit)
+        assert capsys.readouterr().out == 'notes.txt: this edit has been made already\n'
+        assert (fault.path / 'notes.txt').read_text() == 'three four'
+        with pytest.raises(ValueError, match="has no 'one'"):  # that edit has never been made
+            fault.edit('notes.txt', 'one', 'four')
+
+
 def test_edits_are_exact_and_stay_inside(tmp_path):
     with faults.stage('A7.2', 1, 'unsourced', tmp_path / 'system') as fault:
         with pytest.raises(ValueError, match=r"has no 'no such text': fault.show\('home/.bashrc'\) prints it"):

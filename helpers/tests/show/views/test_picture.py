@@ -170,6 +170,21 @@ def test_what_stands_on_a_floor_is_painted_over_it():
     assert all(number > top for number, fill in enumerate(fills) if fill.endswith('0000'))
 
 
+def test_a_floor_stays_below_its_walls_if_an_arrow_lies_a_little_below_its_surface():
+    scene = Scene()
+    scene.set('floor', Box((10.0, 10.0, 0.02), (0.0, 0.0, 1.0)))
+    scene.set('arrow', Line([[-4.0, 3.0, -0.005], [4.0, -3.0, 0.005]], (0.0, 1.0, 0.0), 0.05))
+    for number, y in enumerate((-4.0, 0.0, 4.0)):
+        scene.set(f'wall {number}', Box((8.0, 0.1, 1.0), (1.0, 0.0, 0.0)))
+        scene.pose(f'wall {number}', poses.matrix((0.0, y, 0.51)))
+    fills = colours_in_order(picture.svg(scene))
+    floor, walls = (
+        [fill for fill in fills if fill.startswith('#0000')],
+        [fill for fill in fills if fill.endswith('0000')],
+    )
+    assert floor and walls and all(fills.index(wall) > fills.index(floor[0]) for wall in walls)
+
+
 def test_a_large_cloud_is_thinned_out_without_a_pattern():
     some = picture._some(10_000, 2_500)
     assert len(set(some.tolist())) == 2_500
