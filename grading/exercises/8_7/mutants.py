@@ -110,7 +110,7 @@ MUTANTS = [
     Mutant('also_at_the_start', old=TIMER, new=TIMER + '\nself.publisher.publish(String(data=self.state))\n',
            expect='Right after the start', breaks='status-period'),
     Mutant('also_with_each_station', old=KEPT, new=KEPT + '\nself.publisher.publish(String(data=self.state))\n',
-           expect='messages came', breaks='status-period', also='status'),
+           expect='only the timer publishes', breaks='status-period', also='status'),
     Mutant('idle_with_each_station', old=KEPT, new=KEPT + "\nself.state = 'idle'\n", expect='a station was set, and',
            breaks='status', also='latched'),
     Mutant('not_so_far_away', old=GOOD,

@@ -59,7 +59,8 @@ def judge_status(keeper: Keeper, period: float) -> None:
     early = learner.late_listener(f'{keeper.namespace}/status', String)
     expect(
         not early.data,
-        f'Right after the start {early.data} came on status, expected nothing: the first one comes one period later.',
+        f'Right after the start {early.data} came on status, expected nothing: only the timer publishes, the first '
+        'time one period later.',
         'status-period',
     )
     learner.run(3.05 * period)
