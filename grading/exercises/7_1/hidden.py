@@ -86,6 +86,7 @@ def test_several_faults(learner):
     for _ in range(5):
         check(learner, *learner.random.sample(SHELL, 3), learner.random.choice(APT), rule='all')
     check(learner, 'not sourced', 'other', 'release', 'key', rule='all')
+    machines.diagnose(learner, *machines.twice(learner.random), 'all')
     files, want, expected = machines.draw(learner.random, 'range')
     distro, _ = learner.random.choice([one for one in machines.RELEASES if one[0] != want['distro']])
     lines = [f'source /opt/ros/{distro}/setup.bash', f'. /opt/ros/{distro}/setup.sh']

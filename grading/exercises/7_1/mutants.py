@@ -97,4 +97,12 @@ def repair_machine(files, want):
     Mutant('release_anywhere_in_the_line', old="line.split()[-2] != want['codename']",
            new="want['codename'] not in line", expect='You did not find A7.1, cause `release`', breaks='release',
            also=('all', 'repaired')),
+    Mutant('first_apt_line_only', old='for line in debs:', new='for line in debs[:1]:', breaks='all',
+           expect='You did not find A7.1, cause `key`'),
+    Mutant('one_finding_for_a_path', old="if name == 'PATH' and '$PATH' not in value:",
+           new="if name == 'PATH' and '$PATH' not in value and 'PATH' not in [one.cause for one in found]:",
+           breaks='all', expect='You did not find A7.3, cause `PATH`'),
+    Mutant('the_last_range_holds', old="value in ('OFF', 'LOCALHOST'):",
+           new="value in ('OFF', 'LOCALHOST') and line == [one[0] for one in values if one[1] == name][-1]:",
+           breaks='all', expect='You did not find A7.7, cause `range`'),
 ]

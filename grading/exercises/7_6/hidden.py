@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.tf_trees import CAUSES, Tree
+from helpers.checks.chapter_07.tf_trees import ASIDE, CAUSES, Tree
 from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('7.6')
@@ -34,6 +34,24 @@ def test_one_fault(learner, cause):
     for number in range(10):
         with about(cause.replace(' ', '-')):
             Tree(learner.random, cause, moves=number % 2 == 0, decoy=number > 5).in_order().diagnose(learner)
+
+
+@pytest.mark.rules('unknown', 'two-parents', 'not-connected', 'old')
+def test_other_places(learner):
+    """A cause is found wherever in the trees it is.
+
+    A frame may be a parent only. A frame with two parents need not be on the way; the sensor itself may move.
+    """
+    for _ in range(2):
+        with about('unknown'):
+            Tree(learner.random, 'unknown', loose=True).diagnose(learner)
+            Tree(learner.random, loose=True).diagnose(learner, rule='unknown')
+        with about('two-parents'):
+            Tree(learner.random, ASIDE).diagnose(learner)
+            Tree(learner.random, 'two parents', ASIDE, moves=False).diagnose(learner)
+        Tree(learner.random, 'not connected', near=False, third=True).diagnose(learner)
+        for aged in ('both', 'sensor'):
+            Tree(learner.random, 'old', aged=aged).in_order().diagnose(learner)
 
 
 @pytest.mark.rules('newest')
@@ -82,10 +100,11 @@ def test_hidden_fault(learner):
         ('unknown', 'old'),
         ('unknown', 'two parents'),
         ('two parents', 'old'),
+        (ASIDE, 'not connected'),
         *[('not connected', 'old')] * 6,
     ):
         tree = Tree(learner.random, *causes, moves=True)
-        tree.diagnose(learner, [one for one in tree.expected if one[2] == causes[0]], 'order')
+        tree.diagnose(learner, [one for one in tree.expected if one[2] == tree.expected[0][2]], 'order')
 
 
 @pytest.mark.rules('repaired', 'kept')

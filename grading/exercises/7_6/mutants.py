@@ -58,6 +58,36 @@ MUTANTS = [
     Mutant('drops_the_wrong_one', old='    return transforms\n', new='''
     return [t for t in transforms if cause != 'two parents' or t.child_frame_id != where]
 ''', breaks='kept', expect='transforms and returned'),
+    Mutant('known_as_a_child_only', old='frames = set(parents).union(*parents.values())', new='frames = set(parents)',
+           breaks='unknown', also='not-connected', expect='A7.12, cause'),
+    Mutant('on_the_way_only', old='if len(both) > 1', new='if len(both) > 1 and above(parents, source, child)',
+           imports='''
+def above(parents, frame, other):
+    return frame == other or any(above(parents, one, other) for one in parents.get(frame, ()))
+''', breaks='two-parents', also='order', expect='You did not find A7.12, cause `two parents`'),
+    Mutant('first_of_two_parents', old='return twice', new='return twice[:1]', breaks='two-parents',
+           expect='You did not find A7.12, cause `two parents`'),
+    Mutant('in_the_tree_of_the_target', edits=(
+           ("return [Finding('A7.12', way[-1], 'not connected', nearest(way[-1], frames - tree))]", '''
+            below = [frame for frame in frames if frame == target or target in parents.get(frame, ())]
+            return [Finding('A7.12', way[-1], 'not connected', nearest(way[-1], below))]
+            '''),), expect='your evidence is', also='order', **TREE),
+    Mutant('not_the_sensor_itself', old=":.1f}') for frame in way", new=":.1f}') for frame in way[1:]",
+           expect='You did not find A7.12, cause `old`', **OLD),
+    Mutant('at_one_second', old='> 1.0]', new='>= 1.0]', also='newest', expect='there is no such fault', **OLD),
+    Mutant('age_is_cut_off', old="f'{now - newest[frame]:.1f}'", new="f'{(now - newest[frame]) // 0.1 / 10:.1f}'",
+           also='newest', expect='your evidence is', **OLD),
+    Mutant('renames_parts_of_names', old=NAMES,
+           new='t.header.frame_id, t.child_frame_id = (name.replace(old, new) for name in (parent, child))',
+           breaks='kept', also='repaired', expect='only the wrong frame gets another name'),
+    Mutant('exchanges_all_above', old='(parent, child) == (evidence, where)', new='child == where',
+           breaks='repaired', also='kept', expect='After your repair'),
+    Mutant('renames_the_child_alone', old=NAMES,
+           new='''
+           t.child_frame_id = new if child == old else child
+           t.header.frame_id = new if (parent, cause) == (old, 'not connected') else parent
+           ''',
+           breaks='repaired', expect='wherever it stands, as parent and as child'),
     Mutant('renames_children_only', old=NAMES, new='t.child_frame_id = new if child == old else child',
            breaks='repaired', expect='tf2 does not find'),
     Mutant('renames_the_wrong_way', old="(evidence, where) if cause == 'unknown' else (where, evidence)",

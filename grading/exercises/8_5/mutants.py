@@ -68,4 +68,11 @@ MUTANTS = [
     Mutant('divides_at_the_goal', old=LINEAR,
            new='linear = min(max_linear, distance) * distance / distance if abs(angle) <= 0.5 else 0.0',
            expect='ZeroDivisionError', breaks='at-the-goal'),
+    Mutant('limited_angle_decides', old=LINEAR,
+           new='angle = max(-max_angular, min(max_angular, 2 * angle)) / 2\n' + LINEAR + '\n',
+           expect='First the robot must turn', breaks='on-the-spot'),
+    Mutant('the_lower_of_both_limits', old='min(max_linear, distance)', new='min(max_linear, max_angular, distance)',
+           expect='and max_linear is', breaks='linear', also='on-the-spot'),
+    Mutant('ten_metres_at_most', old='math.hypot(dx, dy)', new='min(10.0, math.hypot(dx, dy))',
+           expect='the distance is', breaks='distance'),
 ]

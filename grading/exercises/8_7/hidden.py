@@ -21,6 +21,15 @@ def test_parameters(learner):
     stations.judge_table(learner, '', Parameters(learner, '/delivery_robot'))
 
 
+@pytest.mark.rules('parameters')
+def test_values_at_the_start(learner):
+    """Values that are given at the start take the place of the defaults.
+
+    declare_parameter looks for them, if it is not told to ignore them.
+    """
+    stations.judge_start(learner)
+
+
 @pytest.mark.rules('status', 'status-period', 'latched')
 @pytest.mark.weight(2)
 def test_status(learner):

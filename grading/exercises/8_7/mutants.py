@@ -107,4 +107,23 @@ MUTANTS = [
            new='response.success = False', expect='was refused without a message', breaks='message'),
     Mutant('stations_of_the_class', old='self.stations = {}  # name: (x, y)', new='self.stations = STATIONS',
            imports='STATIONS = {}', expect='belong to the object', breaks='unknown'),
+    Mutant('also_at_the_start', old=TIMER, new=TIMER + '\nself.publisher.publish(String(data=self.state))\n',
+           expect='Right after the start', breaks='status-period'),
+    Mutant('also_with_each_station', old=KEPT, new=KEPT + '\nself.publisher.publish(String(data=self.state))\n',
+           expect='only the timer publishes', breaks='status-period', also='status'),
+    Mutant('idle_with_each_station', old=KEPT, new=KEPT + "\nself.state = 'idle'\n", expect='a station was set, and',
+           breaks='status', also='latched'),
+    Mutant('not_so_far_away', old=GOOD,
+           new='response.success = bool(request.name) and abs(request.x) < 100 and abs(request.y) < 100',
+           expect='was refused: success is false', breaks='station'),
+    Mutant('one_word', old='bool(request.name)', new='request.name.isidentifier()',
+           expect='was refused: success is false', breaks='station'),
+    Mutant('five_stations', old=KEPT, new=KEPT + """
+if len(self.stations) > 5:
+    self.stations.pop(next(iter(self.stations)))
+""", expect='was set, place(', breaks='new-place', also='unknown'),
+    Mutant('ignores_the_start', old=DECLARED, new="""
+            override = name == 'status_period'
+            self.declare_parameter(name, default, bounded(description, low, high), ignore_override=not override)
+            """, expect='The node was started with', breaks='parameters'),
 ]

@@ -71,4 +71,11 @@ MUTANTS = [
         if getattr(self, 'lost', False):
             return None
         """, expect='After a pause the transforms came again', breaks='again'),
+    Mutant('not_quite_half_a_second', old=AGE, new=AGE.replace('>', '>='), expect='Up to 0.5 s they are good',
+           breaks='old'),
+    Mutant('future_is_old', old=AGE,
+           new='if abs((self.get_clock().now() - Time.from_msg(found.header.stamp)).nanoseconds) > 5e8:',
+           expect='ahead of the clock', breaks='old'),
+    Mutant('no_common_time', old='except TransformException:', new='except (LookupException, ConnectivityException):',
+           imports='from tf2_ros import ConnectivityException, LookupException', expect='Exception', breaks='at-once'),
 ]

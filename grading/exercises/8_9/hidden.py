@@ -11,6 +11,7 @@ from helpers.checks.chapter_08.drives import (
     judge_cancel,
     judge_driving,
     judge_lost,
+    judge_name,
     judge_rejections,
     judge_timeout,
     judge_turning,
@@ -18,6 +19,15 @@ from helpers.checks.chapter_08.drives import (
 from helpers.runner import about
 
 pytestmark = [pytest.mark.exercise('8.9'), pytest.mark.wiring(type='rhythm', qos='rhythm')]
+
+
+@pytest.mark.rules('action')
+def test_name(learner):
+    """In a namespace, the action is in it.
+
+    'go_to_station', without a slash at its beginning.
+    """
+    judge_name(learner)
 
 
 @pytest.mark.rules('succeeds', 'stands', 'result', 'next', 'state')

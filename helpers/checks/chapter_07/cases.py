@@ -29,6 +29,8 @@ FAULTS = {
         'description durability',
     ),
 }
+# Faults of frames of which each hides the next one.
+ROUNDS = ('unknown', tf_trees.ASIDE, 'not connected', 'not connected', 'old')
 
 
 @contextmanager
@@ -44,17 +46,17 @@ def named(rule: str):
 class Case:
     """A drawn case: `case` as the learner gets it, and all `expected` findings."""
 
-    def __init__(self, random, faults: dict[str, tuple] | None = None, moves: bool | None = None):
+    def __init__(self, random, faults: dict[str, tuple] | None = None, moves: bool | None = None, aged: str = ''):
         """`faults`: part of the case -> causes. In 'graph', 'hidden' is a wrong name that hides a wrong reliability.
 
-        `moves`: as for `tf_trees.Tree`.
+        `moves` and `aged`: as for `tf_trees.Tree`.
         """
         faults = faults or {}
         causes = {part: faults.get(part, ()) for part in FAULTS}
         self.files, self.want, self.expected = machines.draw(random, *causes['machine'])
         self.package = packages.Package(random, *causes['package'])
         self.robot = models.Robot(random, *causes['model'])
-        self.tree = tf_trees.Tree(random, *causes['frames'], moves=moves)
+        self.tree = tf_trees.Tree(random, *causes['frames'], moves=moves, aged=aged)
         text, programs, hanging = stacks.draw(random, 'idle', *causes['stacks'], 'spinning')
         hidden = causes['graph'] == ('hidden',)
         endpoints, deaf = graphs.draw(random, *(('name',) if hidden else causes['graph']))
@@ -102,10 +104,10 @@ class Case:
         expect(not twice, f'You found {twice and twice[0]} more than once.', 'once')
         compare(found, self.expected, WHY, rule)
 
-    def repaired(self, learner) -> dict:
-        """What the learner makes of the case, by repairing three times."""
+    def repaired(self, learner, rounds: int = 1) -> dict:
+        """What the learner makes of the case, by repairing so often: once, if no fault hides another."""
         case = self.case
-        for _ in range(3):
+        for _ in range(rounds):
             case = learner.call('repair_case', case)
             lost = sorted(self.case.keys() - case.keys()) if isinstance(case, dict) else ['everything']
             expect(not lost, f'The case that repair_case returned lacks {", ".join(lost)}.', 'new-case')

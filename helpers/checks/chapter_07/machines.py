@@ -39,6 +39,20 @@ def draw(random, *causes: str, plain: bool = False, way: str = '', reach: str = 
     return files, machine.want, machine.expected
 
 
+def twice(random) -> tuple[dict, dict, list[tuple]]:
+    """A machine on which two lines have the same fault, three times over, as `draw` returns it."""
+    files, want, _ = draw(random, plain=True)
+    numbers = random.sample(range(100, 1000), 2)
+    debs = [f'deb [arch=amd64] {_URL}/{number} {want["codename"]} main' for number in numbers]
+    paths = [f'export PATH=/opt/tool{number}/bin' for number in numbers]
+    ranges = [f'export ROS_AUTOMATIC_DISCOVERY_RANGE={reach}' for reach in ('OFF', 'LOCALHOST')]
+    files['ros2.list'] += '\n'.join(debs) + '\n'
+    files['.bashrc'] += '\n'.join([*paths, *ranges, 'export ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET']) + '\n'
+    expected = [('A7.1', 'ros2.list', 'key', line) for line in debs]
+    expected += [('A7.3', '.bashrc', 'PATH', line) for line in paths]
+    return files, want, expected + [('A7.7', '.bashrc', 'range', line) for line in ranges]
+
+
 class _Machine:
     """Draws the lines of a machine's files with its faults, and notes in `expected` the findings that are right."""
 

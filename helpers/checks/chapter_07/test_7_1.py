@@ -75,6 +75,7 @@ def test_lines(learner):
         )
     lines = [f'source /opt/ros/{older}/setup.bash', f'. /opt/ros/{older}/setup.sh']
     look('all', lines, lost, *[('A7.5', '.bashrc', 'other', line) for line in lines])
+    machines.diagnose(learner, *machines.twice(random), 'all')
     machines.diagnose(learner, *machines.draw(random, *machines.CAUSES[1:]), 'all')
 
 

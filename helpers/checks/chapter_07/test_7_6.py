@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.tf_trees import CAUSES, Tree
+from helpers.checks.chapter_07.tf_trees import ASIDE, CAUSES, Tree
 from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('7.6')
@@ -18,10 +18,17 @@ def test_causes(learner):
         for moves in (True, False):
             with about(cause.replace(' ', '-')):
                 Tree(learner.random, cause, moves=moves).diagnose(learner)
+    with about('unknown'):
+        Tree(learner.random, 'unknown', loose=True).diagnose(learner)
+        Tree(learner.random, loose=True).diagnose(learner, rule='unknown')
+    with about('two-parents'):
+        Tree(learner.random, ASIDE).diagnose(learner)
+        Tree(learner.random, 'two parents', ASIDE, moves=False).diagnose(learner)
     for near in (True, False):
         Tree(learner.random, 'not connected', near=near, moves=True, decoy=True).diagnose(learner)
-    for _ in range(4):
-        Tree(learner.random, 'old').in_order().diagnose(learner)
+    Tree(learner.random, 'not connected', near=False, third=True).diagnose(learner)
+    for aged in ('upper', 'lower', 'both', 'sensor'):
+        Tree(learner.random, 'old', aged=aged).in_order().diagnose(learner)
     for _ in range(3):
         with about('newest'):
             Tree(learner.random, 'old').diagnose(learner, rule='newest')
@@ -30,10 +37,11 @@ def test_causes(learner):
         ('unknown', 'old'),
         ('unknown', 'two parents'),
         ('two parents', 'old'),
+        (ASIDE, 'not connected'),
         *[('not connected', 'old')] * 6,
     ):
         tree = Tree(learner.random, *causes, moves=True)
-        tree.diagnose(learner, [one for one in tree.expected if one[2] == causes[0]], 'order')
+        tree.diagnose(learner, [one for one in tree.expected if one[2] == tree.expected[0][2]], 'order')
 
 
 @pytest.mark.rules('repaired', 'kept', 'nothing')

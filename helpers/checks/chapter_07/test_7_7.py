@@ -3,7 +3,8 @@
 import pytest
 
 from helpers.checks.chapter_07 import machines
-from helpers.checks.chapter_07.cases import FAULTS, Case, named
+from helpers.checks.chapter_07.cases import FAULTS, ROUNDS, Case, named
+from helpers.checks.chapter_07.tf_trees import ASIDE
 
 pytestmark = pytest.mark.exercise('7.7')
 
@@ -16,13 +17,14 @@ def test_triage(learner):
     """
     random = learner.random
     Case(random).triage(learner, 'nothing')
-    for part in FAULTS:
-        Case(random, {part: (random.choice(FAULTS[part]),)}).triage(learner, 'every-part')
+    for number in range(max(map(len, FAULTS.values()))):  # each fault of each part, in one case with others
+        faults = {part: (causes[number % len(causes)],) for part, causes in FAULTS.items()}
+        Case(random, faults).triage(learner, 'every-part')
     Case(random, {'graph': ('type', 'nobody')}).triage(learner, 'ends')
     Case(random, {'graph': ('hidden',)}).triage(learner, 'hidden')
     for first in ('unknown', 'two parents', 'not connected'):
-        Case(random, {'frames': (first, 'old')}, moves=True).triage(learner, 'hidden')
-    Case(random, {'frames': ('unknown', 'not connected', 'old')}, moves=False).triage(learner, 'hidden')
+        Case(random, {'frames': (first, 'old')}, moves=True, aged='both').triage(learner, 'hidden')
+    Case(random, {'frames': ROUNDS, 'graph': ('type',)}).triage(learner, 'hidden')
 
 
 @pytest.mark.rules('files', 'endpoints', 'transforms', 'new-case')
@@ -43,7 +45,7 @@ def test_repair(learner):
         },
     )
     with named('files'):
-        after = case.repaired(learner)
+        after = case.repaired(learner, 2)
         machines.try_out(learner, case.files, after['files'], case.want)
         case.package.check(after['package'])
         case.robot.check(after['urdf'])
@@ -53,8 +55,8 @@ def test_repair(learner):
     for faults in (['service name', 'both'], ['description durability', 'name']):
         case = Case(random, {'graph': tuple(faults)})
         case.check_graph(case.repaired(learner)['endpoints'])
-    for cause, moves in (('two parents', True), ('not connected', False)):
-        case = Case(random, {'frames': (cause,)}, moves)
+    for causes, moves in ((['two parents'], True), (['two parents', ASIDE], False), (['not connected'], False)):
+        case = Case(random, {'frames': tuple(causes)}, moves)
         with named('transforms'):
             after = case.repaired(learner)
             case.tree.check([after['moving'], after['static']])

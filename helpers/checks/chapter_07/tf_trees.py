@@ -21,6 +21,10 @@ WHY = {
 }
 _ROOTS, _SENSORS = ('map', 'odom', 'world'), ('laser', 'camera', 'gripper', 'sonar', 'antenna')
 _FIXED = ('mast', 'plate', 'bracket', 'housing')
+_FAR = 'pedestal'  # a name that is like no other
+# Which transforms of the way are old.
+_AGED = {'upper': ['platform'], 'lower': ['middle'], 'both': ['platform', 'middle'], 'sensor': ['sensor']}
+ASIDE = 'two parents aside'
 
 
 class _Faults:
@@ -28,22 +32,38 @@ class _Faults:
 
     def __init__(self):
         self.names: dict[tuple[str, str], str] = {}  # (edge, 'parent' or 'child') -> what is published instead
-        self.exchanged = ''  # the edge whose parent and child change places
+        self.exchanged: set[str] = set()  # the edges whose parent and child change places
         self.ages: dict[str, float] = {}  # edge -> age of its newest transform, in seconds
 
     def published(self, parent: str, child: str) -> tuple[str, str]:
         """The parent and the child that are published for an edge."""
         names = self.names.get((child, 'parent'), parent), self.names.get((child, 'child'), child)
-        return names[::-1] if child == self.exchanged else names
+        return names[::-1] if child in self.exchanged else names
 
 
 class Tree:
     """A drawn robot: `moving`, `static`, `target`, `source`, `now`; the `expected` findings, and the `truth`."""
 
-    def __init__(self, random, *causes: str, near: bool = True, moves: bool | None = None, decoy: bool = False):
-        """`near`: whether the name that was meant can be found, if one is wrong. `moves`: whether a transform with
-        wrong names is a moving one; None: as it comes. The sensor's own one is static.
-        `decoy`: below the sensor there is a frame whose name is nearest to a top frame that is misspelt.
+    def __init__(
+        self,
+        random,
+        *causes: str,
+        near: bool = True,
+        moves: bool | None = None,
+        decoy: bool = False,
+        third: bool = False,
+        aged: str = '',
+        loose: bool = False,
+    ):
+        """:param causes: of `CAUSES`; ASIDE is a frame with two parents that is not on the way. 'not connected' may
+            come twice: then the tree is broken in two places.
+        :param near: whether the name that was meant can be found, if one is wrong.
+        :param moves: whether a transform with wrong names is a moving one; None: as it comes. The sensor's own one
+            is static, unless it is old.
+        :param decoy: below the sensor there is a frame whose name is nearest to a top frame that is misspelt.
+        :param third: with `near` false, the name that is nearest to the top frame is in a third tree.
+        :param aged: which transforms are old: a key of `_AGED`; '' draws one.
+        :param loose: nobody publishes the transform to the sensor: it is a parent only.
         """
         moves = random.random() < 0.5 if moves is None else moves
         self._random = random
@@ -57,52 +77,80 @@ class Tree:
             (self.target, 'platform', True),
             ('platform', middle, True),
             (middle, fixed, False),
-            (fixed, self.source, False),
+            (fixed, self.source, aged == 'sensor'),
             (middle, other, False),
+            *([(self.source, 'lens', False)] if moves or loose else []),
         ]
         numbers = {child: [round(random.uniform(-2.0, 2.0), 2) for _ in range(3)] for _, child, _ in edges}
         self.truth = [
             sum(numbers[child][axis] for child in ('platform', middle, fixed, self.source)) for axis in range(3)
         ]
         self.expected: list[tuple] = []
-        faults = self._draw_faults(causes, near, moves, (middle, fixed, other))
-        lower = [one[1] for one in self.expected if one[2] == 'not connected'] if decoy else []
-        for wrong in lower:
-            edges.append((self.source, f'{wrong}2', False))
-            numbers[f'{wrong}2'] = [0.1, 0.0, 0.0]
+        faults = self._draw_faults(causes, near, moves, (middle, fixed, other), aged, f'{_FAR}s' if third else '')
+        if loose:
+            edges = [edge for edge in edges if edge[1] != self.source]
+            if not causes:
+                self._found(self.source, 'not connected', '')
+        edges += self._more_edges(middle, decoy, third)
+        self._names: dict[int, tuple[str, str]] = {}  # the right names of each transform, by its id
         self.moving, self.static = [], []
         for parent, child, moving in edges:
             published = faults.published(parent, child)
-            if not moving:
-                self.static.append(_transform(*published, numbers[child], 0.0))
-                continue
-            for back in range(4, -1, -1):  # what has come on /tf, the newest one last but for a late one
-                stamp = self.now - faults.ages.get(child, random.randint(0, 9) / 10) - back
-                self.moving.append(_transform(*published, numbers[child], stamp))
+            age = faults.ages.get(child, random.choice([1.0, random.randint(0, 970) / 1000]))
+            # What has come on /tf, the newest one last but for a late one; on /tf_static it came once.
+            for back in (4.0, 2.0, 0.6, 0.3, 0.0) if moving else [0.0]:
+                stamp = self.now - age - back if moving else 0.0
+                made = _transform(*published, numbers.get(child, [0.1, 0.0, 0.0]), stamp)
+                self._names[id(made)] = parent, child
+                (self.moving if moving else self.static).append(made)
         # An end of the tree that has stopped, and is not on the way.
-        self.moving.append(_transform(other, 'lid', [0.0, 0.0, 0.1], self.now - 30.0))
+        lid = _transform(*faults.published(other, 'lid'), [0.0, 0.0, 0.1], self.now - 30.0)
+        self._names[id(lid)] = other, 'lid'
+        self.moving.append(lid)
         random.shuffle(self.moving)
         random.shuffle(self.static)
 
-    def _draw_faults(self, causes, near: bool, moves: bool, frames: tuple[str, str, str]) -> '_Faults':
-        """Draw these faults into the edges to some of the frames, and note what is to be found."""
+    def _more_edges(self, middle: str, decoy: bool, third: bool) -> list[tuple[str, str, bool]]:
+        """Frames whose names are like wrong ones; for the parameters see `__init__`."""
+        edges = []
+        for _, where, cause, evidence in self.expected:
+            if cause == 'not connected' and decoy:
+                edges.append((self.source, f'{where}2', False))
+            if cause == 'unknown' and evidence:
+                edges.append((middle, f'{evidence}2', False))
+        return [*edges, (f'{_FAR}s', 'mat', False)] if third else edges
+
+    def _draw_faults(
+        self, causes, near: bool, moves: bool, frames: tuple[str, str, str], aged: str, meant: str
+    ) -> '_Faults':
+        """Draw these faults into the edges to some of the frames, and note what is to be found.
+
+        :param meant: what is nearest to the top frame if `near` is false.
+        """
         faults, (middle, fixed, other) = _Faults(), frames
         for cause in causes:
             if cause == 'unknown':
                 wrong = self._misspelt(self.source) if near else 'thermometer'
-                faults.names[self.source, 'child'] = wrong
+                faults.names[self.source, 'child'] = faults.names['lens', 'parent'] = wrong
                 self._found(self.source, 'unknown', wrong if near else '')
             elif cause == 'not connected':
                 parent, child = ('platform', middle) if moves else (middle, fixed)
-                wrong = self._misspelt(parent) if near else 'pedestal'
+                wrong = self._misspelt(parent) if near else _FAR
                 faults.names[child, 'parent'] = wrong
-                self._found(wrong, 'not connected', parent if near else '')
+                self._found(wrong, 'not connected', parent if near else meant)
+                moves = not moves  # if there is another one, it is elsewhere
             elif cause == 'two parents':
-                faults.exchanged = middle if moves else self._random.choice([other, fixed])
-                self._found('platform' if moves else middle, 'two parents', faults.exchanged)
+                sensors = [fixed] if ASIDE in causes else [other, fixed]
+                exchanged = middle if moves else self._random.choice(sensors)
+                faults.exchanged.add(exchanged)
+                self._found('platform' if moves else middle, 'two parents', exchanged)
+            elif cause == ASIDE:
+                faults.exchanged.add('lid')
+                self._found(other, 'two parents', 'lid')
             elif cause == 'old':
-                for child in self._random.choice([[middle], ['platform'], ['platform', middle]]):
-                    faults.ages[child] = self._random.randint(11, 95) / 10
+                for name in _AGED[aged or self._random.choice(['upper', 'lower', 'both'])]:
+                    child = {'platform': 'platform', 'middle': middle, 'sensor': self.source}[name]
+                    faults.ages[child] = self._random.randint(11, 95) / 10 + self._random.randint(-30, 30) / 1000
                     self._found(child, 'old', f'{faults.ages[child]:.1f}')
         return faults
 
@@ -114,7 +162,7 @@ class Tree:
     def diagnose(self, learner, expected: list[tuple] | None = None, rule: str = '', transforms=None) -> None:
         """Ask the learner's diagnose_tf, by default about this tree, and fail with words if it finds anything else."""
         moving, static = transforms or (self.moving, self.static)
-        edges = [sorted({f'{one.header.frame_id} → {one.child_frame_id}' for one in part}) for part in (moving, static)]
+        edges = [sorted({' → '.join(_names_of(one)) for one in part}) for part in (moving, static)]
         given = (
             f'Asked for {self.source} in {self.target}, now = {self.now}.\nmoving: {", ".join(edges[0])}\n'
             f'static: {", ".join(edges[1])}'
@@ -179,13 +227,28 @@ class Tree:
             f'expected ({", ".join(f"{value:.2f}" for value in self.truth)}).',
             'repaired',
         )
+        self._check_names(repaired)
+
+    def _check_names(self, repaired) -> None:
+        """Fail with words if a transform has not the names with which it should have been published."""
+        for before, after in zip([*self.moving, *self.static], [*repaired[0], *repaired[1]], strict=True):
+            was, now, right = _names_of(before), _names_of(after), self._names[id(before)]
+            what = f'After your repair, the transform {" → ".join(was)} is {" → ".join(now)}, expected '
+            if was == right:
+                expect(now == right, f'{what}no change: only the wrong frame gets another name.', 'kept')
+            expect(
+                now == right,
+                f'{what}{" → ".join(right)}: a wrong name is to be changed wherever it stands, as parent and as child.',
+                'repaired',
+            )
 
     def _found(self, where: str, cause: str, evidence: str) -> None:
         self.expected.append(('A7.12', where, cause, evidence))
 
     def _misspelt(self, name: str) -> str:
         """A wrong spelling for which no other frame could be meant."""
-        others = {*_ROOTS, *_SENSORS, *_FIXED, 'platform', 'base_footprint', 'base_link', 'chassis', 'lid'} - {name}
+        bases = {'platform', 'base_footprint', 'base_link', 'chassis'}
+        others = {*_ROOTS, *_SENSORS, *_FIXED, *bases, 'lid', 'lens'} - {name}
         while True:
             wrong = misspelt(name, self._random)
             if get_close_matches(wrong, [name], 1, 0.78) and not get_close_matches(wrong, others, 1, 0.6):
@@ -195,6 +258,11 @@ class Tree:
 def _transform(parent: str, child: str, numbers, stamp: float) -> TransformStamped:
     made = TransformStamped()
     made.header.frame_id, made.child_frame_id = parent, child
-    made.header.stamp = Time(nanoseconds=round(stamp * 10) * 10**8).to_msg()
+    made.header.stamp = Time(nanoseconds=round(stamp * 10**9)).to_msg()
     made.transform.translation.x, made.transform.translation.y, made.transform.translation.z = numbers
     return made
+
+
+def _names_of(transform: TransformStamped) -> tuple[str, str]:
+    """Its parent and its child."""
+    return transform.header.frame_id, transform.child_frame_id

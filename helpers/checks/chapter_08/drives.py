@@ -3,6 +3,7 @@
 import math
 
 import pytest
+from delivery_interfaces.action import GoToStation
 from std_msgs.msg import String
 
 from helpers.checks.chapter_08.deliveries import Delivery
@@ -24,6 +25,7 @@ class Drives:
         self.learner, self.robot, self.commands = learner, self.delivery.robot, self.delivery.robot.commands
         self.parameters = Parameters(learner, '/delivery_robot')
         self.run, self.goal = self.delivery.run, None
+        self.ends: dict[str, str] = {}  # what the results of goals that did not arrive said, and when
 
     def go(self, station: str, rule: str, why: str):
         """Send a goal that must be accepted; else `rule` is broken."""
@@ -86,13 +88,42 @@ class Drives:
             f'{when} the goal was {status}, and the message in its result is empty.',
             'result',
         )
+        self._message(goal.result.message, status, when)
         self.status('idle', f'{when} the goal was {status}. After that')
+
+    def _message(self, message: str, status: str, when: str) -> None:
+        """Fail if a goal that arrived says the same as one before it that did not."""
+        if status != 'succeeded':
+            self.ends[message] = f'{when} another goal was {status}'
+        expect(
+            status != 'succeeded' or message not in self.ends,
+            f'A goal has arrived, and its message is {message!r}. {self.ends.get(message)}, with the same message. '
+            'It says how the drive ended.',
+            'result',
+        )
+
+
+def judge_name(learner) -> None:
+    """The rule `action`: its name is relative."""
+    namespace = f'/robot{learner.random.randint(2, 99)}'
+    client = learner.action_client(f'{namespace}/go_to_station', GoToStation)
+    with about('action'):
+        learner.start('DeliveryRobot', threads=True, remap={'__ns': namespace})
+        learner.settle()
+        goal = client.send(station='nowhere')
+        learner.settle()
+    expect(
+        goal.accepted is False,
+        f'In the namespace {namespace}, a goal was sent to {namespace}/go_to_station: a station that nobody has set. '
+        'It was not rejected. A relative name has no slash at its beginning.',
+        'action',
+    )
 
 
 def judge_rejections(drives: Drives) -> str:
     """The rules `rejects-unknown`, `single` and `state`. Returns the name of the station to which the robot drives."""
     name = drives.learner.random.choice(['kitchen', 'office', 'lab'])
-    drives.delivery.station(name, 3.0, 0.0)
+    drives.delivery.station(name, 3.5, 0.0)
     drives.delivery.station('other', 1.0, 0.5)
     drives.rejected('moon', 'rejects-unknown', 'Nobody has set this station.')
     with about('single'):
@@ -126,6 +157,7 @@ def judge_rejections(drives: Drives) -> str:
 
 def judge_turning(drives: Drives) -> None:
     """The rules `rhythm` and `limits`, of a robot that turns on the spot."""
+    told = len(drives.goal.feedback)
     came = drives.recent(0.5)
     expect(came, 'A goal was accepted, and no command comes on cmd_vel.', 'rhythm')
     gaps = [late - early for early, late in zip(drives.commands.stamps, drives.commands.stamps[1:], strict=False)]
@@ -152,6 +184,11 @@ def judge_turning(drives: Drives) -> None:
             f'{got:.2f}. Read the parameter in each round.',
             'limits',
         )
+    expect(
+        len(drives.goal.feedback) > told,
+        'For 1 s the robot has turned on the spot, and no feedback came: it comes as long as the goal runs.',
+        'feedback',
+    )
 
 
 def judge_driving(drives: Drives, name: str) -> None:
@@ -175,16 +212,18 @@ def judge_driving(drives: Drives, name: str) -> None:
         f'The last feedback says {told:.2f} m, and the robot is {truth:.2f} m away from {name}.',
         'feedback',
     )
-    for slow in (drives.learner.random.choice([0.15, 0.2, 0.25]), 0.5):
-        drives.set(max_linear=slow)
+    for limit in (drives.learner.random.choice([0.15, 0.2, 0.25]), drives.learner.random.choice([0.6, 0.7])):
+        drives.set(max_linear=limit)
         drives.run(0.2)
         fastest = max((command.linear.x for command in drives.recent(0.3)), default=0.0)
         expect(
-            fastest == pytest.approx(slow),
-            f'max_linear was set to {slow} on the way, and linear.x of the commands '
+            fastest == pytest.approx(limit),
+            f'max_linear was set to {limit} on the way, and linear.x of the commands '
             f'is {fastest:.2f}. Read the parameter in each round.',
             'limits',
         )
+    drives.set(max_linear=0.5)
+    drives.run(0.2)
 
 
 def judge_cancel(drives: Drives, name: str) -> None:
@@ -214,10 +253,23 @@ def judge_cancel(drives: Drives, name: str) -> None:
     again = drives.go('near', 'next', 'A goal was cancelled, and this is the next one')
     drives.run(8.0, again)
     judge_arrived(drives, again, 'near', TOLERANCE)
+    _judge_quick_cancel(drives, name)
+
+
+def _judge_quick_cancel(drives: Drives, name: str) -> None:
+    """The rules `next`, after an arrival, and `cancel`, directly after the start of a goal."""
+    goal = drives.go(name, 'next', 'A goal has succeeded, and this is the next one')
+    drives.run(0.15)
+    begin = drives.learner.now / SECOND
+    with about('cancel'):
+        goal.cancel()
+        drives.run(0.7, goal)
     expect(
-        again.result.message != goal.result.message,
-        f'Arrived or cancelled, the message is {again.result.message!r}. It says how the drive ended.',
-        'result',
+        goal.done and goal.finished - begin < 0.25,
+        '0.15 s after a goal was sent it was cancelled, and '
+        + (f'ended {goal.finished - begin:.2f} s after that' if goal.done else 'still runs 0.7 s after that')
+        + ', expected at most 0.2 s.',
+        'cancel',
     )
 
 

@@ -56,6 +56,13 @@ class Keeper:
 def judge_status(keeper: Keeper, period: float) -> None:
     """The rules `status`, `status-period` and `latched`, right after the start."""
     learner = keeper.learner
+    early = learner.late_listener(f'{keeper.namespace}/status', String)
+    expect(
+        not early.data,
+        f'Right after the start {early.data} came on status, expected nothing: only the timer publishes, the first '
+        'time one period later.',
+        'status-period',
+    )
     learner.run(3.05 * period)
     heard = keeper.heard
     expect(heard.data, f'With status_period = {period:g}, nothing came on status in {3.05 * period:.2f} s.', 'status')
@@ -69,10 +76,17 @@ def judge_status(keeper: Keeper, period: float) -> None:
     )
     state = f'driving to {learner.random.choice(NAMES)}'
     keeper.node.call('__setattr__', 'state', state)
+    keeper.set('b', 1.0, 2.0)
     learner.run(period)
     expect(
+        len(heard) == 4,
+        f'A station was set, and {len(heard) - 3} messages came on status in one period of {period:g} s, expected 1: '
+        'only the timer publishes.',
+        'status-period',
+    )
+    expect(
         heard.data[-1] == state,
-        f'self.state became {state!r}, and {period:g} s later {heard.data[-1]!r} came on '
+        f'self.state became {state!r}, a station was set, and {period:g} s later {heard.data[-1]!r} came on '
         'status: publish it as it is then.',
         'status',
     )
@@ -122,9 +136,25 @@ def judge_table(learner, namespace: str, parameters: Parameters) -> None:
         expect(parameters.set(**{name: high}).successful, f'{name} = {high:g} was refused.', 'bounds')
 
 
+def judge_start(learner) -> None:
+    """The rule `parameters`, for values that are given at the start."""
+    given = {name: round(learner.random.uniform(low, high), 3) for name, (_, low, high) in TABLE.items()}
+    with about('parameters'):
+        Keeper(learner, **given)
+    parameters = Parameters(learner, '/delivery_robot')
+    for name, value in given.items():
+        got = parameters.get(name)
+        expect(
+            got == value,
+            f'The node was started with {name} = {value:g}, and {name} is {got:g}. A value from outside takes '
+            'the place of the default.',
+            'parameters',
+        )
+
+
 def judge_stations(keeper: Keeper) -> None:
     """The rules `station`, `new-place`, `unknown`, `bad-station`, `message` and `unchanged`."""
-    names = keeper.learner.random.sample(NAMES, 4)
+    names = keeper.learner.random.sample(NAMES, len(NAMES))
     nobody = names.pop()
     wanted = _judge_new_stations(keeper, names)
     for name in (nobody, names[0] + 's', names[0].upper()):
@@ -157,7 +187,7 @@ def _judge_new_stations(keeper: Keeper, names: list[str]) -> dict[str, list[floa
     draw = keeper.learner.random
     wanted: dict[str, list[float]] = {}
     for name in names:
-        wanted[name] = [draw.randint(-40, 40) / 10, draw.randint(-40, 40) / 10]
+        wanted[name] = [round(draw.uniform(-size, size), 4) for size in (3, 2000)]
         response = keeper.set(name, *wanted[name])
         expect(
             response.success,
@@ -170,7 +200,8 @@ def _judge_new_stations(keeper: Keeper, names: list[str]) -> dict[str, list[floa
             f'After set_station, place({name!r}) is {found}, expected {tuple(wanted[name])}.',
             'station',
         )
-        _judge_places(keeper, wanted, f'After {name!r} was set', 'new-place')
+        if len(wanted) in (2, len(names)):
+            _judge_places(keeper, wanted, f'After {name!r} was set', 'new-place')
     wanted[names[0]] = [0.0, draw.randint(-40, 40) / 10]
     expect(
         keeper.set(names[0], *wanted[names[0]], 'new-place').success,

@@ -73,8 +73,9 @@ def side_of(angle: float) -> str:
 
 def judge_distance(learner) -> None:
     """The rule `distance`."""
-    for angle in (0.0, 0.3, -2.0):
-        arguments = case(learner.random, angle, learner.random.uniform(0.5, 4))
+    draw = learner.random
+    for angle, far in ((0.0, draw.uniform(0.5, 4)), (0.3, draw.uniform(20, 60)), (-2.0, draw.uniform(0.5, 4))):
+        arguments = case(draw, angle, far)
         got = steer(learner, 'distance', *arguments)[0]
         wanted = right(*arguments)[0]
         expect(
@@ -128,7 +129,7 @@ def judge_speed(learner) -> None:
     for angle in (0.0, draw.uniform(0.1, 0.2), -draw.uniform(0.1, 0.2)):
         for distance in (draw.uniform(0.002, 0.01), draw.uniform(0.05, 0.25), draw.uniform(1.5, 4)):
             limit = draw.uniform(0.3, 0.9)
-            arguments = case(draw, angle, distance, max_linear=limit)
+            arguments = case(draw, angle, distance, max_linear=limit, max_angular=draw.uniform(0.05, 0.25))
             got = steer(learner, 'linear', *arguments)[1]
             expect(
                 got == pytest.approx(min(limit, distance), abs=1e-6),
@@ -138,7 +139,7 @@ def judge_speed(learner) -> None:
             )
     for side in (1, -1):
         for angle in (0.505, draw.uniform(2, 3)):
-            arguments = case(draw, side * angle, draw.uniform(0.5, 2))
+            arguments = case(draw, side * angle, draw.uniform(0.5, 2), max_angular=draw.uniform(0.2, 0.8))
             got = steer(learner, 'on-the-spot', *arguments)[1]
             expect(
                 got == 0,

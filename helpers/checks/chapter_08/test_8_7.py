@@ -23,6 +23,15 @@ def test_parameters_and_stations(learner):
     stations.judge_stations(keeper)
 
 
+@pytest.mark.rules('parameters')
+def test_values_at_the_start(learner):
+    """Values that are given at the start take the place of the defaults.
+
+    declare_parameter looks for them, if it is not told to ignore them.
+    """
+    stations.judge_start(learner)
+
+
 @pytest.mark.rules('names', 'status', 'status-period', 'latched')
 def test_status(learner):
     """The status comes every status_period seconds, in the namespace of the robot, and who comes late gets the newest.

@@ -26,6 +26,15 @@ def test_drive(learner):
         drives.judge_cancel(there, name)
 
 
+@pytest.mark.rules('action')
+def test_name(learner):
+    """In a namespace, the action is in it.
+
+    'go_to_station', without a slash at its beginning.
+    """
+    drives.judge_name(learner)
+
+
 @pytest.mark.rules('rejects-lost', 'lost', 'timeout', 'next', 'succeeds', 'result')
 def test_lost_and_late(learner):
     """A robot that is lost, or takes too long, gives up, stands, and takes the next goal.

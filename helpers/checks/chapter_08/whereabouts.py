@@ -72,6 +72,10 @@ def judge_unknown(lost: Lost) -> None:
         f'While the place is not known, where() takes {seconds:.2f} s. It must not wait: ask without a timeout.',
         'at-once',
     )
+    # The only transform of the wheels is newer than the only one of the localiser: no moment is known for both.
+    lost.localizer.move(1.0, 2.0, 0.5)
+    lost.learner.run(0.1)
+    lost.where('at-once')
 
 
 def _seconds(lost: Lost) -> float:
@@ -129,6 +133,16 @@ def judge_age(lost: Lost) -> None:
     expect(
         lost.where('old') is not None, 'The transforms are 0.45 s old, and where() is None. That is good enough.', 'old'
     )
+    lost.learner.run((-lost.learner.now % SECOND) / SECOND)
+    lost.localizer.tell(*place)
+    lost.learner.run(0.5)
+    expect(
+        lost.where('old') is not None,
+        'The transforms are exactly 0.5 s old, and where() is None. Up to 0.5 s they are good.',
+        'old',
+    )
+    lost.localizer.tell(*place)
+    lost.learner.run(0.45)
     age = lost.draw.uniform(0.08, 0.3)
     lost.learner.run(age)
     found = lost.where('old')
@@ -175,5 +189,13 @@ def judge_age(lost: Lost) -> None:
         found is None,
         'Transforms have just come, and their stamps are 0.62 s old: where() says '
         f'{found and shown(found)}. Look at the stamp, not at the moment of arrival.',
+        'old',
+    )
+    lost.localizer.tell(*lost.somewhere(), lost.learner.now / SECOND + 0.7)
+    lost.learner.run(0.02)
+    expect(
+        lost.where('old') is not None,
+        'The stamps of the newest transforms are 0.68 s ahead of the clock, and where() is None. That is not older '
+        'than 0.5 s.',
         'old',
     )
