@@ -29,7 +29,7 @@ MUTANTS = [
            new='self.declare_parameter(name, default, ParameterDescriptor(description=description))',
            expect='has the bounds []', breaks='bounds'),
     Mutant('bounds_of_another', old="'max_angular', 1.0, 0.1, 2.0", new="'max_angular', 1.0, 0.05, 1.0",
-           expect='The descriptor of max_angular', breaks='bounds'),
+           expect='The descriptor of max_angular', breaks='bounds', also='parameters'),
     Mutant('no_description', old='bounded(description, low, high)', new="bounded('', low, high)",
            expect='has no description', breaks='description'),
     Mutant('always_idle', old='data=self.state', new="data='idle'", expect='publish it as it is then', breaks='status'),

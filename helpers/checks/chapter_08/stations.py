@@ -144,9 +144,10 @@ def judge_start(learner) -> None:
     parameters = Parameters(learner, '/delivery_robot')
     for name, value in given.items():
         got = parameters.get(name)
+        expect(got is not None, f'There is no parameter {name}.', 'parameters')
         expect(
             got == value,
-            f'The node was started with {name} = {value:g}, and {name} is {got:g}. A value from outside takes '
+            f'The node was started with {name} = {value:g}, and {name} is {got}. A value from outside takes '
             'the place of the default.',
             'parameters',
         )
