@@ -33,9 +33,10 @@ _ALWAYS = 'ament_index_python', 'rclpy', 'std_msgs'
 _CALL = """\
 import json, sys
 from patrol.route import round_trip
-for stations in json.loads(sys.argv[1]):
-    found = round_trip(list(stations))
-    print(json.dumps([type(found).__name__, found]))
+found = [round_trip(list(stations)) for stations in json.loads(sys.argv[1])]
+print()  # the function may have printed, too
+for one in found:
+    print(json.dumps([type(one).__name__, one], default=str))
 """
 
 # What a function does that is wrong -> its body
