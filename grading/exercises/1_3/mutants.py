@@ -62,7 +62,7 @@ class Bridge(Node):
             for node in nodes.values():
             ''')), expect='No speaker', breaks='measures', also=('in-time',)),
     Mutant('gives_up_early', old='end = time.monotonic() + seconds', new='end = time.monotonic() + 0.001 * seconds',
-           expect='gave up after', breaks='in-time', also=('measures', 'leaves')),
+           expect='who_hears(', breaks='measures', also=('in-time', 'leaves')),
     Mutant('in_the_order_of_hearing', edits=(('heard = set()', 'heard = []'),
                                              ('heard.add(domain), 10)', 'heard.append(domain), 10)'),
                                              ('len(heard) < len(nodes)', 'len(set(heard)) < len(nodes)'),
