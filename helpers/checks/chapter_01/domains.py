@@ -8,6 +8,7 @@ from std_msgs.msg import String
 from helpers.kernel.domains import claim
 from helpers.runner import about, expect
 from helpers.runner.elsewhere import Elsewhere
+from helpers.runner.load import busy
 from helpers.runner.values import SetAsList, TupleAsList
 
 ENOUGH = 1.5  # seconds that a listener is given
@@ -36,13 +37,21 @@ def check_kind(got, call: str) -> None:
     )
 
 
+def _who_hears(learner, ours: int, asked: list[int], seconds: float, wanted: list[int]):
+    """What `who_hears` returns; a wrong answer of a busy machine is asked for once more, with four times as long."""
+    with about('measures'):
+        got = learner.call('who_hears', ours, asked, seconds)
+        if got != wanted and busy():
+            got = learner.call('who_hears', ours, asked, 4 * seconds)
+    return got
+
+
 def check_roll_call(learner) -> None:
     """`who_hears` speaks in its own domain, and finds a bridge that the tests have made."""
     with domains(3) as (ours, second, third), Elsewhere(ours) as here:
         heard = here.listen('/roll_call', String)
         asked = learner.random.sample([ours, second, third], 3)
-        with about('measures'):
-            got = learner.call('who_hears', ours, asked, ENOUGH)
+        got = _who_hears(learner, ours, asked, ENOUGH, [ours])
         here.wait_until(lambda: heard, timeout=1)
         expect(
             here.met('/roll_call'),
@@ -73,9 +82,8 @@ def check_bridged(learner) -> None:
         with Elsewhere(second) as there, Elsewhere(ours) as here:
             here.relay('/roll_call', String, to=there)
             asked = learner.random.sample([ours, third], 2) + [second]
-            with about('measures'):
-                got = learner.call('who_hears', ours, asked, 2.0)
-        wanted = [second, ours]
+            wanted = [second, ours]
+            got = _who_hears(learner, ours, asked, 2.0, wanted)
         check_kind(got, f'who_hears({ours}, {asked})')
         expect(
             got != [ours],
