@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.tf_trees import ASIDE, CAUSES, Tree
+from helpers.checks.chapter_07.tf_trees import ASIDE, CAUSES, Tree, judge_other_places
 from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('7.6')
@@ -43,13 +43,7 @@ def test_other_places(learner):
     A frame may be a parent only. A frame with two parents need not be on the way; the sensor itself may move.
     """
     for _ in range(2):
-        with about('unknown'):
-            Tree(learner.random, 'unknown', loose=True).diagnose(learner)
-            Tree(learner.random, loose=True).diagnose(learner, rule='unknown')
-        with about('two-parents'):
-            Tree(learner.random, ASIDE).diagnose(learner)
-            Tree(learner.random, 'two parents', ASIDE, moves=False).diagnose(learner)
-        Tree(learner.random, 'not connected', near=False, third=True).diagnose(learner)
+        judge_other_places(learner)
         for aged in ('both', 'sensor'):
             Tree(learner.random, 'old', aged=aged).in_order().diagnose(learner)
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.tf_trees import ASIDE, CAUSES, Tree
+from helpers.checks.chapter_07.tf_trees import ASIDE, CAUSES, Tree, judge_other_places
 from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('7.6')
@@ -18,15 +18,9 @@ def test_causes(learner):
         for moves in (True, False):
             with about(cause.replace(' ', '-')):
                 Tree(learner.random, cause, moves=moves).diagnose(learner)
-    with about('unknown'):
-        Tree(learner.random, 'unknown', loose=True).diagnose(learner)
-        Tree(learner.random, loose=True).diagnose(learner, rule='unknown')
-    with about('two-parents'):
-        Tree(learner.random, ASIDE).diagnose(learner)
-        Tree(learner.random, 'two parents', ASIDE, moves=False).diagnose(learner)
+    judge_other_places(learner)
     for near in (True, False):
         Tree(learner.random, 'not connected', near=near, moves=True, decoy=True).diagnose(learner)
-    Tree(learner.random, 'not connected', near=False, third=True).diagnose(learner)
     for aged in ('upper', 'lower', 'both', 'sensor'):
         Tree(learner.random, 'old', aged=aged).in_order().diagnose(learner)
     for _ in range(3):

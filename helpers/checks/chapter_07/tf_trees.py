@@ -8,7 +8,7 @@ from tf2_ros import Buffer, TransformException
 
 from helpers.checks.chapter_07.findings import compare
 from helpers.programs.faults.words import misspelt
-from helpers.runner import expect
+from helpers.runner import about, expect
 
 CAUSES = ('unknown', 'two parents', 'not connected', 'old')
 WHY = {
@@ -253,6 +253,17 @@ class Tree:
             wrong = misspelt(name, self._random)
             if get_close_matches(wrong, [name], 1, 0.78) and not get_close_matches(wrong, others, 1, 0.6):
                 return wrong
+
+
+def judge_other_places(learner) -> None:
+    """Causes that are not on the way to the sensor: rules `unknown`, `two-parents` and `not-connected`."""
+    with about('unknown'):
+        Tree(learner.random, 'unknown', loose=True).diagnose(learner)
+        Tree(learner.random, loose=True).diagnose(learner, rule='unknown')
+    with about('two-parents'):
+        Tree(learner.random, ASIDE).diagnose(learner)
+        Tree(learner.random, 'two parents', ASIDE, moves=False).diagnose(learner)
+    Tree(learner.random, 'not connected', near=False, third=True).diagnose(learner)
 
 
 def _transform(parent: str, child: str, numbers, stamp: float) -> TransformStamped:
