@@ -6,9 +6,8 @@ it for submissions that you trust with your machine. The name of the one that wa
     layout          what the sandboxes see (the arguments of bubblewrap)
     probe           whether this machine can run it
     holder          a running bubblewrap that others enter
-    station         the grader's side: two warm servers, started once
+    station         the grader's side: two servers (`helpers.runner.warm`), started once
     unprivileged    how the grader, started as root, becomes an ordinary user
-    warm            the servers: fork for each submission
     tests_side      the tests of one submission, in a sandbox with a network of their own
     learners_side   the learner's programs, in sandboxes within that network: one for cells, one for each workspace
     control_groups  the kernel's bounds on memory and processes, where they can be had

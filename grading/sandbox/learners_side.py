@@ -1,4 +1,4 @@
-"""The programs of one submission, in the learner's sandbox.
+"""The programs of one submission, in the learner's sandbox: a side for `helpers.runner.warm`.
 
 The fork server itself stays outside, where no program sees it. Each program's process enters the sandbox, gives up
 every privilege, gets its limits and the filter of system calls, and only then reads its first line of the learner's
@@ -14,7 +14,7 @@ from pathlib import Path
 
 from grading.sandbox import control_groups, layout, namespaces, seccomp
 from grading.sandbox.holder import Holder
-from helpers.runner import fork_server, overlay
+from helpers.runner import fork_server, forked, overlay
 from helpers.runner.lifetime import die_with_parent
 from helpers.runner.start_processes import Limits
 
@@ -23,8 +23,14 @@ _BUFFERS = 2 * 212_992  # bytes: what one socket sends and receives, by the kern
 
 
 def warm_up() -> None:
-    """What is the same for the workspaces of all submissions."""
+    """What is the same for the workspaces of all submissions. The server is an ordinary user's."""
+    os.umask(0o077)
     overlay.warm_up()
+    layout.keeper()  # for all that it forks
+
+
+def prepare(request: dict) -> None:
+    """Nothing: the server knows no submission."""
 
 
 def run(request: dict, control: int, printed: int) -> None:
@@ -38,7 +44,6 @@ def run(request: dict, control: int, printed: int) -> None:
     if not data:
         return
     programs = Sandboxed(descriptors[0])
-    tests.send(b'{"event": "ready"}')
     fork_server.serve(tests, programs)
 
 
@@ -136,7 +141,7 @@ class Sandbox:
             assert self._holder is not None  # `start` has made it
             self._bounds.join()
             namespaces.join(self._holder.pidfd, namespaces.ALL)
-            namespaces.close_all_but(kept)
+            forked.close_all_but(kept)
             pid = os.fork()
             if pid:
                 namespaces.give_up_privileges()

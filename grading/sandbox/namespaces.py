@@ -7,7 +7,6 @@ import contextlib
 import ctypes
 import os
 import signal
-from collections.abc import Iterable
 from pathlib import Path
 
 NEWNS, NEWCGROUP, NEWUTS, NEWIPC, NEWUSER, NEWPID, NEWNET = (
@@ -71,15 +70,6 @@ def give_up_privileges() -> None:
     call('capset', header, (ctypes.c_uint32 * 6)())
     # A process that changed its credentials cannot look at its own /proc/self otherwise.
     call('prctl', _PR_SET_DUMPABLE, ctypes.c_ulong(1), 0, 0, 0)
-
-
-def close_all_but(kept: Iterable[int]) -> None:
-    """Close every file descriptor from 3 on except `kept`."""
-    begin = 3
-    for descriptor in sorted(kept):
-        os.closerange(begin, descriptor)
-        begin = max(begin, descriptor + 1)
-    os.closerange(begin, os.sysconf('SC_OPEN_MAX'))
 
 
 def mirror(pid: int) -> None:

@@ -1,35 +1,32 @@
-"""The tests of one submission, in the tests' sandbox.
+"""The tests of one submission, in the tests' sandbox: a side for `helpers.runner.warm`.
 
 The tests are the grader's own, but they listen to a network on which a learner's program speaks. What it may send can
 at worst end this process, which has no privileges, no way out and a bound on its memory; then no mark is given.
 """
 
-import contextlib
-import importlib
 import json
 import os
 import resource
-import select
-import signal
 import socket
 import sys
 from pathlib import Path
 
 from grading.sandbox import bubblewrap, layout, namespaces
 from grading.sandbox.holder import Holder, SandboxError
+from helpers.runner import forked, preloading
 
 MEMORY = 4 * 2**30  # bytes of address space
 
 
 def warm_up() -> None:
-    """Import what tests need."""
-    from _pytest import config
+    """Import what tests need. The server is an ordinary user's, and so is all that it forks."""
+    os.umask(0o077)
+    preloading.warm_up_for_pytest(preloading.TESTS_SIDE)
+    layout.keeper()
 
-    for name in config.default_plugins:
-        importlib.import_module(f'_pytest.{name}')
-    import helpers.runner.client
-    import helpers.runner.plugin
-    import helpers.runner.tester  # noqa: F401
+
+def prepare(request: dict) -> None:
+    """Nothing: the server knows no submission."""
 
 
 def run(request: dict, job: int, events: int, printed: int, control: int, life: int) -> None:
@@ -41,7 +38,7 @@ def run(request: dict, job: int, events: int, printed: int, control: int, life: 
         holder = Holder(layout.tests(map(Path, request['folders'])))
     except SandboxError as error:
         print(f'the sandbox did not start: {error}', flush=True)
-        watched.send(b'1')
+        forked.report(watched, 1)
         return
     namespaces.join(holder.pidfd, namespaces.ALL)
     pid = os.fork()
@@ -50,15 +47,9 @@ def run(request: dict, job: int, events: int, printed: int, control: int, life: 
     namespaces.give_up_privileges()
     for descriptor in (job, events, control):
         os.close(descriptor)
-    ended = os.pidfd_open(pid)
-    sources: list[socket.socket | int] = [ended, watched]
-    ready, _, _ = select.select(sources, [], [])
-    if ended not in ready:
-        os.kill(pid, signal.SIGKILL)
-    _, status = os.waitpid(pid, 0)  # first: a sandbox does not end before all in it are buried
+    status = forked.attend(pid, watched)  # first: a sandbox does not end before all in it are buried
     holder.close()
-    with contextlib.suppress(OSError):  # nobody may be there any more
-        watched.send(str(os.waitstatus_to_exitcode(status)).encode())
+    forked.report(watched, status)
 
 
 def _become_tests(request: dict, job: int, events: int, control: int) -> None:
@@ -66,7 +57,7 @@ def _become_tests(request: dict, job: int, events: int, control: int) -> None:
     code = 1
     try:
         namespaces.give_up_privileges()
-        namespaces.close_all_but([job, events, control])
+        forked.close_all_but([job, events, control])
         os.chdir('/tmp')
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))

@@ -6,7 +6,9 @@ The tests and the learner's code live in two processes that meet only over DDS a
     tester, plugin     the tests' process: pytest, with the `learner` fixture, verdicts instead of tracebacks
     fork_server        the learner's side: forks a worker per program
     worker             a process with the learner's program
-    start_processes    how both sides are started; a sandbox has its own way
+    start_processes    bounds and environment of both sides; a sandbox has a launcher of its own
+    warm, servers      the servers that both sides are forked from, and their client (`tests_process`)
+    plain_tests, plain_programs    what these servers fork where there is no sandbox
 """
 
 from helpers.runner.verdicts import about, broken, expect, waiting

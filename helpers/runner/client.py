@@ -205,8 +205,21 @@ class ProgramProcess:
     """One process of the learner's with their program loaded."""
 
     @spent.part('load')
-    def __init__(self, server: ForkServer, program: dict, *, ros_args=(), token: str, now: int, timeout: float):
-        """Load `program` (see `helpers.exercises.program`). Raises LearnerError if it cannot be loaded."""
+    def __init__(
+        self,
+        server: ForkServer,
+        program: dict,
+        *,
+        ros_args=(),
+        token: str,
+        now: int,
+        timeout: float,
+        join: bool = False,
+    ):
+        """Load `program` (see `helpers.exercises.program`). Raises LearnerError if it cannot be loaded.
+
+        :param join: nodes will be started in it.
+        """
         self.server = server
         self.title = program['title']
         self.elsewhere = program.get('elsewhere', {})
@@ -217,7 +230,7 @@ class ProgramProcess:
         self.ended = False
         self._early: list[dict] = []  # answers that came while another one was awaited
         try:
-            self.ask('load', timeout, cells=program['cells'], ros_args=list(ros_args), token=token, now=now)
+            self.ask('load', timeout, cells=program['cells'], ros_args=list(ros_args), token=token, now=now, join=join)
         except BaseException:
             self.kill()
             raise

@@ -1,4 +1,4 @@
-"""Fork server of the learner's side: imports ROS once, then forks one process per program.
+"""Fork server of the learner's side: forks one process per program, from one that has imported ROS.
 
 It reads requests from its control socket; each `fork` request carries two file descriptors, the program's JSON
 channel and its output pipe. It never runs learner's code itself and never opens a DDS participant, so a forked
@@ -28,8 +28,8 @@ import sys
 from collections.abc import Callable
 from contextlib import suppress
 
-from helpers.runner import commands, overlay, preloading
-from helpers.runner.lifetime import die_with_parent, leave
+from helpers.runner import commands, forked, overlay, preloading
+from helpers.runner.lifetime import die_with_parent
 from helpers.runner.start_processes import Limits
 
 
@@ -86,7 +86,8 @@ class ProgramProcesses:
 
 
 def serve(control: socket.socket, programs: ProgramProcesses) -> None:
-    """Serve requests until the control socket closes."""
+    """Tell that the server is ready, and serve requests until the control socket closes."""
+    control.send(b'{"event": "ready"}')
     _Server(control, programs).serve()
 
 
@@ -215,18 +216,8 @@ def become_task(output: int, given: list[int], act: Callable[[], int]) -> None:
     """In the forked child: make `output` the standard streams, keep `given` open, and act. Never returns."""
     code = 1
     try:
-        begin = 3
-        for descriptor in sorted([output, *given]):  # the server's own are closed
-            os.closerange(begin, descriptor)
-            begin = descriptor + 1
-        os.closerange(begin, os.sysconf('SC_OPEN_MAX'))
-        os.setsid()  # its own session: a learner's kill(0) reaches only itself
+        forked.stand_alone(output, given)
         signal.signal(signal.SIGINT, signal.default_int_handler)
-        with open(os.devnull) as null:
-            os.dup2(null.fileno(), 0)
-        os.dup2(output, 1)
-        os.dup2(output, 2)
-        os.close(output)
         code = act()
     except BaseException:  # noqa: BLE001 - the child must not return into the server's loop
         import traceback
@@ -238,16 +229,3 @@ def become_task(output: int, given: list[int], act: Callable[[], int]) -> None:
             sys.stderr.flush()
         finally:
             os._exit(code)
-
-
-def main() -> None:
-    control = socket.socket(fileno=int(sys.argv[1]))
-    die_with_parent()
-    preloading.warm_up()
-    control.send(b'{"event": "ready"}')
-    serve(control, ProgramProcesses())
-    leave(0)
-
-
-if __name__ == '__main__':
-    main()

@@ -247,7 +247,7 @@ class Learner(Workspaces):
             ros_args += ['-p', f'{key}:={_yaml(value)}']
         for key, value in (remap or {}).items():
             ros_args += ['-r', f'{key}:={value}']
-        process = beside.process if beside else self._process(ros_args)
+        process = beside.process if beside else self._process(ros_args, join=True)
         answer = process.ask(
             'start',
             self.timeouts.start,
@@ -288,9 +288,15 @@ class Learner(Workspaces):
             if not self.processes:
                 self.server.clear()
 
-    def _process(self, ros_args: list[str]) -> ProgramProcess:
+    def _process(self, ros_args: list[str], join: bool = False) -> ProgramProcess:
         process = ProgramProcess(
-            self.server, self.program, ros_args=ros_args, token=self.token, now=self.now, timeout=self.timeouts.load
+            self.server,
+            self.program,
+            ros_args=ros_args,
+            token=self.token,
+            now=self.now,
+            timeout=self.timeouts.load,
+            join=join,
         )
         self.processes.append(process)
         return process

@@ -2,6 +2,7 @@
 
 import importlib
 import re
+from collections.abc import Iterable
 from contextlib import suppress
 
 import helpers
@@ -38,6 +39,11 @@ ON_DEMAND = (
     'mujoco_world.world',
     'rosbags.rosbag2',
 )
+TESTS_SIDE = [
+    'helpers.runner.client',
+    'helpers.runner.plugin',
+    'helpers.runner.tester',
+]  # what runs an exercise's tests
 # So do names of `helpers`, behind which its modules are; `check` alone brings nbformat.
 _FROM_HELPERS = re.compile(r'^\s*from\s+helpers\s+import\s+(\([^)]*\)|.+)', re.MULTILINE)
 
@@ -85,7 +91,7 @@ def warm_up_for(modules: list[str]) -> None:
                 getattr(helpers, name.removeprefix('helpers.'))
 
 
-def on_demand(cells: list[dict]) -> list[str]:
+def on_demand(cells: Iterable[dict]) -> list[str]:
     """What the server imports before a program with these cells (`helpers.exercises.program.Program.cells`) begins.
 
     These are modules of ON_DEMAND and names of `helpers`, as ``helpers.check``, that the cells seem to import.

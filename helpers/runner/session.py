@@ -18,6 +18,7 @@ from pathlib import Path
 from helpers.exercises import manifest, notebooks, packages, program
 from helpers.exercises.manifest import Exercise
 from helpers.runner import results, seeds, start_processes, tests_process, verdicts
+from helpers.runner.forked import Forked
 from helpers.runner.results import ExerciseResult, TestResult
 from helpers.runner.text import LEFT_OUT, MAX_OUTPUT, clean
 
@@ -410,7 +411,7 @@ def _event(line: bytes) -> dict | None:
     return event if all(isinstance(event.get(key), kind) for key, kind in fields.items()) else None
 
 
-def _events(process: subprocess.Popen, descriptor: int, test_timeout: float, end: float = math.inf):
+def _events(process: subprocess.Popen | Forked, descriptor: int, test_timeout: float, end: float = math.inf):
     """The events of the tests' process; `timeout` and the end if none came in time.
 
     That is START_TIMEOUT for the first test to begin, then `test_timeout`.

@@ -6,12 +6,8 @@ Here the learner's side is a plain child process with limits: enough for a learn
 
 import os
 import resource
-import signal
 import socket
-import subprocess
-import sys
-import tempfile
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 from environment.setup.startup import DEFAULTS
@@ -109,58 +105,31 @@ def environment(domain_id: int, home: str) -> dict[str, str]:
 
 @dataclass
 class StartedForkServer:
-    """A running fork server: its control socket, and how to end it with all that it started."""
+    """The running fork server of a session's programs, as the tests see it."""
 
-    process: subprocess.Popen
     control: socket.socket
     sandbox: str
-    home: tempfile.TemporaryDirectory = field(repr=False)
-
-    @property
-    def home_folder(self) -> str:
-        """Where the learner's side may write."""
-        return self.home.name
+    home_folder: str  # where the learner's side may write
 
     def close(self) -> None:
-        """End the fork server and what it started, and remove its directory. Idempotent."""
-        self.control.close()  # the fork server kills its children when it sees this
-        try:
-            self.process.wait(timeout=2)
-        except subprocess.TimeoutExpired:
-            os.killpg(self.process.pid, signal.SIGKILL)
-            self.process.wait()
-        self.home.cleanup()
+        """End the programs, and wait until they have ended. Idempotent."""
+        if self.control.fileno() >= 0:
+            self.control.shutdown(socket.SHUT_WR)  # the fork server kills its children when it sees this
+            self.control.settimeout(10)
+            try:
+                while self.control.recv(65536):
+                    pass
+            except OSError:
+                pass
+            self.control.close()
+
+
+control: socket.socket | None = None  # in a process of tests: to its session's fork server
+home = ''  # of that one
 
 
 def start(domain_id: int, limits: Limits = LIMITS) -> StartedForkServer:
-    """Start the learner's side (`helpers.runner.fork_server`) as a plain child process with limits."""
-    home = tempfile.TemporaryDirectory(prefix='course-', ignore_cleanup_errors=True)
-    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)  # keeps message boundaries
-
-    with theirs:
-        process = subprocess.Popen(
-            [sys.executable, '-m', 'helpers.runner.fork_server', str(theirs.fileno())],
-            cwd=home.name,
-            env=environment(domain_id, home.name),
-            pass_fds=[theirs.fileno()],
-            start_new_session=True,
-            stdin=subprocess.DEVNULL,
-        )
-    return StartedForkServer(process, ours, 'none', home)
-
-
-def start_tests(job, events: int, printed, *, cwd: str, environment: dict[str, str], folders) -> subprocess.Popen:
-    """Start the tests' process (`helpers.runner.tester`): `job` is its input, `events` and `printed` its outputs.
-
-    `folders` hold the tests; a sandbox shows them to this process only.
-    """
-    return subprocess.Popen(
-        [sys.executable, '-m', 'helpers.runner.tester', str(events)],
-        cwd=cwd,
-        env=environment,
-        stdin=job,
-        stdout=printed,
-        stderr=printed,
-        pass_fds=[events],
-        start_new_session=True,
-    )  # Ctrl-C is for the grader, which ends it
+    """The fork server that has been started together with this process of tests."""
+    if control is None:
+        raise RuntimeError('this launcher works in a process that `helpers.runner.tests_process` has started')
+    return StartedForkServer(control, 'none', home)

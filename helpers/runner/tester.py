@@ -1,44 +1,19 @@
-"""The tests' process: `python -m helpers.runner.tester FD`, its job as JSON on standard input, its events on FD.
+"""What the tests' process does: its job comes as a dictionary, its events go to a file descriptor.
 
-The job may come in two lines: first launcher, domain and limits, with which both sides prepare themselves; the rest
-later.
-
-A process of its own, so that neither a learner's kernel nor a grader that runs many submissions shares a participant,
-a Python state or a crash with the tests.
+It is a process of its own, so that neither a learner's kernel nor a grader that runs many submissions shares a
+participant, a Python state or a crash with the tests.
 """
 
 import importlib
-import json
 import os
-import sys
 
 from helpers.runner import spent
-from helpers.runner.lifetime import die_with_parent, leave
 
 
-def main() -> int:
-    # After a killed grader no process is left that could disturb the next one on the same domain.
-    die_with_parent()
-    descriptor = int(sys.argv[1])
-    os.set_inheritable(descriptor, False)
-    job, prepared = json.loads(sys.stdin.readline()), None
-    if 'programs' not in job:
-        with spent.part('prepared'):
-            prepared = _prepare(job, descriptor)
-            import pytest  # noqa: F401 - for later
-        rest = sys.stdin.read()
-        if not rest:  # nobody needs it any more
-            prepared[0].close()
-            return 0
-        job |= json.loads(rest)
-    run(job, descriptor, prepared)
-    return 0
-
-
-def run(job: dict, descriptor: int, prepared: tuple | None = None) -> None:
-    """Run the tests that `job` names and report to `descriptor`. `prepared`: what `_prepare` has given already."""
+def run(job: dict, descriptor: int) -> None:
+    """Run the tests that `job` names and report to `descriptor`."""
     with spent.part('start'):
-        server, report = prepared or _prepare(job, descriptor)
+        server, report = _prepare(job, descriptor)
     try:
         report({'event': 'sandbox', 'name': server.sandbox})
         only = None if job['only'] is None else set(job['only'])
@@ -56,7 +31,6 @@ def _prepare(job: dict, descriptor: int):
     start = getattr(importlib.import_module(module), name)
     from helpers.runner import start_processes
 
-    # The learner's side imports ROS while this side does.
     limits = start_processes.Limits(**job['limits'])
     started = start(job['domain'], limits)
     from helpers.runner import plugin
@@ -107,7 +81,3 @@ def _run_tests(job: dict, server, report, only: set[str] | None) -> int:
             )
         ],
     )
-
-
-if __name__ == '__main__':
-    leave(main())

@@ -514,8 +514,12 @@ class Worker:
 
     # The requests
 
-    def do_load(self, cells: list, ros_args: list, token: str, now: int):
-        """Initialise ROS and run the learner's program."""
+    def do_load(self, cells: list, ros_args: list, token: str, now: int, join: bool = False):
+        """Initialise ROS and run the learner's program.
+
+        :param join: `start` follows: the conductor is made first, so that tests' side and program find each other (a
+            tenth of a second) while the cells run.
+        """
         self.token = token
         _SimulatedTimeSource.now = now
         rclpy.node.TimeSource = _SimulatedTimeSource  # type: ignore[misc]  # every node is to have this one
@@ -533,6 +537,8 @@ class Worker:
         )
         watch(program.watch)
         patch_locks()
+        if join:
+            self.do_join()
         program.load(cells)
         return {'notes': [note for _, note in program.notes]}
 

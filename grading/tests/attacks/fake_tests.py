@@ -19,7 +19,7 @@ def says(*events: dict | str, exit_status: int = 0) -> None:
 
 
 def start_tests(job, events: int, printed, *, cwd: str, environment: dict, folders: Iterable) -> subprocess.Popen:
-    """As `helpers.runner.start_processes.start_tests`."""
+    """As `helpers.runner.tests_process.start_tests`."""
     return subprocess.Popen(
         [sys.executable, '-I', '-S', '-c', _SAY, str(events), '\n'.join(script) + '\n', str(status)],
         pass_fds=[events],

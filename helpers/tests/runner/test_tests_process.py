@@ -1,4 +1,9 @@
-"""A process of tests that stands by: the next check takes it, and it leaves nothing behind."""
+"""The servers of tests' processes: the next check finds them prepared, and they leave nothing behind."""
+
+import os
+import signal
+import subprocess
+import sys
 
 import psutil
 import pytest
@@ -9,6 +14,7 @@ from helpers.tests import small
 
 @pytest.fixture(autouse=True)
 def nothing_left():
+    tests_process.close()
     before = set(psutil.Process().children(recursive=True))
     yield
     tests_process.close()
@@ -21,37 +27,51 @@ def judge(folder, source=small.TALKER, **options):
     return session.run(small.cells(source), [small.exercise()], options)
 
 
-def test_a_check_takes_it(tmp_path):
+def both() -> list[subprocess.Popen]:
+    """The processes of the servers; they must be there."""
+    assert tests_process._servers is not None
+    return tests_process._servers._processes
+
+
+def test_two_servers_are_enough_for_all_checks(tmp_path):
     tests_process.stand_by()
-    ready = tests_process._ready
+    first = both()
     tests_process.stand_by()
-    assert tests_process._ready is ready  # one is enough
+    for number in range(2):
+        report = judge(tmp_path / str(number))
+        assert report.exercises[0].passed and not report.log
+    assert judge(tmp_path / 'few', limits=start_processes.Limits(output=5000)).exercises[0].passed
+    assert both() is first and all(one.poll() is None for one in first)
+
+
+@pytest.mark.parametrize('which', [0, 1])
+def test_one_that_has_ended_is_replaced(tmp_path, which):
+    tests_process.stand_by()
+    first = both()
+    first[which].kill()
     report = judge(tmp_path)
-    assert report.exercises[0].passed and not report.log and 'prepared' in report.spent
-    assert tests_process._ready is None and ready.process.returncode is not None
+    assert report.exercises[0].passed
+    assert both() is not first and all(one.returncode is not None for one in first)
 
 
-def test_the_second_check_has_a_process_of_its_own(tmp_path):
+def test_a_session_that_is_given_up_leaves_no_process(tmp_path):
     tests_process.stand_by()
-    assert 'prepared' in judge(tmp_path).spent
-    assert 'prepared' not in judge(tmp_path).spent
+    for_ever = f'{small.TALKER}\nwhile True:\n    pass\n'
+    limits = start_processes.Limits(cpu=1)
+    assert not judge(tmp_path, for_ever, limits=limits).exercises[0].passed
+    left = [child for one in both() for child in psutil.Process(one.pid).children(recursive=True)]
+    assert not psutil.wait_procs(left, timeout=5)[1]
 
 
-def test_one_that_has_ended_is_replaced(tmp_path):
+def test_the_environment_is_that_of_the_moment(tmp_path, monkeypatch):
     tests_process.stand_by()
-    tests_process._ready.process.kill()
-    tests_process._ready.process.wait()
-    report = judge(tmp_path)
-    assert report.exercises[0].passed and not report.log and 'prepared' not in report.spent
-    tests_process.stand_by()
-    assert tests_process._ready.process.poll() is None
-
-
-def test_one_with_other_limits_is_not_taken(tmp_path):
-    tests_process.stand_by()
-    ready = tests_process._ready
-    assert judge(tmp_path, limits=start_processes.Limits(output=5000)).exercises[0].passed
-    assert tests_process._ready is ready
+    monkeypatch.setenv('SAID_LATER', 'after the server has started')
+    visible = small.write_tests(tmp_path, small.VISIBLE)
+    test = next(visible.rglob('test_*.py'))
+    test.write_text(test.read_text() + '\nimport os\nassert os.environ["SAID_LATER"]\n')
+    options = session.Options(visible=visible)
+    report = session.run(small.cells(small.TALKER), [small.exercise()], options)
+    assert report.exercises[0].passed and not report.log
 
 
 def test_close_is_idempotent():
@@ -59,4 +79,22 @@ def test_close_is_idempotent():
     tests_process.stand_by()
     tests_process.close()
     tests_process.close()
-    assert tests_process._ready is None
+    assert tests_process._servers is None
+
+
+OWNER = """
+import os, sys
+from helpers.runner import tests_process
+tests_process.stand_by()
+print(*[process.pid for process in tests_process._servers._processes], flush=True)
+sys.stdin.read()
+"""
+
+
+def test_they_end_with_a_killed_owner():
+    command = [sys.executable, '-c', OWNER]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as owner:
+        assert owner.stdout is not None  # it is a pipe
+        found = [psutil.Process(int(pid)) for pid in owner.stdout.readline().split()]
+        os.kill(owner.pid, signal.SIGKILL)
+        assert len(found) == 2 and not psutil.wait_procs(found, timeout=30)[1]
