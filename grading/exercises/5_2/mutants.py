@@ -72,7 +72,7 @@ MUTANTS = [
             if not self.goal.accepted:
                 return self.finish('rejected', [])
             ''', ''), ('[future.result().status]', ".get(future.result().status, 'unknown')")),
-           expect='Look at accepted first'),
+           expect='is none of the words'),
     Mutant('second_outcome', breaks='once', also='deadline', old='if not self.said:', new='if True:',
            expect='One outcome is enough'),
     Mutant('sends_at_once', breaks='send', also=('at-once', 'names', 'deadline'),
