@@ -152,8 +152,8 @@ def _runs(notebooks: list[Path]):
 
 
 def _workers() -> int:
-    # More than cores: half of a ROS test is waiting for another process.
-    return max(2, min(8, 2 * len(os.sched_getaffinity(0))))
+    # More than cores: most of a ROS test is waiting for another process.
+    return max(2, min(12, 3 * len(os.sched_getaffinity(0))))
 
 
 def _command(name: str, arguments: list[str]) -> Step:
