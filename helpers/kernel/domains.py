@@ -23,7 +23,7 @@ from filelock import FileLock, Timeout
 
 FIRST, LAST = 1, 101
 # DDSI-RTPS 9.6.2.3: where the ports of a domain are.
-_PORT_BASE, _PORTS_PER_DOMAIN = 7400, 250
+_PORT_BASE, _PORTS_PER_DOMAIN, _FIRST_UNICAST_PORT = 7400, 250, 10
 _held: list[FileLock] = []  # by `hold`
 
 
@@ -144,13 +144,28 @@ def _locked(folder: Path, domain_id: int) -> bool:
     return False
 
 
+def participants(domain_id: int) -> int:
+    """Count the participants of Fast DDS in a domain on this machine, by the ports at which they listen.
+
+    0 if the system does not list ports. One that is there may be missing in an answer, as the system's list changes
+    while it is read: ask again before you rely on it.
+    """
+    first = _PORT_BASE + _PORTS_PER_DOMAIN * domain_id
+    return len(_ports().intersection(range(first + _FIRST_UNICAST_PORT, first + _PORTS_PER_DOMAIN, 2)))
+
+
 def _spoken_in() -> set[int]:
     """The domains in which a process of this machine has bound a UDP port; empty if the system does not list them."""
+    return {(port - _PORT_BASE) // _PORTS_PER_DOMAIN for port in _ports() if port >= _PORT_BASE}
+
+
+def _ports() -> set[int]:
+    """The UDP ports that processes of this machine have bound."""
     ports = set()
     for table in ('/proc/net/udp', '/proc/net/udp6'):
         with suppress(OSError):
             ports |= {int(line.split()[1].rpartition(':')[2], 16) for line in Path(table).read_text().splitlines()[1:]}
-    return {(port - _PORT_BASE) // _PORTS_PER_DOMAIN for port in ports if port >= _PORT_BASE}
+    return ports
 
 
 def _folder() -> Path:

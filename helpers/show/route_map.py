@@ -6,10 +6,16 @@ import numpy as np
 
 
 class Picture:
-    """A figure of matplotlib that any notebook shows, also one that has not imported pyplot."""
+    """A figure of matplotlib that any notebook shows, also one that has not imported pyplot.
 
-    def __init__(self, figure):
-        self.figure = figure
+    :param text: what is shown where no picture can be.
+    """
+
+    def __init__(self, figure, text: str):
+        self.figure, self._text = figure, text
+
+    def __repr__(self) -> str:
+        return self._text
 
     def _repr_png_(self) -> bytes:
         file = BytesIO()
@@ -45,4 +51,7 @@ def route_map(chapters: list[str], stacks: dict[str, tuple[int, ...]]) -> Pictur
         axes.text(1.03, end, stack, va='center', color=f'C{row}', weight='bold')
         for number in needed:
             axes.plot(along, -number + (end + number) * bend, color=f'C{row}')
-    return Picture(figure)
+    text = '\n'.join(
+        f'{stack}: {", ".join(chapters[number - 1] for number in needed)}' for stack, needed in stacks.items()
+    )
+    return Picture(figure, text)

@@ -7,19 +7,21 @@ from helpers.kernel.executors import refuse_in_callback
 from helpers.kernel.spinning import spinning
 from helpers.show.graph.drawing import GraphPicture
 from helpers.show.graph.model import Graph
+from helpers.show.graph.participants import all_heard
 from helpers.show.graph.reading import read
 
 _LOOK = 0.25  # s between two looks at the graph
-_STILL = 0.3  # s without a change after which a new node is taken to know the whole graph
+_STILL = 0.3  # s without a change, and without a program that is not known yet, after which the graph is taken as whole
 _numbers = itertools.count(1)
 _views: list['GraphView'] = []
 
 
-def show_graph(namespace: str = '/', parameters: bool = False, hidden: bool = False, timeout: float = 2.0) -> None:
+def show_graph(namespace: str = '/', parameters: bool = False, hidden: bool = False, timeout: float = 5.0) -> None:
     """Show the nodes of this domain, and what they are connected by, as it is now.
 
     Arrows lead from publishers and clients to subscriptions and servers. What does not fit is red, and said in words.
-    A node that asks needs a moment to hear of others: the picture is taken when the graph has not changed for 0.3 s.
+    A node that asks needs a moment to hear of others: the picture is taken when it has known all programs of this
+    machine for 0.3 s, and the graph has not changed meanwhile.
 
     :param namespace: only what stands in it, and what that is connected with.
     :param parameters: also what every node has: the services for parameters, /rosout, /parameter_events and /clock.
@@ -32,7 +34,7 @@ def show_graph(namespace: str = '/', parameters: bool = False, hidden: bool = Fa
     refuse_in_callback('show_graph()')
     node = _node(f'_show_graph_{next(_numbers)}')
     try:
-        graph = _settled(lambda: read(node, namespace, parameters, hidden), timeout)
+        graph = _settled(lambda: read(node, namespace, parameters, hidden), lambda: all_heard(node), timeout)
     finally:
         node.destroy_node()
     display(GraphPicture(graph))
@@ -115,13 +117,13 @@ def _node(name: str):
     return rclpy.create_node(name, enable_rosout=False, start_parameter_services=False)
 
 
-def _settled(look, timeout: float) -> Graph:
-    """What `look()` returns when it has been the same for a while."""
+def _settled(look, complete, timeout: float) -> Graph:
+    """What `look()` returns when for a while it has been the same and `complete()` true; after `timeout` s as it is."""
     deadline = time.monotonic() + timeout
     graph, since = look(), time.monotonic()
     while time.monotonic() < min(deadline, since + _STILL):
         time.sleep(0.03)  # a bounded poll: there is no event for a graph that does not change
         fresh = look()
-        if fresh.key != graph.key:
+        if fresh.key != graph.key or not complete():
             graph, since = fresh, time.monotonic()
     return graph

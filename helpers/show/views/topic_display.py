@@ -12,6 +12,7 @@ from helpers.show.views.display import Display, no_transform
 _LOOK = 1.0  # s between two looks at the graph while nothing comes
 _SILENT = 2.0  # s without a message after which the QoS of the publishers is looked at again
 _PATIENCE = 0.5  # s that a message may wait for the transforms of its time
+_BACK = 60  # messages that are tried, from the newest on: on a busy machine transforms come a second later
 _HISTORY = 10_000_000_000  # ns of messages that are kept for time travel, as long as the tf buffer
 
 
@@ -202,7 +203,7 @@ class StampedDisplay(TopicDisplay):
             return None, None
         if self._waiting is None:
             self._waiting = time.monotonic()
-        for message in list(self._kept)[-2:-11:-1]:  # a message whose transforms have come meanwhile
+        for message in list(self._kept)[-2 : -2 - _BACK : -1]:  # a message whose transforms have come meanwhile
             if kept is not None and message is kept[0]:
                 break
             pose = self._pose(message, fixed_frame)[0]

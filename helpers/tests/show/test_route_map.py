@@ -8,6 +8,7 @@ from helpers.show.route_map import route_map
 def test_one_line_for_each_chapter_that_a_stack_needs():
     picture = route_map(['Topics', 'Services', 'Actions'], {'Driving': (1, 3), 'Arms': (2,)})
     assert picture._repr_png_().startswith(b'\x89PNG')
+    assert repr(picture) == 'Driving: Topics, Actions\nArms: Services'
     axes = picture.figure.axes[0]
     assert {text.get_text() for text in axes.texts} == {'Topics', 'Services', 'Actions', 'Driving', 'Arms'}
     places = {text.get_text(): text.get_position()[1] for text in axes.texts}

@@ -1,5 +1,9 @@
 """The graph as rclpy tells it, live."""
 
+import itertools
+import sys
+from typing import NamedTuple
+
 import pytest
 import rclpy
 from example_interfaces.action import Fibonacci
@@ -7,8 +11,12 @@ from example_interfaces.srv import AddTwoInts
 from rclpy.action import ActionClient, ActionServer
 from std_msgs.msg import String
 
-from helpers import GraphView, show_graph, spinning, wait_for
+from helpers import GraphView, background, show_graph, spinning, wait_for
+from helpers.kernel import domains
 from helpers.kernel.ros import nodes
+from helpers.show.graph import view
+from helpers.show.graph.model import Graph
+from helpers.show.graph.participants import all_heard
 from helpers.show.graph.reading import read
 
 LINKS = {
@@ -85,3 +93,70 @@ def test_a_node_that_has_just_gone_has_nothing(ros):
 def test_ros_must_be_started(show, domain):
     with pytest.raises(RuntimeError, match='helpers.ros.start'):
         show()
+
+
+def test_a_program_that_has_just_started_is_in_the_picture(ros, capsys):
+    code = 'import rclpy; rclpy.init(); node = rclpy.create_node("other"); print("ready", flush=True); rclpy.spin(node)'
+    with background([sys.executable, '-c', code]) as child:
+        child.wait_for_output('ready', timeout=60)
+        show_graph(timeout=30)
+    assert '/other' in capsys.readouterr().out
+
+
+class Endpoint(NamedTuple):
+    participant: int
+    node_name: str
+
+    @property
+    def endpoint_gid(self):
+        return [self.participant] * 12 + [0] * 4
+
+
+class Seen:
+    """A node that has heard of some participants, and of the nodes of some of them."""
+
+    def __init__(self, announced, named):
+        self._heard = {
+            'ros_discovery_info': [Endpoint(number, '_NODE_NAME_UNKNOWN_') for number in announced],
+            '/parameter_events': [Endpoint(number, f'node_{number}') for number in named],
+            '/rosout': [Endpoint(number, '_NODE_NAME_UNKNOWN_') for number in announced],
+        }
+        self.context = rclpy.Context()
+        self.context.get_domain_id = lambda: 7
+
+    def get_publishers_info_by_topic(self, topic, no_mangle=False):
+        return self._heard[topic]
+
+
+@pytest.mark.parametrize(
+    'announced, named, listening, complete',
+    [
+        ([1], [1], 1, True),
+        ([1], [1], 2, False),  # one that listens has not been heard
+        ([1, 2], [1], 2, False),  # its nodes have not been heard
+        ([1, 2], [1, 2], 2, True),
+        ([1, 2], [1, 2], 0, True),  # no ports are listed; or one of the two is on another machine
+    ],
+)
+def test_all_are_heard_when_each_that_listens_has_named_a_node(monkeypatch, announced, named, listening, complete):
+    monkeypatch.setattr(domains, 'participants', lambda domain_id: {7: listening}[domain_id])
+    assert all_heard(Seen(announced, named)) is complete
+
+
+def graph(*names):
+    return Graph(7, names, (), '/')
+
+
+def test_a_graph_in_which_somebody_is_missing_is_not_settled(monkeypatch):
+    """Not even if one look at the ports overlooks the missing one."""
+    monkeypatch.setattr(view, '_STILL', 0.1)
+    answers = iter([False, True, False, *[False] * 10])
+    looks = itertools.count()
+    fresh = view._settled(
+        lambda: graph('/other') if next(looks) > 12 else graph(), lambda: next(answers, True), timeout=30
+    )
+    assert fresh.nodes == ('/other',)
+
+
+def test_after_the_timeout_the_picture_is_taken_in_any_case():
+    assert view._settled(lambda: graph(), lambda: False, timeout=0.2).nodes == ()

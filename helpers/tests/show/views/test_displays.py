@@ -140,6 +140,16 @@ def test_scan_waits_for_its_transform_while_the_last_one_is_shown(stage, monkeyp
     assert s.update() == '' and s.seen()['message'].pose[0, 3] == 2.0
 
 
+def test_of_many_messages_the_newest_with_a_transform_is_shown(stage):
+    """As on a busy machine, where transforms are a second behind."""
+    s = stage(LaserScan())
+    s.frame('odom', 'laser', x=0.0, at=10.0)
+    s.frame('odom', 'laser', x=1.0, at=10.2)
+    for step in range(50):
+        s.display.receive(scan(10.0 + 0.02 * step))
+    assert s.update() == '' and s.seen()['message'].pose[0, 3] == pytest.approx(1.0)
+
+
 def test_scan_time_travel(stage):
     s = stage(LaserScan())
     for second in range(5):
