@@ -9,7 +9,8 @@ Only these waits are known: `Clock.sleep_for` and `sleep_until` on simulated tim
 the learner's own code, and `time.sleep`, which waits on the wall clock. A timeout is counted in simulated time.
 
 Real threads may also change in the middle of a callback. `ThreadPool.switch` brings that about, at a line of the
-learner's that the test names: so a test can try one line after the other, and finds each time what is not protected.
+learner's that the test names, or within it: so a test can try one place after the other, and finds each time what
+is not protected.
 """
 
 import _thread
