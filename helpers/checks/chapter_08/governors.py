@@ -1,7 +1,5 @@
 """What the tests of exercise 8.2 share: a governor with a planner before it and a base behind it."""
 
-import math
-
 import pytest
 from geometry_msgs.msg import Twist
 from rclpy.parameter import Parameter
@@ -224,7 +222,7 @@ def _judge_refused(governed: Governed, limit: float, rate: float) -> None:
         {'rate': 2 * rate, 'mode': 'Slow'},
         {'mode': 'slow', 'slow_linear': 2.5},
         {'mode': 'stop', 'slow_linear': round(limit + 0.1, 2)},
-        {'mode': 'slow', 'max_linear': 0.1},
+        {'mode': 'slow', 'max_linear': 0.05},
     ):
         expect(
             not governed.parameters.set(**bad).successful,
@@ -260,10 +258,10 @@ def _judge_new_rate(governed: Governed, rate: float) -> float:
 def _judge_new_modes(governed: Governed, rate: float) -> None:
     """The modes stop and slow, while the newest command is too fast for both, and came before stop or during it."""
     slow = governed.parameters.get('slow_linear')
-    for speed, when in ((3.0, 'before'), (-3.0, 'during')):
+    for turn, when in ((0.5, 'before'), (-0.5, 'during')):
         governed.accepts('at-once', mode='stop')
         if when == 'during':
-            governed.send(command(speed, 0.5))
+            governed.send(command(3.0, turn))
         got = governed.newest(1 / rate, 'at-once')
         expect(
             got == Twist(),
@@ -271,14 +269,13 @@ def _judge_new_modes(governed: Governed, rate: float) -> None:
             f'angular.z {got.angular.z:g}.',
             'at-once',
         )
-        wanted = math.copysign(slow, speed)
         governed.accepts('at-once', mode='slow')
         got = governed.newest(1 / rate, 'at-once')
         expect(
-            got.linear.x == pytest.approx(wanted),
-            f'The newest command is {speed:g} m/s; it came {when} the mode stop. The mode is now slow, '
-            f'and the next message says linear.x {got.linear.x:g}, expected {wanted:g}.',
-            'newest' if got == Twist() or got.linear.x == -wanted else 'at-once',
+            (got.linear.x, got.angular.z) == pytest.approx((slow, turn)),
+            f'The newest command is 3 m/s, {turn:g} rad/s; it came {when} the mode stop. The mode is now slow, and the '
+            f'next message says {got.linear.x:g} m/s, {got.angular.z:g} rad/s, expected {slow:g} and {turn:g}.',
+            'newest' if got == Twist() or got.angular.z == -turn else 'at-once',
         )
 
 

@@ -168,7 +168,7 @@ def judge_speed(learner) -> None:
 
 
 def _just_at_the_limit(draw, side: int, limit: float) -> tuple[float, ...]:
-    """Arguments with an angle of 0.5 rad, which no usual way to find it makes larger by rounding: the goal is straight along x."""
+    """Arguments with an angle of 0.5 rad: the goal is straight along x, where no usual way to find it rounds it up."""
     x, y = draw.randint(-3, 3), draw.randint(-3, 3)
     return x, y, -side * 0.5, x + draw.choice([1, 2, 4]), y, limit, draw.uniform(0.2, 0.8)
 
