@@ -143,11 +143,12 @@ class StartedNodes:
     def switch(self, line: int, hold: bool = False) -> tuple[int, str]:
         """Let another thread go on in the middle of a callback, as real threads do; for `start(…, switches=True)`.
 
-        The thread that is about to begin the learner's line with the number `line`, counted over all callbacks from now
-        on, stands aside until nothing else can go on at that moment of simulated time. 0: none does.
+        The thread that comes to the place with the number `line` stands aside until nothing else can go on at that
+        moment of simulated time. Places are before each line of the learner's, and in it before each store,
+        and after each call and each store; they are counted over all callbacks from now on. 0: none stands aside.
 
         :param hold: it stands aside until the next call at least, so that a test can send something meanwhile.
-        :returns: how many lines have begun since the last call, and the line at which a thread stood aside, in words
+        :returns: to how many places threads have come since the last call, and the line at which one stood aside
             ('' for none).
         """
         answer = self.process.ask('switch', self.learner.timeouts.call, line=line, hold=hold)

@@ -9,20 +9,29 @@ Only these waits are known: `Clock.sleep_for` and `sleep_until` on simulated tim
 the learner's own code, and `time.sleep`, which waits on the wall clock. A timeout is counted in simulated time.
 
 Real threads may also change in the middle of a callback. `ThreadPool.switch` brings that about, at a line of the
-learner's that the test names: so a test can try one line after the other, and finds each time what is not protected.
+learner's that the test names, or within it: so a test can try one place after the other, and finds each time what
+is not protected.
 """
 
 import _thread
+import opcode
 import sys
 import threading
 import time
 import traceback
 from collections.abc import Callable
+from types import CodeType
 
 from rclpy.clock import Clock, ClockType
 
 SLEEP_LIMIT = 1.0  # seconds of wall time that callbacks may sleep at one moment of simulated time
 SECOND = 1_000_000_000
+# A line may do several things: these change what threads share, or look it up.
+_STORES = {opcode.opmap[name] for name in ('STORE_ATTR', 'STORE_SUBSCR', 'DELETE_SUBSCR')}
+_CALLS = {number for name, number in opcode.opmap.items() if name.startswith('CALL')}
+_LOADS = {
+    number for name, number in opcode.opmap.items() if name.startswith(('LOAD_FAST', 'LOAD_GLOBAL', 'LOAD_DEREF'))
+}
 
 
 class Sleeps(Exception):
@@ -43,6 +52,7 @@ class _PoolThread(threading.Thread):
         self.ready: Callable[[], bool] | None = None  # while it waits: whether it may go on
         self.due: int | None = None  # simulated time (ns) at which it goes on by itself
         self.awake_at: float | None = None  # wall time (monotonic) at which its time.sleep ends
+        self.acted = False  # whether the line at which it is has just called or changed something
         self.turn = _thread.allocate_lock()
         self.turn.acquire()
 
@@ -80,7 +90,8 @@ class ThreadPool:
 
     def __init__(self, now: Callable[[], int], switches: bool = False, more: Callable[[], bool] = lambda: False):
         self.now, self.switches, self._more = now, switches, more
-        self.lines = 0  # of the learner's that were begun since the last call of `switch`
+        self.lines = 0  # places in the learner's lines to which threads have come since the last call of `switch`
+        self._codes: dict[CodeType, bytes] = {}
         self.stood: traceback.StackSummary | None = None  # the line at which a thread has stood aside since then
         self._switch_at, self._hold = 0, False
         self._aside: _PoolThread | None = None  # stands aside until nothing else can go on
@@ -102,24 +113,41 @@ class ThreadPool:
         return thread.work is not None
 
     def switch(self, line: int, hold: bool) -> None:
-        """Let the thread that is about to begin the learner's line with this number, counted from now on, stand aside.
+        """Let the thread that comes to the place with this number, counted from now on, stand aside.
 
+        Places are before each line of the learner's, and in it before each store, and after each call and each store.
         It goes on when nothing else can; with `hold` not before the next call. 0: none stands aside.
         """
         self.lines, self.stood, self._switch_at, self._hold = 0, None, line, hold
 
     def trace(self, frame, event, arg):
-        """The trace function of the threads: it counts the learner's lines, in their cells only."""
+        """The trace function of the threads: it counts the places in the learner's lines, in their cells only."""
         if frame.f_globals.get('__name__') != 'notebook':
             return None
+        frame.f_trace_opcodes = True
         thread = self.here()
-        if event == 'line' and thread is not None:
+        if thread is not None and self._is_place(frame, event, thread):
             self.lines += 1
             if self.lines == self._switch_at and self._aside is None:
                 self.stood = traceback.StackSummary.extract(iter([(frame, frame.f_lineno)]))
                 self._aside = thread
                 thread.wait_for(lambda: False)
         return self.trace
+
+    def _is_place(self, frame, event, thread: _PoolThread) -> bool:
+        """Whether a thread has come to one of the places of `switch`."""
+        if event == 'line':
+            thread.acted = False
+            return True
+        if event != 'opcode':
+            return False
+        code = self._codes.get(frame.f_code)
+        if code is None:  # Python makes the bytes anew each time when it is asked
+            code = self._codes[frame.f_code] = frame.f_code.co_code
+        number = code[frame.f_lasti]
+        goes_on = thread.acted and number in _LOADS
+        thread.acted = number in _CALLS or number in _STORES or (thread.acted and not goes_on)
+        return goes_on or number in _STORES
 
     def resume(self) -> bool:
         """Let every thread go on whose wait is over; returns whether there was one. Waits until a `time.sleep` ends.

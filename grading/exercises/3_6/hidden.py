@@ -218,3 +218,21 @@ def test_two_monitors(learner):
     expect(
         rates.data[:2] == [5.0, 3.0], f'Two monitors heard 5 and 3 scans, and reported {rates.data[:2]}.', 'own-state'
     )
+
+
+@pytest.mark.rules('limit')
+def test_default(learner):
+    """Without an argument max_gap is 0.5 s.
+
+    RateMonitor(max_gap=0.5): exactly so much is no gap, a little more is one.
+    """
+    _, gaps, lidar = monitor(learner)
+    begin, more = learner.random.randint(5, 90), 0.5 + learner.random.choice([1, 2]) / 256
+    lidar.send(scan(begin), scan(begin + 0.5), scan(begin + 0.5 + more))
+    learner.settle()
+    expect(
+        gaps.data == pytest.approx([more]),
+        f'A RateMonitor() heard the differences 0.5 and {more:g} s, and {gaps.data} came on scan_gap: '
+        'max_gap is 0.5 then.',
+        'limit',
+    )

@@ -16,6 +16,11 @@ MUTANTS = [
                                     ('self.count = 0', 'RateMonitor.count = 0'),
                                     ('float(self.count)', 'float(RateMonitor.count)')),
            expect='What they count belongs to the object', breaks='own-state'),
+    Mutant('default_a_little_longer', old='max_gap=0.5', new='max_gap=0.51', expect='max_gap is 0.5 then', breaks='limit'),
+    Mutant('reports_in_the_constructor', old='self.create_timer(1.0, self.on_second)', new='''
+        self.create_timer(1.0, self.on_second)
+        self.rate.publish(Float64())
+        ''', expect='went out in the constructor', breaks='report', also=('silent', 'own-state')),
     Mutant('default_of_one_second', old='max_gap=0.5', new='max_gap=1.0', expect='max_gap is 0.5 then', breaks='limit',
            also=('gap',)),
     Mutant('depth_1', old="(Float64, 'scan_gap', 10)", new="(Float64, 'scan_gap', 1)",
@@ -23,7 +28,7 @@ MUTANTS = [
     Mutant('each_gap_twice', old=GAP, new='''
         self.gap.publish(Float64(data=gap))
         self.gap.publish(Float64(data=gap))
-        ''', expect='each gap is told once', breaks='gap', also=('own-state',)),
+        ''', expect='each gap is told once', breaks='gap', also=('own-state', 'limit')),
     Mutant('fixed_threshold', old='if gap > self.max_gap:', new='if gap > 0.5:',
            expect='Only a difference of more than max_gap', breaks='limit', also=('own-state',)),
     Mutant('gap_at_the_limit', old='gap > self.', new='gap >= self.', expect='Only a difference of more than max_gap',
@@ -40,7 +45,7 @@ MUTANTS = [
             for gap in self.gaps:
                 self.gap.publish(Float64(data=gap))
             self.gaps.clear()
-            ''')), expect='told only later', breaks='at-once', also=('gap', 'own-state')),
+            ''')), expect='told only later', breaks='at-once', also=('gap', 'own-state', 'limit')),
     Mutant('gap_only_once', old=GAP, new='''
         if not hasattr(self, 'told'):
             self.gap.publish(Float64(data=gap))

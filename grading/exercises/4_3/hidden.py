@@ -3,7 +3,7 @@
 import pytest
 from std_srvs.srv import Trigger
 
-from helpers.runner import about, expect
+from helpers.runner import about, expect, waiting
 
 pytestmark = [pytest.mark.exercise('4.3'), pytest.mark.wiring(type='same-time')]
 
@@ -27,7 +27,8 @@ def panel(learner, battery_delay=0.0, lidar_delay=0.0, success=(True, True), nam
 
 @pytest.mark.weight(3)
 @pytest.mark.rules('same-time', 'one-thread')
-@about('one-thread')
+@about('message')
+@waiting('one-thread')
 def test_both_at_the_same_time(learner):
     """The two parts are asked at the same time, so the slower one decides.
 
@@ -54,7 +55,8 @@ def test_both_at_the_same_time(learner):
 
 @pytest.mark.weight(2)
 @pytest.mark.rules('message', 'one-thread')
-@about('one-thread')
+@about('message')
+@waiting('one-thread')
 def test_order_of_the_message(learner):
     """The battery comes first in the message, whoever answers first.
 
@@ -77,7 +79,8 @@ def test_order_of_the_message(learner):
 
 
 @pytest.mark.rules('success', 'message', 'one-thread')
-@about('one-thread')
+@about('message')
+@waiting('one-thread')
 @pytest.mark.parametrize('success', [(True, False), (False, True), (False, False), (True, True)], ids=str)
 def test_success(learner, success):
     """success is True only if both parts have it.
@@ -102,7 +105,8 @@ def test_success(learner, success):
 
 
 @pytest.mark.rules('fresh', 'one-thread')
-@about('one-thread')
+@about('message')
+@waiting('one-thread')
 def test_fresh_answers(learner):
     """Every call of status asks both parts anew, once.
 
@@ -131,7 +135,8 @@ def test_fresh_answers(learner):
 
 @pytest.mark.weight(2)
 @pytest.mark.rules('callers', 'one-thread')
-@about('one-thread')
+@about('message')
+@waiting('one-thread')
 def test_two_callers(learner):
     """Two callers at the same time get an answer each, from two requests to each part.
 
@@ -159,7 +164,8 @@ def test_two_callers(learner):
 
 
 @pytest.mark.rules('names', 'one-thread')
-@about('one-thread')
+@about('message')
+@waiting('one-thread')
 def test_namespace(learner):
     """In a namespace all names move with the node, which is called status_panel.
 

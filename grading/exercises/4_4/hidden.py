@@ -3,7 +3,7 @@
 import pytest
 from std_srvs.srv import SetBool, Trigger
 
-from helpers.runner import about, expect
+from helpers.runner import about, expect, waiting
 
 pytestmark = [pytest.mark.exercise('4.4'), pytest.mark.wiring(type='open')]
 
@@ -26,7 +26,8 @@ def told(call):
 
 @pytest.mark.weight(2)
 @pytest.mark.rules('open', 'welcome', 'one-thread')
-@about('one-thread')
+@about('welcome')
+@waiting('one-thread')
 def test_slow_lock(learner):
     """The lock is asked to open, and enter is answered when it has.
 
@@ -87,7 +88,8 @@ def test_jammed_lock(learner):
 
 @pytest.mark.weight(3)
 @pytest.mark.rules('capacity', 'full', 'one-thread')
-@about('one-thread')
+@about('welcome')
+@waiting('one-thread')
 def test_all_at_once(learner):
     """However many call enter at the same time, no more than capacity get in.
 
@@ -119,7 +121,8 @@ def test_all_at_once(learner):
 
 
 @pytest.mark.rules('open', 'one-thread')
-@about('one-thread')
+@about('welcome')
+@waiting('one-thread')
 def test_some_refused_at_once(learner):
     """A place that the lock refused goes to the next one who waits.
 
@@ -138,7 +141,8 @@ def test_some_refused_at_once(learner):
 
 
 @pytest.mark.rules('leave', 'one-thread', 'full')
-@about('one-thread')
+@about('welcome')
+@waiting('one-thread')
 def test_leaving(learner):
     """Who leaves makes room; an empty room stays empty.
 
@@ -171,7 +175,8 @@ def test_leaving(learner):
 
 
 @pytest.mark.rules('names', 'one-thread')
-@about('one-thread')
+@about('welcome')
+@waiting('one-thread')
 def test_two_rooms(learner):
     """Each of two guards opens the lock of its own room.
 

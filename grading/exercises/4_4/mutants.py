@@ -22,7 +22,7 @@ MUTANTS = [
         ''', expect='enter must stay in a mutually exclusive group'),
     Mutant('always_two', breaks='full', also=('welcome', 'locked', 'leave', 'capacity', 'open'),
            old='self.capacity, self.inside = capacity, 0', new='self.capacity, self.inside = 2, 0', expect='Capacity'),
-    Mutant('asks_the_lock_first', breaks='full', also='capacity',
+    Mutant('asks_the_lock_first', breaks='full', also=('capacity', 'leave'),
            edits=(('async def on_enter(self, request, response):', '''
             async def on_enter(self, request, response):
                 answer = await self.lock.call_async(SetBool.Request(data=False))
@@ -46,7 +46,7 @@ MUTANTS = [
            expect='with False, which means open'),
     Mutant('never_counts', breaks='full', also=('capacity', 'locked', 'leave', 'open'),
            old='self.inside += answer.success', new='', expect="expected (False, 'full')"),
-    Mutant('no_answer_when_refused', breaks='locked', also=('open', 'one-thread', 'capacity'), old='''
+    Mutant('no_answer_when_refused', breaks='locked', also=('open', 'one-thread', 'capacity', 'welcome'), old='''
         response.message = 'welcome' if answer.success else 'locked'
         return response
         ''', new='''

@@ -220,6 +220,17 @@ MUTANTS = [
         rest = [goal for goal in self.goals if goal not in gone]
         self.goals = rest
         ''', expect='One thread stood still before'),
+    Mutant('two_statements_in_a_line', breaks='lock', old=ACCEPTED, new="""
+        self.goals.append(goal); alone = len(self.goals) == 1
+        """, expect='One thread stood still before'),
+    Mutant('half_of_it_in_the_lock', breaks='lock', old=ACCEPTED, new="""
+        with self.lock: self.goals.append(goal)
+        with self.lock: alone = len(self.goals) == 1
+        """, expect='One thread stood still before'),
+    Mutant('the_rest_in_a_line', breaks='lock', old=LOOK, new="""
+        gone = [goal for goal in self.goals[1:] if goal.is_cancel_requested]
+        self.goals = [goal for goal in self.goals if goal not in gone]
+        """, expect='One thread stood still before'),
     Mutant('a_flag_instead', breaks='lock', also=('queue', 'status', 'places'), edits=(
            ("super().__init__('printer')", '''
             super().__init__('printer')

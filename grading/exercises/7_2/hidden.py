@@ -53,7 +53,7 @@ def test_repaired_entry_points(learner):
     """
     for causes in (['file'], ['function'], ['module', 'module', 'module', 'module'], ['file', 'function', 'module']):
         for _ in range(5):
-            package = Package(learner.random, *causes)
+            package = Package(learner.random, *causes, form=0 if len(causes) == 4 else None)
             package.diagnose(learner, 'all')
             with about('repaired'):
                 package.check(learner.call('repair_package', package.files))

@@ -86,6 +86,7 @@ def test_description(learner):
     """
     for fault in ('description nobody', 'description durability', 'service name', 'service nobody', 'service type'):
         check(learner, fault, rule='row', times=2)
+    graphs.other_description(learner)
 
 
 @pytest.mark.rules('all')
@@ -95,6 +96,7 @@ def test_several(learner):
     Look at every subscription and every client.
     """
     check(learner, *learner.random.sample(graphs.CAUSES, 3), 'service name', rule='all')
+    graphs.same_name(learner)
 
 
 @pytest.mark.rules('remapping', 'override')
@@ -108,6 +110,8 @@ def test_it_hears(learner, fault):
     rule = 'remapping' if fault == 'name' else 'override'
     with about(rule):
         graphs.started_again(learner, fault, 10.0, rule)
+        if fault == 'name':
+            graphs.started_again(learner, fault, 10.0, rule, apart=True)
 
 
 @pytest.mark.rules('no-repair')

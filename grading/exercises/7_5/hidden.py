@@ -2,22 +2,22 @@
 
 import pytest
 
-from helpers.checks.chapter_07.models import CAUSES, Robot
+from helpers.checks.chapter_07.models import CAUSES, FRAMES, Robot
 from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('7.5')
 
 
-@pytest.mark.rules('frames', 'kept', 'inertia')
+@pytest.mark.rules('frames', 'kept', 'mass', 'inertia')
 def test_healthy_robot(learner):
     """A robot without a fault gives an empty list and is not changed. A link without <visual> is a frame.
 
     A frame needs neither mass nor collision.
     """
-    Robot(learner.random, flat=True).diagnose(learner, 'inertia')
-    for _ in range(5):
+    Robot(learner.random, flat=True).diagnose(learner)
+    for number in range(6):
         Robot(learner.random).diagnose(learner)
-        robot = Robot(learner.random, frame=True)
+        robot = Robot(learner.random, frame=FRAMES[number % len(FRAMES)])
         robot.diagnose(learner, 'frames')
         with about('kept'):
             robot.check(learner.call('repair_model', robot.urdf))

@@ -1,5 +1,6 @@
 from grading.variants import Mutant
 
+END = "    return ElementTree.tostring(robot, encoding='unicode')\n"
 CAUSE = {'also': 'all'}
 MASS = {**CAUSE, 'breaks': 'mass'}
 INERTIA = {**CAUSE, 'breaks': 'inertia'}
@@ -21,6 +22,45 @@ MUTANTS = [
            expect='none is more than the sum of the two others', **INERTIA),
     Mutant('ixx_only', old="for name in ('ixx', 'iyy', 'izz')] if", new="for name in ('ixx', 'ixx', 'ixx')] if",
            expect='moments', **INERTIA),
+    Mutant('small_masses_too', old="(mass.get('value')) <= 0:", new="(mass.get('value')) <= 0.01:", breaks='mass',
+           expect='there is no such fault'),
+    Mutant('frames_with_something_in_them', old="faults if link.find('visual') is not None]",
+           new="faults if link.find('visual') is not None or len(link)]", breaks='frames', expect='A link without <visual> needs none'),
+    Mutant('masses_of_frames', old="faults if link.find('visual') is not None]",
+           new="faults if link.find('visual') is not None or fault[0] in ('mass', 'inertia')]", breaks='frames',
+           expect='there is no such fault'),
+    Mutant('no_origin_of_the_mass', old=END, new='''
+    for inertial in robot.findall('link/inertial'):
+        for origin in inertial.findall('origin'):
+            inertial.remove(origin)
+    return ElementTree.tostring(robot, encoding='unicode')
+''', breaks='kept', expect='is changed'),
+    Mutant('new_inertia', old="        if cause in ('inertial', 'inertia'):\n", new='''
+        if cause == 'inertia':
+            for origin in link.findall('inertial/origin'):
+                link.find('inertial').remove(origin)
+        if cause in ('inertial', 'inertia'):
+''', breaks='kept', expect='this is missing'),
+    Mutant('fixed_joints_lost', old=END, new='''
+    for joint in robot.findall("joint[@type='fixed']"):
+        robot.remove(joint)
+    return ElementTree.tostring(robot, encoding='unicode')
+''', breaks='kept', expect='outside of the links, this is missing'),
+    Mutant('links_and_joints_alone', old=END, new='''
+    for part in robot.findall('material'):
+        robot.remove(part)
+    return ElementTree.tostring(robot, encoding='unicode')
+''', breaks='kept', expect='outside of the links, this is missing'),
+    Mutant('another_name', old=END, new='''
+    robot.set('name', 'repaired')
+    return ElementTree.tostring(robot, encoding='unicode')
+''', breaks='kept', expect='outside of the links'),
+    Mutant('collisions_as_the_visuals', old='    robot = ElementTree.fromstring(urdf)\n', new='''
+    robot = ElementTree.fromstring(urdf)
+    for link in robot.findall('link[visual]'):
+        for geometry in link.findall('collision/geometry'):
+            geometry[:] = copy.deepcopy(list(link.find('visual/geometry')))
+''', breaks='kept', expect='is changed'),
     Mutant('frames_too', old="faults if link.find('visual') is not None]", new='faults]', breaks='frames', also='all',
            expect='is only a frame'),
     Mutant('one_for_each_link', old='*fault) for fault in faults if', new='*fault) for fault in faults[:1] if',

@@ -49,6 +49,23 @@ MUTANTS = [
            new='ParameterDescriptor()', expect='mode has no description', breaks='description'),
     Mutant('old_timer_runs_on', old='self.destroy_timer(self.timer) if self.timer else None', new='',
            expect='Does the old timer still run', breaks='new-rate'),
+    Mutant('publishes_in_the_constructor', old=MODE, new=f'{MODE}\nself.on_timer()\n',
+           expect='went out in the constructor', breaks='rhythm', also=('before',)),
+    Mutant('notes_the_mode_while_checking', edits=(
+        ("if new['mode'] not in ('normal', 'slow', 'stop'):",
+         "self.mode = new['mode']\nif new['mode'] not in ('normal', 'slow', 'stop'):\n"),
+        ("mode = self.get_parameter('mode').value", 'mode = self.mode')), breaks='refused',
+           expect='works in another way since then'),
+    Mutant('publishes_at_a_change', old='def react(self, parameters):', new='''
+        def react(self, parameters):
+            self.publisher.publish(Twist())
+''', breaks='new-rate', also=('at-once', 'pair', 'bounds', 'rhythm', 'before', 'at-start'),
+           expect='was set. The timer publishes'),
+    Mutant('deaf_in_the_mode_stop', old=LISTENS, new="""
+        self.create_subscription(
+            Twist, 'cmd_vel_in',
+            lambda one: self.get_parameter('mode').value == 'stop' or setattr(self, 'command', one), 10)
+""", breaks='newest', expect='it came during the mode stop'),
     Mutant('rate_counts_at_the_start', old="if 'rate' in [parameter.name for parameter in parameters]:",
            new='if not self.timer and self.has_parameter("rate"):', expect='The rate was changed from',
            breaks='new-rate'),
@@ -68,7 +85,7 @@ MUTANTS = [
            ''', expect='Keep the command as it came', breaks='at-once', also='newest'),
     Mutant('stop_forgets', old='self.publisher.publish(command)',
            new="self.publisher.publish(command)\nself.command = Twist() if mode == 'stop' else self.command\n",
-           expect='The mode was changed from stop to slow', breaks='newest'),
+           expect='it came before the mode stop', breaks='newest'),
     Mutant('a_part_of_a_mode', old="('normal', 'slow', 'stop'):", new="'normal, slow, stop':", expect='was accepted',
            breaks='unknown-mode'),
     Mutant('limit_of_the_card',

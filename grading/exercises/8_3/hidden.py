@@ -36,7 +36,7 @@ def test_remapped(learner):
     fleets.judge_names(learner)
 
 
-@pytest.mark.rules('rate', 'max-linear')
+@pytest.mark.rules('rate', 'max-linear', 'robot2')
 @pytest.mark.weight(2)
 def test_another_robot(learner):
     """The parameter file is good for other robots, too: in any other namespace, rate 20 and max_linear 0.6.

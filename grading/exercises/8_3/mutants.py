@@ -92,6 +92,8 @@ def generate_launch_description():
                 mode: slow
             """, ''), ('    max_linear: 0.6', '    max_linear: 0.6\n    mode: slow\n')),
            expect="has mode = 'slow', expected 'normal'", breaks='robot2'),
+    Mutant('slow_in_every_robot2', old='/robot2/governor:', new='/**/robot2/governor:', breaks='robot2',
+           expect="has mode = 'slow', expected 'normal'"),
     Mutant('default_max_linear', old='    max_linear: 0.6', new='', expect='has max_linear = 0.5', breaks='max-linear'),
     Mutant('half_the_rate', old='rate: 20.0', new='rate: 2.0', expect='has rate = 2.0', breaks='rate',
            also='installed-file'),

@@ -55,6 +55,8 @@ MUTANTS = [
            breaks='on-the-spot', also='linear'),
     Mutant('looks_to_one_side', old='abs(angle)', new='angle', expect='to the right, more than 0.5 rad',
            breaks='on-the-spot', also='linear'),
+    Mutant('less_than_half_a_radian', old='abs(angle) <= 0.5', new='abs(angle) < 0.5', expect='The angle is 0.5 rad, not more',
+           breaks='on-the-spot'),
     Mutant('thirty_degrees', old='abs(angle) <= 0.5', new='abs(angle) <= math.radians(30)',
            expect='First the robot must turn', breaks='on-the-spot'),
     Mutant('near_is_there', old='if abs(angle) <= 0.5', new='if abs(angle) <= 0.5 and distance > 0.02',

@@ -7,6 +7,7 @@ from helpers.checks.chapter_03.endpoints import robot
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('3.6'), pytest.mark.wiring(type='topics', qos='qos')]
+JUST_MORE = 0.5078125  # s, than the default of max_gap; exact as a float and in a stamp
 
 
 @pytest.mark.rules(
@@ -55,6 +56,11 @@ def check_reports(rates, sent, begin):
         rates.messages,
         'Nothing came on scan_rate in the first 2 s. A silent sensor calls no callback: report in a timer.',
         'silent',
+    )
+    expect(
+        rates.numbers[0] == 1,
+        'A report went out in the constructor. Report in the timer only: the first one comes after 1.0 s.',
+        'report',
     )
     came = [round(stamp - begin, 6) for stamp in rates.stamps]
     rule = 'report' if sent[-1] or len(rates) > len(sent) else 'silent'
@@ -108,7 +114,7 @@ def check_second(learner, rates, gaps, lidar, node, stamp):
         'own-state',
     )
     with about('own-state'):
-        lidar.send(monitors.scan(stamp + 50.5), monitors.scan(stamp + 51.125))
+        lidar.send(monitors.scan(stamp + 50.5), monitors.scan(stamp + 50.5 + JUST_MORE))
         learner.run(1.3, step=1.0)
     own = [value for at, value in zip(rates.stamps, rates.data, strict=True) if abs(at - begin - 1.0) < 1e-6]
     others = [
@@ -122,14 +128,14 @@ def check_second(learner, rates, gaps, lidar, node, stamp):
     )
     came = gaps.data[before + 3 :]
     expect(
-        came != pytest.approx([0.625, 0.625]),
+        came != pytest.approx([JUST_MORE, JUST_MORE]),
         'When a second monitor with another max_gap is made in the same '
         'program, the first one takes over that max_gap.',
         'own-state',
     )
     expect(
-        came == pytest.approx([0.625]),
+        came == pytest.approx([JUST_MORE]),
         'A second RateMonitor(), without an argument, heard the differences 0.5 and '
-        f'0.625 s, and {came} came on scan_gap: max_gap is 0.5 then.',
+        f'{JUST_MORE} s, and {came} came on scan_gap: max_gap is 0.5 then.',
         'limit',
     )

@@ -5,7 +5,7 @@ import itertools
 import pytest
 from std_srvs.srv import Trigger
 
-from helpers.runner import about, expect
+from helpers.runner import about, expect, waiting
 
 pytestmark = [pytest.mark.exercise('4.3'), pytest.mark.wiring(type='same-time')]
 
@@ -16,7 +16,8 @@ NEVER = (
 
 
 @pytest.mark.rules('same-time', 'success', 'message', 'one-thread', 'fresh')
-@about('one-thread')
+@about('message')
+@waiting('one-thread')
 def test_status(learner):
     """Each call asks both parts at the same time, and puts their answers together.
 

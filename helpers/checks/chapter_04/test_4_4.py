@@ -3,7 +3,7 @@
 import pytest
 from std_srvs.srv import SetBool, Trigger
 
-from helpers.runner import about, expect
+from helpers.runner import about, expect, waiting
 
 pytestmark = [pytest.mark.exercise('4.4'), pytest.mark.wiring(type='open')]
 
@@ -32,7 +32,7 @@ class Room:
         """One person enters; `wanted` is the message, `story` what has happened before."""
         before = len(self.lock.requests)
         call = self.doors['enter'].send()
-        with about(rule if rule == 'locked' else 'one-thread'):  # a deadlock, or a response that is missing
+        with about(rule), waiting('one-thread'):
             self.learner.run(self.delay + 0.3, step=1.0)
         asked = self.lock.requests[before:]
         story = f'Capacity {self.capacity}, {story}: '
@@ -82,7 +82,8 @@ class Room:
 
 
 @pytest.mark.rules('full', 'open', 'welcome', 'locked', 'leave', 'one-thread')
-@about('one-thread')
+@about('welcome')
+@waiting('one-thread')
 def test_one_after_the_other(learner):
     """Each one gets the answer that is right: welcome, full or locked.
 
@@ -120,7 +121,8 @@ def test_one_after_the_other(learner):
 
 
 @pytest.mark.rules('names', 'open', 'capacity', 'full')
-@about('capacity')
+@about('welcome')
+@waiting('capacity')
 def test_all_at_once(learner):
     """In a namespace all names move with the guard; of many who come at the same time, no more than 2 get in.
 

@@ -14,7 +14,7 @@ from helpers.runner.verdicts import LearnerCrashed, LearnerError
 
 PAGE = 0.5  # seconds
 NEVER = math.inf
-MOST_LINES = 45  # of the learner's that run when one goal ends and another one comes
+MOST_LINES = 120  # places in the learner's lines to which threads come when one goal ends and another one comes
 
 
 def up_to(count: int) -> list[int]:
@@ -454,5 +454,5 @@ def _began(rush: Rush, moment: int, words: str) -> int:
 
 def _words(rush: Rush, stood: str) -> str:
     also = ', and one that waited was cancelled' if rush.cancelled else ''
-    where = f' One thread stood still before {stood}, and the others went on.' if stood else ''
+    where = f' One thread stood still before {stood}, or in it, and the others went on.' if stood else ''
     return f'A goal came just when another one ended{also}.{where} '

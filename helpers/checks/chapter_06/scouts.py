@@ -184,6 +184,13 @@ class Scout:
                 'its frame.',
                 'wheels',
             )
+            friction = self.found['links'][wheel]['friction']
+            expect(
+                friction >= 0.5,
+                f'{self.name}: `{wheel}` has the friction {friction:g}, expected at least 0.5: a wheel that does not '
+                'grip turns, and the robot stays where it is.',
+                'wheels',
+            )
 
     def check_caster(self) -> None:
         """The rule `caster`."""

@@ -141,6 +141,36 @@ def other_type(learner) -> None:
     )
 
 
+def same_name(learner) -> None:
+    """Each of two nodes with one name, and each name of a node, is a finding; fails with words if one is missed."""
+    names, kind = learner.random.sample(TOPICS, 2), learner.random.choice(MESSAGES)
+    endpoints = [
+        {'role': 'subscription', 'node': node, 'name': f'/{topic}', 'type': kind, **STRONG}
+        for node, topic in (('/one', names[0]), ('/other', names[0]), ('/one', names[1]))
+    ]
+    compare(
+        learner.call('diagnose_graph', endpoints),
+        [('A7.6', f'{end["node"]} {end["name"]}', 'nobody', '') for end in endpoints],
+        {'nobody': 'Every subscription is judged, also where two have one name, or one node.'},
+        'all',
+        str(endpoints),
+    )
+
+
+def other_description(learner) -> None:
+    """A topic of which only the end of the name is robot_description is one as others; fails with words if not."""
+    space, kind = learner.random.choice(ROOMS), learner.random.choice(MESSAGES)
+    for name in (f'/{space}{DESCRIPTION}', f'{DESCRIPTION}_{space}'):
+        compare(
+            learner.call(
+                'diagnose_graph', [{'role': 'subscription', 'node': '/receiver', 'name': name, 'type': kind, **STRONG}]
+            ),
+            [('A7.6', f'/receiver {name}', 'nobody', '')],
+            {'nobody': f'The row A7.10 is only for the name {DESCRIPTION}.'},
+            'row',
+        )
+
+
 def two_deaf(learner) -> None:
     """Who gets nothing was not meant by another one who gets nothing; fails with words if diagnose_graph says so."""
     name, kind = learner.random.choice(TOPICS), learner.random.choice(MESSAGES)
@@ -157,10 +187,15 @@ def two_deaf(learner) -> None:
     )
 
 
-def started_again(learner, fault: str, seconds: float, rule: str) -> None:
-    """Start a deaf node again with the learner's arguments, and fail with words if it does not hear."""
-    deaf = ['']
-    while deaf[0].count('/') < 2:  # in a namespace, where names without a leading slash mean something else
+def started_again(learner, fault: str, seconds: float, rule: str, apart: bool = False) -> None:
+    """Start a deaf node again with the learner's arguments, and fail with words if it does not hear.
+
+    Names without a leading slash mean something else in a namespace, where the node is.
+
+    :param apart: the node is in no namespace, but the name that it uses is.
+    """
+    deaf = ['', '']
+    while deaf[0].count('/') != (1 if apart else 2) or (apart and deaf[1].count('/') < 2):
         endpoints, expected = draw(learner.random, fault)
         deaf = expected[0][1].split()
     mine = next(end for end in endpoints if [end['node'], end['name']] == deaf)

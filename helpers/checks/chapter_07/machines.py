@@ -13,7 +13,8 @@ FORMS = {
     'range': [{'reach': reach} for reach in ('OFF', 'LOCALHOST')],
 }
 WHY = {
-    'missing': 'Without a line that begins with `deb`, apt does not know where ROS is; a comment is no such line.',
+    'missing': 'Without a line whose first word is `deb`, apt does not know where ROS is; a comment is no such line, '
+    'and `deb-src` is another word.',
     'release': 'The word before `main` is the release of Ubuntu; packages for another one do not fit.',
     'key': 'Without signed-by apt does not trust the source.',
     'not sourced': 'Only a line that is no comment sources ROS, with `source` or with `.`; it must be the wanted one.',
@@ -82,7 +83,11 @@ class _Machine:
         if 'missing' in self._causes:
             deb = '' if self._plain else '# ' + deb
             self._fault('A7.1', 'missing', '')
-        return ['# ROS 2', deb] + ([] if self._plain else [f'#deb-src {_URL} {self._other_codename} main'])
+        return ['# ROS 2', deb] + (
+            []
+            if self._plain
+            else [f'#deb-src {_URL} {self._other_codename} main', f'deb-src {_URL} {self._other_codename} main']
+        )
 
     def setups(self) -> list[str]:
         """The first lines of .bashrc, with what they source."""
@@ -251,7 +256,7 @@ def _others(before: str, after: str, want: dict) -> None:
 
 def _sources(before: str, after: str, want: dict) -> None:
     lines = [line.strip() for line in after.splitlines() if line.strip().startswith('deb ')]
-    expect(lines, 'Your ros2.list has no line that begins with `deb`.', 'repaired')
+    expect(lines, 'Your ros2.list has no line whose first word is `deb`.', 'repaired')
     for line in lines:
         parts = line.split()
         expect(

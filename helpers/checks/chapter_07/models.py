@@ -1,12 +1,15 @@
 """Exercise 7.5's robots: drawn with their faults, and dropped to the floor in MuJoCo."""
 
+import copy
 import json
+from contextlib import suppress
 from xml.etree import ElementTree
 
 from helpers.checks.chapter_07.findings import compare
 from helpers.runner import expect
 
 CAUSES = ('collision', 'inertial', 'mass', 'inertia')
+FRAMES = ('empty', 'collision', 'inertial')
 WHY = {
     'collision': 'A link with <visual> and without <collision> is seen, and touches nothing. A link without <visual> '
     'is only a frame.',
@@ -14,6 +17,7 @@ WHY = {
     'mass': 'A mass must be more than 0.',
     'inertia': 'Each of the three moments is more than 0, and none is more than the sum of the two others.',
 }
+_MOMENTS = ('ixx', 'iyy', 'izz')
 _LINKS = ('left_wheel', 'right_wheel', 'caster', 'mast', 'gripper', 'bumper')
 # Runs on the learner's side: drops the robot from one metre, and tells where its parts are after two seconds.
 _DROP = """\
@@ -40,10 +44,11 @@ else:
 class Robot:
     """A drawn robot: its `urdf`, and the `expected` findings. `causes`: pairs of link and cause, or causes."""
 
-    def __init__(self, random, *causes, frame: bool = False, form: int | None = None, flat: bool = False):
-        """`frame`: there is a link without <visual>. `form`: which of the wrong values it is, by its number.
+    def __init__(self, random, *causes, frame: str = '', form: int | None = None, flat: bool = False):
+        """`form`: which of the wrong values it is, by its number.
 
-        `flat`: the links are as thin as paper, so that one moment is the sum of the two others.
+        :param frame: what is in a link without <visual>, if there is one: ``empty``, ``collision`` or ``inertial``.
+        :param flat: the links are as thin as paper, so that one moment is the sum of the two others, and as light.
         """
         self._form, self._flat = form, flat
         names = random.sample(_LINKS, 3)
@@ -55,9 +60,20 @@ class Robot:
         self.expected: list[tuple] = []
         self.faulty = faults
         root = ElementTree.Element('robot', name=f'robot{random.randint(10, 99)}')
+        ElementTree.SubElement(ElementTree.SubElement(root, 'material', name='paint'), 'color', rgba='0.2 0.4 0.6 1')
         self._link(root, random, 'base_link', faults.get('base_link', ()), box=True)
         if frame:
-            ElementTree.SubElement(root, 'link', name='laser_frame')
+            laser = ElementTree.SubElement(root, 'link', name='laser_frame')
+            if frame == 'collision':
+                ElementTree.SubElement(
+                    ElementTree.SubElement(ElementTree.SubElement(laser, frame), 'geometry'), 'sphere', radius='0.05'
+                )
+            elif frame == 'inertial':
+                inertial = ElementTree.SubElement(laser, frame)
+                ElementTree.SubElement(inertial, 'mass', value='0')
+                ElementTree.SubElement(
+                    inertial, 'inertia', dict.fromkeys(('ixx', 'iyy', 'izz', 'ixy', 'ixz', 'iyz'), '0')
+                )
         for number, name in enumerate(['laser_frame', *names]):
             if not number and not frame:
                 continue
@@ -90,13 +106,26 @@ class Robot:
             else ('box', {'size': '0.4 0.3 0.1'})
         )
         mass = random.uniform(0.3, 3.0)
+        origin = {'xyz': f'0 0 {float(numbers[2]) / 10:.4f}', 'rpy': '0 0 0'}
         for part in ['visual'] if 'collision' in faults else ['visual', 'collision']:
             there = ElementTree.SubElement(link, part)
-            ElementTree.SubElement(there, 'origin', xyz=f'0 0 {float(numbers[2]) / 10:.4f}', rpy='0 0 0')
-            ElementTree.SubElement(ElementTree.SubElement(there, 'geometry'), shape[0], shape[1])
+            ElementTree.SubElement(there, 'origin', origin)
+            geometry = ElementTree.SubElement(there, 'geometry')
+            if part == 'visual':
+                ElementTree.SubElement(geometry, *shape)
+                ElementTree.SubElement(there, 'material', name='paint')
+            else:  # another body than what is seen, as in many robots
+                ElementTree.SubElement(geometry, 'sphere', radius=f'{random.uniform(0.2, 0.3):.3f}')
         if 'inertial' not in faults:
             inertial = ElementTree.SubElement(link, 'inertial')
-            value = self._one_of(random, ['0', '0.0', f'-{mass:.2f}']) if 'mass' in faults else f'{mass:.2f}'
+            ElementTree.SubElement(inertial, 'origin', origin)
+            value = (
+                self._one_of(random, ['0', '0.0', f'-{mass:.2f}'])
+                if 'mass' in faults
+                else '0.004'
+                if self._flat
+                else f'{mass:.2f}'
+            )
             ElementTree.SubElement(inertial, 'mass', value=value)
             moments = ['0.0005', '0.0005', '0.001'] if self._flat else [f'{one:.6f}' for one in solid(*shape, mass)]
             if 'inertia' in faults:
@@ -106,7 +135,7 @@ class Robot:
                 moments[place] = wrong
                 self.expected.append(('A7.11', name, 'inertia', ' '.join(moments)))
             ElementTree.SubElement(
-                inertial, 'inertia', dict(zip(('ixx', 'iyy', 'izz'), moments, strict=True)), ixy='0', ixz='0', iyz='0'
+                inertial, 'inertia', dict(zip(_MOMENTS, moments, strict=True)), ixy='1e-9', ixz='0', iyz='0'
             )
             if 'mass' in faults:
                 self.expected.append(('A7.11', name, 'mass', value))
@@ -130,10 +159,12 @@ class Robot:
         """Fail with words if the repaired text is no robot, or a link is not as it should be."""
         expect(isinstance(repaired, str), 'repair_model must return a string.', 'kept')
         try:
-            after = {link.get('name'): link for link in ElementTree.fromstring(repaired).findall('link')}
+            robot = ElementTree.fromstring(repaired)
         except ElementTree.ParseError as error:
             expect(False, f'The repaired text is not XML: {error}.', 'kept')
-        for before in ElementTree.fromstring(self.urdf.partition('\n')[2]).findall('link'):
+        old = ElementTree.fromstring(self.urdf.partition('\n')[2])
+        after = {link.get('name'): link for link in robot.findall('link')}
+        for before in old.findall('link'):
             name = before.get('name')
             expect(name in after, f'The link {name} is gone.', 'kept')
             if name not in self.faulty:
@@ -142,17 +173,27 @@ class Robot:
                 )
             else:
                 self._check_link(name, before, after[name])
+                _check_rest(name, self._rest(name, before), self._rest(name, after[name]))
+        _check_rest('', _others(old), _others(robot))
+
+    def _rest(self, name: str, link) -> list[str]:
+        """What a link has besides the things that were wrong in it."""
+        link, faults = copy.deepcopy(link), self.faulty[name]
+        for cause in {'collision', 'inertial'} & set(faults):
+            for part in link.findall(cause):
+                link.remove(part)
+        for key in ('value', *_MOMENTS):  # these are judged by themselves
+            for part in link.findall('inertial/*'):
+                part.attrib.pop(key, None)
+        if 'inertia' in faults:
+            link.find('inertial/inertia').attrib.clear()  # a solid body has no other moments: 0 is right for them, too
+        return sorted(map(_canonical, [part for part in link if part.tag != 'inertial'] + link.findall('inertial/*')))
 
     def _check_link(self, name: str, before, link) -> None:
         visual, collisions = before.find('visual'), link.findall('collision')
         expect(len(collisions) == 1, f'The link {name} has {len(collisions)} <collision> after your repair.', 'shape')
-        for part in ('origin', 'geometry'):
-            there = collisions[0].find(part)
-            expect(
-                there is not None and _canonical(there) == _canonical(visual.find(part)),
-                f'The <{part}> of the <collision> of {name} is not that of its <visual>.',
-                'shape' if 'collision' in self.faulty[name] else 'kept',
-            )
+        if 'collision' in self.faulty[name]:
+            self._check_collision(name, visual, collisions[0])
         mass, moments = link.find('inertial/mass'), link.find('inertial/inertia')
         expect(mass is not None and moments is not None, f'The link {name} has no <mass> or <inertia>.', 'weight')
         faults = self.faulty[name]
@@ -162,12 +203,8 @@ class Robot:
             f'The mass of {name} is {mass.get("value")}, expected {right:g}.',
             'weight' if {'mass', 'inertial'} & set(faults) else 'kept',
         )
-        values = [moments.get(key, '') for key in ('ixx', 'iyy', 'izz')]
-        old = (
-            [before.find('inertial/inertia').get(key) for key in ('ixx', 'iyy', 'izz')]
-            if before.find('inertial') is not None
-            else []
-        )
+        values = [moments.get(key, '') for key in _MOMENTS]
+        old = [one.get(key) for one in before.findall('inertial/inertia') for key in _MOMENTS]
         shape = visual.find('geometry')[0]
         wanted = solid(shape.tag, shape.attrib, right) if {'inertia', 'inertial'} & set(faults) else map(float, old)
         wanted = list(wanted)
@@ -176,6 +213,16 @@ class Robot:
             f'The moments of {name} are {" ".join(values)}, expected {" ".join(f"{value:.6f}" for value in wanted)}.',
             'weight' if {'inertia', 'inertial'} & set(faults) else 'kept',
         )
+
+    @staticmethod
+    def _check_collision(name: str, visual, collision) -> None:
+        for part in ('origin', 'geometry'):
+            there = collision.find(part)
+            expect(
+                there is not None and _canonical(there) == _canonical(visual.find(part)),
+                f'The <{part}> of the <collision> of {name} is not that of its <visual>.',
+                'shape',
+            )
 
     def drop(self, learner, repaired) -> None:
         """Fail with words if a simulation refuses the repaired robot, or it falls through the floor."""
@@ -205,7 +252,26 @@ def solid(shape: str, sizes: dict[str, str], mass: float) -> tuple[float, float,
 
 
 def _canonical(element) -> str:
+    """The element's text; the same for other spaces, and for numbers that are written in another way."""
+    element = copy.deepcopy(element)
+    for part in element.iter():
+        for key, value in part.items():
+            with suppress(ValueError):
+                part.set(key, ' '.join(f'{float(word):g}' for word in value.split()))
     return ElementTree.canonicalize(ElementTree.tostring(element, encoding='unicode'), strip_text=True)
+
+
+def _others(robot) -> list[str]:
+    """What a robot has besides its links, and its own element."""
+    return sorted([*(_canonical(part) for part in robot if part.tag != 'link'), f'<robot> {sorted(robot.items())}'])
+
+
+def _check_rest(link: str, before: list[str], after: list[str]) -> None:
+    """Fail with words if anything is changed that was right, in this link or (with '') outside of the links."""
+    lost, new = [[one for one in some if one not in rest] for some, rest in ((before, after), (after, before))]
+    where = f'in the link {link}' if link else 'outside of the links'
+    expect(not lost, f'What was right must stay: after your repair, {where}, this is missing: {lost[:1]}', 'kept')
+    expect(not new, f'What was right must stay: after your repair, {where}, this is there, too: {new[:1]}', 'kept')
 
 
 def _close(text: str, value: float) -> bool:

@@ -1,5 +1,6 @@
 """Exercise 7.2's packages: drawn with their faults, and built."""
 
+import ast
 import re
 
 from helpers.checks.chapter_07.findings import compare
@@ -12,10 +13,10 @@ CAUSES = ('file', 'module', 'function')
 WHY = {
     'file': 'An entry point names a module as import does: no `/`, no `.py`.',
     'module': 'The module is looked up among the files of the package: package.name is package/name.py.',
-    'function': 'A function that can be started stands at the left margin of its module, and is named after a colon; '
-    'a method of a class, or a longer name that only begins so, is none.',
+    'function': 'A function that can be started stands at the left margin of its module, after `def`, and is named '
+    'after a colon; a method, a class, an `async def`, or a longer name that only begins so, is none.',
 }
-_ENTRY = re.compile(r"""(['"])([\w-]+)\s*=\s*([^'"]*?)\s*\1""")
+_ENTRY = re.compile(r'([\w-]+)\s*=\s*(.*?)\s*')
 _SETUP = """\
 from setuptools import find_packages, setup
 
@@ -51,6 +52,10 @@ class Task:
         return '{program}'
 
 
+async def _{method}(task):
+    return task.{method}()
+
+
 def {private}(task):
     print(task.{method}(), 'says {word}')
 
@@ -77,11 +82,13 @@ class Package:
     def __init__(self, random, *causes: str, form: int | None = None):
         """`form`: which of the forms of each cause it is, by its number; None: as it comes."""
         self.name = random.choice(PACKAGES)
-        programs = [*random.sample(PROGRAMS, 3), 'pylon']  # the last one has .py in its right side, and is right
+        programs = random.sample(PROGRAMS, 3)
+        # Two that are right: one has .py in its right side, the name of the other ends as that of another one.
+        programs += ['pylon', f're{programs[0]}']
         self.words = {program: f'word{random.randint(100, 999)}' for program in programs}
         self.right, self.expected, entries = {}, [], []
-        self.files = {f'{self.name}/__init__.py': ''}
-        faulty = dict(zip([*random.sample(programs[:3], 3), 'pylon'], causes, strict=False))
+        self.files = {f'{self.name}/__init__.py': '', 'README.md': f'The robot {self.name}\n'}
+        faulty = dict(zip([programs[0], *random.sample(programs[1:3], 2), 'pylon'], causes, strict=False))
         random.shuffle(programs)
         lost = f'{self.name}.{random.choice(["main", "program", "node"])}:main'  # programs may share a wrong one
         for program in programs:
@@ -107,6 +114,9 @@ class Package:
                         f'{self.name}.{program}',
                         f'{self.name}.{program}:{method}',
                         f'{self.name}.{program}:{function[:-1]}',
+                        f'{self.name}.{program}:_{method}',
+                        f'{self.name}.{program}:Task',
+                        f'{self.name}.{program}:{function.capitalize()}',
                     ],
                 }[faulty[program]]
                 value = random.choice(forms) if form is None else forms[form % len(forms)]
@@ -117,7 +127,7 @@ class Package:
 
     def diagnose(self, learner, rule: str = '') -> None:
         """Ask the learner's diagnose_package, and fail with words if it does not find what is expected."""
-        entries = [line.strip() for line in self.files['setup.py'].splitlines() if _ENTRY.fullmatch(line.strip(' ,'))]
+        entries = [repr(entry) for entry in _console_scripts(self.files['setup.py'])[0]]
         given = f'The entry points are: {" ".join(entries)}\nThe files are: {", ".join(self.files)}'
         compare(learner.call('diagnose_package', self.files), self.expected, WHY, rule, given)
 
@@ -134,17 +144,33 @@ class Package:
         expect(
             not changed, f'{changed and changed[0]} was right, and is changed: only setup.py is to be repaired.', 'kept'
         )
-        begin = repaired['setup.py'].find('console_scripts')
-        there = {program: value for _, program, value in _ENTRY.findall(repaired['setup.py'][begin:])}
+        self._check_setup(repaired['setup.py'])
+
+    def _check_setup(self, setup: str) -> None:
+        """Fail with words if a program leads elsewhere, or anything but the entry points is changed."""
+        try:
+            entries, rest = _console_scripts(setup)
+        except (SyntaxError, ValueError, RecursionError, MemoryError) as error:  # whatever is in a learner's text
+            expect(False, f'After your repair, Python cannot read setup.py: {error}.', 'repaired')
+        there = dict(match.groups() for match in map(_ENTRY.fullmatch, entries) if match)
         healthy = self.right.keys() - {finding[1] for finding in self.expected}
         for program, value in self.right.items():
             rule = 'kept' if program in healthy else 'repaired'
-            expect(program in there, f'The program {program} is gone from setup.py.', rule)
             expect(
-                there[program] == value,
+                program in there,
+                f'The program {program} is gone from setup.py, which now has the entry points {entries}.',
+                rule,
+            )
+            expect(
+                ''.join(there[program].split()) == value,
                 f'After your repair, {program} leads to `{there[program]}`, expected `{value}`.',
                 rule,
             )
+        expect(
+            rest == _console_scripts(self.files['setup.py'])[1] and len(entries) == len(self.right),
+            'In setup.py, something else is changed than the right sides of entry points:\n' + setup,
+            'kept',
+        )
 
     def build(self, learner, repaired: dict[str, str]) -> None:
         """Fail with words if the repaired package cannot be built, or a program does not run."""
@@ -164,3 +190,19 @@ class Package:
                 f'`ros2 run {self.name} {program}` did not print `{program} says {word}`.',
                 'repaired',
             )
+
+
+def _console_scripts(setup: str) -> tuple[list[str], str]:
+    """The entry points of a setup.py, and all the rest of it, as Python reads both.
+
+    :raises SyntaxError, ValueError, RecursionError, MemoryError: Python cannot read it.
+    """
+    tree = ast.parse(setup)
+    entries: list[str] = []
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Dict):
+            for key, value in zip(node.keys, node.values, strict=True):
+                if isinstance(key, ast.Constant) and key.value == 'console_scripts' and isinstance(value, ast.List):
+                    entries += [str(one.value) for one in value.elts if isinstance(one, ast.Constant)]
+                    value.elts = []
+    return entries, ast.dump(tree)

@@ -15,7 +15,7 @@ def test_causes(learner):
     `module.replace('.', '/') + '.py'` is the file of a module.
     """
     for cause in CAUSES:
-        for form in range(4):
+        for form in range(6):
             with about(cause):
                 Package(learner.random, cause, form=form).diagnose(learner)
     Package(learner.random).diagnose(learner)

@@ -43,6 +43,7 @@ def test_diagnose(learner):
                 graphs.diagnose(learner, cause)
     graphs.other_type(learner)
     graphs.two_deaf(learner)
+    graphs.same_name(learner)
     for _ in range(4):
         with about('fits'):
             graphs.diagnose(learner, 'healthy', 'healthy', 'healthy', rule='fits')
@@ -51,6 +52,7 @@ def test_diagnose(learner):
     for fault in ('service name', 'service nobody', 'service type', 'description nobody', 'description durability'):
         with about('row'):
             graphs.diagnose(learner, fault, rule='row')
+    graphs.other_description(learner)
     with about('all'):
         graphs.diagnose(learner, *graphs.CAUSES, 'service name', rule='all')
 
@@ -64,6 +66,8 @@ def test_repair(learner):
     for fault, rule in (('name', 'remapping'), ('reliability', 'override'), ('durability', 'override')):
         with about(rule):
             graphs.started_again(learner, fault, 3.0, rule)
+    with about('remapping'):
+        graphs.started_again(learner, 'name', 3.0, 'remapping', apart=True)
     for fault in ('type', 'nobody', 'service type', 'service nobody'):
         finding = graphs.draw(learner.random, fault)[1][0]
         with about('no-repair'):

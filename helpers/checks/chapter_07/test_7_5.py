@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.models import CAUSES, Robot
+from helpers.checks.chapter_07.models import CAUSES, FRAMES, Robot
 from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('7.5')
@@ -19,9 +19,10 @@ def test_causes(learner):
             with about(cause):
                 Robot(learner.random, cause, form=form).diagnose(learner)
     Robot(learner.random).diagnose(learner)
-    Robot(learner.random, flat=True).diagnose(learner, 'inertia')
-    with about('frames'):
-        Robot(learner.random, frame=True).diagnose(learner, 'frames')
+    Robot(learner.random, flat=True).diagnose(learner)
+    for frame in FRAMES:
+        with about('frames'):
+            Robot(learner.random, frame=frame).diagnose(learner, 'frames')
     with about('all'):
         Robot(learner.random, *[('base_link', cause) for cause in ('collision', 'mass', 'inertia')]).diagnose(
             learner, 'all'
@@ -36,7 +37,7 @@ def test_repair(learner):
     copy.deepcopy copies an element with all that is in it; inertia(shape, mass) gives three numbers.
     """
     for causes in ((), *[(cause,) for cause in CAUSES], [('base_link', 'mass'), ('base_link', 'inertia')], CAUSES):
-        robot = Robot(learner.random, *causes, frame=True, form=2 if causes == ('mass',) else None)
+        robot = Robot(learner.random, *causes, frame='empty', form=2 if causes == ('mass',) else None)
         robot.diagnose(learner, 'all')
         with about('kept'):
             robot.check(learner.call('repair_model', robot.urdf))

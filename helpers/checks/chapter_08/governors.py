@@ -73,9 +73,16 @@ class Governed:
         return found[-1]
 
     def accepts(self, rule: str, **values) -> None:
-        """Set parameters; fail if that is refused."""
+        """Set parameters; fail if that is refused, or if a message goes out at that moment."""
+        self.heard.clear()
         answer = self.parameters.set(**values)
         expect(answer.successful, f'The request {shown(values)} was refused: {answer.reason!r}.', rule)
+        self.learner.settle()
+        expect(
+            not self.heard.messages,
+            f'A message went out at once when {shown(values)} was set. The timer publishes, and nobody else.',
+            rule,
+        )
 
 
 def judge_rhythm(governed: Governed, rate: float) -> None:
@@ -88,6 +95,12 @@ def judge_rhythm(governed: Governed, rate: float) -> None:
         f'With rate = {rate:g}, nothing came on {governed.heard.topic} in {2.5 * period:g} s after the '
         'start. Before the first command, zeros are expected.',
         'before',
+    )
+    expect(
+        governed.heard.numbers[0] == 1,
+        'A message went out in the constructor. Publish in the timer only: the first one comes one period after the '
+        'start.',
+        'rhythm',
     )
     expect(
         at == pytest.approx([period, 2 * period], abs=1e-4),
@@ -208,11 +221,13 @@ def _judge_refused(governed: Governed, limit: float, rate: float) -> None:
         {'mode': 'turbo'},
         {'rate': 2 * rate, 'mode': 'Slow'},
         {'mode': 'slow', 'slow_linear': 2.5},
+        {'mode': 'stop', 'slow_linear': round(limit + 0.1, 2)},
+        {'mode': 'slow', 'max_linear': 0.05},
     ):
         expect(
             not governed.parameters.set(**bad).successful,
             f'The request {shown(bad)} was accepted.',
-            'bounds' if 'slow_linear' in bad else 'unknown-mode',
+            'bounds' if 2.5 in bad.values() else 'pair' if bad['mode'] in ('slow', 'stop') else 'unknown-mode',
         )
         came = governed.after(2 * period)
         speeds = sorted({one.linear.x for one in came})
@@ -241,24 +256,27 @@ def _judge_new_rate(governed: Governed, rate: float) -> float:
 
 
 def _judge_new_modes(governed: Governed, rate: float) -> None:
-    """The modes stop and slow, while the newest command is too fast for both."""
-    governed.accepts('at-once', mode='stop')
-    got = governed.newest(1 / rate, 'at-once')
-    expect(
-        got == Twist(),
-        f'The mode was changed to stop, and the next message says linear.x {got.linear.x:g}, '
-        f'angular.z {got.angular.z:g}.',
-        'at-once',
-    )
+    """The modes stop and slow, while the newest command is too fast for both, and came before stop or during it."""
     slow = governed.parameters.get('slow_linear')
-    governed.accepts('at-once', mode='slow')
-    got = governed.newest(1 / rate, 'at-once')
-    expect(
-        got.linear.x == pytest.approx(slow),
-        f'The newest command is 3.0 m/s. The mode was changed from stop to slow, and the next message says linear.x '
-        f'{got.linear.x:g}, expected {slow:g}.',
-        'newest' if got == Twist() else 'at-once',
-    )
+    for turn, when in ((0.5, 'before'), (-0.5, 'during')):
+        governed.accepts('at-once', mode='stop')
+        if when == 'during':
+            governed.send(command(3.0, turn))
+        got = governed.newest(1 / rate, 'at-once')
+        expect(
+            got == Twist(),
+            f'The mode was changed to stop, and the next message says linear.x {got.linear.x:g}, '
+            f'angular.z {got.angular.z:g}.',
+            'at-once',
+        )
+        governed.accepts('at-once', mode='slow')
+        got = governed.newest(1 / rate, 'at-once')
+        expect(
+            (got.linear.x, got.angular.z) == pytest.approx((slow, turn)),
+            f'The newest command is 3 m/s, {turn:g} rad/s; it came {when} the mode stop. The mode is now slow, and the '
+            f'next message says {got.linear.x:g} m/s, {got.angular.z:g} rad/s, expected {slow:g} and {turn:g}.',
+            'newest' if got == Twist() or got.angular.z == -turn else 'at-once',
+        )
 
 
 def judge_modes(learner, namespace: str) -> None:

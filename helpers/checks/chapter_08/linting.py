@@ -31,6 +31,7 @@ def spoilt(draw) -> dict[str, str]:
         f'{one} {two}': 'has a space in it',
         f'{one}.{two}': 'has a point in it',
         f'{one}ü{two}': 'has a letter that is not from a to z',
+        f'{one}٣': 'has a digit that is not from 0 to 9',
         f'{one}/{two}': 'has a slash, so it is two words',
         '': 'is empty',
         f'{one}\n': 'ends with a line break',
@@ -172,6 +173,7 @@ node.create_publisher(String)
 create_node(name)
 create_node(7)
 Node()
+LifecycleNode('{bad}')
 launched = Node(package='x', executable='{bad}', name='{bad}')
 ''',
         [],
@@ -243,6 +245,13 @@ def judge_packages(learner) -> None:
         f'{good}.txt': '',
     }
     compare(bad_names(learner, others, 'files'), [], 'files', why_not='Only package.xml and files ….py are read.')
+    for path in (f'test/test_{good}.py', f'{good}/__init__.py', 'setup.py', f'launch/{good}.launch.py'):
+        compare(
+            bad_names(learner, {path: f"create_node('{bad}')"}, 'files'),
+            [(path, 'node', bad)],
+            'files',
+            'Every file ….py is read, whatever its name and its folder are.',
+        )
 
 
 def judge_list(learner) -> None:

@@ -157,6 +157,20 @@ def judge_speed(learner) -> None:
             'turns.',
             'on-the-spot',
         )
+        arguments = _just_at_the_limit(draw, side, limit)
+        got = steer(learner, 'on-the-spot', *arguments)[1]
+        expect(
+            got == pytest.approx(limit),
+            f'{words(arguments)}: linear is {got:.2f} m/s, expected {limit:.2f}. The angle is 0.5 rad, not '
+            'more, so the robot drives while it turns.',
+            'on-the-spot',
+        )
+
+
+def _just_at_the_limit(draw, side: int, limit: float) -> tuple[float, ...]:
+    """Arguments with an angle of 0.5 rad: the goal is straight along x, where no usual way to find it rounds it up."""
+    x, y = draw.randint(-3, 3), draw.randint(-3, 3)
+    return x, y, -side * 0.5, x + draw.choice([1, 2, 4]), y, limit, draw.uniform(0.2, 0.8)
 
 
 def judge_goal(learner) -> None:

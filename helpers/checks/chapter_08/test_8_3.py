@@ -34,14 +34,14 @@ def test_names(learner):
     fleets.judge_names(learner)
 
 
-@pytest.mark.rules('rate', 'max-linear')
+@pytest.mark.rules('rate', 'max-linear', 'robot2')
 def test_another_robot(learner):
     """The parameter file is good for a third robot, too: in any other namespace, rate 20 and max_linear 0.6.
 
     The name /** stands for all nodes in all namespaces.
     """
     number = learner.random.randint(3, 99)
-    fleets.judge_others(learner, f'/robot{number}', f'/hall{number}/robot1')
+    fleets.judge_others(learner, f'/robot{number}', f'/hall{number}/robot1', f'/hall{number}/robot2')
 
 
 @pytest.mark.rules('installed-file')
