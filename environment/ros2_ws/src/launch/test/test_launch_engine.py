@@ -7,6 +7,7 @@ import sys
 import textwrap
 import threading
 import time
+from pathlib import Path
 
 import launch.logging
 import pytest
@@ -678,3 +679,38 @@ def test_modules_have_upstreams_names(name):
               'on_process_io': 'OnProcessIO'}  # fmt: skip
     last = name.rpartition('.')[2]
     assert hasattr(module, wanted.get(last, ''.join(word.capitalize() for word in last.split('_'))))
+
+
+# --- the log -----------------------------------------------------------------------------------------------------
+
+
+def test_what_processes_print_is_in_the_log_files_as_it_is(go):
+    done, _, _ = go(ExecuteProcess(cmd=['sh', '-c', 'echo out; echo err >&2'], name='both', output='full'))
+    folder = Path(launch.logging.launch_config.log_dir)
+    files = {file.name: sorted(file.read_text().splitlines()) for file in folder.iterdir() if file.name != 'launch.log'}
+    name = next(name for name in files if name.endswith('-stdout.log')).removesuffix('-stdout.log')
+    out, err = f'[{name}] out', f'[{name}] err'
+    assert done == 0 and files == {f'{name}-stdout.log': [out], f'{name}-stderr.log': [err], f'{name}.log': [err, out]}
+    text = (folder / 'launch.log').read_text()
+    assert re.search(rf'^\d+\.\d+ {re.escape(out)}$', text, re.M), text
+    assert re.search(rf'^\d+\.\d+ \[INFO\] \[{name}\]: process started', text, re.M)
+
+
+def test_the_form_of_the_lines_can_be_chosen(capsys, monkeypatch):
+    config = launch.logging.launch_config
+    config.set_screen_format('default_with_timestamp')
+    launch.logging.get_logger('one').info('x')
+    assert re.fullmatch(r'\d+\.\d{7} \[INFO\] \[one\]: x\n', capsys.readouterr().out)
+    config.set_screen_format('{message}!')
+    launch.logging.get_logger('one').info('x')
+    assert capsys.readouterr().out == 'x!\n'
+    with pytest.raises(ValueError, match='Cannot set a custom format style for the "default" log format'):
+        config.set_log_format('default', log_style='%')
+    with pytest.raises(ValueError, match='/no/such is not a directory'):
+        config.log_dir = '/no/such'
+    monkeypatch.setenv('OVERRIDE_LAUNCH_SCREEN_FORMAT', r'{name}\t{message}')
+    monkeypatch.setenv('OVERRIDE_LAUNCH_LOG_FORMAT', 'log {message}')
+    launch.logging.reset()
+    launch.logging.get_logger('one').info('x')
+    assert capsys.readouterr().out == 'one\tx\n'
+    assert Path(launch.logging.launch_config.get_log_file_path()).read_text() == 'log x\n'
