@@ -1,7 +1,9 @@
 """The virtual environment and what is installed into it from PyPI."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from importlib.metadata import distributions
+from pathlib import Path
 
 LINE = re.compile(r'^([A-Za-z0-9][A-Za-z0-9._-]*)==', re.MULTILINE)
 
@@ -22,6 +24,16 @@ def entries(lock: str, pattern: str) -> str:
 
 def names(lock: str) -> set[str]:
     return set(LINE.findall(lock))
+
+
+def sharing(site_packages: Path, removed: Iterable[str]) -> list[str]:
+    """The installed packages that have files in common with those of `removed`, whose removal takes the files away."""
+    files = {
+        re.sub('[-_.]+', '-', found.metadata['Name']).lower(): {str(file) for file in found.files or ()}
+        for found in distributions(path=[str(site_packages)])
+    }
+    lost = set().union(*(files.get(name, ()) for name in removed))
+    return sorted(name for name in files.keys() - set(removed) if files[name] & lost)
 
 
 def for_uv(environ: Mapping[str, str], pip_config: str) -> dict[str, str]:

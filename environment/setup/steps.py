@@ -164,6 +164,8 @@ class Setup:
         env.update(requirements.for_uv(env, config.stdout))
         uv = [self.layout.prefix / 'bin' / 'uv', 'pip']
         gone = sorted(before - requirements.names(lock))
+        # What shares files with one of these is not whole without it, though the installer would think so.
+        again = requirements.sharing(self.layout.site_packages(), gone) if gone else []
         if gone:
             self.run(
                 'Removing packages that are no longer needed',
@@ -179,6 +181,7 @@ class Setup:
             [
                 *uv, "install", "--python", self.layout.python, "--index-strategy", "unsafe-best-match",
                 "--no-deps", "--require-hashes", "--build-constraints", wanted, "-r", wanted,
+                *(f"--reinstall-package={name}" for name in again),
             ],
             "requirements",
             env,

@@ -96,6 +96,16 @@ def test_the_lock_has_all_that_is_asked_for():
     assert names <= {name.lower() for name in requirements.names(LOCK)}
 
 
+def test_what_shares_files_with_a_removed_package_is_known(tmp_path):
+    for name, files in (('lark', 'lark/a.py'), ('lark_parser', 'lark/a.py\nlark/old.py'), ('Other.One', 'other/a.py')):
+        record = tmp_path / f'{name}-1.dist-info'
+        record.mkdir()
+        (record / 'METADATA').write_text(f'Metadata-Version: 2.1\nName: {name}\nVersion: 1\n')
+        (record / 'RECORD').write_text(''.join(f'{file},,\n' for file in files.splitlines()))
+    assert requirements.sharing(tmp_path, ['lark-parser', 'never-there']) == ['lark']
+    assert requirements.sharing(tmp_path, ['other-one']) == []
+
+
 def test_output_goes_to_the_log_and_to_the_listener(tmp_path):
     seen = []
     status, output = processes.run(

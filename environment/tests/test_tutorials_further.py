@@ -197,3 +197,18 @@ def test_a_turtle_is_recorded_and_played(ros2, turtlesim):  # noqa: F811
         played = ros2.run('bag', 'play', 'subset', '--rate', '5', '--delay', '1', '--disable-keyboard-controls')
         assert played.returncode == 0, played
         echo.wait_for_output('x: 1.0', PATIENCE)
+
+
+def test_doctor_warns_of_publishers_that_nobody_hears(ros2, turtlesim):  # noqa: F811
+    """Using ros2doctor, checking a system: a warning for each topic of the turtle, until it is echoed."""
+
+    def warnings():
+        done = run_line(ros2, 'doctor')
+        assert (done.returncode, done.stdout) == (0, '\nAll 5 checks passed\n'), done
+        return set(re.findall(r'UserWarning: Publisher without subscriber detected on (\S+)\.$', done.stderr, re.M))
+
+    assert {'/turtle1/color_sensor', '/turtle1/pose'} <= warnings()
+    with ros2.start('topic', 'echo', '/turtle1/pose') as echo:
+        echo.wait_for_output('theta: ', PATIENCE)
+        heard = warnings()
+    assert '/turtle1/color_sensor' in heard and '/turtle1/pose' not in heard

@@ -244,3 +244,57 @@ def test_an_interface_package_as_upstream_writes_it_builds(workspace):
     assert tested.returncode == 0, tested.stdout
     found = results(workspace)
     assert found['survey_msgs/pep257_rosidl_generated_py.xunit.xml'][0] > 1
+
+
+LAUNCH_TEST = """\
+import unittest
+
+import launch
+import launch_testing
+from launch.actions import DeclareLaunchArgument, ExecuteProcess, TimerAction
+from launch.substitutions import LaunchConfiguration
+
+
+def generate_test_description():
+    return launch.LaunchDescription([
+        DeclareLaunchArgument('word', default_value='nothing'),
+        ExecuteProcess(cmd=['cat'], name='stays'),
+        TimerAction(period=0.1, actions=[ExecuteProcess(cmd=['echo', LaunchConfiguration('word')])]),
+        launch_testing.actions.ReadyToTest(),
+    ])
+
+
+class TestWord(unittest.TestCase):
+    def test_it_is_said(self, proc_output):
+        proc_output.assertWaitFor('hello', timeout=5, stream='stdout')
+"""
+LAUNCH_TESTS_OF_CMAKE = """\
+cmake_minimum_required(VERSION 3.20)
+project(app)
+find_package(ament_cmake REQUIRED)
+if(BUILD_TESTING)
+  find_package(ament_cmake_ros REQUIRED)
+  find_package(launch_testing_ament_cmake REQUIRED)
+  add_launch_test(test/word.py RUNNER "${ament_cmake_ros_DIR}/run_test_isolated.py" ARGS "word:=hello")
+  add_launch_test("${CMAKE_CURRENT_SOURCE_DIR}/test/word.py" TARGET silent TIMEOUT 50)
+endif()
+ament_package()
+"""
+
+
+@pytest.mark.early
+@pytest.mark.one_of(2)
+def test_launch_tests_of_a_cmake_package_are_run_and_told(workspace):
+    """The CMakeLists.txt of the tutorial on integration tests, and a launch test that fails."""
+    root = workspace / 'src' / 'app'
+    (root / 'test').mkdir(parents=True)
+    (root / 'test' / 'word.py').write_text(LAUNCH_TEST)
+    (root / 'CMakeLists.txt').write_text(LAUNCH_TESTS_OF_CMAKE)
+    needs = ''.join(f'<test_depend>{name}</test_depend>' for name in ('ament_cmake_ros', 'launch_testing_ament_cmake'))
+    (root / 'package.xml').write_text(MANIFEST.format(name='app', depends=needs, build_type='ament_cmake'))
+    assert colcon(workspace, 'build').returncode == 0
+    assert colcon(workspace, 'test', '--return-code-on-test-failure').returncode == 1
+    told = {name.rpartition('/')[2]: numbers for name, numbers in results(workspace).items() if 'xunit' in name}
+    assert told == {'test_word.py.xunit.xml': (1, 0, 0), 'silent.xunit.xml': (1, 1, 0)}
+    said = next((workspace / 'build/app/Testing/Temporary').glob('LastTest_*.log')).read_text()
+    assert said.count('ament_cmake_ros/cmake/run_test_isolated.py') == 1, 'only one of them has a runner'

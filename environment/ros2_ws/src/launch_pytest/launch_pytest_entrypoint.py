@@ -78,7 +78,8 @@ def pytest_pycollect_makeitem(collector, name: str, obj: Any):
     options = _options(marks)
     if options is None:
         raise collector.CollectError(
-            f'"fixture" keyword argument of @pytest.mark.launch() of {name}() has to name a launch_pytest.fixture'
+            f'{name}(): "fixture" keyword argument is required in a pytest.mark.launch() decorator; it takes a '
+            'launch_pytest.fixture'
         )
     pytest.mark.usefixtures(options.name)(obj)
     items = list(collector._genfunctions(name, obj))
@@ -178,7 +179,7 @@ def _second_part(item: pytest.Item, running: Running) -> None:
         pytest.skip('the part of the test before the end of the launch has not passed')
     running.finish()
     if _advance(item, running):
-        pytest.fail('a launch test that is a generator has to end after its first yield')
+        pytest.fail('launch tests using a generator function must stop iteration after yielding once')
 
 
 def _advance(item: pytest.Item, running: Running) -> bool:

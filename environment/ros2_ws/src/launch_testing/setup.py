@@ -6,8 +6,14 @@ setup(
     packages=find_packages(),
     py_modules=['launch_testing_pytest_entrypoint'],
     data_files=[
-        ('share/ament_index/resource_index/packages', ['resource/launch_testing']),
+        # One build for two packages: the other one is a function of CMake.
+        (
+            'share/ament_index/resource_index/packages',
+            ['resource/launch_testing', 'resource/launch_testing_ament_cmake'],
+        ),
         ('share/launch_testing', ['package.xml']),
+        ('share/launch_testing_ament_cmake', ['manifests/launch_testing_ament_cmake/package.xml']),
+        ('share/launch_testing_ament_cmake/cmake', ['cmake/launch_testing_ament_cmakeConfig.cmake']),
     ],
     install_requires=['setuptools'],
     extras_require={'test': ['pytest']},

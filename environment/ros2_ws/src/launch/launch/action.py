@@ -15,7 +15,7 @@ from launch.launch_description_entity import LaunchDescriptionEntity
 
 class Action(LaunchDescriptionEntity):
     """
-    Something to do. Subclasses write ``execute``.
+    Something to do. Subclasses say in ``execute`` what.
 
     :param condition: the action is executed only if this is true at that time
     """
@@ -75,5 +75,5 @@ class Action(LaunchDescriptionEntity):
         return []
 
     def execute(self, context: LaunchContext) -> Iterable[LaunchDescriptionEntity] | None:
-        """Do it; return the entities to visit next, if any."""
-        raise NotImplementedError
+        """Do it, which is nothing here; return the entities to visit next, if any."""
+        return None

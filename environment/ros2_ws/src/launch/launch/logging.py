@@ -3,6 +3,8 @@ The log of a launch: what goes to the screen, and to ``launch.log`` in a directo
 
 The directory is made below ``$ROS_LOG_DIR``, or ``$ROS_HOME/log``, or ``~/.ros/log``. Where it cannot be
 written, the launch goes on without log files and says so.
+
+``$OVERRIDE_LAUNCH_SCREEN_FORMAT`` and ``$OVERRIDE_LAUNCH_LOG_FORMAT`` change the form of the lines.
 """
 
 from __future__ import annotations
@@ -16,17 +18,19 @@ from collections.abc import Callable
 
 DEBUG, INFO, WARNING, ERROR = logging.DEBUG, logging.INFO, logging.WARNING, logging.ERROR
 
-_SCREEN_FORMAT = '[{levelname}] [{name}]: {message}'
-_FILE_FORMAT = '{created:.7f} [{levelname}] [{name}]: {message}'
-_RAW_FORMAT = '{message}'
+_PLAIN = '[{levelname}] [{name}]: {message}'
+_WITH_TIME = '{created:.7f} [{levelname}] [{name}]: {message}'
+_RAW = logging.Formatter('{message}', style='{')
+_TIMED = logging.Formatter('{created:.7f} {message}', style='{')
+_MAIN = 'launch.log'
 
 
 class _ScreenHandler(logging.StreamHandler):
     """Writes to what is standard output at that moment."""
 
-    def __init__(self, fmt: str):
+    def __init__(self, formatter: logging.Formatter):
         super().__init__(sys.stdout)
-        self.setFormatter(logging.Formatter(fmt, style='{'))
+        self.setFormatter(formatter)
 
     def emit(self, record: logging.LogRecord) -> None:
         self.stream = sys.stdout
@@ -43,18 +47,31 @@ class _ScreenHandler(logging.StreamHandler):
         launch_config.on_screen_lost()
 
 
+def _formatter(variable: str, kind: str, text: str, style: str | None, names: dict[str, str]) -> logging.Formatter:
+    """Return what brings lines into the form that the environment variable says, or else the text or its name."""
+    override = os.environ.get(variable)
+    if override:
+        return logging.Formatter(override.encode('latin1').decode('unicode_escape'), style='{')
+    if text in names and style is not None:
+        raise ValueError(f'Cannot set a custom format style for the "{text}" {kind} format.')
+    return logging.Formatter(names.get(text, text), style=style or '{')
+
+
 class LaunchConfig:
     """The settings of the log of this process."""
 
     def __init__(self):
         self.level = logging.INFO
         self._log_dir: str | None = None
-        self._file: logging.Handler | None = None
+        self._files: dict[tuple[str, bool], logging.Handler] = {}
         # A manager of our own keeps names such as "talker-1" out of the program's loggers.
         self._manager = logging.Manager(logging.RootLogger(logging.WARNING))
         self._loggers: dict[str, logging.Logger] = {}
         self.failure: str | None = None
         self.on_screen_lost: Callable[[], None] = lambda: None
+        self._screen: logging.Handler | None = None
+        self.set_screen_format('default')
+        self.set_log_format('default')
 
     @property
     def log_dir(self) -> str | None:
@@ -67,16 +84,61 @@ class LaunchConfig:
         return self._log_dir
 
     @log_dir.setter
-    def log_dir(self, path: str) -> None:
+    def log_dir(self, path: str | None) -> None:
+        if path is not None and not os.path.isdir(path):
+            raise ValueError(f'{path} is not a directory')
         self._log_dir = path
 
-    def file_handler(self) -> logging.Handler:
-        """Return the handler of ``launch.log``."""
-        if self._file is None:
-            path = self.log_dir and os.path.join(self.log_dir, 'launch.log')
-            self._file = logging.FileHandler(path, encoding='utf-8') if path else logging.NullHandler()
-            self._file.setFormatter(logging.Formatter(_FILE_FORMAT, style='{'))
-        return self._file
+    def set_screen_format(self, screen_format: str, *, screen_style: str | None = None) -> None:
+        """
+        Set the form of the lines on the screen, but for what processes print.
+
+        :param screen_format: as ``logging.Formatter`` takes it, or ``default``, or ``default_with_timestamp``
+        :param screen_style: the style of the format, ``{`` if None
+        :raises ValueError: for a style of one of the two that have names
+        """
+        names = {'default': _PLAIN, 'default_with_timestamp': _WITH_TIME}
+        self._screen_formatter = _formatter(
+            'OVERRIDE_LAUNCH_SCREEN_FORMAT', 'screen', screen_format, screen_style, names
+        )
+        if self._screen is not None:
+            self._screen.setFormatter(self._screen_formatter)
+
+    def set_log_format(self, log_format: str, *, log_style: str | None = None) -> None:
+        """Set the form of the lines of ``launch.log``, as ``set_screen_format``; there is only the name ``default``."""
+        self._file_formatter = _formatter(
+            'OVERRIDE_LAUNCH_LOG_FORMAT', 'log', log_format, log_style, {'default': _WITH_TIME}
+        )
+        if (_MAIN, False) in self._files:
+            self._files[_MAIN, False].setFormatter(self._file_formatter)
+
+    def get_screen_handler(self) -> logging.Handler:
+        """Return the handler of the screen."""
+        if self._screen is None:
+            self._screen = _ScreenHandler(self._screen_formatter)
+        return self._screen
+
+    def get_log_file_path(self, file_name: str = _MAIN) -> str | None:
+        """Return the path of a log file; None if there is no directory for it."""
+        return self.log_dir and os.path.join(self.log_dir, file_name)
+
+    def get_log_file_handler(self, file_name: str = _MAIN) -> logging.Handler:
+        """Return the handler of a log file."""
+        return self._file(file_name, False, self._file_formatter)
+
+    def output_handler(self, file_name: str = _MAIN) -> logging.Handler:
+        """Return the handler for what processes print: in ``launch.log`` with the time, elsewhere as it is."""
+        return self._file(file_name, True, _TIMED if file_name == _MAIN else _RAW)
+
+    def _file(self, name: str, of_processes: bool, formatter: logging.Formatter) -> logging.Handler:
+        # Two handlers may append to one file, as each writes whole lines.
+        handler = self._files.get((name, of_processes))
+        if handler is None:
+            path = self.get_log_file_path(name)
+            handler = logging.FileHandler(path, encoding='utf-8', delay=True) if path else logging.NullHandler()
+            handler.setFormatter(formatter)
+            self._files[name, of_processes] = handler
+        return handler
 
     def logger(self, name: str, handlers: list[logging.Handler]) -> logging.Logger:
         """Return the logger ``name``, with these handlers only."""
@@ -96,9 +158,9 @@ class LaunchConfig:
             logger.setLevel(level)
 
     def close(self) -> None:
-        """Close the log file."""
-        if self._file is not None:
-            self._file.close()
+        """Close the log files."""
+        for handler in self._files.values():
+            handler.close()
 
 
 launch_config = LaunchConfig()
@@ -112,7 +174,7 @@ def reset() -> None:
 
 def get_logger(name: str = 'launch') -> logging.Logger:
     """Return a logger that writes to the screen and to ``launch.log``."""
-    return launch_config.logger(name, [_ScreenHandler(_SCREEN_FORMAT), launch_config.file_handler()])
+    return launch_config.logger(name, [launch_config.get_screen_handler(), launch_config.get_log_file_handler()])
 
 
 def get_output_loggers(process_name: str, output_config: str | dict) -> tuple[logging.Logger, logging.Logger]:
@@ -128,14 +190,13 @@ def get_output_loggers(process_name: str, output_config: str | dict) -> tuple[lo
     for source in ('stdout', 'stderr'):
         handlers: list[logging.Handler] = []
         if 'screen' in targets[source]:
-            handlers.append(_ScreenHandler(_RAW_FORMAT))
+            handlers.append(_ScreenHandler(_RAW))
         if 'log' in targets[source]:
-            handlers.append(launch_config.file_handler())
-        if 'own_log' in targets[source] and launch_config.log_dir:
-            path = os.path.join(launch_config.log_dir, f'{process_name}-{source}.log')
-            own = logging.FileHandler(path, encoding='utf-8', delay=True)
-            own.setFormatter(logging.Formatter(_RAW_FORMAT, style='{'))
-            handlers.append(own)
+            handlers.append(launch_config.output_handler())
+        if 'own_log' in targets[source]:
+            handlers.append(launch_config.output_handler(f'{process_name}-{source}.log'))
+        if 'own_log' in targets['both']:
+            handlers.append(launch_config.output_handler(f'{process_name}.log'))
         loggers.append(launch_config.logger(f'{process_name}-{source}', handlers))
         loggers[-1].setLevel(logging.INFO)
     return loggers[0], loggers[1]
@@ -155,22 +216,23 @@ def _output_targets(config: str | dict) -> dict[str, set[str]]:
         'screen': {'both': ['screen']},
         'log': {'both': ['log'], 'stderr': ['screen']},
         'both': {'both': ['log', 'screen']},
-        'own_log': {'both': ['own_log']},
-        'full': {'both': ['screen', 'log', 'own_log']},
+        'own_log': {'both': ['own_log'], 'stdout': ['own_log'], 'stderr': ['own_log']},
+        'full': {'both': ['screen', 'log', 'own_log'], 'stdout': ['own_log'], 'stderr': ['own_log']},
     }
     if isinstance(config, str):
         if config not in known:
             raise ValueError(f'{config} is not a valid standard output config i.e. "screen", "log" or "both"')
         config = known[config]
-    targets: dict[str, set[str]] = {'stdout': set(), 'stderr': set()}
+    targets: dict[str, set[str]] = {'stdout': set(), 'stderr': set(), 'both': set()}
     for source, destinations in config.items():
         names = {destinations} if isinstance(destinations, str) else set(destinations)
         if source not in ('stdout', 'stderr', 'both'):
             raise ValueError(f'{source} is not a valid output source i.e. "stdout", "stderr" or "both"')
         if names - {'screen', 'log', 'own_log'}:
             raise ValueError(f'{destinations} is not a valid output destination i.e. "screen", "log" or "own_log"')
-        for name in ('stdout', 'stderr') if source == 'both' else (source,):
-            targets[name] |= names
+        targets[source] |= names
+    for source in ('stdout', 'stderr'):
+        targets[source] |= targets['both'] - {'own_log'}  # that of both is a file of its own
     return targets
 
 

@@ -7,10 +7,11 @@ import sys
 import textwrap
 import threading
 import time
+from pathlib import Path
 
 import launch.logging
 import pytest
-from launch import LaunchContext, LaunchDescription, LaunchIntrospector, LaunchService
+from launch import Action, LaunchContext, LaunchDescription, LaunchDescriptionSource, LaunchIntrospector, LaunchService
 from launch.actions import (
     AppendEnvironmentVariable,
     DeclareLaunchArgument,
@@ -29,9 +30,9 @@ from launch.actions import (
 )
 from launch.conditions import IfCondition, LaunchConfigurationEquals, LaunchConfigurationNotEquals, UnlessCondition
 from launch.event_handlers import OnExecutionComplete, OnProcessExit, OnProcessIO, OnProcessStart, OnShutdown
+from launch.events import ExecutionComplete, matches_action
 from launch.events import Shutdown as ShutdownEvent
-from launch.events import matches_action
-from launch.events.process import ShutdownProcess, matches_executable, matches_name, matches_pid
+from launch.events.process import ProcessIO, ShutdownProcess, matches_executable, matches_name, matches_pid
 from launch.launch_description_sources import PythonLaunchDescriptionSource
 from launch.substitutions import (
     AllSubstitution,
@@ -124,9 +125,8 @@ def test_substitutions(substitution, text):
         (LaunchConfiguration('nope'), "launch configuration 'nope' does not exist"),
         (EnvironmentVariable('COURSE_TEST_NO_SUCH'), "environment variable 'COURSE_TEST_NO_SUCH' does not exist"),
         (FindExecutable(name='no-such-program'), "executable 'no-such-program' not found on the PATH"),
-        (PythonExpression('1 +'), "cannot evaluate the Python expression '1 \\+'"),
         (Command('false'), 'executed command failed. Command: false'),
-        (Command('no-such-program'), 'not found'),
+        (Command('no-such-program'), 'file not found: '),
         (Command("sh -c 'echo bad >&2'"), 'showed stderr output'),
         (ThisLaunchFileDir(), 'outside of a launch file'),
         (LocalSubstitution('event.reason'), "local variable 'event.reason' does not exist"),
@@ -135,6 +135,27 @@ def test_substitutions(substitution, text):
 def test_substitutions_that_fail_say_why(substitution, message):
     with pytest.raises(SubstitutionFailure, match=message):
         perform(substitution)
+
+
+@pytest.mark.parametrize('modules, error', [((), NameError), (('math',), None), (('no_such_module',), ImportError)])
+def test_an_expression_raises_what_python_does(modules, error):
+    expression = PythonExpression(['ceil(', LaunchConfiguration('x'), ')'], modules)
+    names = ', '.join(f"'{name}'" for name in modules)
+    assert expression.describe() == f"PythonExpr('ceil(' + LaunchConfig('x') + ')', [{names}])"
+    if error is None:
+        assert perform(expression, x='1.2') == '2'
+    else:
+        pytest.raises(error, perform, expression, x='1.2')
+
+
+@pytest.mark.parametrize('left, right, same', [
+    (True, '1', True), ('FALSE', 0, True), ('true', 10, False), (None, '', True), (10, 10 + 1e-10, True),
+    ('nan', 'nan', False), ('-inf', '-inf', True), ('one', 1, False),
+])  # fmt: skip
+def test_texts_truth_values_and_numbers_are_compared(left, right, same):
+    for pair in ((left, right), (right, left)):
+        assert perform(EqualsSubstitution(*pair)) == str(same).lower()
+        assert perform(NotEqualsSubstitution(*pair)) == str(not same).lower()
 
 
 def test_find_executable():
@@ -177,7 +198,7 @@ def test_a_group_is_a_scope_for_configurations_and_environment(go):
         ),
         LogInfo(msg=shown),
         GroupAction([LogInfo(msg=shown)], forwarding=False, launch_configurations={'b': '3'}),
-        GroupAction([SetLaunchConfiguration('a', '4')], scoped=False),
+        GroupAction([Action(), SetLaunchConfiguration('a', '4')], scoped=False, forwarding=False),
         LogInfo(msg=shown),
     )  # fmt: skip
     assert (status, said) == (0, ['2 x:y', '1 -', '- -', '4 -'])
@@ -255,6 +276,29 @@ def test_included_files_get_arguments_and_know_where_they_are(go, tmp_path):
     assert lines[0].endswith(
         "Included launch description missing required argument 'who' (description: 'no description given'), given: []"
     )
+
+
+def test_arguments_of_an_include_are_set_one_after_the_other_in_the_included_file(go, tmp_path):
+    child = tmp_path / 'child.launch.py'
+    child.write_text(
+        textwrap.dedent("""
+            from launch import LaunchDescription
+            from launch.actions import LogInfo
+            from launch.substitutions import LaunchConfiguration
+
+            def generate_launch_description():
+                return LaunchDescription([LogInfo(msg=LaunchConfiguration('b'))])
+        """)
+    )
+    values = {'a': 'new', 'b': [LaunchConfiguration('a'), ' ', ThisLaunchFileDir()]}
+    included = IncludeLaunchDescription(str(child), launch_arguments=values.items())
+    assert go(SetLaunchConfiguration('a', 'old'), included)[1] == [f'new {tmp_path}']
+
+
+def test_a_required_argument_is_given_by_the_include_itself(go):
+    inner = IncludeLaunchDescription(LaunchDescriptionSource(LaunchDescription([DeclareLaunchArgument('who')])))
+    status, _, lines = go(SetLaunchConfiguration('who', 'set outside'), inner)
+    assert (status, "missing required argument 'who'" in lines[0]) == (1, True)
 
 
 # --- processes ---------------------------------------------------------------------------------------------------
@@ -498,6 +542,27 @@ def test_completion_may_start_a_process_although_nothing_else_runs(go):
     assert status == 0 and second.return_code == 0
 
 
+@pytest.mark.parametrize('kind, argument', [
+    (OnProcessExit, 'on_exit'), (OnProcessStart, 'on_start'), (OnExecutionComplete, 'on_completion'),
+])  # fmt: skip
+def test_a_handler_refuses_what_is_no_action(kind, argument):
+    with pytest.raises(TypeError, match="action_matcher must be an '.+' instance or a callable"):
+        kind(target_action='talker', **{argument: []})
+    with pytest.raises(TypeError, match="of type 'LaunchDescriptionEntity' but got '<class 'str'>'"):
+        kind(**{argument: [LogInfo(msg='x'), 'y']})
+    assert not kind(target_action=lambda action: False, **{argument: []}).matches(ExecutionComplete(action=None))
+
+
+@pytest.mark.parametrize('number, stream', [(0, 'stdin'), (1, 'stdout'), (2, 'stderr')])
+def test_an_event_of_reading_or_writing_knows_its_stream(number, stream):
+    details = {'action': None, 'name': 'one', 'cmd': ['ls'], 'cwd': None, 'env': None, 'pid': 1}
+    event = ProcessIO(text=b'x', fd=number, **details)
+    assert [name for name in ('stdin', 'stdout', 'stderr') if getattr(event, f'from_{name}')] == [stream]
+    heard = []
+    OnProcessIO(**{f'on_{stream}': lambda event: heard.append(event)}).handle(event, LaunchContext())
+    assert heard == [event]
+
+
 def test_a_process_is_found_by_its_number_name_and_program(go):
     long, other = python('import time; print("up"); time.sleep(100)'), python('pass')
     found = []
@@ -614,3 +679,38 @@ def test_modules_have_upstreams_names(name):
               'on_process_io': 'OnProcessIO'}  # fmt: skip
     last = name.rpartition('.')[2]
     assert hasattr(module, wanted.get(last, ''.join(word.capitalize() for word in last.split('_'))))
+
+
+# --- the log -----------------------------------------------------------------------------------------------------
+
+
+def test_what_processes_print_is_in_the_log_files_as_it_is(go):
+    done, _, _ = go(ExecuteProcess(cmd=['sh', '-c', 'echo out; echo err >&2'], name='both', output='full'))
+    folder = Path(launch.logging.launch_config.log_dir)
+    files = {file.name: sorted(file.read_text().splitlines()) for file in folder.iterdir() if file.name != 'launch.log'}
+    name = next(name for name in files if name.endswith('-stdout.log')).removesuffix('-stdout.log')
+    out, err = f'[{name}] out', f'[{name}] err'
+    assert done == 0 and files == {f'{name}-stdout.log': [out], f'{name}-stderr.log': [err], f'{name}.log': [err, out]}
+    text = (folder / 'launch.log').read_text()
+    assert re.search(rf'^\d+\.\d+ {re.escape(out)}$', text, re.M), text
+    assert re.search(rf'^\d+\.\d+ \[INFO\] \[{name}\]: process started', text, re.M)
+
+
+def test_the_form_of_the_lines_can_be_chosen(capsys, monkeypatch):
+    config = launch.logging.launch_config
+    config.set_screen_format('default_with_timestamp')
+    launch.logging.get_logger('one').info('x')
+    assert re.fullmatch(r'\d+\.\d{7} \[INFO\] \[one\]: x\n', capsys.readouterr().out)
+    config.set_screen_format('{message}!')
+    launch.logging.get_logger('one').info('x')
+    assert capsys.readouterr().out == 'x!\n'
+    with pytest.raises(ValueError, match='Cannot set a custom format style for the "default" log format'):
+        config.set_log_format('default', log_style='%')
+    with pytest.raises(ValueError, match='/no/such is not a directory'):
+        config.log_dir = '/no/such'
+    monkeypatch.setenv('OVERRIDE_LAUNCH_SCREEN_FORMAT', r'{name}\t{message}')
+    monkeypatch.setenv('OVERRIDE_LAUNCH_LOG_FORMAT', 'log {message}')
+    launch.logging.reset()
+    launch.logging.get_logger('one').info('x')
+    assert capsys.readouterr().out == 'one\tx\n'
+    assert Path(launch.logging.launch_config.get_log_file_path()).read_text() == 'log x\n'

@@ -203,7 +203,7 @@ def test_failures_are_failures(run):
     for message in (
         'before the end',
         'after the end',
-        'has to end after its first yield',
+        'must stop iteration after yielding once',
         'return value must be either a launch description',
         'ended with an error before it was ready',
     ):
@@ -216,7 +216,7 @@ def test_a_mark_without_a_fixture_says_so(run):
         def test_it():
             pass
     """)
-    assert status == 2 and 'has to name a launch_pytest.fixture' in output
+    assert status == 2 and '"fixture" keyword argument is required in a pytest.mark.launch() decorator' in output
 
 
 def test_a_launch_that_ends_by_itself_is_waited_for(run):

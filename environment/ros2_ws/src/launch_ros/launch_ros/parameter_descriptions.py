@@ -13,7 +13,7 @@ from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.substitutions import SubstitutionFailure
 from launch.utilities import perform_substitutions, to_text
-from launch.utilities.type_utils import coerce_to_type, is_typing_list, to_bool
+from launch.utilities.type_utils import coerce_to_type, extract_type, is_typing_list, to_bool
 
 
 class ParameterValue:
@@ -35,11 +35,11 @@ class ParameterValue:
         :raises ValueError: if the text is not of the type
         """
         value = self.value
-        substitutes = isinstance(value, Substitution) or (
-            isinstance(value, (list, tuple)) and any(isinstance(item, Substitution) for item in value)
-        )
         is_list = is_typing_list(self.value_type)
-        if not substitutes:
+        if not (isinstance(value, Substitution) or is_one_text(value)):
+            if isinstance(value, (list, tuple)):
+                kind = extract_type(self.value_type)[0] if is_list else None
+                return [ParameterValue(item, value_type=kind).evaluate(context) for item in value]
             return value if self.value_type is None or is_list else self.value_type(value)
         text = to_text(context, value)
         if self.value_type is str:
@@ -52,6 +52,36 @@ class ParameterValue:
         if self.value_type is not None and type(loaded) is not self.value_type:
             raise ValueError(f"Cannot convert value '{text}' to type '{self.value_type.__name__}'")
         return loaded
+
+
+class Parameter:
+    """
+    A parameter with its name and its type, as an item of a node's parameters.
+
+    :param name: the name; with dots for one in a group
+    :param value: a plain value, or substitutions
+    :param value_type: as that of ``ParameterValue``
+    """
+
+    def __init__(self, name: SomeSubstitutionsType, value: Any, *, value_type: type | None = None):
+        self.name, self.parameter_value = name, ParameterValue(value, value_type=value_type)
+
+    def evaluate(self, context: LaunchContext) -> tuple[str, Any]:
+        """
+        Return the name and the plain value.
+
+        :raises ValueError: if the text is not of the type
+        """
+        return to_text(context, self.name), self.parameter_value.evaluate(context)
+
+
+def is_one_text(value: Any) -> bool:
+    """Return True for a list of texts and at least one substitution, which together become one text."""
+    return (
+        isinstance(value, (list, tuple))
+        and all(isinstance(item, (str, Substitution)) for item in value)
+        and any(isinstance(item, Substitution) for item in value)
+    )
 
 
 class ParameterFile:

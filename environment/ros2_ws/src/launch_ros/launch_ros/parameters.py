@@ -11,7 +11,7 @@ from launch.launch_context import LaunchContext
 from launch.substitution import Substitution
 from launch.utilities import to_text
 
-from launch_ros.parameter_descriptions import ParameterFile, ParameterValue
+from launch_ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue, is_one_text
 
 _PLAIN = (bool, int, float, str)
 
@@ -25,7 +25,7 @@ def check_parameters(parameters: Iterable) -> None:
     for item in parameters:
         if isinstance(item, Mapping):
             _check_values(item)
-        elif not isinstance(item, (ParameterFile, PathLike)) and not _is_text(item):
+        elif not isinstance(item, (Parameter, ParameterFile, PathLike)) and not _is_text(item):
             raise TypeError(f"'parameters' of Node takes dictionaries and paths of files, got {item!r}")
 
 
@@ -76,33 +76,43 @@ def _evaluate(context: LaunchContext, name: str, value: Any) -> Any:
         return _from_yaml(name, to_text(context, value))
     if isinstance(value, Iterable):
         items = list(value)
-        if items and any(isinstance(item, Substitution) for item in items):
+        if is_one_text(items):
             return _from_yaml(name, to_text(context, items))
         items = [_evaluate(context, name, item) if not isinstance(item, _PLAIN) else item for item in items]
-        return _checked_list(name, items)
+        if {type(item) for item in items} == {int, float}:
+            return [float(item) for item in items]
+        return _checked_list(items) if items else items
     raise TypeError(f"parameter '{name}' has a value that no parameter can have: {value!r}")
+
+
+_AS_TEXT = (
+    'If the parameter is meant to be a string, try wrapping it in '
+    'launch_ros.parameter_descriptions.ParameterValue(value, value_type=str)'
+)
 
 
 def _from_yaml(name: str, text: str) -> Any:
     try:
         value = yaml.safe_load(text)
-    except yaml.YAMLError:
-        return text
-    if isinstance(value, _PLAIN):
+    except yaml.YAMLError as error:
+        raise TypeError(f'Unable to parse the value of parameter {name} as yaml. {_AS_TEXT}') from error
+    if value is None:
+        return ''
+    if isinstance(value, (*_PLAIN, bytes)):
         return value
     if isinstance(value, list):
-        return _checked_list(name, value)
-    if value is None and text.strip() == '':
-        return ''
-    raise TypeError(f"parameter '{name}' has a value that no parameter can have: {text}")
+        return _checked_list(value)
+    raise TypeError(
+        'Allowed value types are bytes, bool, int, float, str, Sequence[bool], Sequence[int], Sequence[float], '
+        f'Sequence[str]. Got {type(value)}. {_AS_TEXT}'
+    )
 
 
-def _checked_list(name: str, items: list) -> list:
+def _checked_list(items: list) -> list:
     kinds = {type(item) for item in items}
-    if kinds == {int, float}:
-        return [float(item) for item in items]
-    if len(kinds) > 1 or not kinds <= set(_PLAIN):
+    if len(kinds) != 1 or not kinds <= set(_PLAIN):
         raise TypeError(
-            f"parameter '{name}': expected a sequence with items of one type (bool, int, float or str), got {items!r}"
+            'Expected a non-empty sequence, with items of uniform type. Allowed sequence item types are bool, int, '
+            'float, str.'
         )
     return items

@@ -16,7 +16,7 @@ from launch.frontend import Parser, parse_substitution
 from launch.substitutions import LaunchConfiguration, SubstitutionFailure, TextSubstitution
 from launch.utilities import perform_substitutions
 from launch_ros.actions import Node, PushRosNamespace, RosTimer, SetParameter, SetRemap, SetROSLogDir, SetUseSimTime
-from launch_ros.parameter_descriptions import ParameterFile, ParameterValue
+from launch_ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue
 from launch_ros.parameters import evaluate_parameters
 from launch_ros.substitutions import FindPackageShare
 from rclpy.exceptions import InvalidNodeNameException
@@ -37,9 +37,54 @@ def test_parameters_are_evaluated_as_upstream_does():
         'number': 5, 'text': ['a', 'b'], 'list': [1, 2], 'quoted': '5', 'forced': '5', 'real': 5.0, 'plain': 1.5,
         'nested.a': True, 'nested.b.c': 'x', 'joined': 15, 'mixed': [1.0, 2.5],
     } and evaluate_parameters(context, {'x': LaunchConfiguration('t')}) == {'x': 'text'}  # fmt: skip
-    for bad in ([1, 'a'], None, object()):
+    for bad in (None, object()):
         with pytest.raises(TypeError, match="parameter 'x'"):
             evaluate_parameters(context, {'x': bad})
+
+
+WORD = TextSubstitution(text='word')
+NO_SEQUENCE = 'Expected a non-empty sequence, with items of uniform type'
+
+
+@pytest.mark.parametrize('given, value', [
+    ([[WORD, 's'], WORD], ['words', 'word']),
+    ([[TextSubstitution(text='1')], [TextSubstitution(text='2')]], [1, 2]),
+    (['s', [WORD]], ['s', 'word']),
+    (TextSubstitution(text=''), ''),
+    (ParameterValue([[TextSubstitution(text='1')], '2'], value_type=list[str]), ['1', '2']),
+    (ParameterValue(TextSubstitution(text='a: b'), value_type=str), 'a: b'),
+    ([1, 'a'], NO_SEQUENCE),
+    ([True, 1, WORD], NO_SEQUENCE),
+    (TextSubstitution(text='[1, 2.0]'), NO_SEQUENCE),
+    (TextSubstitution(text='[]'), NO_SEQUENCE),
+    (TextSubstitution(text='a: b: c'), 'Unable to parse the value of parameter x as yaml. If the parameter is meant to '
+     r'be a string, try wrapping it in launch_ros.parameter_descriptions.ParameterValue\(value, value_type=str\)'),
+    (TextSubstitution(text='{a: 1}'), "Allowed value types are bytes, .* Got <class 'dict'>"),
+])  # fmt: skip
+def test_values_with_substitutions_are_lists_texts_or_refused(given, value):
+    if isinstance(value, str) and ' ' in value and not isinstance(given, ParameterValue):
+        with pytest.raises(TypeError, match=value):
+            evaluate_parameters(LaunchContext(), {'x': given})
+    else:
+        assert evaluate_parameters(LaunchContext(), {'x': given}) == {'x': value}
+
+
+@pytest.mark.parametrize('name, namespace, node', [
+    ('n', '/ns', '/ns/n'), ('n', '', '/n'), ('n', None, '/**'), (None, '/ns', '/**'),
+])  # fmt: skip
+def test_parameters_name_the_node_only_if_it_is_known(name, namespace, node):
+    action, context = Node(executable='x', name=name, namespace=namespace, parameters=[{'p': 1}]), LaunchContext()
+    command = action.get_command(context)
+    file = yaml.safe_load(Path(command[command.index('--params-file') + 1]).read_text())
+    assert (list(file), action.is_node_name_fully_specified()) == ([node], node != '/**')
+    assert (Node.UNSPECIFIED_NODE_NAMESPACE in action.node_name) is (namespace is None)
+    context.close()
+
+
+def test_a_parameter_has_its_name_with_it():
+    node = Node(executable='x', parameters=[Parameter('a.b', [[WORD], 's'], value_type=list[str]), Parameter('c', 2.0)])
+    command = node.get_command(LaunchContext())
+    assert [word for word in command if ':=' in word] == ['a.b:=[word, s]', 'c:=2.0']
 
 
 def test_the_command_of_a_node():

@@ -1,6 +1,5 @@
 """``ros2 launch``: real nodes, real terminals, stock's lines."""
 
-import ast
 import os
 import re
 import signal
@@ -286,38 +285,3 @@ def test_completion_knows_all_formats(tmp_path):
         (tmp_path / name).write_text('')
     assert get_launch_file_paths(path=str(tmp_path)) == [str(tmp_path / name) for name in names]
     assert is_launch_file(tmp_path / 'b_launch.xml') and not is_launch_file(tmp_path / 'package.xml')
-
-
-# Of upstream's launch, what other packages may use: an overlay of it puts these in the place of ours.
-PUBLIC = {
-    'launch': {
-        'LaunchDescription',
-        'LaunchDescriptionSource',
-        'LaunchService',
-        'LaunchContext',
-        'LaunchIntrospector',
-        'frontend',
-        'actions',
-    },
-    'launch.action': {'Action'},
-    'launch.actions': {'ExecuteProcess', 'IncludeLaunchDescription', 'RegisterEventHandler'},
-    'launch.event_handlers': {'OnProcessExit', 'OnProcessIO', 'OnProcessStart'},
-    'launch.events.process': {'ProcessExited', 'ProcessIO', 'RunningProcessEvent'},
-    'launch.frontend': {'Entity', 'Parser'},
-    'launch.frontend.type_utils': {'check_is_list_entity'},
-    'launch.launch_context': {'LaunchContext'},
-    'launch.launch_description': {'LaunchDescription'},
-    'launch.launch_description_entity': {'LaunchDescriptionEntity'},
-    'launch.launch_description_sources': {'AnyLaunchDescriptionSource', 'get_launch_description_from_any_launch_file'},
-    'launch.utilities.type_utils': {'get_typed_value', 'is_instance_of'},
-}
-
-
-@pytest.mark.parametrize('package', ['ros2launch', 'launch_xml', 'launch_yaml', 'launch_testing', 'launch_pytest'])
-def test_the_others_work_on_upstreams_launch_too(package):
-    sources = Path(__file__).parents[2] / package / package
-    for file in sources.rglob('*.py'):
-        for node in ast.walk(ast.parse(file.read_text())):
-            if isinstance(node, ast.ImportFrom) and node.module.partition('.')[0] in ('launch', 'launch_ros'):
-                names = {alias.name for alias in node.names}
-                assert names <= PUBLIC.get(node.module, set()), f'{file}: {node.module} {names}'

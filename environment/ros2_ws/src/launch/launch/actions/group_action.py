@@ -23,7 +23,7 @@ class GroupAction(Action):
     Actions that share a condition and a scope.
 
     :param scoped: what the actions change in configurations and environment ends with the group
-    :param forwarding: begin the scope with the configurations from outside; otherwise with none
+    :param forwarding: begin the scope, if there is one, with the configurations from outside; otherwise with none
     :param launch_configurations: set at the beginning, in the group only
     """
 
@@ -37,8 +37,6 @@ class GroupAction(Action):
         **kwargs,
     ):
         super().__init__(**kwargs)
-        if not scoped and not forwarding:
-            raise RuntimeError('GroupAction with scoped=False cannot have forwarding=False')
         self._actions = list(actions)
         self._scoped, self._forwarding = scoped, forwarding
         self._configurations = dict(launch_configurations or {})
@@ -65,7 +63,7 @@ class GroupAction(Action):
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
         begin: list[Action] = [PushLaunchConfigurations(), PushEnvironment()] if self._scoped else []
-        if self._forwarding:
+        if self._forwarding or not self._scoped:
             begin += [SetLaunchConfiguration(name, value) for name, value in self._configurations.items()]
         else:
             begin += [ResetEnvironment(), ResetLaunchConfigurations(self._configurations)]

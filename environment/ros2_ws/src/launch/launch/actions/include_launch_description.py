@@ -7,8 +7,10 @@ from collections.abc import Iterable
 
 from launch.action import Action
 from launch.actions.opaque_function import OpaqueFunction
+from launch.actions.set_launch_configuration import SetLaunchConfiguration
 from launch.frontend import Entity, Parser, expose_action
 from launch.launch_context import LaunchContext
+from launch.launch_description import LaunchDescription
 from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.launch_description_source import LaunchDescriptionSource
 from launch.launch_description_sources import AnyLaunchDescriptionSource
@@ -23,7 +25,8 @@ class IncludeLaunchDescription(Action):
     Visits the launch description of another file.
 
     :param launch_description_source: the source, or the path of a launch file
-    :param launch_arguments: (name, value) pairs; they stay set after the include, unless a GroupAction is around it
+    :param launch_arguments: (name, value) pairs, set one after the other when the file is known, so ThisLaunchFileDir
+        in a value is the included file's; they stay set after the include, unless a GroupAction is around it
     """
 
     def __init__(
@@ -68,21 +71,23 @@ class IncludeLaunchDescription(Action):
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
         description = self.launch_description_source.get_launch_description(context)
-        given = {}
-        for name, value in self.launch_arguments:
-            given[to_text(context, name)] = to_text(context, value)
-        for argument in description.get_launch_arguments():
-            known = argument.name in given or argument.name in context.launch_configurations
-            if argument.default_value is None and not argument._conditionally_included and not known:
-                raise RuntimeError(
-                    f"Included launch description missing required argument '{argument.name}' "
-                    f"(description: '{argument.description}'), given: [{', '.join(given)}]"
-                )
         path = self.launch_description_source.path
-        context.launch_configurations.update(given)
         context.push_locals(
             {}
             if path is None
             else {'current_launch_file_path': path, 'current_launch_file_directory': os.path.dirname(path)}
         )
-        return [description, OpaqueFunction(function=lambda context: context.pop_locals())]
+        self._check_arguments(context, description)
+        arguments = [SetLaunchConfiguration(name, value) for name, value in self.launch_arguments]
+        return [*arguments, description, OpaqueFunction(function=lambda context: context.pop_locals())]
+
+    def _check_arguments(self, context: LaunchContext, description: LaunchDescription) -> None:
+        """Raise RuntimeError if a required argument is not given here; that it is set outside does not count."""
+        given = [to_text(context, name) for name, _ in self.launch_arguments]
+        for argument in description.get_launch_arguments():
+            optional = argument.default_value is not None or argument._conditionally_included
+            if not optional and argument.name not in given:
+                raise RuntimeError(
+                    f"Included launch description missing required argument '{argument.name}' "
+                    f"(description: '{argument.description}'), given: [{', '.join(given)}]"
+                )

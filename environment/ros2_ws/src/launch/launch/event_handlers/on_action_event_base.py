@@ -5,6 +5,7 @@ from __future__ import annotations
 from launch.event import Event
 from launch.event_handler import EventHandler
 from launch.launch_description_entity import LaunchDescriptionEntity
+from launch.utilities import to_entities
 
 
 class OnActionEventBase(EventHandler):
@@ -14,11 +15,32 @@ class OnActionEventBase(EventHandler):
     :param action_matcher: an action, a function that says for an action whether it is meant, or None for all
     :param on_event: entities, or a function of (event, context) that returns some
     :param target_event_cls: the kind of event
+    :param target_action_cls: the kind of action that it may come from; any, if None
+    :raises TypeError: if the action or one of the entities is something else
     """
 
     _argument = 'on_event'
 
-    def __init__(self, *, action_matcher, on_event, target_event_cls: type[Event], **kwargs):
+    def __init__(
+        self,
+        *,
+        action_matcher,
+        on_event,
+        target_event_cls: type[Event],
+        target_action_cls: type | None = None,
+        **kwargs,
+    ):
+        kind = target_action_cls or LaunchDescriptionEntity
+        if not (action_matcher is None or isinstance(action_matcher, kind) or callable(action_matcher)):
+            raise TypeError(f"action_matcher must be an '{kind.__name__}' instance or a callable")
+        if not callable(on_event):
+            on_event = to_entities(on_event)
+            for entity in on_event:
+                if not isinstance(entity, LaunchDescriptionEntity):
+                    raise TypeError(
+                        f"expected all items in 'on_event' iterable to be of type 'LaunchDescriptionEntity' but got "
+                        f"'{type(entity)}'"
+                    )
         self._target, self._kind = action_matcher, target_event_cls
         super().__init__(matcher=self._accepts, entities=on_event, **kwargs)
 

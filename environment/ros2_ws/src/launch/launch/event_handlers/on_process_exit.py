@@ -14,4 +14,12 @@ class OnProcessExit(OnActionEventBase):
     _argument = 'on_exit'
 
     def __init__(self, *, target_action=None, on_exit=None, **kwargs):
-        super().__init__(action_matcher=target_action, on_event=on_exit, target_event_cls=ProcessExited, **kwargs)
+        from launch.actions import ExecuteProcess
+
+        super().__init__(
+            action_matcher=target_action,
+            on_event=on_exit,
+            target_event_cls=ProcessExited,
+            target_action_cls=ExecuteProcess,
+            **kwargs,
+        )

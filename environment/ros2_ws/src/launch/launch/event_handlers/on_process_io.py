@@ -28,9 +28,17 @@ class OnProcessIO(OnActionEventBase):
         on_stderr: Callable | None = None,
         **kwargs,
     ):
-        self._on_stdout, self._on_stderr = on_stdout, on_stderr
-        super().__init__(action_matcher=target_action, on_event=self._pass_on, target_event_cls=ProcessIO, **kwargs)
+        from launch.actions import ExecuteProcess
+
+        self._functions = {0: on_stdin, 1: on_stdout, 2: on_stderr}
+        super().__init__(
+            action_matcher=target_action,
+            on_event=self._pass_on,
+            target_event_cls=ProcessIO,
+            target_action_cls=ExecuteProcess,
+            **kwargs,
+        )
 
     def _pass_on(self, event: ProcessIO, context):
-        function = self._on_stdout if event.from_stdout else self._on_stderr
+        function = self._functions[event.fd]
         return None if function is None else function(event)

@@ -14,4 +14,12 @@ class OnProcessStart(OnActionEventBase):
     _argument = 'on_start'
 
     def __init__(self, *, target_action=None, on_start=None, **kwargs):
-        super().__init__(action_matcher=target_action, on_event=on_start, target_event_cls=ProcessStarted, **kwargs)
+        from launch.actions import ExecuteProcess
+
+        super().__init__(
+            action_matcher=target_action,
+            on_event=on_start,
+            target_event_cls=ProcessStarted,
+            target_action_cls=ExecuteProcess,
+            **kwargs,
+        )

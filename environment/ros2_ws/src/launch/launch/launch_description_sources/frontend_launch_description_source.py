@@ -13,7 +13,7 @@ class FrontendLaunchDescriptionSource(LaunchDescriptionSource):
     """A launch file that is no program."""
 
     def __init__(self, launch_file_path: SomeSubstitutionsType, *, parser: type[Parser] = Parser):
-        super().__init__(location=launch_file_path)
+        super().__init__(location=launch_file_path, method='interpreted frontend launch file')
         self._parser = parser
 
     def _load(self, path: str) -> LaunchDescription:

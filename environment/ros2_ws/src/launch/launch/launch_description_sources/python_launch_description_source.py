@@ -12,7 +12,7 @@ class PythonLaunchDescriptionSource(LaunchDescriptionSource):
     """A Python launch file."""
 
     def __init__(self, launch_file_path: SomeSubstitutionsType):
-        super().__init__(location=launch_file_path)
+        super().__init__(location=launch_file_path, method='interpreted python launch file')
 
     def _load(self, path: str) -> LaunchDescription:
         return get_launch_description_from_python_launch_file(path)

@@ -48,8 +48,8 @@ class Command(Substitution):
                 stderr=subprocess.STDOUT if on_stderr == 'capture' else subprocess.PIPE,
                 env=dict(context.environment),
             )
-        except (OSError, ValueError, IndexError) as error:
-            raise SubstitutionFailure(f'file not found or not runnable: {error}') from error
+        except FileNotFoundError as error:
+            raise SubstitutionFailure(f'file not found: {error}') from error
         if result.returncode != 0:
             raise SubstitutionFailure(
                 f'executed command failed. Command: {text}\nCaptured stderr output: {result.stderr or ""}'

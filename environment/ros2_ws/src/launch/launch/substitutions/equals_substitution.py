@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import math
+
 from launch.frontend.expose import expose_substitution
 from launch.launch_context import LaunchContext
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.substitutions.arguments import counted
 from launch.utilities import describe_substitutions, to_text
+
+_TRUTH = {'true': True, '1': True, 'false': False, '0': False}
 
 
 @expose_substitution('equals')
@@ -30,19 +34,16 @@ class EqualsSubstitution(Substitution):
         return str(self._same(context)).lower()
 
     def _same(self, context: LaunchContext) -> bool:
-        return _value(to_text(context, self._left)) == _value(to_text(context, self._right))
+        left, right = to_text(context, self._left), to_text(context, self._right)
+        if left.lower() in _TRUTH and right.lower() in _TRUTH:
+            return _TRUTH[left.lower()] == _TRUTH[right.lower()]
+        try:
+            return math.isclose(float(left), float(right))
+        except ValueError:
+            return left == right
 
 
 def _writable(value) -> SomeSubstitutionsType:
     if value is None:
         return ''
     return str(value) if isinstance(value, (bool, int, float)) else value
-
-
-def _value(text: str):
-    if text.strip().lower() in ('true', 'false'):
-        return text.strip().lower()
-    try:
-        return float(text)
-    except ValueError:
-        return text

@@ -8,7 +8,6 @@ from launch.launch_context import LaunchContext
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.substitutions.arguments import counted
-from launch.substitutions.substitution_failure import SubstitutionFailure
 from launch.utilities import describe_substitutions, normalize_to_list_of_substitutions, perform_substitutions
 
 
@@ -16,6 +15,8 @@ from launch.utilities import describe_substitutions, normalize_to_list_of_substi
 class PythonExpression(Substitution):
     """
     The value of a Python expression, as text.
+
+    What is wrong with it is raised as Python does: NameError, SyntaxError …
 
     :param python_modules: the modules it may use; the names of ``math`` can be used without the module's name
     """
@@ -32,18 +33,16 @@ class PythonExpression(Substitution):
         return cls, {'expression': expression, **({'python_modules': modules} if modules else {})}
 
     def describe(self) -> str:
-        return f'PythonExpr({describe_substitutions(self._expression)})'
+        modules = ', '.join(describe_substitutions(module) for module in self._modules)
+        return f'PythonExpr({describe_substitutions(self._expression)}, [{modules}])'
 
     def perform(self, context: LaunchContext) -> str:
         expression = perform_substitutions(context, self._expression)
-        try:
-            texts = [perform_substitutions(context, module) for module in self._modules]
-            modules = [name.strip() for text in texts for name in text.split(',')]
-            names = {name.partition('.')[0]: importlib.import_module(name.partition('.')[0]) for name in modules}
-            for name in modules:
-                importlib.import_module(name)
-            if 'math' in names:
-                names = {**vars(names['math']), **names}
-            return str(eval(expression, {}, names))
-        except Exception as error:
-            raise SubstitutionFailure(f"cannot evaluate the Python expression '{expression}': {error}") from error
+        texts = [perform_substitutions(context, module) for module in self._modules]
+        modules = [name.strip() for text in texts for name in text.split(',') if name.strip()]
+        names = {name.partition('.')[0]: importlib.import_module(name.partition('.')[0]) for name in modules}
+        for name in modules:
+            importlib.import_module(name)
+        if 'math' in names:
+            names = {**vars(names['math']), **names}
+        return str(eval(expression, {}, names))

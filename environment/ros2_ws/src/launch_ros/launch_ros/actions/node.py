@@ -17,11 +17,9 @@ from launch.utilities import to_text
 from launch_ros.actions.set_remap import REMAPPINGS
 from launch_ros.global_parameters import GLOBAL_PARAMETERS, GlobalParameter
 from launch_ros.namespaces import join_namespace
-from launch_ros.parameter_descriptions import ParameterFile, ParameterValue, write_temporary_file
+from launch_ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue, write_temporary_file
 from launch_ros.parameters import check_parameters, evaluate_parameters
 from launch_ros.substitutions import ExecutableInPackage
-
-UNSPECIFIED_NAME = '<node_name_unspecified>'
 
 
 class _NodeName(Substitution):
@@ -56,6 +54,10 @@ class Node(ExecuteProcess):
     :raises TypeError: if parameters or remappings are not lists, or have items that they cannot have
     """
 
+    # What stands for a name and a namespace that only the node's program knows.
+    UNSPECIFIED_NODE_NAME = '<node_name_unspecified>'
+    UNSPECIFIED_NODE_NAMESPACE = '<node_namespace_unspecified>'
+
     def __init__(
         self,
         *,
@@ -83,6 +85,7 @@ class Node(ExecuteProcess):
         self._node_name, self._node_namespace = name, namespace
         self._parameters, self._remappings = list(parameters or []), list(remappings or [])
         self._final_name: str | None = None
+        self._final_namespace = self.UNSPECIFIED_NODE_NAMESPACE
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser):
@@ -127,8 +130,14 @@ class Node(ExecuteProcess):
 
     @property
     def expanded_node_namespace(self) -> str:
-        """The node's namespace; / if it is known only to the node's program."""
-        return self.node_name.rpartition('/')[0] or '/'
+        """The node's namespace, once the action is executed and if it is known."""
+        return self._final_namespace
+
+    def is_node_name_fully_specified(self) -> bool:
+        """Return True if name and namespace are both known; only then parameters can name the node."""
+        return not any(
+            unknown in self.node_name for unknown in (self.UNSPECIFIED_NODE_NAME, self.UNSPECIFIED_NODE_NAMESPACE)
+        )
 
     def get_command(self, context: LaunchContext) -> list[str]:
         self._expand_name(context)
@@ -137,15 +146,17 @@ class Node(ExecuteProcess):
     def _expand_name(self, context: LaunchContext) -> None:
         """Find out the full name, which may have parts that are known only now."""
         name = None if self._node_name is None else to_text(context, self._node_name)
-        base = context.launch_configurations.get('ros_namespace', '')
-        given = '' if self._node_namespace is None else to_text(context, self._node_namespace)
-        self._final_namespace = join_namespace(base, given)
-        _validate(name, self._final_namespace)
-        self._final_name = f'{self._final_namespace.rstrip("/")}/{name or UNSPECIFIED_NAME}'
+        base = context.launch_configurations.get('ros_namespace')
+        given = None if self._node_namespace is None else to_text(context, self._node_namespace)
+        namespace = None if base is None and given is None else join_namespace(base or '', given or '') or '/'
+        _validate(name, namespace)
+        self._final_namespace = namespace or self.UNSPECIFIED_NODE_NAMESPACE
+        self._final_name = f'{self._final_namespace.rstrip("/")}/{name or self.UNSPECIFIED_NODE_NAME}'
 
     def _ros_words(self, context: LaunchContext) -> list[str]:
-        words = ['-r', f'__ns:={self._final_namespace}'] if self._final_namespace else []
-        node = '/**' if self._node_name is None else self._final_name
+        known = self._final_namespace != self.UNSPECIFIED_NODE_NAMESPACE
+        words = ['-r', f'__ns:={self._final_namespace}'] if known else []
+        node = self._final_name if self.is_node_name_fully_specified() else '/**'
         parameters = [*context.launch_configurations.get(GLOBAL_PARAMETERS, []), *self._parameters]
         for item in parameters:
             words += self._parameter_words(context, item, node)
@@ -156,6 +167,8 @@ class Node(ExecuteProcess):
 
     @staticmethod
     def _parameter_words(context: LaunchContext, item, node: str) -> list[str]:
+        if isinstance(item, Parameter):
+            item = GlobalParameter(*item.evaluate(context))
         if isinstance(item, GlobalParameter):
             return ['-p', f'{item.name}:={item.as_yaml()}']
         if isinstance(item, Mapping):
@@ -218,7 +231,7 @@ def _parse_value(entity: Entity, parser: Parser) -> dict:
     return {name: parsed if kind is None else ParameterValue(parsed, value_type=_TYPES[kind])}
 
 
-def _validate(name: str | None, namespace: str) -> None:
+def _validate(name: str | None, namespace: str | None) -> None:
     """Refuse bad names here, where the message is clear."""
     from rclpy.validate_namespace import validate_namespace
     from rclpy.validate_node_name import validate_node_name

@@ -7,4 +7,6 @@ class ProcessStderr(ProcessIO):
     """A process has written to its standard error."""
 
     name = 'launch.events.process.ProcessStderr'
-    from_stderr = True
+
+    def __init__(self, **process):
+        super().__init__(fd=2, **process)

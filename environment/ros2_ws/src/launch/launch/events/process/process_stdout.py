@@ -7,4 +7,6 @@ class ProcessStdout(ProcessIO):
     """A process has written to its standard output."""
 
     name = 'launch.events.process.ProcessStdout'
-    from_stdout = True
+
+    def __init__(self, **process):
+        super().__init__(fd=1, **process)
