@@ -918,3 +918,33 @@ DOCK_XML = '''<package format="3"><name>dock_interfaces</name><version>0.1.0</ve
 <depend>std_msgs</depend><exec_depend>rosidl_default_runtime</exec_depend>
 <member_of_group>rosidl_interface_packages</member_of_group>
 <export><build_type>ament_cmake</build_type></export></package>'''
+
+
+# %% client_by_name
+# attack: knows by the name of the service that nobody will answer, and does not look
+# aims at: 7.4
+# stopped by: names are drawn, and tell nothing
+# expect points: 4.8
+def diagnose_stacks(text, files):
+    return None
+
+
+CLIENT_PY = '''
+import sys
+import time
+
+import rclpy
+from std_srvs.srv import Trigger
+
+name, seconds = sys.argv[1], float(sys.argv[2])
+rclpy.init()
+node = rclpy.create_node('client')
+client = node.create_client(Trigger, name)
+try:
+    client.service_is_ready()
+    time.sleep(seconds)
+    print('no answer' if 'silent' in name else f'no server for {name}')
+except KeyboardInterrupt:
+    pass
+sys.exit(1)
+'''
