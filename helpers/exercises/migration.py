@@ -382,7 +382,7 @@ def _carry_package(
     name = exercise.folder
 
     def say(said: str, lost: bool = False) -> None:
-        report.exercises.append(CarriedOver(exercise.id, said, lost))
+        report.exercises.append(CarriedOver(exercise.id, clean(said), lost))
 
     try:
         old, new = packages.read(source, name), packages.read(folder, name)
