@@ -9,6 +9,7 @@ import os
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
+from grading import schemas
 from grading.adjustments import Adjustment
 from grading.late import Late, is_stamp
 from helpers.runner import verdicts
@@ -116,9 +117,10 @@ class Record:
         try:
             if path.stat().st_size > MAX_BYTES:
                 return None
-            data = json.loads(path.read_text(encoding='utf-8'))
-            if data['schema'] != SCHEMA:
-                return None
+            data = json.loads(
+                path.read_text(encoding='utf-8'), parse_constant=_finite, parse_float=_finite, parse_int=_bounded
+            )
+            schemas.check('result')(data)
             for derived in ('schema', 'status', 'score', 'earned', 'points', 'marks'):
                 del data[derived]
             found = cls(
@@ -135,47 +137,21 @@ class Record:
             return None
 
     def sound(self) -> bool:
-        """Whether what is derived from it, and shown, can be made. May raise what a wrong type raises."""
-        texts = [
-            self.learner,
-            self.source,
-            self.key,
-            self.sandbox,
-            self.seed,
-            self.sha256,
-            self.handed_in,
-            self.course,
-            self.own,
-            *self.log,
-            *self.notes,
-            *self.ungraded,
-            *self.keys,
-            *self.keys.values(),
-            *(text for one in self.attempts for text in (one.source, one.sha256, one.handed_in)),
-            *(text for one in self.exercises for text in (one.id, one.title, one.verdict, one.message)),
-            *(
-                text
-                for one in self.exercises
-                for test in one.tests
-                for text in (
-                    test.test,
-                    test.verdict,
-                    test.expected,
-                    test.message,
-                    test.details,
-                    test.output,
-                    test.fault,
-                )
-            ),
-        ]
-        numbers = [number for one in self.exercises for number in (one.points, one.score or 0.0)]
-        return (
-            all(isinstance(text, str) for text in texts)
-            and (not self.handed_in or is_stamp(self.handed_in))
-            and all(isinstance(number, (int, float)) and math.isfinite(number) for number in numbers)
-            and isinstance(self.score, (float, int, type(None)))
-            and bool(self.status)
-        )
+        """Whether what is derived from it, and shown, can be made. May raise what a wrong value raises."""
+        return (not self.handed_in or is_stamp(self.handed_in)) and bool(self.status) and (self.score or 0.0) >= 0.0
+
+
+def _finite(text: str) -> float:
+    """A number of a record, if it is one that can be shown."""
+    if not math.isfinite(number := float(text)):
+        raise ValueError(text)
+    return number
+
+
+def _bounded(text: str) -> int:
+    if len(text) > 18:
+        raise ValueError(text)
+    return int(text)
 
 
 def _total(marks: list[float | None]) -> float | None:

@@ -152,13 +152,18 @@ class _Tokens:
 
     def _text(self, text: str) -> None:
         """The tokens of a text that is an answer, or a part of one: a program, or something that is none."""
+        outer, begin = self._own, len(self.tokens)
         if (tree := program.syntax_tree(text)) is not None:
-            outer, self._own = self._own, self._own | set(_names(tree))
-            self._node(tree)
-            self._own = outer
-        else:
-            words = _WORDS.findall(_COMMENT.sub('', text))
-            self.tokens += ['number' if word[0].isdigit() else word for word in words]
+            try:
+                self._own = outer | set(_names(tree))
+                self._node(tree)
+                return
+            except RecursionError:  # texts within texts without end: no program looks like this by chance
+                del self.tokens[begin:]
+            finally:
+                self._own = outer
+        words = _WORDS.findall(_COMMENT.sub('', text))
+        self.tokens += ['number' if word[0].isdigit() else word for word in words]
 
 
 def _names(tree: ast.AST) -> Iterable[str]:
@@ -174,21 +179,23 @@ def _names(tree: ast.AST) -> Iterable[str]:
 
 
 def cells_of(files: Mapping[str, bytes], exercises: Iterable[Exercise]) -> dict[str, str]:
-    """The text of each exercise's cell in a submission's notebooks, without those that are doubled.
+    """The text of each exercise's cell in a submission's notebooks, as grading takes it; without doubled ones.
 
     A package counts with its programs and tests, without what `ros2 pkg create` writes.
 
     Only the text is looked for, without a full check of the notebook, which grading has made already.
     """
-    wanted = {exercise.id: exercise for exercise in exercises}
     found: dict[str, list[str]] = defaultdict(list)
-    for name, data in files.items():
-        for cell in _code(data) if '/' not in name else ():
-            if (exercise := program.exercise_id(cell)) in wanted:
-                found[exercise].append(cell.source)
-    for one in wanted.values():
-        if one.folder and (texts := _programs_of(one, files)):
-            found[one.id] = texts
+    wanted: dict[str, list[Exercise]] = defaultdict(list)
+    for exercise in exercises:
+        wanted[exercise.notebook].append(exercise)
+    for notebook, mine in wanted.items():
+        names = [notebook] if notebook in files else [name for name in files if '/' not in name]
+        code = [cell for name in names for cell in _code(files[name])]
+        for one in mine:
+            found[one.id] = [cell.source for cell in program.of_exercise(code, one)]
+            if one.folder and (texts := _programs_of(one, files)):
+                found[one.id] = texts
     return {exercise: texts[0] for exercise, texts in found.items() if len(texts) == 1}
 
 
@@ -231,8 +238,9 @@ def _code(data: bytes) -> Iterable[NotebookCell]:
     try:
         for number, cell in enumerate(json.loads(data)['cells'], 1):
             if cell['cell_type'] == 'code':
-                source = cell['source']
-                yield NotebookCell(source if isinstance(source, str) else ''.join(source), number)
+                source, identity = cell['source'], cell.get('id')
+                text = source if isinstance(source, str) else ''.join(source)
+                yield NotebookCell(text, number, identity if isinstance(identity, str) else None)
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return
 

@@ -213,9 +213,9 @@ def _read(path: Path) -> Submission:
                 submission.handed_in = _time(max(child.stat().st_mtime for child in own))
             for child in own:
                 _add(submission, child.name, child.stat().st_size, child.read_bytes)
-        elif path.suffix == '.zip':
+        elif path.suffix.lower() == '.zip':
             _read_zip(path, submission)
-        elif path.suffix == '.ipynb':
+        elif path.suffix.lower() == '.ipynb':
             _add(submission, path.name, path.stat().st_size, path.read_bytes)
         else:
             raise Unusable(f'{path} is no submission: expected a .zip, a folder of notebooks or an .ipynb')
@@ -312,7 +312,7 @@ def _add_file(
 
 def is_notebook(name: str) -> bool:
     """Whether a file of this name is read as a notebook: a package's files stand in a folder."""
-    return name.endswith('.ipynb') and not name.startswith('.') and '/' not in name
+    return name.lower().endswith('.ipynb') and not name.startswith('.') and '/' not in name
 
 
 def own_name(path: Path) -> str:

@@ -50,11 +50,11 @@ def find(paths: Iterable[Path], skipped: list[Path] | None = None) -> list[Submi
 
 def _at(path: Path, skipped: list[Path]) -> list[Submission]:
     if path.is_file():
-        if path.suffix == '.zip' and _of_a_class(path):
+        if path.suffix.lower() == '.zip' and _of_a_class(path):
             raise Unusable(f'{path} holds the submissions of several learners: unpack it, and give the folder')
         return [_read(path)]
     chapters = [child for child in _children(path) if child.is_file() and _CHAPTER.match(child.name)]
-    archives = [child for child in _children(path) if child.is_file() and child.suffix == '.zip']
+    archives = [child for child in _children(path) if child.is_file() and child.suffix.lower() == '.zip']
     if chapters and archives and not _owner(path):
         raise Unusable(
             f"{path} holds both {chapters[0].name}, as one learner's folder does, and {archives[0].name}: "
@@ -122,7 +122,7 @@ def _of_child(child: Path, mine: str, owner: str, skipped: list[Path], depth: in
         if mine and not owner and not inner and depth < _DEEPEST:
             return [_read(child, mine)]  # a learner's folder, in which nothing can be used
         return inner
-    if child.suffix == '.zip' or is_notebook(child.name):
+    if child.suffix.lower() == '.zip' or is_notebook(child.name):
         return [_read(child, mine)]
     return None
 
@@ -147,7 +147,7 @@ def _has_notebooks(folder: Path) -> bool:
 
 
 def _archives(folder: Path) -> bool:
-    return any(inner.suffix == '.zip' for inner in _children(folder))
+    return any(inner.suffix.lower() == '.zip' for inner in _children(folder))
 
 
 def _owner(path: Path) -> str:

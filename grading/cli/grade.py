@@ -128,8 +128,10 @@ def _refused() -> tuple[type[Exception], ...]:
 
 def _warn(skipped: list[Path], sandbox: str, console) -> None:
     """Say what is no submission, and that the learners' code runs without protection."""
-    for path in skipped:
-        console.print(f'{path}: no submission, left out', style='yellow', markup=False)
+    from grading.reports import safe
+
+    for path in skipped:  # a learner's archive may have given it any name
+        console.print(f'{safe.line(str(path), 1000)}: no submission, left out', style='yellow', markup=False)
     if sandbox == 'none':
         console.print(sandboxes.WARNING, style='bold yellow', markup=False)
 

@@ -272,8 +272,8 @@ def test_record_round_trip(tmp_path):
         keys={'90.1': 'k'},
         ungraded=['90.2'],
         notes=['n'],
-        late=Late('t', 'u', 2, 20.0),
-        attempts=[Attempt('a.zip', 'd', 't', 1.0)],
+        late=Late('2026-11-19T10:00:00Z', '2026-11-20T11:00:00Z', 2, 20.0),
+        attempts=[Attempt('a.zip', 'd' * 64, '2026-11-18T10:00:00Z', 1.0)],
         adjustments=[Adjustment('ada', '90.1', None, 1.0, 'r')],
     )
     write(tmp_path / 'ada.json', full.dumps())

@@ -45,7 +45,9 @@ def test_lateness(tmp_path, learner, handed_in, days, percent):
 
 
 def test_times_are_told_in_utc(tmp_path):
-    found = late.load(written(tmp_path, 'due: "2026-11-20T23:59:00-05:00"')).judge('ada', '2026-11-25T00:00:00Z')
+    policy = late.load(written(tmp_path, 'due: "2026-11-20T23:59:00-05:00"'))
+    assert policy.judge('ada', '').days == 0  # nobody knows when
+    found = policy.judge('ada', '2026-11-25T00:00:00Z')
     assert (found.due, found.handed_in, found.percent) == ('2026-11-21T04:59:00Z', '2026-11-25T00:00:00Z', 0)
 
 

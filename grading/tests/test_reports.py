@@ -448,3 +448,33 @@ def test_quartiles():
 @pytest.mark.parametrize(('folder', 'suffix', 'make'), reports.KINDS, ids=[kind[0] for kind in reports.KINDS])
 def test_the_same_record_gives_the_same_report(folder, suffix, make):
     assert make(LATE) == make(LATE)
+
+
+@pytest.mark.parametrize(
+    ('path', 'value'),
+    [
+        (('exercises', 0, 'tests', 0, 'weight'), '1'),
+        (('exercises', 0, 'tests', 0, 'seconds'), float('inf')),
+        (('exercises', 0, 'tests', 0, 'verdict'), 'marvellous'),
+        (('exercises', 0, 'tests', 0, 'rules'), [None]),
+        (('exercises', 0, 'points'), 10**400),
+        (('exercises', 0, 'score'), float('nan')),
+        (('handed_in',), '2026-13-45T10:00:00Z'),
+        (('late',), {'due': 3, 'handed_in': [], 'days': 1, 'percent': 10.0}),
+        (('log',), ['a', 7]),
+        (('marks',), []),
+        (('more',), 1),
+    ],
+)
+def test_a_damaged_record_is_none(tmp_path, path, value):
+    """It would end the reports of everybody."""
+    data = json.loads(record().dumps())
+    place = data
+    for part in path[:-1]:
+        place = place[part]
+    place[path[-1]] = value
+    file = tmp_path / 'ada.json'
+    file.write_text(record().dumps())
+    assert Record.load(file) == record()
+    file.write_text(json.dumps(data))
+    assert Record.load(file) is None

@@ -162,6 +162,23 @@ def test_answers_that_are_texts_are_looked_into(kind, form):
     assert not pairs(form.format(text), form.format(other), stub='')
 
 
+def test_texts_within_texts_do_not_hide_an_answer():
+    """So many that what looks into them comes to its end: the rest of the cell is compared all the same."""
+    text = 'x\ny'
+    for _ in range(6):
+        text = f'x = {text!r}{" + 1" * 250}\ny'
+    answer = ANSWERS['3.6']['solution']
+    assert pairs(answer, f'{disguise(answer)}\n{text}')
+
+
+def test_a_cell_without_its_heading_is_the_exercises(tmp_path):
+    """By its id, as in grading."""
+    exercise = small.exercise()
+    book = json.loads(small.notebook('a = 1'))
+    book['cells'][0]['id'] = exercise.cell_id
+    assert similarity.cells_of({small.NOTEBOOK: json.dumps(book).encode()}, [exercise]) == {'90.1': 'a = 1'}
+
+
 def test_what_was_given_does_not_count_in_texts():
     assert not pairs(*[f'ANSWER = {YAML!r}'] * 2, stub=f'ANSWER = {YAML!r}')
 
@@ -187,7 +204,10 @@ def test_cells_of_a_submission():
         'deep.ipynb': b'[' * 99999,
         'odd.ipynb': json.dumps({'cells': [{'cell_type': 'code'}]}).encode(),
     }
-    assert similarity.cells_of(files, [small.exercise(), other]) == {'90.1': '# Exercise 90.1: a talker\na = 1'}
+    first, second = '# Exercise 90.1: a talker\na = 1', '# Exercise 90.2: b\nb = 2'
+    assert similarity.cells_of(files, [small.exercise(), other]) == {'90.1': first, '90.2': second}
+    doubled = {'a.ipynb': files[small.NOTEBOOK], 'copy.ipynb': files['copy.ipynb']}
+    assert similarity.cells_of(doubled, [small.exercise(), other]) == {'90.1': first}
     assert similarity.stubs_of([small.exercise()]) == {}
     assert set(STUBS) == {exercise.id for exercise in EXERCISES}
     assert paths.NOTEBOOKS.is_dir()

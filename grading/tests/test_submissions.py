@@ -54,6 +54,15 @@ def test_the_three_forms(tmp_path):
     assert [found.learner for found in submissions.find(paths)] == ['ada', 'bob', 'eve']
 
 
+def test_capital_letters_at_the_end_of_a_name(tmp_path):
+    """Some systems write them."""
+    zipped(tmp_path / 'ADA.ZIP', (small.NOTEBOOK.upper(), small.solved()))
+    (tmp_path / 'Eve.IPYNB').write_bytes(small.solved())
+    found = submissions.find([tmp_path])
+    assert [one.learner for one in found] == ['ADA', 'Eve']
+    assert all(program_of(one) for one in found)
+
+
 def test_a_folder_of_submissions(tmp_path):
     for name in ('ada', 'bob'):
         zipped(tmp_path / f'submission-{name}.zip', (small.NOTEBOOK, small.solved()))

@@ -19,7 +19,9 @@ from pathlib import Path
 
 from helpers import paths
 from helpers.exercises import cell_ids, file_answers, manifest, notebooks, packages, program
+from helpers.runner.text import clean
 
+MOST_POINTS = 1000  # that anybody declares
 _CHAPTER = re.compile(r'(\d\d)_\w+\.ipynb')
 _TITLE = re.compile(r'\s*#\s*Exercise\s+[\d.]+\s*:\s*(.+?)\s*$', re.IGNORECASE | re.MULTILINE)
 
@@ -132,7 +134,8 @@ class _Migration:
         return self.report
 
     def _say(self, exercise: str, said: str, lost: bool = False) -> None:
-        self.report.exercises.append(CarriedOver(exercise, said, lost))
+        # What an old notebook declares is anybody's text.
+        self.report.exercises.append(CarriedOver(exercise, clean(' '.join(said.split())), lost))
 
     # Answers
 
@@ -303,7 +306,7 @@ def _exercise(cell: dict) -> str | None:
     if cell['cell_type'] != 'code':
         return None
     heading = program.exercise_id(notebooks.NotebookCell(cell['source'], 0))
-    match = re.fullmatch(r'ex-(\d+)-(\d+)', cell.get('id') or '')
+    match = re.fullmatch(r'ex-([0-9]{1,4})-([0-9]{1,4})', cell.get('id') or '')
     return heading or (f'{match[1]}.{match[2]}' if match else None)
 
 
@@ -313,7 +316,7 @@ def _declared(metadata: dict) -> dict:
     if not isinstance(said, dict):
         return {}
     forms = {
-        'points': lambda value: isinstance(value, (int, float)),
+        'points': lambda value: isinstance(value, (int, float)) and abs(value) < MOST_POINTS,
         'names': lambda value: isinstance(value, list) and all(isinstance(one, str) for one in value),
     }
     return {key: said[key] for key, fits in forms.items() if key in said and fits(said[key])}
@@ -379,7 +382,7 @@ def _carry_package(
     name = exercise.folder
 
     def say(said: str, lost: bool = False) -> None:
-        report.exercises.append(CarriedOver(exercise.id, said, lost))
+        report.exercises.append(CarriedOver(exercise.id, clean(said), lost))
 
     try:
         old, new = packages.read(source, name), packages.read(folder, name)
@@ -455,6 +458,9 @@ def _read(path: Path) -> dict:
             cell['metadata'] = {}
         if cell.get('id') is None:
             cell.pop('id', None)
+        pictures = cell.get('attachments', {})
+        if not isinstance(pictures, dict) or not all(isinstance(one, dict) for one in pictures.values()):
+            del cell['attachments']
     return notebook
 
 
@@ -474,7 +480,8 @@ def _write(report: MigrationReport, folder: Path, changed: dict[str, dict]) -> N
         for name, notebook in changed.items():
             text = nbformat.writes(nbformat.from_dict(notebook)).rstrip('\n') + '\n'
             temporary = folder / f'{name}.part'
-            temporary.write_text(text, encoding='utf-8', errors='surrogatepass')
+            # Half of a surrogate pair is no UTF-8, and is written as JSON can say it.
+            temporary.write_text(text, encoding='utf-8', errors='backslashreplace')
             os.replace(temporary, folder / name)
             report.written.append(folder / name)
     except OSError as error:

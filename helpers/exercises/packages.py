@@ -23,6 +23,7 @@ MAX_FILE = 64 * 2**10  # bytes of one file
 MAX_BYTES = 256 * 2**10  # of all files
 MAX_PATH = 120  # characters of a path in the package
 MAX_ENTRIES = 5000  # names that are looked at
+MAX_DEPTH = MAX_PATH // 2  # of folders
 NAME = 'PACKAGE'  # in the program
 _PART = re.compile(r'[A-Za-z0-9_][A-Za-z0-9_.+-]*')  # of a path
 _PRODUCTS = {'build', 'install', 'log'}  # at the top: of a build in the wrong folder
@@ -68,6 +69,10 @@ def read(notebooks: Path, folder: str) -> Package:
     for parent, folders, names in os.walk(top, onerror=unreadable):
         place = Path(parent).relative_to(top)
         seen += len(folders) + len(names)
+        if len(place.parts) > MAX_DEPTH:
+            raise InvalidExercise(
+                f'{folder} has folders within folders, more than {MAX_DEPTH} deep. Move what is no part of the package.'
+            )
         if seen > MAX_ENTRIES:
             raise InvalidExercise(f'{folder} has more than {MAX_ENTRIES} files. Move what is no part of the package.')
         for name in sorted(folders):

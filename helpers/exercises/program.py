@@ -15,12 +15,12 @@ from helpers.exercises import file_answers
 from helpers.exercises.manifest import Exercise, stub_digest
 from helpers.exercises.notebooks import NotebookCell
 
-HEADING = re.compile(r'#\s*Exercise\s+(\d+\.\d+)\b', re.IGNORECASE)
+HEADING = re.compile(r'#\s*Exercise\s+([0-9]{1,4}\.[0-9]{1,4})\b', re.IGNORECASE)
 # For a stripped line, so that matching takes time in proportion to the line's length.
 _MAGIC = re.compile(r'[%!?]|[\w., ()\[\]]+=\s*(%\w|!)|.*\?$')
 _RUNS = re.compile(r'\s*%%(?:time|capture|prun)\b[^\n]*\n')  # a cell magic that runs the cell as Python all the same
 _LINE = re.compile(r'[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+')  # as Python counts lines
-MAX_NESTING = 120  # of a program's syntax tree: what walks it recursively must not run out of stack
+MAX_NESTING = 300  # of a program's syntax tree: what walks it recursively must not run out of stack
 # Calls that make a constant when their arguments are constant.
 _VALUE_TYPES = {'QoSProfile', 'Duration', 'Time'}
 

@@ -135,7 +135,8 @@ def _without_outputs(path: Path) -> bytes:
     for cell in notebook['cells']:
         if cell.get('cell_type') == 'code':
             cell['outputs'], cell['execution_count'] = [], None
-    return json.dumps(notebook, indent=1, ensure_ascii=False).encode('utf-8', 'surrogatepass')
+    # Half of a surrogate pair is no UTF-8, and is written as JSON can say it.
+    return json.dumps(notebook, indent=1, ensure_ascii=False).encode('utf-8', 'backslashreplace')
 
 
 def _write(output: Path, members: dict[str, bytes]) -> None:

@@ -572,7 +572,8 @@ class Learner(Workspaces):
             if strangers or recording.matched > len(recording.known):
                 raise LearnerError(
                     f'What came on {recording.topic} is from another program, not from the node that '
-                    'your cell defines: publish with that node, in its own process and context.'
+                    'your cell defines: publish with that node, in its own process and context. Where your cell makes '
+                    'a node to try it out, too, do that in another cell.'
                 )
 
     def _drain(self, number: int, processes: int) -> None:

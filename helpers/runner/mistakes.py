@@ -8,6 +8,7 @@ an answer; what may be right is only remembered, to explain an error that follow
 import functools
 import inspect
 import sys
+import threading
 import time
 from collections.abc import Callable
 from types import FrameType
@@ -46,6 +47,17 @@ class Watch:
         self.early: tuple[str, int] | None = None  # (file, line) of the last `result()` of a future that was not done
         self.remarks: list[str] = []  # sentences for the learner
         self.slept = 0.0  # seconds for which the learner's lines have slept, also in wait_for_server
+        self._aside: set[threading.Thread] = set()
+
+    def loaded(self) -> None:
+        """The cells have run: what they did, and what threads do that they have started, is no part of the answer."""
+        self.slept = 0.0
+        self._aside = set(threading.enumerate()) - {threading.main_thread()}
+
+    def sleeps(self, frame: FrameType | None, seconds: float) -> None:
+        """A line sleeps."""
+        if frame and self.is_learners(frame) and threading.current_thread() not in self._aside:
+            self.slept += max(0.0, float(seconds))
 
     def remark(self, sentence: str) -> None:
         """Keep a sentence for the learner, once."""
@@ -154,8 +166,7 @@ def _counted(sleep, seen: Watch):
         caller: FrameType | None = sys._getframe(1)
         if caller and caller.f_code in _POLLING:
             caller = caller.f_back
-        if caller and seen.is_learners(caller):
-            seen.slept += max(0.0, float(seconds))
+        seen.sleeps(caller, seconds)
         return sleep(seconds)
 
     return sleeping

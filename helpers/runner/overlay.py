@@ -3,13 +3,15 @@
 `install/setup.bash` and the hooks of packages are programs in which a package has a part. What a test started after
 them would be whatever they make of `ros2` or `python3`. So the usual variables are made from what is installed, and
 hooks of a package's own are left out. Tools are the machine's: what a package installs stands behind them, and what
-would take their place is refused.
+would take their place is refused: modules that Python knows, or would import if they were there, and libraries that are
+not called as a package of the workspace.
 """
 
 import configparser
 import os
 import subprocess
 import sys
+import tempfile
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from functools import cache
@@ -22,7 +24,21 @@ MAX_NAMES = 2000  # in one folder
 _PACKAGES = 'site-packages', 'dist-packages'  # folders of installed modules
 _SCRIPTS = {'console_scripts', 'gui_scripts'}  # of what a distribution may bring, what only makes programs
 _MODULES = '.py', '.pyc', '.so'
+_HARMLESS = {'test', 'tests', '__pycache__'}  # a package for tests may be called as Python's own one
 _DISTRIBUTIONS = '.egg-info', '.dist-info'
+# What Python's library and the tools import if it is there, and go on without: `test_overlay.py` finds out which.
+OPTIONAL = frozenset(
+    """
+    ConfigParser HTMLParser Queue StringIO __builtin__ _abcoll _argcomplete _distutils_system_mod _dummy_thread
+    _manylinux _pyrepl _ruamel_yaml _ruamel_yaml_clibz _typeshed _winreg annotationlib apport_python_hook
+    atomicwrites cPickle cStringIO cached_property chardet colorama coloredlogs composition_interfaces
+    compression comtypes configobj dummy_thread dummy_threading eventlet exceptiongroup future_builtins gevent
+    htmlentitydefs httplib hypothesis importlib_resources jaraco java js2py more_itertools netifaces
+    ntsecuritycon ordereddict org orjson pgen2 pydot regex sniffio thread threadpoolctl toml tomli twisted
+    urllib2 urlparse vms_lib win32 win32api win32con win32evtlog win32evtlogutil win32gui win32security
+    xmlrpclib zope
+    """.split()
+)
 
 
 class Shadowed(Exception):
@@ -55,8 +71,8 @@ def of(root: Path, packages: Iterable[str]) -> dict[str, str]:
             _look_at_modules(place, packages)
             _put(found, 'PYTHONPATH', place, first=True)
         if libraries := _names(prefix / 'lib', '.so'):
-            _look_at_libraries(prefix.name, libraries)
-            _put(found, 'LD_LIBRARY_PATH', prefix / 'lib')
+            _look_at_libraries(prefix.name, libraries, packages)
+            _put(found, 'LD_LIBRARY_PATH', _links(root, prefix / 'lib', libraries))
         if (prefix / 'bin').is_dir():
             _put(found, 'PATH', prefix / 'bin')
         for name in ('AMENT_PREFIX_PATH', 'CMAKE_PREFIX_PATH'):
@@ -70,6 +86,18 @@ def _put(environment: dict[str, str], name: str, place: Path, first: bool = Fals
     """Add a folder to a list of folders."""
     there = [environment[name]] if environment.get(name) else []
     environment[name] = os.pathsep.join([str(place), *there] if first else [*there, str(place)])
+
+
+def _links(root: Path, place: Path, names: Iterable[str]) -> Path:
+    """A new folder in which only these libraries are.
+
+    The loader of programs also looks into folders below the one that it is told, as for kinds of processors, and looks
+    there for the system's libraries, too.
+    """
+    folder = Path(tempfile.mkdtemp(dir=root.parent))
+    for name in names:
+        (folder / name).symlink_to(place / name)
+    return folder
 
 
 def _prefixes(root: Path) -> list[Path]:
@@ -106,15 +134,28 @@ def _names(place: Path, part: str) -> list[str]:
 
 def _look_at_modules(place: Path, packages: frozenset[str]) -> None:
     """Raise Shadowed if a module here comes before one of the machine's, or extends the machine's tools."""
+    unknown = set()
     for name in _names(place, ''):
         module, _, rest = name.partition('.')
         if name.endswith(_DISTRIBUTIONS):
             _look_at_distribution(place / name, name, packages)
-        elif module in _known() - packages and (name.endswith(_MODULES) if rest else _is_package(place / name)):
-            raise Shadowed(
-                f'Your package installs a Python module `{module}`, and Python knows one by this name already: '
-                'each program in this workspace would load yours. Give it another name, or do not install it.'
-            )
+        elif module in packages or not module.isidentifier() or rest and not name.endswith(_MODULES):
+            continue
+        elif module in _regular():
+            _refuse(module, 'knows one by this name already', bool(rest) or _is_package(place / name))
+        elif module not in _HARMLESS:
+            unknown.add(module)
+    for module in sorted(unknown):
+        _refuse(module, 'has a part of one by this name already', module in _known())
+        _refuse(module, 'would load one by this name in programs of the machine', module in OPTIONAL)
+
+
+def _refuse(module: str, why: str, refused: bool = True) -> None:
+    if refused:
+        raise Shadowed(
+            f'Your package installs a Python module `{module}`, and Python {why}: '
+            'each program in this workspace would load yours. Give it another name, or do not install it.'
+        )
 
 
 def _is_package(folder: Path) -> bool:
@@ -136,9 +177,10 @@ def _look_at_distribution(place: Path, name: str, packages: frozenset[str]) -> N
         )
 
 
-def _look_at_libraries(package: str, names: Iterable[str]) -> None:
+def _look_at_libraries(package: str, names: Iterable[str], packages: frozenset[str]) -> None:
+    own = tuple(f'lib{one}' for one in packages)
     for name in names:
-        if not name.startswith(f'lib{package}'):
+        if not name.startswith(own):
             raise Shadowed(
                 f'Your package installs the library {name}, which other programs would load, too. The name must begin '
                 f'with lib{package}.'
@@ -154,9 +196,16 @@ def _places() -> tuple[Path, ...]:
 
 @cache
 def _known() -> frozenset[str]:
-    """The modules of the machine's Python. A package for tests may be called as Python's own one."""
+    """The modules of the machine's Python."""
     names = {name.partition('.')[0] for place in _places() for name in os.listdir(place) if '-info' not in name}
-    return frozenset({*sys.stdlib_module_names, 'sitecustomize', 'usercustomize', *names} - {'test', 'tests', ''})
+    return frozenset({*sys.stdlib_module_names, 'sitecustomize', 'usercustomize', *names} - {*_HARMLESS, ''})
+
+
+@cache
+def _regular() -> frozenset[str]:
+    """Those of the known modules behind which a folder without `__init__` stands. Others have parts in many places."""
+    folders = [path for place in _places() for path in place.iterdir() if path.is_dir()]
+    return _known() - {path.name for path in folders if not (path / '__init__.py').is_file()}
 
 
 @cache
@@ -167,5 +216,5 @@ def _known_distributions() -> frozenset[str]:
 
 def warm_up() -> None:
     """Find out what is the same for all that this process forks."""
-    _known()
+    _regular()
     _known_distributions()

@@ -10,7 +10,9 @@ thread is busy. Each reply has the request's `id` and either `ok: true` with res
 import __future__
 
 import ast
+import asyncio
 import functools
+import inspect
 import linecache
 import operator
 import os
@@ -154,7 +156,8 @@ _FUTURE = functools.reduce(
 
 
 def _compiled(source: str, line: int, filename: str, flags: int):
-    """The code of a source whose first line has this number."""
+    """The code of a source whose first line has this number. As in notebooks, it may await outside of functions."""
+    flags |= ast.PyCF_ALLOW_TOP_LEVEL_AWAIT
     if line == 1:
         return compile(source, filename, 'exec', flags, dont_inherit=True)
     tree = ast.increment_lineno(ast.parse(source, filename), line - 1)
@@ -169,6 +172,7 @@ class LoadedProgram:
         self.notes: list[tuple[str, str]] = []  # cells that could not be run: their text, and what happened
         self.watch: Watch | None = None
         self.labels: dict[str, str] = {}
+        vars(self.module)['display'] = lambda *objects, **options: None  # in notebooks it is there without an import
         sys.modules['notebook'] = self.module
 
     def load(self, cells: list[dict]) -> None:
@@ -187,7 +191,9 @@ class LoadedProgram:
                 # Names are resolved when a function runs, so annotations and defaults behave as in the notebook.
                 code = _compiled(cell['source'], cell['line'], filename, flags)
                 flags |= code.co_flags & _FUTURE
-                exec(code, self.module.__dict__)
+                awaited = eval(code, self.module.__dict__)  # noqa: S307 - the code is the learner's, and is to run
+                if inspect.iscoroutine(awaited):
+                    asyncio.run(awaited)
             except BaseException as error:  # noqa: BLE001 - SystemExit in a cell, too
                 if cell['required']:
                     raise self.error('load', error) from None
@@ -540,6 +546,7 @@ class Worker:
         if join:
             self.do_join()
         program.load(cells)
+        program.watch.loaded()
         return {'notes': [note for _, note in program.notes]}
 
     def _in_callback(self) -> bool:

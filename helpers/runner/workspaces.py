@@ -127,13 +127,13 @@ class ExerciseWorkspace:
             raise LearnerTimeout(f'`{shown}` did not end within {timeout:g} s.', clean(task.output, 6000))
         return Done(shown, status, task.output)
 
-    def once(self, *argv: str) -> Done:
-        """`run` for a command that only reads: with the same files it is run once in a session, whatever test asks."""
-        key = (self.name, 'once', *argv)
+    def once(self, *argv: str, program: str = '') -> Done:
+        """`run` for what only reads: with the same files it is run once in a session, whatever test asks."""
+        key = (self.name, 'once', program, *argv)
         if key in self._cache:
             self.transcript.append(f'$ {self._cache[key].command}\n{self._cache[key].output}')
         else:
-            self._cache[key] = self.run(*argv)
+            self._cache[key] = self.run(*argv, program=program)
         return self._cache[key]
 
     def start(self, *argv: str, environment: dict[str, str] | None = None, program: str = '') -> Task:

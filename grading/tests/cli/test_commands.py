@@ -1,11 +1,15 @@
 """The author's commands, as the command line runs them."""
 
+import io
 import json
 import os
+from pathlib import Path
 
 import pytest
+from rich.console import Console
 
 from grading import bench as benchmarks
+from grading.cli import grade as grade_command
 from grading.tests.authoring.conftest import make_without_kernel, write
 from grading.tests.authoring.sources import TINY
 from helpers import paths
@@ -133,3 +137,13 @@ def test_the_courses_own_benchmarks_say_what_they_measure():
     found = benchmarks.find(paths.ROOT)
     assert {'command', 'wire'} <= set(found)
     assert all(benchmarks.title(path) for path in found.values())
+
+
+def test_names_of_what_is_left_out_do_no_harm():
+    """An archive of a learner's may hold names that are no text, or that move the cursor of the terminal."""
+    screen = io.TextIOWrapper(io.BytesIO(), encoding='utf-8')
+    names = ['\udcff.txt', '\x1b[2J\x1b]0;x\x07.txt', 'a\n::error::b.txt', 'x' * 5000]
+    grade_command._warn([Path('submissions', name) for name in names], 'bubblewrap', Console(file=screen, width=80))
+    screen.flush()
+    shown = screen.buffer.getvalue().decode()
+    assert '\x1b' not in shown and '\n::error' not in shown and len(shown) < 3000

@@ -110,7 +110,8 @@ def judge_package(learner) -> None:
     installed = built(learner).installed()
     others = sorted({path.partition('/')[0] for path in installed if '/share/' in path} - {NAME})
     expect(not others, f'The build has installed the package {others and others[0]}, expected {NAME}.', 'package')
-    done = built(learner).once('python3', '-c', f'from importlib.metadata import version; version("{NAME}")')
+    # Not with `python3 -c`, which also looks for modules in the workspace, where a build may have written some.
+    done = built(learner).once(program=f'from importlib.metadata import version\nversion("{NAME}")\n')
     expect(
         done.status == 0,
         f'The name in setup.py is not {NAME}: Python has installed no package of that name.',

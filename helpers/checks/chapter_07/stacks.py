@@ -360,8 +360,10 @@ class Client:
     def _run(self) -> dict[str, Ended]:
         random = self._learner.random
         delay, word = random.uniform(2.2, 2.5), f'word {random.randint(100, 999)}'
+        # No name tells what the server does.
+        names = (f'/{service}' for service, _, _ in random.sample(words.SERVICES, 3))
         asked = {
-            what: (f'/{what}_{random.randint(10, 99)}', round(random.uniform(low, low + 0.3), 2))
+            what: (next(names), round(random.uniform(low, low + 0.3), 2))
             for what, low in (('late', 30.0), ('nobody', 3.0), ('silent', 3.0))
         }
         with Observer(self._learner) as observer, Observer(self._learner) as silent:
@@ -379,8 +381,9 @@ class Client:
             observer.until(all_over, 5 * START)
         return {what: one.outcome(asked[what][1], asked[what][0], word) for what, one in running.items()}
 
-    def interrupt(self, name: str) -> str:
+    def interrupt(self) -> str:
         """Ctrl+C while it waits for a server: 'True' if it ends, 'False' if not, 'early' if it had ended before."""
+        name = f'/{self._learner.random.choice(words.SERVICES)[0]}'
         with Observer(self._learner) as observer:
             task = self._start(name, 60)
             observer.until(lambda: MADE in task.output, START, task)
@@ -447,7 +450,7 @@ def _judge_time(done: Ended, told: str) -> None:
 
 def judge_interrupt(learner) -> None:
     """The rule `interrupt`."""
-    ended = Client(learner).interrupt('/nobody')
+    ended = Client(learner).interrupt()
     expect(ended != 'early', 'The client ended before its time.')
     expect(ended == 'True', 'The client did not end within two seconds after Ctrl+C.')
 

@@ -16,7 +16,7 @@ from typer.testing import CliRunner
 from helpers import paths
 from helpers.cli import Refusal
 from helpers.cli.app import make_app
-from helpers.exercises import manifest, result_display
+from helpers.exercises import manifest, notebooks, result_display
 from helpers.kernel.journal import ExecutedCell
 from helpers.runner import results
 from helpers.runner.results import ExerciseResult, TestResult
@@ -217,6 +217,15 @@ def test_unusable_ids(tmp_path, monkeypatch, learner):
     with pytest.raises(submitting.SubmissionError, match='cannot be an id'):
         submitting.pack(learner, tmp_path / 'x.zip')
     assert not list(tmp_path.iterdir())
+
+
+def test_half_a_surrogate_pair_is_handed_in_as_it_is(tmp_path):
+    """An emoji that was cut in two would make the whole notebook unreadable, if it were written as UTF-8."""
+    name = next(iter(manifest.load().values())).notebook
+    (tmp_path / name).write_bytes(small.notebook('x = "\ud83d"'))
+    packed = submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path, test=False)
+    with zipfile.ZipFile(packed.path) as archive:
+        assert 'x = "\ud83d"' in [cell.source for cell in notebooks.parse(archive.read(name), name)]
 
 
 def test_nothing_to_submit(tmp_path):

@@ -268,11 +268,34 @@ def test_workspaces_are_named(case):
     assert 'ros2_ws in' in case.migrate([TITLE], [TITLE]).notes[0]
 
 
-@pytest.mark.parametrize('declared', [3, {'points': 'many', 'names': 7}, {'names': [1]}])
+@pytest.mark.parametrize('declared', [3, {'points': 'many', 'names': 7}, {'names': [1]}, {'points': 10**400}])
 def test_damaged_metadata_do_no_harm(case, declared):
     answer = exercise(ANSWER)
     answer['metadata'] = {'exercise': declared}
     assert said(case.migrate([answer], [exercise()])) == {'3.1': 'carried over'}
+
+
+def test_declared_names_do_not_change_the_terminal(case):
+    answer = exercise(ANSWER, names=('\x1b[2Jbeacon\n', 'b' * 10_000))
+    (told,) = said(case.migrate([answer], [exercise()])).values()
+    assert '\x1b' not in told and '\n' not in told and len(told) < 3000
+
+
+def test_a_heading_that_is_no_number_is_no_exercise(case):
+    report = case.migrate([TITLE, own(f'# Exercise {"9" * 5000}.1: x'), exercise(ANSWER)], [TITLE, exercise()])
+    assert said(report) == {'3.1': 'carried over'} and report.own == {NAME: 1}
+
+
+def test_broken_pictures_and_letters_leave_a_notebook_that_can_be_read(case):
+    """JupyterLab says half a surrogate pair as JSON can; in UTF-8 there is none."""
+    case.write(case.new, [exercise()])
+    cells = [own('x = "\ud83d"'), dict(own('a picture', 'abcd', 'markdown'), attachments=5)]
+    cells = [dict(cell, outputs=[]) if cell['cell_type'] == 'code' else cell for cell in cells]
+    data = {'cells': [TITLE, *cells], 'metadata': {}, 'nbformat': 4, 'nbformat_minor': 5}
+    (case.old / NAME).write_text(json.dumps(data))
+    assert case.again().own == {NAME: 2}
+    nbformat.read(case.new / NAME, 4)
+    assert 'x = "\ud83d"' in case.sources()
 
 
 def test_a_chapter_with_another_name_is_the_same_chapter(case):

@@ -87,6 +87,20 @@ def test_files_that_cannot_be_handed_in(tmp_path, name, content, problem):
     assert problem in why(tmp_path)
 
 
+def test_folders_within_folders(tmp_path, monkeypatch):
+    """More of them than Python can follow, and a path that is too long for one call."""
+    monkeypatch.chdir(make(tmp_path))
+    for _ in range(1500):
+        os.mkdir('inner')
+        os.chdir('inner')
+    try:
+        assert 'more than 60 deep' in why(tmp_path)
+    finally:  # what removes folders of tests cannot follow them either
+        for _ in range(1500):
+            os.chdir('..')
+            os.rmdir('inner')
+
+
 def test_too_much(tmp_path):
     top = make(tmp_path)
     for number in range(5):

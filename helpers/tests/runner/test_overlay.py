@@ -1,6 +1,9 @@
 """The environment of a built workspace, made from what is installed there."""
 
+import ast
 import sys
+import sysconfig
+from pathlib import Path
 
 import pytest
 
@@ -26,7 +29,7 @@ def test_an_installed_package_is_found(tmp_path):
     for name in ('AMENT_PREFIX_PATH', 'CMAKE_PREFIX_PATH'):
         assert found[name].split(':')[0] == str(prefix) and 'half' not in found[name]
     assert found['PYTHONPATH'].split(':')[0] == str(prefix / SITE)
-    assert found['LD_LIBRARY_PATH'].split(':')[-1] == str(prefix / 'lib')
+    assert (Path(found['LD_LIBRARY_PATH'].split(':')[-1]) / 'libpatrol__c.so').samefile(prefix / 'lib/libpatrol__c.so')
     assert found['PATH'].split(':')[-1] == str(prefix / 'bin')  # behind all tools
 
 
@@ -44,6 +47,14 @@ def test_nothing_is_executed(tmp_path):
     assert 'EVIL' not in overlay.of(tmp_path, ['patrol'])
 
 
+@pytest.mark.parametrize('folder', ['glibc-hwcaps/x86-64-v2', 'tls', 'x86_64'])
+def test_only_libraries_of_the_package_are_found(tmp_path, folder):
+    """The loader would look for the system's libraries in these folders, too."""
+    installed(tmp_path, 'lib/libpatrol__c.so', f'lib/{folder}/libm.so.6')
+    place = Path(overlay.of(tmp_path, ['patrol'])['LD_LIBRARY_PATH'].split(':')[-1])
+    assert [path.name for path in place.rglob('*')] == ['libpatrol__c.so']
+
+
 @pytest.mark.parametrize(
     ('name', 'why'),
     [
@@ -55,6 +66,9 @@ def test_nothing_is_executed(tmp_path):
         (f'{SITE}/pytest.py', 'module `pytest`'),
         (f'local/lib/{PYTHON}/dist-packages/yaml/__init__.py', 'module `yaml`'),
         (f'{SITE}/ros2cli-9.0.dist-info/METADATA', 'installs itself as ros2cli'),
+        (f'{SITE}/org/python/core.py', 'module `org`'),
+        (f'{SITE}/regex.py', 'module `regex`'),
+        (f'{SITE}/ruamel/yaml/__init__.py', 'module `ruamel`'),
         ('lib/libc.so.6', 'library libc.so.6'),
         ('lib/librcl.so', 'library librcl.so'),
     ],
@@ -65,9 +79,50 @@ def test_what_would_take_the_place_of_the_machines_own_is_refused(tmp_path, name
         overlay.of(tmp_path, ['patrol'])
 
 
+def test_a_library_is_not_called_as_a_package_that_nobody_asked_for(tmp_path):
+    """What stands as a name in package.xml is the package's own word."""
+    installed(tmp_path, 'lib/libnss_systemd.so.2', package='nss')
+    with pytest.raises(overlay.Shadowed, match='library libnss_systemd'):
+        overlay.of(tmp_path, ['patrol'])
+
+
+def test_modules_that_tools_would_like_to_have_are_known():
+    """Who installs one of these would be in all programs."""
+    library = Path(sysconfig.get_path('stdlib'))
+    files = [path for path in library.rglob('*.py') if not {'test', 'site-packages'} & set(path.parts)]
+    for place in overlay._places():
+        for top in overlay._names(place, ''):
+            if top.startswith(('_pytest', 'colcon_', 'lark', 'launch', 'packaging', 'rclpy', 'ros2', 'yaml')):
+                files += [path for path in (place / top).rglob('*.py') if '__pyinstaller' not in path.parts]
+    asked = {name for path in files for name in imported(path)}
+    assert len(files) > 1000 and 'org' in asked
+    missing = asked - overlay._known() - overlay.OPTIONAL - {'__main__', 'test'}
+    assert not missing
+
+
+def imported(path):
+    """The first parts of the modules that a program imports."""
+    try:
+        tree = ast.parse(path.read_bytes())
+    except SyntaxError:
+        return
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (alias.name.partition('.')[0] for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and not node.level:
+            yield node.module.partition('.')[0]
+
+
 @pytest.mark.parametrize(
     'name',
-    [f'{SITE}/patrol/json.py', f'{SITE}/test/__init__.py', f'{SITE}/rclpy/__init__.py', f'{SITE}/resource/patrol'],
+    [
+        f'{SITE}/patrol/json.py',
+        f'{SITE}/patrol_tools/__init__.py',
+        f'{SITE}/helpers_of_mine.py',
+        f'{SITE}/test/__init__.py',
+        f'{SITE}/rclpy/__init__.py',
+        f'{SITE}/resource/patrol',
+    ],
 )
 def test_modules_of_its_own_are_not(tmp_path, name):
     """Below the package, for tests, in a package of that name that is being written, in a folder that is none."""

@@ -93,6 +93,49 @@ learner.run(2.5)
 expect(round(learner.slept, 6) == 0.04, f'{learner.slept}')
 """,
     ),
+    'threads that the cell starts beside the answer may sleep': Case(
+        """\
+import threading
+import time
+
+def tick():
+    while True:
+        time.sleep(0.01)
+
+threading.Thread(target=tick, daemon=True).start()
+time.sleep(0.02)
+"""
+        + small.TALKER,
+        EXACT + "expect(not learner.slept, f'{learner.slept}')\n",
+    ),
+    'what notebooks have without an import': Case(
+        """\
+import asyncio
+display('shown', raw=True)
+
+async def slowly():
+    await asyncio.sleep(0)
+    return 1
+
+one = await slowly()
+display(one)
+"""
+        + small.TALKER,
+        EXACT,
+    ),
+    'an exception while a cell awaits': Case(
+        """\
+async def slowly():
+    raise ValueError('too slow')
+
+await slowly()
+"""
+        + small.TALKER,
+        EXACT,
+        'learner_crashed',
+        ('too slow',),
+    ),
+    'a long sum of texts': Case('TEXT = ' + ' + '.join(["'a'"] * 250) + '\n' + small.TALKER, EXACT),
     'who waits for a server sleeps': Case(
         'from std_srvs.srv import Trigger\n'
         + NODE

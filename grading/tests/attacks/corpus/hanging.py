@@ -1,6 +1,31 @@
 """Attacks: hanging. See ../README.md for the form of a row."""
 
 
+# %% await
+# attack: awaits at the end of the cell what never comes, and holds on to the loop of events
+# row: 14
+# aims at: 90.1
+# stopped by: loading is waited for within a bound
+# expect verdict: timeout
+# expect message: did not return
+import asyncio
+
+
+def total(numbers):
+    return 0
+
+
+async def for_ever():
+    while True:
+        try:
+            await asyncio.sleep(100)
+        except BaseException:
+            pass
+
+
+await for_ever()
+
+
 # %% deadlock
 # attack: waits for a lock that it holds
 # row: 14
