@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from grading import adjustments as manual
-from grading import anonymous, executors, plan, sandbox, similarity
+from grading import anonymous, parallel, plan, sandbox, similarity
 from grading.adjustments import Adjustment
 from grading.choice import Choice
 from grading.course import HIDDEN, Course
@@ -72,14 +72,14 @@ def grade(
         cannot be done as asked; what is graded already is kept.
     """
     with (
-        contextlib.closing(executors.Cluster(settings.cluster))
+        contextlib.closing(parallel.Cluster(settings.cluster))
         if settings.cluster
         else contextlib.nullcontext() as cluster,
         Folder(output).open() as log,
     ):
         course = replace(course)  # whose digests are those of now
         run = _Run(submissions, course, Folder(output), log, listener or Listener(), settings)
-        run.grade(cluster or executors.Local(max(1, jobs)), jobs)
+        run.grade(cluster or parallel.Local(max(1, jobs)), jobs)
         finish(run.everybody(), course, output, run.files)
         log.info('done: %d records', len(run.records))
         return run.everybody()
@@ -178,7 +178,7 @@ class _Run:
         """All records, sorted."""
         return [self.records[learner] for learner in sorted(self.records)]
 
-    def grade(self, executor: executors.Local | executors.Cluster, jobs: int) -> None:
+    def grade(self, executor: parallel.Local | parallel.Cluster, jobs: int) -> None:
         """Grade what is to be graded, and bring the other records up to date."""
         todo = {learner: made for learner, made in self.plans.items() if made.todo}
         self.log.info(
@@ -203,10 +203,10 @@ class _Run:
         processes = max(1, executor.jobs // max(1, len(todo)))
         work = {learner: made.unit(self.course, processes) for learner, made in todo.items()}
         try:
-            for learner, outcome in executors.perform(work, executor, self.listener.tested):
+            for learner, outcome in parallel.perform(work, executor, self.listener.tested):
                 self._keep(self._made(todo[learner], outcome), fresh=True)
         finally:
-            if isinstance(executor, executors.Local):
+            if isinstance(executor, parallel.Local):
                 executor.close()
 
     def _made(self, made: plan.Plan, outcome: Outcome) -> Record:

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from environment.setup import backports, kernel, overlay, processes, relocation, requirements, startup, tools
+from environment.setup import backports, kernel, overlay, relocation, requirements, startup, tool_processes, tools
 from environment.setup.building import Building
 from environment.setup.console import Console
 from environment.setup.interpreter import Interpreter
@@ -234,7 +234,9 @@ class Setup:
         env = self._env() if env is None else env
         file = self.layout.logs / f'{log}.log'
         self.console.begin(label)
-        status, output = processes.run(argv, file, env, on_line or self.console.update, self.layout.root, self.keep)
+        status, output = tool_processes.run(
+            argv, file, env, on_line or self.console.update, self.layout.root, self.keep
+        )
         if status:
             raise tools.explain(label[0].lower() + label[1:], output, str(file), env)
         self.console.end()

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from environment.setup import mutex, processes, requirements, startup, tools
+from environment.setup import mutex, requirements, startup, tool_processes, tools
 from environment.setup.console import Console
 from environment.setup.errors import BuildError, PreflightError
 from environment.setup.layout import Layout
@@ -108,7 +108,7 @@ def test_what_shares_files_with_a_removed_package_is_known(tmp_path):
 
 def test_output_goes_to_the_log_and_to_the_listener(tmp_path):
     seen = []
-    status, output = processes.run(
+    status, output = tool_processes.run(
         ['sh', '-c', 'echo one; echo two >&2; printf three; exit 5'],
         tmp_path / 'log' / 'a.log',
         os.environ,
@@ -140,11 +140,11 @@ def test_an_interruption_ends_the_tool_and_its_children(tmp_path):
 
     started = time.monotonic()
     with pytest.raises(KeyboardInterrupt):
-        processes.run(
+        tool_processes.run(
             ['sh', '-c', f'sleep 60 & echo $! > {tmp_path}/child; echo ready; wait'],
             tmp_path / 'a.log', os.environ, interrupt,
         )  # fmt: skip
-    assert time.monotonic() - started < processes.GRACE + 5
+    assert time.monotonic() - started < tool_processes.GRACE + 5
     child = int((tmp_path / 'child').read_text())
     assert gone(child)
 

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from environment.tests.commands import ros2  # noqa: F401
+from environment.tests.ros2_command import ros2  # noqa: F401
 from environment.tests.running import PATIENCE, program
 from helpers.programs.processes import background
 

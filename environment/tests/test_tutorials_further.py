@@ -9,7 +9,7 @@ import sys
 
 import pytest
 
-from environment.tests.commands import ros2  # noqa: F401
+from environment.tests.ros2_command import ros2  # noqa: F401
 from environment.tests.running import PATIENCE
 from environment.tests.test_tutorials import NUMBER, run_line, turtlesim, with_programs  # noqa: F401
 from helpers.programs.processes import background

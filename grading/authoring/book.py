@@ -12,7 +12,7 @@ from pathlib import Path
 from markdown_it import MarkdownIt
 
 from grading.authoring import cards, glossary
-from grading.authoring.errors import CellError
+from grading.authoring.chapter_errors import CellError
 
 FILE_NAME = re.compile(r'(\d\d)_[a-z0-9_]+\.md')
 HEADING = 'heading='  # a fragment's kind, of JupyterLab; web pages have none

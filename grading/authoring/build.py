@@ -12,7 +12,7 @@ from grading.authoring import book as books
 from grading.authoring import chapter as chapters
 from grading.authoring import execution, figures, indexes, notebooks, outputs, rules
 from grading.authoring.chapter import Chapter
-from grading.authoring.errors import AuthoringError, ChapterErrors
+from grading.authoring.chapter_errors import AuthoringError, ChapterErrors
 from helpers.exercises import manifest
 
 

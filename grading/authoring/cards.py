@@ -21,7 +21,7 @@ from dataclasses import dataclass
 
 import yaml
 
-from grading.authoring.errors import CellError
+from grading.authoring.chapter_errors import CellError
 from helpers.exercises import packages
 from helpers.exercises.manifest import Rule
 

@@ -13,7 +13,7 @@ from grading.authoring import book as books
 from grading.authoring import cards, checked, figures, indexes, quizzes, references, regions
 from grading.authoring.book import FILE_NAME, Book, sources
 from grading.authoring.cards import Card
-from grading.authoring.errors import AuthoringError, CellError
+from grading.authoring.chapter_errors import AuthoringError, CellError
 from helpers.exercises import cell_ids, manifest
 
 __all__ = ['Chapter', 'SourceCell', 'read', 'sources']

@@ -15,7 +15,7 @@ from nbformat import NotebookNode
 
 from grading.authoring import checked
 from grading.authoring.chapter import Chapter, SourceCell
-from grading.authoring.errors import AuthoringError
+from grading.authoring.chapter_errors import AuthoringError
 from helpers.kernel import domains
 
 KERNEL = 'course'  # the kernelspec of the set-up; also what nbval uses

@@ -17,8 +17,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
+from grading.authoring.chapter_errors import AuthoringError, CellError
 from grading.authoring.drawing import Sheet
-from grading.authoring.errors import AuthoringError, CellError
 
 FOLDER = 'figures'  # in solutions/, with what draws them, and in notebooks/, with the pictures
 EXAMPLE = '```{figure} NAME'

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import yaml
 
-from grading.authoring.errors import AuthoringError
+from grading.authoring.chapter_errors import AuthoringError
 
 FILE = 'glossary.yml'
 PAGE = 'GLOSSARY.md'

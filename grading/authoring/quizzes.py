@@ -20,7 +20,7 @@ from string import ascii_lowercase
 
 from markdown_it import MarkdownIt
 
-from grading.authoring.errors import CellError
+from grading.authoring.chapter_errors import CellError
 
 _BEGIN = re.compile(r'(`{3,})\s*\{quiz\}\s*(.*)')
 _OPTION = re.compile(r'- \(([a-z])(, right)?\)\s+(\S.*)')

@@ -10,7 +10,7 @@ from functools import partial
 
 from grading.authoring import glossary
 from grading.authoring.book import ROLE, Book, prose, target
-from grading.authoring.errors import CellError
+from grading.authoring.chapter_errors import CellError
 
 ROLES = ('section', 'exercise-ref', 'chapter', 'term')
 _ELSEWHERE = ('rule',)  # roles that others read

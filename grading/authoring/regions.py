@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from grading.authoring.errors import CellError
+from grading.authoring.chapter_errors import CellError
 
 BEGIN, END, STUB = '# BEGIN SOLUTION', '# END SOLUTION', '# STUB:'
 PLACEHOLDER = '# Your code here.'

@@ -5,9 +5,9 @@ import re
 import statistics
 from collections.abc import Iterable, Iterator
 
-from grading.authoring import cards, indexes, links, regions
+from grading.authoring import cards, indexes, regions, relative_links
 from grading.authoring.chapter import QUESTIONS, Chapter, SourceCell
-from grading.authoring.errors import AuthoringError
+from grading.authoring.chapter_errors import AuthoringError
 from helpers.exercises import file_answers, file_syntax, program
 
 MAX_LINES = 25
@@ -86,7 +86,9 @@ def _check_chapter(chapter: Chapter) -> Iterator[AuthoringError]:
     for cell in chapter.cells:
         if cell.kind == 'markdown':
             folder = chapter.path.parents[1] / 'notebooks'
-            for offset, problem, remedy in links.broken(cell.source, f'{chapter.name}.ipynb', chapter.book, folder):
+            for offset, problem, remedy in relative_links.broken(
+                cell.source, f'{chapter.name}.ipynb', chapter.book, folder
+            ):
                 yield AuthoringError(chapter.path, cell.line + offset, problem, remedy)
         if cell.kind == 'markdown' and regions.has_marker(cell.source):
             offset = next(i for i, line in enumerate(cell.source.splitlines()) if regions.has_marker(line))

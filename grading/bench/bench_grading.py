@@ -17,7 +17,7 @@ from pathlib import Path
 import psutil
 
 from grading import grade, sandbox
-from grading.bench import Figure, sheet
+from grading.bench import Figure, timed_sheet
 from grading.course import Course
 from grading.sandbox import station
 from grading.submission import Submission
@@ -53,7 +53,7 @@ def measure() -> Iterator[Figure]:
             seconds, memory = _run(course, count, Path(folder, str(count)))
             many = f'{count} submissions, {JOBS} at a time' if count > 1 else '1 submission'
             yield Figure(f'{many}: per submission', seconds / count, 's')
-            yield Figure(f'{many}: per exercise', seconds / count / len(sheet.NAMES), 's')
+            yield Figure(f'{many}: per exercise', seconds / count / len(timed_sheet.NAMES), 's')
             yield Figure(f'{many}: peak memory', memory / 2**20, 'MiB')
         yield from _parts(course)
     from grading.bench.peers import timing
@@ -81,7 +81,7 @@ def _program(count: int) -> float:
 
 def _course(folder: Path) -> Course:
     exercises = []
-    for number, name in enumerate(sheet.NAMES, 1):
+    for number, name in enumerate(timed_sheet.NAMES, 1):
         path = folder / 'exercises' / f'91_{number}' / 'hidden.py'
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(f"""\
@@ -108,7 +108,7 @@ def _notebook(variant: int) -> bytes:
     notebook = nbformat.v4.new_notebook(
         cells=[
             nbformat.v4.new_code_cell(f'# Exercise 91.{number}: {name}\n{answer}\n# {variant}', id=f'ex-91-{number}')
-            for number, (name, answer) in enumerate(zip(sheet.NAMES, sheet.ANSWERS, strict=True), 1)
+            for number, (name, answer) in enumerate(zip(timed_sheet.NAMES, timed_sheet.ANSWERS, strict=True), 1)
         ]
     )
     return nbformat.writes(notebook).encode()

@@ -5,7 +5,7 @@ import time
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from grading.bench import Figure, machine
+from grading.bench import Figure, machine_facts
 
 
 @dataclass
@@ -23,8 +23,8 @@ class Report:
     """A run: its parts in their order, the facts of the machine, and its load when the run began."""
 
     parts: list[Part] = field(default_factory=list)
-    facts: dict[str, object] = field(default_factory=machine.facts)
-    load: float = field(default_factory=machine.load)
+    facts: dict[str, object] = field(default_factory=machine_facts.facts)
+    load: float = field(default_factory=machine_facts.load)
     begin: str = field(default_factory=lambda: _now())
 
     @property
@@ -41,7 +41,7 @@ class Report:
                     'begin': self.begin,
                     'end': _now(),
                     'machine': self.facts,
-                    'load': {'begin': self.load, 'end': machine.load()},
+                    'load': {'begin': self.load, 'end': machine_facts.load()},
                     'benchmarks': {
                         part.name: {'seconds': round(part.seconds, 1), 'error': part.error} for part in self.parts
                     },

@@ -26,7 +26,7 @@ def bench(
     from rich.console import Console
 
     from grading import bench as benchmarks
-    from grading.bench import machine
+    from grading.bench import machine_facts
     from grading.bench.report import Report
 
     found = benchmarks.find(paths.ROOT)
@@ -35,7 +35,7 @@ def bench(
             raise Refusal(f'no benchmark {name!r}; there are: {", ".join(found)}')
     chosen = [name for name in found if not names or name in names]
     report = Report()
-    if warning := machine.busy(report.load):
+    if warning := machine_facts.busy(report.load):
         typer.echo(f'course: {warning}', err=True)
     stopped = False
     try:

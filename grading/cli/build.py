@@ -37,7 +37,7 @@ def build(
     """Make the executed solution and the learner's notebook of each chapter from solutions/NN_name.md."""
     from grading.authoring import build as builder
     from grading.authoring.chapter import sources
-    from grading.authoring.errors import ChapterErrors
+    from grading.authoring.chapter_errors import ChapterErrors
 
     tree = builder.Tree(paths.ROOT)
     known = {int(path.name[:2]) for path in sources(tree.solutions)}

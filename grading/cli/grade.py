@@ -107,7 +107,7 @@ def grade(
 
 def _refused() -> tuple[type[Exception], ...]:
     """The exceptions that say what is wrong with the arguments or their files."""
-    from grading import adjustments, anonymous, choice, executors, folder, late, unit
+    from grading import adjustments, anonymous, choice, folder, late, parallel, unit
     from grading.course import ChapterError
     from grading.submissions import Unusable
     from helpers.exercises import manifest
@@ -118,7 +118,7 @@ def _refused() -> tuple[type[Exception], ...]:
         choice.ChoiceError,
         ChapterError,
         folder.FolderError,
-        executors.ClusterError,
+        parallel.ClusterError,
         late.PolicyError,
         adjustments.AdjustmentError,
         anonymous.AnonymousError,

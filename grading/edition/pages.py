@@ -19,7 +19,7 @@ from nbconvert import HTMLExporter
 from grading.authoring import build as builder
 from grading.authoring import execution, figures, notebooks, outputs
 from grading.authoring.chapter import Chapter
-from grading.authoring.errors import AuthoringError, ChapterErrors
+from grading.authoring.chapter_errors import AuthoringError, ChapterErrors
 from helpers.exercises import file_answers, start_page
 from helpers.show.views import recording
 
@@ -55,7 +55,7 @@ def write(
     :param scenes: execute the chapters with 3-D views, and add a page for each view; else pictures are all.
     :param timeout: longest time of one cell then, in seconds.
     :raises EditionError: `output` is not empty, or an executed notebook does not fit its source.
-    :raises grading.authoring.errors.ChapterErrors: mistakes in the sources, a failing cell.
+    :raises grading.authoring.chapter_errors.ChapterErrors: mistakes in the sources, a failing cell.
     """
     if output.exists() and (not output.is_dir() or any(output.iterdir())):
         raise EditionError(f'{output} is not empty: give a new folder')

@@ -5,7 +5,7 @@ by screen reader, on paper, on a small screen, in light and in dark; it loads no
 """
 
 from grading.record import Record
-from grading.reports import page, reading
+from grading.reports import page, where_to_read
 from grading.reports.safe import line
 from helpers.exercises import result_display
 from helpers.runner import results, verdicts
@@ -166,7 +166,7 @@ def _exercise(exercise: ExerciseResult, mark: float | None) -> dict:
             for test in exercise.tests
             if test.expected
         ],
-        'place': reading.place(exercise.id),
+        'place': where_to_read.place(exercise.id),
     }
 
 

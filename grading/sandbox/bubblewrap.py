@@ -5,7 +5,7 @@ import os
 import socket
 from dataclasses import asdict
 
-from grading.sandbox import layout
+from grading.sandbox import mounts
 from helpers.runner.start_processes import LIMITS, Limits, StartedForkServer
 
 control: socket.socket | None = None  # in a process of tests: to its submission's server of programs
@@ -18,7 +18,7 @@ def start(domain_id: int, limits: Limits = LIMITS) -> StartedForkServer:
     descriptor = os.pidfd_open(os.getpid())
     socket.send_fds(control, [json.dumps(asdict(limits)).encode()], [descriptor])
     os.close(descriptor)
-    return StartedForkServer(control, 'bubblewrap', str(layout.HOME))
+    return StartedForkServer(control, 'bubblewrap', str(mounts.HOME))
 
 
 def start_tests(job, events: int, printed, *, cwd: str, environment: dict[str, str], folders):

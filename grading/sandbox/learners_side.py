@@ -12,9 +12,9 @@ from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
-from grading.sandbox import control_groups, layout, namespaces, seccomp
+from grading.sandbox import control_groups, mounts, namespaces, seccomp
 from grading.sandbox.holder import Holder
-from helpers.runner import fork_server, forked, overlay
+from helpers.runner import fork_server, forked, sourced_environment
 from helpers.runner.lifetime import die_with_parent
 from helpers.runner.start_processes import Limits
 
@@ -25,8 +25,8 @@ _BUFFERS = 2 * 212_992  # bytes: what one socket sends and receives, by the kern
 def warm_up() -> None:
     """What is the same for the workspaces of all submissions. The server is an ordinary user's."""
     os.umask(0o077)
-    overlay.warm_up()
-    layout.keeper()  # for all that it forks
+    sourced_environment.warm_up()
+    mounts.keeper()  # for all that it forks
 
 
 def prepare(request: dict) -> None:
@@ -115,7 +115,7 @@ class Sandbox:
         """Start a process inside that acts, with these open files; returns the pid of one outside that mirrors it."""
         if self._holder is None or self._holder.process.poll() is not None:
             self.close()
-            self._holder = Holder(layout.programs(limits), self._tests, seccomp.program())
+            self._holder = Holder(mounts.programs(limits), self._tests, seccomp.program())
             # Opened before anything of the learner's runs: what these mean cannot be changed from inside.
             self._processes = os.open(f'/proc/{self._holder.pid}/root/proc', os.O_PATH | os.O_DIRECTORY)
             self._mounts = os.open(f'/proc/{self._holder.pid}/ns/mnt', os.O_RDONLY)
@@ -151,7 +151,7 @@ class Sandbox:
                 namespaces.mirror(pid)
             namespaces.give_up_privileges()
             die_with_parent()
-            os.chdir(layout.HOME)
+            os.chdir(mounts.HOME)
             limits.apply(sandboxed=True)
             seccomp.install()
             act()
@@ -229,7 +229,7 @@ class Sandbox:
 
 
 def _resize(limits: Limits) -> None:
-    for place, size in (('/tmp', limits.tmp), (str(layout.HOME), limits.home), ('/dev/shm', limits.shared)):
+    for place, size in (('/tmp', limits.tmp), (str(mounts.HOME), limits.home), ('/dev/shm', limits.shared)):
         namespaces.mount(
             'tmpfs',
             place,

@@ -11,7 +11,7 @@ import sys
 import traceback
 
 from environment.setup.facts import namespace_remedy
-from grading.sandbox import layout, namespaces, seccomp, unprivileged
+from grading.sandbox import mounts, namespaces, seccomp, unprivileged
 from grading.sandbox.holder import Holder, SandboxError
 from helpers.paths import ROOT
 from helpers.runner.start_processes import Limits
@@ -21,7 +21,7 @@ INSTALL = 'sudo apt-get install bubblewrap'
 
 def problem() -> str:
     """What keeps the sandbox from working, as one line with the remedy; empty if nothing does."""
-    if layout.bwrap() is None:
+    if mounts.bwrap() is None:
         return f'bubblewrap is not installed; run: {INSTALL}'
     said = failure()
     return f'{said}; {namespace_remedy()}' if said else ''
@@ -32,7 +32,7 @@ def failure() -> str:
     words = [sys.executable, '-m', 'grading.sandbox.probe']
     try:
         done = subprocess.run(
-            unprivileged.command(words, [ROOT, *layout.readable()]),
+            unprivileged.command(words, [ROOT, *mounts.readable()]),
             cwd='/',
             capture_output=True,
             text=True,
@@ -54,8 +54,8 @@ def failure() -> str:
 
 def attempt() -> None:
     """Make both sandboxes, one within the other's network, and enter the inner one."""
-    outer = Holder(layout.tests([]))
-    inner = Holder(layout.programs(Limits()), outer.pidfd)
+    outer = Holder(mounts.tests([]))
+    inner = Holder(mounts.programs(Limits()), outer.pidfd)
     pid = os.fork()
     if pid == 0:
         try:

@@ -7,7 +7,7 @@ import sys
 import threading
 from pathlib import Path
 
-from grading.sandbox import control_groups, layout, unprivileged
+from grading.sandbox import control_groups, mounts, unprivileged
 from helpers.paths import ROOT
 from helpers.runner import start_processes
 from helpers.runner.forked import Forked
@@ -19,7 +19,7 @@ class Station(Servers):
 
     def __init__(self, folders: tuple[Path, ...]):
         self._leave_group = control_groups.begin(unprivileged.account().pw_uid if os.geteuid() == 0 else None)
-        self._trees = [ROOT, *layout.readable(), *folders]
+        self._trees = [ROOT, *mounts.readable(), *folders]
         super().__init__(('grading.sandbox.tests_side', self._popen), ('grading.sandbox.learners_side', self._popen))
 
     def _popen(self, command: list[str], kept: int) -> subprocess.Popen:
@@ -41,7 +41,7 @@ class Station(Servers):
 
 def environment() -> dict[str, str]:
     """What the servers and all that they fork have: nothing of the caller's but what Python and ROS need."""
-    kept = start_processes.environment(0, str(layout.HOME))
+    kept = start_processes.environment(0, str(mounts.HOME))
     return {
         **kept,
         'PATH': f'{Path(sys.prefix, "bin")}:/usr/bin:/bin',

@@ -11,7 +11,7 @@ import socket
 import sys
 from pathlib import Path
 
-from grading.sandbox import bubblewrap, layout, namespaces
+from grading.sandbox import bubblewrap, mounts, namespaces
 from grading.sandbox.holder import Holder, SandboxError
 from helpers.runner import forked, preloading
 
@@ -22,7 +22,7 @@ def warm_up() -> None:
     """Import what tests need. The server is an ordinary user's, and so is all that it forks."""
     os.umask(0o077)
     preloading.warm_up_for_pytest(preloading.TESTS_SIDE)
-    layout.keeper()
+    mounts.keeper()
 
 
 def prepare(request: dict) -> None:
@@ -35,7 +35,7 @@ def run(request: dict, job: int, events: int, printed: int, control: int, life: 
     os.dup2(printed, 2)
     watched = socket.socket(fileno=life)
     try:
-        holder = Holder(layout.tests(map(Path, request['folders'])))
+        holder = Holder(mounts.tests(map(Path, request['folders'])))
     except SandboxError as error:
         print(f'the sandbox did not start: {error}', flush=True)
         forked.report(watched, 1)

@@ -9,7 +9,7 @@ import signal
 import sys
 from pathlib import Path
 
-from grading import executors, grade, unit
+from grading import grade, parallel, unit
 from grading.submission import Submission
 from helpers.runner.results import ExerciseResult
 from helpers.tests import small
@@ -87,7 +87,7 @@ def _killed(output: Path, moment: int, before: bool) -> bool:
 
 def main(folder: Path) -> None:
     """Kill runs at every moment; prints how many moments there were."""
-    executors.units.perform = perform
+    parallel.units.perform = perform
     os.fsync = lambda descriptor: None  # a killed process needs none
     grade.Course.digests = property(lambda course: {exercise.id: 'same' for exercise in course.exercises})
     grade.grade(works(), COURSE, folder / 'undisturbed', 2, settings=SETTINGS)

@@ -7,7 +7,7 @@ import threading
 
 import pytest
 
-from grading import executors, grade
+from grading import grade, parallel
 from grading.submission import Submission
 from helpers import paths
 from helpers.tests import small
@@ -76,8 +76,8 @@ def test_workers_that_die(cluster, tmp_path):
         DASK_DISTRIBUTED__SCHEDULER__ALLOWED_FAILURES='1',
     )
     address = line.rpartition('Scheduler at:')[2].strip()
-    with pytest.raises(executors.ClusterError, match='has no workers'):
-        executors.Cluster(address)
+    with pytest.raises(parallel.ClusterError, match='has no workers'):
+        parallel.Cluster(address)
     cluster(
         'dask_worker',
         address,

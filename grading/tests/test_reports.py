@@ -16,7 +16,7 @@ from grading import gradebook, reports, schemas
 from grading.adjustments import Adjustment
 from grading.late import Late
 from grading.record import Attempt, Record
-from grading.reports import feedback, gradescope, junit, reading, safe, summary
+from grading.reports import feedback, gradescope, junit, safe, summary, where_to_read
 from grading.similarity import Pair
 from helpers.runner import results, verdicts
 from helpers.runner.results import ExerciseResult, TestResult
@@ -317,12 +317,12 @@ def test_where_to_read_on(tmp_path):
     (tmp_path / '04.ipynb').write_text(
         json.dumps({'cells': [{'cell_type': kind, 'source': [text]} for kind, text in cells]})
     )
-    assert reading.places('04.ipynb', tmp_path) == {
-        '4.1': reading.Place('04.ipynb', '4. Services', '4.1 Ask', ('Wait',)),
-        '4.2': reading.Place('04.ipynb', '4. Services', '4.2 Answer'),
+    assert where_to_read.places('04.ipynb', tmp_path) == {
+        '4.1': where_to_read.Place('04.ipynb', '4. Services', '4.1 Ask', ('Wait',)),
+        '4.2': where_to_read.Place('04.ipynb', '4. Services', '4.2 Answer'),
     }
-    assert reading.places('05.ipynb', tmp_path) == {}
-    place = reading.place('3.4')
+    assert where_to_read.places('05.ipynb', tmp_path) == {}
+    place = where_to_read.place('3.4')
     shown = ExerciseResult('3.4', 'a latched map', 10, 'failed', 0.0, '', [test('failed')])
     text = Page(feedback.dumps(record(exercises=[shown]))).text
     assert place and place.section in text and place.notebook in text

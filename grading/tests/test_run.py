@@ -11,7 +11,7 @@ from dataclasses import replace
 import pytest
 from typer.testing import CliRunner
 
-from grading import executors, folder, grade, late, unit
+from grading import folder, grade, late, parallel, unit
 from grading.adjustments import Adjustment, AdjustmentError
 from grading.choice import ChoiceError
 from grading.record import Record
@@ -362,6 +362,6 @@ def test_an_assignment_of_one_chapter(command, course, tmp_path, monkeypatch):
     ],
 )
 def test_wrong_use(command, monkeypatch, arguments, text):
-    monkeypatch.setattr(executors, 'CONNECT', 0.5)
+    monkeypatch.setattr(parallel, 'CONNECT', 0.5)
     found = command(*arguments)
     assert isinstance(found.exception, Refusal) and text in str(found.exception), found.output

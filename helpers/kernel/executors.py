@@ -10,7 +10,7 @@ import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 
-from helpers.kernel.errors import Failure, learners_part
+from helpers.kernel.callback_errors import Failure, learners_part
 from helpers.kernel.nodes import is_doomed
 
 #: Notified after every callback of a watched executor, so that waits react at once.

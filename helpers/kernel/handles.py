@@ -1,6 +1,6 @@
 """The handles of nodes that spin in the background (`helpers.kernel.spinning.Spinning`): those that are not stopped."""
 
-from helpers.kernel.errors import raise_failures
+from helpers.kernel.callback_errors import raise_failures
 
 _handles: list = []
 

@@ -16,7 +16,7 @@ from contextlib import suppress
 from weakref import WeakKeyDictionary, WeakSet
 
 from helpers.kernel import journal
-from helpers.kernel.errors import say
+from helpers.kernel.callback_errors import say
 
 UNKNOWN = '_NODE_NAME_UNKNOWN_'  # rmw's name for the node of an endpoint whose node is not known yet
 

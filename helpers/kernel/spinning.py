@@ -6,7 +6,7 @@ import threading
 import time
 
 from helpers.kernel import nodes as node_list
-from helpers.kernel.errors import Failure, raise_failures, say
+from helpers.kernel.callback_errors import Failure, raise_failures, say
 from helpers.kernel.executors import StopCallback, StopSignal, Watch, activity, running_here
 from helpers.kernel.handles import add, handles, remove
 

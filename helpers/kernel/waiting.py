@@ -9,7 +9,7 @@ import time
 from contextlib import contextmanager
 
 from helpers.kernel import nodes as node_list
-from helpers.kernel.errors import Failure, raise_failures
+from helpers.kernel.callback_errors import Failure, raise_failures
 from helpers.kernel.executors import StopSignal, Watch, activity, refuse_in_callback
 from helpers.kernel.handles import handles, is_spinning, raise_pending
 

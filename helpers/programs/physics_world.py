@@ -4,7 +4,7 @@ import math
 import sys
 from pathlib import Path
 
-from helpers.kernel.errors import say
+from helpers.kernel.callback_errors import say
 from helpers.kernel.executors import refuse_in_callback
 from helpers.kernel.handles import raise_pending
 from helpers.kernel.settling import settle

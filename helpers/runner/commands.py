@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from helpers.programs import terminals
-from helpers.runner import overlay
+from helpers.runner import sourced_environment
 
 MAX_FILES = 2000  # names in a listing
 MAX_READ = 64 * 2**10  # characters of a file
@@ -53,8 +53,8 @@ def perform(request: dict, given: list[int]) -> int:
 
 def _shadows(root: Path, packages: list[str]) -> str:
     try:
-        overlay.of(root, packages)
-    except overlay.Shadowed as problem:
+        sourced_environment.of(root, packages)
+    except sourced_environment.Shadowed as problem:
         return str(problem)
     return ''
 
@@ -63,8 +63,8 @@ def _command(root: Path, request: dict) -> int:
     """Become the command; returns a shell's status if it cannot be."""
     argv = request['argv']
     try:
-        environment = overlay.of(root, request['packages'])
-    except overlay.Shadowed as problem:
+        environment = sourced_environment.of(root, request['packages'])
+    except sourced_environment.Shadowed as problem:
         print(problem)
         return 126
     environment |= {**request['environment'], 'COLCON_DEFAULTS_FILE': str(root / terminals.DEFAULTS)}

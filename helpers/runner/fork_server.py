@@ -28,7 +28,7 @@ import sys
 from collections.abc import Callable
 from contextlib import suppress
 
-from helpers.runner import commands, forked, overlay, preloading
+from helpers.runner import commands, forked, preloading, sourced_environment
 from helpers.runner.lifetime import die_with_parent
 from helpers.runner.start_processes import Limits
 
@@ -173,7 +173,7 @@ class _Server:
         if request['op'] == 'pytest':
             preloading.warm_up_for_pytest(request.get('modules', []))
         elif request['op'] in ('command', 'shadows'):
-            overlay.warm_up()
+            sourced_environment.warm_up()
         pid = self._programs.task(
             Limits(**request['limits']), place, output, given, functools.partial(commands.perform, request, given)
         )

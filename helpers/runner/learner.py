@@ -21,9 +21,9 @@ from rosgraph_msgs.msg import Clock
 from std_msgs.msg import UInt64
 
 from helpers.kernel.nodes import UNKNOWN
-from helpers.runner import actions, services, spent, values, wiring
-from helpers.runner.client import ForkServer, ProgramProcess
+from helpers.runner import action_peers, service_peers, spent, values, wiring
 from helpers.runner.peers import SECOND, Peer
+from helpers.runner.program_process import ForkServer, ProgramProcess
 from helpers.runner.verdicts import LearnerError, Unheard
 from helpers.runner.workspaces import Workspaces
 
@@ -346,22 +346,22 @@ class Learner(Workspaces):
         self._connected = False
         return talker
 
-    def client(self, name: str, srv_type, *, strict: bool = True) -> services.Client:
+    def client(self, name: str, srv_type, *, strict: bool = True) -> service_peers.Client:
         """A client for the learner's service `name`: `call` and `send`. `strict`: another type there fails the test."""
-        return self.add(services.Client(self, name, srv_type, strict))
+        return self.add(service_peers.Client(self, name, srv_type, strict))
 
-    def serve(self, name: str, srv_type, answer, delay=0.0, *, strict: bool = True) -> services.Server:
+    def serve(self, name: str, srv_type, answer, delay=0.0, *, strict: bool = True) -> service_peers.Server:
         """A server for the learner's client of `name`: `requests`, `stamps`, `stop()`, `start()`.
 
         `answer`: a response, a dictionary of its fields, None (silence), a function of the request that gives one of
         these, or an iterator with one of these for each request. `delay`: seconds of simulated time until an answer
         goes out; a number, or a function of the request. `strict` as in `client`.
         """
-        return self.add(services.Server(self, name, srv_type, answer, delay, strict))
+        return self.add(service_peers.Server(self, name, srv_type, answer, delay, strict))
 
-    def action_client(self, name: str, action_type, *, strict: bool = True) -> actions.Client:
+    def action_client(self, name: str, action_type, *, strict: bool = True) -> action_peers.Client:
         """A client for the learner's action `name`: `send` gives a goal with its feedback, status, result, `cancel`."""
-        return self.add(actions.Client(self, name, action_type, strict))
+        return self.add(action_peers.Client(self, name, action_type, strict))
 
     def action_server(
         self,
@@ -374,7 +374,7 @@ class Learner(Workspaces):
         cancel_delay: float = 0.0,
         partial=None,
         strict: bool = True,
-    ) -> actions.Server:
+    ) -> action_peers.Server:
         """An action server for the learner's client of `name`: `goals`, `stop()`, `start()`.
 
         `plan`: pairs (seconds of simulated time after the one before, Feedback or Result or `actions.Aborted`), or a
@@ -382,7 +382,9 @@ class Learner(Workspaces):
         a function of the goal. `cancel`: 'accept' (`cancel_delay` seconds later the goal ends with the result
         `partial`), 'reject', or 'ignore' (accept, and go on as planned). All may be changed at any time.
         """
-        return self.add(actions.Server(self, name, action_type, plan, accept, cancel, cancel_delay, partial, strict))
+        return self.add(
+            action_peers.Server(self, name, action_type, plan, accept, cancel, cancel_delay, partial, strict)
+        )
 
     def tf_broadcaster(self) -> 'frames.Broadcaster':
         """Transforms for the learner's listener: `send` for `/tf`, `fix` for `/tf_static`."""

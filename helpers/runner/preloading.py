@@ -40,7 +40,7 @@ ON_DEMAND = (
     'rosbags.rosbag2',
 )
 TESTS_SIDE = [
-    'helpers.runner.client',
+    'helpers.runner.program_process',
     'helpers.runner.plugin',
     'helpers.runner.tester',
 ]  # what runs an exercise's tests

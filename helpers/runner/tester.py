@@ -34,7 +34,7 @@ def _prepare(job: dict, descriptor: int):
     limits = start_processes.Limits(**job['limits'])
     started = start(job['domain'], limits)
     from helpers.runner import plugin
-    from helpers.runner.client import ForkServer
+    from helpers.runner.program_process import ForkServer
 
     return ForkServer(started, limits), plugin.reporter(descriptor)
 

@@ -23,8 +23,8 @@ from typing import TYPE_CHECKING
 
 from helpers.exercises import packages
 from helpers.runner import values
-from helpers.runner.client import ForkServer, ProgramProcess, Task
 from helpers.runner.load import busy
+from helpers.runner.program_process import ForkServer, ProgramProcess, Task
 from helpers.runner.text import clean
 from helpers.runner.verdicts import InvalidProgram, LearnerCrashed, LearnerError, LearnerTimeout
 

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import nbformat
 
-from grading.bench.peers.installed import KERNEL
-from grading.bench.sheet import ANSWERS
+from grading.bench.peers.peers_environment import KERNEL
+from grading.bench.timed_sheet import ANSWERS
 
 _HEAR_THE_TALKER = """\
 import time

@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 
 from grading.bench.peers import sheets
-from grading.bench.peers.installed import program, run
+from grading.bench.peers.peers_environment import program, run
 from helpers.kernel import domains
 
 FULL = 3.0

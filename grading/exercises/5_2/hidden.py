@@ -6,7 +6,7 @@ import pytest
 from example_interfaces.action import Fibonacci
 from std_msgs.msg import String
 
-from helpers.runner import about, actions, expect, waiting
+from helpers.runner import about, action_peers, expect, waiting
 
 pytestmark = [pytest.mark.exercise('5.2'), pytest.mark.wiring(type='names', qos='once')]
 NEAR = 0.011  # s
@@ -118,7 +118,7 @@ def test_aborted(learner):
 
     The status stands beside the result: .result().status.
     """
-    outcome, _, _ = begin(learner, 3, 3.0, [(1.0, actions.Aborted(Fibonacci.Result(sequence=[9, 4, 9])))])
+    outcome, _, _ = begin(learner, 3, 3.0, [(1.0, action_peers.Aborted(Fibonacci.Result(sequence=[9, 4, 9])))])
     learner.run(5.0)
     expect(
         outcome.data == ['aborted [9, 4, 9]'],

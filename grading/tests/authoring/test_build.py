@@ -7,7 +7,7 @@ import nbformat
 import pytest
 
 from grading.authoring import build, execution, in_step, outputs
-from grading.authoring.errors import ChapterErrors
+from grading.authoring.chapter_errors import ChapterErrors
 from grading.tests.authoring.conftest import write
 from grading.tests.authoring.sources import TINY, line_of
 from helpers.exercises import manifest

@@ -8,7 +8,7 @@ import nbformat
 import pytest
 
 from grading.authoring import build, execution, in_step, outputs, repeated, rules
-from grading.authoring.errors import ChapterErrors
+from grading.authoring.chapter_errors import ChapterErrors
 from grading.tests.authoring.conftest import write
 from grading.tests.authoring.sources import TINY, line_of
 from helpers import paths

@@ -6,8 +6,8 @@ import xml.etree.ElementTree as ElementTree
 import pytest
 
 from grading.authoring import build, figures, in_step
+from grading.authoring.chapter_errors import ChapterErrors
 from grading.authoring.drawing import faults
-from grading.authoring.errors import ChapterErrors
 from grading.tests.authoring.conftest import make_without_kernel, write
 from grading.tests.authoring.sources import EXERCISE, TINY, line_of
 from helpers import paths

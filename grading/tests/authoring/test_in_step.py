@@ -5,7 +5,7 @@ import json
 import pytest
 
 from grading.authoring import in_step
-from grading.authoring.errors import ChapterErrors
+from grading.authoring.chapter_errors import ChapterErrors
 from grading.tests.authoring.conftest import write
 from grading.tests.authoring.sources import TINY
 

@@ -3,7 +3,7 @@
 import pytest
 
 from grading.authoring import build, in_step
-from grading.authoring.errors import ChapterErrors
+from grading.authoring.chapter_errors import ChapterErrors
 from grading.edition import pages
 from grading.tests.authoring.conftest import make_without_kernel, write
 from grading.tests.authoring.sources import FRONT, TINY, line_of

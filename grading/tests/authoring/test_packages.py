@@ -3,7 +3,7 @@
 import pytest
 
 from grading.authoring import chapter, execution, notebooks, rules
-from grading.authoring.errors import AuthoringError
+from grading.authoring.chapter_errors import AuthoringError
 from grading.tests.authoring.sources import EXERCISE, TINY
 from helpers.exercises import manifest
 

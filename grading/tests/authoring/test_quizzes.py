@@ -3,7 +3,7 @@
 import pytest
 
 from grading.authoring import build, quizzes
-from grading.authoring.errors import CellError, ChapterErrors
+from grading.authoring.chapter_errors import CellError, ChapterErrors
 from grading.tests.authoring.conftest import write
 from grading.tests.authoring.sources import TINY, line_of
 

@@ -3,7 +3,7 @@
 import pytest
 
 from grading.authoring import build, rules
-from grading.authoring.errors import ChapterErrors
+from grading.authoring.chapter_errors import ChapterErrors
 from grading.tests.authoring.conftest import write
 from grading.tests.authoring.sources import CHECK_HERE, DEMONSTRATION, EXERCISE, FRONT, TINY, TITLE, line_of
 

@@ -2,17 +2,17 @@
 
 import pytest
 
-from grading.bench import bench_grading, bench_helpers, bench_idle, bench_notebooks, bench_setup, machine
+from grading.bench import bench_grading, bench_helpers, bench_idle, bench_notebooks, bench_setup, machine_facts
 from grading.bench.peers import timing
 from helpers import paths
 
 
 def test_the_machine_is_told():
-    facts = machine.facts()
+    facts = machine_facts.facts()
     assert facts['processor'] and facts['processors'] > 0 and facts['memory'] > 2**28 and facts['packages']['ipykernel']
-    many = machine.BUSY * facts['processors']
-    assert machine.busy(many) == ''
-    assert f'load {many + 1:.1f} on' in machine.busy(many + 1)
+    many = machine_facts.BUSY * facts['processors']
+    assert machine_facts.busy(many) == ''
+    assert f'load {many + 1:.1f} on' in machine_facts.busy(many + 1)
 
 
 def test_messages_by_both_ways(domain, monkeypatch):

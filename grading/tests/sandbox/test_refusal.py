@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from grading import grade, sandbox
-from grading.sandbox import layout, probe, seccomp, unprivileged
+from grading.sandbox import mounts, probe, seccomp, unprivileged
 from grading.sandbox.holder import Holder, SandboxError
 from grading.submission import Submission
 from helpers import paths
@@ -46,7 +46,7 @@ def test_a_bubblewrap_that_fails_is_found_by_running_it(bin_folder):
     program.write_text('#!/bin/sh\necho "bwrap: setting up uid map: Permission denied" >&2\nexit 1\n')
     program.chmod(0o755)
     with pytest.raises(SandboxError, match='setting up uid map'):
-        Holder(layout.tests([]))
+        Holder(mounts.tests([]))
     found = probe.problem()
     assert 'the sandbox does not work: bwrap: setting up uid map: Permission denied; ' in found and len(found) > 90
 

@@ -1,7 +1,7 @@
 """In which order a driver of exercise 5.4 stops the robot and ends its goal."""
 
 from helpers.runner import expect
-from helpers.runner.actions import Goal
+from helpers.runner.action_peers import Goal
 
 ENDS = ('succeeded', 'canceled', 'aborted')
 

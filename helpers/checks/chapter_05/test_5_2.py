@@ -6,7 +6,7 @@ import pytest
 from example_interfaces.action import Fibonacci
 from std_msgs.msg import String
 
-from helpers.runner import about, actions, expect, waiting
+from helpers.runner import about, action_peers, expect, waiting
 
 pytestmark = [pytest.mark.exercise('5.2'), pytest.mark.wiring(type='names', qos='once')]
 NEAR = 0.011  # s
@@ -95,8 +95,8 @@ def test_outcomes(learner):
     rounds.expect('rejected []', 'word', 'Look at accepted first.')
     server.accept, value = True, draw.randint(3, 99)
     for plan_, wanted in (
-        ([(0.6, actions.Aborted(Fibonacci.Result(sequence=[value])))], f'aborted [{value}]'),
-        ([(0.6, actions.Aborted(Fibonacci.Result()))], 'aborted []'),
+        ([(0.6, action_peers.Aborted(Fibonacci.Result(sequence=[value])))], f'aborted [{value}]'),
+        ([(0.6, action_peers.Aborted(Fibonacci.Result()))], 'aborted []'),
     ):
         server.plan = plan_
         rounds.begin(order, 1.5, 'a server that aborts the goal')

@@ -7,7 +7,7 @@ from pathlib import Path
 from tornado.web import Application, RequestHandler
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
-from helpers.show.views import pages
+from helpers.show.views import view_pages
 
 _PING = 20.0  # s between two signs of life of a browser
 _AHEAD = 3  # messages on their way to a browser; it acknowledges each one that it has drawn
@@ -18,9 +18,9 @@ def application(secret: str, channels: dict) -> Application:
     """Return the application of the server.
 
     :param secret: the first part of every address.
-    :param channels: the open channels (`helpers.show.views.server.ViewerChannel`) by name.
+    :param channels: the open channels (`helpers.show.views.view_server.ViewerChannel`) by name.
     """
-    scripts = {'meshcat.js': pages.library(), **{path.name: path for path in pages.WEB.glob('*.js')}}
+    scripts = {'meshcat.js': view_pages.library(), **{path.name: path for path in view_pages.WEB.glob('*.js')}}
     return Application(
         [
             (f'/{secret}/ping', PingHandler),
@@ -28,7 +28,7 @@ def application(secret: str, channels: dict) -> Application:
                 (f'/{secret}/{name}', FileHandler, {'path': path, 'kind': 'text/javascript'})
                 for name, path in scripts.items()
             ),
-            (f'/{secret}/viewer.css', FileHandler, {'path': pages.WEB / 'viewer.css', 'kind': 'text/css'}),
+            (f'/{secret}/viewer.css', FileHandler, {'path': view_pages.WEB / 'viewer.css', 'kind': 'text/css'}),
             (f'/{secret}/([0-9]+)/', PageHandler, {'channels': channels}),
             (f'/{secret}/([0-9]+)/socket', BrowserHandler, {'channels': channels}),
         ],
@@ -60,7 +60,7 @@ class PageHandler(RequestHandler):
             self.send_error(404)
             return
         self.set_header('Cache-Control', 'no-cache')
-        self.write(pages.page())
+        self.write(view_pages.page())
 
 
 class PingHandler(RequestHandler):

@@ -16,8 +16,8 @@ import zlib
 from collections.abc import Callable
 from pathlib import Path
 
-from helpers.show.views import pages
-from helpers.show.views.live import encode
+from helpers.show.views import view_pages
+from helpers.show.views.live_view import encode
 from helpers.show.views.scene import Scene
 
 VARIABLE = 'COURSE_SCENES'
@@ -79,7 +79,7 @@ class Recording:
             return None
         folder.mkdir(parents=True, exist_ok=True)
         _write_shared(folder)
-        text = pages.page(base64.b64encode(bytes(self._packed) + self._packer.copy().flush()).decode())
+        text = view_pages.page(base64.b64encode(bytes(self._packed) + self._packer.copy().flush()).decode())
         number = 1
         while True:
             name = f'scene-{number:02}.html'
@@ -101,7 +101,7 @@ def bundled(entry: str) -> str:
     def add(name: str) -> None:
         if name in parts:
             return
-        source = (pages.WEB / name).read_text(encoding='utf-8')
+        source = (view_pages.WEB / name).read_text(encoding='utf-8')
         for _, needed in _IMPORT.findall(source):
             add(needed)
         exports = [found for _, found in _EXPORT.findall(source)]
@@ -118,7 +118,7 @@ def _write_shared(folder: Path) -> None:
     script, style, licences = (folder / name for name in SHARED)
     if script.exists():
         return
-    library = pages.library()
+    library = view_pages.library()
     licences.write_bytes(library.with_name(f'{library.name}.LICENSE.txt').read_bytes())
-    style.write_bytes((pages.WEB / 'viewer.css').read_bytes())
+    style.write_bytes((view_pages.WEB / 'viewer.css').read_bytes())
     script.write_text(f'{library.read_text(encoding="utf-8")}\n{bundled("replay.js")}', encoding='utf-8')

@@ -12,7 +12,7 @@ from helpers.kernel.waiting import spin_for
 from helpers.show.views import picture
 from helpers.show.views.display import Display
 from helpers.show.views.frame_tree import Tree
-from helpers.show.views.live import LiveRenderer
+from helpers.show.views.live_view import LiveRenderer
 from helpers.show.views.recording import VARIABLE, Recording
 from helpers.show.views.scene import Scene, part
 from helpers.show.views.tf_display import MOVES, STATIC, TF

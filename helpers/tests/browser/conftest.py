@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.tests.browser import evidence, lab
+from helpers.tests.browser import failure_traces, jupyterlab
 
 
 @pytest.fixture(scope='module')
@@ -14,7 +14,9 @@ def browser():
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(executable_path=lab.CHROMIUM, args=lab.FLAGS, timeout=lab.PATIENCE)
+        chromium = playwright.chromium.launch(
+            executable_path=jupyterlab.CHROMIUM, args=jupyterlab.FLAGS, timeout=jupyterlab.PATIENCE
+        )
         yield chromium
         chromium.close()
 
@@ -24,5 +26,5 @@ def pytest_runtest_makereport(item, call):
     report = yield
     # After pytest's own time limit Playwright is interrupted at an unknown place, and would not answer.
     if report.failed and call.when != 'teardown' and not str(call.excinfo.value).startswith('Timeout (>'):
-        report.sections.append(('what the browser showed', '\n'.join(evidence.keep(item.name))))
+        report.sections.append(('what the browser showed', '\n'.join(failure_traces.keep(item.name))))
     return report

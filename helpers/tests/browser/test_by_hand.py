@@ -8,10 +8,10 @@ import nbformat
 import pytest
 
 from helpers import paths
-from helpers.tests.browser import lab
+from helpers.tests.browser import jupyterlab
 from helpers.tests.browser.drawn import DRAWN
 
-pytestmark = [pytest.mark.timeout(600), pytest.mark.early, *lab.NEEDED]
+pytestmark = [pytest.mark.timeout(600), pytest.mark.early, *jupyterlab.NEEDED]
 NOTEBOOK = 'controls.ipynb'
 CELLS = {
     'start': """\
@@ -67,7 +67,7 @@ RIGHT = WRONG.replace(': low', ':\n    low')
 @pytest.fixture(scope='module')
 def folder(tmp_path_factory):
     """The chapters, and a notebook with the cells above."""
-    folder = lab.copy_notebooks(tmp_path_factory.mktemp('notebooks'))
+    folder = jupyterlab.copy_notebooks(tmp_path_factory.mktemp('notebooks'))
     cells = [nbformat.v4.new_code_cell(source, id=name) for name, source in CELLS.items()]
     kernel = {'kernelspec': {'name': 'python3', 'display_name': 'Python 3'}}  # else JupyterLab asks for one
     nbformat.write(nbformat.v4.new_notebook(cells=cells, metadata=kernel), folder / NOTEBOOK)
@@ -77,7 +77,7 @@ def folder(tmp_path_factory):
 @pytest.fixture(scope='module')
 def address(folder, tmp_path_factory):
     """One server for all of these tests: the address of that notebook."""
-    with lab.served(folder, tmp_path_factory.mktemp('jupyter'), NOTEBOOK) as address:
+    with jupyterlab.served(folder, tmp_path_factory.mktemp('jupyter'), NOTEBOOK) as address:
         yield address
 
 
@@ -87,7 +87,7 @@ def newcomer(browser):
     made = []
 
     def make():
-        made.append(lab.Learner(browser.new_page(viewport={'width': 1366, 'height': 900})))
+        made.append(jupyterlab.Learner(browser.new_page(viewport={'width': 1366, 'height': 900})))
         return made[-1]
 
     yield make
@@ -218,9 +218,9 @@ def test_a_package_is_made_in_the_terminal_and_its_check_passes(newcomer, addres
     learner.open_terminal()
     learner.type_lines(f'{paths.ROOT}/course shell')
     learner.type_lines('touch ready.txt')
-    lab.wait_for_file(folder / 'ready.txt')
+    jupyterlab.wait_for_file(folder / 'ready.txt')
     learner.type_lines(COMMANDS.format(files=written(names['PACKAGE'])).rstrip())
-    lab.wait_for_file(folder / 'my_ws' / 'done.txt')
+    jupyterlab.wait_for_file(folder / 'my_ws' / 'done.txt')
     assert (folder / 'my_ws' / 'done.txt').read_text() == '0\n'
     assert 'creating folder ./patrol' in (folder / 'my_ws' / 'created.txt').read_text()
 

@@ -11,16 +11,16 @@ from zipfile import ZipFile
 import pytest
 
 from helpers import paths
-from helpers.tests.browser import lab
+from helpers.tests.browser import jupyterlab
 
-pytestmark = [pytest.mark.timeout(900), pytest.mark.early, *lab.NEEDED]
+pytestmark = [pytest.mark.timeout(900), pytest.mark.early, *jupyterlab.NEEDED]
 SOLUTION = paths.ROOT / 'solutions' / '03_nodes_and_topics.ipynb'
 HEARD = "['Hello ROS 2: 0', 'Hello ROS 2: 1', 'Hello ROS 2: 2']"
 
 
 @pytest.fixture(scope='module')
 def folder(tmp_path_factory):
-    return lab.copy_notebooks(tmp_path_factory.mktemp('notebooks'))
+    return jupyterlab.copy_notebooks(tmp_path_factory.mktemp('notebooks'))
 
 
 @pytest.fixture(scope='module')
@@ -30,12 +30,12 @@ def learners(request, browser, folder, tmp_path_factory):
     The chapters whose tests are drawn run side by side, the longer one first, each with a kernel of its own.
     """
     drawn = {item.name for item in request.session.items}
-    with lab.served(folder, tmp_path_factory.mktemp('jupyter')) as address:
+    with jupyterlab.served(folder, tmp_path_factory.mktemp('jupyter')) as address:
         found = {}
         for chapter in (6, 3):
             if not any(name.startswith(f'test_chapter_{chapter}_') for name in drawn):
                 continue
-            learner = lab.Learner(browser.new_page(viewport={'width': 1366, 'height': 768}))
+            learner = jupyterlab.Learner(browser.new_page(viewport={'width': 1366, 'height': 768}))
             learner.open(address, f'chapter-{chapter}')
             learner.follow(f'{chapter}. ')
             learner.start_all()

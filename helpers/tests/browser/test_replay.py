@@ -6,10 +6,10 @@ from helpers.show.views import poses
 from helpers.show.views.recording import Recording
 from helpers.show.views.scene import Scene
 from helpers.show.views.shapes import Axes, Label
-from helpers.tests.browser import evidence, lab
+from helpers.tests.browser import failure_traces, jupyterlab
 from helpers.tests.browser.drawn import DRAWN
 
-pytestmark = [pytest.mark.timeout(600), *lab.NEEDED]
+pytestmark = [pytest.mark.timeout(600), *jupyterlab.NEEDED]
 STEPS = 5
 
 
@@ -34,8 +34,8 @@ def recorded(tmp_path):
 
 def test_a_recording_plays_goes_back_and_can_be_turned(browser, recorded):
     errors = []
-    page = evidence.watch(browser.new_page(viewport={'width': 600, 'height': 400}))
-    page.set_default_timeout(lab.PATIENCE)
+    page = failure_traces.watch(browser.new_page(viewport={'width': 600, 'height': 400}))
+    page.set_default_timeout(jupyterlab.PATIENCE)
     page.on('pageerror', lambda error: errors.append(error))
     page.goto(recorded.as_uri())
     page.wait_for_function('document.getElementById("when").textContent === "1.0 of 1.0 s"')  # it plays by itself

@@ -64,7 +64,7 @@ STYLES = {
 }
 START = """
 from example_interfaces.action import Fibonacci
-from helpers.runner.actions import Aborted
+from helpers.runner.action_peers import Aborted
 count = learner.action_client('/count', Fibonacci)
 learner.start('Talker', threads=True)
 """
@@ -109,7 +109,7 @@ CANCEL_AFTER = 100.0
 )
 HEARD = """
 from example_interfaces.action import Fibonacci
-from helpers.runner.actions import Aborted
+from helpers.runner.action_peers import Aborted
 heard = learner.listen('/news', String, 100)
 def news():
     return list(zip(heard.data, [round(stamp, 6) for stamp in heard.stamps]))

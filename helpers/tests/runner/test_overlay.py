@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from helpers.runner import overlay
+from helpers.runner import sourced_environment
 
 PYTHON = f'python{sys.version_info[0]}.{sys.version_info[1]}'
 SITE = f'lib/{PYTHON}/site-packages'
@@ -25,7 +25,7 @@ def installed(root, *names, package='patrol', **texts):
 def test_an_installed_package_is_found(tmp_path):
     prefix = installed(tmp_path, f'{SITE}/patrol/route.py', 'lib/libpatrol__c.so', 'bin/tool')
     (tmp_path / 'install' / 'half').mkdir()  # its build has failed
-    found = overlay.of(tmp_path, ['patrol'])
+    found = sourced_environment.of(tmp_path, ['patrol'])
     for name in ('AMENT_PREFIX_PATH', 'CMAKE_PREFIX_PATH'):
         assert found[name].split(':')[0] == str(prefix) and 'half' not in found[name]
     assert found['PYTHONPATH'].split(':')[0] == str(prefix / SITE)
@@ -35,7 +35,7 @@ def test_an_installed_package_is_found(tmp_path):
 
 def test_a_linked_package_is_found_where_it_was_built(tmp_path):
     installed(tmp_path, f'{SITE}/patrol.egg-link')
-    assert f'{tmp_path}/build/patrol' in overlay.of(tmp_path, ['patrol'])['PYTHONPATH'].split(':')
+    assert f'{tmp_path}/build/patrol' in sourced_environment.of(tmp_path, ['patrol'])['PYTHONPATH'].split(':')
 
 
 def test_nothing_is_executed(tmp_path):
@@ -44,14 +44,14 @@ def test_nothing_is_executed(tmp_path):
     for script in tmp_path.rglob('*.sh'):
         script.write_text('export EVIL=1; touch "$HOME/evil"')
     (tmp_path / 'install' / 'setup.bash').write_text('export EVIL=1')
-    assert 'EVIL' not in overlay.of(tmp_path, ['patrol'])
+    assert 'EVIL' not in sourced_environment.of(tmp_path, ['patrol'])
 
 
 @pytest.mark.parametrize('folder', ['glibc-hwcaps/x86-64-v2', 'tls', 'x86_64'])
 def test_only_libraries_of_the_package_are_found(tmp_path, folder):
     """The loader would look for the system's libraries in these folders, too."""
     installed(tmp_path, 'lib/libpatrol__c.so', f'lib/{folder}/libm.so.6')
-    place = Path(overlay.of(tmp_path, ['patrol'])['LD_LIBRARY_PATH'].split(':')[-1])
+    place = Path(sourced_environment.of(tmp_path, ['patrol'])['LD_LIBRARY_PATH'].split(':')[-1])
     assert [path.name for path in place.rglob('*')] == ['libpatrol__c.so']
 
 
@@ -75,28 +75,28 @@ def test_only_libraries_of_the_package_are_found(tmp_path, folder):
 )
 def test_what_would_take_the_place_of_the_machines_own_is_refused(tmp_path, name, why):
     installed(tmp_path, name)
-    with pytest.raises(overlay.Shadowed, match=why):
-        overlay.of(tmp_path, ['patrol'])
+    with pytest.raises(sourced_environment.Shadowed, match=why):
+        sourced_environment.of(tmp_path, ['patrol'])
 
 
 def test_a_library_is_not_called_as_a_package_that_nobody_asked_for(tmp_path):
     """What stands as a name in package.xml is the package's own word."""
     installed(tmp_path, 'lib/libnss_systemd.so.2', package='nss')
-    with pytest.raises(overlay.Shadowed, match='library libnss_systemd'):
-        overlay.of(tmp_path, ['patrol'])
+    with pytest.raises(sourced_environment.Shadowed, match='library libnss_systemd'):
+        sourced_environment.of(tmp_path, ['patrol'])
 
 
 def test_modules_that_tools_would_like_to_have_are_known():
     """Who installs one of these would be in all programs."""
     library = Path(sysconfig.get_path('stdlib'))
     files = [path for path in library.rglob('*.py') if not {'test', 'site-packages'} & set(path.parts)]
-    for place in overlay._places():
-        for top in overlay._names(place, ''):
+    for place in sourced_environment._places():
+        for top in sourced_environment._names(place, ''):
             if top.startswith(('_pytest', 'colcon_', 'lark', 'launch', 'packaging', 'rclpy', 'ros2', 'yaml')):
                 files += [path for path in (place / top).rglob('*.py') if '__pyinstaller' not in path.parts]
     asked = {name for path in files for name in imported(path)}
     assert len(files) > 1000 and 'org' in asked
-    missing = asked - overlay._known() - overlay.OPTIONAL - {'__main__', 'test'}
+    missing = asked - sourced_environment._known() - sourced_environment.OPTIONAL - {'__main__', 'test'}
     assert not missing
 
 
@@ -127,7 +127,7 @@ def imported(path):
 def test_modules_of_its_own_are_not(tmp_path, name):
     """Below the package, for tests, in a package of that name that is being written, in a folder that is none."""
     installed(tmp_path, name, package='rclpy' if 'rclpy' in name else 'patrol')
-    overlay.of(tmp_path, ['patrol', 'rclpy'])
+    sourced_environment.of(tmp_path, ['patrol', 'rclpy'])
 
 
 @pytest.mark.parametrize('group', ['ros2cli.command', 'colcon_core.verb', 'pytest11'])
@@ -135,5 +135,5 @@ def test_an_extension_of_tools_is_refused(tmp_path, group):
     name = f'{SITE}/patrol-0.1.0-py3.11.egg-info/entry_points.txt'
     texts = {name: f'[console_scripts]\nroute = patrol.route:main\n\n[{group}]\nrun = patrol.evil:Run\n'}
     installed(tmp_path, name, **texts)
-    with pytest.raises(overlay.Shadowed, match=group):
-        overlay.of(tmp_path, ['patrol'])
+    with pytest.raises(sourced_environment.Shadowed, match=group):
+        sourced_environment.of(tmp_path, ['patrol'])

@@ -1,4 +1,4 @@
-// The scene of helpers/show/views/scene.py: nodes by id and path. The messages that change them: helpers/show/views/live.py.
+// The scene of helpers/show/views/scene.py: nodes by id and path. The messages that change them: helpers/show/views/live_view.py.
 'use strict';
 
 import {build, dispose, renew, setOpacity} from './shapes.js';

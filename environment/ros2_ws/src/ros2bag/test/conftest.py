@@ -1,1 +1,1 @@
-from environment.tests.commands import node, ros2  # noqa: F401
+from environment.tests.ros2_command import node, ros2  # noqa: F401

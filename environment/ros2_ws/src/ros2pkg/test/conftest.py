@@ -1,1 +1,1 @@
-from environment.tests.commands import node, robot, ros2, several_nodes  # noqa: F401
+from environment.tests.ros2_command import node, robot, ros2, several_nodes  # noqa: F401

@@ -11,8 +11,8 @@ import pytest
 from tornado.httpclient import AsyncHTTPClient, HTTPClientError
 from tornado.websocket import websocket_connect
 
-from helpers.show.views import pages, poses
-from helpers.show.views.live import LiveRenderer, encode
+from helpers.show.views import poses, view_pages
+from helpers.show.views.live_view import LiveRenderer, encode
 from helpers.show.views.scene import Scene
 from helpers.show.views.shapes import Label, Mesh, Points
 
@@ -169,7 +169,7 @@ def test_the_cell_shows_the_picture_where_the_view_cannot_be_reached(stage):
 def test_each_shape_and_each_file_of_the_page_is_there():
     from helpers.show.views import shapes
 
-    code = (pages.WEB / 'shapes.js').read_text()
+    code = (view_pages.WEB / 'shapes.js').read_text()
     kinds = {
         kind.__name__
         for kind in vars(shapes).values()

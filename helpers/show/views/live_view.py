@@ -15,10 +15,10 @@ from dataclasses import fields
 import numpy as np
 from jinja2 import Environment
 
-from helpers.show.views import pages, server
+from helpers.show.views import view_pages, view_server
 from helpers.show.views.scene import Changes, Scene
 
-_CELL = Environment(autoescape=True).from_string((pages.WEB / 'cell.html').read_text(encoding='utf-8'))
+_CELL = Environment(autoescape=True).from_string((view_pages.WEB / 'cell.html').read_text(encoding='utf-8'))
 
 
 class LiveRenderer:
@@ -35,7 +35,7 @@ class LiveRenderer:
         self._shown: dict | None = None
         self._sent = 0  # updates so far
         self._order = threading.Lock()  # between an update and the whole for a new page
-        self._channel = server.open_channel(self._everything, on_message)
+        self._channel = view_server.open_channel(self._everything, on_message)
 
     @property
     def address(self) -> str:

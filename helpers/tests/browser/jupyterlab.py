@@ -19,7 +19,7 @@ from environment.setup import facts
 from helpers import paths
 from helpers.cli import lab
 from helpers.exercises import start_page
-from helpers.tests.browser import evidence
+from helpers.tests.browser import failure_traces
 
 _found = facts.browser()
 CHROMIUM = _found.text if _found.ok else None
@@ -67,7 +67,7 @@ def served(folder: Path, private: Path, file: str = start_page.FILE) -> Iterator
     `private`: where Jupyter keeps its settings and its memory of open tabs, and where its log goes.
     """
     log = private / 'lab.log'
-    evidence.also(log)
+    failure_traces.also(log)
     folders = {f'JUPYTER_{name}_DIR': str(private / name) for name in ('RUNTIME', 'CONFIG', 'DATA')}
     environment = {
         **os.environ,
@@ -126,7 +126,7 @@ class Learner:
     """
 
     def __init__(self, page):
-        self.page = evidence.watch(page)
+        self.page = failure_traces.watch(page)
         self._started: dict = {}  # by cell: its index, and its count before
         page.set_default_timeout(PATIENCE)
 

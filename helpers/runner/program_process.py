@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import asdict
 
-from helpers.runner import answers, explanations, preloading, spent, start_processes, values
+from helpers.runner import allowed_replies, explanations, preloading, spent, start_processes, values
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
 from helpers.runner.load import busy
 from helpers.runner.text import LEFT_OUT
@@ -247,14 +247,14 @@ class ProgramProcess:
                 if busy():  # a right program may be late: judged are those that get the processor
                     with suppress(ChannelTimeout):
                         answer = self._answer(number, 3 * limit)
-                        answers.check(op, answer)
+                        allowed_replies.check(op, answer)
                         return self._unless_at_fault(answer, arguments)
                 lines = self._where()
                 if lines != [] and not _imports(lines):
                     raise
                 # No line of the learner's is running, or one that loads a module: the machine is slow, not the program.
                 answer = self._answer(number, 3 * limit)
-            answers.check(op, answer)
+            allowed_replies.check(op, answer)
         except ChannelTimeout:
             raise self._hanging(op, limit, arguments, lines or []) from None
         except ChannelClosed:
