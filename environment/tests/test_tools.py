@@ -177,10 +177,10 @@ def test_the_lock_lasts_as_long_as_a_killed_set_ups_tool(tmp_path):
     """The set-up is killed, its compiler goes on: nobody may start to build meanwhile."""
     code = (
         f'import sys, os; sys.path.insert(0, {str(ROOT)!r})\n'
-        'from environment.setup import mutex, processes\n'
+        'from environment.setup import mutex, tool_processes\n'
         'from pathlib import Path\n'
         f'with mutex.exclusive(Path({str(tmp_path / "lock")!r}), print) as lock:\n'
-        f'    processes.run(["sh", "-c", "echo $$; exec sleep 60"], Path({str(tmp_path / "log")!r}), os.environ,\n'
+        f'    tool_processes.run(["sh", "-c", "echo $$; exec sleep 60"], Path({str(tmp_path / "log")!r}), os.environ,\n'
         '                  lambda line: print(line, end="", flush=True), keep=(lock,))\n'
     )
     command = [getattr(sys, '_base_executable', sys.executable), '-ESc', code]

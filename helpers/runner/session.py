@@ -199,6 +199,8 @@ class _Collection:
             ]
             if self.tests and not only:
                 break
+            if not self.tests:  # a process died before it had collected them: all are asked for again
+                only = None
             # Only tests that were asked for count: each is begun a bounded number of times, so this loop ends.
             progress = any(
                 count > before[name] for name, count in self._begun.items() if wanted is None or name in wanted

@@ -27,7 +27,7 @@ _HOME = {
     'Odometry': 'odometry',
     'PointCloud2': 'point_cloud',
     'RobotModel': 'robot_model',
-    'Text': 'text',
+    'Text': 'text_display',
     'TfView': 'tf_view',
     'show_frames': 'frames_diagram',
 }

@@ -134,7 +134,7 @@ def test_pages_share_one_plain_script(scene, recorded, tmp_path):
 
 
 def test_what_cannot_be_bundled_is_refused(tmp_path, monkeypatch):
-    monkeypatch.setattr(recording.pages, 'WEB', tmp_path)
+    monkeypatch.setattr(recording.view_pages, 'WEB', tmp_path)
     (tmp_path / 'entry.js').write_text("import * as all from './other.js';\n")
     with pytest.raises(ValueError, match='entry.js: cannot bundle: import'):
         recording.bundled('entry.js')
