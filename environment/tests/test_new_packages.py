@@ -119,7 +119,7 @@ def results(workspace: Path) -> dict[str, tuple[int, int, int]]:
 
 
 @pytest.mark.early
-@pytest.mark.one_of(2)
+@pytest.mark.one_of(3)
 def test_new_packages_build_and_pass_their_tests(workspace):
     def create(*words):
         subprocess.run(
@@ -156,7 +156,7 @@ def test_new_packages_build_and_pass_their_tests(workspace):
     assert found['python/pytest.xml'] == (3, 0, 1)  # the copyright test, until the files have a header
 
 
-@pytest.mark.one_of(2)
+@pytest.mark.one_of(3)
 def test_the_linters_of_a_new_package_find_what_is_wrong(workspace):
     subprocess.run(
         [ROS2, 'pkg', 'create', 'subject', '--build-type', 'ament_python', '--license', 'Apache-2.0'],
@@ -177,7 +177,7 @@ def test_the_linters_of_a_new_package_find_what_is_wrong(workspace):
 
 
 @pytest.mark.early
-@pytest.mark.one_of(3)
+@pytest.mark.one_of(5)
 @pytest.mark.timeout(400)
 def test_an_interface_package_as_upstream_writes_it_builds(workspace):
     root = workspace / 'src' / 'survey_msgs'
@@ -283,7 +283,7 @@ ament_package()
 
 
 @pytest.mark.early
-@pytest.mark.one_of(2)
+@pytest.mark.one_of(3)
 def test_launch_tests_of_a_cmake_package_are_run_and_told(workspace):
     """The CMakeLists.txt of the tutorial on integration tests, and a launch test that fails."""
     root = workspace / 'src' / 'app'

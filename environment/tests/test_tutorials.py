@@ -162,6 +162,7 @@ def turtlesim(ros2):  # noqa: F811
 
 
 @pytest.mark.usefixtures('turtlesim')
+@pytest.mark.one_of(2)
 @pytest.mark.parametrize('tutorial,line,pattern', LINES, ids=[line for _, line, _ in LINES])
 def test_command_line(ros2, tutorial, line, pattern):  # noqa: F811
     done = run_line(ros2, line)
@@ -223,6 +224,7 @@ def test_a_second_turtlesim_is_remapped(ros2, turtlesim):  # noqa: F811
         assert ros2.lines('node', 'list') == ['/my_turtle', '/turtlesim']
 
 
+@pytest.mark.one_of(2)
 def test_frames_of_tf2(ros2):  # noqa: F811
     """Introducing tf2, static broadcaster, debugging: a transform is published, echoed and drawn."""
     frames = [

@@ -117,6 +117,7 @@ REFUSED = [
 
 
 @pytest.mark.usefixtures('turtlesim')
+@pytest.mark.one_of(2)
 @pytest.mark.parametrize('line,pattern', LINES, ids=[line for line, _ in LINES])
 def test_command_line(ros2, line, pattern):  # noqa: F811
     done = run_line(ros2, line)
@@ -134,6 +135,7 @@ def test_refused_line(ros2, line, status, said):  # noqa: F811
     assert 'Traceback' not in done.stderr
 
 
+@pytest.mark.one_of(2)
 def test_parameters_of_a_file_for_all_nodes(ros2, turtlesim):  # noqa: F811
     (ros2.directory / 'all.yaml').write_text('/**:\n  ros__parameters:\n    background_r: 7\n')
     assert ros2.output('param', 'load', '/turtlesim', 'all.yaml') == 'Set parameter background_r successful\n'
@@ -169,6 +171,7 @@ rclpy.spin(Monitor())
 """
 
 
+@pytest.mark.one_of(2)
 def test_changes_of_parameters_are_monitored(ros2, turtlesim):  # noqa: F811
     """Monitoring for parameter changes (Python): a node's own parameter, and one of another node."""
     (ros2.directory / 'monitor.py').write_text(MONITOR)
@@ -179,6 +182,7 @@ def test_changes_of_parameters_are_monitored(ros2, turtlesim):  # noqa: F811
             monitor.wait_for_output(f'[monitor]: {name} is {value}', PATIENCE)
 
 
+@pytest.mark.one_of(2)
 def test_a_turtle_is_recorded_and_played(ros2, turtlesim):  # noqa: F811
     """Recording and playing back data."""
     with ros2.start('bag', 'record', '-o', 'subset', '/turtle1/cmd_vel', '/turtle1/pose') as recorder:

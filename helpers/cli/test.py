@@ -7,7 +7,7 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Annotated
@@ -32,6 +32,7 @@ class Step:
     skipped: int = 0
     seconds: float = 0.0
     failures: list[str] = field(default_factory=list)  # the failed tests' names
+    succeeded: set[str] = field(default_factory=set)  # names of those that passed
     unstable: list[str] = field(default_factory=list)  # those that failed beside others and passed alone
     left_out: list[str] = field(default_factory=list)  # for each skipped test, why; it says what to install
 
@@ -94,9 +95,16 @@ def _after(step: Step, again: Step, passed: int) -> Step:
 
     A test may fail because others took the processor. It must pass alone, and is reported as unstable.
     """
-    unstable = [name for name in step.failures if name not in again.failures]
-    seconds = step.seconds + again.seconds
-    return Step(step.name, passed, again.failed, step.skipped, seconds, again.failures, unstable, step.left_out)
+    unstable = [name for name in step.failures if name in again.succeeded]
+    left = [name for name in step.failures if name not in again.succeeded]  # also what did not come to run again
+    return replace(
+        step,
+        passed=passed,
+        failed=max(len(left), again.failed),
+        seconds=step.seconds + again.seconds,
+        failures=left,
+        unstable=unstable,
+    )
 
 
 def _in_step(scratch: Path) -> Step:
@@ -190,11 +198,12 @@ def _count(step: Step, report: Path) -> None:
         total, failed, skipped = (int(suite.get(key, 0)) for key in ('tests', 'failures', 'skipped'))
         failed += int(suite.get('errors', 0))
         step.passed, step.failed, step.skipped = total - failed - skipped, failed, skipped
-        step.failures = [
-            f'{case.get("classname")}.{case.get("name")}'
-            for case in suite.iter('testcase')
-            if case.find('failure') is not None or case.find('error') is not None
-        ]
+        for case in suite.iter('testcase'):
+            name = f'{case.get("classname")}.{case.get("name")}'
+            if case.find('failure') is not None or case.find('error') is not None:
+                step.failures.append(name)
+            elif case.find('skipped') is None:
+                step.succeeded.add(name)
 
 
 def _heading(name: str) -> None:

@@ -94,6 +94,13 @@ def test_what_failed_beside_others_has_to_pass_alone_and_is_named(monkeypatch, t
     assert 'unstable: test_sample.test_starved failed beside other tests and passed alone' in capfd.readouterr().out
 
 
+def test_what_did_not_come_to_run_again_has_failed():
+    step = command.Step('tests', passed=5, failed=2, failures=['sample.first', 'sample.second'])
+    again = command.Step('again', passed=1, failed=1, failures=['sample'], succeeded={'sample.second'})
+    after = command._after(step, again, 6)
+    assert (after.failures, after.unstable, after.failed) == (['sample.first'], ['sample.second'], 1)
+
+
 def test_a_notebook_of_which_a_cell_failed_beside_others_has_to_pass_alone(monkeypatch, tmp_path, capfd):
     pytest.importorskip('grading')
     import nbformat
