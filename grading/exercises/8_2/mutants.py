@@ -94,7 +94,7 @@ MUTANTS = [
            expect='With max_linear = ', breaks='limit', also='at-once'),
     Mutant('limits_the_turn', old='command.angular.z = self.command.angular.z',
            new='command.angular.z = max(-limit, min(limit, self.command.angular.z))', expect='It stays as it is',
-           breaks='other-fields', also='modes'),
+           breaks='other-fields', also=('modes', 'at-once')),
     Mutant('passes_everything', edits=(('''
             command = Twist()
             if mode != 'stop':
