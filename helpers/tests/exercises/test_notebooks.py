@@ -1,6 +1,8 @@
 """Reading notebooks from anywhere: one typed error with a clear sentence for whatever is wrong."""
 
 import json
+import subprocess
+import sys
 
 import pytest
 
@@ -75,3 +77,9 @@ def test_read_names_a_missing_file(tmp_path):
         notebooks.read(tmp_path / 'none.ipynb')
     with pytest.raises(InvalidSubmission, match='cannot be read'):
         notebooks.read(tmp_path)
+
+
+def test_who_reads_a_notebook_makes_no_grammar():
+    """Packages that jsonschema imports if they are there may take a second, in each kernel and each grader."""
+    code = 'import sys; from helpers.exercises import notebooks; print(*{"lark", "rfc3987_syntax"} & set(sys.modules))'
+    assert subprocess.check_output([sys.executable, '-c', code], text=True).split() == []
