@@ -43,7 +43,7 @@ leftovers.note()""",
         for cell in notebook.cells:
             if cell.cell_type == 'code':
                 copy = nbformat.from_dict({**cell, 'id': f'{cell.id}-{run}'})
-                if len(runs) > 1 and run == runs[0] and cell.outputs:
+                if len(runs) > 1 and run == runs[0] and (cell.outputs or cell.execution_count):
                     copy.metadata['tags'] = [tag for tag in cell.metadata.get('tags', []) if tag != SKIP]
                 cells.append(copy)
                 if checked.KEY in cell.metadata and SKIP not in copy.metadata.get('tags', []):

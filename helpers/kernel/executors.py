@@ -19,6 +19,7 @@ activity = threading.Condition()
 #: Called with 'begin' or 'finish' and the `Work`, in its thread (see `helpers.show.timeline`).
 observers: list = []
 
+_TAKE = 0.05  # s; while all threads are busy, the longest time between two looks for new work
 _running: dict[int, 'Work'] = {}  # thread -> the callback that a watched executor runs there
 _KINDS = {
     'ActionClient': 'action client',
@@ -91,6 +92,8 @@ class Watch:
     def _next_work(self, *args, **kwargs):
         if threading.get_ident() != self.spinner or running_here():
             raise RuntimeError(_refusal(self.executor.get_nodes()))
+        if self.pool:  # rclpy hands out a task again and again until a thread has begun it
+            self.pool.wait_until_taken(_TAKE)
         task, entity, node = self._wait_for_ready_callbacks(*args, **kwargs)
         return Work(self, task, entity, node), entity, node
 
@@ -246,6 +249,8 @@ class DaemonPool:
         self.threads: list[threading.Thread] = []
         self.pending = 0  # work that waits or runs
         self._queue: queue.SimpleQueue = queue.SimpleQueue()
+        self._waiting = 0  # work that no thread has taken
+        self._taken = threading.Condition()
         self._stopped = False
 
     def submit(self, work) -> None:
@@ -254,11 +259,18 @@ class DaemonPool:
             return
         with activity:
             self.pending += 1
+        with self._taken:
+            self._waiting += 1
         self._queue.put(work)
         if len(self.threads) < self.size:
             thread = threading.Thread(target=self._run, daemon=True, name=f'callbacks {len(self.threads) + 1}')
             self.threads.append(thread)
             thread.start()
+
+    def wait_until_taken(self, timeout: float) -> bool:
+        """Wait until threads have taken all work, at most ``timeout`` seconds; tell whether they have."""
+        with self._taken:
+            return self._taken.wait_for(lambda: not self._waiting, timeout)
 
     def shutdown(self, wait: bool = False, timeout: float = 1.0) -> None:
         """Tell the threads to end after the work that they have.
@@ -279,6 +291,9 @@ class DaemonPool:
                 work = self._queue.get()
                 if work is None:
                     return
+                with self._taken:
+                    self._waiting -= 1
+                    self._taken.notify_all()
                 try:
                     work()
                 finally:

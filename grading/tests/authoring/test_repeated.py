@@ -134,15 +134,17 @@ def test_a_file_that_is_no_notebook_is_named(tmp_path):
 
 
 def test_what_takes_long_runs_once_in_a_solved_notebook_that_runs_twice_and_never_in_another_one():
-    def skipped(text, runs=('first', 'second')):
+    def skipped(text, runs=('first', 'second'), executed=None):
         long = notebook([('print(1)', text)])
         long.cells[0].metadata['tags'] = ['nbval-skip', 'other']
+        long.cells[0].execution_count = executed
         cells = repeated.repeated(long, paths.ROOT, runs).cells
         return {cell.id: 'nbval-skip' in cell.metadata.tags for cell in cells if cell.id.startswith('cell-')}
 
     assert skipped('1\n') == {'cell-0-first': False, 'cell-0-second': True}
     assert skipped('1\n', ('first',)) == {'cell-0-first': True}
-    assert skipped(None) == {'cell-0-first': True, 'cell-0-second': True}
+    assert skipped(None) == {'cell-0-first': True, 'cell-0-second': True}  # never executed
+    assert skipped(None, executed=3) == {'cell-0-first': False, 'cell-0-second': True}  # it says nothing
 
 
 def test_a_sample_runs_each_solved_notebook_and_draws_second_runs_and_learners_notebooks():

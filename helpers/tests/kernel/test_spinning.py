@@ -13,6 +13,7 @@ from rclpy.task import Future
 from std_srvs.srv import Trigger
 
 from helpers import CallbackError, spinning, wait_for
+from helpers.kernel.executors import DaemonPool
 from helpers.kernel.handles import handles
 from helpers.kernel.nodes import is_alive, living
 from helpers.tests.sample_nodes import Faulty, Listener, Talker
@@ -277,6 +278,25 @@ def test_callbacks_of_a_multi_threaded_executor_overlap():
 
 
 # ---- what changes while nodes spin
+
+
+def test_a_multi_threaded_executor_rests_while_all_of_its_threads_are_busy(monkeypatch):
+    """Rclpy hands out a task again and again until a thread has begun it (its issue 1452), and those pile up."""
+    submitted, release = [], threading.Event()
+    submit = DaemonPool.submit
+    monkeypatch.setattr(DaemonPool, 'submit', lambda pool, work: (submitted.append(work), submit(pool, work)))
+    listener, executor = Listener(), MultiThreadedExecutor(num_threads=2)
+    with spinning(listener, executor=executor), spinning(talker := Talker()):
+        wait_for(lambda: listener.heard)
+        for _ in range(2):
+            executor.create_task(lambda: release.wait(20))
+        wait_for(lambda: submitted[-1].entity is not None and not submitted[-1].task.done())  # a message waits
+        before, count = len(submitted), talker.count
+        wait_for(lambda: talker.count > count + 20)
+        assert len(submitted) - before < 100
+        listener.heard.clear()
+        release.set()
+        wait_for(lambda: listener.heard)
 
 
 def test_what_is_created_while_spinning_runs():
