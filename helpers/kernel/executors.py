@@ -152,6 +152,10 @@ class Work:
     def __getattr__(self, name):
         return getattr(self.task, name)
 
+    def done(self) -> bool:
+        """Tell whether it will not run any more. A task that was cancelled does not say so: it would be kept for ever."""
+        return self.task.done() or self.task.cancelled()
+
     def exception(self):
         """Return None: the executor asks after the run, to raise it in the thread that spins."""
         return
