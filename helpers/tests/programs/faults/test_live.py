@@ -43,8 +43,8 @@ def told(fault, script, *texts):
 @pytest.mark.parametrize(
     'kind, message',
     [
-        ('key_file', 'NO_PUBKEY'),
-        ('wrong_key', 'NO_PUBKEY'),
+        ('key_file', 'is not signed'),
+        ('wrong_key', 'is not signed'),
         ('suite', 'does not have a Release file'),
         ('codename', 'jammy'),
         ('component', "doesn't have the component"),
