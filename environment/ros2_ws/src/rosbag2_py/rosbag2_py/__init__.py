@@ -4,6 +4,7 @@ Read, write and reindex bags of messages: MCAP and SQLite, in the format of Jazz
 The names are upstream's, as far as its tutorials use them. The files are written and read by the library rosbags.
 """
 
+from rosbag2_py import _storage  # noqa: F401  # tutorials write rosbag2_py._storage.StorageOptions
 from rosbag2_py.metadata import BagError, MetadataIo
 from rosbag2_py.options import (
     BagMetadata,

@@ -135,6 +135,17 @@ def test_other_tools_read_it_without_the_packages(tmp_path, storage):
         assert [point.x for point in points] == [1.5]
 
 
+def test_the_names_of_the_tutorials_need_no_import_of_their_own():
+    code = """
+        import rosbag2_py
+
+        storage_options = rosbag2_py._storage.StorageOptions(uri='my_bag', storage_id='mcap')
+        converter_options = rosbag2_py._storage.ConverterOptions('', '')
+        rosbag2_py._storage.TopicMetadata(id=0, name='a', type='std_msgs/msg/String', serialization_format='cdr')
+    """
+    subprocess.run([sys.executable, '-c', textwrap.dedent(code)], check=True)
+
+
 def test_metadata_is_that_of_jazzy(tmp_path):
     content = yaml.safe_load((write(tmp_path / 'bag', 'mcap') / 'metadata.yaml').read_text())
     inner = content['rosbag2_bagfile_information']
