@@ -550,6 +550,7 @@ def test_the_description_is_shown_as_a_tree():
                 RegisterEventHandler(OnProcessExit(on_exit=[LogInfo(msg='y')])),
                 process,
                 GroupAction([]),
+                LaunchDescription(),
             ]
         )
     )
@@ -559,7 +560,8 @@ def test_the_description_is_shown_as_a_tree():
     assert lines[3] == "│   ├── OnProcessExit(matcher='ProcessExited', on_exit=<actions>)"
     assert lines[4] == "│       └── LogInfo('y')"
     assert lines[5] == "├── ExecuteProcess(cmd=['ls', LaunchConfig('a')], cwd=None, env=None, shell=False)"
-    assert re.fullmatch(r"└── Action\('<launch\.actions\.group_action\.GroupAction object at 0x\w+>'\)", lines[6])
+    assert re.fullmatch(r"├── Action\('<launch\.actions\.group_action\.GroupAction object at 0x\w+>'\)", lines[6])
+    assert re.fullmatch(r"└── Unknown entity\('<launch\.launch_description\.LaunchDescription .+>'\)", lines[7])
 
 
 # --- events and handlers -----------------------------------------------------------------------------------------
