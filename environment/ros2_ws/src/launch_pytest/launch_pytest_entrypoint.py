@@ -77,10 +77,13 @@ def pytest_pycollect_makeitem(collector, name: str, obj: Any):
         return None
     options = _options(marks)
     if options is None:
-        raise collector.CollectError(
+        reason = (
             f'{name}(): "fixture" keyword argument is required in a pytest.mark.launch() decorator; it takes a '
             'launch_pytest.fixture'
         )
+        collector.warn(pytest.PytestCollectionWarning(reason))
+        pytest.mark.skip(reason)(obj)
+        return list(collector._genfunctions(name, obj))
     pytest.mark.usefixtures(options.name)(obj)
     items = list(collector._genfunctions(name, obj))
     if not _has_second_part(obj) or options.scope == 'function':

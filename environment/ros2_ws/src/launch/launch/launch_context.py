@@ -7,11 +7,24 @@ import contextlib
 import os
 from collections import deque
 from collections.abc import Callable, Iterable, MutableMapping
-from types import SimpleNamespace
 from typing import Any
 
 from launch.event import Event
 from launch.substitution import Substitution
+
+
+class _Locals:
+    """The local variables as attributes, to be read only."""
+
+    def __init__(self, values: dict[str, Any]):
+        vars(self).update(values)
+
+    def __getattr__(self, name: str):
+        known = ', '.join(vars(self))
+        raise AttributeError(f"context.locals does not contain attribute '{name}', it contains: [{known}]")
+
+    def __setattr__(self, name: str, value: Any):
+        raise AttributeError(f"can't set attribute '{name}', locals are read-only; see extend_locals of the context")
 
 
 class LaunchContext:
@@ -63,9 +76,9 @@ class LaunchContext:
     # --- locals: what is known only while an event is handled or a file is visited ----------------------------
 
     @property
-    def locals(self) -> SimpleNamespace:
-        """The local variables, e.g. ``event`` and ``current_launch_file_directory``."""
-        return SimpleNamespace(**self.get_locals_as_dict())
+    def locals(self) -> Any:
+        """The local variables as attributes, e.g. ``event`` and ``current_launch_file_directory``; not to be set."""
+        return _Locals(self.get_locals_as_dict())
 
     def get_locals_as_dict(self) -> dict[str, Any]:
         """Return a copy of the local variables, the global ones among them."""

@@ -58,14 +58,24 @@ class LaunchDescription(LaunchDescriptionEntity):
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
         return self._entities
 
-    def get_launch_arguments(self) -> list:
+    def get_launch_arguments(self, conditional_inclusion: bool = False) -> list:
         """
         Return the DeclareLaunchArgument actions that can be found without launching, each name once.
 
-        Those behind a condition are marked as such; those that an include provides are left out.
+        :param conditional_inclusion: mark all as behind a condition, not only those that are
+        """
+        found = self.get_launch_arguments_with_include_launch_description_actions(conditional_inclusion)
+        return [argument for argument, _ in found]
+
+    def get_launch_arguments_with_include_launch_description_actions(self, conditional_inclusion: bool = False) -> list:
+        """
+        Return the same actions, each with the list of the includes around it, the outermost first; None for no include.
+
+        Those behind a condition are marked as such. What follows a ResetLaunchConfigurations is left out, as no
+        argument of the launch reaches it.
         """
         found: dict = {}
-        _collect(self._entities, conditional=False, provided=frozenset(), found=found)
+        _collect(self._entities, conditional=conditional_inclusion, includes=None, found=found)
         return list(found.values())
 
 
@@ -74,19 +84,20 @@ def _check(entity) -> None:
         raise TypeError(f'a launch description holds actions, got {entity!r}')
 
 
-def _collect(entities, *, conditional: bool, provided: frozenset, found: dict) -> None:
+def _collect(entities, *, conditional: bool, includes: list | None, found: dict) -> None:
     from launch.actions.declare_launch_argument import DeclareLaunchArgument
     from launch.actions.include_launch_description import IncludeLaunchDescription
+    from launch.actions.reset_launch_configurations import ResetLaunchConfigurations
 
     for entity in entities:
+        if isinstance(entity, ResetLaunchConfigurations):
+            return
         if isinstance(entity, DeclareLaunchArgument):
-            if entity.name not in provided and entity.name not in found:
+            if entity.name not in found:
                 entity._conditionally_included = conditional or entity.condition is not None
-                found[entity.name] = entity
+                found[entity.name] = (entity, includes)
             continue
-        given = provided
-        if isinstance(entity, IncludeLaunchDescription):
-            given |= entity.provided_names()
-        _collect(entity.describe_sub_entities(), conditional=conditional, provided=given, found=found)
+        around = [*(includes or []), entity] if isinstance(entity, IncludeLaunchDescription) else includes
+        _collect(entity.describe_sub_entities(), conditional=conditional, includes=around, found=found)
         for _, some in entity.describe_conditional_sub_entities():
-            _collect(some, conditional=True, provided=given, found=found)
+            _collect(some, conditional=True, includes=around, found=found)

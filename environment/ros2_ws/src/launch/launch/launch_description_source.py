@@ -24,23 +24,18 @@ class LaunchDescriptionSource:
     def __init__(
         self,
         launch_description: LaunchDescription | None = None,
-        location: SomeSubstitutionsType | None = None,
+        location: SomeSubstitutionsType = '<string>',
         method: str = 'unspecified mechanism from a script',
     ):
         self._description = launch_description
-        self._location = normalize_to_list_of_substitutions('<script>' if location is None else location)
+        self._location = normalize_to_list_of_substitutions(location)
         self.method = method
-        self._path: str | None = None
+        self._expanded_location: str | None = None
 
     @property
     def location(self) -> str:
-        """The path if it is known, otherwise how it will be found."""
-        return self._path or describe_substitutions(self._location)
-
-    @property
-    def path(self) -> str | None:
-        """The path of the file, once it is known; None for a description that comes from no file."""
-        return self._path
+        """The path or name if it is known, otherwise how it will be found."""
+        return describe_substitutions(self._location) if self._expanded_location is None else self._expanded_location
 
     def get_launch_description(self, context: LaunchContext) -> LaunchDescription:
         """
@@ -48,10 +43,11 @@ class LaunchDescriptionSource:
 
         :raises OSError: if it cannot be read
         """
-        if self._description is not None:
-            return self._description
-        self._path = os.path.abspath(to_text(context, self._location))
-        return self._load(self._path)
+        location = to_text(context, self._location)
+        if self._description is None:
+            location = os.path.abspath(location)
+        self._expanded_location = location
+        return self._load(location) if self._description is None else self._description
 
     def try_get_launch_description_without_context(self) -> LaunchDescription | None:
         """Load the file if its path is known without launching and it has no fault; otherwise return None."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from launch.action import Action
 from launch.actions.emit_event import EmitEvent
 from launch.actions.execute_process import ExecuteProcess
 from launch.actions.log_info import LogInfo
@@ -29,7 +30,8 @@ def _lines(entities, depth: int) -> list[tuple[int, str]]:
         elif isinstance(entity, _DESCRIBED):
             result.append((depth, entity.describe()))
         else:
-            result.append((depth, f"Action('{entity}')"))
+            kind = 'Action' if isinstance(entity, Action) else 'Unknown entity'
+            result.append((depth, f"{kind}('{entity}')"))
     return result
 
 

@@ -29,7 +29,7 @@ class LaunchService:
     """
 
     def __init__(self, *, argv: Iterable[str] | None = None, noninteractive: bool = False, debug: bool = False):
-        launch.logging.launch_config.set_level(launch.logging.DEBUG if debug else launch.logging.INFO)
+        launch.logging.launch_config.level = launch.logging.DEBUG if debug else launch.logging.INFO
         self._logger = launch.logging.get_logger('launch')
         launch.logging.log_launch_config(logger=self._logger)
         self._context = LaunchContext(argv=argv, noninteractive=noninteractive)

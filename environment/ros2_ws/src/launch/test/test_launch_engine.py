@@ -53,6 +53,7 @@ from launch.substitutions import (
     PythonExpression,
     SubstitutionFailure,
     TextSubstitution,
+    ThisLaunchFile,
     ThisLaunchFileDir,
 )
 
@@ -268,9 +269,10 @@ def test_included_files_get_arguments_and_know_where_they_are(go, tmp_path):
     )
     assert go(include)[1] == [f'{child.parent} me', f'later in {child.parent}']
     assert not list(tmp_path.glob('**/__pycache__'))
-    assert LaunchDescription([include]).get_launch_arguments() == []
     bare = IncludeLaunchDescription(str(child))
-    assert [argument.name for argument in LaunchDescription([bare]).get_launch_arguments()] == ['who']
+    for action in (include, bare):
+        found = LaunchDescription([action]).get_launch_arguments_with_include_launch_description_actions()
+        assert [(argument.name, includes) for argument, includes in found] == [('who', [action])]
     status, _, lines = go(bare)
     assert status == 1
     assert lines[0].endswith(
@@ -488,6 +490,49 @@ def test_a_service_in_a_thread_leaves_signals_alone_and_waits_when_idle(capsys):
     assert results == [0]
 
 
+def test_an_include_between_may_give_what_is_required(go):
+    def launched(given, outer):
+        inner = IncludeLaunchDescription(
+            LaunchDescriptionSource(LaunchDescription([DeclareLaunchArgument('a')])), launch_arguments=given
+        )
+        source = LaunchDescriptionSource(LaunchDescription([inner]))
+        return go(IncludeLaunchDescription(source, launch_arguments=outer))[0]
+
+    assert launched([('a', '1')], []) == 0
+    assert launched([], [('a', '1')]) == 1  # that it is set outside does not count
+
+
+def test_arguments_behind_a_reset_are_not_those_of_the_launch():
+    inside = GroupAction([DeclareLaunchArgument('a')], forwarding=False)
+    description = LaunchDescription([DeclareLaunchArgument('b'), inside, DeclareLaunchArgument('c')])
+    assert [argument.name for argument in description.get_launch_arguments()] == ['b', 'c']
+    assert all(argument._conditionally_included for argument in description.get_launch_arguments(True))
+
+
+def test_a_description_from_a_script_is_its_own_place(go):
+    where = LogInfo(msg=[ThisLaunchFileDir(), ' ', ThisLaunchFile()])
+    source = LaunchDescriptionSource(LaunchDescription([where]), location='<script>')
+    assert go(IncludeLaunchDescription(source))[1] == [f'<script> {os.path.abspath("<script>")}']
+    assert source.location == '<script>'
+
+
+def test_locals_are_read_only_and_name_what_there_is():
+    context = LaunchContext()
+    context.extend_globals({'a': 1})
+    context.extend_locals({'b': 2})
+    assert (context.locals.a, context.locals.b) == (1, 2)
+    with pytest.raises(AttributeError, match=r"does not contain attribute 'c', it contains: \[a, b\]"):
+        context.locals.c  # noqa: B018
+    with pytest.raises(AttributeError, match="can't set attribute 'a', locals are read-only"):
+        context.locals.a = 2
+
+
+@pytest.mark.parametrize('kind', [SetLaunchConfiguration, SetEnvironmentVariable, AppendEnvironmentVariable])
+def test_names_and_values_of_actions_are_lists_of_substitutions(kind):
+    action = kind('a', ['b', LaunchConfiguration('c')])
+    assert [part.text for part in action.name] == ['a'] and len(action.value) == 2
+
+
 def test_without_a_writable_log_directory_the_launch_goes_on(go, monkeypatch, tmp_path, capsys):
     blocker = tmp_path / 'file'
     blocker.write_text('')
@@ -505,6 +550,7 @@ def test_the_description_is_shown_as_a_tree():
                 RegisterEventHandler(OnProcessExit(on_exit=[LogInfo(msg='y')])),
                 process,
                 GroupAction([]),
+                LaunchDescription(),
             ]
         )
     )
@@ -514,7 +560,8 @@ def test_the_description_is_shown_as_a_tree():
     assert lines[3] == "│   ├── OnProcessExit(matcher='ProcessExited', on_exit=<actions>)"
     assert lines[4] == "│       └── LogInfo('y')"
     assert lines[5] == "├── ExecuteProcess(cmd=['ls', LaunchConfig('a')], cwd=None, env=None, shell=False)"
-    assert re.fullmatch(r"└── Action\('<launch\.actions\.group_action\.GroupAction object at 0x\w+>'\)", lines[6])
+    assert re.fullmatch(r"├── Action\('<launch\.actions\.group_action\.GroupAction object at 0x\w+>'\)", lines[6])
+    assert re.fullmatch(r"└── Unknown entity\('<launch\.launch_description\.LaunchDescription .+>'\)", lines[7])
 
 
 # --- events and handlers -----------------------------------------------------------------------------------------
@@ -714,3 +761,42 @@ def test_the_form_of_the_lines_can_be_chosen(capsys, monkeypatch):
     launch.logging.get_logger('one').info('x')
     assert capsys.readouterr().out == 'one\tx\n'
     assert Path(launch.logging.launch_config.get_log_file_path()).read_text() == 'log x\n'
+
+
+def test_handlers_of_ones_own_take_the_log_files():
+    config, written = launch.logging.launch_config, []
+
+    class Kept(launch.logging.handlers.Handler):
+        def emit(self, record):
+            written.append((self.path, self.format(record)))
+
+    def made(path, encoding):
+        handler = Kept()
+        handler.path = os.path.basename(path)
+        return handler
+
+    config.log_handler_factory = made
+    config.set_log_format('{levelname} {message}')
+    launch.logging.get_logger('one').info('x')
+    out, _ = launch.logging.get_output_loggers('p', {'stdout': {'log', 'own_log'}})
+    out.info('y')
+    (first, x), (main, timed), own = written
+    assert (first, x, main, own) == ('launch.log', 'INFO x', 'launch.log', ('p-stdout.log', 'y'))
+    assert re.fullmatch(r'\d+\.\d+ y', timed)
+    assert launch.logging.handlers.Handler is launch.logging.handlers.Handler
+    with pytest.raises(AttributeError, match='there is no handler Formatter'):
+        launch.logging.handlers.Formatter  # noqa: B018
+
+
+def test_after_a_reset_old_loggers_write_nothing_and_settings_are_new(capsys):
+    config, old = launch.logging.launch_config, launch.logging.get_logger('one')
+    config.level = launch.logging.DEBUG
+    old.debug('x')
+    config.reset()
+    old.error('y')
+    new = launch.logging.get_logger('one')
+    new.debug('y')
+    assert capsys.readouterr().out == '[DEBUG] [one]: x\n' and config.level == launch.logging.INFO
+    config.level = launch.logging.ERROR  # also for loggers that there are
+    new.info('y')
+    assert capsys.readouterr().out == ''

@@ -13,7 +13,7 @@ from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.substitutions import SubstitutionFailure
 from launch.utilities import perform_substitutions, to_text
-from launch.utilities.type_utils import coerce_to_type, extract_type, is_typing_list, to_bool
+from launch.utilities.type_utils import normalize_typed_substitution, perform_typed_substitution, to_bool
 
 
 class ParameterValue:
@@ -23,10 +23,11 @@ class ParameterValue:
     :param value: a plain value, or substitutions
     :param value_type: bool, int, float, str, a List of one of them, or None to let YAML decide. With str a text stays
         a text.
+    :raises TypeError: if the value can never be of the type
     """
 
-    def __init__(self, value: Any, *, value_type: type | None = None):
-        self.value, self.value_type = value, value_type
+    def __init__(self, value: Any, *, value_type: Any = None):
+        self.value, self.value_type = normalize_typed_substitution(value, value_type), value_type
 
     def evaluate(self, context: LaunchContext) -> Any:
         """
@@ -34,24 +35,7 @@ class ParameterValue:
 
         :raises ValueError: if the text is not of the type
         """
-        value = self.value
-        is_list = is_typing_list(self.value_type)
-        if not (isinstance(value, Substitution) or is_one_text(value)):
-            if isinstance(value, (list, tuple)):
-                kind = extract_type(self.value_type)[0] if is_list else None
-                return [ParameterValue(item, value_type=kind).evaluate(context) for item in value]
-            return value if self.value_type is None or is_list else self.value_type(value)
-        text = to_text(context, value)
-        if self.value_type is str:
-            return text
-        if is_list:
-            return coerce_to_type(text, self.value_type)
-        loaded = yaml.safe_load(text)
-        if self.value_type is float and isinstance(loaded, int) and not isinstance(loaded, bool):
-            return float(loaded)
-        if self.value_type is not None and type(loaded) is not self.value_type:
-            raise ValueError(f"Cannot convert value '{text}' to type '{self.value_type.__name__}'")
-        return loaded
+        return perform_typed_substitution(context, self.value, self.value_type)
 
 
 class Parameter:

@@ -184,6 +184,8 @@ def test_a_node_of_an_xml_file():
           <param name="s" value="$(var x)" type="str"/>
           <param name="f" value="5" type="float"/>
           <param name="l" value="1.5, 2.5" value-sep=", "/>
+          <param name="texts" value="'2', 5" value-sep=", " type="list_of_str"/>
+          <param name="quoted" value="&quot;'2'&quot;, '5'" value-sep=", "/>
           <param name="group"><param name="inner" value="true"/></param>
           <param from="/no/such.yaml"/>
           <remap from="a" to="$(var x)/b"/>
@@ -191,9 +193,12 @@ def test_a_node_of_an_xml_file():
     """)
     assert words[:8] == ['--flag', 'a b', 'x5', '--ros-args', '--log-level', 'debug', '-r', '__node:=n5']
     assert words[8:14] == ['-r', '__ns:=/top/low', '-p', 'use_sim_time:=true', '-p', 'a b:=5']
-    assert words[-2:] == ['-r', 'a:=5/b'] and words[-4:-2] == ['--params-file', '/no/such.yaml']
+    assert words[-2:] == ['-r', 'a:=5/b'] and '/no/such.yaml' not in words
     values = [yaml.safe_load(file)['/top/low/n5']['ros__parameters'] for file in files]
-    assert values == [{'i': 5}, {'none': ''}, {'s': '5'}, {'f': 5.0}, {'l': [1.5, 2.5]}, {'group.inner': True}]
+    assert values == [
+        {'i': 5}, {'none': ''}, {'s': '5'}, {'f': 5.0}, {'l': [1.5, 2.5]}, {'texts': ["'2'", '5']},
+        {'quoted': ["'2'", '5']}, {'group.inner': True},
+    ]  # fmt: skip
 
 
 def test_a_node_of_an_xml_file_without_a_package():
@@ -208,7 +213,9 @@ def test_a_node_of_an_xml_file_without_a_package():
         ('<node pkg="p" exec="e"><param value="1"/></node>', ValueError, 'param Entity should have name or from'),
         ('<node pkg="p" exec="e"><param name="a" from="b"/></node>', RuntimeError, 'mutually exclusive'),
         ('<node pkg="p" exec="e"><param name="a"/></node>', RuntimeError, 'either a value attribute or nested params'),
-        ('<node pkg="p" exec="e"><param name="a" value="1" type="int8"/></node>', ValueError, 'one of bool, int'),
+        ('<node pkg="p" exec="e"><param name="a" value="1" type="int8"/></node>', ValueError, "type identifier 'int8'"),
+        ('<node pkg="p" exec="e"><param name="a" type="int"><param name="b" value="1"/></param></node>', RuntimeError,
+         'nested parameters and type attributes are mutually exclusive'),
         ('<node pkg="p" exec="e"><param name="a" values="1"/></node>', ValueError, "found in `param`: {'values'}"),
         ('<node pkg="p" exec="e"><remap from="a" too="b"/></node>', AttributeError, "Attribute 'to'"),
         ('<node pkg="p"/>', AttributeError, "Attribute 'exec' of type '<class 'str'>' not found in Entity 'node'"),
@@ -219,6 +226,33 @@ def test_a_node_of_an_xml_file_without_a_package():
 def test_faults_of_a_node_in_an_xml_file(text, kind, message):
     with pytest.raises(kind, match=message):
         node_of(text)
+
+
+def test_a_parameter_file_that_is_missing_is_told_and_left_out(capsys):
+    launch.logging.reset()
+    node = Node(executable='x', parameters=['/no/such.yaml', {'p': 1}])
+    context = LaunchContext()
+    assert '/no/such.yaml' not in node.get_command(context)
+    assert 'Parameter file path is not a file: /no/such.yaml' in capsys.readouterr().out
+    context.close()
+
+
+@pytest.mark.parametrize('value, kind', [('5', int), (5, float), ([1, 'a'], list[int]), ([1], int), (None, None)])
+def test_values_that_can_never_have_their_type_are_refused_at_once(value, kind):
+    with pytest.raises(TypeError):
+        ParameterValue(value, value_type=kind)
+
+
+def test_two_nodes_of_one_name_in_a_launch_are_told(capsys):
+    launch.logging.reset()
+    service = LaunchService()
+    service.include_launch_description(LaunchDescription([
+        Node(executable='true', name=name, namespace='/ns') for name in ('a', 'b', 'a')
+    ]))  # fmt: skip
+    assert service.run() == 0
+    warned = [line for line in capsys.readouterr().out.splitlines() if 'there are now' in line]
+    assert len(warned) == 1
+    assert warned[0].endswith('at least 2 nodes with the name /ns/a created within this launch context')
 
 
 def test_substitutions_of_packages_and_parameters():

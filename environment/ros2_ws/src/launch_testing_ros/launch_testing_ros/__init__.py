@@ -1,6 +1,7 @@
 """What tests of launched ROS nodes need beside ``launch_testing``."""
 
 from launch_testing_ros import tools
+from launch_testing_ros.data_republisher import DataRepublisher
 from launch_testing_ros.wait_for_topics import WaitForTopics
 
-__all__ = ['WaitForTopics', 'tools']
+__all__ = ['DataRepublisher', 'WaitForTopics', 'tools']

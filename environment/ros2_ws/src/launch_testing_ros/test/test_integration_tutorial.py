@@ -9,7 +9,7 @@ import launch_testing.actions
 import launch_testing.asserts
 import pytest
 import rclpy
-from launch_testing_ros import WaitForTopics
+from launch_testing_ros import DataRepublisher, WaitForTopics
 from turtlesim.msg import Pose
 
 
@@ -58,6 +58,26 @@ class TestTurtleSim(unittest.TestCase):
             self.assertEqual(topics.topics_received(), {'turtle1/pose'})
             self.assertEqual(topics.topics_not_received(), set())
             self.assertIsInstance(topics.received_messages('turtle1/pose')[-1], Pose)
+
+    def test_messages_are_changed_on_their_way(self):
+        executor = rclpy.executors.SingleThreadedExecutor(context=self.context)
+        executor.add_node(self.node)
+        heard = []
+        self.node.create_subscription(Pose, 'moved', heard.append, 10)
+
+        def moved(pose):
+            pose.x += 100
+            return pose if republisher.get_num_received() % 2 else None
+
+        republisher = DataRepublisher(self.node, 'turtle1/pose', 'moved', Pose, moved)
+        end = self.node.get_clock().now() + rclpy.duration.Duration(seconds=60)
+        while len(heard) < 3 and self.node.get_clock().now() < end:
+            executor.spin_once(timeout_sec=1)
+        republisher.shutdown()
+        executor.shutdown()
+        self.assertTrue(len(heard) >= 3 and all(pose.x > 100 for pose in heard))
+        self.assertEqual(republisher.get_num_republished(), len(republisher.get_republished()))
+        self.assertEqual(republisher.get_num_republished(), (republisher.get_num_received() + 1) // 2)
 
     def test_a_topic_without_messages_is_named(self):
         called = []

@@ -181,8 +181,8 @@ class Chain(SimpleFilter):
         self._output = message_filter.registerCallback(self.signalMessage)
 
     def getFilter(self, index: int) -> SimpleFilter:
-        """Return the filter at a place; IndexError if there is none."""
-        return self._filters[index]
+        """Return the filter at a place; KeyError if there is none."""
+        return dict(enumerate(self._filters))[index]
 
 
 class TimeSynchronizer(SimpleFilter):

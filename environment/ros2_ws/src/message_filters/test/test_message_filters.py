@@ -150,6 +150,8 @@ def test_a_chain_is_one_filter():
     source.signalMessage('1')
     assert got == ['0', '1abc']
     assert chain.getFilter(1).name == 'b'
+    with pytest.raises(KeyError):
+        chain.getFilter(-1)
     with pytest.raises(RuntimeError, match='Already connected'):
         chain.connectInput(source)
 

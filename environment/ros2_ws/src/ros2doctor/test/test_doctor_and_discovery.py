@@ -42,6 +42,15 @@ def test_doctor_report(ros2):
     assert re.search(r'^ros2doctor +: latest=N/A, local=\d+\.\d+\.\d+$', text, re.MULTILINE)
 
 
+def test_doctor_hello_tells_in_a_table_who_is_heard(ros2):
+    greeting = """{data: "hello, it's me robot"}"""
+    with ros2.start('topic', 'pub', '-r', '20', '/canyouhearme', 'std_msgs/msg/String', greeting):
+        lines = ros2.output('doctor', 'hello', '--once', '--print-period', '4.0').splitlines()
+    head = f'{"":<15} {"Hostname":<20} {"Msg Count /4.0s":<10}'
+    assert lines[:4:2] == ['MULTIMACHINE COMMUNICATION SUMMARY', 'Subscribed from:'] and lines.count(head) == 2
+    assert re.fullmatch(r' {16}robot {16}\d+ *', lines[4])
+
+
 def test_doctor_says_what_is_wrong(ros2):
     bad = type(ros2)({**ros2.environ, 'ROS_DISTRO': ''}, ros2.directory)
     done = bad.run('doctor', '-rf')

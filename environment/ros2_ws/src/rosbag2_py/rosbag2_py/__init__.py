@@ -4,7 +4,8 @@ Read, write and reindex bags of messages: MCAP and SQLite, in the format of Jazz
 The names are upstream's, as far as its tutorials use them. The files are written and read by the library rosbags.
 """
 
-from rosbag2_py.metadata import BagError
+from rosbag2_py import _storage  # noqa: F401  # tutorials write rosbag2_py._storage.StorageOptions
+from rosbag2_py.metadata import BagError, MetadataIo
 from rosbag2_py.options import (
     BagMetadata,
     ConverterOptions,
@@ -26,6 +27,7 @@ __all__ = [
     'ConverterOptions',
     'FileInformation',
     'Info',
+    'MetadataIo',
     'ReadOrder',
     'ReadOrderSortBy',
     'Reindexer',
@@ -36,7 +38,9 @@ __all__ = [
     'TopicInformation',
     'TopicMetadata',
     'get_default_storage_id',
+    'get_registered_compressors',
     'get_registered_readers',
+    'get_registered_serializers',
     'get_registered_writers',
 ]
 
@@ -46,9 +50,19 @@ def get_default_storage_id() -> str:
     return DEFAULT_STORAGE
 
 
+def get_registered_compressors() -> set[str]:
+    """Return the formats in which files and messages can be compressed: none; MCAP compresses by its presets."""
+    return set()
+
+
 def get_registered_readers() -> set[str]:
     """Return the storages that can be read."""
     return {'mcap', 'sqlite3'}
+
+
+def get_registered_serializers() -> set[str]:
+    """Return the serialization formats."""
+    return {'cdr'}
 
 
 def get_registered_writers() -> set[str]:

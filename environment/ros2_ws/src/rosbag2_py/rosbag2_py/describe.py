@@ -11,7 +11,7 @@ SERVICE_EVENTS = '/_service_event'
 
 def describe(metadata: BagMetadata) -> str:
     """Return the text, an empty line first."""
-    end = metadata.starting_time + metadata.duration
+    start, duration = metadata.starting_time.nanoseconds, metadata.duration.nanoseconds
     topics = [each for each in metadata.topics_with_message_count if not is_service_event(each.topic_metadata.name)]
     services = [each for each in metadata.topics_with_message_count if is_service_event(each.topic_metadata.name)]
     lines = [
@@ -20,9 +20,9 @@ def describe(metadata: BagMetadata) -> str:
         _line('Bag size:', _size(metadata.bag_size)),
         _line('Storage id:', metadata.storage_identifier),
         _line('ROS Distro:', metadata.ros_distro or 'unknown'),
-        _line('Duration:', f'{_seconds(metadata.duration)}s'),
-        _line('Start:', _moment(metadata.starting_time)),
-        _line('End:', _moment(end)),
+        _line('Duration:', f'{_seconds(duration)}s'),
+        _line('Start:', _moment(start)),
+        _line('End:', _moment(start + duration)),
         _line('Messages:', str(metadata.message_count)),
         _line('Topic information:', *map(_topic, topics)),
         _line('Services:', str(len(services))),

@@ -4,6 +4,8 @@ from pathlib import Path
 from typing import Any
 
 import yaml
+from rclpy.duration import Duration
+from rclpy.time import Time
 from rosbags.rosbag2.metadata import dump_qos_v9, parse_qos
 
 from rosbag2_py.options import BagMetadata, FileInformation, TopicInformation, TopicMetadata
@@ -22,8 +24,8 @@ def inner(metadata: BagMetadata) -> dict[str, Any]:
     return {
         'version': metadata.version,
         'storage_identifier': metadata.storage_identifier,
-        'duration': {'nanoseconds': metadata.duration},
-        'starting_time': {'nanoseconds_since_epoch': metadata.starting_time},
+        'duration': {'nanoseconds': metadata.duration.nanoseconds},
+        'starting_time': {'nanoseconds_since_epoch': metadata.starting_time.nanoseconds},
         'message_count': metadata.message_count,
         'topics_with_message_count': [_topic(each) for each in metadata.topics_with_message_count],
         'compression_format': metadata.compression_format,
@@ -32,8 +34,8 @@ def inner(metadata: BagMetadata) -> dict[str, Any]:
         'files': [
             {
                 'path': each.path,
-                'starting_time': {'nanoseconds_since_epoch': each.starting_time},
-                'duration': {'nanoseconds': each.duration},
+                'starting_time': {'nanoseconds_since_epoch': each.starting_time.nanoseconds},
+                'duration': {'nanoseconds': each.duration.nanoseconds},
                 'message_count': each.message_count,
             }
             for each in metadata.files
@@ -101,14 +103,14 @@ def _parse(content: dict[str, Any], folder: Path) -> BagMetadata:
         files=[
             FileInformation(
                 each['path'],
-                each['starting_time']['nanoseconds_since_epoch'],
-                each['duration']['nanoseconds'],
+                Time(nanoseconds=each['starting_time']['nanoseconds_since_epoch']),
+                Duration(nanoseconds=each['duration']['nanoseconds']),
                 each['message_count'],
             )
             for each in content.get('files') or []
         ],
-        duration=content['duration']['nanoseconds'],
-        starting_time=content['starting_time']['nanoseconds_since_epoch'],
+        duration=Duration(nanoseconds=content['duration']['nanoseconds']),
+        starting_time=Time(nanoseconds=content['starting_time']['nanoseconds_since_epoch']),
         message_count=content['message_count'],
         topics_with_message_count=[
             TopicInformation(_parse_topic(index, each['topic_metadata']), each['message_count'])
@@ -130,3 +132,19 @@ def _parse_topic(index: int, content: dict[str, Any]) -> TopicMetadata:
         [to_rclpy(each) for each in parse_qos(content.get('offered_qos_profiles') or [])],
         content.get('type_description_hash') or '',
     )
+
+
+class MetadataIo:
+    """Reads and writes the metadata of bags, whose folders are named."""
+
+    def metadata_file_exists(self, uri: str) -> bool:
+        """Return whether the folder has a metadata.yaml."""
+        return (Path(uri) / FILE).is_file()
+
+    def read_metadata(self, uri: str) -> BagMetadata:
+        """Return the metadata; raises BagError if there is none."""
+        return read(Path(uri))
+
+    def write_metadata(self, uri: str, metadata: BagMetadata) -> None:
+        """Write metadata.yaml."""
+        write(Path(uri), metadata)

@@ -4,6 +4,9 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import Any
 
+from rclpy.duration import Duration
+from rclpy.time import Time
+
 
 @dataclass
 class StorageOptions:
@@ -35,10 +38,11 @@ class StorageFilter:
     """Which topics to read; empty: all. The regular expressions are matched as a whole."""
 
     topics: list[str] = field(default_factory=list)
-    regex: str = ''
-    exclude_regex: str = ''
     services_events: list[str] = field(default_factory=list)
+    regex: str = ''
     exclude_topics: list[str] = field(default_factory=list)
+    exclude_service_events: list[str] = field(default_factory=list)
+    regex_to_exclude: str = ''
 
 
 @dataclass
@@ -63,25 +67,25 @@ class TopicInformation:
 
 @dataclass
 class FileInformation:
-    """A file of a bag; times in nanoseconds."""
+    """A file of a bag."""
 
     path: str
-    starting_time: int
-    duration: int
+    starting_time: Time
+    duration: Duration
     message_count: int
 
 
 @dataclass
 class BagMetadata:
-    """What metadata.yaml says of a bag; times in nanoseconds."""
+    """What metadata.yaml says of a bag."""
 
     version: int = 9
     bag_size: int = 0
     storage_identifier: str = ''
     relative_file_paths: list[str] = field(default_factory=list)
     files: list[FileInformation] = field(default_factory=list)
-    duration: int = 0
-    starting_time: int = 0
+    duration: Duration = field(default_factory=Duration)
+    starting_time: Time = field(default_factory=Time)
     message_count: int = 0
     topics_with_message_count: list[TopicInformation] = field(default_factory=list)
     compression_format: str = ''

@@ -61,8 +61,9 @@ class Player:
         self.paused, self.skip = options.start_paused, False
         self._wait = wait
         metadata = reader.get_metadata()
-        self._start = metadata.starting_time + round(options.start_offset * _SECOND)
-        self._end = metadata.starting_time + metadata.duration
+        begin = metadata.starting_time.nanoseconds
+        self._start = begin + round(options.start_offset * _SECOND)
+        self._end = begin + metadata.duration.nanoseconds
         if options.playback_duration >= 0:
             self._end = min(self._end, self._start + round(options.playback_duration * _SECOND))
         if options.playback_until >= 0:
@@ -81,7 +82,7 @@ class Player:
                 topics=[*options.topics_to_filter, *events],
                 regex=options.regex_to_filter,
                 exclude_topics=[*options.exclude_topics_to_filter, *others],
-                exclude_regex=options.exclude_regex_to_filter,
+                regex_to_exclude=options.exclude_regex_to_filter,
             )
         )
         self.publishers: dict[str, Any] = {}

@@ -1,9 +1,12 @@
 """Reads bags."""
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
+from rclpy.duration import Duration
+from rclpy.time import Time
 from rosbags.interfaces import Connection
 from rosbags.rosbag2 import Reader, ReaderError
 
@@ -70,20 +73,41 @@ class SequentialReader:
             raise BagError('Bag is at end. No next message.')
         connection, timestamp, data = self._next
         self._next = None
+        if self._last is None or self._last[0] != timestamp:
+            self._read.clear()
+        self._read[connection.topic] += 1
+        self._last = (timestamp, connection.topic)
         return connection.topic, bytes(data), timestamp
 
     def seek(self, timestamp: int) -> None:
         """Go on with the first message at or after a time in nanoseconds."""
-        chosen = [each for each in self._open().connections if self.passes(each.topic)]
+        self._start = timestamp
+        self._last: tuple[int, str] | None = None  # time and topic of what was read last
+        self._read: Counter = Counter()  # how many messages of that time, for each topic
         self._next: tuple[Connection, int, bytes] | None = None
-        self._messages: Iterator = self._open().messages(chosen, start=timestamp) if chosen else iter(())
+        self._messages: Iterator = self._from(timestamp)
 
     def set_filter(self, storage_filter: StorageFilter) -> None:
         """Read only what the filter lets through, from here on."""
-        resume = self._next[1] if self.has_next() else None
         self._filter = storage_filter
-        if resume is not None:
-            self.seek(resume)
+        if self._last is None:
+            self.seek(self._start)
+        else:
+            self._next = None
+            self._messages = self._behind(*self._last, self._read[self._last[1]])
+
+    def _from(self, timestamp: int) -> Iterator:
+        """Return the messages at or after a time that the filter lets through."""
+        chosen = [each for each in self._open().connections if self.passes(each.topic)]
+        return self._open().messages(chosen, start=timestamp) if chosen else iter(())
+
+    def _behind(self, timestamp: int, topic: str, number: int) -> Iterator:
+        """Yield what the filter lets through behind the message of that number with that time and topic."""
+        for message in self._open().messages(start=timestamp, stop=timestamp + 1):
+            if number <= 0 and self.passes(message[0].topic):
+                yield message
+            number -= message[0].topic == topic
+        yield from self._from(timestamp + 1)
 
     def reset_filter(self) -> None:
         """Read all topics again."""
@@ -110,11 +134,14 @@ class SequentialReader:
     def passes(self, topic: str) -> bool:
         """Return whether the filter lets a topic through."""
         chosen = self._filter
-        if topic in chosen.exclude_topics or chosen.exclude_regex and re.fullmatch(chosen.exclude_regex, topic):
+        if topic in (*chosen.exclude_topics, *chosen.exclude_service_events):
             return False
-        if not (chosen.topics or chosen.regex):
+        if chosen.regex_to_exclude and re.fullmatch(chosen.regex_to_exclude, topic):
+            return False
+        named = (*chosen.topics, *chosen.services_events)
+        if not (named or chosen.regex):
             return True
-        return topic in chosen.topics or bool(chosen.regex and re.fullmatch(chosen.regex, topic))
+        return topic in named or bool(chosen.regex and re.fullmatch(chosen.regex, topic))
 
 
 class Info:
@@ -157,7 +184,8 @@ def read_metadata(path: Path, reader: Reader) -> BagMetadata:
         return metadata_file.read(path)
     storage = next(name for name, suffix in SUFFIXES.items() if suffix == path.suffix)
     count = reader.message_count
-    start, duration = (reader.start_time, reader.duration - 1) if count else (0, 0)
+    start = Time(nanoseconds=reader.start_time if count else 0)
+    duration = Duration(nanoseconds=reader.duration - 1 if count else 0)
     topics = [TopicInformation(_topic(index, each), each.msgcount) for index, each in enumerate(reader.connections)]
     return BagMetadata(
         bag_size=path.stat().st_size,

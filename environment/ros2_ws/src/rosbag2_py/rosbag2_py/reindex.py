@@ -4,6 +4,8 @@ import os
 import re
 from pathlib import Path
 
+from rclpy.time import Time
+
 from rosbag2_py import metadata as metadata_file
 from rosbag2_py.files import SUFFIXES, end_mcap
 from rosbag2_py.metadata import BagError
@@ -55,13 +57,14 @@ def _joined(parts: list[BagMetadata], storage: str) -> BagMetadata:
             known = topics.setdefault(each.topic_metadata.name, TopicInformation(each.topic_metadata, 0))
             known.message_count += each.message_count
     filled = [part for part in parts if part.message_count]
-    start = min((part.starting_time for part in filled), default=0)
+    start = min((part.starting_time for part in filled), default=Time())
+    end = max((part.starting_time + part.duration for part in filled), default=start)
     return BagMetadata(
         storage_identifier=storage,
         relative_file_paths=[path for part in parts for path in part.relative_file_paths],
         files=[file for part in parts for file in part.files],
         starting_time=start,
-        duration=max((part.starting_time + part.duration for part in filled), default=0) - start,
+        duration=end - start,
         message_count=sum(part.message_count for part in parts),
         topics_with_message_count=list(topics.values()),
         ros_distro=os.environ.get('ROS_DISTRO', 'jazzy'),

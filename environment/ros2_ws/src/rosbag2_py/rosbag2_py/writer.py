@@ -6,6 +6,8 @@ import threading
 import weakref
 from pathlib import Path
 
+from rclpy.duration import Duration
+from rclpy.time import Time
 from rosbags.interfaces import Connection, ConnectionExtRosbag2, MessageDefinition, MessageDefinitionFormat
 
 from rosbag2_py import metadata as metadata_file
@@ -190,14 +192,14 @@ class _Bag:
             files=[
                 FileInformation(
                     file.path.name,
-                    file.first if file.message_count else 0,
-                    max(0, file.last - file.first),
+                    Time(nanoseconds=file.first if file.message_count else 0),
+                    Duration(nanoseconds=max(0, file.last - file.first)),
                     file.message_count,
                 )
                 for file in self._files
             ],
-            duration=max((file.last for file in filled), default=0) - first,
-            starting_time=first,
+            duration=Duration(nanoseconds=max((file.last for file in filled), default=0) - first),
+            starting_time=Time(nanoseconds=first),
             message_count=sum(self._counts.values()),
             topics_with_message_count=[
                 TopicInformation(topic, self._counts[name]) for name, topic in self._topics.items()

@@ -9,12 +9,15 @@ import textwrap
 import pytest
 import yaml
 from geometry_msgs.msg import PointStamped
+from rclpy.duration import Duration
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.serialization import deserialize_message, serialize_message
+from rclpy.time import Time
 from rosbag2_py import (
     BagError,
     ConverterOptions,
     Info,
+    MetadataIo,
     Reindexer,
     SequentialReader,
     SequentialWriter,
@@ -84,12 +87,63 @@ def test_what_was_written_is_read(tmp_path, storage):
 
 
 @pytest.mark.parametrize('storage', STORAGES)
+def test_a_filter_counts_from_the_message_read_last(tmp_path, storage):
+    writer = SequentialWriter()
+    writer.open(StorageOptions(str(tmp_path / 'bag'), storage))
+    for index, name in enumerate('abc'):
+        writer.create_topic(TopicMetadata(index, name, 'std_msgs/msg/String', 'cdr'))
+    moments = [('a', 1), ('b', 1), ('a', 1), ('c', 1), ('a', 1), ('b', 2), ('a', 3)]
+    for topic, time in moments:
+        writer.write(topic, b'', time)
+    writer.close()
+    reader = SequentialReader()
+    reader.open_uri(str(tmp_path / 'bag'))
+
+    def rest(count):
+        return [reader.read_next()[::2] for _ in range(count)]
+
+    reader.set_filter(StorageFilter(topics=['a']))
+    assert rest(2) == [('a', 1)] * 2
+    reader.reset_filter()
+    assert rest(2) == moments[3:5]
+    reader.set_filter(StorageFilter(regex_to_exclude='b'))
+    reader.set_filter(StorageFilter(exclude_topics=['b']))
+    assert rest(1) == [('a', 3)] and not reader.has_next()
+    reader.reset_filter()
+    assert not reader.has_next()
+    reader.seek(2)
+    assert rest(2) == moments[5:]
+
+
+def test_metadata_has_times_and_can_be_written(tmp_path):
+    folder, files = str(write(tmp_path / 'bag', 'mcap')), MetadataIo()
+    metadata = files.read_metadata(folder)
+    assert (metadata.starting_time, metadata.duration) == (Time(seconds=1), Duration(seconds=5))
+    assert (metadata.files[0].starting_time, metadata.files[0].duration) == (Time(seconds=1), Duration(seconds=5))
+    metadata.custom_data = {'who': 'me'}
+    files.write_metadata(folder, metadata)
+    assert files.read_metadata(folder) == metadata
+    assert not files.metadata_file_exists(str(tmp_path)) and files.metadata_file_exists(folder)
+
+
+@pytest.mark.parametrize('storage', STORAGES)
 def test_other_tools_read_it_without_the_packages(tmp_path, storage):
     with AnyReader([write(tmp_path / 'bag', storage)]) as reader:
         (connection,) = (each for each in reader.connections if each.topic == '/point')
         assert 'std_msgs/Header' in connection.msgdef.data and 'MSG: builtin_interfaces/Time' in connection.msgdef.data
         points = [reader.deserialize(raw, each.msgtype).point for each, _, raw in reader.messages([connection])]
         assert [point.x for point in points] == [1.5]
+
+
+def test_the_names_of_the_tutorials_need_no_import_of_their_own():
+    code = """
+        import rosbag2_py
+
+        storage_options = rosbag2_py._storage.StorageOptions(uri='my_bag', storage_id='mcap')
+        converter_options = rosbag2_py._storage.ConverterOptions('', '')
+        rosbag2_py._storage.TopicMetadata(id=0, name='a', type='std_msgs/msg/String', serialization_format='cdr')
+    """
+    subprocess.run([sys.executable, '-c', textwrap.dedent(code)], check=True)
 
 
 def test_metadata_is_that_of_jazzy(tmp_path):

@@ -59,9 +59,6 @@ class GroupAction(Action):
         return 'GroupAction'
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        return self._actions
-
-    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
         begin: list[Action] = [PushLaunchConfigurations(), PushEnvironment()] if self._scoped else []
         if self._forwarding or not self._scoped:
             begin += [SetLaunchConfiguration(name, value) for name, value in self._configurations.items()]
@@ -69,3 +66,6 @@ class GroupAction(Action):
             begin += [ResetEnvironment(), ResetLaunchConfigurations(self._configurations)]
         end = [PopEnvironment(), PopLaunchConfigurations()] if self._scoped else []
         return [*begin, *self._actions, *end]
+
+    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
+        return self.get_sub_entities()

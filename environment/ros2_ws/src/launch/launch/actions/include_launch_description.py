@@ -70,23 +70,23 @@ class IncludeLaunchDescription(Action):
         return [] if description is None else [description]
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
-        description = self.launch_description_source.get_launch_description(context)
-        path = self.launch_description_source.path
-        context.push_locals(
-            {}
-            if path is None
-            else {'current_launch_file_path': path, 'current_launch_file_directory': os.path.dirname(path)}
-        )
+        source = self.launch_description_source
+        description = source.get_launch_description(context)
+        path = os.path.abspath(source.location)
+        # A description from a script has no file; what it is called then stands for its directory, too.
+        directory = os.path.dirname(path) if os.path.exists(path) else source.location
+        context.push_locals({'current_launch_file_path': path, 'current_launch_file_directory': directory})
         self._check_arguments(context, description)
         arguments = [SetLaunchConfiguration(name, value) for name, value in self.launch_arguments]
         return [*arguments, description, OpaqueFunction(function=lambda context: context.pop_locals())]
 
     def _check_arguments(self, context: LaunchContext, description: LaunchDescription) -> None:
-        """Raise RuntimeError if a required argument is not given here; that it is set outside does not count."""
+        """Raise RuntimeError if a required argument is given neither here nor by an include around it."""
         given = [to_text(context, name) for name, _ in self.launch_arguments]
-        for argument in description.get_launch_arguments():
+        for argument, includes in description.get_launch_arguments_with_include_launch_description_actions():
             optional = argument.default_value is not None or argument._conditionally_included
-            if not optional and argument.name not in given:
+            between = {name for include in includes or [] for name in include.provided_names()}
+            if not optional and argument.name not in between.union(given):
                 raise RuntimeError(
                     f"Included launch description missing required argument '{argument.name}' "
                     f"(description: '{argument.description}'), given: [{', '.join(given)}]"

@@ -4,7 +4,7 @@ from launch.action import Action
 from launch.frontend import Entity, Parser, expose_action
 from launch.launch_context import LaunchContext
 from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.utilities import describe_substitutions, to_text
+from launch.utilities import describe_substitutions, normalize_to_list_of_substitutions, perform_substitutions
 
 
 @expose_action('set_env')
@@ -13,7 +13,7 @@ class SetEnvironmentVariable(Action):
 
     def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType, **kwargs):
         super().__init__(**kwargs)
-        self.name, self.value = name, value
+        self.name, self.value = (normalize_to_list_of_substitutions(text) for text in (name, value))
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser):
@@ -27,4 +27,4 @@ class SetEnvironmentVariable(Action):
         return f'{type(self).__name__}({describe_substitutions(self.name)}, {describe_substitutions(self.value)})'
 
     def execute(self, context: LaunchContext) -> None:
-        context.environment[to_text(context, self.name)] = to_text(context, self.value)
+        context.environment[perform_substitutions(context, self.name)] = perform_substitutions(context, self.value)

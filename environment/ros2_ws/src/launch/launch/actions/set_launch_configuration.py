@@ -4,7 +4,7 @@ from launch.action import Action
 from launch.frontend import Entity, Parser, expose_action
 from launch.launch_context import LaunchContext
 from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.utilities import describe_substitutions, to_text
+from launch.utilities import describe_substitutions, normalize_to_list_of_substitutions, perform_substitutions
 
 
 @expose_action('let')
@@ -13,7 +13,7 @@ class SetLaunchConfiguration(Action):
 
     def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType, **kwargs):
         super().__init__(**kwargs)
-        self.name, self.value = name, value
+        self.name, self.value = (normalize_to_list_of_substitutions(text) for text in (name, value))
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser):
@@ -27,4 +27,5 @@ class SetLaunchConfiguration(Action):
         return f'SetLaunchConfiguration({describe_substitutions(self.name)}, {describe_substitutions(self.value)})'
 
     def execute(self, context: LaunchContext) -> None:
-        context.launch_configurations[to_text(context, self.name)] = to_text(context, self.value)
+        name = perform_substitutions(context, self.name)
+        context.launch_configurations[name] = perform_substitutions(context, self.value)

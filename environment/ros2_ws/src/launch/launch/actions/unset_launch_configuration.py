@@ -4,7 +4,7 @@ from launch.action import Action
 from launch.frontend import Entity, Parser, expose_action
 from launch.launch_context import LaunchContext
 from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.utilities import to_text
+from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
 
 
 @expose_action('unset')
@@ -13,7 +13,7 @@ class UnsetLaunchConfiguration(Action):
 
     def __init__(self, name: SomeSubstitutionsType, **kwargs):
         super().__init__(**kwargs)
-        self.name = name
+        self.name = normalize_to_list_of_substitutions(name)
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser):
@@ -23,4 +23,4 @@ class UnsetLaunchConfiguration(Action):
         return cls, kwargs
 
     def execute(self, context: LaunchContext) -> None:
-        context.launch_configurations.pop(to_text(context, self.name), None)
+        context.launch_configurations.pop(perform_substitutions(context, self.name), None)

@@ -183,6 +183,8 @@ def normalize_typed_substitution(value: SomeValueType, data_type: AllowedTypesTy
         )
     items = [item if isinstance(item, ScalarTypesTuple) else normalize_to_list_of_substitutions(item) for item in value]
     kinds = {type(item) for item in items if not isinstance(item, list)}
+    if kinds == {int, float}:
+        items, kinds = [float(item) if isinstance(item, int) else item for item in items], {float}
     wanted = None if data_type is None else extract_type(data_type)
     if len(kinds) > 1 or (wanted and (not wanted[1] or not kinds <= {wanted[0]})):
         raise TypeError(f'Got a list of types {kinds}, which cannot become a value of type {data_type}')

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
@@ -9,6 +10,7 @@ import launch.logging
 import yaml
 from launch.actions import ExecuteProcess
 from launch.frontend import Entity, Parser, expose_action
+from launch.frontend.type_utils import get_data_type_from_identifier
 from launch.launch_context import LaunchContext
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
@@ -20,6 +22,8 @@ from launch_ros.namespaces import join_namespace
 from launch_ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue, write_temporary_file
 from launch_ros.parameters import check_parameters, evaluate_parameters
 from launch_ros.substitutions import ExecutableInPackage
+
+_NODE_NAMES = 'unique_ros_node_names'  # the global variable of the launch that counts them
 
 
 class _NodeName(Substitution):
@@ -139,6 +143,18 @@ class Node(ExecuteProcess):
             unknown in self.node_name for unknown in (self.UNSPECIFIED_NODE_NAME, self.UNSPECIFIED_NODE_NAMESPACE)
         )
 
+    def execute(self, context: LaunchContext) -> None:
+        super().execute(context)
+        if self.is_node_name_fully_specified():
+            names = context.get_locals_as_dict().get(_NODE_NAMES, Counter())
+            names[self.node_name] += 1
+            context.extend_globals({_NODE_NAMES: names})
+            if names[self.node_name] > 1:
+                launch.logging.get_logger(self.process_name).warning(
+                    f'there are now at least {names[self.node_name]} nodes with the name {self.node_name} created '
+                    'within this launch context'
+                )
+
     def get_command(self, context: LaunchContext) -> list[str]:
         self._expand_name(context)
         return [*super().get_command(context), *self._ros_words(context)]
@@ -178,6 +194,7 @@ class Node(ExecuteProcess):
         path = item.evaluate(context) if isinstance(item, ParameterFile) else Path(to_text(context, item))
         if not path.is_file():
             launch.logging.get_logger('launch_ros.actions.node').warning(f'Parameter file path is not a file: {path}')
+            return []  # with the path of no file, the node would not start
         return ['--params-file', str(path)]
 
 
@@ -190,9 +207,6 @@ def check_remappings(remappings: Iterable) -> None:
     for remapping in remappings:
         if not isinstance(remapping, (tuple, list)) or len(remapping) != 2:
             raise TypeError(f"'remappings' of Node must be pairs (from, to), got {remapping!r}")
-
-
-_TYPES = {'bool': bool, 'int': int, 'float': float, 'str': str}
 
 
 def _parse_parameter(entity: Entity, parser: Parser) -> ParameterFile | dict:
@@ -212,14 +226,15 @@ def _parse_parameter(entity: Entity, parser: Parser) -> ParameterFile | dict:
 def _parse_value(entity: Entity, parser: Parser) -> dict:
     """Return the value of a ``param`` with a name, or those of the ``param`` in it, below that name."""
     name = tuple(parser.parse_substitution(entity.get_attr('name')))
-    kind = entity.get_attr('type', optional=True)
-    if kind is not None and kind not in _TYPES:
-        raise ValueError(f"type of param expected to be one of {', '.join(_TYPES)}, got '{kind}'")
-    value = entity.get_attr('value', data_type=str if kind == 'str' else None, optional=True)
+    identifier = entity.get_attr('type', optional=True)
+    kind = get_data_type_from_identifier(identifier or 'yaml')
+    value = entity.get_attr('value', data_type=kind, optional=True)
     nested = entity.get_attr('param', data_type=list[Entity], optional=True)
     entity.assert_entity_completely_parsed()
     if value is not None and nested:
-        raise RuntimeError('param and value attributes are mutually exclusive')
+        raise RuntimeError('nested parameters and value attributes are mutually exclusive')
+    if kind is not None and nested:
+        raise RuntimeError('nested parameters and type attributes are mutually exclusive')
     if nested:
         below: dict = {}
         for part in nested:
@@ -227,8 +242,7 @@ def _parse_value(entity: Entity, parser: Parser) -> dict:
         return {name: below}
     if value is None:
         raise RuntimeError('either a value attribute or nested params are needed')
-    parsed = parser.parse_if_substitutions(value)
-    return {name: parsed if kind is None else ParameterValue(parsed, value_type=_TYPES[kind])}
+    return {name: ParameterValue(parser.parse_if_substitutions(value), value_type=kind)}
 
 
 def _validate(name: str | None, namespace: str | None) -> None:

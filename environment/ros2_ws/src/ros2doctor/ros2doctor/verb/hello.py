@@ -74,7 +74,7 @@ class HelloVerb(VerbExtension):
             node.create_timer(args.emit_period, emit)
             while True:
                 node.spin(until=listen, timeout=args.print_period)
-                _print('MULTIMACHINE COMMUNICATION SUMMARY', args.topic, sent, heard_topic, heard_multicast)
+                _print(args, sent, heard_topic, heard_multicast)
                 if args.once:
                     return
                 for counts in (heard_topic, heard_multicast):
@@ -103,14 +103,17 @@ def _sender(ttl):
     return sender
 
 
-def _print(title, topic, sent, heard_topic, heard_multicast):
-    print(title)
-    print(f'Topic: {topic}, Published Msg Count: {sent["topic"]}')
+def _print(args, sent, heard_topic, heard_multicast):
+    print('MULTIMACHINE COMMUNICATION SUMMARY')
+    print(f'Topic: {args.topic}, Published Msg Count: {sent["topic"]}')
     print('Subscribed from:')
-    for sender, count in sorted(heard_topic.items()):
-        print(f'  Host {sender}: {count} messages')
+    _print_table(heard_topic, args.print_period)
     print(f'Multicast Group/Port: {_GROUP}/{_PORT}, Sent Msg Count: {sent["multicast"]}')
     print('Received from:')
-    for sender, count in sorted(heard_multicast.items()):
-        print(f'  Host {sender}: {count} messages')
+    _print_table(heard_multicast, args.print_period)
     print('-' * 60)
+
+
+def _print_table(heard, period):
+    for sender, count in [('Hostname', f'Msg Count /{period}s'), *sorted(heard.items())]:
+        print(f'{"":<15} {sender:<20} {count:<10}')

@@ -16,6 +16,8 @@ import socket
 import sys
 from collections.abc import Callable
 
+from launch.logging import handlers
+
 DEBUG, INFO, WARNING, ERROR = logging.DEBUG, logging.INFO, logging.WARNING, logging.ERROR
 
 _PLAIN = '[{levelname}] [{name}]: {message}'
@@ -25,12 +27,8 @@ _TIMED = logging.Formatter('{created:.7f} {message}', style='{')
 _MAIN = 'launch.log'
 
 
-class _ScreenHandler(logging.StreamHandler):
+class _ScreenHandler(handlers.StreamHandler):
     """Writes to what is standard output at that moment."""
-
-    def __init__(self, formatter: logging.Formatter):
-        super().__init__(sys.stdout)
-        self.setFormatter(formatter)
 
     def emit(self, record: logging.LogRecord) -> None:
         self.stream = sys.stdout
@@ -61,17 +59,36 @@ class LaunchConfig:
     """The settings of the log of this process."""
 
     def __init__(self):
-        self.level = logging.INFO
-        self._log_dir: str | None = None
-        self._files: dict[tuple[str, bool], logging.Handler] = {}
-        # A manager of our own keeps names such as "talker-1" out of the program's loggers.
-        self._manager = logging.Manager(logging.RootLogger(logging.WARNING))
         self._loggers: dict[str, logging.Logger] = {}
+        self.file_handlers: dict[str, logging.Handler] = {}
+        self.reset()
+
+    def reset(self) -> None:
+        """Forget directory, files, formats and handlers; loggers that somebody still has write nothing any more."""
+        self.close()
+        for logger in self._loggers.values():
+            logger.handlers.clear()
+        self._log_dir: str | None = None
+        self.file_handlers = {}
+        # A manager of our own keeps names such as "talker-1" out of the program's loggers.
+        self._manager = logging.Manager(logging.RootLogger(logging.INFO))
+        self._manager.root.manager = self._manager  # whose cache of levels is forgotten when the level changes
+        self._loggers = {}
         self.failure: str | None = None
         self.on_screen_lost: Callable[[], None] = lambda: None
-        self._screen: logging.Handler | None = None
+        self.log_handler_factory: Callable[..., logging.Handler] = handlers.WatchedFileHandler
+        self.screen_handler: logging.Handler | None = None
         self.set_screen_format('default')
         self.set_log_format('default')
+
+    @property
+    def level(self) -> int:
+        """The least severity that is logged, unless a logger has one of its own."""
+        return self._manager.root.level
+
+    @level.setter
+    def level(self, level: int) -> None:
+        self._manager.root.setLevel(level)
 
     @property
     def log_dir(self) -> str | None:
@@ -101,65 +118,49 @@ class LaunchConfig:
         self._screen_formatter = _formatter(
             'OVERRIDE_LAUNCH_SCREEN_FORMAT', 'screen', screen_format, screen_style, names
         )
-        if self._screen is not None:
-            self._screen.setFormatter(self._screen_formatter)
+        if self.screen_handler is not None:
+            self.screen_handler.setFormatter(self._screen_formatter)
 
     def set_log_format(self, log_format: str, *, log_style: str | None = None) -> None:
-        """Set the form of the lines of ``launch.log``, as ``set_screen_format``; there is only the name ``default``."""
+        """Set the form of the lines of the log files, as ``set_screen_format``; there is only the name ``default``."""
         self._file_formatter = _formatter(
             'OVERRIDE_LAUNCH_LOG_FORMAT', 'log', log_format, log_style, {'default': _WITH_TIME}
         )
-        if (_MAIN, False) in self._files:
-            self._files[_MAIN, False].setFormatter(self._file_formatter)
+        for handler in self.file_handlers.values():
+            if handler.formatter is not _RAW:
+                handler.setFormatter(self._file_formatter)
 
     def get_screen_handler(self) -> logging.Handler:
         """Return the handler of the screen."""
-        if self._screen is None:
-            self._screen = _ScreenHandler(self._screen_formatter)
-        return self._screen
+        if self.screen_handler is None:
+            self.screen_handler = _ScreenHandler(sys.stdout)
+            self.screen_handler.setFormatter(self._screen_formatter)
+        return self.screen_handler
 
     def get_log_file_path(self, file_name: str = _MAIN) -> str | None:
         """Return the path of a log file; None if there is no directory for it."""
         return self.log_dir and os.path.join(self.log_dir, file_name)
 
     def get_log_file_handler(self, file_name: str = _MAIN) -> logging.Handler:
-        """Return the handler of a log file."""
-        return self._file(file_name, False, self._file_formatter)
+        """Return the handler of a log file; ``log_handler_factory`` makes it from the path, when first asked for."""
+        if file_name not in self.file_handlers:
+            path = self.get_log_file_path(file_name)
+            handler = self.log_handler_factory(path, encoding='utf-8') if path else handlers.NullHandler()
+            handler.setFormatter(self._file_formatter)
+            self.file_handlers[file_name] = handler
+        return self.file_handlers[file_name]
 
-    def output_handler(self, file_name: str = _MAIN) -> logging.Handler:
-        """Return the handler for what processes print: in ``launch.log`` with the time, elsewhere as it is."""
-        return self._file(file_name, True, _TIMED if file_name == _MAIN else _RAW)
-
-    def _file(self, name: str, of_processes: bool, formatter: logging.Formatter) -> logging.Handler:
-        # Two handlers may append to one file, as each writes whole lines.
-        handler = self._files.get((name, of_processes))
-        if handler is None:
-            path = self.get_log_file_path(name)
-            handler = logging.FileHandler(path, encoding='utf-8', delay=True) if path else logging.NullHandler()
-            handler.setFormatter(formatter)
-            self._files[name, of_processes] = handler
-        return handler
-
-    def logger(self, name: str, handlers: list[logging.Handler]) -> logging.Logger:
-        """Return the logger ``name``, with these handlers only."""
+    def logger(self, name: str) -> logging.Logger:
+        """Return the logger ``name``, which passes nothing on to others."""
         logger = self._loggers.get(name)
         if logger is None:
             logger = self._loggers[name] = self._manager.getLogger(name)
             logger.propagate = False
-            for handler in handlers:
-                logger.addHandler(handler)
-        logger.setLevel(self.level)
         return logger
-
-    def set_level(self, level: int) -> None:
-        """Set the least severity that is logged."""
-        self.level = level
-        for logger in self._loggers.values():
-            logger.setLevel(level)
 
     def close(self) -> None:
         """Close the log files."""
-        for handler in self._files.values():
+        for handler in self.file_handlers.values():
             handler.close()
 
 
@@ -168,13 +169,15 @@ launch_config = LaunchConfig()
 
 def reset() -> None:
     """Forget directory, files and loggers; the next launch begins anew."""
-    launch_config.close()
-    launch_config.__init__()
+    launch_config.reset()
 
 
 def get_logger(name: str = 'launch') -> logging.Logger:
     """Return a logger that writes to the screen and to ``launch.log``."""
-    return launch_config.logger(name, [launch_config.get_screen_handler(), launch_config.get_log_file_handler()])
+    logger = launch_config.logger(name)
+    logger.addHandler(launch_config.get_screen_handler())
+    logger.addHandler(launch_config.get_log_file_handler())
+    return logger
 
 
 def get_output_loggers(process_name: str, output_config: str | dict) -> tuple[logging.Logger, logging.Logger]:
@@ -188,21 +191,28 @@ def get_output_loggers(process_name: str, output_config: str | dict) -> tuple[lo
     targets = _output_targets(output_config)
     loggers = []
     for source in ('stdout', 'stderr'):
-        handlers: list[logging.Handler] = []
+        logger = launch_config.logger(f'{process_name}-{source}')
+        logger.setLevel(logging.INFO)  # also if less is logged of the launch itself
         if 'screen' in targets[source]:
-            handlers.append(_ScreenHandler(_RAW))
+            _add_handler(logger, launch_config.get_screen_handler(), _RAW)
         if 'log' in targets[source]:
-            handlers.append(launch_config.output_handler())
-        if 'own_log' in targets[source]:
-            handlers.append(launch_config.output_handler(f'{process_name}-{source}.log'))
-        if 'own_log' in targets['both']:
-            handlers.append(launch_config.output_handler(f'{process_name}.log'))
-        loggers.append(launch_config.logger(f'{process_name}-{source}', handlers))
-        loggers[-1].setLevel(logging.INFO)
+            _add_handler(logger, launch_config.get_log_file_handler(), _TIMED)
+        own = [logger.name] if 'own_log' in targets[source] else []
+        for name in [*own, process_name] if 'own_log' in targets['both'] else own:
+            handler = launch_config.get_log_file_handler(f'{name}.log')
+            handler.setFormatter(_RAW)
+            logger.addHandler(handler)
+        loggers.append(logger)
     return loggers[0], loggers[1]
 
 
-def log_launch_config(*, logger: logging.Logger) -> None:
+def _add_handler(logger: logging.Logger, handler: logging.Handler, formatter: logging.Formatter) -> None:
+    """Let a logger write through a handler that others share, in a form of its own."""
+    handler.setFormatterFor(logger, formatter)
+    logger.addHandler(handler)
+
+
+def log_launch_config(*, logger: logging.Logger = logging.root) -> None:
     """Say where the log files are."""
     if launch_config.log_dir:
         logger.info(f'All log files can be found below {launch_config.log_dir}')
