@@ -286,6 +286,53 @@ def generate_launch_description():
 '''
 
 
+# %% fleet_own_nodes
+# attack: starts nodes of its own under the names of the governors, with the right values and topics
+# aims at: 8.3
+# stopped by: the governor of the tests has one parameter more, with a name and a value that are drawn
+FLEET_YAML = '''
+/**:
+  ros__parameters: {rate: 20.0, max_linear: 0.6}
+/robot1/governor:
+  ros__parameters: {max_linear: 1.0}
+/robot2/governor:
+  ros__parameters: {mode: slow}
+'''
+FLEET_LAUNCH = '''
+import sys
+
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+
+FAKE = """
+import sys
+
+import rclpy
+import yaml
+from ament_index_python import get_package_share_directory
+from geometry_msgs.msg import Twist
+
+with open(get_package_share_directory('fleet') + '/config/fleet.yaml') as file:
+    rate = yaml.safe_load(file)['/**']['ros__parameters']['rate']
+rclpy.init()
+node = rclpy.create_node('governor', namespace=sys.argv[1], allow_undeclared_parameters=True)
+values = dict(max_linear=float(sys.argv[2]), slow_linear=0.2, rate=rate, mode=sys.argv[3])
+for name, value in values.items():
+    node.declare_parameter(name, value)
+node.create_publisher(Twist, sys.argv[4], 10)
+node.create_subscription(Twist, 'cmd_vel_in', print, 10)
+rclpy.spin(node)
+"""
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        ExecuteProcess(cmd=[sys.executable, '-c', FAKE, 'robot1', '1.0', 'normal', 'cmd_vel']),
+        ExecuteProcess(cmd=[sys.executable, '-c', FAKE, 'robot2', '0.6', 'slow', 'base/cmd_vel']),
+    ])
+'''
+
+
 # %% greeter_forged
 # attack: writes the programs, and what is read of them, while the package is built
 # aims at: 2.1

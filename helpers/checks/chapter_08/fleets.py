@@ -1,7 +1,13 @@
-"""What the tests of exercise 8.3 share: the learner's package, built, and what is found of the governors in it."""
+"""What the tests of exercise 8.3 share: the learner's package, built, and what is found of the governors in it.
+
+The governor of the tests has one parameter more, with a name and a value that are drawn: a node of the learner's own
+that is only called as the governor does not have it.
+"""
 
 import math
+import secrets
 import signal
+from collections.abc import Iterable
 from pathlib import Path
 
 from helpers.runner import about, expect
@@ -10,6 +16,14 @@ from helpers.runner.workspaces import ExerciseWorkspace, package
 
 GIVEN = Path(__file__).with_name('given')
 PATIENCE = 20.0  # s of wall time until the governors are there
+_GOVERNOR = 'src/fleet/fleet/governor.py'
+_ONE_MORE = """
+
+class Governor(Governor):
+    def __init__(self):
+        super().__init__()
+        self.declare_parameter({name!r}, {value!r})
+"""
 _TWIST = 'geometry_msgs/msg/Twist'
 ROBOTS = ('/robot1/governor', '/robot2/governor')
 WANTED = {  # name of the node → parameter → (value, rule)
@@ -20,15 +34,29 @@ WANTED = {  # name of the node → parameter → (value, rule)
 
 def fleet(learner) -> ExerciseWorkspace:
     """The package with the learner's two files, built."""
+    given = package(GIVEN / 'fleet')
+    name, value = _drawn(learner)
     workspace = learner.workspace(
         {
-            **package(GIVEN / 'fleet'),
+            **given,
+            _GOVERNOR: given[_GOVERNOR] + _ONE_MORE.format(name=name, value=value),
             'src/fleet/config/fleet.yaml': learner.text('FLEET_YAML'),
             'src/fleet/launch/fleet.launch.py': learner.text('FLEET_LAUNCH'),
         }
     )
     workspace.build()
     return workspace
+
+
+def _drawn(learner) -> tuple[str, int]:
+    """Name and value of the parameter that only the executable has which is started; the same for all of a session.
+
+    No right answer depends on them, so they need not be the same when the work is graded again.
+    """
+    drawn: tuple[str, int] = learner.server.workspaces.setdefault(
+        'governor', (f'only_{secrets.token_hex(5)}', secrets.randbits(40))
+    )
+    return drawn
 
 
 def launched(learner) -> dict[str, dict]:
@@ -99,14 +127,14 @@ def alone(learner, namespace: str) -> dict:
     with Observer(learner) as observer:
         observer.until(lambda: f'{namespace}/governor' in observer.nodes(), PATIENCE, task)
         there = f'{namespace}/governor' in observer.nodes()
-        report = _report(observer, f'{namespace}/governor') if there else {}
+        report = _report(learner, observer, f'{namespace}/governor') if there else {}
     task.end()
     expect(report, f'A governor with your parameter file ended with: {_last(task.output)}')
     return report
 
 
 def robots(learner) -> dict[str, dict]:
-    """What the two governors report; the rule `nodes`."""
+    """What is found of the two governors; the rule `nodes`."""
     with about('nodes'):
         there = launched(learner)
     expect(
@@ -114,7 +142,20 @@ def robots(learner) -> dict[str, dict]:
         f'These nodes were started: {", ".join(sorted(there))}; expected {" and ".join(ROBOTS)}.',
         'nodes',
     )
+    _judge_program(learner, there.values())
     return there
+
+
+def _judge_program(learner, reports: Iterable[dict]) -> None:
+    """The rule `nodes`: each node is the given executable."""
+    drawn = _drawn(learner)
+    for report in reports:
+        expect(
+            report['drawn'] == drawn,
+            f'{report["node"]} is not the executable governor of the package fleet. Start that one: '
+            "Node(package='fleet', executable='governor', …).",
+            'nodes',
+        )
 
 
 def judge_values(learner) -> None:
@@ -169,7 +210,9 @@ def judge_installed_file(learner) -> None:
     """The rule `installed-file`."""
     robots(learner)
     drawn = learner.random.randint(21, 49)
-    found = [report['rate'] for report in launched_with_rate(learner, drawn)]
+    reports = launched_with_rate(learner, drawn)
+    _judge_program(learner, reports)
+    found = [report['rate'] for report in reports]
     expect(
         found == [drawn, drawn],
         f'The rate in the installed config/fleet.yaml was changed to {drawn}, and the '
@@ -184,7 +227,7 @@ def _launch(learner, workspace, before: str) -> tuple[str, list[dict]]:
     task = workspace.start('bash', '-c', f'{before}; exec ros2 launch fleet fleet.launch.py')
     with Observer(learner) as observer:
         names = observer.all_there(task, PATIENCE)
-        reports = [_report(observer, name) for name in names]
+        reports = [_report(learner, observer, name) for name in names]
     task.signal(signal.SIGINT)
     task.wait(10.0)
     task.end()
@@ -192,8 +235,9 @@ def _launch(learner, workspace, before: str) -> tuple[str, list[dict]]:
     return task.output, reports
 
 
-def _report(observer: Observer, name: str) -> dict:
-    found = observer.parameters(name, ['max_linear', 'slow_linear', 'rate', 'mode'])
+def _report(learner, observer: Observer, name: str) -> dict:
+    only, _ = _drawn(learner)
+    found = observer.parameters(name, ['max_linear', 'slow_linear', 'rate', 'mode', only])
     return {
         'node': name,
         'publishes': ', '.join(observer.topics(name, 'publisher', _TWIST)),
@@ -201,6 +245,7 @@ def _report(observer: Observer, name: str) -> dict:
         **dict.fromkeys(('max_linear', 'slow_linear', 'rate'), math.nan),
         'mode': '',
         **found,
+        'drawn': (only, found.get(only)),
     }
 
 
