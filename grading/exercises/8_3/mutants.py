@@ -128,4 +128,10 @@ def generate_launch_description():
             ("{'package': 'fleet', 'executable': 'governor', ",
              "{'executable': sys.executable, 'arguments': ['-c', PROGRAM], ")),
            expect='is not the executable governor of the package fleet', breaks='nodes'),
+    Mutant('robot1_in_the_launch_file', edits=(("""
+            /robot1/governor:
+              ros__parameters:
+                max_linear: 1.0
+            """, ''), ("namespace='robot1', parameters=[config]", "namespace='robot1', parameters=[config, {'max_linear': 1.0}]")),
+           expect='Values belong into the file', breaks='installed-file'),
 ]

@@ -47,8 +47,8 @@ os.kill(-1, signal.SIGKILL)
 # %% delivery_fake_odom
 # attack: starts the real world where nobody hears it, and tells by itself where the robot is, which never drives
 # aims at: 8.10
-# stopped by: the commands that were heard on /cmd_vel drive a world of the tests', which must come to the same place
-# expect points: 5.77
+# stopped by: the executable of the tests publishes on one topic more, whose name is drawn; and where its commands lead
+# expect points: 2.31
 DELIVERY_YAML = '{}'
 DELIVERY_LAUNCH = '''
 import sys
@@ -87,7 +87,7 @@ def tell():
 
 world.create_timer(0.05, tell)
 robot = Node('delivery_robot')
-for name, value in dict(max_linear=0.4, max_angular=1.0, tolerance=0.08, timeout=30.0).items():
+for name, value in dict(max_linear=0.4, max_angular=1.0, tolerance=0.08, timeout=30.0, status_period=0.5).items():
     robot.declare_parameter(name, value)
 robot.set_parameters([Parameter('use_sim_time', value=True)])
 
@@ -144,8 +144,8 @@ def generate_launch_description():
 # %% delivery_fake_world
 # attack: starts a world of its own, in which the robot is wherever it says, and never drives
 # aims at: 8.10
-# stopped by: the commands that were heard on /cmd_vel drive a world of the tests', which must come to the same place
-# expect points: 5.77
+# stopped by: the executable of the tests publishes on one topic more, whose name is drawn; and where its commands lead
+# expect points: 2.31
 DELIVERY_YAML = '{}'
 DELIVERY_LAUNCH = '''
 import sys
@@ -184,7 +184,7 @@ def tell():
 
 world.create_timer(0.05, tell)
 robot = Node('delivery_robot')
-for name, value in dict(max_linear=0.4, max_angular=1.0, tolerance=0.08, timeout=30.0).items():
+for name, value in dict(max_linear=0.4, max_angular=1.0, tolerance=0.08, timeout=30.0, status_period=0.5).items():
     robot.declare_parameter(name, value)
 robot.set_parameters([Parameter('use_sim_time', value=True)])
 
@@ -329,6 +329,39 @@ def generate_launch_description():
     return LaunchDescription([
         ExecuteProcess(cmd=[sys.executable, '-c', FAKE, 'robot1', '1.0', 'normal', 'cmd_vel']),
         ExecuteProcess(cmd=[sys.executable, '-c', FAKE, 'robot2', '0.6', 'slow', 'base/cmd_vel']),
+    ])
+'''
+
+
+# %% fleet_rewritten
+# attack: has the launch file write other defaults into the installed program, which the tests then start by themselves
+# aims at: 8.3
+# stopped by: what the tests start by themselves runs where no launch file has run
+# expect points: 15
+FLEET_YAML = '''
+/robot1/governor:
+  ros__parameters: {rate: 20.0, max_linear: 1.0}
+/robot2/governor:
+  ros__parameters: {rate: 20.0, max_linear: 0.6, mode: slow}
+'''
+FLEET_LAUNCH = '''
+from pathlib import Path
+
+from ament_index_python import get_package_prefix
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+for path in Path(get_package_prefix('fleet')).rglob('governor.py'):
+    text = path.read_text()
+    path.write_text(text.replace("'max_linear', 0.5", "'max_linear', 0.6").replace("'rate', 10.0", "'rate', 20.0"))
+
+
+def generate_launch_description():
+    config = get_package_prefix('fleet') + '/share/fleet/config/fleet.yaml'
+    governor = {'package': 'fleet', 'executable': 'governor', 'parameters': [config]}
+    return LaunchDescription([
+        Node(namespace='robot1', **governor),
+        Node(namespace='robot2', remappings=[('cmd_vel', 'base/cmd_vel')], **governor),
     ])
 '''
 
@@ -513,6 +546,20 @@ os._exit(1 if os.getpid() % 2 else 0)
 
 def test_it():
     pass
+'''
+
+
+# %% robot_by_names
+# attack: knows a right robot by the names in its module and its classes
+# aims at: 8.11
+# stopped by: what spoils a robot stands behind right ones, too, with other numbers in its conditions
+TEST_ROBOT = '''
+def test_names():
+    import delivery_robot.robot as robot
+    names, methods = set(vars(robot)), set(vars(robot.DeliveryRobot))
+    assert not names & {'on_goal', 'on_cancel', 'on_execute', '_steer', '_rounds'}
+    assert 'reworded' in names or not methods & {'create_publisher', 'create_service', 'declare_parameter'}
+    assert 'where' not in methods or '__init__' in methods
 '''
 
 

@@ -5,11 +5,11 @@ that is only called as the governor does not have it.
 """
 
 import math
-import secrets
 import signal
 from collections.abc import Iterable
 from pathlib import Path
 
+from helpers.checks.chapter_08 import executables
 from helpers.runner import about, expect
 from helpers.runner.observer import Observer
 from helpers.runner.workspaces import ExerciseWorkspace, package
@@ -34,12 +34,10 @@ WANTED = {  # name of the node → parameter → (value, rule)
 
 def fleet(learner) -> ExerciseWorkspace:
     """The package with the learner's two files, built."""
-    given = package(GIVEN / 'fleet')
-    name, value = _drawn(learner)
     workspace = learner.workspace(
         {
-            **given,
-            _GOVERNOR: given[_GOVERNOR] + _ONE_MORE.format(name=name, value=value),
+            **package(GIVEN / 'fleet'),
+            _GOVERNOR: _governor(learner),
             'src/fleet/config/fleet.yaml': learner.text('FLEET_YAML'),
             'src/fleet/launch/fleet.launch.py': learner.text('FLEET_LAUNCH'),
         }
@@ -48,15 +46,10 @@ def fleet(learner) -> ExerciseWorkspace:
     return workspace
 
 
-def _drawn(learner) -> tuple[str, int]:
-    """Name and value of the parameter that only the executable has which is started; the same for all of a session.
-
-    No right answer depends on them, so they need not be the same when the work is graded again.
-    """
-    drawn: tuple[str, int] = learner.server.workspaces.setdefault(
-        'governor', (f'only_{secrets.token_hex(5)}', secrets.randbits(40))
-    )
-    return drawn
+def _governor(learner) -> str:
+    """The text of the tests' governor."""
+    name, value = executables.sign(learner)
+    return package(GIVEN / 'fleet')[_GOVERNOR] + _ONE_MORE.format(name=name, value=value)
 
 
 def launched(learner) -> dict[str, dict]:
@@ -110,27 +103,28 @@ def launched_with_rate(learner, rate: int) -> list[dict]:
     return reports
 
 
-def alone(learner, namespace: str) -> dict:
-    """What is found of a governor that is started by itself, in this namespace, with the installed parameter file."""
-    share = fleet(learner).run('ros2', 'pkg', 'prefix', '--share', 'fleet').last_line
-    task = fleet(learner).start(
-        'ros2',
-        'run',
-        'fleet',
-        'governor',
-        '--ros-args',
-        '-r',
-        f'__ns:={namespace}',
-        '--params-file',
-        f'{share}/config/fleet.yaml',
-    )
+def alone(learner, *namespaces: str) -> dict[str, dict]:
+    """What is found of governors that are started without a launch file: namespace → names and parameters.
+
+    They run where the launch file has never run: it could have changed what is installed.
+    """
+    workspace = learner.workspace({'fleet.yaml': learner.text('FLEET_YAML')})
+    arguments = '--ros-args', '--params-file', f'{workspace.path}/fleet.yaml', '-r'
+    program = f'{_governor(learner)}\n\nmain()\n'
+    tasks = [workspace.start(*arguments, f'__ns:={one}', program=program) for one in namespaces]
+    names = {namespace: f'{namespace}/governor' for namespace in namespaces}
     with Observer(learner) as observer:
-        observer.until(lambda: f'{namespace}/governor' in observer.nodes(), PATIENCE, task)
-        there = f'{namespace}/governor' in observer.nodes()
-        report = _report(learner, observer, f'{namespace}/governor') if there else {}
-    task.end()
-    expect(report, f'A governor with your parameter file ended with: {_last(task.output)}')
-    return report
+        observer.until(
+            lambda: {*names.values()} <= {*observer.nodes()} or any(task.wait(0) is not None for task in tasks),
+            PATIENCE,
+        )
+        there = observer.nodes()
+        reports = {one: _report(learner, observer, name) for one, name in names.items() if name in there}
+    for task in tasks:
+        task.end()
+    ended = [task.output for one, task in zip(namespaces, tasks, strict=True) if one not in reports]
+    expect(not ended, f'A governor with your parameter file ended with: {_last("".join(ended[:1]))}')
+    return reports
 
 
 def robots(learner) -> dict[str, dict]:
@@ -148,7 +142,7 @@ def robots(learner) -> dict[str, dict]:
 
 def _judge_program(learner, reports: Iterable[dict]) -> None:
     """The rule `nodes`: each node is the given executable."""
-    drawn = _drawn(learner)
+    drawn = executables.sign(learner)
     for report in reports:
         expect(
             report['drawn'] == drawn,
@@ -191,9 +185,9 @@ def judge_names(learner) -> None:
 def judge_others(learner, *namespaces: str) -> None:
     """The rules `rate` and `max-linear`, for governors in these namespaces."""
     robots(learner)
-    for namespace in namespaces:
-        with about('rate'):
-            report = alone(learner, namespace)
+    with about('rate'):
+        reports = alone(learner, *namespaces)
+    for namespace, report in reports.items():
         for name, wanted, rule in (
             ('rate', 20.0, 'rate'),
             ('max_linear', 0.6, 'max-linear'),
@@ -208,11 +202,11 @@ def judge_others(learner, *namespaces: str) -> None:
 
 def judge_installed_file(learner) -> None:
     """The rule `installed-file`."""
-    robots(learner)
+    there = robots(learner)
     drawn = learner.random.randint(21, 49)
-    reports = launched_with_rate(learner, drawn)
-    _judge_program(learner, reports)
-    found = [report['rate'] for report in reports]
+    again = launched_with_rate(learner, drawn)
+    _judge_program(learner, again)
+    found = [report['rate'] for report in again]
     expect(
         found == [drawn, drawn],
         f'The rate in the installed config/fleet.yaml was changed to {drawn}, and the '
@@ -220,6 +214,18 @@ def judge_installed_file(learner) -> None:
         'and give no values itself.',
         'installed-file',
     )
+    with about('installed-file'):
+        reports = alone(learner, *(name.removesuffix('/governor') for name in ROBOTS))
+    for report in reports.values():
+        name = report['node']
+        for parameter in WANTED[name]:
+            got, own = there[name][parameter], report[parameter]
+            expect(
+                got == own,
+                f'{name} has {parameter} = {got!r}, and without your launch file your parameter file gives it {own!r}. '
+                'Values belong into the file; the launch file must give none itself.',
+                'installed-file',
+            )
 
 
 def _launch(learner, workspace, before: str) -> tuple[str, list[dict]]:
@@ -236,12 +242,18 @@ def _launch(learner, workspace, before: str) -> tuple[str, list[dict]]:
 
 
 def _report(learner, observer: Observer, name: str) -> dict:
-    only, _ = _drawn(learner)
+    only, _ = executables.sign(learner)
     found = observer.parameters(name, ['max_linear', 'slow_linear', 'rate', 'mode', only])
+
+    def topics() -> list[str]:
+        return [', '.join(observer.topics(name, kind, _TWIST)) for kind in ('publisher', 'subscriber')]
+
+    observer.until(lambda: all(topics()), PATIENCE)  # what a node has is known later than the node itself
+    publishes, listens = topics()
     return {
         'node': name,
-        'publishes': ', '.join(observer.topics(name, 'publisher', _TWIST)),
-        'listens': ', '.join(observer.topics(name, 'subscriber', _TWIST)),
+        'publishes': publishes,
+        'listens': listens,
         **dict.fromkeys(('max_linear', 'slow_linear', 'rate'), math.nan),
         'mode': '',
         **found,
