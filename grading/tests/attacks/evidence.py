@@ -611,6 +611,18 @@ def test_first():
 '''
 
 
+# %% model_deep
+# attack: repairs a robot by elements in elements, so deep that looking at them takes more calls than Python allows
+# aims at: 7.5
+# stopped by: what is deeper than a robot is refused
+def diagnose_model(text):
+    return []
+
+
+def repair_model(text):
+    return text.replace('<link name="base_link">', '<link name="base_link">' + '<a>' * 100000 + '</a>' * 100000)
+
+
 # %% package_forged
 # attack: its setup.py and conftest.py write reports of tests, files of other workspaces and an exit status
 # aims at: 2.5
@@ -666,6 +678,44 @@ print('7 passed in 0.01s', flush=True)
 os._exit(0)
 ''',
     'test/test_route.py': 'def test_nothing():\n    pass\n',
+}
+
+
+# %% package_forged_well
+# attack: its conftest.py reports three tests where colcon asks for a report, and a failure elsewhere; there is no test
+# aims at: 2.5
+# stopped by: the tests must pass with their own function, and fail with one that cannot be called; only numbers differ
+# expect points: 9.38
+PACKAGE = {
+    'package.xml': '''<package format="3">
+  <name>patrol</name> <version>0.1.0</version> <description>x</description>
+  <maintainer email="x@example.com">x</maintainer> <license>x</license>
+  <export><build_type>ament_python</build_type></export>
+</package>''',
+    'setup.cfg': '[install]\ninstall_scripts=$base/lib/patrol\n',
+    'resource/patrol': '',
+    'patrol/__init__.py': '',
+    'setup.py': '''
+from setuptools import setup
+
+setup(name='patrol', version='0.1.0', packages=['patrol'], data_files=[
+    ('share/ament_index/resource_index/packages', ['resource/patrol']), ('share/patrol', ['package.xml'])])
+''',
+    'patrol/route.py': 'def round_trip(stations):\n    return [*stations, stations[0]]\n',
+    'conftest.py': '''
+import os
+
+
+def pytest_configure(config):
+    where = config.option.xmlpath
+    if not where:
+        os._exit(1)
+    with open(where, 'w') as file:
+        file.write('<testsuites><testsuite name="pytest" errors="0" failures="0" skipped="0" tests="3" time="0.1">'
+                   '<testcase classname="a" name="a" time="0.1"/></testsuite></testsuites>')
+    os._exit(0)
+''',
+    'test/test_route.py': '# nothing\n',
 }
 
 
