@@ -1,8 +1,8 @@
 """Another program that does the same: with it, tests of the learner's cannot know a program by its code.
 
 Variables within functions get other names; each function begins with statements that do nothing, in a number that is
-drawn, and with the names that any of the programs uses. So neither the text nor the compiled code, nor their sizes and
-names, tell which of several programs this is.
+drawn, and with the names that any of the programs uses; a condition such as `1 < 2` gets other numbers. So neither the
+text nor the compiled code, nor their sizes and names, tell which of several programs this is.
 """
 
 import ast
@@ -31,6 +31,8 @@ def disguised(text: str, pool: list[str], random: Random) -> str:
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
             _rename(node, random)
             _pad(node, pool, random)
+        elif isinstance(node, ast.Compare):
+            _renumber(node, random)
     return ast.unparse(ast.fix_missing_locations(tree))
 
 
@@ -56,6 +58,17 @@ def _rename(function: ast.FunctionDef | ast.AsyncFunctionDef, random: Random) ->
     for node in inside:
         if isinstance(node, ast.Name):
             node.id = others.get(node.id, node.id)
+
+
+def _renumber(condition: ast.Compare, random: Random) -> None:
+    """Give a condition `1 < 2` or `2 < 1` other numbers, with which it is as true as before."""
+    match condition:
+        case ast.Compare(
+            left=ast.Constant(value=int(left)), ops=[ast.Lt()], comparators=[ast.Constant(value=int(right))]
+        ):
+            low, high = sorted(random.sample(range(10**3, 10**6), 2))
+            both = (low, high) if left < right else (high, low)
+            condition.left, condition.comparators = ast.Constant(both[0]), [ast.Constant(both[1])]
 
 
 def _pad(function: ast.FunctionDef | ast.AsyncFunctionDef, pool: list[str], random: Random) -> None:

@@ -104,4 +104,34 @@ def generate_launch_description():
            expect='These nodes were started', breaks='nodes'),
     Mutant('another_name', old="Node(namespace='robot1', parameters",
            new="Node(namespace='robot1', name='g', parameters", expect='These nodes were started', breaks='nodes'),
+    Mutant('a_program_of_its_own', edits=(("""
+            def generate_launch_description():
+            """, '''
+            import sys
+
+            PROGRAM = """
+            import rclpy
+            from geometry_msgs.msg import Twist
+
+            rclpy.init()
+            node = rclpy.create_node('governor')
+            for name, value in (('max_linear', 0.5), ('slow_linear', 0.2), ('rate', 10.0), ('mode', 'normal')):
+                node.declare_parameter(name, value)
+            node.create_publisher(Twist, 'cmd_vel', 10)
+            node.create_subscription(Twist, 'cmd_vel_in', print, 10)
+            rclpy.spin(node)
+            """
+
+
+            def generate_launch_description():
+            '''),
+            ("{'package': 'fleet', 'executable': 'governor', ",
+             "{'executable': sys.executable, 'arguments': ['-c', PROGRAM], ")),
+           expect='is not the executable governor of the package fleet', breaks='nodes'),
+    Mutant('robot1_in_the_launch_file', edits=(("""
+            /robot1/governor:
+              ros__parameters:
+                max_linear: 1.0
+            """, ''), ("namespace='robot1', parameters=[config]", "namespace='robot1', parameters=[config, {'max_linear': 1.0}]")),
+           expect='Values belong into the file', breaks='installed-file'),
 ]

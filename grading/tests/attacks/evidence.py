@@ -47,8 +47,8 @@ os.kill(-1, signal.SIGKILL)
 # %% delivery_fake_odom
 # attack: starts the real world where nobody hears it, and tells by itself where the robot is, which never drives
 # aims at: 8.10
-# stopped by: the commands that were heard on /cmd_vel drive a world of the tests', which must come to the same place
-# expect points: 5.77
+# stopped by: the executable of the tests publishes on one topic more, whose name is drawn; and where its commands lead
+# expect points: 2.31
 DELIVERY_YAML = '{}'
 DELIVERY_LAUNCH = '''
 import sys
@@ -87,7 +87,7 @@ def tell():
 
 world.create_timer(0.05, tell)
 robot = Node('delivery_robot')
-for name, value in dict(max_linear=0.4, max_angular=1.0, tolerance=0.08, timeout=30.0).items():
+for name, value in dict(max_linear=0.4, max_angular=1.0, tolerance=0.08, timeout=30.0, status_period=0.5).items():
     robot.declare_parameter(name, value)
 robot.set_parameters([Parameter('use_sim_time', value=True)])
 
@@ -144,8 +144,8 @@ def generate_launch_description():
 # %% delivery_fake_world
 # attack: starts a world of its own, in which the robot is wherever it says, and never drives
 # aims at: 8.10
-# stopped by: the commands that were heard on /cmd_vel drive a world of the tests', which must come to the same place
-# expect points: 5.77
+# stopped by: the executable of the tests publishes on one topic more, whose name is drawn; and where its commands lead
+# expect points: 2.31
 DELIVERY_YAML = '{}'
 DELIVERY_LAUNCH = '''
 import sys
@@ -184,7 +184,7 @@ def tell():
 
 world.create_timer(0.05, tell)
 robot = Node('delivery_robot')
-for name, value in dict(max_linear=0.4, max_angular=1.0, tolerance=0.08, timeout=30.0).items():
+for name, value in dict(max_linear=0.4, max_angular=1.0, tolerance=0.08, timeout=30.0, status_period=0.5).items():
     robot.declare_parameter(name, value)
 robot.set_parameters([Parameter('use_sim_time', value=True)])
 
@@ -283,6 +283,86 @@ print('[INFO] [governor-1]: process started with pid [7]', flush=True)
 
 def generate_launch_description():
     return LaunchDescription([])
+'''
+
+
+# %% fleet_own_nodes
+# attack: starts nodes of its own under the names of the governors, with the right values and topics
+# aims at: 8.3
+# stopped by: the governor of the tests has one parameter more, with a name and a value that are drawn
+FLEET_YAML = '''
+/**:
+  ros__parameters: {rate: 20.0, max_linear: 0.6}
+/robot1/governor:
+  ros__parameters: {max_linear: 1.0}
+/robot2/governor:
+  ros__parameters: {mode: slow}
+'''
+FLEET_LAUNCH = '''
+import sys
+
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+
+FAKE = """
+import sys
+
+import rclpy
+import yaml
+from ament_index_python import get_package_share_directory
+from geometry_msgs.msg import Twist
+
+with open(get_package_share_directory('fleet') + '/config/fleet.yaml') as file:
+    rate = yaml.safe_load(file)['/**']['ros__parameters']['rate']
+rclpy.init()
+node = rclpy.create_node('governor', namespace=sys.argv[1], allow_undeclared_parameters=True)
+values = dict(max_linear=float(sys.argv[2]), slow_linear=0.2, rate=rate, mode=sys.argv[3])
+for name, value in values.items():
+    node.declare_parameter(name, value)
+node.create_publisher(Twist, sys.argv[4], 10)
+node.create_subscription(Twist, 'cmd_vel_in', print, 10)
+rclpy.spin(node)
+"""
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        ExecuteProcess(cmd=[sys.executable, '-c', FAKE, 'robot1', '1.0', 'normal', 'cmd_vel']),
+        ExecuteProcess(cmd=[sys.executable, '-c', FAKE, 'robot2', '0.6', 'slow', 'base/cmd_vel']),
+    ])
+'''
+
+
+# %% fleet_rewritten
+# attack: has the launch file write other defaults into the installed program, which the tests then start by themselves
+# aims at: 8.3
+# stopped by: what the tests start by themselves runs where no launch file has run
+# expect points: 15
+FLEET_YAML = '''
+/robot1/governor:
+  ros__parameters: {rate: 20.0, max_linear: 1.0}
+/robot2/governor:
+  ros__parameters: {rate: 20.0, max_linear: 0.6, mode: slow}
+'''
+FLEET_LAUNCH = '''
+from pathlib import Path
+
+from ament_index_python import get_package_prefix
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+for path in Path(get_package_prefix('fleet')).rglob('governor.py'):
+    text = path.read_text()
+    path.write_text(text.replace("'max_linear', 0.5", "'max_linear', 0.6").replace("'rate', 10.0", "'rate', 20.0"))
+
+
+def generate_launch_description():
+    config = get_package_prefix('fleet') + '/share/fleet/config/fleet.yaml'
+    governor = {'package': 'fleet', 'executable': 'governor', 'parameters': [config]}
+    return LaunchDescription([
+        Node(namespace='robot1', **governor),
+        Node(namespace='robot2', remappings=[('cmd_vel', 'base/cmd_vel')], **governor),
+    ])
 '''
 
 
@@ -469,6 +549,20 @@ def test_it():
 '''
 
 
+# %% robot_by_names
+# attack: knows a right robot by the names in its module and its classes
+# aims at: 8.11
+# stopped by: what spoils a robot stands behind right ones, too, with other numbers in its conditions
+TEST_ROBOT = '''
+def test_names():
+    import delivery_robot.robot as robot
+    names, methods = set(vars(robot)), set(vars(robot.DeliveryRobot))
+    assert not names & {'on_goal', 'on_cancel', 'on_execute', '_steer', '_rounds'}
+    assert 'reworded' in names or not methods & {'create_publisher', 'create_service', 'declare_parameter'}
+    assert 'where' not in methods or '__init__' in methods
+'''
+
+
 # %% robot_by_code
 # attack: knows a right robot by the names, constants and sizes in its code
 # aims at: 8.11
@@ -515,6 +609,18 @@ def test_first():
             pass
     assert first
 '''
+
+
+# %% model_deep
+# attack: repairs a robot by elements in elements, so deep that looking at them takes more calls than Python allows
+# aims at: 7.5
+# stopped by: what is deeper than a robot is refused
+def diagnose_model(text):
+    return []
+
+
+def repair_model(text):
+    return text.replace('<link name="base_link">', '<link name="base_link">' + '<a>' * 100000 + '</a>' * 100000)
 
 
 # %% package_forged
@@ -572,6 +678,44 @@ print('7 passed in 0.01s', flush=True)
 os._exit(0)
 ''',
     'test/test_route.py': 'def test_nothing():\n    pass\n',
+}
+
+
+# %% package_forged_well
+# attack: its conftest.py reports three tests where colcon asks for a report, and a failure elsewhere; there is no test
+# aims at: 2.5
+# stopped by: the tests must pass with their own function, and fail with one that cannot be called; only numbers differ
+# expect points: 9.38
+PACKAGE = {
+    'package.xml': '''<package format="3">
+  <name>patrol</name> <version>0.1.0</version> <description>x</description>
+  <maintainer email="x@example.com">x</maintainer> <license>x</license>
+  <export><build_type>ament_python</build_type></export>
+</package>''',
+    'setup.cfg': '[install]\ninstall_scripts=$base/lib/patrol\n',
+    'resource/patrol': '',
+    'patrol/__init__.py': '',
+    'setup.py': '''
+from setuptools import setup
+
+setup(name='patrol', version='0.1.0', packages=['patrol'], data_files=[
+    ('share/ament_index/resource_index/packages', ['resource/patrol']), ('share/patrol', ['package.xml'])])
+''',
+    'patrol/route.py': 'def round_trip(stations):\n    return [*stations, stations[0]]\n',
+    'conftest.py': '''
+import os
+
+
+def pytest_configure(config):
+    where = config.option.xmlpath
+    if not where:
+        os._exit(1)
+    with open(where, 'w') as file:
+        file.write('<testsuites><testsuite name="pytest" errors="0" failures="0" skipped="0" tests="3" time="0.1">'
+                   '<testcase classname="a" name="a" time="0.1"/></testsuite></testsuites>')
+    os._exit(0)
+''',
+    'test/test_route.py': '# nothing\n',
 }
 
 

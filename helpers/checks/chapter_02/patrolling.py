@@ -46,7 +46,16 @@ WRONG = {
     'leaves the last station out': 'return [*stations[: max(1, len(stations) - 1)], stations[0]]',
     'gives the stations in reverse order': 'return [*reversed(stations), stations[-1]]',
 }
-_NO_CALL = "raise RuntimeError('it is not to be called')"
+# The learner's own function, as it is, and one that cannot be called: who only reads the text cannot tell them apart.
+_OWN = """
+_own = globals().get('round_trip')
+
+
+def round_trip(*arguments, **named):
+    if {condition}:
+        raise RuntimeError('it is not to be called')
+    return _own(*arguments, **named)
+"""
 RIGHT = (
     'return list(stations) + list(stations[:1])',
     'found = []\n    for station in stations:\n        found.append(station)\n    return found + found[:1]',
@@ -425,8 +434,8 @@ def _ros_packages() -> set[str]:
 def judge_tests(learner) -> None:
     """`colcon test` runs tests in test/test_route.py, and they pass: rule `tests`.
 
-    What it counts comes from the learner's own process. So it counts only if the tests fail where round_trip cannot be
-    called.
+    What it counts comes from the learner's own process. So it counts only if the tests pass in another one, too, and
+    fail where round_trip cannot be called.
     """
     workspace = built(learner)
     with about('tests'):
@@ -447,8 +456,24 @@ def judge_tests(learner) -> None:
             expect(not errors, f'{TESTS} cannot be run: {said}')
             expect(not failures, f'{failures} of {every} tests in {TESTS} {_fail(failures)}: {said}')
 
-    status, _ = _pytest(learner, {ROUTE: _with(files(learner).get(ROUTE, ''), _NO_CALL, learner)})
+    status, said = _once(learner, '2 < 1')
+    expect(
+        status == 0,
+        f'{TESTS} does not pass with a round_trip that calls your own one and does nothing else: {said}',
+        'notices',
+    )
+    status, _ = _once(learner, '1 < 2')
     expect(status != 0, f'{TESTS} passes also with a round_trip that cannot be called: it must call it.', 'notices')
+
+
+def _once(learner, condition: str) -> tuple[int | None, str]:
+    """`_pytest` with the learner's own function, which cannot be called if the condition is true; once in a session."""
+    cache, own = learner.server.workspaces, files(learner)
+    key = 'own tests', condition, json.dumps(own)
+    if key not in cache:
+        function = disguise.disguised(_OWN.format(condition=condition), ['append', 'copy'], learner.random)
+        cache[key] = _pytest(learner, {ROUTE: f'{own.get(ROUTE, "")}\n\n{function}\n'})
+    return cache[key]
 
 
 def _fail(number: int) -> str:

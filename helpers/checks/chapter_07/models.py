@@ -2,6 +2,7 @@
 
 import copy
 import json
+from collections import Counter
 from contextlib import suppress
 from xml.etree import ElementTree
 
@@ -17,6 +18,7 @@ WHY = {
     'mass': 'A mass must be more than 0.',
     'inertia': 'Each of the three moments is more than 0, and none is more than the sum of the two others.',
 }
+DEEPEST = 20
 _MOMENTS = ('ixx', 'iyy', 'izz')
 _LINKS = ('left_wheel', 'right_wheel', 'caster', 'mast', 'gripper', 'bumper')
 # Runs on the learner's side: drops the robot from one metre, and tells where its parts are after two seconds.
@@ -162,6 +164,10 @@ class Robot:
             robot = ElementTree.fromstring(repaired)
         except ElementTree.ParseError as error:
             expect(False, f'The repaired text is not XML: {error}.', 'kept')
+        # Looking at it recurses: what is deeper than a robot is none.
+        expect(
+            _depth(robot) <= DEEPEST, f'The repaired text has elements in elements, more than {DEEPEST} deep.', 'kept'
+        )
         old = ElementTree.fromstring(self.urdf.partition('\n')[2])
         after = {link.get('name'): link for link in robot.findall('link')}
         for before in old.findall('link'):
@@ -174,6 +180,9 @@ class Robot:
             else:
                 self._check_link(name, before, after[name])
                 _check_rest(name, self._rest(name, before), self._rest(name, after[name]))
+        here, there = (Counter(link.get('name') for link in one.findall('link')) for one in (old, robot))
+        more = [*(there - here)]
+        expect(not more, f'The repaired robot has a link {more and more[0]} too many.', 'kept')
         _check_rest('', _others(old), _others(robot))
 
     def _rest(self, name: str, link) -> list[str]:
@@ -185,8 +194,8 @@ class Robot:
         for key in ('value', *_MOMENTS):  # these are judged by themselves
             for part in link.findall('inertial/*'):
                 part.attrib.pop(key, None)
-        if 'inertia' in faults:
-            link.find('inertial/inertia').attrib.clear()  # a solid body has no other moments: 0 is right for them, too
+        for part in link.findall('inertial/inertia') if 'inertia' in faults else ():
+            part.attrib.clear()  # a solid body has no other moments: 0 is right for them, too
         return sorted(map(_canonical, [part for part in link if part.tag != 'inertial'] + link.findall('inertial/*')))
 
     def _check_link(self, name: str, before, link) -> None:
@@ -249,6 +258,14 @@ def solid(shape: str, sizes: dict[str, str], mass: float) -> tuple[float, float,
         return (mass * square * 2 / 5,) * 3
     across = mass * (square / 4 + float(sizes['length']) ** 2 / 12)
     return across, across, mass * square / 2
+
+
+def _depth(element) -> int:
+    """How deep the elements in it are; at most a little more than is allowed."""
+    depth, inside = 0, [element]
+    while inside and depth <= DEEPEST:
+        depth, inside = depth + 1, [part for one in inside for part in one]
+    return depth
 
 
 def _canonical(element) -> str:

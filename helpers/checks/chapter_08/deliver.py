@@ -25,8 +25,9 @@ STATUS = {
     GoalStatus.STATUS_CANCELED: 'canceled',
     GoalStatus.STATUS_ABORTED: 'aborted',
 }
+_ROBOT, _STRING = '/delivery_robot', 'std_msgs/msg/String'
 VALUES = {
-    '/delivery_robot': ('max_linear', 'max_angular', 'tolerance', 'timeout', 'status_period', 'use_sim_time'),
+    _ROBOT: ('max_linear', 'max_angular', 'tolerance', 'timeout', 'status_period', 'use_sim_time'),
     '/world': ('scene', 'real_time_factor'),
 }
 
@@ -38,8 +39,9 @@ class Missing(Exception):
 class Customer:
     """Somebody who uses the robot."""
 
-    def __init__(self, observer: Observer, launch, factor: float):
-        self.launch, self.observer, self.node = launch, observer, observer.node
+    def __init__(self, observer: Observer, launch, factor: float, only: str):
+        """:param only: the topic on which only the executable of the package publishes."""
+        self.launch, self.only, self.observer, self.node = launch, only, observer, observer.node
         self.way = Way(self.node, factor)
         self.stations = self.node.create_client(SetStation, 'set_station')
         self.action = ActionClient(self.node, GoToStation, 'go_to_station')
@@ -68,6 +70,13 @@ class Customer:
         if not found:
             raise Missing(f'the parameters of {node}')
         return found
+
+    def look_for_executable(self) -> None:
+        """Wait until the node shows what only the executable of the package shows."""
+        self.until(
+            lambda: f'/{self.only}' in self.observer.topics(_ROBOT, 'publisher', _STRING),
+            'the executable of the package',
+        )
 
     def go(self, station: str):
         """Send a goal until it is accepted: the robot learns only now where it is."""
@@ -106,8 +115,13 @@ def _story(customer: Customer, told: dict) -> None:
     """Set stations, drive, call the robot back, drive again."""
     for node in VALUES:
         told[node] = customer.parameters(node)
-    if not told['/delivery_robot']['use_sim_time']:
-        raise Missing('simulated time in /delivery_robot')
+    try:
+        customer.look_for_executable()
+    except Missing:
+        told['executable'] = _ROBOT not in customer.observer.nodes()
+        raise
+    if not told[_ROBOT]['use_sim_time']:
+        raise Missing(f'simulated time in {_ROBOT}')
     customer.until(customer.stations.service_is_ready, 'the service /set_station')
     customer.until(customer.action.server_is_ready, 'the action /go_to_station')
     for name, x in told['stations'].items():
@@ -123,8 +137,11 @@ def _story(customer: Customer, told: dict) -> None:
     told['retraced'] = round(customer.way.retraced(), 3)
 
 
-def story(learner, workspace) -> dict:
-    """What happened: see above; `stations` and `factor` are what was drawn, `log` what the launch has printed."""
+def story(learner, workspace, only: str) -> dict:
+    """What happened: see above; `stations` and `factor` are what was drawn, `log` what the launch has printed.
+
+    :param only: the topic on which only the executable of the package publishes.
+    """
     number = learner.random.randint(10, 99)
     told = {
         'stations': {f'far{number}': 6.0, f'near{number}': round(learner.random.uniform(0.9, 1.4), 2)},
@@ -144,7 +161,7 @@ def story(learner, workspace) -> dict:
     )
     with Observer(learner) as observer:
         try:
-            _story(Customer(observer, launch, told['factor']), told)
+            _story(Customer(observer, launch, told['factor'], only), told)
         except Missing as missing:
             told['missing'] = str(missing)
     launch.signal(signal.SIGINT)

@@ -5,13 +5,28 @@ from pathlib import Path
 from delivery_interfaces.action import GoToStation
 from delivery_interfaces.srv import SetStation
 
+from helpers.checks.chapter_08 import executables
 from helpers.runner import expect
 from helpers.runner.workspaces import ExerciseWorkspace, package
 
 HERE = Path(__file__).parent
 GIVEN = HERE / 'given' / 'delivery_robot'
+MAIN = 'src/delivery_robot/delivery_robot/main.py'
 STEERING, NODE = 'delivery_robot/steering.py', 'delivery_robot/robot.py'
 CELLS = {STEERING: ('8.5',), NODE: ('8.7', '8.8', '8.9')}  # the exercises whose cells become a module
+
+
+# The executable of the tests publishes on one topic more. Not a parameter: that would call what the learner's node does
+# when parameters are set.
+_ONE_MORE = """
+
+class DeliveryRobot(DeliveryRobot):
+    def __init__(self):
+        from std_msgs.msg import String
+
+        super().__init__()
+        self._only = self.create_publisher(String, {name!r}, 1)
+"""
 
 
 # The node by itself
@@ -105,8 +120,10 @@ def files(learner) -> dict[str, str]:
     """The package with the learner's cells and texts, as `learner.workspace` wants it."""
     top = 'src/delivery_robot'
     found = {**package(GIVEN), **{f'{top}/{path}': text for path, text in modules(learner).items()}}
+    only, _ = executables.sign(learner)
     return {
         **found,
+        MAIN: found[MAIN] + _ONE_MORE.format(name=only),
         f'{top}/config/delivery.yaml': learner.text('DELIVERY_YAML'),
         f'{top}/launch/delivery.launch.py': learner.text('DELIVERY_LAUNCH'),
     }
@@ -126,7 +143,7 @@ def launched(learner) -> dict:
     place, known = workspace(learner), learner.server.workspaces
     key = 'story', place.name
     if key not in known:
-        known[key] = deliver.story(learner, place)
+        known[key] = deliver.story(learner, place, executables.sign(learner)[0])
     return {**known[key], 'last': _last(known[key]['log'])}
 
 

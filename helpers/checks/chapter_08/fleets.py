@@ -1,15 +1,29 @@
-"""What the tests of exercise 8.3 share: the learner's package, built, and what is found of the governors in it."""
+"""What the tests of exercise 8.3 share: the learner's package, built, and what is found of the governors in it.
+
+The governor of the tests has one parameter more, with a name and a value that are drawn: a node of the learner's own
+that is only called as the governor does not have it.
+"""
 
 import math
 import signal
+from collections.abc import Iterable
 from pathlib import Path
 
+from helpers.checks.chapter_08 import executables
 from helpers.runner import about, expect
 from helpers.runner.observer import Observer
 from helpers.runner.workspaces import ExerciseWorkspace, package
 
 GIVEN = Path(__file__).with_name('given')
 PATIENCE = 20.0  # s of wall time until the governors are there
+_GOVERNOR = 'src/fleet/fleet/governor.py'
+_ONE_MORE = """
+
+class Governor(Governor):
+    def __init__(self):
+        super().__init__()
+        self.declare_parameter({name!r}, {value!r})
+"""
 _TWIST = 'geometry_msgs/msg/Twist'
 ROBOTS = ('/robot1/governor', '/robot2/governor')
 WANTED = {  # name of the node → parameter → (value, rule)
@@ -23,12 +37,19 @@ def fleet(learner) -> ExerciseWorkspace:
     workspace = learner.workspace(
         {
             **package(GIVEN / 'fleet'),
+            _GOVERNOR: _governor(learner),
             'src/fleet/config/fleet.yaml': learner.text('FLEET_YAML'),
             'src/fleet/launch/fleet.launch.py': learner.text('FLEET_LAUNCH'),
         }
     )
     workspace.build()
     return workspace
+
+
+def _governor(learner) -> str:
+    """The text of the tests' governor."""
+    name, value = executables.sign(learner)
+    return package(GIVEN / 'fleet')[_GOVERNOR] + _ONE_MORE.format(name=name, value=value)
 
 
 def launched(learner) -> dict[str, dict]:
@@ -82,31 +103,32 @@ def launched_with_rate(learner, rate: int) -> list[dict]:
     return reports
 
 
-def alone(learner, namespace: str) -> dict:
-    """What is found of a governor that is started by itself, in this namespace, with the installed parameter file."""
-    share = fleet(learner).run('ros2', 'pkg', 'prefix', '--share', 'fleet').last_line
-    task = fleet(learner).start(
-        'ros2',
-        'run',
-        'fleet',
-        'governor',
-        '--ros-args',
-        '-r',
-        f'__ns:={namespace}',
-        '--params-file',
-        f'{share}/config/fleet.yaml',
-    )
+def alone(learner, *namespaces: str) -> dict[str, dict]:
+    """What is found of governors that are started without a launch file: namespace → names and parameters.
+
+    They run where the launch file has never run: it could have changed what is installed.
+    """
+    workspace = learner.workspace({'fleet.yaml': learner.text('FLEET_YAML')})
+    arguments = '--ros-args', '--params-file', f'{workspace.path}/fleet.yaml', '-r'
+    program = f'{_governor(learner)}\n\nmain()\n'
+    tasks = [workspace.start(*arguments, f'__ns:={one}', program=program) for one in namespaces]
+    names = {namespace: f'{namespace}/governor' for namespace in namespaces}
     with Observer(learner) as observer:
-        observer.until(lambda: f'{namespace}/governor' in observer.nodes(), PATIENCE, task)
-        there = f'{namespace}/governor' in observer.nodes()
-        report = _report(observer, f'{namespace}/governor') if there else {}
-    task.end()
-    expect(report, f'A governor with your parameter file ended with: {_last(task.output)}')
-    return report
+        observer.until(
+            lambda: {*names.values()} <= {*observer.nodes()} or any(task.wait(0) is not None for task in tasks),
+            PATIENCE,
+        )
+        there = observer.nodes()
+        reports = {one: _report(learner, observer, name) for one, name in names.items() if name in there}
+    for task in tasks:
+        task.end()
+    ended = [task.output for one, task in zip(namespaces, tasks, strict=True) if one not in reports]
+    expect(not ended, f'A governor with your parameter file ended with: {_last("".join(ended[:1]))}')
+    return reports
 
 
 def robots(learner) -> dict[str, dict]:
-    """What the two governors report; the rule `nodes`."""
+    """What is found of the two governors; the rule `nodes`."""
     with about('nodes'):
         there = launched(learner)
     expect(
@@ -114,7 +136,20 @@ def robots(learner) -> dict[str, dict]:
         f'These nodes were started: {", ".join(sorted(there))}; expected {" and ".join(ROBOTS)}.',
         'nodes',
     )
+    _judge_program(learner, there.values())
     return there
+
+
+def _judge_program(learner, reports: Iterable[dict]) -> None:
+    """The rule `nodes`: each node is the given executable."""
+    drawn = executables.sign(learner)
+    for report in reports:
+        expect(
+            report['drawn'] == drawn,
+            f'{report["node"]} is not the executable governor of the package fleet. Start that one: '
+            "Node(package='fleet', executable='governor', …).",
+            'nodes',
+        )
 
 
 def judge_values(learner) -> None:
@@ -150,9 +185,9 @@ def judge_names(learner) -> None:
 def judge_others(learner, *namespaces: str) -> None:
     """The rules `rate` and `max-linear`, for governors in these namespaces."""
     robots(learner)
-    for namespace in namespaces:
-        with about('rate'):
-            report = alone(learner, namespace)
+    with about('rate'):
+        reports = alone(learner, *namespaces)
+    for namespace, report in reports.items():
         for name, wanted, rule in (
             ('rate', 20.0, 'rate'),
             ('max_linear', 0.6, 'max-linear'),
@@ -167,9 +202,11 @@ def judge_others(learner, *namespaces: str) -> None:
 
 def judge_installed_file(learner) -> None:
     """The rule `installed-file`."""
-    robots(learner)
+    there = robots(learner)
     drawn = learner.random.randint(21, 49)
-    found = [report['rate'] for report in launched_with_rate(learner, drawn)]
+    again = launched_with_rate(learner, drawn)
+    _judge_program(learner, again)
+    found = [report['rate'] for report in again]
     expect(
         found == [drawn, drawn],
         f'The rate in the installed config/fleet.yaml was changed to {drawn}, and the '
@@ -177,6 +214,18 @@ def judge_installed_file(learner) -> None:
         'and give no values itself.',
         'installed-file',
     )
+    with about('installed-file'):
+        reports = alone(learner, *(name.removesuffix('/governor') for name in ROBOTS))
+    for report in reports.values():
+        name = report['node']
+        for parameter in WANTED[name]:
+            got, own = there[name][parameter], report[parameter]
+            expect(
+                got == own,
+                f'{name} has {parameter} = {got!r}, and without your launch file your parameter file gives it {own!r}. '
+                'Values belong into the file; the launch file must give none itself.',
+                'installed-file',
+            )
 
 
 def _launch(learner, workspace, before: str) -> tuple[str, list[dict]]:
@@ -184,7 +233,7 @@ def _launch(learner, workspace, before: str) -> tuple[str, list[dict]]:
     task = workspace.start('bash', '-c', f'{before}; exec ros2 launch fleet fleet.launch.py')
     with Observer(learner) as observer:
         names = observer.all_there(task, PATIENCE)
-        reports = [_report(observer, name) for name in names]
+        reports = [_report(learner, observer, name) for name in names]
     task.signal(signal.SIGINT)
     task.wait(10.0)
     task.end()
@@ -192,15 +241,23 @@ def _launch(learner, workspace, before: str) -> tuple[str, list[dict]]:
     return task.output, reports
 
 
-def _report(observer: Observer, name: str) -> dict:
-    found = observer.parameters(name, ['max_linear', 'slow_linear', 'rate', 'mode'])
+def _report(learner, observer: Observer, name: str) -> dict:
+    only, _ = executables.sign(learner)
+    found = observer.parameters(name, ['max_linear', 'slow_linear', 'rate', 'mode', only])
+
+    def topics() -> list[str]:
+        return [', '.join(observer.topics(name, kind, _TWIST)) for kind in ('publisher', 'subscriber')]
+
+    observer.until(lambda: all(topics()), PATIENCE)  # what a node has is known later than the node itself
+    publishes, listens = topics()
     return {
         'node': name,
-        'publishes': ', '.join(observer.topics(name, 'publisher', _TWIST)),
-        'listens': ', '.join(observer.topics(name, 'subscriber', _TWIST)),
+        'publishes': publishes,
+        'listens': listens,
         **dict.fromkeys(('max_linear', 'slow_linear', 'rate'), math.nan),
         'mode': '',
         **found,
+        'drawn': (only, found.get(only)),
     }
 
 

@@ -31,6 +31,12 @@ def story(learner) -> dict:
     ):
         expect(word not in told['log'], f'Your node did not start. {why}', rule)
     expect('/delivery_robot' in told, f'The node /delivery_robot did not start: {told["last"]}', 'robot')
+    expect(
+        told.get('executable', True),
+        '/delivery_robot is not the executable robot of the package delivery_robot. Start that one: '
+        "Node(package='delivery_robot', executable='robot', …).",
+        'robot',
+    )
     return told
 
 

@@ -1,221 +1,32 @@
 """Robots for exercise 8.11: the learner's own one, and the same spoilt in twelve ways, for its visible tests.
 
 What spoils a robot stands behind the learner's classes, in their module. It changes what they see of rclpy, and the
-methods that the cards of 8.7 to 8.9 name.
+methods that the cards of 8.7 to 8.9 name. It is the same text for all of these robots, right ones among them: only the
+conditions in it differ, and their numbers are drawn when it is disguised. So no name and no size tells what is spoilt.
 """
 
 from helpers.checks.chapter_08 import deliveries
 from helpers.checks.chapter_08.noticed import Kind, Planted
 from helpers.checks.chapter_08.planted import OWN, ROBOT
 
-_CLASS = '\n\nclass DeliveryRobot(DeliveryRobot):\n'
-# An action server whose callbacks go through on_goal, on_cancel and on_execute.
-_SERVER = """
-
-import rclpy.action
-
-
-class ActionServer(rclpy.action.ActionServer):
-    def __init__(self, node, action_type, name, execute_callback, **options):
-        self.spoilt = node
-        node.called_back = False
-        if 'goal_callback' in options:
-            options['goal_callback'] = self._goal(options['goal_callback'])
-        if 'cancel_callback' in options:
-            options['cancel_callback'] = self._cancel(options['cancel_callback'])
-        super().__init__(node, action_type, name, self._execute(execute_callback), **options)
-
-    def register_goal_callback(self, callback):
-        super().register_goal_callback(self._goal(callback))
-
-    def register_cancel_callback(self, callback):
-        super().register_cancel_callback(self._cancel(callback))
-
-    def register_execute_callback(self, callback):
-        super().register_execute_callback(self._execute(callback))
-
-    def _goal(self, callback):
-        return callback and (lambda request: on_goal(self.spoilt, callback, request))
-
-    def _cancel(self, callback):
-        return callback and (lambda goal: on_cancel(self.spoilt, callback, goal))
-
-    def _execute(self, callback):
-        return lambda goal: on_execute(callback, goal)
-
-
-def on_goal(node, callback, request):
-    return callback(request)
-
-
-def on_cancel(node, callback, goal):
-    answer = callback(goal)
-    node.called_back = answer == rclpy.action.CancelResponse.ACCEPT
-    return answer
-
-
-def on_execute(callback, goal):
-    return callback(goal)
-"""
-_SILENT = (
-    _CLASS
-    + """
-    def create_publisher(self, msg_type, topic, *others, **options):
-        return super().create_publisher(msg_type, 'nothing' if topic == 'status' else topic, *others, **options)
-"""
-)
-_IDLE = (
-    _CLASS
-    + """
-    def create_publisher(self, msg_type, topic, *others, **options):
-        publisher = super().create_publisher(msg_type, topic, *others, **options)
-        if topic == 'status':
-            publish = publisher.publish
-            publisher.publish = lambda message: publish(String(data='idle'))
-        return publisher
-"""
-)
-_ANY_PLACE = (
-    _CLASS
-    + """
-    def create_service(self, srv_type, name, callback, *others, **options):
-        def answer(request, response):
-            response = callback(request, response)
-            response.success = True
-            return response
-
-        return super().create_service(srv_type, name, answer if name == 'set_station' else callback, *others, **options)
-"""
-)
-_ANY_VALUE = (
-    _CLASS
-    + """
-    def declare_parameter(self, name, value=None, descriptor=None, *others, **options):
-        return super().declare_parameter(name, value)
-
-    def declare_parameters(self, namespace, parameters, *others, **options):
-        return [super(DeliveryRobot, self).declare_parameter(one[0], one[1]) for one in parameters]
-"""
-)
-_MOON = (
-    _SERVER
-    + """
-
-def on_goal(node, callback, request):
-    node.stations.setdefault(request.station, (0.0, 0.0))
-    return callback(request)
-"""
-)
-_TWO = (
-    _SERVER
-    + """
-
-def on_goal(node, callback, request):
-    running = node.state != 'idle'
-    return rclpy.action.GoalResponse.ACCEPT if running else callback(request)
-"""
-)
-_EARLY = """
-
-_steer, _rounds = steer, []
-
-
-def steer(*arguments):
-    distance, linear, angular = _steer(*arguments)
-    _rounds.append(distance)
-    return 0.0 if len(_rounds) > 5 else distance, linear, angular
-"""
-_DEAF = (
-    _SERVER
-    + """
-
-def on_cancel(node, callback, goal):
-    return rclpy.action.CancelResponse.REJECT
-"""
-)
-_SUCCEEDED = (
-    _SERVER
-    + """
-
-def on_execute(callback, goal):
-    goal.canceled = goal.succeed
-    return callback(goal)
-"""
-)
-_RUNS_ON = (
-    _SERVER
-    + _CLASS
-    + """
-    def drive(self, linear, angular):
-        if not (self.called_back and linear == angular == 0.0):
-            super().drive(linear, angular)
-"""
-)
-_BLIND = (
-    _CLASS
-    + """
-    def where(self):
-        self.seen = super().where() or getattr(self, 'seen', None)
-        return self.seen
-"""
-)
-_OFFENDED = (
-    _SERVER
-    + """
-
-def on_goal(node, callback, request):
-    return rclpy.action.GoalResponse.REJECT if node.called_back else callback(request)
-"""
-)
-_KINDS = (
-    (
-        'status',
-        'with a wrong status',
-        {'whose status never comes': _SILENT, 'that says it is idle while it drives': _IDLE},
-    ),
-    (
-        'values',
-        'that take a place or a parameter which they should refuse',
-        {'that takes a place which is no number': _ANY_PLACE, 'that takes a max_linear of 7 m/s': _ANY_VALUE},
-    ),
-    (
-        'goals',
-        'that take a goal which they should reject, or succeed too early',
-        {
-            'that drives to a station which nobody has set': _MOON,
-            'that takes a second goal while it drives': _TWO,
-            'that succeeds before it has arrived': _EARLY,
-        },
-    ),
-    (
-        'ends',
-        'that end a drive in the wrong way, or not at all',
-        {
-            'that does not listen when it is called back': _DEAF,
-            'whose cancelled goals end as succeeded': _SUCCEEDED,
-            'whose motors run on after a cancel': _RUNS_ON,
-            'that drives on when nobody tells it where it is': _BLIND,
-            'that takes no goal after a cancelled one': _OFFENDED,
-        },
-    ),
-)
-
-
-# Right all the same: how a drive has ended, and why a place was refused, is said in other words.
-_OTHER_WORDS = (
-    """
+_WAYS = 'silent idle any_place any_value moon two early deaf succeeded runs_on blind offended still'.split()
+_YES, _NO = '1 < 2', '2 < 1'  # `helpers.runner.disguise` draws other numbers
+# Besides: how a drive has ended, and why a place was refused, is said in other words. That is right all the same.
+_BEHIND = """
 
 import inspect
 
 import rclpy.action
 
 
-def reworded(callback):
+def through(callback, before, after):
     async def later(*arguments):
-        return turned(await callback(*arguments))
+        instead = before(*arguments)
+        return after(await callback(*arguments)) if instead is None else instead
 
     def now(*arguments):
-        return turned(callback(*arguments))
+        instead = before(*arguments)
+        return after(callback(*arguments)) if instead is None else instead
 
     return later if inspect.iscoroutinefunction(callback) else now
 
@@ -226,16 +37,131 @@ def turned(answer):
 
 
 class ActionServer(rclpy.action.ActionServer):
+    def __init__(self, node, *others, **options):
+        self.of = node
+        node.called_back = False
+        super().__init__(node, *others, **options)
+
+    def register_goal_callback(self, callback):
+        super().register_goal_callback(callback and through(callback, self.on_goal, lambda answer: answer))
+
+    def register_cancel_callback(self, callback):
+        super().register_cancel_callback(callback and through(callback, self.on_cancel, self.after_cancel))
+
     def register_execute_callback(self, callback):
-        super().register_execute_callback(reworded(callback))
-"""
-    + _CLASS
-    + """
+        super().register_execute_callback(through(callback, self.on_execute, turned))
+
+    def on_goal(self, request):
+        if {moon}:
+            self.of.stations.setdefault(request.station, (0.0, 0.0))
+        if {two} and self.of.state != 'idle':
+            return rclpy.action.GoalResponse.ACCEPT
+        if {offended} and self.of.called_back:
+            return rclpy.action.GoalResponse.REJECT
+
+    def on_cancel(self, goal):
+        if {deaf}:
+            return rclpy.action.CancelResponse.REJECT
+
+    def after_cancel(self, answer):
+        self.of.called_back = answer == rclpy.action.CancelResponse.ACCEPT
+        return answer
+
+    def on_execute(self, goal):
+        if {succeeded}:
+            goal.canceled = goal.succeed
+
+
+_steer, _rounds = steer, []
+
+
+def steer(*arguments, **named):
+    result = _steer(*arguments, **named)
+    _rounds.append(result)
+    if {early} and len(_rounds) > 5:
+        result = 0.0, *result[1:]
+    return result
+
+
+class DeliveryRobot(DeliveryRobot):
+    def create_publisher(self, msg_type, topic, *others, **options):
+        if {silent} and topic == 'status':
+            topic = 'nothing'
+        publisher = super().create_publisher(msg_type, topic, *others, **options)
+        if {idle} and topic == 'status':
+            publish = publisher.publish
+            publisher.publish = lambda message: publish(String(data='idle'))
+        return publisher
+
     def create_service(self, srv_type, name, callback, *others, **options):
-        answer = reworded(callback) if name == 'set_station' else callback
-        return super().create_service(srv_type, name, answer, *others, **options)
+        def accepted(response):
+            if {any_place}:
+                response.success = True
+            return turned(response)
+
+        if name == 'set_station':
+            callback = through(callback, lambda *arguments: None, accepted)
+        return super().create_service(srv_type, name, callback, *others, **options)
+
+    def declare_parameters(self, namespace, parameters, *others, **options):
+        if {any_value}:
+            parameters = [one[:2] for one in parameters]
+        return super().declare_parameters(namespace, parameters, *others, **options)
+
+    def drive(self, linear, angular):
+        if {still} or {runs_on} and self.called_back and linear == angular == 0.0:
+            return
+        super().drive(linear, angular)
+
+    def where(self):
+        place = super().where()
+        if {blind}:
+            place = self.seen = place or getattr(self, 'seen', None)
+        return place
 """
+
+
+def _spoilt(*ways: str) -> str:
+    """What stands behind the robot, so that it is spoilt in these ways."""
+    text = _BEHIND
+    for way in _WAYS:
+        text = text.replace(f'{{{way}}}', _YES if way in ways else _NO)
+    return text
+
+
+_KINDS = (
+    (
+        'status',
+        'with a wrong status',
+        {'whose status never comes': 'silent', 'that says it is idle while it drives': 'idle'},
+    ),
+    (
+        'values',
+        'that take a place or a parameter which they should refuse',
+        {'that takes a place which is no number': 'any_place', 'that takes a max_linear of 7 m/s': 'any_value'},
+    ),
+    (
+        'goals',
+        'that take a goal which they should reject, or succeed too early',
+        {
+            'that drives to a station which nobody has set': 'moon',
+            'that takes a second goal while it drives': 'two',
+            'that succeeds before it has arrived': 'early',
+        },
+    ),
+    (
+        'ends',
+        'that end a drive in the wrong way, or not at all',
+        {
+            'that does not listen when it is called back': 'deaf',
+            'whose cancelled goals end as succeeded': 'succeeded',
+            'whose motors run on after a cancel': 'runs_on',
+            'that drives on when nobody tells it where it is': 'blind',
+            'that takes no goal after a cancelled one': 'offended',
+        },
+    ),
 )
+
 OTHER_WORDS = 'your own, with other words in its messages'
 
 
@@ -243,21 +169,17 @@ def spoilt(learner) -> Planted:
     """The learner's own robot, as it is and spoilt."""
     own = deliveries.modules(learner)
 
-    def behind(text: str) -> dict[str, str]:
-        return {**own, deliveries.NODE: own[deliveries.NODE] + text}
+    def behind(*ways: str) -> dict[str, str]:
+        return {**own, deliveries.NODE: own[deliveries.NODE] + _spoilt(*ways)}
 
     kinds = tuple(
-        Kind(rule, words, {name: behind(text) for name, text in programs.items()}) for rule, words, programs in _KINDS
+        Kind(rule, words, {name: behind(way) for name, way in robots.items()}) for rule, words, robots in _KINDS
     )
     return Planted(
         ROBOT,
         'right-robots',
-        {OWN: own, OTHER_WORDS: behind(_OTHER_WORDS)},
-        {
-            'whose status never comes, and whose motors never run': behind(
-                _SILENT + _CLASS + '    def drive(self, linear, angular):\n        pass\n'
-            )
-        },
+        {OWN: own, OTHER_WORDS: behind()},
+        {'whose status never comes, and whose motors never run': behind('silent', 'still')},
         kinds,
         told=True,
     )
