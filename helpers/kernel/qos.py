@@ -78,10 +78,17 @@ def words(qos: QoSProfile) -> list[str]:
     """What an endpoint's profile says, policy by policy; the graph does not know history and depth."""
     said = [
         f'{policy} {value.name}'
-        for policy in ('reliability', 'durability', 'liveliness')
+        for policy in ('reliability', 'durability')
         if (value := getattr(qos, policy)).name not in _SILENT
     ]
+    return said + [f'{policy} {value}' for policy, value in limits(qos).items()]
+
+
+def limits(qos: QoSProfile) -> dict[str, str]:
+    """The policies on time that an endpoint has set, with their values: ``{'lifespan': '1 s'}``."""
+    found = {'liveliness': qos.liveliness.name} if qos.liveliness.name not in _SILENT else {}
     for policy in ('deadline', 'lifespan', 'liveliness_lease_duration'):
         limit = seconds(getattr(qos, policy).nanoseconds)
-        said += [f'{policy.replace("_", " ")} {limit}'] if limit != 'no limit' else []
-    return said
+        if limit != 'no limit':
+            found[policy.replace('_', ' ')] = limit
+    return found

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from rclpy.qos import QoSProfile
 
-from helpers.kernel.qos import fit, is_latched, is_reliable, mismatches
+from helpers.kernel.qos import fit, is_latched, is_reliable, limits, mismatches
 from helpers.runner.values import type_name
 from helpers.runner.verdicts import WiringError
 
@@ -27,6 +27,11 @@ class Endpoint:
     def latched(self) -> bool:
         """TRANSIENT_LOCAL durability: late joiners get the last messages."""
         return is_latched(self.qos)
+
+    @property
+    def limits(self) -> dict[str, str]:
+        """Its policies on time, as ``{'lifespan': '1 s'}``; empty if none is set."""
+        return limits(self.qos)
 
 
 @dataclass(frozen=True)

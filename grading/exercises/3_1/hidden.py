@@ -3,6 +3,7 @@
 import pytest
 from std_msgs.msg import String
 
+from helpers.checks.chapter_03.beacons import check_unheard
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic, robot
 from helpers.runner import about, expect, waiting
 
@@ -47,6 +48,16 @@ def test_first_message(learner):
         f'The first message came {heard.stamps[0] - begin:g} s after the start, expected 0.25 s.',
         'rate',
     )
+    expect(heard.data[0] == 'alive 1', f'The first text is {heard.data[0]!r}, expected {"alive 1"!r}.', 'texts')
+
+
+@pytest.mark.rules('topic', 'rate')
+def test_nobody_listens(learner):
+    """A Beacon publishes and counts whether somebody listens or not.
+
+    Publish in each call of the timer. The node needs a name, and no namespace of its own.
+    """
+    check_unheard(learner, learner.random.randint(7, 20))
 
 
 @pytest.mark.weight(2)

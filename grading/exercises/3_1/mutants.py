@@ -86,4 +86,16 @@ class Beacon(Node):
     Mutant('publisher_in_callback', old=f"self.publisher.publish({TEXT})",
            new=f"self.create_publisher(String, 'beacon', 10).publish({TEXT})",
            expect='publishers on the topic beacon, expected one', breaks='topic'),
+    Mutant('short_life', old="'beacon', 10)", new="'beacon', QoSProfile(depth=10, lifespan=Duration(seconds=1)))",
+           imports='from rclpy.duration import Duration\nfrom rclpy.qos import QoSProfile', expect='policy lifespan 1 s',
+           breaks='qos'),
+    Mutant('own_namespace', old="super().__init__('beacon')", new="super().__init__('beacon', namespace='robot')",
+           expect='no publisher on the topic beacon', breaks='topic', also='rate'),
+    Mutant('only_if_somebody_listens', old='self.count += 1', new="""
+        if not self.publisher.get_subscription_count():
+            return
+        self.count += 1
+        """, expect='whether somebody listens or not', breaks='rate'),
+    Mutant('counts_the_clock', old='self.count += 1', new='self.count = self.get_clock().now().nanoseconds // 250_000_000',
+           expect='begins with', breaks='own-count', also='texts'),
 ]

@@ -38,4 +38,26 @@ class RangeToMetres(Node):
                      min_range=msg.min_range / METRE, max_range=msg.max_range / METRE, range=msg.range / METRE,
                      variance=msg.variance / METRE / METRE)
 '''),
+    Alternative('a_thread_publishes', source="""
+import queue
+import threading
+
+from sensor_msgs.msg import Range
+
+
+class RangeToMetres(Node):
+    def __init__(self):
+        super().__init__('range_to_metres')
+        self.publisher = self.create_publisher(Range, 'sonar', 10)
+        self.waiting = queue.Queue()
+        self.create_subscription(Range, 'sonar_cm', self.waiting.put, 10)
+        threading.Thread(target=self.work, daemon=True).start()
+
+    def work(self):
+        while True:
+            msg = self.waiting.get()
+            msg.range, msg.min_range, msg.max_range = msg.range / 100, msg.min_range / 100, msg.max_range / 100
+            msg.variance /= 10000
+            self.publisher.publish(msg)
+"""),
 ]

@@ -157,4 +157,46 @@ class RangeToMetres(Node):
         msg.range /= 100
         msg.header.frame_id = msg.header.frame_id or 'sonar'
         ''', expect='the header is lost', breaks='header'),
+    Mutant('minus_infinity', old='msg.range /= 100', new='msg.range = abs(msg.range) if abs(msg.range) > 1e9 else msg.range / 100',
+           expect='-inf must stay -inf', breaks='distances'),
+    Mutant('never_twice_the_same', old='msg.range /= 100', new="""
+        if msg == getattr(self, 'last', None):
+            return
+        self.last = copy.deepcopy(msg)
+        msg.range /= 100
+        """, imports='import copy', expect='14 messages went in', breaks='one-each'),
+    Mutant('small_numbers_are_metres', old='msg.range /= 100', new="""
+        if msg.max_range < 10:
+            self.publisher.publish(msg)
+            return
+        msg.range /= 100
+        """, expect='Convert all three distances', breaks='distances'),
+    Mutant('frame_without_slash', old='msg.range /= 100', new="""
+        msg.header.frame_id = msg.header.frame_id.lstrip('/')
+        msg.range /= 100
+        """, expect='header.frame_id was', breaks='header'),
+    Mutant('stamp_as_a_float', old='msg.range /= 100', new="""
+        stamp = msg.header.stamp
+        msg.header.stamp = Time(seconds=stamp.sec + stamp.nanosec / 1e9).to_msg()
+        msg.range /= 100
+        """, imports='from rclpy.time import Time', expect='header.stamp has changed', breaks='header'),
+    Mutant('says_it_again_later', edits=(
+        ("self.publisher = self.create_publisher(Range, 'sonar', 10)", """
+        self.publisher = self.create_publisher(Range, 'sonar', 10)
+        self.create_timer(5.0, lambda: self.publisher.publish(self.last) if hasattr(self, 'last') else None)
+        """), ('self.publisher.publish(msg)', """
+        self.last = msg
+        self.publisher.publish(msg)
+        """)), expect='Publish exactly once for each', breaks='one-each'),
+    Mutant('one_more_topic', edits=(
+        ("self.publisher = self.create_publisher(Range, 'sonar', 10)", """
+        self.publisher = self.create_publisher(Range, 'sonar', 10)
+        self.raw = self.create_publisher(Range, 'sonar_raw', 10)
+        """), ('self.publisher.publish(msg)', """
+        self.raw.publish(msg)
+        self.publisher.publish(msg)
+        """)), expect='one topic too many', breaks='one-each'),
+    Mutant('short_life', old="'sonar', 10)", new="'sonar', QoSProfile(depth=10, lifespan=Duration(seconds=1)))",
+           imports='from rclpy.duration import Duration\nfrom rclpy.qos import QoSProfile', expect='policy lifespan 1 s',
+           breaks='qos'),
 ]

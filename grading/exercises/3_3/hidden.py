@@ -58,6 +58,7 @@ def test_reset_keeps_the_rhythm(learner):
     button.send(Empty())
     learner.settle()
     expect(len(uptime) == count, 'The reset itself published an uptime: only the timer publishes.', 'reset-only')
+    expect(not learner.slept, 'A callback sleeps; the timers do the waiting.', 'no-wait')
     learner.run(3.0)
     later = uptime.stamps[count:]
     expect(

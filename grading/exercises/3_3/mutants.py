@@ -150,4 +150,7 @@ MUTANTS = [
             ''')), expect='the next one must be 1, then 2', breaks='reset'),
     Mutant('minute_wraps', old='Int32(data=self.seconds)', new='Int32(data=self.seconds % 60)',
            expect='also after a minute', breaks='uptime'),
+    Mutant('with_a_deadline', breaks='qos', old="(Bool, 'led', 10)",
+           new="(Bool, 'led', QoSProfile(depth=10, deadline=Duration(seconds=1)))",
+           imports='from rclpy.duration import Duration\nfrom rclpy.qos import QoSProfile', expect='policy deadline 1 s'),
 ]

@@ -4,7 +4,7 @@ import pytest
 from nav_msgs.msg import OccupancyGrid
 from std_msgs.msg import Int32
 
-from helpers.checks.chapter_03.endpoints import check_latched, check_name, check_topic
+from helpers.checks.chapter_03.endpoints import check_latched, check_name, check_nothing_else, check_topic
 from helpers.checks.chapter_03.maps import (
     ALL_KEPT,
     LATCHED,
@@ -117,6 +117,9 @@ def test_reader_every_map(learner):
         with about('walls'):
             learner.run(1.0)
     check_answers(answers.data, maps)
+    learner.run(61.0, step=10.0)
+    check_answers(answers.data, maps)
+    check_nothing_else(learner, {'/walls'}, 'walls')
     late = learner.late_listener('/walls', Int32, ALL_KEPT)
     expect(len(late) == 1, f'A late listener on /walls gets {len(late)} answers; depth 1 keeps only the newest.', 'qos')
 

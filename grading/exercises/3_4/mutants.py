@@ -89,4 +89,10 @@ MUTANTS = [
            also=('walls',)),
     Mutant('keeps_everything', old='QoSProfile(depth=1,', new='QoSProfile(history=rclpy.qos.HistoryPolicy.KEEP_ALL,',
            expect='keeps everything (KEEP_ALL)', breaks='qos'),
+    Mutant('short_life', breaks='qos', old='QoSProfile(depth=1, ', new='QoSProfile(depth=1, lifespan=Duration(seconds=10), ',
+           imports='from rclpy.duration import Duration', expect='has the lifespan 10 s', also=('late', 'one-map')),
+    Mutant('one_more_topic', breaks='walls', old="self.publisher = self.create_publisher(Int32, 'walls', LATCHED)", new="""
+        self.publisher = self.create_publisher(Int32, 'walls', LATCHED)
+        self.free = self.create_publisher(Int32, 'free', LATCHED)
+        """, expect='one topic too many'),
 ]

@@ -78,4 +78,19 @@ MUTANTS = [
         ''', expect='must not be longer', breaks='deadline', also='no-deadline'),
     Mutant('ten_seconds_are_endless', old=DEADLINE, new="if (offered['deadline'] or 10) > (requested['deadline'] or 10):",
            expect='0.0 is an endless period', breaks='no-deadline'),
+    Mutant('a_large_number_is_endless', count=2, old="float('inf')", new='1e6', expect='0.0 is an endless period',
+           breaks='no-deadline'),
+    Mutant('deadlines_in_milliseconds', old="(offered['deadline'] or float('inf')) > (requested['deadline'] or float('inf'))",
+           new="round(offered['deadline'] or 1e99, 3) > round(requested['deadline'] or 1e99, 3)",
+           expect='must not be longer', breaks='deadline'),
+    Mutant('nearest_distance', old='any(distance < 0.5 for distance in scan.ranges)', new='min(scan.ranges) < 0.5',
+           expect='raised ValueError', breaks='rest'),
+    Mutant('only_what_the_lidar_can_see', old='distance < 0.5 for', new='scan.range_min <= distance < 0.5 for',
+           expect='The callback was right', breaks='rest'),
+    Mutant('says_it_again', old="self.publisher = self.create_publisher(Bool, 'stop', command)", new="""
+        self.publisher = self.create_publisher(Bool, 'stop', command)
+        self.create_timer(1.0, lambda: self.publisher.publish(Bool(data=False)))
+        """, expect='No scan came for a minute', breaks='rest', also=('scan', 'stop')),
+    Mutant('short_life', old='depth=1, durability', new='depth=1, lifespan=Duration(seconds=10), durability',
+           imports='from rclpy.duration import Duration', expect='has the lifespan 10 s', breaks='stop'),
 ]

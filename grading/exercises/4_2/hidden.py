@@ -7,6 +7,7 @@ from rclpy.qos import DurabilityPolicy, QoSProfile
 from sensor_msgs.msg import CameraInfo
 from sensor_msgs.srv import SetCameraInfo
 
+from helpers.checks.chapter_04.test_4_2 import OTHER_MODELS, check_lifespan
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.2'), pytest.mark.wiring(type='publish', qos='latched')]
@@ -64,8 +65,13 @@ def test_every_rule(learner):
     refused(client, 'principal point', cx=low)
     refused(client, 'principal point', cy=480.5)
     refused(client, 'principal point', cx=641.0)
-    refused(client, 'distortion', model='equidistant')
-    refused(client, 'distortion', d=learner.random.choice([0, 4, 8]))
+    for name in OTHER_MODELS:
+        refused(client, 'distortion', model=name)
+    for count in (0, 4, 6, 8):
+        refused(client, 'distortion', d=count)
+    refused(client, 'focal length', 'Both must be positive.', fx=low, fy=low)
+    for value in (0.001, 1e200):
+        accepted(client, 'focal-length', 'Every positive, finite number is a focal length.', fx=value, fy=value)
     accepted(client, 'distortion', 'Five zeros are five numbers.', bend=0.0)
     accepted(client, 'accept')
 
@@ -153,6 +159,7 @@ def test_latched(learner):
     RELIABLE, TRANSIENT_LOCAL, depth 1.
     """
     heard, client = camera(learner)
+    check_lifespan(learner, '/camera_info')
     learner.run(1.0)
     expect(not heard.messages, 'Something was published on /camera_info before a calibration was set.', 'publish')
     for number in range(3):
@@ -164,6 +171,8 @@ def test_latched(learner):
         'A late subscriber gets more than the last calibration: use depth 1.',
         'latched',
     )
+    learner.run(61.0, step=10.0)
+    expect(len(heard) == 3, f'Three calibrations were set, and {len(heard)} messages came in a minute.', 'publish')
 
 
 @pytest.mark.rules('publish')

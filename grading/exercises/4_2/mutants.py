@@ -100,4 +100,19 @@ MUTANTS = [
         ''', expect='as it came', breaks='publish'),
     Mutant('limited_size', old="'size': info.width > 0 and info.height > 0,",
            new="'size': 0 < info.width < 10000 and 0 < info.height < 10000,", expect='breaks no rule', breaks='size'),
+    Mutant('their_product', breaks='focal-length', old="0 < k[0] < inf and 0 < k[4] < inf", new='0 < k[0] * k[4] < inf',
+           also=('nan', 'order'), expect='was accepted'),
+    Mutant('not_too_large', breaks='focal-length', old="0 < k[0] < inf and 0 < k[4] < inf",
+           new='0 < k[0] < 1e6 and 0 < k[4] < 1e6', expect='A focal length has no upper limit'),
+    Mutant('any_case', breaks='distortion', old='info.distortion_model ==', new='info.distortion_model.lower().strip() ==',
+           expect="distortion_model = 'Plumb_"),
+    Mutant('begins_like_it', breaks='distortion', old="info.distortion_model == 'plumb_bob'",
+           new="info.distortion_model.startswith('plumb_bob')", expect="distortion_model = 'plumb_b"),
+    Mutant('short_life', breaks='latched', old='depth=1, durability', new='depth=1, lifespan=Duration(seconds=10), durability',
+           imports='from rclpy.duration import Duration', expect='has the lifespan 10 s'),
+    Mutant('an_empty_one_first', breaks='publish', old="self.create_service(SetCameraInfo, 'set_camera_info', self.on_set)",
+           new="""
+        self.create_service(SetCameraInfo, 'set_camera_info', self.on_set)
+        self.publisher.publish(CameraInfo())
+        """, also=('unchanged', 'names', 'latched'), expect='before a calibration was set'),
 ]

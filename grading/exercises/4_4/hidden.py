@@ -3,6 +3,7 @@
 import pytest
 from std_srvs.srv import SetBool, Trigger
 
+from helpers.checks.chapter_04.test_4_4 import Room, people
 from helpers.runner import about, expect, waiting
 
 pytestmark = [pytest.mark.exercise('4.4'), pytest.mark.wiring(type='open')]
@@ -198,3 +199,24 @@ def test_two_rooms(learner):
         'names',
     )
     expect(told(call) == (True, 'welcome'), f'enter in room 2 says {told(call)}.', 'names')
+
+
+@pytest.mark.rules('leave', 'locked')
+@about('leave')
+@waiting('one-thread')
+def test_leave_meanwhile(learner):
+    """Somebody leaves while the lock is slow, or has just refused: then there is one place more, and no other change.
+
+    Between an await and the next line others may change self.inside: do not write back an older number.
+    """
+    capacity = learner.random.choice([3, 5])
+    room = Room(learner, capacity)
+    for number in range(capacity - 1):
+        room.enter('welcome', 'welcome', f'{people(number)} inside')
+    room.lock.answer = {'success': False}
+    for _ in range(2):
+        room.enter('locked', 'locked', f'{people(capacity - 1)} inside')
+    room.lock.answer = {'success': True}
+    room.enter('welcome', 'locked', f'{people(capacity - 1)} inside, and the lock has refused twice')
+    room.enter('full', 'locked', f'{people(capacity)} inside, and the lock has refused twice before')
+    room.leave_meanwhile()

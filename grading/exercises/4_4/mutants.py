@@ -22,7 +22,7 @@ MUTANTS = [
         ''', expect='enter must stay in a mutually exclusive group'),
     Mutant('always_two', breaks='full', also=('welcome', 'locked', 'leave', 'capacity', 'open'),
            old='self.capacity, self.inside = capacity, 0', new='self.capacity, self.inside = 2, 0', expect='Capacity'),
-    Mutant('asks_the_lock_first', breaks='full', also=('capacity', 'leave'),
+    Mutant('asks_the_lock_first', breaks='full', also=('capacity', 'leave', 'locked'),
            edits=(('async def on_enter(self, request, response):', '''
             async def on_enter(self, request, response):
                 answer = await self.lock.call_async(SetBool.Request(data=False))
@@ -99,4 +99,15 @@ MUTANTS = [
         {LEAVE}
         self.lock.call_async(SetBool.Request(data=True))
         ''', expect='leave has asked the lock', breaks='leave'),
+    Mutant('a_refusal_takes_one_out', breaks='locked', old='self.inside += answer.success', new="""
+        self.inside = self.inside + 1 if answer.success else max(0, self.inside - 1)
+        """, expect='the lock has refused some before', also=('leave',)),
+    Mutant('writes_back_an_old_number', breaks='leave', edits=(
+           ("self.create_service(Trigger, 'leave', self.on_leave)",
+            "self.create_service(Trigger, 'leave', self.on_leave, callback_group=ReentrantCallbackGroup())"),
+           ('answer = await self.lock.call_async(SetBool.Request(data=False))', """
+            before = self.inside
+            answer = await self.lock.call_async(SetBool.Request(data=False))
+            """), ('self.inside += answer.success', 'self.inside = before + answer.success')),
+           expect='left while the lock was slow'),
 ]

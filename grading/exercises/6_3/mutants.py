@@ -73,4 +73,9 @@ MUTANTS = [
         point.header.stamp = self.buffer.lookup_transform('map', 'cup', Time()).header.stamp
         """, expect='has the stamp', breaks='stamp'),
     Mutant('twenty_nine_seconds', breaks='far', old='(seconds=31)', new='(seconds=29.5)', expect='30 s are wanted'),
+    Mutant('not_for_zero', breaks='then', old='then = self.get_clock().now() - Duration(seconds=seconds)', new="""
+        if not seconds:
+            return None
+        then = self.get_clock().now() - Duration(seconds=seconds)
+        """, expect='0 is a number of seconds like any other'),
 ]

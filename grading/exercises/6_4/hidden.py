@@ -75,7 +75,7 @@ def test_time_of_the_scan(learner):
         there.tell(there.now)
         learner.run(0.1)
     there.tell(0.5)
-    then = round(learner.random.uniform(0.12, 0.28), 3)
+    then = round(learner.random.uniform(0.12, 0.28), 9)
     scan = there.scan(ranges(learner), then)
     there.check(
         scan,
@@ -179,7 +179,7 @@ def test_limits(learner):
     there.tell(0.0)
     for limits in ((0.25, 4.5), (1.5, 30.0)):
         there.clouds.clear()
-        values = [*limits, 0.1875, 1.0, 4.0, 4.75, 29.0, 40.0]
+        values = [*limits, limits[0] - 0.001, limits[1] + 0.001, 0.1875, 1.0, 4.0, 4.75, 29.0, 40.0]
         learner.random.shuffle(values)
         scan = there.scan(values, 0.0, limits=limits)
         there.check(scan, only(there, 'A scan came'))
@@ -202,3 +202,61 @@ def test_several_wait(learner):
     clouds = sorted(there.clouds.messages, key=lambda cloud: cloud.header.stamp.nanosec)
     for scan, cloud in zip(scans, clouds, strict=True):
         there.check(scan, cloud)
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('frame', 'place', 'later', 'time', 'one-cloud')
+@about('frame')
+def test_two_lasers(learner):
+    """Two lasers measure at the same times, with other angles; one of them tells its scans late.
+
+    What belongs to a scan stands in its message: nothing is kept from another one.
+    """
+    draw = learner.random
+    there = laser(learner, speed=(0.5, -0.5, 1.0))
+    other = f'robot/{draw.choice(["upper", "lower"])}_laser'
+    there.add(other, pose(-0.2, draw.uniform(-0.3, 0.3), 0.3, yaw=draw.uniform(2.0, 3.0)))
+    there.tell(0.0)
+    learner.run(0.1)
+    scans = []
+    for hundredths in (5, 9, 7):  # an older one comes after a newer one
+        when = round(hundredths / 100 + draw.uniform(0.0, 0.005), 9)
+        scans += [
+            there.scan(ranges(learner, 3), when, draw.uniform(-2.0, -1.0), draw.uniform(0.1, 0.3)),
+            there.scan(ranges(learner, 4), when, draw.uniform(1.0, 2.0), -draw.uniform(0.1, 0.3), frame=other),
+        ]
+    there.tell(0.12)
+    learner.run(0.2)
+    count = len(there.clouds)
+    expect(count == len(scans), f'Two lasers sent {len(scans)} scans, and {count} clouds came.', 'later')
+
+    def place(message, count):
+        return message.header.stamp.nanosec, count
+
+    clouds = sorted(there.clouds.messages, key=lambda cloud: place(cloud, len(points(cloud))))
+    for scan, cloud in zip(sorted(scans, key=lambda scan: place(scan, len(scan.ranges))), clouds, strict=True):
+        there.check(scan, cloud)
+    there.clouds.clear()
+    for hundredths in (11, 2):
+        scan = there.scan(ranges(learner), hundredths / 100, frame=other)
+        with about('one-cloud'):
+            cloud = only(there, 'A scan came, the transforms of its time are there')
+        there.check(scan, cloud)
+        there.clouds.clear()
+
+
+@pytest.mark.rules('later')
+@about('later')
+def test_many_wait(learner):
+    """Nine scans wait for one transform: each gets its cloud.
+
+    Keep all that wait, not the last few.
+    """
+    there = laser(learner, speed=(1.0, -0.5, 2.0))
+    there.tell(0.0)
+    learner.run(0.15)
+    for number in range(9):  # a queue of depth 10 holds what then comes at once
+        there.scan(ranges(learner, 2), 0.02 + number / 100)
+    there.tell(0.15)
+    learner.run(0.2)
+    expect(len(there.clouds) == 9, f'Nine scans came, then the transform for all; {len(there.clouds)} clouds came.')

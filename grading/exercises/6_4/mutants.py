@@ -31,7 +31,7 @@ MUTANTS = [
             future = self.buffer.wait_for_transform_async('map', scan.header.frame_id, when)
             future.add_done_callback(lambda future: self.publish(cloud, future.result()))
             ''', "self.publish(cloud, await self.buffer.wait_for_transform_async('map', scan.header.frame_id, when))")),
-           expect='it waits behind the others'),
+           expect='waits behind the others'),
     Mutant('keeps_all', breaks='range', old='''
         if scan.range_min <= distance <= scan.range_max:
             points.append((distance * math.cos(angle), distance * math.sin(angle), 0.0))
@@ -95,4 +95,48 @@ MUTANTS = [
         """, expect='expected one', breaks='one-cloud'),
     Mutant('depth_of_one', old="'points', 10)", new="'points', 1)", expect='has the depth 1, expected 10',
            breaks='topics'),
+    Mutant('rounded_distances', breaks='range', old='scan.range_min <= distance <= scan.range_max',
+           new='scan.range_min <= round(distance, 2) <= scan.range_max', expect='gave a cloud of'),
+    Mutant('always_to_the_left', breaks='place', also=('frame',), old='number * scan.angle_increment',
+           new='number * abs(scan.angle_increment)', expect='The first hit of the scan'),
+    Mutant('stamp_in_microseconds', breaks='stamp', old='self.publisher.publish(do_transform_cloud(cloud, laser_in_map))',
+           new="""
+        cloud = do_transform_cloud(cloud, laser_in_map)
+        cloud.header.stamp.nanosec = cloud.header.stamp.nanosec // 1000 * 1000
+        self.publisher.publish(cloud)
+        """, expect='A stamp says when it was measured'),
+    Mutant('three_may_wait', breaks='later', edits=(
+           ("self.buffer = Buffer()", """
+           self.buffer = Buffer()
+           self.waiting = []
+           """), ('when = Time.from_msg(scan.header.stamp)', """
+           when = Time.from_msg(scan.header.stamp)
+           self.waiting = [*self.waiting[-2:], cloud]
+           """), ('lambda future: self.publish(cloud, future.result())',
+                  'lambda future: cloud in self.waiting and self.publish(cloud, future.result())')),
+           expect='each scan waits for its own transform', also=('hopeless', 'frame')),
+    Mutant('one_of_each_time', breaks='later', edits=(
+           ("self.buffer = Buffer()", """
+           self.buffer = Buffer()
+           self.waiting = {}
+           """), ('when = Time.from_msg(scan.header.stamp)', """
+           when = Time.from_msg(scan.header.stamp)
+           self.waiting[when.nanoseconds] = cloud
+           """), ('lambda future: self.publish(cloud, future.result())',
+                  'lambda future: cloud is self.waiting[when.nanoseconds] and self.publish(cloud, future.result())')),
+           expect='each scan waits for its own transform', also=('frame',)),
+    Mutant('frame_without_its_robot', breaks='frame', old="'map', scan.header.frame_id",
+           new="'map', scan.header.frame_id.split('/')[-1]", also=('later', 'time'), expect='no cloud came on /points'),
+    Mutant('frame_of_the_first', breaks='frame', old='def on_scan(self, scan):', new="""
+        def on_scan(self, scan):
+            self.frame = getattr(self, 'frame', scan.header.frame_id)
+            scan.header.frame_id = self.frame
+        """, also=('time', 'later', 'hopeless'), expect='not of the frame in the header of the scan'),
+    Mutant('only_newer_ones', breaks='one-cloud', also=('hopeless', 'frame', 'later', 'time'), old='def publish(self, cloud, laser_in_map):', new="""
+        def publish(self, cloud, laser_in_map):
+            stamp = Time.from_msg(cloud.header.stamp)
+            if stamp < getattr(self, 'last', stamp):
+                return
+            self.last = stamp
+        """, expect='no cloud came on /points'),
 ]

@@ -83,4 +83,14 @@ MUTANTS = [
            expect='chase says something else', breaks='place'),
     Mutant('half_a_second_is_too_old', old='age <= Duration', new='age < Duration', expect='0.5 s is not',
            breaks='old'),
+    Mutant('names_of_the_class', breaks='place', edits=(
+           ('self.leader, self.me = leader, me', 'Follower.leader, Follower.me = leader, me'),),
+           expect='belong to the object (self)'),
+    Mutant('newer_than_the_clock_is_old', breaks='old', old='age <= Duration(seconds=0.5)',
+           new='Duration() <= age <= Duration(seconds=0.5)', expect='later than the time of the clock'),
+    Mutant('stops_twice', breaks='rate', old='self.motor.publish(command)', new="""
+        self.motor.publish(command)
+        if command == Twist():
+            self.motor.publish(command)
+        """, expect='one after the other', also=('no-wait', 'unknown')),
 ]

@@ -40,12 +40,15 @@ def single_pairs(random) -> list[tuple[dict, dict]]:
         ('topic', topic[1:]),
         ('type', kind + 'Stamped'),
         ('type', kind.rpartition('/')[2]),
+        ('type', kind.replace('/msg/', '/')),
     ):
         pairs += [({**base, key: other}, base), (base, {**base, key: other})]
     short = round(random.uniform(0.01, 3.0), 4)
     for long in (round(short + random.uniform(0.001, 0.01), 4), round(random.uniform(20.0, 5000.0), 1)):
         for first, second in ((short, long), (long, short), (long, long), (0.0, 0.0), (0.0, long), (long, 0.0)):
             pairs.append(({**base, 'deadline': first}, {**base, 'deadline': second}))
+    for first, second in ((short + 1e-6, short), (0.0, 1e12)):  # hardly longer, and longer than any
+        pairs.append(({**base, 'deadline': first}, {**base, 'deadline': second}))
     few, many = random.randint(1, 9), random.randint(100, 200)
     pairs += [({**base, 'depth': few}, {**base, 'depth': many}), ({**base, 'depth': many}, {**base, 'depth': few})]
     return pairs

@@ -45,6 +45,10 @@ def check_queue(learner, kind: str, topic: str, depth: int, rule: str) -> None:
             f'Your {kind} on {topic} is TRANSIENT_LOCAL; the number {depth} alone gives VOLATILE.',
             rule,
         )
+        limits = ', '.join(f'{policy} {value}' for policy, value in endpoint.limits.items())
+        expect(
+            not limits, f'Your {kind} on {topic} has the policy {limits}; the number {depth} alone gives none.', rule
+        )
     found = learner.depths(kind, topic)
     _check_depth(found, kind, topic, depth, rule)
 
@@ -58,8 +62,31 @@ def check_latched(learner, kind: str, topic: str, depth: int, rule: str) -> None
             rule,
         )
         expect(endpoint.reliable, f'Your {kind} on {topic} is BEST_EFFORT; it must be RELIABLE.', rule)
+        check_lifespan(endpoint, rule)
     found = learner.depths(kind, topic)
     _check_depth(found, kind, topic, depth, rule)
+
+
+def check_lifespan(endpoint, rule: str) -> None:
+    """What a latched publisher has said does not expire: the test need not wait for it."""
+    expect(
+        'lifespan' not in endpoint.limits,
+        f'Your {endpoint.kind} on {endpoint.topic} has the lifespan {endpoint.limits.get("lifespan")}: who comes later '
+        'than that gets nothing.',
+        rule,
+    )
+
+
+def check_nothing_else(learner, topics: set[str], rule: str) -> None:
+    """The learner's nodes publish on these topics only, beside those of every node."""
+    usual = {'/rosout', '/parameter_events'}
+    found = {
+        topic
+        for node, space in learner.own_nodes()
+        for topic, _ in learner.node.get_publisher_names_and_types_by_node(node, space)
+    }
+    others = ', '.join(sorted(found - topics - usual))
+    expect(not others, f'Your node also publishes on {others}: that is one topic too many.', rule)
 
 
 def _check_depth(found: list[int], kind: str, topic: str, depth: int, rule: str) -> None:

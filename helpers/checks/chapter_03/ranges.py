@@ -4,12 +4,13 @@ import math
 
 import pytest
 from sensor_msgs.msg import Range
+from std_msgs.msg import Header
 
 from helpers.runner import expect
 
 
 def reading(random, **changes) -> Range:
-    """A measurement in centimetres; all fields are drawn, and no two are equal."""
+    """A measurement in centimetres of these years; all fields are drawn, and no two are equal."""
     message = Range(
         radiation_type=Range.INFRARED,
         field_of_view=random.uniform(0.1, 0.9),
@@ -18,11 +19,47 @@ def reading(random, **changes) -> Range:
         min_range=random.uniform(1, 5),
         max_range=random.uniform(200, 500),
     )
-    message.header.frame_id = f'sonar_{random.randint(1, 99)}'
-    message.header.stamp.sec, message.header.stamp.nanosec = random.randint(1000, 9999), random.randrange(10**9)
+    message.header.frame_id = f'/Sonar_{random.randint(1, 99)}'  # a relay does not ask how a frame is called
+    message.header.stamp.sec = random.randint(18 * 10**8, 19 * 10**8)
+    message.header.stamp.nanosec = random.randrange(10**9)
     for field, value in changes.items():
         setattr(message, field, value)
     return message
+
+
+def burst(random) -> list[Range]:
+    """Ten messages that are sent one shortly after the other: some have values that somebody might leave out."""
+    still = reading(random)  # an object that does not move: each message is one like any other
+    return [
+        still,
+        still,
+        reading(random, range=still.range),
+        reading(random, range=0.0, min_range=0.0, variance=0.0),  # zero is a number like any other
+        reading(random, range=random.uniform(0.1, 0.9), min_range=0.0625, max_range=0.9375),  # also centimetres
+        reading(random, range=random.uniform(0.1, 0.9), header=Header()),  # nearer than min_range, and no header
+        reading(random, range=math.nan),
+        reading(random, range=-random.uniform(1, 5)),
+        reading(random, range=-math.inf),  # nearer than the sensor can see, in ROS
+        reading(random, range=400.0, max_range=400.0),
+    ]
+
+
+def check_burst(got: list[Range], sent: list[Range]) -> None:
+    """`got` is what came for messages that were sent one shortly after the other; there are as many."""
+    came, wanted = ([(one.header.stamp.sec, one.header.stamp.nanosec) for one in of] for of in (got, sent))
+    same = sorted(came) == sorted(wanted)
+    expect(
+        same or len(set(came)) == 1 or not set(came) <= set(wanted),  # without a header all are alike
+        f'Of {len(wanted)} messages that came one shortly after the other, some came out twice, and others never.',
+        'one-each',
+    )
+    expect(
+        came == wanted or not same,
+        f'{len(wanted)} messages came one shortly after the other, and yours came out in another order.',
+        'at-once',
+    )
+    for message, original in zip(got, sent, strict=True):
+        check_reading(message, original)
 
 
 def close(value: float, wanted: float) -> bool:
@@ -39,7 +76,9 @@ def check_reading(got: Range, sent: Range) -> None:
             continue
         if math.isinf(before):
             expect(
-                after == before, f'{field} was {before:g} and became {after:g}; {before:g} must stay {before:g}.', 'inf'
+                after == before,
+                f'{field} was {before:g} and became {after:g}; {before:g} must stay {before:g}.',
+                'inf' if before > 0 else 'distances',
             )
             continue
         expect(

@@ -1,10 +1,12 @@
 """The surroundings of the node SafetyStop: for exercise 3.5."""
 
+import math
+
 from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Bool
 
-from helpers.checks.chapter_03.endpoints import check_name, check_topic
+from helpers.checks.chapter_03.endpoints import check_lifespan, check_name, check_topic
 from helpers.runner import expect
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -45,6 +47,7 @@ def start(learner, space: str):
         'Your publisher on stop offers VOLATILE, and the driver requests TRANSIENT_LOCAL: no command arrives.',
         'stop',
     )
+    check_lifespan(ours, 'stop')
     for kind, topic, depth in (('publisher', 'stop', 1), ('subscription', 'scan', 5)):
         found = learner.depths(kind, f'{space}/{topic}')
         expect(
@@ -56,10 +59,27 @@ def start(learner, space: str):
 
 
 def scans(random, near: list[bool]) -> list[LaserScan]:
-    """A scan for each entry, with an object nearer than 0.5 m or without; the limit itself is not near."""
+    """A scan for each entry, with an object nearer than 0.5 m or without; the limit itself is not near.
+
+    The given callback has no special case: not for what is nearer than range_min, nor for an empty scan.
+    """
+    odd = {True: [[-0.25, 2.0], [0.0, 3.0, math.nan]], False: [[], [0.5, math.nan, math.inf]]}
     made = []
     for is_near in near:
         ranges = [random.uniform(0.6, 9.0) for _ in range(random.randint(1, 6))]
-        ranges.insert(random.randint(0, len(ranges)), random.uniform(0.05, 0.45) if is_near else 0.5)
-        made.append(LaserScan(ranges=ranges))
+        ranges.insert(random.randint(0, len(ranges)), random.uniform(0.15, 0.45) if is_near else 0.5)
+        ranges = odd[is_near].pop() if odd[is_near] else ranges
+        made.append(LaserScan(ranges=ranges, range_min=0.125, range_max=12.0))
     return made
+
+
+def check_silence(learner, stop) -> None:
+    """Nothing comes on stop without a scan, for a minute."""
+    count = len(stop)
+    learner.run(61.0, step=10.0)
+    expect(
+        len(stop) == count,
+        f'No scan came for a minute, and {len(stop) - count} commands came on stop. The callback was right: repair '
+        'only the QoS.',
+        'rest',
+    )

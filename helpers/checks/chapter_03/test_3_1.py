@@ -3,6 +3,7 @@
 import pytest
 from std_msgs.msg import String
 
+from helpers.checks.chapter_03.beacons import check_unheard
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic, robot
 from helpers.runner import about, expect, waiting
 
@@ -41,6 +42,15 @@ def test_beacon(learner):
         learner.settle()
         learner.run(1.1, step=1.0)
     check_second(heard, quarters, begin)
+
+
+@pytest.mark.rules('topic', 'rate')
+def test_nobody_listens(learner):
+    """A Beacon publishes and counts whether somebody listens or not.
+
+    Publish in each call of the timer. The node needs a name, and no namespace of its own.
+    """
+    check_unheard(learner, learner.random.randint(2, 6))
 
 
 def check_texts(texts, stamps):

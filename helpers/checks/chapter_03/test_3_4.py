@@ -4,7 +4,7 @@ import pytest
 from nav_msgs.msg import OccupancyGrid
 from std_msgs.msg import Int32
 
-from helpers.checks.chapter_03.endpoints import check_latched, check_name, check_topic, robot
+from helpers.checks.chapter_03.endpoints import check_latched, check_name, check_nothing_else, check_topic, robot
 from helpers.checks.chapter_03.maps import (
     ALL_KEPT,
     LATCHED,
@@ -95,5 +95,6 @@ def test_reader(learner):
         with about('walls'):
             learner.settle()
         check_answers(answers.data, maps[:number])
-    learner.run(3.0, step=1.0)
+    learner.run(61.0, step=10.0)
     check_answers(answers.data, maps)
+    check_nothing_else(learner, {f'{space}/walls'}, 'walls')

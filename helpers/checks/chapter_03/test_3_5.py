@@ -50,3 +50,4 @@ def test_safety_stop(learner):
         f'A driver that starts later gets {late.data}, expected only the last command, {near[-1:]}.',
         'stop',
     )
+    stops.check_silence(learner, stop)

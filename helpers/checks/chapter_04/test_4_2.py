@@ -11,6 +11,7 @@ from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.2'), pytest.mark.wiring(type='publish', qos='latched')]
 
+OTHER_MODELS = 'equidistant', '', 'Plumb_Bob', 'plumb_bob ', 'plumb_bob2', 'plumb'
 WORDS = 'size', 'focal length', 'principal point', 'distortion'
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
@@ -81,7 +82,8 @@ def _text(changes):
         'd': 'len(d)',
         'bend': 'd[0]',
     }
-    return ', '.join(f'{names.get(name, name)} = {value!r:.7}' for name, value in changes.items()) or 'good numbers'
+    told = {name: repr(value) if isinstance(value, str) else f'{value!r:.7}' for name, value in changes.items()}
+    return ', '.join(f'{names.get(name, name)} = {value}' for name, value in told.items()) or 'good numbers'
 
 
 @pytest.mark.rules('always', 'size', 'focal-length', 'principal-point', 'distortion', 'nan', 'order', 'accept')
@@ -103,6 +105,9 @@ def test_words(learner):
             some.refused('focal length', **{place: value})
         some.refused('focal length', hint='A focal length must be finite.', **{place: inf})
         some.accepted('focal-length', **{place: 0.001})
+        some.accepted('focal-length', 'A focal length has no upper limit.', **{place: 1e200})
+    some.refused('focal length', hint='Both must be positive.', fx=low, fy=low)
+    some.accepted('focal-length', 'A focal length has no upper limit.', fx=1e200, fy=1e200)
     for changes in ({'cx': 0.0}, {'cx': float(width)}, {'cy': 0.0}, {'cy': float(height)}):
         some.accepted(
             'principal-point',
@@ -111,7 +116,7 @@ def test_words(learner):
         )
     for changes in ({'cx': low}, {'cx': width + 0.5}, {'cx': inf}, {'cy': low}, {'cy': height + 0.5}, {'cy': -inf}):
         some.refused('principal point', **changes)
-    for changes in ({'model': 'equidistant'}, {'model': ''}, {'d': 0}, {'d': 4}, {'d': 8}):
+    for changes in (*({'model': name} for name in OTHER_MODELS), {'d': 0}, {'d': 4}, {'d': 6}, {'d': 8}):
         some.refused('distortion', **changes)
     some.accepted('distortion', 'Five zeros are five numbers: a camera that does not distort.', bend=0.0)
     for place, word in (
@@ -127,7 +132,7 @@ def test_words(learner):
     some.refused('focal length', 'order', hint, fy=0.0, cy=low, model='')
     some.refused('principal point', 'order', hint, cx=low, d=0)
     some.accepted('accept', 'It came after some that were refused.')
-    large = learner.random.randint(20_000, 90_000)
+    large = learner.random.randint(20_000, 2**32 - 1)
     some.accepted('accept', 'A size has no upper limit.', width=large, height=large)
 
 
@@ -143,7 +148,13 @@ def test_published(learner):
     client = _start(learner, space)
     heard, some = learner.listen(f'{space}/camera_info', CameraInfo), Calibrations(learner, client)
     learner.run(0.2)
-    expect(not heard.messages, 'Something was published on camera_info before a calibration was set.', 'publish')
+    early = learner.late_listener(heard.topic, CameraInfo, LATCHED)  # it gets what the constructor has published, too
+    expect(
+        not heard.messages and not early.messages,
+        'Something was published on camera_info before a calibration was set.',
+        'publish',
+    )
+    check_lifespan(learner, heard.topic)
     last = _set_three(some, heard)
     for changes in ({'width': 0}, {'fx': -1.0}, {'cx': -1.0}, {'d': 3}):
         client.call(camera_info=some.info(**changes))
@@ -153,9 +164,20 @@ def test_published(learner):
             'published: a calibration that is refused is not published.',
             'unchanged',
         )
-    learner.run(1.0)
+    learner.run(61.0, step=10.0)
     expect(len(heard) == 3, 'With no new calibration, camera_info was published again.', 'publish')
     _listen_late(learner, heard.topic, last)
+
+
+def check_lifespan(learner, topic):
+    """The last calibration is kept for ever: the test need not wait until it is gone."""
+    for publisher in learner.endpoints(topic).publishers:
+        expect(
+            'lifespan' not in publisher.limits,
+            f'Your publisher on {topic} has the lifespan {publisher.limits.get("lifespan")}: a program that starts '
+            'later than that gets no calibration.',
+            'latched',
+        )
 
 
 def _start(learner, space):

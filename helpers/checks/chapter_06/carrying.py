@@ -57,6 +57,17 @@ class Scene:
         self.run(10, 0.1)  # what is newest is so new now that a buffer of 29.5 s has lost what was 30 s ago
         self._ask_kept(node, 30.0)
 
+    def ask_now(self, node) -> None:
+        """The cup says where it is now; then ask where it was no time ago."""
+        self.tell('cup')
+        self.learner.settle()
+        expect(
+            node.call('where_was', 0.0) is not None,
+            'The cup has just said where it is, and where_was(0) gave None: 0 is a number of seconds like any other.',
+            'then',
+        )
+        self.ask(node, 0.0)
+
     def _ask_kept(self, node, seconds: float) -> None:
         expect(
             node.call('where_was', seconds) is not None,

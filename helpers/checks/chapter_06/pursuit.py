@@ -109,6 +109,31 @@ def check_limit(there: Pursuit) -> None:
             'old, and the command is zeros. What is older than 0.5 s is too old; 0.5 s is not.',
             'old',
         )
+    there.tell(seconds=learner.now / SECOND + 0.2)
+    learner.run(0.15)
+    expect(
+        not there.stands,
+        'The newest transforms have a stamp that is later than the time of the clock, as those of a machine whose '
+        'clock is a little fast. The command is zeros: what is new is not older than 0.5 s.',
+        'old',
+    )
+    _check_two(there)
+
+
+def _check_two(there: Pursuit) -> None:
+    """Another follower in the same program leaves this one its frames: rule `place`."""
+    there.learner.start('Follower', 'nobody', 'somebody', beside=there.node)
+    for _ in range(2):
+        there.learner.run(0.3)
+        there.tell()
+    there.learner.run(0.15)
+    leader, me = there.names
+    expect(
+        not there.stands,
+        f"Another Follower('nobody', 'somebody') was made in the same program, and Follower({leader!r}, {me!r}) "
+        'stands. The names of the frames belong to the object (self).',
+        'place',
+    )
 
 
 def zeros(command: Twist) -> bool:

@@ -83,7 +83,8 @@ class Laser:
 
     def check(self, scan: LaserScan, cloud: PointCloud2, others: dict | None = None) -> None:
         """Fail with the reason if the cloud is not this scan's. `others`: wrong times, and their reasons."""
-        stamps = [Time.from_msg(message.header.stamp).nanoseconds / SECOND for message in (scan, cloud)]
+        exact = [Time.from_msg(message.header.stamp).nanoseconds for message in (scan, cloud)]
+        stamps = [nanoseconds / SECOND for nanoseconds in exact]
         expect(
             cloud.header.frame_id == 'map',
             f'The cloud has the frame_id `{cloud.header.frame_id}`, expected `map`.',
@@ -91,9 +92,9 @@ class Laser:
         )
         self._check_points(scan, points(cloud), stamps[0] - self.begin, others or {})
         expect(
-            same(stamps[1], stamps[0], 1e-6),
-            f'The scan is of time {stamps[0]:.6f} s, its cloud has the stamp '
-            f'{stamps[1]:.6f} s. A stamp says when it was measured, and does not '
+            exact[1] == exact[0],
+            f'The scan is of time {stamps[0]:.9f} s, its cloud has the stamp '
+            f'{stamps[1]:.9f} s. A stamp says when it was measured, and does not '
             'change.',
             'stamp',
         )

@@ -36,6 +36,7 @@ def test_cup(learner):
         there.ask(node, round(draw(0.7, 1.8), 2))
         there.run(2)
         there.ask(node, round(draw(0.5, 2.1), 2))
+        there.ask_now(node)
     with about('too-long'):
         seconds = round(draw(3.2, 9.0), 1)
         found = node.call('where_was', seconds)

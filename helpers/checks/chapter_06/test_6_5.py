@@ -86,6 +86,13 @@ def _check_unknown(there, count):
         'Does your look-up have a timeout? It must not wait.',
         'no-wait',
     )
+    shortest = min(_gaps(there, 0, count), default=0.1)
+    expect(
+        shortest > 0.1 - NEAR,
+        f'While tf2 did not know the transform, two commands came {shortest:.2f} s one after the other; expected one '
+        'every 0.1 s.',
+        'rate',
+    )
 
 
 def _check_place(there, before):

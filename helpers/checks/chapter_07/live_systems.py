@@ -16,6 +16,7 @@ from dataclasses import dataclass
 
 from rclpy.qos import QoSProfile, ReliabilityPolicy
 from rosidl_runtime_py.utilities import get_message
+from tf2_msgs.msg import TFMessage
 
 from helpers.kernel import domains
 from helpers.programs.faults.fault import START, commands
@@ -30,6 +31,8 @@ from helpers.runner.verdicts import ExpectationFailed
 
 EXAMPLE = 'my name'  # what the cell has at first
 PATIENCE = 10.0  # s in which a repaired system shows that it works, after its start
+MANY = 14.0  # messages a second; with a timer of 0.1 s there are ten
+_WINDOW = 9  # so many messages before the last one tell a rate or a speed
 BUSY = 3  # so many times as long on a busy machine
 # What the evidence of a cause must have in it, in words.
 WANTED = {
@@ -168,7 +171,8 @@ def shows(truth: Drawn, evidence: str) -> bool:
     """Whether a text is evidence of a fault, in whatever words the rest of it is."""
     if truth.cause == 'rate':
         rate = float(truth.evidence)
-        numbers = [float(number) for number in re.findall(r'\d+\.\d+|\d+', evidence)]
+        told = re.sub(r'\b(min|max|std dev|window): \S+', '', evidence)  # `ros2 topic hz` says more than the rate
+        numbers = [float(number) for number in re.findall(r'\d+\.\d+|\d+', told)]
         if any(0.6 * rate < number < 1.6 * rate for number in numbers):
             return True
     return any(re.search(pattern, evidence) for pattern in truth.shows)
@@ -245,8 +249,7 @@ class _Copy:
         self._begin, self._first = float(random.randrange(20, 90)), random.randrange(1000, 9000)
         self._held = ExitStack()
         domain = self._held.enter_context(domains.claim())
-        self._sent: list[float] = []  # when the robot has sent its last messages, in s
-        self._outside = self._listen(domain) if 'A7.14' in system.drawn else None
+        self._outside: _Outside | None = _Outside(domain, system)
         given = {f'home/robot/{name}': text for name, text in self._given().items()}
         setup = f'source {shlex.quote(str(ros_setup()))}\n'
         self._places = {}
@@ -269,8 +272,8 @@ class _Copy:
                 last = (task.output.strip().splitlines() or ['it printed nothing'])[-1]
                 return f'after your changes `{command}` on {machine} ends with status {status}: {last[:200]}'
         missing = lacks(lines, self._word, self._begin, self._first)
-        if not missing and self._outside is not None and not self._fast():
-            missing = 'the robot publishes less than ten times a second'
+        if not missing and self._outside is not None:
+            missing = self._outside.lacks()
         if not missing:
             return ''
         shown = lines_of_panel(lines)
@@ -289,7 +292,7 @@ class _Copy:
             place.forget()
         self._places = {}
         if self._outside is not None:
-            self._outside.__exit__(None, None, None)
+            self._outside.close()
             self._outside = None
         self._held.close()
 
@@ -310,32 +313,76 @@ class _Copy:
             )
             self._tasks.append((machine, command, self._places[machine].start('bash', '-c', script)))
 
-    def _listen(self, domain: int) -> Elsewhere:
-        outside = Elsewhere(domain)
-        topic, kind = (self.system._values[name] for name in ('topic', 'type'))
-
-        def on_message(message, info) -> None:
-            self._sent = [*self._sent[-5:], info['source_timestamp'] / 1e9]
-
-        qos = QoSProfile(depth=50, reliability=ReliabilityPolicy.BEST_EFFORT)
-        outside.node.create_subscription(get_message(f'std_msgs/msg/{kind}'), f'/{topic}', on_message, qos)
-        return outside
-
-    def _fast(self) -> bool:
-        """Whether the robot, seen from outside, publishes often enough now."""
-        sent = self._sent
-
-        def enough() -> bool:
-            last = self._sent
-            return last is not sent and len(last) > 5 and (len(last) - 1) / (last[-1] - last[0]) > ENOUGH
-
-        return self._outside is not None and self._outside.wait_until(enough, 0.5)
-
     def __enter__(self) -> '_Copy':
         return self
 
     def __exit__(self, kind, error, tb) -> None:
         self.end()
+
+
+class _Outside:
+    """What somebody else than the panel sees of a copy's robot: is it as its task says?
+
+    Where two faults are in two files, a learner may change both: then the panel alone cannot tell on which side
+    a name, a type or a frame is wrong.
+    """
+
+    def __init__(self, domain: int, system: Planned):
+        self._values = system._values
+        self._node = Elsewhere(domain)
+        self._sent: list[float] = []  # when the robot has sent its last messages, in s
+        self._places: list[tuple[float, float]] = []  # when base_link was where in odom: s, m
+        self._topic, kind = f'/{self._values["topic"]}', self._values['type']
+        self._kind = f'std_msgs/msg/{kind}'
+        qos = QoSProfile(depth=50, reliability=ReliabilityPolicy.BEST_EFFORT)
+        self._node.node.create_subscription(get_message(self._kind), self._topic, self._on_message, qos)
+        self._node.node.create_subscription(TFMessage, '/tf', self._on_transforms, qos)
+
+    def lacks(self) -> str:
+        """In what the robot is not as its task says, in words; '' if it is. Waits for a second and a half at most."""
+        self._node.wait_until(lambda: not self._missing(), 1.5)
+        return self._missing()
+
+    def close(self) -> None:
+        self._node.__exit__(None, None, None)
+
+    def _on_message(self, message, info) -> None:
+        self._sent = [*self._sent[-_WINDOW:], info['source_timestamp'] / 1e9]
+
+    def _on_transforms(self, message) -> None:
+        for one in message.transforms:
+            if (one.header.frame_id, one.child_frame_id) == ('odom', 'base_link'):
+                stamp = one.header.stamp
+                place = stamp.sec + stamp.nanosec / 1e9, one.transform.translation.x
+                self._places = [*self._places[-_WINDOW:], place]
+
+    def _missing(self) -> str:
+        if not self._sent:
+            return f'the robot does not publish {self._topic[1:]} ({self._kind})'
+        offers = self._node.node.get_publishers_info_by_topic(self._topic)
+        if any(one.qos_profile.reliability != ReliabilityPolicy.RELIABLE for one in offers):
+            return f'the robot does not publish {self._topic[1:]} as RELIABLE'
+        rate = _slope(self._sent, range(len(self._sent))) if len(self._sent) > 5 else 0.0
+        if rate <= ENOUGH:
+            return 'the robot publishes less than ten times a second'
+        if rate > MANY:
+            return f'the robot publishes {rate:.0f} times a second, and not ten times'
+        service, kind = self._values['service'], f'{self._values["package"]}/srv/Trigger'
+        if kind not in dict(self._node.node.get_service_names_and_types()).get(f'/{service}', []):
+            return f'the robot does not serve {service} ({kind})'
+        if not self._places:
+            return 'the robot does not say where base_link is in odom'
+        speed = _slope(*zip(*self._places, strict=True)) if len(self._places) > 5 else 0.0
+        wanted = float(self._values['speed'])
+        if abs(speed - wanted) > 0.2 * wanted:
+            return f'the robot drives with {speed:.2f} m/s, and not with {wanted:g} m/s'
+        return ''
+
+
+def _slope(times, values) -> float:
+    """By how much the values rise in a second, from the first to the last; 0 if no time has passed."""
+    passed = times[-1] - times[0]
+    return (values[-1] - values[0]) / passed if passed > 0 else 0.0
 
 
 def _open(number: int) -> str:

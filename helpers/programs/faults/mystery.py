@@ -287,7 +287,12 @@ class Mystery(Fault):
                     START,
                     asleep,
                     SIM_TIME.split()[-1],
-                    ('use_sim_time', r'\bTrue\b', '/clock', r'count: 0'),
+                    (
+                        r'use_sim_time(?!.*\b[Ff]alse\b)',
+                        r'\bTrue\b',
+                        r'/clock(?!.*count: [1-9])',
+                        r'(?<!Subscription )count: 0',
+                    ),
                 ),
                 Drawn(
                     'other clock', 'robot/robot.py', {'clock': _STEADY}, _STEADY, (r'\bsec: \d{1,8}\b', 'STEADY_TIME')
