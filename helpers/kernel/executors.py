@@ -153,7 +153,7 @@ class Work:
         return getattr(self.task, name)
 
     def done(self) -> bool:
-        """Tell whether it will not run any more. A task that was cancelled does not say so: it would be kept for ever."""
+        """Tell whether it will not run any more; a task that was cancelled does not say so, and would be kept."""
         return self.task.done() or self.task.cancelled()
 
     def exception(self):

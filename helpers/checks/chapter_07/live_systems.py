@@ -339,8 +339,8 @@ class _Outside:
         self._node.node.create_subscription(TFMessage, '/tf', self._on_transforms, qos)
 
     def lacks(self) -> str:
-        """In what the robot is not as its task says, in words; '' if it is. Waits for a second and a half at most."""
-        self._node.wait_until(lambda: not self._missing(), 1.5)
+        """In what the robot is not as its task says, in words; '' if it is. Waits for four seconds at most."""
+        self._node.wait_until(lambda: not self._missing(), 4.0)
         return self._missing()
 
     def close(self) -> None:
