@@ -1,4 +1,4 @@
-"""How tests know a node of the given package from one that a launch file has made itself, under the same name."""
+"""What tests see of the executables that a launch file starts: are they those of the given package, with its file?"""
 
 import secrets
 
@@ -12,3 +12,11 @@ def sign(learner) -> tuple[str, int]:
         'sign', (f'only_{secrets.token_hex(5)}', secrets.randbits(40))
     )
     return drawn
+
+
+def lacks_parameter_file(log: str) -> bool:
+    """Tell from the output of `ros2 launch` whether a parameter file is not there.
+
+    The action Node leaves such a file out with a warning; a program that gets it by itself ends with an error.
+    """
+    return 'Parameter file path is not a file' in log or 'Error opening YAML file' in log

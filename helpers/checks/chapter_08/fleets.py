@@ -69,9 +69,9 @@ def launched(learner) -> dict[str, dict]:
         'types',
     )
     expect(
-        'Error opening YAML file' not in log,
-        'A governor did not start: the launch file names a parameter file that is not there. The sources of the '
-        'package are gone, so name the installed file: FindPackageShare finds its folder.',
+        not executables.lacks_parameter_file(log),
+        'The launch file names a parameter file that is not there. The sources of the package are gone, so name the '
+        'installed file: FindPackageShare finds its folder.',
         'installed-file',
     )
     expect(
