@@ -61,12 +61,15 @@ def sample(notebooks: list[Path], seed: str) -> Callable[[Path], tuple[str, ...]
     """The runs of a notebook in a sample: each solved one runs.
 
     ``seed`` draws a quarter of the chapters, whose solved notebook runs a second time, and another quarter, whose
-    learner's notebook runs.
+    learner's notebook runs. Half of each are of the later chapters, which take longer: so samples take the same time.
     """
-    names = sorted({path.name for path in notebooks})
-    random.Random(f'{seed} notebooks').shuffle(names)
-    quarter = (len(names) + 3) // 4
-    twice, unsolved = names[:quarter], names[quarter : 2 * quarter]
+    names, draw = sorted({path.name for path in notebooks}), random.Random(f'{seed} notebooks')
+    twice, unsolved = set(), set()
+    for half in (names[: len(names) // 2], names[len(names) // 2 :]):
+        draw.shuffle(half)
+        quarter = (len(half) + 3) // 4
+        twice |= set(half[:quarter])
+        unsolved |= set(half[quarter : 2 * quarter])
 
     def runs(path: Path) -> tuple[str, ...]:
         if path.parent.name == 'notebooks':
