@@ -16,7 +16,7 @@ import rclpy
 from rclpy.signals import SignalHandlerOptions, get_current_signal_handlers_options, uninstall_signal_handlers
 from rclpy.utilities import get_default_context
 
-from helpers.kernel import journal, nodes
+from helpers.kernel import journal, nodes, stop_button
 from helpers.kernel.handles import stop_all
 
 # Called when ROS is about to stop, for what is left in the notebook of something that has no node any more.
@@ -37,6 +37,7 @@ def start(domain_id: int | None = None):
         stop()
         rclpy.init(domain_id=domain_id, signal_handler_options=SignalHandlerOptions.NO)
     tame_signals()
+    stop_button.listen()
     return get_default_context()
 
 

@@ -88,6 +88,10 @@ def test_the_stop_button_interrupts_every_wait(course):
         ('idle = Node("idle", enable_rosout=False)', 'spin_for(600, idle)'),
         ('', 'collect("/silence", String, timeout=600)'),
         ('', 'wait_for(lambda: False, 600)'),
+        # Without a timer rclpy waits in C, where Python cannot raise anything.
+        ('silent = Node("silent", start_parameter_services=False)', 'rclpy.spin(silent)'),
+        ('', 'rclpy.spin_until_future_complete(silent, rclpy.task.Future())'),
+        ('', 'rclpy.executors.MultiThreadedExecutor().spin()'),
     ):
         course.ok('talker = Talker()')
         course.ok(prepare)
