@@ -1,5 +1,7 @@
 """Exercise 7.8 for other names than the solution's: whatever is drawn, the truth and the course's repair are right."""
 
+import functools
+
 import pytest
 
 from grading import trial
@@ -9,6 +11,7 @@ from helpers.programs.faults.live import EXERCISE, NUMBERS, Planned, differences
 pytestmark = [pytest.mark.timeout(300), pytest.mark.one_of(3)]
 
 
+@functools.cache
 def kinds(who: str) -> set[tuple]:
     """What the systems of a name have: row, cause, and what is different."""
     systems = (Planned(who, number) for number in NUMBERS)

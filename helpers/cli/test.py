@@ -7,6 +7,8 @@ import sys
 import tempfile
 import time
 from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from importlib.util import find_spec
 from pathlib import Path
@@ -50,9 +52,22 @@ def test(arguments: Arguments = None):
     if not os.environ.get('COURSE_ALL_TESTS'):
         seed = os.environ['COURSE_SAMPLE'] = os.environ.get('COURSE_SAMPLE') or secrets.token_hex(4)
         print(f'A sample runs: COURSE_SAMPLE={seed} draws it again, COURSE_ALL_TESTS=1 runs everything.')
-    with tempfile.TemporaryDirectory(prefix='test-', dir=paths.ROOT / 'build') as scratch:
+    # Thousands of processes follow: each would compile all its modules anew.
+    os.environ.pop('PYTHONDONTWRITEBYTECODE', None)
+    with tempfile.TemporaryDirectory(prefix='test-', dir=paths.ROOT / 'build') as scratch, _compiling():
         steps = [run(Path(scratch)) for run in _plan()]
     raise typer.Exit(_summary(steps))
+
+
+@contextmanager
+def _compiling() -> Iterator[None]:
+    """Compile all test modules beside the first steps, which need one processor: else each of pytest's workers does."""
+    command = [sys.executable, '-m', 'pytest', '--collect-only', '-q', '-p', 'no:cacheprovider']
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+        try:
+            yield
+        finally:
+            process.kill()
 
 
 def _plan():

@@ -1,5 +1,8 @@
 """``./course test``: it goes on after a failure, counts honestly and ends with the right status."""
 
+import contextlib
+import os
+
 import pytest
 import typer
 
@@ -15,7 +18,8 @@ def quick_start(monkeypatch):
 
 
 def plan(monkeypatch, *steps):
-    """Let the command run these steps."""
+    """Let the command run these steps, and compile nothing for them."""
+    monkeypatch.setattr(command, '_compiling', contextlib.nullcontext)
     monkeypatch.setattr(command, '_plan', lambda: [lambda scratch, step=step: step for step in steps])
 
 
@@ -38,6 +42,17 @@ def test_all_steps_run_and_one_failure_decides(monkeypatch, capsys):
 def test_success_is_zero(monkeypatch):
     plan(monkeypatch, command.Step('one', passed=3))
     assert run() == 0
+
+
+def test_all_that_runs_keeps_what_it_has_compiled(monkeypatch):
+    monkeypatch.setenv('PYTHONDONTWRITEBYTECODE', '1')
+    seen = []
+    plan(monkeypatch)
+    monkeypatch.setattr(
+        command, '_plan', lambda: [lambda scratch: seen.append(dict(os.environ)) or command.Step('one', passed=1)]
+    )
+    assert run() == 0
+    assert 'PYTHONDONTWRITEBYTECODE' not in seen[0]
 
 
 def test_pytest_is_counted(tmp_path, capfd):
