@@ -37,6 +37,7 @@ _HOME = {
     'routes': 'show.routes_table',
     'show_frames': 'show.views.frames_diagram',
     'show_graph': 'show.graph.view',
+    'show_charge': 'show.charts',
     'show_support': 'show.charts',
     'show_turtle': 'show.turtle_view',
     'spin_for': 'kernel.waiting',

@@ -1,6 +1,6 @@
-"""Charts of the chapters: an empty one to plot into, and how long ROS 2 distributions are supported."""
+"""Charts of the chapters: an empty one to plot into, how long distributions are supported, a battery's charge."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 _GREY = '#777777'  # readable on a light and on a dark page
 _STYLE = {
@@ -41,6 +41,23 @@ def show_support(releases: Mapping[str, tuple[str, str, str]], month: str) -> No
     axes.invert_yaxis()
     axes.axvline(_year(month) + 1 / 24, color='tab:red')
     axes.set_frame_on(False)
+
+
+def show_charge(history: Sequence[tuple[float, str]], low: float, full: float) -> None:
+    """Draw a battery's charge minute by minute, green while the robot works and red while it charges.
+
+    :param history: charge from 0 to 1, and state, for each minute; ``'charging'`` is red.
+    :param low: below this the robot must charge; a red line.
+    :param full: from this on it works again; a green line.
+    """
+    axes = figure(2.6)
+    colours = ['tab:red' if state == 'charging' else 'tab:green' for _, state in history]
+    axes.scatter(range(len(history)), [charge for charge, _ in history], 9, colours)
+    axes.axhline(low, color='tab:red', lw=1)
+    axes.axhline(full, color='tab:green', lw=1)
+    axes.set_xlabel('minute')
+    axes.set_ylabel('charge')
+    axes.set_title('green: working, red: charging', color=_GREY)
 
 
 def _year(month: str) -> float:

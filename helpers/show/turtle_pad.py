@@ -29,9 +29,13 @@ class TurtlePad(anywidget.AnyWidget):
     def __init__(self, picture: str, drive: Callable[[float, float], None]):
         super().__init__(picture=picture)
         self._drive = drive
+        self.shown = False  # whether a browser has drawn it
         self.on_msg(self._on_page)
 
     def _on_page(self, widget, content, buffers) -> None:
-        speeds = _SPEEDS.get(content.get('press')) if isinstance(content, dict) else None
+        if not isinstance(content, dict):
+            return
+        self.shown = self.shown or content.get('shown') is True
+        speeds = _SPEEDS.get(content.get('press'))
         if speeds is not None:
             self._drive(*speeds)

@@ -10,6 +10,7 @@ import time
 
 from helpers.kernel import journal, nodes
 from helpers.kernel.spinning import spinning
+from helpers.kernel.waiting import spin_for
 from helpers.paths import ROOT
 
 try:
@@ -136,6 +137,13 @@ class TurtleView:
         """Forget the lines drawn so far, as turtlesim's service ``clear`` does."""
         self._world.clear()
         self._changed = True
+
+    def watch(self, seconds: float = 8.0, at_least: float = 1.0) -> None:
+        """Go on for so many seconds if a browser shows the view; else (in a test, say) for `at_least` seconds."""
+        end = time.monotonic() + seconds
+        spin_for(at_least)
+        if self._output is not None and self._output.widget.shown:
+            spin_for(max(0.0, end - time.monotonic()))
 
     def stop(self) -> None:
         """Stop watching; the last picture stays. Idempotent."""

@@ -42,6 +42,7 @@ function render({model, el}) {
   });
   view.append(picture, pad);
   el.append(view);
+  model.send({shown: true});
   return () => model.off('change:picture', draw);
 }
 

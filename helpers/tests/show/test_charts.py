@@ -3,7 +3,7 @@
 import matplotlib
 import pytest
 
-from helpers.show.charts import figure, show_support
+from helpers.show.charts import figure, show_charge, show_support
 
 RELEASES = {'old': ('20.04', '2020-01', '2022-06'), 'new': ('24.04', '2022-07', '2027-12')}
 
@@ -43,3 +43,11 @@ def test_what_is_supported_in_the_month_is_green(no_window, month, green):
     show_support(RELEASES, month)
     colours = [bar.get_facecolor() for bar in no_window.gca().patches]
     assert [colour == matplotlib.colors.to_rgba('tab:green') for colour in colours] == green
+
+
+def test_the_charge_is_red_while_it_charges_and_both_thresholds_are_lines(no_window):
+    show_charge([(0.5, 'working'), (0.1, 'charging'), (0.3, 'charging')], low=0.2, full=0.9)
+    axes = no_window.gca()
+    red, green = (tuple(matplotlib.colors.to_rgba(f'tab:{name}')) for name in ('red', 'green'))
+    assert [tuple(colour) for colour in axes.collections[0].get_facecolors()] == [green, red, red]
+    assert [line.get_ydata()[0] for line in axes.lines] == [0.2, 0.9]

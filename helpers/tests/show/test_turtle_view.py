@@ -2,6 +2,7 @@
 
 import math
 import sys
+from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import pytest
@@ -10,6 +11,7 @@ from std_srvs.srv import Empty
 
 from helpers import TurtleView, background, spinning, wait_for
 from helpers.kernel.ros import nodes
+from helpers.show import turtle_view
 from helpers.show.turtle_pad import TurtlePad
 from helpers.show.turtle_view import TurtlePicture, World
 from helpers.show.widgets import VIEW
@@ -92,6 +94,19 @@ def test_what_a_page_says_and_is_no_arrow_is_ignored():
     for content in ({'press': 'left'}, {'press': 'home'}, {}, 'up', None):
         pad._on_page(None, content, [])
     assert sent == [(0.0, 2.0)]
+
+
+def test_a_view_goes_on_for_a_person_and_not_for_a_test(ros, monkeypatch):
+    asked = []
+    monkeypatch.setattr(turtle_view, 'spin_for', asked.append)
+    with TurtleView() as view:
+        pad = TurtlePad('', lambda *speeds: None)
+        view._output = SimpleNamespace(widget=pad, close=lambda picture: None)
+        view.watch(60, at_least=0.5)
+        assert asked == [0.5]
+        pad._on_page(None, {'shown': True}, [])
+        view.watch(60, at_least=0.5)
+        assert len(asked) == 3 and 50 < asked[-1] <= 60
 
 
 def test_a_second_view_replaces_the_first(ros):
