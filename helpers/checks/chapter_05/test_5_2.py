@@ -34,6 +34,11 @@ def check_no_wait(learner):
     )
 
 
+def shown(outcomes: list[str]) -> str:
+    """All of them; of many the first ones, and how many there are."""
+    return str(outcomes) if len(outcomes) <= 3 else f'{outcomes[:3]} and so on, {len(outcomes)} times in all'
+
+
 class Rounds:
     """One client after the other in one process, each with a server that behaves in another way."""
 
@@ -64,7 +69,7 @@ class Rounds:
     def expect(self, wanted, rule, hint=''):
         """Expect exactly this outcome so far."""
         said, words = self.outcome.data, [text.partition(' ')[0] for text in self.outcome.data]
-        told = f'{self.story}/outcome said {said}, expected {wanted!r}.'
+        told = f'{self.story}/outcome said {shown(said)}, expected {wanted!r}.'
         expect(words, f'{self.story}nothing came on /outcome, expected {wanted!r}. {hint}', rule)
         expect(words[0] in WORDS, f'{told} `{words[0]}` is none of the words: {", ".join(WORDS)}.', 'word')
         expect(words[0] == wanted.split()[0], f'{told} {hint}', rule)
@@ -130,7 +135,7 @@ def _stops_late(learner, rounds, patience, value):
     learner.run(0.8)
     expect(
         not rounds.outcome.data,
-        f'{rounds.story}/outcome said {rounds.outcome.data} before the result was there: '
+        f'{rounds.story}/outcome said {shown(rounds.outcome.data)} before the result was there: '
         'wait for the result, which also a cancelled goal has.',
         'result',
     )
@@ -197,7 +202,7 @@ def test_server_comes_late(learner):
     )
     learner.run(draw.choice([1.3, 2.2]), step=1.0)
     check_no_wait(learner)
-    expect(not outcome.data, f'There is no server, and /outcome said {outcome.data}.', 'send')
+    expect(not outcome.data, f'There is no server, and /outcome said {shown(outcome.data)}.', 'send')
     server = learner.action_server(f'{space}/fibonacci', Fibonacci, plan)
     server.late = {'goal': 1.2}
     learner.settle()
@@ -221,7 +226,7 @@ def test_server_comes_late(learner):
     expect(
         outcome.data and outcome.data[0].startswith('succeeded'),
         f'The server accepted the goal 1.2 s after it was sent, and needed {0.5 * order} s; with the patience '
-        f'{0.5 * order + 0.5} s, /outcome said {outcome.data}. The deadline begins when the goal is accepted.',
+        f'{0.5 * order + 0.5} s, /outcome said {shown(outcome.data)}. The deadline begins when the goal is accepted.',
         'deadline',
     )
     server.stop()
