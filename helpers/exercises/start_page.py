@@ -61,7 +61,8 @@ the notebook and run the cell: it brings back what the cells above it define, wi
 For all chapters: {% for name, title in pages %}[{{ title }}]({{ name }}){{ ' · ' if not loop.last }}{% endfor %}.
 
 {% endif %}
-A second terminal with ROS in it: `./course shell`. When you are done: `./course submit --id YOUR-NAME`.
+A second terminal with ROS in it: `./course shell`. Chapters that are open at the same time share one ROS domain: the
+nodes of one are in the graph of the other. When you are done: `./course submit --id YOUR-NAME`.
 
 {% for one in chapters %}
 ## {{ one.says.title }}
