@@ -17,7 +17,7 @@ def test_without_containers_there_are_no_components(ros2):
     assert ros2.output('component', 'list') == ''
     for argv in (['list', '/box'], ['load', '/box', 'composition', 'composition::Talker'], ['unload', '/box', '1']):
         assert ros2.error('component', *argv) == "Unable to find container node '/box'"
-    assert ros2.error('component', 'types', 'no_such') == "Package 'no_such' not found"
+    assert ros2.error('component', 'types', 'no_such') == "Unable to find package 'no_such'"
 
 
 def test_types_of_components_come_from_the_index(ros2, tmp_path):
@@ -25,11 +25,13 @@ def test_types_of_components_come_from_the_index(ros2, tmp_path):
     index.mkdir(parents=True)
     (index / 'parts').write_text('parts::Wheel;lib/libparts.so\nparts::Axle;lib/libparts.so\n')
     environ = {**ros2.environ, 'AMENT_PREFIX_PATH': f'{tmp_path}:{ros2.environ.get("AMENT_PREFIX_PATH", sys.prefix)}'}
-    assert type(ros2)(environ, tmp_path).lines('component', 'types', 'parts') == [
-        'parts',
-        '  parts::Wheel',
-        '  parts::Axle',
-    ]
+    command = type(ros2)(environ, tmp_path)
+    assert command.lines('component', 'types') == ['parts', '  parts::Wheel', '  parts::Axle']
+    assert command.error('component', 'types', 'parts') == "Unable to find package 'parts'"
+    (index.parent / 'packages').mkdir()
+    (index.parent / 'packages' / 'parts').touch()
+    assert command.lines('component', 'types', 'parts') == ['parts::Wheel', 'parts::Axle']
+    assert ros2.output('component', 'types', 'ros2cli') == '\n'
 
 
 def test_a_datagram_is_sent_and_received(ros2):
@@ -43,6 +45,9 @@ def test_a_datagram_is_sent_and_received(ros2):
         assert done.stdout == 'Sending one UDP multicast datagram...\n'
         receiver.wait_for_output("'Hello World!'", PATIENCE)
     assert ros2.error('multicast', 'receive', *port, '--timeout', '0.1') == 'No datagram came within 0.1 s'
+    with ros2.start('multicast', 'receive', *port) as receiver:
+        receiver.wait_for_output('Waiting for UDP multicast datagram...', PATIENCE)
+        assert receiver.stop(PATIENCE) == 0  # Ctrl+C is how it is given up
 
 
 def test_a_node_of_a_command_lives_in_any_thread(ros2):

@@ -55,12 +55,15 @@ class ReceiveVerb(VerbExtension):
         try:
             with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as receiver:
                 receiver.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+                receiver.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEPORT, 1)
                 receiver.bind(('', args.port))
                 membership = struct.pack('4sl', socket.inet_aton(args.group), socket.INADDR_ANY)
                 receiver.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, membership)
                 receiver.settimeout(args.timeout)
                 print('Waiting for UDP multicast datagram...')
                 data, (host, port) = receiver.recvfrom(_LARGEST)
+        except KeyboardInterrupt:  # how a wait without an end is given up
+            return None
         except TimeoutError:
             return f'No datagram came within {args.timeout:g} s'
         except (OSError, OverflowError) as error:
