@@ -9,7 +9,7 @@ import pytest
 from environment.tests.running import ROS2
 
 VERBS = {
-    'bag': ('info', 'play', 'record', 'reindex'),
+    'bag': ('convert', 'info', 'play', 'record', 'reindex'),
     'component': ('list', 'load', 'standalone', 'types', 'unload'),
     'daemon': ('start', 'status', 'stop'),
     'multicast': ('receive', 'send'),

@@ -28,6 +28,7 @@ from rosbag2_py.player import PlayOptions
 from rosbag2_py.reader import Info, SequentialCompressionReader, SequentialReader
 from rosbag2_py.recorder import RecordOptions
 from rosbag2_py.reindex import Reindexer
+from rosbag2_py.rewrite import bag_rewrite
 from rosbag2_py.transport import Player, Recorder
 from rosbag2_py.writer import DEFAULT_STORAGE, SequentialCompressionWriter, SequentialWriter
 
@@ -55,6 +56,7 @@ __all__ = [
     'StorageOptions',
     'TopicInformation',
     'TopicMetadata',
+    'bag_rewrite',
     'compression_mode_from_string',
     'compression_mode_to_string',
     'get_default_storage_id',

@@ -56,6 +56,24 @@ class RecordOptions:
     disable_keyboard_controls: bool = False
 
 
+def chosen(options: RecordOptions, name: str, types: list[str]) -> bool:
+    """Return whether the options choose a topic, by its name and types."""
+    if options.exclude_regex and re.search(options.exclude_regex, name):
+        return False
+    event = is_service_event(name)
+    by_regex = bool(options.regex and re.search(options.regex, name.removesuffix(SERVICE_EVENTS) if event else name))
+    if event:
+        named = options.all_services or name in options.services or by_regex
+        return named and name not in options.exclude_service_events
+    if name in options.exclude_topics or set(types) & set(options.exclude_topic_types):
+        return False
+    if name in options.topics:
+        return True
+    if topic_or_service_is_hidden(name) and not options.include_hidden_topics:
+        return False
+    return options.all_topics or bool(set(types) & set(options.topic_types)) or by_regex
+
+
 class Recording:
     """Writes the messages of the chosen topics; the caller spins the node and calls :meth:`look` now and then."""
 
@@ -93,26 +111,13 @@ class Recording:
             self._complete = True
 
     def _wanted(self, name: str, types: list[str]) -> bool:
-        options = self.options
-        if options.exclude_regex and re.search(options.exclude_regex, name):
+        if not chosen(self.options, name, types):
             return False
         if is_service_event(name):
-            service = name.removesuffix(SERVICE_EVENTS)
-            chosen = options.all_services or name in options.services or self._matches(service)
-            return chosen and name not in options.exclude_service_events
-        if name in options.exclude_topics or set(types) & set(options.exclude_topic_types):
+            return True
+        if self.options.ignore_leaf_topics and not self.node.count_subscribers(name):
             return False
-        if name not in options.topics:
-            if not (options.all_topics or set(types) & set(options.topic_types) or self._matches(name)):
-                return False
-            if topic_or_service_is_hidden(name) and not options.include_hidden_topics:
-                return False
-        if options.ignore_leaf_topics and not self.node.count_subscribers(name):
-            return False
-        return bool(options.include_unpublished_topics or self.node.count_publishers(name))
-
-    def _matches(self, name: str) -> bool:
-        return bool(self.options.regex and re.search(self.options.regex, name))
+        return bool(self.options.include_unpublished_topics or self.node.count_publishers(name))
 
     def _subscribe(self, name: str, types: list[str]) -> None:
         logger = self.node.get_logger()

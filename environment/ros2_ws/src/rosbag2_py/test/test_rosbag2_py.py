@@ -36,6 +36,7 @@ from rosbag2_py import (
     StorageFilter,
     StorageOptions,
     TopicMetadata,
+    bag_rewrite,
     compression_mode_from_string,
     compression_mode_to_string,
     get_registered_compressors,
@@ -373,3 +374,37 @@ def test_a_program_records_and_plays_until_it_is_cancelled(tmp_path, peer):
     Player().burst(StorageOptions(bag), PlayOptions(), 1)
     with pytest.raises(RuntimeError, match="the log level 'xxx' is not known"):
         Player('xxx')
+
+
+def test_bags_are_written_anew(tmp_path):
+    """Two bags become one that is compressed, and one with a part."""
+    first, second = write(tmp_path / 'first', 'mcap'), write(tmp_path / 'second', 'sqlite3', count=2)
+    whole, part, options = tmp_path / 'whole', tmp_path / 'part', tmp_path / 'options.yaml'
+    bags = [
+        {'uri': str(whole), 'storage_id': 'sqlite3', 'all_topics': True, 'compression_mode': 'file'},
+        {'uri': str(part), 'all_topics': True, 'exclude': 'point', 'max_bagfile_duration': 3},
+    ]
+    bags[0]['compression_format'] = 'zstd'
+    options.write_text(yaml.safe_dump({'output_bags': bags}))
+    bag_rewrite([StorageOptions(str(first)), StorageOptions(str(second), 'sqlite3')], str(options))
+    assert read(whole) == sorted(read(first) + read(second), key=lambda message: message[1])
+    assert sorted(os.listdir(whole)) == ['metadata.yaml', 'whole_0.db3.zstd']
+    assert {topic for topic, *_ in read(part)} == {'/words'} and len(read(part)) == 7
+    assert sorted(os.listdir(part)) == ['metadata.yaml', 'part_0.mcap', 'part_1.mcap']
+
+
+@pytest.mark.parametrize(
+    'text,said',
+    [
+        ('- key: value', "must have the key 'output_bags'"),
+        ('output_bags: {key: value}', "must have the key 'output_bags'"),
+        ('output_bags: [', 'is not valid YAML'),
+        ('output_bags: [{topics: [a]}]', "needs a 'uri'"),
+        ('output_bags: [{uri: x, colour: red}]', "'colour' is no option of a bag"),
+        ('output_bags: [{uri: x, topics: a}]', "'topics' must be a list, not 'a'"),
+    ],
+)
+def test_what_shall_be_written_is_checked(tmp_path, text, said):
+    (tmp_path / 'options.yaml').write_text(text)
+    with pytest.raises(RuntimeError, match=said):
+        bag_rewrite([], str(tmp_path / 'options.yaml'))
