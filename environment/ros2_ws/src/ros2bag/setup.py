@@ -21,6 +21,7 @@ setup(
         'ros2cli.command': ['bag = ros2bag.command.bag:BagCommand'],
         'ros2cli.extension_point': ['ros2bag.verb = ros2bag.verb:VerbExtension'],
         'ros2bag.verb': [
+            'convert = ros2bag.verb.convert:ConvertVerb',
             'info = ros2bag.verb.info:InfoVerb',
             'play = ros2bag.verb.play:PlayVerb',
             'record = ros2bag.verb.record:RecordVerb',

@@ -33,6 +33,7 @@ setup(
         'ros2component.verb': [
             'list = ros2cli.command.component:ListVerb',
             'load = ros2cli.command.component:LoadVerb',
+            'standalone = ros2cli.command.component:StandaloneVerb',
             'types = ros2cli.command.component:TypesVerb',
             'unload = ros2cli.command.component:UnloadVerb',
         ],

@@ -1,6 +1,6 @@
 """Tests of a launched system: cases of unittest that run while it runs, and cases that run after its end."""
 
-from launch_testing import actions, asserts, markers, tools, util
+from launch_testing import actions, asserts, event_handlers, markers, tools, util
 from launch_testing.io_handler import ActiveIoHandler, IoHandler
 from launch_testing.parametrize import parametrize
 from launch_testing.post_shutdown_test import post_shutdown_test
@@ -14,6 +14,7 @@ __all__ = [
     'ProcInfoHandler',
     'actions',
     'asserts',
+    'event_handlers',
     'markers',
     'parametrize',
     'post_shutdown_test',

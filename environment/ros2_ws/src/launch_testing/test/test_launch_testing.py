@@ -8,8 +8,10 @@ import textwrap
 from types import SimpleNamespace
 from xml.etree import ElementTree
 
+import launch
 import pytest
-from launch.actions import ExecuteProcess
+from launch.actions import ExecuteProcess, OpaqueFunction, RegisterEventHandler
+from launch.substitutions import LocalSubstitution
 from launch_testing import ActiveIoHandler, ProcInfoHandler, markers
 from launch_testing.asserts import (
     NO_CMD_ARGS,
@@ -19,6 +21,7 @@ from launch_testing.asserts import (
     assertInStdout,
     assertSequentialStdout,
 )
+from launch_testing.event_handlers import StdoutReadyListener
 from launch_testing.tools import basic_output_filter, expect_output, expected_output_from_file
 from launch_testing.util import NoMatchingProcessException, resolveProcesses
 from launch_testing_ros.tools import basic_output_filter as ros_output_filter
@@ -330,6 +333,12 @@ def test_processes_are_found_by_name_and_arguments():
         resolveProcesses(infos, process='x')
     with pytest.raises(TypeError):
         resolveProcesses(infos, process=5)
+    waiting = ExecuteProcess(cmd=['python', '-c', ''])
+    with pytest.raises(NoMatchingProcessException, match='No data recorded for proc python -c'):
+        resolveProcesses(infos, process=waiting)
+    unknown = ExecuteProcess(cmd=[LocalSubstitution('foo'), 'python'])
+    with pytest.raises(NoMatchingProcessException, match='Unknown'):
+        resolveProcesses(infos, process=unknown)
     assertExitCodes(infos, process=one)
     assertExitCodes(infos, [0, 3])
     with pytest.raises(AssertionError, match='Proc node-2 exited with code 3'):
@@ -415,3 +424,32 @@ def test_lines_are_left_out_and_expectations_read_from_files(tmp_path):
     assert expected_output_from_file(tmp_path / 'patterns')[0].match('ab')
     with pytest.raises(RuntimeError, match='could not find'):
         expected_output_from_file(tmp_path / 'nothing')
+
+
+def test_a_process_says_that_it_is_ready():
+    """The text may come in two parts; other processes and texts do not count."""
+    said = []
+
+    def listen(what, target, text):
+        action = OpaqueFunction(function=lambda _: said.append(what))
+        handler = StdoutReadyListener(target_action=target, ready_txt=text, actions=[action])
+        assert handler.describe()[1] == [action]
+        return RegisterEventHandler(handler)
+
+    code = "import sys, time; [print(part, end='', flush=True) or time.sleep(0.3) for part in ('Re', 'ady', '!')]"
+    process, other = ExecuteProcess(cmd=[sys.executable, '-c', code]), ExecuteProcess(cmd=[sys.executable, '-c', ''])
+    service = launch.LaunchService(noninteractive=True)
+    service.include_launch_description(
+        launch.LaunchDescription(
+            [
+                listen('ready', process, 'Ready'),
+                listen('any', None, 'Ready'),
+                listen('other', other, 'Ready'),
+                listen('wrong', process, 'not ready'),
+                process,
+                other,
+            ]
+        )
+    )
+    assert service.run() == 0
+    assert sorted(said) == ['any', 'ready']

@@ -1,5 +1,6 @@
 """The test of the integration testing tutorial, as a test of its own: turtlesim runs while its cases do."""
 
+import threading
 import unittest
 
 import launch
@@ -9,7 +10,7 @@ import launch_testing.actions
 import launch_testing.asserts
 import pytest
 import rclpy
-from launch_testing_ros import DataRepublisher, WaitForTopics
+from launch_testing_ros import DataRepublisher, MessagePump, WaitForTopics
 from turtlesim.msg import Pose
 
 
@@ -49,6 +50,21 @@ class TestTurtleSim(unittest.TestCase):
             executor.spin_once(timeout_sec=1)
         executor.shutdown()
         self.assertGreaterEqual(len(received), 20)
+
+    def test_a_pump_runs_the_callbacks(self):
+        heard = threading.Event()
+        self.node.create_subscription(Pose, 'turtle1/pose', lambda _: heard.set(), 10)
+        pump = MessagePump(self.node, context=self.context)
+        pump.start()
+        self.assertTrue(heard.wait(60))
+        self.assertRaises(RuntimeError, pump.start)
+        pump.stop()
+        heard.clear()
+        self.assertFalse(heard.wait(0.2))
+        pump.start()
+        self.assertTrue(heard.wait(60))
+        pump.stop()
+        pump.stop()
 
     def test_logs_spawning(self, proc_output):
         proc_output.assertWaitFor('Spawning turtle [turtle1] at x=', timeout=60, stream='stderr')

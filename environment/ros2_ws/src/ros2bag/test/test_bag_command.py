@@ -187,6 +187,32 @@ def test_a_killed_recording_is_reindexed(ros2, storage, ending):
         echo.wait_for_output('data: hello', PATIENCE)
 
 
+def test_record_compressed(ros2):
+    with ros2.start('topic', 'pub', '-r', '50', '/chatter', 'std_msgs/msg/String', '{data: hello}'):
+        for mode, file in (('file', 'small_file_0.mcap.zstd'), ('message', 'small_message_0.mcap')):
+            bag = ros2.directory / f'small_{mode}'
+            options = ('--compression-mode', mode, '--compression-format', 'zstd')
+            with ros2.start('bag', 'record', '-o', bag.name, '--topics', '/chatter', *options) as recorder:
+                recorder.wait_for_output("Subscribed to topic '/chatter'", PATIENCE)
+                before, end = (bag / f'{bag.name}_0.mcap').stat().st_size, time.monotonic() + PATIENCE
+                while (bag / f'{bag.name}_0.mcap').stat().st_size <= before:
+                    assert time.monotonic() < end, 'nothing was written'
+                    time.sleep(0.05)
+                assert recorder.stop(PATIENCE) == 0
+            assert sorted(os.listdir(bag)) == sorted([file, 'metadata.yaml'])
+            assert topics_of(bag)['/chatter'] > 0
+
+
+def test_convert(ros2, numbers):
+    (ros2.directory / 'out.yaml').write_text('output_bags: [{uri: converted, storage_id: sqlite3, topics: [/number]}]')
+    assert ros2.output('bag', 'convert', '-i', numbers, '-o', 'out.yaml') == ''
+    assert topics_of(ros2.directory / 'converted') == {'/number': 10}
+    assert ros2.error('bag', 'convert', '-i', 'nothing', '-o', 'out.yaml') == (
+        "[ERROR] [ros2bag]: Bag path 'nothing' does not exist!"
+    )
+    assert "the storage 'tape' is not known" in ros2.error('bag', 'convert', '-i', numbers, 'tape', '-o', 'out.yaml')
+
+
 def test_play_keeps_the_pace(ros2, listener, numbers):
     heard = listener.hear(Int32, '/number')
     with ros2.start('bag', 'play', numbers, '-d', '1', '-r', '0.5') as player:
@@ -302,6 +328,17 @@ def test_wrong_usage_is_said(ros2, numbers, tmp_path):
     assert ros2.error('bag', 'record', '-a', '-o', numbers) == (
         f"[ERROR] [ros2bag]: Output folder '{numbers}' already exists."
     )
+    for options, said in (
+        (
+            ['--topics', '/a', '--exclude-topics', '/b'],
+            '--exclude-topics argument requires either --all, --all-topics,',
+        ),
+        (['--topics', '/a', '-x', 'b'], '--exclude-regex argument requires either --all, --all-topics, --topic-types,'),
+        (['--all', '--compression-format', 'zstd'], 'Invalid choice: Cannot specify compression format without a'),
+        (['--all', '--compression-mode', 'file'], "the compression format '' is not known; there is 'zstd'"),
+        (['--all', '--use-sim-time', '--no-discovery'], '--use-sim-time and --no-discovery both set, but are'),
+    ):
+        assert ros2.error('bag', 'record', *options).splitlines()[-1].startswith(f'[ERROR] [ros2bag]: {said}')
     assert 'not a valid regular expression' in ros2.error('bag', 'record', '-e', '[')
     for verb in ('info', 'play', 'reindex'):
         assert "Bag path 'nothing' does not exist!" in ros2.error('bag', verb, 'nothing', status=2)

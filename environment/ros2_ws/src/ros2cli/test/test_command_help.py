@@ -9,8 +9,8 @@ import pytest
 from environment.tests.running import ROS2
 
 VERBS = {
-    'bag': ('info', 'play', 'record', 'reindex'),
-    'component': ('list', 'load', 'types', 'unload'),
+    'bag': ('convert', 'info', 'play', 'record', 'reindex'),
+    'component': ('list', 'load', 'standalone', 'types', 'unload'),
     'daemon': ('start', 'status', 'stop'),
     'multicast': ('receive', 'send'),
     'action': ('info', 'list', 'send_goal', 'type'),

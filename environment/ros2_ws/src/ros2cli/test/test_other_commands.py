@@ -3,6 +3,11 @@
 import subprocess
 import sys
 import threading
+import time
+from concurrent.futures import ThreadPoolExecutor, wait
+
+import pytest
+from ros2multicast.api import receive, send
 
 from environment.tests.running import PATIENCE
 
@@ -17,7 +22,7 @@ def test_without_containers_there_are_no_components(ros2):
     assert ros2.output('component', 'list') == ''
     for argv in (['list', '/box'], ['load', '/box', 'composition', 'composition::Talker'], ['unload', '/box', '1']):
         assert ros2.error('component', *argv) == "Unable to find container node '/box'"
-    assert ros2.error('component', 'types', 'no_such') == "Package 'no_such' not found"
+    assert ros2.error('component', 'types', 'no_such') == "Unable to find package 'no_such'"
 
 
 def test_types_of_components_come_from_the_index(ros2, tmp_path):
@@ -25,24 +30,49 @@ def test_types_of_components_come_from_the_index(ros2, tmp_path):
     index.mkdir(parents=True)
     (index / 'parts').write_text('parts::Wheel;lib/libparts.so\nparts::Axle;lib/libparts.so\n')
     environ = {**ros2.environ, 'AMENT_PREFIX_PATH': f'{tmp_path}:{ros2.environ.get("AMENT_PREFIX_PATH", sys.prefix)}'}
-    assert type(ros2)(environ, tmp_path).lines('component', 'types', 'parts') == [
-        'parts',
-        '  parts::Wheel',
-        '  parts::Axle',
-    ]
+    command = type(ros2)(environ, tmp_path)
+    assert command.lines('component', 'types') == ['parts', '  parts::Wheel', '  parts::Axle']
+    assert command.error('component', 'types', 'parts') == "Unable to find package 'parts'"
+    (index.parent / 'packages').mkdir()
+    (index.parent / 'packages' / 'parts').touch()
+    assert command.lines('component', 'types', 'parts') == ['parts::Wheel', 'parts::Axle']
+    assert ros2.output('component', 'types', 'ros2cli') == '\n'
 
 
 def test_a_datagram_is_sent_and_received(ros2):
     port = ['--port', '49153']
     with ros2.start('multicast', 'receive', *port, '--timeout', str(PATIENCE)) as receiver:
         receiver.wait_for_output('Waiting for UDP multicast datagram...', PATIENCE)
-        done = ros2.run('multicast', 'send', *port)
-        if done.returncode:  # a machine without a network has no way for multicast
-            assert 'The datagram was not sent' in done.stderr
-            return
-        assert done.stdout == 'Sending one UDP multicast datagram...\n'
-        receiver.wait_for_output("'Hello World!'", PATIENCE)
+        end = time.monotonic() + PATIENCE
+        while receiver.running:  # it says so before it listens
+            assert time.monotonic() < end, 'nothing was received'
+            done = ros2.run('multicast', 'send', *port)
+            if done.returncode:  # a machine without a network has no way for multicast
+                assert 'The datagram was not sent' in done.stderr
+                return
+            assert done.stdout == 'Sending one UDP multicast datagram...\n'
+        assert receiver.returncode == 0 and "'Hello World!'" in receiver.lines[-1]
     assert ros2.error('multicast', 'receive', *port, '--timeout', '0.1') == 'No datagram came within 0.1 s'
+    with ros2.start('multicast', 'receive', *port) as receiver:
+        receiver.wait_for_output('Waiting for UDP multicast datagram...', PATIENCE)
+        assert receiver.stop(PATIENCE) == 0  # Ctrl+C is how it is given up
+
+
+def test_programs_send_and_receive_datagrams():
+    """Only those to its own group and port."""
+    end = time.monotonic() + PATIENCE
+    with ThreadPoolExecutor() as threads:
+        heard = threads.submit(receive, group='234.1.2.3', port=49154, timeout=PATIENCE)
+        while not heard.done() and time.monotonic() < end:
+            try:
+                send(b'elsewhere', group='234.1.2.3', port=49155)
+                send(b'here', group='234.1.2.3', port=49154, ttl=1)
+            except OSError:  # a machine without a network has no way for multicast
+                return
+            wait([heard], timeout=0.05)
+        assert heard.result()[0] == b'here'
+    with pytest.raises(TimeoutError):
+        receive(port=49156, timeout=0.05)
 
 
 def test_a_node_of_a_command_lives_in_any_thread(ros2):

@@ -79,6 +79,38 @@ def test_every_node_of_several_processes_is_listed_at_once(ros2, node):
         assert expected <= set(ros2.lines('node', 'list'))
 
 
+# A receiver as on a machine with no time: datagrams that come while the buffer is full get lost.
+LOSSY = """
+<profiles xmlns="http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles">
+  <transport_descriptors>
+    <transport_descriptor>
+      <transport_id>small</transport_id>
+      <type>UDPv4</type>
+      <receiveBufferSize>4608</receiveBufferSize>
+      <maxMessageSize>4000</maxMessageSize>
+    </transport_descriptor>
+  </transport_descriptors>
+  <participant profile_name="lossy" is_default_profile="true">
+    <rtps>
+      <userTransports><transport_id>small</transport_id></userTransports>
+      <useBuiltinTransports>false</useBuiltinTransports>
+    </rtps>
+  </participant>
+</profiles>
+"""
+
+
+def test_what_got_lost_on_the_way_is_awaited(ros2, node, tmp_path):
+    node('worker')
+    actions = ros2.lines('action', 'list')
+    assert actions
+    profile = tmp_path / 'lossy.xml'
+    profile.write_text(LOSSY)
+    lossy = type(ros2)({**ros2.environ, 'FASTRTPS_DEFAULT_PROFILES_FILE': str(profile)}, tmp_path)
+    for _ in range(4):
+        assert lossy.lines('action', 'list') == actions
+
+
 def test_a_participant_that_never_answers_costs_a_bounded_time(ros2):
     """A foreign program on one of the domain's ports looks like a participant."""
     with domains.claim() as domain_id, socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as foreign:

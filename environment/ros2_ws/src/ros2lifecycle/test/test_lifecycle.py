@@ -1,5 +1,8 @@
 """`ros2 lifecycle` beside real nodes."""
 
+import subprocess
+import sys
+
 import pytest
 
 pytestmark = pytest.mark.usefixtures('several_nodes')
@@ -23,3 +26,31 @@ def test_lifecycle(ros2):
     assert '- cleanup [2]' in ros2.lines('lifecycle', 'list', '/managed', '--all')
     for verb in (('get', '/plain'), ('list', '/nobody'), ('set', '/plain', 'configure')):
         assert ros2.error('lifecycle', *verb) == 'Node not found'
+
+
+ASKING = """
+from ros2cli.node.direct import DirectNode
+from ros2lifecycle import api
+
+with DirectNode(None) as node:
+    names = [each.full_name for each in api.get_node_names(node=node)]
+    states = api.call_get_states(node=node, node_names=names)
+    graph = api.call_get_transition_graph(node=node, states=states)
+    print({name: {each.transition.label for each in graph[name]} <= {'deactivate', 'shutdown'} for name in graph})
+    (deactivate,) = (each.transition for each in graph['/managed'] if each.transition.label == 'deactivate')
+    print(api.call_change_states(node=node, transitions={'/managed': deactivate}))
+    available = api.call_get_available_transitions(node=node, states={'/managed': None})['/managed']
+    print([each.transition.label for each in available])
+"""
+
+
+def test_a_program_asks_and_changes_several_nodes(ros2):
+    if ros2.output('lifecycle', 'get', '/managed') == 'unconfigured [1]\n':
+        ros2.output('lifecycle', 'set', '/managed', 'configure')
+        ros2.output('lifecycle', 'set', '/managed', 'activate')
+    done = subprocess.run([sys.executable, '-c', ASKING], env=ros2.environ, capture_output=True, text=True, timeout=60)
+    assert done.stdout.splitlines() == [
+        "{'/managed': True}",
+        "{'/managed': True}",
+        "['cleanup', 'activate', 'shutdown']",
+    ], done

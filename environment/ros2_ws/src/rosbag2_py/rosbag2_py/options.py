@@ -110,7 +110,7 @@ class ReadOrderSortBy(Enum):
 
 @dataclass
 class ReadOrder:
-    """In which order messages are read: by the time of their reception, forwards, is the only one here."""
+    """In which order messages are read; the time of their reception is the only one here, forwards or backwards."""
 
     sort_by: ReadOrderSortBy = ReadOrderSortBy.ReceivedTimestamp
     reverse: bool = False

@@ -25,30 +25,40 @@ RATE_STEP = 0.1
 
 @dataclass
 class PlayOptions:
-    """How to play; names as upstream. Times in seconds, `-1` for "to the end"."""
+    """
+    How to play; names as upstream. Times in seconds, `-1` for "to the end"; services are the topics of their events.
+
+    Those of the last lines are accepted and count for nothing here: a message is read when it is due, and only
+    `ros2 bag play` listens to the keyboard.
+    """
 
     rate: float = 1.0
     topics_to_filter: list[str] = field(default_factory=list)
-    exclude_topics_to_filter: list[str] = field(default_factory=list)
+    services_to_filter: list[str] = field(default_factory=list)
     regex_to_filter: str = ''
+    exclude_topics_to_filter: list[str] = field(default_factory=list)
+    exclude_service_events_to_filter: list[str] = field(default_factory=list)
     exclude_regex_to_filter: str = ''
     topic_qos_profile_overrides: dict[str, QoSProfile] = field(default_factory=dict)
     loop: bool = False
-    remap: dict[str, str] = field(default_factory=dict)
+    topic_remapping_options: list[str] = field(default_factory=list)  # old:=new, also behind --ros-args --remap
     clock_publish_frequency: float = 0.0
     delay: float = 0.0
     start_paused: bool = False
     start_offset: float = 0.0
     playback_duration: float = -1.0
-    playback_until: int = -1  # nanoseconds since 1970
+    playback_until_timestamp: int = -1  # nanoseconds since 1970
     wait_acked_timeout: int = -1  # milliseconds; 0: for ever
-    services_to_filter: list[str] = field(default_factory=list)
-    exclude_services_to_filter: list[str] = field(default_factory=list)
     publish_service_requests: bool = False  # and not the events
     service_requests_source: str = 'service_introspection'
 
+    node_prefix: str = ''
+    read_ahead_queue_size: int = 1000
+    disable_keyboard_controls: bool = False
+    disable_loan_message: bool = False
 
-class Player:
+
+class Playback:
     """Publishes the messages of a bag with a node of the caller's, who spins it by way of `wait`."""
 
     def __init__(self, node: Node, reader: SequentialReader, options: PlayOptions, wait: Callable[[float], Any]):
@@ -56,6 +66,7 @@ class Player:
         Create the publishers.
 
         :param wait: spins the node for so many seconds, and handles the keyboard.
+        :raises ValueError: if a remapping is none.
         """
         self.node, self.reader, self.options, self.rate = node, reader, options, options.rate
         self.paused, self.skip = options.start_paused, False
@@ -66,8 +77,8 @@ class Player:
         self._end = begin + metadata.duration.nanoseconds
         if options.playback_duration >= 0:
             self._end = min(self._end, self._start + round(options.playback_duration * _SECOND))
-        if options.playback_until >= 0:
-            self._end = min(self._end, options.playback_until)
+        if options.playback_until_timestamp >= 0:
+            self._end = min(self._end, options.playback_until_timestamp)
         self._now, self._since = self._start, time.monotonic()  # the bag's time, and when it was that
         self._clock: Any = None
         self._next_clock = 0.0
@@ -75,13 +86,12 @@ class Player:
             from rosgraph_msgs.msg import Clock
 
             self._clock = node.create_publisher(Clock, '/clock', 10)
-        events = [f'{name}{SERVICE_EVENTS}' for name in options.services_to_filter]
-        others = [f'{name}{SERVICE_EVENTS}' for name in options.exclude_services_to_filter]
+        self._remappings = parse_remappings(options.topic_remapping_options, node)
         reader.set_filter(
             StorageFilter(
-                topics=[*options.topics_to_filter, *events],
+                topics=[*options.topics_to_filter, *options.services_to_filter],
                 regex=options.regex_to_filter,
-                exclude_topics=[*options.exclude_topics_to_filter, *others],
+                exclude_topics=[*options.exclude_topics_to_filter, *options.exclude_service_events_to_filter],
                 regex_to_exclude=options.exclude_regex_to_filter,
             )
         )
@@ -106,7 +116,7 @@ class Player:
             kind = service_class(topic.type)
             return ServiceRequests(self.node, kind, service, options.service_requests_source, self._wait)
         profile = options.topic_qos_profile_overrides.get(name) or to_publish(topic.offered_qos_profiles)
-        return self.node.create_publisher(message_class(topic.type), options.remap.get(name, name), profile)
+        return self.node.create_publisher(message_class(topic.type), self._remappings.get(name, name), profile)
 
     def play(self) -> int:
         """Play to the end, again and again with `loop`; returns how many messages were published."""
@@ -118,6 +128,20 @@ class Player:
             published += self._play_once()
             if not self.options.loop:
                 break
+        self._deliver()
+        return published
+
+    def burst(self, number: int) -> int:
+        """Publish so many messages at once; returns how many there were."""
+        published = 0
+        self.reader.seek(self._start)
+        while published < number and self.reader.has_next():
+            topic, data, timestamp = self.reader.read_next()
+            if timestamp > self._end:
+                break
+            if topic in self.publishers:
+                self.publishers[topic].publish(data)
+                published += 1
         self._deliver()
         return published
 
@@ -155,6 +179,7 @@ class Player:
         self.rate = rate
 
     def _wait_until(self, timestamp: int) -> None:
+        self._wait(0.0)  # keys and Ctrl+C count also while everything is overdue
         while True:
             now = self.time()
             self._tell_time(now)
@@ -192,12 +217,14 @@ class Player:
 
 def parse_remappings(rules: list[str], node: Node) -> dict[str, str]:
     """
-    Return the new names by the old ones, both full, of rules `old:=new`.
+    Return the new names by the old ones, both full, of rules `old:=new`; what makes them ROS arguments is left out.
 
     :raises ValueError: if a rule is none.
     """
     remappings = {}
     for rule in rules:
+        if rule in ('--ros-args', '--remap', '-r'):
+            continue
         old, separator, new = rule.partition(':=')
         if not (old and separator and new):
             raise ValueError(f"'{rule}' is no remapping; expected old_topic:=new_topic")

@@ -11,6 +11,7 @@ from rosbags.interfaces import Connection
 from rosbags.rosbag2 import Reader, ReaderError
 
 from rosbag2_py import metadata as metadata_file
+from rosbag2_py.compression import decompress
 from rosbag2_py.definitions import type_hash
 from rosbag2_py.files import SUFFIXES
 from rosbag2_py.metadata import BagError
@@ -27,9 +28,15 @@ from rosbag2_py.options import (
 )
 from rosbag2_py.qos import to_rclpy
 
+_SECOND = 1_000_000_000
+
 
 class SequentialReader:
-    """Reads the messages of a bag, a folder or a single .mcap or .db3 file, in the order of their time."""
+    """
+    Reads the messages of a bag, a folder or a single .mcap or .db3 file, in the order of their time.
+
+    What is compressed is decompressed: messages one by one, files into a temporary folder.
+    """
 
     def __init__(self) -> None:
         """Begin without a bag."""
@@ -44,7 +51,7 @@ class SequentialReader:
         self.close()
         self._path = Path(storage_options.uri)
         self._reader = open_reader(self._path)
-        self._filter = StorageFilter()
+        self._filter, self._order = StorageFilter(), ReadOrder()
         self.seek(0)
 
     def open_uri(self, uri: str) -> None:
@@ -77,10 +84,10 @@ class SequentialReader:
             self._read.clear()
         self._read[connection.topic] += 1
         self._last = (timestamp, connection.topic)
-        return connection.topic, bytes(data), timestamp
+        return connection.topic, decompress(bytes(data)), timestamp
 
     def seek(self, timestamp: int) -> None:
-        """Go on with the first message at or after a time in nanoseconds."""
+        """Go on with the first message at or after a time in nanoseconds; backwards: at or before it."""
         self._start = timestamp
         self._last: tuple[int, str] | None = None  # time and topic of what was read last
         self._read: Counter = Counter()  # how many messages of that time, for each topic
@@ -97,26 +104,53 @@ class SequentialReader:
             self._messages = self._behind(*self._last, self._read[self._last[1]])
 
     def _from(self, timestamp: int) -> Iterator:
-        """Return the messages at or after a time that the filter lets through."""
+        """Return the messages that the filter lets through, from a time on."""
         chosen = [each for each in self._open().connections if self.passes(each.topic)]
-        return self._open().messages(chosen, start=timestamp) if chosen else iter(())
+        if not chosen:
+            return iter(())
+        return self._backwards(chosen, timestamp) if self._order.reverse else self._open().messages(chosen, timestamp)
+
+    def _backwards(self, chosen: list[Connection], timestamp: int) -> Iterator:
+        """Yield the messages up to a time, the last one first; the library reads forwards, so second by second."""
+        reader = self._open()
+        begin, end, width = reader.start_time, min(timestamp + 1, reader.end_time), _SECOND
+        while end > begin:
+            found = list(reader.messages(chosen, max(begin, end - width), end))
+            yield from reversed(found)
+            end -= width
+            width = _SECOND if found else 2 * width  # a long pause costs few looks
 
     def _behind(self, timestamp: int, topic: str, number: int) -> Iterator:
         """Yield what the filter lets through behind the message of that number with that time and topic."""
-        for message in self._open().messages(start=timestamp, stop=timestamp + 1):
+        same = self._open().messages(start=timestamp, stop=timestamp + 1)
+        for message in reversed(list(same)) if self._order.reverse else same:
             if number <= 0 and self.passes(message[0].topic):
                 yield message
             number -= message[0].topic == topic
-        yield from self._from(timestamp + 1)
+        yield from self._from(timestamp - 1 if self._order.reverse else timestamp + 1)
 
     def reset_filter(self) -> None:
         """Read all topics again."""
         self.set_filter(StorageFilter())
 
-    def set_read_order(self, order: ReadOrder) -> None:
-        """Take the order of the messages' times; BagError for another one."""
-        if order.reverse or order.sort_by != ReadOrderSortBy.ReceivedTimestamp:
-            raise BagError('a bag is read forwards, in the order of reception; there is no other order here')
+    def set_read_order(self, order: ReadOrder) -> bool:
+        """
+        Read in another order: backwards, or forwards again.
+
+        An order by something else than the time of reception is not known: False is returned, and nothing changes.
+        Whoever has read a part goes on from there with messages of another time. Without a :meth:`seek` a bag is read
+        backwards from its end.
+        """
+        if order.sort_by != ReadOrderSortBy.ReceivedTimestamp:
+            return False
+        if order.reverse == self._order.reverse:
+            return True
+        self._order = order
+        if self._last is not None:
+            self.seek(self._last[0] + (-1 if order.reverse else 1))
+        else:
+            self.seek(self._start or (self._open().end_time if order.reverse else 0))
+        return True
 
     def get_all_topics_and_types(self) -> list[TopicMetadata]:
         """Return the topics of the bag."""
@@ -142,6 +176,10 @@ class SequentialReader:
         if not (named or chosen.regex):
             return True
         return topic in named or bool(chosen.regex and re.fullmatch(chosen.regex, topic))
+
+
+class SequentialCompressionReader(SequentialReader):
+    """Reads compressed bags, as :class:`SequentialReader` does, too."""
 
 
 class Info:

@@ -4,6 +4,7 @@ import re
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from datetime import timedelta
 from typing import Any
 
 from rclpy.node import Node
@@ -19,7 +20,12 @@ from rosbag2_py.writer import SequentialWriter
 
 @dataclass
 class RecordOptions:
-    """Which topics to record, and how; names as upstream. Topics and services are full names, `/chatter`."""
+    """
+    Which topics to record, and how; names as upstream. Topics are full names; services are the topics of their events.
+
+    Those of the last lines are accepted and count for nothing here: the program itself compresses, and only
+    `ros2 bag record` listens to the keyboard.
+    """
 
     all_topics: bool = False
     all_services: bool = False
@@ -30,17 +36,45 @@ class RecordOptions:
     exclude_regex: str = ''
     exclude_topics: list[str] = field(default_factory=list)
     exclude_topic_types: list[str] = field(default_factory=list)
-    exclude_services: list[str] = field(default_factory=list)
+    exclude_service_events: list[str] = field(default_factory=list)
     include_hidden_topics: bool = False
     include_unpublished_topics: bool = False
     ignore_leaf_topics: bool = False
     is_discovery_disabled: bool = False
-    topic_polling_interval: float = 0.1  # seconds
+    topic_polling_interval: timedelta = timedelta(seconds=0.1)
     topic_qos_profile_overrides: dict[str, QoSProfile] = field(default_factory=dict)
     start_paused: bool = False
+    use_sim_time: bool = False
+    compression_mode: str = ''
+    compression_format: str = ''
+
+    rmw_serialization_format: str = ''
+    node_prefix: str = ''
+    compression_queue_size: int = 1
+    compression_threads: int = 0
+    compression_threads_priority: int = 0
+    disable_keyboard_controls: bool = False
 
 
-class Recorder:
+def chosen(options: RecordOptions, name: str, types: list[str]) -> bool:
+    """Return whether the options choose a topic, by its name and types."""
+    if options.exclude_regex and re.search(options.exclude_regex, name):
+        return False
+    event = is_service_event(name)
+    by_regex = bool(options.regex and re.search(options.regex, name.removesuffix(SERVICE_EVENTS) if event else name))
+    if event:
+        named = options.all_services or name in options.services or by_regex
+        return named and name not in options.exclude_service_events
+    if name in options.exclude_topics or set(types) & set(options.exclude_topic_types):
+        return False
+    if name in options.topics:
+        return True
+    if topic_or_service_is_hidden(name) and not options.include_hidden_topics:
+        return False
+    return options.all_topics or bool(set(types) & set(options.topic_types)) or by_regex
+
+
+class Recording:
     """Writes the messages of the chosen topics; the caller spins the node and calls :meth:`look` now and then."""
 
     def __init__(self, node: Node, writer: SequentialWriter, options: RecordOptions, fail: Callable[[Exception], None]):
@@ -63,40 +97,27 @@ class Recorder:
         if now >= self._flushed + 1.0:
             self._flushed = now
             self.writer.flush()
-        if self._complete or now < self._looked + self.options.topic_polling_interval:
+        if self._complete or now < self._looked + self.options.topic_polling_interval.total_seconds():
             return
         self._complete = self.options.is_discovery_disabled
         self._looked = now
         for name, types in self.node.get_topic_names_and_types():
             if name not in self.subscriptions and name not in self._refused and self._wanted(name, types):
                 self._subscribe(name, types)
-        named = [*self.options.topics, *(f'{name}{SERVICE_EVENTS}' for name in self.options.services)]
+        named = [*self.options.topics, *self.options.services]
         others = self.options.all_topics or self.options.all_services or self.options.regex or self.options.topic_types
         if named and not others and set(named) <= self.subscriptions.keys() and not self._complete:
             self.node.get_logger().info('All requested topics are subscribed. Stopping discovery...')
             self._complete = True
 
     def _wanted(self, name: str, types: list[str]) -> bool:
-        options = self.options
-        if options.exclude_regex and re.search(options.exclude_regex, name):
+        if not chosen(self.options, name, types):
             return False
         if is_service_event(name):
-            service = name.removesuffix(SERVICE_EVENTS)
-            chosen = options.all_services or service in options.services or self._matches(service)
-            return chosen and service not in options.exclude_services
-        if name in options.exclude_topics or set(types) & set(options.exclude_topic_types):
+            return True
+        if self.options.ignore_leaf_topics and not self.node.count_subscribers(name):
             return False
-        if name not in options.topics:
-            if not (options.all_topics or set(types) & set(options.topic_types) or self._matches(name)):
-                return False
-            if topic_or_service_is_hidden(name) and not options.include_hidden_topics:
-                return False
-        if options.ignore_leaf_topics and not self.node.count_subscribers(name):
-            return False
-        return bool(options.include_unpublished_topics or self.node.count_publishers(name))
-
-    def _matches(self, name: str) -> bool:
-        return bool(self.options.regex and re.search(self.options.regex, name))
+        return bool(self.options.include_unpublished_topics or self.node.count_publishers(name))
 
     def _subscribe(self, name: str, types: list[str]) -> None:
         logger = self.node.get_logger()

@@ -7,6 +7,7 @@ from pathlib import Path
 from rclpy.time import Time
 
 from rosbag2_py import metadata as metadata_file
+from rosbag2_py.compression import FORMAT, CompressionMode, is_compressed
 from rosbag2_py.files import SUFFIXES, end_mcap
 from rosbag2_py.metadata import BagError
 from rosbag2_py.options import BagMetadata, StorageOptions, TopicInformation
@@ -45,7 +46,11 @@ def _read(file: Path, storage: str) -> BagMetadata:
         end_mcap(file)
     reader = open_reader(file)
     try:
-        return read_metadata(file, reader)
+        metadata = read_metadata(file, reader)
+        first = next(reader.messages(), None)
+        if first is not None and is_compressed(bytes(first[2])):
+            metadata.compression_format, metadata.compression_mode = FORMAT, CompressionMode.MESSAGE.name
+        return metadata
     finally:
         reader.close()
 
@@ -67,5 +72,7 @@ def _joined(parts: list[BagMetadata], storage: str) -> BagMetadata:
         duration=end - start,
         message_count=sum(part.message_count for part in parts),
         topics_with_message_count=list(topics.values()),
+        compression_format=max(part.compression_format for part in parts),
+        compression_mode=max(part.compression_mode for part in parts),
         ros_distro=os.environ.get('ROS_DISTRO', 'jazzy'),
     )

@@ -1,6 +1,7 @@
 """A node for as long as a bag is recorded or played, in a context of its own."""
 
 import signal
+import threading
 import time
 from collections.abc import Callable
 from types import TracebackType
@@ -21,7 +22,7 @@ class RunningNode:
     """
 
     def __init__(self, name: str, use_sim_time: bool = False):
-        """Remember the name; the node is made when the context is entered, in the main thread."""
+        """Remember the name; the node is made when the context is entered."""
         self._name, self._use_sim_time = name, use_sim_time
         self._signal = 0
 
@@ -30,7 +31,9 @@ class RunningNode:
         self.context = rclpy.Context()
         # rclpy's own handlers would make the context invalid before the file is complete.
         rclpy.init(args=[], context=self.context, signal_handler_options=SignalHandlerOptions.NO)
-        self._handlers = {each: signal.signal(each, self._note) for each in (signal.SIGINT, signal.SIGTERM)}
+        # Python lets only the main thread handle signals. In another one, who started it has to end it.
+        handled = (signal.SIGINT, signal.SIGTERM) if threading.current_thread() is threading.main_thread() else ()
+        self._handlers = {each: signal.signal(each, self._note) for each in handled}
         self.node = rclpy.create_node(
             self._name,
             context=self.context,

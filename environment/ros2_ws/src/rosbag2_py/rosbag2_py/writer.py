@@ -10,7 +10,9 @@ from rclpy.duration import Duration
 from rclpy.time import Time
 from rosbags.interfaces import Connection, ConnectionExtRosbag2, MessageDefinition, MessageDefinitionFormat
 
+from rosbag2_py import compression
 from rosbag2_py import metadata as metadata_file
+from rosbag2_py.compression import CompressionMode, CompressionOptions
 from rosbag2_py.definitions import definition, type_hash
 from rosbag2_py.files import SUFFIXES, DataFile
 from rosbag2_py.metadata import BagError
@@ -34,6 +36,7 @@ class SequentialWriter:
     def __init__(self) -> None:
         """Begin without a bag."""
         self._bag: _Bag | None = None
+        self._compression = CompressionOptions()
 
     def open(self, storage_options: StorageOptions, converter_options: ConverterOptions | None = None) -> None:
         """
@@ -45,7 +48,7 @@ class SequentialWriter:
             if given not in ('', 'cdr'):
                 raise BagError(f"the serialization format '{given}' is not known; there is 'cdr'")
         self.close()
-        self._bag = _Bag(storage_options)
+        self._bag = _Bag(storage_options, self._compression)
         # Tutorials leave it to the end of the program.
         self._close = weakref.finalize(self, self._bag.close)
 
@@ -89,10 +92,28 @@ class SequentialWriter:
         return self._bag
 
 
+class SequentialCompressionWriter(SequentialWriter):
+    """Writes a bag whose files or messages are compressed."""
+
+    def __init__(self, compression_options: CompressionOptions | None = None) -> None:
+        """
+        Begin without a bag.
+
+        :raises BagError: if the format of the compression is not known.
+        """
+        super().__init__()
+        options = compression_options or CompressionOptions()
+        if options.compression_mode != CompressionMode.NONE and options.compression_format != compression.FORMAT:
+            raise BagError(
+                f"the compression format '{options.compression_format}' is not known; there is '{compression.FORMAT}'"
+            )
+        self._compression = options
+
+
 class _Bag:
     """A bag that is being written."""
 
-    def __init__(self, options: StorageOptions):
+    def __init__(self, options: StorageOptions, compressed: CompressionOptions):
         self.storage_id = options.storage_id or DEFAULT_STORAGE
         if self.storage_id not in SUFFIXES:
             raise BagError(f"the storage '{self.storage_id}' is not known; there are {', '.join(SUFFIXES)}")
@@ -103,7 +124,7 @@ class _Bag:
             raise BagError(f"the folder '{self.folder}' exists already; a bag is written into a new one") from None
         except OSError as error:
             raise BagError(f"the folder '{self.folder}' cannot be created: {error.strerror}") from None
-        self.options = options
+        self.options, self.compressed = options, compressed
         self._lock = threading.Lock()
         self._connections: dict[str, Connection] = {}
         self._topics: dict[str, TopicMetadata] = {}
@@ -148,6 +169,8 @@ class _Bag:
             if self._full(timestamp):
                 self._split()
             self._check_disk(len(data))
+            if self.compressed.compression_mode == CompressionMode.MESSAGE:
+                data = compression.compress(data)
             self._files[-1].write(self._connections[name], timestamp, data)
             self._counts[name] += 1
 
@@ -180,11 +203,15 @@ class _Bag:
             self._files[-1].flush()
 
     def _end_file(self) -> None:
-        self._files[-1].close(9, metadata_file.dump(metadata_file.inner(self._metadata())))
+        file = self._files[-1]
+        file.close(9, metadata_file.dump(metadata_file.inner(self._metadata())))
+        if self.compressed.compression_mode == CompressionMode.FILE:
+            file.path = compression.compress_file(file.path)
 
     def _metadata(self) -> BagMetadata:
         """What metadata.yaml says of the files so far."""
         filled = [file for file in self._files if file.message_count]
+        mode = self.compressed.compression_mode
         first = min((file.first for file in filled), default=0)
         return BagMetadata(
             storage_identifier=self.storage_id,
@@ -204,6 +231,8 @@ class _Bag:
             topics_with_message_count=[
                 TopicInformation(topic, self._counts[name]) for name, topic in self._topics.items()
             ],
+            compression_format='' if mode == CompressionMode.NONE else compression.FORMAT,
+            compression_mode='' if mode == CompressionMode.NONE else mode.name,
             custom_data=self.options.custom_data,
             ros_distro=os.environ.get('ROS_DISTRO', 'jazzy'),
         )

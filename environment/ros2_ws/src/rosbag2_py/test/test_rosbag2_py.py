@@ -5,6 +5,8 @@ import signal
 import subprocess
 import sys
 import textwrap
+import threading
+from datetime import timedelta
 
 import pytest
 import yaml
@@ -15,25 +17,41 @@ from rclpy.serialization import deserialize_message, serialize_message
 from rclpy.time import Time
 from rosbag2_py import (
     BagError,
+    CompressionMode,
+    CompressionOptions,
     ConverterOptions,
     Info,
     MetadataIo,
+    Player,
+    PlayOptions,
+    ReadOrder,
+    ReadOrderSortBy,
+    Recorder,
+    RecordOptions,
     Reindexer,
+    SequentialCompressionReader,
+    SequentialCompressionWriter,
     SequentialReader,
     SequentialWriter,
     StorageFilter,
     StorageOptions,
     TopicMetadata,
+    bag_rewrite,
+    compression_mode_from_string,
+    compression_mode_to_string,
+    get_registered_compressors,
 )
 from rosbags.highlevel import AnyReader
 from std_msgs.msg import String
 
+from environment.tests.running import PATIENCE
+
 STORAGES = ['mcap', 'sqlite3']
 
 
-def write(path, storage, count=5, **options):
+def write(path, storage, count=5, writer=None, **options):
     """Write a bag with `count` words and one point; returns its folder."""
-    writer = SequentialWriter()
+    writer = writer or SequentialWriter()
     writer.open(StorageOptions(str(path), storage, **options), ConverterOptions('cdr', 'cdr'))
     latched = QoSProfile(depth=3, durability=DurabilityPolicy.TRANSIENT_LOCAL)
     writer.create_topic(TopicMetadata(0, '/words', 'std_msgs/msg/String', 'cdr', [latched]))
@@ -175,6 +193,79 @@ def test_a_bag_is_compressed(tmp_path):
     assert read(small) == read(plain)
 
 
+@pytest.mark.parametrize('storage', STORAGES)
+@pytest.mark.parametrize('mode', [CompressionMode.FILE, CompressionMode.MESSAGE])
+def test_files_and_messages_are_compressed(tmp_path, storage, mode):
+    writer = SequentialCompressionWriter(CompressionOptions('zstd', mode))
+    bag = write(tmp_path / 'small', storage, count=6, writer=writer, max_bagfile_duration=3)
+    names = [f'small_{n}.{ {"mcap": "mcap", "sqlite3": "db3"}[storage] }' for n in range(3)]
+    names = [f'{name}.zstd' for name in names] if mode == CompressionMode.FILE else names
+    assert sorted(os.listdir(bag)) == ['metadata.yaml', *names]
+    metadata = Info().read_metadata(str(bag), storage)
+    assert (metadata.compression_format, metadata.compression_mode) == ('zstd', mode.name)
+    assert metadata.relative_file_paths == names == [each.path for each in metadata.files]
+    expected = read(write(tmp_path / 'plain', storage, count=6))
+    assert read(bag) == expected
+    with AnyReader([bag]) as reader:  # without these packages
+        assert [raw[:2] for *_, raw in reader.messages()] == [b'\0\1'] * 7
+    reader = SequentialCompressionReader()
+    reader.open(StorageOptions(str(bag), storage), ConverterOptions('', ''))
+    assert deserialize_message(reader.read_next()[1], PointStamped).point.x == 1.5
+    if mode == CompressionMode.MESSAGE:
+        (bag / 'metadata.yaml').unlink()
+        assert Reindexer().reindex(StorageOptions(str(bag))).compression_mode == 'MESSAGE'
+        assert read(bag) == expected
+        assert read(bag / names[0]) == expected[:3]
+
+
+def test_modes_of_compression_have_names():
+    assert get_registered_compressors() == {'zstd'}
+    for name in ('NONE', 'FILE', 'MESSAGE'):
+        assert compression_mode_from_string(name.lower()) == CompressionMode[name]
+        assert compression_mode_to_string(CompressionMode[name]) == name
+    with pytest.raises(BagError, match="the compression format 'zip' is not known; there is 'zstd'"):
+        SequentialCompressionWriter(CompressionOptions('zip', CompressionMode.FILE))
+
+
+@pytest.mark.parametrize('storage', STORAGES)
+def test_a_bag_is_read_backwards(tmp_path, storage):
+    bag = write(tmp_path / 'bag', storage, count=5, max_bagfile_duration=3)
+    reader = SequentialReader()
+    reader.open_uri(str(bag))
+    assert reader.set_read_order(ReadOrder(reverse=True))
+
+    def times():
+        found = []
+        while reader.has_next():
+            found.append(reader.read_next()[2] // 10**9)
+        return found
+
+    assert times() == [6, 5, 4, 3, 2, 1]
+    reader.seek(4 * 10**9)
+    reader.set_filter(StorageFilter(topics=['/words']))
+    assert reader.read_next()[2] == 4 * 10**9
+    reader.reset_filter()
+    assert times() == [3, 2, 1]
+    reader.seek(3 * 10**9)
+    reader.read_next()
+    assert reader.set_read_order(ReadOrder(reverse=False))
+    assert times() == [4, 5, 6]
+    assert not reader.set_read_order(ReadOrder(ReadOrderSortBy.PublishedTimestamp))
+
+
+def test_a_pause_of_years_is_read_backwards_at_once(tmp_path):
+    writer = SequentialWriter()
+    writer.open(StorageOptions(str(tmp_path / 'bag')))
+    writer.create_topic(TopicMetadata(0, '/words', 'std_msgs/msg/String', 'cdr'))
+    for moment in (0, 1, 10**18):
+        writer.write('/words', serialize_message(String()), moment)
+    writer.close()
+    reader = SequentialReader()
+    reader.open_uri(str(tmp_path / 'bag'))
+    reader.set_read_order(ReadOrder(reverse=True))
+    assert [reader.read_next()[2] for _ in range(3)] == [10**18, 1, 0]
+
+
 # Writes without end, as a recorder does, and says when the first messages have been flushed.
 ENDLESS = """
     import sys, time
@@ -252,3 +343,68 @@ def test_what_cannot_be_is_said(tmp_path):
         SequentialReader().open_uri(str(tmp_path / 'text.txt'))
     with pytest.raises(BagError, match='has no .mcap or .db3 file'):
         Reindexer().reindex(StorageOptions(str(tmp_path)))
+
+
+def test_a_program_records_and_plays_until_it_is_cancelled(tmp_path, peer):
+    """Player and Recorder in threads of a program, as upstream's programs use them."""
+    publisher, heard, bag = peer.node.create_publisher(String, '/words', 10), [], str(tmp_path / 'bag')
+    options = RecordOptions(topics=['/words'], topic_polling_interval=timedelta(milliseconds=10))
+    recorder = Recorder()
+    recording = threading.Thread(target=recorder.record, args=(StorageOptions(bag), options), daemon=True)
+    recording.start()
+    peer.until(publisher.get_subscription_count, 'the recorder')
+    file = tmp_path / 'bag' / 'bag_0.mcap'
+    before = file.stat().st_size
+    timer = peer.node.create_timer(0.02, lambda: publisher.publish(String(data='word')))
+    peer.until(lambda: file.stat().st_size > before + 100, 'words in the file')
+    timer.cancel()
+    recorder.cancel()
+    recording.join(PATIENCE)
+    assert not recording.is_alive()
+    assert MetadataIo().read_metadata(bag).message_count > 0
+    options = PlayOptions(loop=True, topic_remapping_options=['--ros-args', '--remap', '/words:=/again'])
+    peer.node.create_subscription(String, '/again', heard.append, 10)
+    player = Player()
+    playing = threading.Thread(target=player.play, args=(StorageOptions(bag), options), daemon=True)
+    playing.start()
+    peer.until(lambda: heard, 'a word')
+    player.cancel()
+    playing.join(PATIENCE)
+    assert not playing.is_alive()
+    Player().burst(StorageOptions(bag), PlayOptions(), 1)
+    with pytest.raises(RuntimeError, match="the log level 'xxx' is not known"):
+        Player('xxx')
+
+
+def test_bags_are_written_anew(tmp_path):
+    """Two bags become one that is compressed, and one with a part."""
+    first, second = write(tmp_path / 'first', 'mcap'), write(tmp_path / 'second', 'sqlite3', count=2)
+    whole, part, options = tmp_path / 'whole', tmp_path / 'part', tmp_path / 'options.yaml'
+    bags = [
+        {'uri': str(whole), 'storage_id': 'sqlite3', 'all_topics': True, 'compression_mode': 'file'},
+        {'uri': str(part), 'all_topics': True, 'exclude': 'point', 'max_bagfile_duration': 3},
+    ]
+    bags[0]['compression_format'] = 'zstd'
+    options.write_text(yaml.safe_dump({'output_bags': bags}))
+    bag_rewrite([StorageOptions(str(first)), StorageOptions(str(second), 'sqlite3')], str(options))
+    assert read(whole) == sorted(read(first) + read(second), key=lambda message: message[1])
+    assert sorted(os.listdir(whole)) == ['metadata.yaml', 'whole_0.db3.zstd']
+    assert {topic for topic, *_ in read(part)} == {'/words'} and len(read(part)) == 7
+    assert sorted(os.listdir(part)) == ['metadata.yaml', 'part_0.mcap', 'part_1.mcap']
+
+
+@pytest.mark.parametrize(
+    'text,said',
+    [
+        ('- key: value', "must have the key 'output_bags'"),
+        ('output_bags: {key: value}', "must have the key 'output_bags'"),
+        ('output_bags: [', 'is not valid YAML'),
+        ('output_bags: [{topics: [a]}]', "needs a 'uri'"),
+        ('output_bags: [{uri: x, colour: red}]', "'colour' is no option of a bag"),
+        ('output_bags: [{uri: x, topics: a}]', "'topics' must be a list, not 'a'"),
+    ],
+)
+def test_what_shall_be_written_is_checked(tmp_path, text, said):
+    (tmp_path / 'options.yaml').write_text(text)
+    with pytest.raises(RuntimeError, match=said):
+        bag_rewrite([], str(tmp_path / 'options.yaml'))

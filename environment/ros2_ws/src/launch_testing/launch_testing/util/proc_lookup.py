@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from launch.actions import ExecuteProcess
+from launch.substitutions import TextSubstitution
 
 NO_CMD_ARGS = object()  # as cmd_args: the process that was started without arguments
 
@@ -66,5 +67,8 @@ def _has_arguments(process: ExecuteProcess, arguments: Any) -> bool:
 
 def _describe(process: ExecuteProcess) -> str:
     if not process.process_details:
+        parts = [part for word in process.cmd for part in word]
+        if all(isinstance(part, TextSubstitution) for part in parts):
+            return ' '.join(''.join(part.text for part in word) for word in process.cmd)
         return 'Unknown - Process not launched yet'
     return ' '.join([process.process_details['name'], *process.process_details['cmd'][1:]])

@@ -57,6 +57,18 @@ def check_not_negative_int(value: str) -> int:
     return number
 
 
+def full_names(names: list[str]) -> list[str]:
+    """Return names of topics or services with the slash that begins each."""
+    return [name if name.startswith('/') else f'/{name}' for name in names]
+
+
+def event_topics(services: list[str]) -> list[str]:
+    """Return the topics on which services tell of their requests and answers."""
+    from rosbag2_py.describe import SERVICE_EVENTS
+
+    return [f'{name}{SERVICE_EVENTS}' for name in full_names(services)]
+
+
 def read_qos_overrides(path: str | None) -> dict[str, Any]:
     """
     Return the profiles of a file for `--qos-profile-overrides-path`; none without a path.

@@ -5,6 +5,8 @@ from ros2bag.api import (
     check_not_negative,
     check_path_exists,
     check_positive_float,
+    event_topics,
+    full_names,
     print_error,
     read_qos_overrides,
 )
@@ -101,16 +103,14 @@ class PlayVerb(VerbExtension):
 
 def _play(running, reader, overrides, args):
     from rclpy.logging import LoggingSeverity
-    from rosbag2_py.player import RATE_STEP, Player, PlayOptions, parse_remappings
+    from rosbag2_py import PlayOptions
+    from rosbag2_py.player import RATE_STEP, Playback
 
     from ros2bag.api.keyboard import keys
 
     logger = running.node.get_logger()
     logger.set_level(LoggingSeverity[args.log_level.upper()])
     until = args.playback_until_nsec if args.playback_until_sec < 0 else round(args.playback_until_sec * 1e9)
-
-    def full(names):
-        return [name if name.startswith('/') else f'/{name}' for name in names]
 
     def wait(seconds):
         running.spin(timeout=seconds)
@@ -125,28 +125,28 @@ def _play(running, reader, overrides, args):
             logger.info(f'Set rate to {player.rate:g}')
 
     with keys(not args.disable_keyboard_controls) as pressed:
-        player = Player(
+        player = Playback(
             running.node,
             reader,
             PlayOptions(
                 rate=args.rate,
-                topics_to_filter=full(args.topics),
-                exclude_topics_to_filter=full(args.exclude_topics),
-                services_to_filter=full(args.services),
-                exclude_services_to_filter=full(args.exclude_services),
+                topics_to_filter=full_names(args.topics),
+                exclude_topics_to_filter=full_names(args.exclude_topics),
+                services_to_filter=event_topics(args.services),
+                exclude_service_events_to_filter=event_topics(args.exclude_services),
                 publish_service_requests=args.publish_service_requests,
                 service_requests_source=args.service_requests_source,
                 regex_to_filter=args.regex,
                 exclude_regex_to_filter=args.exclude_regex,
                 topic_qos_profile_overrides=overrides,
                 loop=args.loop,
-                remap=parse_remappings(args.remap, running.node),
+                topic_remapping_options=args.remap,
                 clock_publish_frequency=args.clock,
                 delay=args.delay,
                 start_paused=args.start_paused,
                 start_offset=args.start_offset,
                 playback_duration=args.playback_duration,
-                playback_until=until,
+                playback_until_timestamp=until,
                 wait_acked_timeout=args.wait_for_all_acked,
             ),
             wait,

@@ -4,7 +4,15 @@ import datetime
 import os
 import re
 
-from ros2bag.api import STORAGES, check_not_negative_int, print_error, print_warn, read_qos_overrides
+from ros2bag.api import (
+    STORAGES,
+    check_not_negative_int,
+    event_topics,
+    full_names,
+    print_error,
+    print_warn,
+    read_qos_overrides,
+)
 from ros2bag.verb import VerbExtension
 
 
@@ -66,7 +74,21 @@ class RecordVerb(VerbExtension):
             help='For mcap: compress with zstd, or not (default)',
         )
         add('--storage-config-file', help='Accepted; there is nothing to configure')
+        self._add_compression(parser)
         add('--log-level', choices=('debug', 'info', 'warn', 'error', 'fatal'), default='info', help='What to log')
+
+    def _add_compression(self, parser):
+        add = parser.add_argument
+        add(
+            '--compression-mode',
+            choices=('none', 'file', 'message'),
+            default='none',
+            help='Compress each file when it is complete, or each message (default: none)',
+        )
+        add('--compression-format', choices=('zstd',), default='', help='How to compress; needed with a mode')
+        add('--compression-queue-size', type=int, default=1, help='Accepted; nothing waits to be compressed')
+        add('--compression-threads', type=int, default=0, help='Accepted; the recorder itself compresses')
+        add('--compression-threads-priority', type=int, default=0, help='Accepted; the recorder itself compresses')
 
     def _add_selection(self, parser):
         add = parser.add_argument
@@ -93,6 +115,7 @@ class RecordVerb(VerbExtension):
             _check(args)
             overrides = read_qos_overrides(args.qos_profile_overrides_path)
             custom_data = _pairs(args.custom_data)
+            _warn(args)
         except ValueError as error:
             return print_error(str(error))
         output = args.output or datetime.datetime.now().strftime('rosbag2_%Y_%m_%d-%H_%M_%S')
@@ -102,16 +125,9 @@ class RecordVerb(VerbExtension):
 
 
 def _check(args):
-    chosen = (
-        args.all,
-        args.all_topics,
-        args.all_services,
-        args.services,
-        args.topic_names,
-        args.topic_types,
-        args.regex,
-    )
-    if not any(chosen):
+    """Refuse what contradicts itself; ValueError."""
+    named = args.services or args.topic_names or args.topic_types
+    if not (args.all or args.all_topics or args.all_services or args.regex or named):
         raise ValueError(
             'Need to specify at least one option out of --all, --all-topics, --all-services, --services, '
             '--topics, --topic-types or --regex'
@@ -121,6 +137,36 @@ def _check(args):
             re.compile(getattr(args, option))
         except re.error as error:
             raise ValueError(f'--{option.replace("_", "-")} is not a valid regular expression: {error}') from None
+    everything = args.all or args.regex
+    topics = everything or args.all_topics or args.topic_types
+    for option, needed, text in (
+        ('exclude_regex', topics or args.all_services, '--all, --all-topics, --topic-types, --all-services or --regex'),
+        ('exclude_topics', topics, '--all, --all-topics, --topic-types or --regex'),
+        ('exclude_topic_types', topics, '--all, --all-topics or --regex'),
+        ('exclude_services', everything or args.all_services, '--all, --all-services or --regex'),
+    ):
+        if getattr(args, option) and not needed:
+            raise ValueError(f'--{option.replace("_", "-")} argument requires either {text}')
+    if args.use_sim_time and args.no_discovery:
+        raise ValueError(
+            '--use-sim-time and --no-discovery both set, but are incompatible settings. '
+            'The /clock topic needs to be discovered to record with sim time.'
+        )
+    if args.compression_format and args.compression_mode == 'none':
+        raise ValueError('Invalid choice: Cannot specify compression format without a compression mode.')
+    if args.compression_queue_size < 0:
+        raise ValueError('Compression queue size must be at least 0.')
+
+
+def _warn(args):
+    """Tell which options count for nothing."""
+    for some, options, overridden in (
+        (args.all or args.all_services, '--all or --all-services', 'services'),
+        (args.all or args.all_topics, '--all or --all-topics', 'topics'),
+        (args.all or args.all_topics or args.all_services, '--all, --all-topics or --all-services', 'regex'),
+    ):
+        if some and (args.topic_names if overridden == 'topics' else getattr(args, overridden)):
+            print(print_warn(f'{options} will override --{overridden}'))
 
 
 def _pairs(texts):
@@ -134,17 +180,17 @@ def _pairs(texts):
 
 
 def _record(args, output, overrides, custom_data):
-    from rosbag2_py import BagError, SequentialWriter, StorageOptions
-    from rosbag2_py.recorder import Recorder, RecordOptions
+    from rosbag2_py import BagError, StorageOptions
+    from rosbag2_py.recorder import Recording
     from rosbag2_py.running import RunningNode
 
     from ros2bag.api.keyboard import keys
 
-    def full(names):
-        return [name if name.startswith('/') else f'/{name}' for name in names]
-
     failures = []
-    writer = SequentialWriter()
+    try:
+        writer = _writer(args)
+    except BagError as error:
+        return print_error(str(error))
     try:
         with (
             RunningNode(args.node_name, args.use_sim_time) as running,
@@ -161,30 +207,7 @@ def _record(args, output, overrides, custom_data):
                     custom_data=custom_data,
                 )
             )
-            recorder = Recorder(
-                running.node,
-                writer,
-                RecordOptions(
-                    all_topics=args.all or args.all_topics,
-                    all_services=args.all or args.all_services,
-                    topics=full(args.topic_names),
-                    topic_types=args.topic_types,
-                    services=full(args.services),
-                    regex=args.regex,
-                    exclude_regex=args.exclude_regex,
-                    exclude_topics=full(args.exclude_topics),
-                    exclude_topic_types=args.exclude_topic_types,
-                    exclude_services=full(args.exclude_services),
-                    include_hidden_topics=args.include_hidden_topics,
-                    include_unpublished_topics=args.include_unpublished_topics,
-                    ignore_leaf_topics=args.ignore_leaf_topics,
-                    is_discovery_disabled=args.no_discovery,
-                    topic_polling_interval=args.polling_interval / 1000,
-                    topic_qos_profile_overrides=overrides,
-                    start_paused=args.start_paused,
-                ),
-                failures.append,
-            )
+            recorder = Recording(running.node, writer, _options(args, overrides), failures.append)
             _run(running, recorder, pressed, failures, args)
             raise failures[0]
     except KeyboardInterrupt:  # how a recording ends
@@ -193,6 +216,40 @@ def _record(args, output, overrides, custom_data):
         return print_error(str(error))
     finally:
         writer.close()
+
+
+def _writer(args):
+    """Return what writes the bag, compressed or not; BagError for a format that there is not."""
+    from rosbag2_py import CompressionOptions, SequentialCompressionWriter, compression_mode_from_string
+
+    return SequentialCompressionWriter(
+        CompressionOptions(args.compression_format, compression_mode_from_string(args.compression_mode))
+    )
+
+
+def _options(args, overrides):
+    """Return what to record."""
+    from rosbag2_py import RecordOptions
+
+    return RecordOptions(
+        all_topics=args.all or args.all_topics,
+        all_services=args.all or args.all_services,
+        topics=full_names(args.topic_names),
+        topic_types=args.topic_types,
+        services=event_topics(args.services),
+        regex=args.regex,
+        exclude_regex=args.exclude_regex,
+        exclude_topics=full_names(args.exclude_topics),
+        exclude_topic_types=args.exclude_topic_types,
+        exclude_service_events=event_topics(args.exclude_services),
+        include_hidden_topics=args.include_hidden_topics,
+        include_unpublished_topics=args.include_unpublished_topics,
+        ignore_leaf_topics=args.ignore_leaf_topics,
+        is_discovery_disabled=args.no_discovery,
+        topic_polling_interval=datetime.timedelta(milliseconds=args.polling_interval),
+        topic_qos_profile_overrides=overrides,
+        start_paused=args.start_paused,
+    )
 
 
 def _run(running, recorder, pressed, failures, args):

@@ -1,14 +1,11 @@
 """The command `ros2 multicast`: does a datagram of one machine reach another one?"""
 
-import socket
-import struct
+from ros2multicast.api import DEFAULT_GROUP, DEFAULT_PORT, receive, send
 
 from ros2cli.command import CommandWithVerbs
 from ros2cli.verb import VerbExtension
 
-DEFAULT_GROUP, DEFAULT_PORT = '225.0.0.1', 49150
 _MESSAGE = b'Hello World!'
-_LARGEST = 4096
 
 
 class MulticastCommand(CommandWithVerbs):
@@ -34,10 +31,7 @@ class SendVerb(VerbExtension):
         """Send it."""
         print('Sending one UDP multicast datagram...')
         try:
-            with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
-                if args.ttl is not None:
-                    sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, args.ttl)
-                sender.sendto(_MESSAGE, (args.group, args.port))
+            send(_MESSAGE, group=args.group, port=args.port, ttl=args.ttl)
         except (OSError, OverflowError) as error:
             return f'The datagram was not sent: {error}'
 
@@ -53,14 +47,10 @@ class ReceiveVerb(VerbExtension):
     def main(self, *, args):
         """Wait for it and print it."""
         try:
-            with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as receiver:
-                receiver.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-                receiver.bind(('', args.port))
-                membership = struct.pack('4sl', socket.inet_aton(args.group), socket.INADDR_ANY)
-                receiver.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, membership)
-                receiver.settimeout(args.timeout)
-                print('Waiting for UDP multicast datagram...')
-                data, (host, port) = receiver.recvfrom(_LARGEST)
+            print('Waiting for UDP multicast datagram...')
+            data, (host, port) = receive(group=args.group, port=args.port, timeout=args.timeout)
+        except KeyboardInterrupt:  # how a wait without an end is given up
+            return None
         except TimeoutError:
             return f'No datagram came within {args.timeout:g} s'
         except (OSError, OverflowError) as error:

@@ -5,6 +5,9 @@ DDS has no message "this is all". Stock `ros2` waits half a second without a dae
 has seen by then: a participant repeats its announcement every three seconds, so one that is lost costs that long. Here
 the operating system is asked how many DDS participants this machine has in the domain (each owns a UDP port of a known
 number), and the wait ends when all of them have told their nodes and nothing has changed for a short while.
+
+A datagram that gets lost on a busy machine holds up all that its participant would tell after it, for longer than that.
+Writers and readers are told apart, so what belongs together shows the gap: the topics of a service, and of an action.
 """
 
 import os
@@ -47,7 +50,7 @@ def wait_for_graph(node: Any) -> None:
         if look != last:
             last, looks, quiet_since = look, 0, now
         at_rest = looks >= _QUIET_LOOKS and now >= quiet_since + _QUIET_TIME
-        if at_rest and now >= earliest and _all_here(node, domain_id):
+        if at_rest and now >= earliest and _all_here(node, domain_id) and _all_whole(node):
             return
         time.sleep(_PERIOD)
 
@@ -77,6 +80,29 @@ def _all_here(node: Any, domain_id: int) -> bool:
         endpoints = node.get_publishers_info_by_topic(topic)
         named |= _participants(each for each in endpoints if each.node_name != _UNKNOWN_NODE)
     return len(heard) >= len(_local_ports(domain_id)) and heard <= named
+
+
+def _all_whole(node: Any) -> bool:
+    """Return whether each service and action that has been heard of has been heard of with all of its topics."""
+    topics = {name for name, _ in node.get_topic_names_and_types(no_demangle=True)}
+    services = {name[3:-7] for name in topics if name.startswith('rq/') and name.endswith('Request')}
+    services |= {name[3:-5] for name in topics if name.startswith('rr/') and name.endswith('Reply')}
+    return all(_whole(node, service) for service in services)
+
+
+def _whole(node: Any, service: str) -> bool:
+    def writers(topic: str) -> set[bytes]:
+        return _participants(node.get_publishers_info_by_topic(topic, no_mangle=True))
+
+    def readers(topic: str) -> set[bytes]:
+        return _participants(node.get_subscriptions_info_by_topic(topic, no_mangle=True))
+
+    request, reply = f'rq/{service}Request', f'rr/{service}Reply'
+    servers = readers(request)
+    if servers != writers(reply) or writers(request) != readers(reply):
+        return False
+    action = service.removesuffix('/_action/send_goal')
+    return action == service or servers <= writers(f'rt/{action}/_action/feedback')
 
 
 def _participants(endpoints: Iterable[Any]) -> set[bytes]:

@@ -140,11 +140,9 @@ def _find_launch_file(args, api) -> tuple[str, list[str]]:
     :raises RuntimeError: if there is none
     """
     first, second, rest = args.package_name, args.launch_file_name, args.launch_arguments
-    if second is None or ':=' in second or (os.path.isfile(first) and not _is_package(first)):
+    if second is None or (os.path.isfile(first) and not _is_package(first)):
         if not os.path.isfile(first):
-            if _is_package(first):
-                raise RuntimeError(f"No launch file supplied: name a launch file of package '{first}'")
-            raise RuntimeError(f"No launch file supplied: file '{first}' does not exist")
+            raise RuntimeError('No launch file supplied')
         return first, [*([] if second is None else [second]), *rest]
     try:
         return api.get_share_file_path_from_package(package_name=first, file_name=second), rest

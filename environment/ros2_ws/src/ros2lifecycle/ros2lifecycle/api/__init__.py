@@ -1,5 +1,6 @@
 """Managed nodes and the calls to them."""
 
+from collections.abc import Iterable
 from typing import Any
 
 from ros2node.api import NodeName
@@ -35,24 +36,51 @@ def call(node: Any, service_class: Any, name: str, request: Any | None = None) -
         node.destroy_client(client)
 
 
-def call_get_state(*, node: Any, node_name: str) -> Any:
-    """Return the current state of a node, a lifecycle_msgs/State (TimeoutError)."""
+def call_get_states(*, node: Any, node_names: Iterable[str]) -> dict[str, Any]:
+    """Return the state of each node, a lifecycle_msgs/State, or a TimeoutError in its place."""
     from lifecycle_msgs.srv import GetState
 
-    return call(node, GetState, f'{node_name}/get_state').current_state
+    return {name: _answer(node, GetState, f'{name}/get_state', 'current_state') for name in node_names}
 
 
-def call_get_available_transitions(*, node: Any, node_name: str, all_states: bool = False) -> list[Any]:
-    """Return the transitions from the current state, or all there are (TimeoutError)."""
+def call_get_available_transitions(*, node: Any, states: dict[str, Any]) -> dict[str, Any]:
+    """
+    Return the transitions of each node from its current state, or a TimeoutError in their place.
+
+    :param states: a state for each node: only transitions from there; None: all that the node says.
+    """
+    return _transitions(node, states, 'get_available_transitions')
+
+
+def call_get_transition_graph(*, node: Any, states: dict[str, Any]) -> dict[str, Any]:
+    """Return the transitions of each node from all states; otherwise as above."""
+    return _transitions(node, states, 'get_transition_graph')
+
+
+def _transitions(node: Any, states: dict[str, Any], service: str) -> dict[str, Any]:
     from lifecycle_msgs.srv import GetAvailableTransitions
 
-    service = 'get_transition_graph' if all_states else 'get_available_transitions'
-    return call(node, GetAvailableTransitions, f'{node_name}/{service}').available_transitions
+    found = {}
+    for name, state in states.items():
+        answer = _answer(node, GetAvailableTransitions, f'{name}/{service}', 'available_transitions')
+        if state is not None and not isinstance(answer, TimeoutError):
+            answer = [each for each in answer if each.start_state == state]
+        found[name] = answer
+    return found
 
 
-def call_change_state(*, node: Any, node_name: str, transition: Any) -> bool:
-    """Ask for a transition and return whether it succeeded (TimeoutError)."""
+def call_change_states(*, node: Any, transitions: dict[str, Any]) -> dict[str, Any]:
+    """Ask each node for a transition; return whether it succeeded, or a TimeoutError in its place."""
     from lifecycle_msgs.srv import ChangeState
 
-    request = ChangeState.Request(transition=transition)
-    return call(node, ChangeState, f'{node_name}/change_state', request).success
+    return {
+        name: _answer(node, ChangeState, f'{name}/change_state', 'success', ChangeState.Request(transition=transition))
+        for name, transition in transitions.items()
+    }
+
+
+def _answer(node: Any, service_class: Any, service: str, field: str, request: Any | None = None) -> Any:
+    try:
+        return getattr(call(node, service_class, service, request), field)
+    except TimeoutError as e:
+        return e

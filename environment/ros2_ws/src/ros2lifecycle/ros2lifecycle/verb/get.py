@@ -5,7 +5,7 @@ import sys
 from ros2cli.node.arguments import add_arguments
 from ros2node.api import NodeNameCompleter, get_absolute_node_name
 
-from ros2lifecycle.api import call_get_state, get_node_names
+from ros2lifecycle.api import call_get_states, get_node_names
 from ros2lifecycle.verb import VerbExtension
 
 
@@ -34,10 +34,9 @@ class GetVerb(VerbExtension):
                     return 'Node not found'
                 names = [wanted]
             for name in names:
-                try:
-                    state = call_get_state(node=node, node_name=name)
-                except TimeoutError as e:
-                    print(f"Exception while calling service of node '{name}': {e}", file=sys.stderr)
+                state = call_get_states(node=node, node_names=[name])[name]
+                if isinstance(state, TimeoutError):
+                    print(f"Exception while calling service of node '{name}': {state}", file=sys.stderr)
                     if wanted:
                         return 1
                     continue

@@ -3,7 +3,7 @@
 from ros2cli.node.arguments import add_arguments
 from ros2node.api import NodeNameCompleter, get_absolute_node_name
 
-from ros2lifecycle.api import call_get_available_transitions, get_node_names
+from ros2lifecycle.api import call_get_available_transitions, call_get_transition_graph, get_node_names
 from ros2lifecycle.verb import VerbExtension
 
 
@@ -29,10 +29,10 @@ class ListVerb(VerbExtension):
             found = get_node_names(node=node, include_hidden_nodes=args.include_hidden_nodes)
             if name not in {each.full_name for each in found}:
                 return 'Node not found'
-            try:
-                transitions = call_get_available_transitions(node=node, node_name=name, all_states=args.all)
-            except TimeoutError as e:
-                return f"Exception while calling service of node '{name}': {e}"
+            ask = call_get_transition_graph if args.all else call_get_available_transitions
+            transitions = ask(node=node, states={name: None})[name]
+        if isinstance(transitions, TimeoutError):
+            return f"Exception while calling service of node '{name}': {transitions}"
         for each in transitions:
             print(
                 f'- {each.transition.label} [{each.transition.id}]\n'

@@ -5,7 +5,7 @@ import sys
 from ros2cli.node.arguments import add_arguments
 from ros2node.api import NodeNameCompleter, get_absolute_node_name
 
-from ros2lifecycle.api import call_change_state, call_get_available_transitions, get_node_names
+from ros2lifecycle.api import call_change_states, call_get_available_transitions, get_node_names
 from ros2lifecycle.verb import VerbExtension
 
 
@@ -29,16 +29,18 @@ class SetVerb(VerbExtension):
             found = get_node_names(node=node, include_hidden_nodes=args.include_hidden_nodes)
             if name not in {each.full_name for each in found}:
                 return 'Node not found'
-            try:
-                transitions = [each.transition for each in call_get_available_transitions(node=node, node_name=name)]
-                chosen = [each for each in transitions if args.transition in (each.label, str(each.id))]
-                if not chosen:
-                    return 'Unknown transition requested, available ones are:' + ''.join(
-                        f'\n- {each.label} [{each.id}]' for each in transitions
-                    )
-                success = call_change_state(node=node, node_name=name, transition=chosen[0])
-            except TimeoutError as e:
-                return f"Exception while calling service of node '{name}': {e}"
+            available = call_get_available_transitions(node=node, states={name: None})[name]
+            if isinstance(available, TimeoutError):
+                return f"Exception while calling service of node '{name}': {available}"
+            transitions = [each.transition for each in available]
+            chosen = [each for each in transitions if args.transition in (each.label, str(each.id))]
+            if not chosen:
+                return 'Unknown transition requested, available ones are:' + ''.join(
+                    f'\n- {each.label} [{each.id}]' for each in transitions
+                )
+            success = call_change_states(node=node, transitions={name: chosen[0]})[name]
+        if isinstance(success, TimeoutError):
+            return f"Exception while calling service of node '{name}': {success}"
         if success:
             print('Transitioning successful')
         else:

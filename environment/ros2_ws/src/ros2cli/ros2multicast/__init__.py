@@ -1,0 +1,1 @@
+"""UDP multicast between machines; the command is `ros2cli.command.multicast`."""

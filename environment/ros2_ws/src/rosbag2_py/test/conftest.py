@@ -1,0 +1,1 @@
+from environment.tests.running import domain, peer  # noqa: F401
