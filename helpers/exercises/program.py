@@ -58,9 +58,17 @@ def unsolved(exercise: str) -> str:
 
 def exercise_id(cell: NotebookCell) -> str | None:
     """The id in the cell's first line, `# Exercise 3.2: …`, or None."""
-    first = next((line for line in cell.source.splitlines() if line.strip()), '')
+    first = next((line for line in _run_as_python(cell.source).splitlines() if line.strip()), '')
     match = HEADING.match(first.strip())
     return match[1] if match else None
+
+
+def _run_as_python(text: str) -> str:
+    """A cell without the cell magics above it that run it as Python all the same; its lines keep their numbers."""
+    for _ in range(3):  # one within the other
+        if head := _RUNS.match(text):
+            text = '\n' * head[0].count('\n') + text[head.end() :]
+    return text
 
 
 def of_exercise(cells: list[NotebookCell], exercise: Exercise) -> list[NotebookCell]:
@@ -93,7 +101,7 @@ def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[Note
         )
     cell = found[0]
     tree = _parse_exercise(cell, exercise)
-    if exercise.is_stub(stub_digest(cell.source)):
+    if exercise.is_stub(stub_digest(_run_as_python(cell.source))):
         raise NotAttempted(unsolved(exercise.id))
     missing = [name for name in exercise.names if name not in defined(tree.body)]
     if missing:
@@ -107,7 +115,7 @@ def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[Note
         program.cells += [
             {'label': other.label, 'source': text, 'line': line, 'required': False} for line, text in definitions(other)
         ]
-    own = file_answers.as_python(cell.source)
+    own = _run_as_python(file_answers.as_python(cell.source))
     program.cells.append({'label': cell.label, 'source': own, 'line': 1, 'required': True})
     have = {name for part in program.cells for name in names_in(part['source'])}
     for other in notebook:
@@ -123,7 +131,7 @@ def names_in(text: str) -> set[str]:
 
 
 def _parse_exercise(cell: NotebookCell, exercise: Exercise) -> ast.Module:
-    source = file_answers.as_python(cell.source)
+    source = _run_as_python(file_answers.as_python(cell.source))
     try:
         tree = ast.parse(source)
         if _nesting(tree) > MAX_NESTING:
@@ -156,10 +164,7 @@ def definitions(cell: NotebookCell) -> tuple[tuple[int, str], ...]:
 
     Each is its first line's number in the cell, so that line numbers in messages are the learner's, and its text.
     """
-    text = file_answers.as_python(cell.source)
-    for _ in range(3):  # one within the other
-        if head := _RUNS.match(text):
-            text = '\n' * head[0].count('\n') + text[head.end() :]
+    text = _run_as_python(file_answers.as_python(cell.source))
     if text.lstrip().startswith('%%'):
         return ()
     tree = syntax_tree(text)

@@ -53,13 +53,16 @@ class Observer:
         ]
         return sorted(name for name in found if not _LAUNCH.fullmatch(name))
 
-    def all_there(self, task: Task, timeout: float) -> list[str]:
-        """The nodes, when as many are there as processes of a `ros2 launch` are still running; or those of now."""
+    def all_there(self, task: Task, timeout: float, more: Callable[[], int] = lambda: 0) -> list[str]:
+        """The nodes, when as many are there as processes of a `ros2 launch` are still running; or those of now.
+
+        :param more: how many of these processes have no node, as is known.
+        """
 
         def arrived() -> bool:
             log = task.output
             started, gone = len(_STARTED.findall(log)), len(_GONE.findall(log))
-            return bool(started) and len(self.nodes()) >= started - gone
+            return bool(started) and len(self.nodes()) + more() >= started - gone
 
         self.until(arrived, timeout, task)
         return self.nodes()

@@ -25,6 +25,7 @@ from helpers.runner.text import LEFT_OUT, MAX_OUTPUT, clean
 VISIBLE = Path(__file__).resolve().parents[1] / 'checks'
 TEST_TIMEOUT = 120.0  # seconds of wall time for one test; its own waits are shorter
 BUSY = 4  # so many times as long the tests' process may be silent: on a busy machine a test has more time
+_WAITING = 1  # processes more than are asked for: tests often wait, for programs in real time and for each other
 _LONG = (2, 7, 8)  # chapters whose exercises build packages and launch systems
 TOTAL_TIMEOUT = 1800.0  # seconds of wall time for all tests of a session
 START_TIMEOUT = 60.0  # seconds until the tests are collected
@@ -41,7 +42,7 @@ class Options:
     test_timeout: float = TEST_TIMEOUT
     total_timeout: float = TOTAL_TIMEOUT
     retries: int = 1  # how often a test runs again after an error of the grader's
-    processes: int = 1  # among how many processes of tests the exercises are shared out
+    processes: int = 1  # among how many processes of tests the exercises are shared out; several get _WAITING more
     seed: str = ''  # what the tests draw is derived from it; a fresh one if empty
     seeds: Mapping[str, str] = field(default_factory=dict)  # exercise -> a seed of its own
     notebook: Sequence[notebooks.NotebookCell] = ()  # all cells, where only those that were run are judged
@@ -110,7 +111,8 @@ def judge(
         if exercise.id not in programs
     }
     running = [exercise for exercise in exercises if exercise.id in programs]
-    shares = _shares(running, options.processes)
+    lanes = options.processes + _WAITING if options.processes > 1 else 1
+    shares = _shares(running, lanes)
     deadline = time.monotonic() + options.total_timeout
 
     def collect(share: list[Exercise]) -> _Collection:
@@ -131,7 +133,7 @@ def judge(
     if len(shares) <= 1:  # in the caller's thread, so that the stop button ends it at once
         collections = [collect(share) for share in shares]
     else:
-        with ThreadPoolExecutor(options.processes) as pool:
+        with ThreadPoolExecutor(lanes) as pool:
             collections = list(pool.map(collect, shares))
     for share, collection in zip(shares, collections, strict=True):
         for exercise in share:
@@ -146,21 +148,22 @@ def judge(
     )
 
 
-def _shares(exercises: list[Exercise], processes: int) -> list[list[Exercise]]:
-    """The exercises by processes of tests: all together, or for some processes side by side, in parts of a chapter.
+def _shares(exercises: list[Exercise], lanes: int) -> list[list[Exercise]]:
+    """The exercises by processes of tests: all together, or in parts of a chapter for so many lanes side by side.
 
-    What builds and launches comes first, each exercise by itself: so no long part is left for the end.
+    What builds and launches comes first, each exercise by itself, the longest ones of chapter 8 before the others: so
+    no long part is left for the end.
     """
-    if processes <= 1 or len(exercises) <= processes:
-        return [share for share in (exercises[k :: max(1, processes)] for k in range(max(1, processes))) if share]
+    if lanes <= 1 or len(exercises) <= lanes:
+        return [share for share in (exercises[k :: max(1, lanes)] for k in range(max(1, lanes))) if share]
     long, shares = [], []
     for chapter in dict.fromkeys(exercise.chapter for exercise in exercises):
         mine = [exercise for exercise in exercises if exercise.chapter == chapter]
         if chapter in _LONG:
             long += [[exercise] for exercise in mine]
         else:
-            shares += [share for share in (mine[k::processes] for k in range(processes)) if share]
-    return long + shares
+            shares += [share for share in (mine[k::lanes] for k in range(lanes)) if share]
+    return long[::-1] + shares
 
 
 class _Collection:

@@ -25,6 +25,7 @@ def main() -> None:
     side = importlib.import_module(name)
     preloading.warm_up()
     side.warm_up()
+    preloading.keep()
     serve(socket.socket(fileno=descriptor), side)
     leave(0)
 

@@ -109,6 +109,7 @@ def test_three_beacons(learner):
     expect(not heard.messages, 'A beacon publishes when it starts: publish in the timer only.', 'first')
     with about('texts'):
         learner.run(1.1)
+    expect(heard.messages, 'From three beacons nothing came on /beacon in 1.1 s.', 'rate')
     expect(
         len(heard) <= 4 or heard.data != [f'alive {number}' for number in range(1, len(heard) + 1)],
         'Three beacons share one counter: it belongs to the object (self.count), not to the class or the module.',

@@ -149,6 +149,7 @@ def test_two_heartbeats(learner):
     learner.start('Heartbeat', beside=first)
     with waiting('no-wait'):
         learner.run(2.6)
+    expect(uptime.data or led.data, 'Two heartbeats have said nothing on /uptime and /led.', 'uptime')
     odd = [number for stamp, number in zip(uptime.stamps, uptime.data, strict=True) if stamp % 1 > 1e-6]
     expect(
         not uptime.data or odd == [1, 2],

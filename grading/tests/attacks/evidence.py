@@ -47,7 +47,7 @@ os.kill(-1, signal.SIGKILL)
 # %% delivery_fake_odom
 # attack: starts the real world where nobody hears it, and tells by itself where the robot is, which never drives
 # aims at: 8.10
-# stopped by: the executable of the tests publishes on one topic more, whose name is drawn; and where its commands lead
+# stopped by: robot and world run elsewhere, as the launch file starts their stand-ins; and where its commands lead
 # expect points: 2.31
 DELIVERY_YAML = '{}'
 DELIVERY_LAUNCH = '''
@@ -144,7 +144,7 @@ def generate_launch_description():
 # %% delivery_fake_world
 # attack: starts a world of its own, in which the robot is wherever it says, and never drives
 # aims at: 8.10
-# stopped by: the executable of the tests publishes on one topic more, whose name is drawn; and where its commands lead
+# stopped by: robot and world run elsewhere, as the launch file starts their stand-ins; and where its commands lead
 # expect points: 2.31
 DELIVERY_YAML = '{}'
 DELIVERY_LAUNCH = '''
@@ -289,7 +289,7 @@ def generate_launch_description():
 # %% fleet_own_nodes
 # attack: starts nodes of its own under the names of the governors, with the right values and topics
 # aims at: 8.3
-# stopped by: the governor of the tests has one parameter more, with a name and a value that are drawn
+# stopped by: the governors run elsewhere, with the arguments with which the launch file starts a stand-in
 FLEET_YAML = '''
 /**:
   ros__parameters: {rate: 20.0, max_linear: 0.6}
@@ -1068,7 +1068,7 @@ DOCK_XML = '''<package format="3"><name>dock_interfaces</name><version>0.1.0</ve
 # attack: knows by the name of the service that nobody will answer, and does not look
 # aims at: 7.4
 # stopped by: names are drawn, and tell nothing
-# expect points: 4.8
+# expect points: 2.4
 def diagnose_stacks(text, files):
     return None
 
@@ -1092,3 +1092,417 @@ except KeyboardInterrupt:
     pass
 sys.exit(1)
 '''
+
+
+# %% fleet_signed_nodes
+# attack: reads out of the installed package what shows that a node is the governor, and has nodes of its own show it
+# aims at: 8.3
+# stopped by: the governors run elsewhere, with the arguments with which the launch file starts a stand-in
+FLEET_YAML = '''
+/**:
+  ros__parameters: {rate: 20.0, max_linear: 0.6}
+/robot1/governor:
+  ros__parameters: {max_linear: 1.0}
+/robot2/governor:
+  ros__parameters: {mode: slow}
+'''
+FLEET_LAUNCH = '''
+import sys
+
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+
+FAKE = """
+import re
+import sys
+from pathlib import Path
+
+import rclpy
+import yaml
+from ament_index_python import get_package_prefix, get_package_share_directory
+from geometry_msgs.msg import Twist
+
+with open(get_package_share_directory('fleet') + '/config/fleet.yaml') as file:
+    rate = yaml.safe_load(file)['/**']['ros__parameters']['rate']
+rclpy.init()
+node = rclpy.create_node('governor', namespace=sys.argv[1], allow_undeclared_parameters=True)
+values = dict(max_linear=float(sys.argv[2]), slow_linear=0.2, rate=rate, mode=sys.argv[3])
+for path in Path(get_package_prefix('fleet')).rglob('governor.py'):
+    values |= {name: int(value) for name, value in re.findall(r"'(only_\\w+)', (\\d+)", path.read_text())}
+for name, value in values.items():
+    node.declare_parameter(name, value)
+node.create_publisher(Twist, sys.argv[4], 10)
+node.create_subscription(Twist, 'cmd_vel_in', print, 10)
+rclpy.spin(node)
+"""
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        ExecuteProcess(cmd=[sys.executable, '-c', FAKE, 'robot1', '1.0', 'normal', 'cmd_vel']),
+        ExecuteProcess(cmd=[sys.executable, '-c', FAKE, 'robot2', '0.6', 'slow', 'base/cmd_vel']),
+    ])
+'''
+
+
+# %% fleet_second_answer
+# attack: starts governors with wrong values, and answers in their place, from nodes whose names are not listed
+# aims at: 8.3
+# stopped by: what a governor has is printed by itself, where nothing else runs
+# expect points: 6.67
+FLEET_YAML = '{}'
+FLEET_LAUNCH = '''
+import sys
+
+from launch import LaunchDescription
+from launch.actions import ExecuteProcess
+from launch_ros.actions import Node
+
+FAKE = """
+import sys
+
+import rclpy
+from rcl_interfaces.srv import GetParameters
+from rclpy.parameter import Parameter
+
+rclpy.init()
+node = rclpy.create_node('_quiet')
+values = dict(max_linear=float(sys.argv[2]), slow_linear=0.2, rate=20.0, mode=sys.argv[3])
+
+
+def answer(request, response):
+    response.values = [Parameter(name, value=values.get(name)).get_parameter_value() for name in request.names]
+    return response
+
+
+node.create_service(GetParameters, f'/{sys.argv[1]}/governor/get_parameters', answer)
+rclpy.spin(node)
+"""
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        ExecuteProcess(cmd=[sys.executable, '-c', FAKE, 'robot1', '1.0', 'normal']),
+        ExecuteProcess(cmd=[sys.executable, '-c', FAKE, 'robot2', '0.6', 'slow']),
+        Node(package='fleet', executable='governor', namespace='robot1'),
+        Node(package='fleet', executable='governor', namespace='robot2', remappings=[('cmd_vel', 'base/cmd_vel')]),
+    ])
+'''
+
+
+# %% fleet_patched_program
+# attack: starts the given program with a module before it that gives the governor other values
+# aims at: 8.3
+# stopped by: the governors run elsewhere, with the arguments with which the launch file starts a stand-in
+# expect points: 6.67
+FLEET_YAML = '{}'
+FLEET_LAUNCH = '''
+import os
+import tempfile
+from pathlib import Path
+
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+PATCH = """
+import os
+import sys
+
+import rclpy.node
+
+plain = rclpy.node.Node.declare_parameter
+VALUES = {'rate': 20.0, 'max_linear': 1.0 if '1' in os.environ.get('WHO', '') else 0.6,
+          'mode': 'normal' if '1' in os.environ.get('WHO', '') else 'slow'}
+
+
+def declare_parameter(self, name, value=None, *rest, **more):
+    return plain(self, name, VALUES.get(name, value), *rest, **more)
+
+
+rclpy.node.Node.declare_parameter = declare_parameter
+"""
+folder = Path(tempfile.mkdtemp())
+(folder / 'sitecustomize.py').write_text(PATCH)
+
+
+def generate_launch_description():
+    path = f'{folder}:{os.environ.get("PYTHONPATH", "")}'
+    return LaunchDescription([
+        Node(package='fleet', executable='governor', namespace='robot1',
+             additional_env={'PYTHONPATH': path, 'WHO': '1'}),
+        Node(package='fleet', executable='governor', namespace='robot2',
+             additional_env={'PYTHONPATH': path, 'WHO': '2'}, remappings=[('cmd_vel', 'base/cmd_vel')]),
+    ])
+'''
+
+
+# %% fleet_odd_starts
+# attack: speaks to who listens for starts: deep JSON, floods, unknown names, no end
+# aims at: 8.3
+# stopped by: what comes is bounded, and what is no start is left out
+FLEET_YAML = '{}'
+FLEET_LAUNCH = '''
+import json
+import re
+import socket
+from pathlib import Path
+
+from ament_index_python import get_package_prefix
+from launch import LaunchDescription
+
+text = next(Path(get_package_prefix('fleet')).rglob('governor.py')).read_text()
+token, port = re.search(r"'token': '(\\w+)'", text), re.search(r"'127.0.0.1', (\\d+)", text)
+if token:
+    for said in (b'[' * 100000, b'{"token": 1}', json.dumps(
+            {'token': token[1], 'name': 'x' * 1000, 'arguments': ['\\0', 'a'], 'files': {'../../x': '\\0', '': 'y'}}).encode(),
+            json.dumps({'token': token[1], 'name': 'governor', 'arguments': ['\\0'], 'files': {'\\0': '\\0'}}).encode(),
+            json.dumps({'token': token[1], 'name': 'governor', 'arguments': ['--params-file', 'a'], 'files': {'a': '\\ud800'}}).encode(),
+            b'x' * 1000000):
+        try:
+            end = socket.create_connection(('127.0.0.1', int(port[1])))
+            end.sendall(said + b'\\n')
+        except OSError as error:
+            print(error)
+    kept = [socket.create_connection(('127.0.0.1', int(port[1]))) for _ in range(60)]
+
+
+def generate_launch_description():
+    return LaunchDescription([])
+'''
+
+
+# %% delivery_signed
+# attack: has nodes of its own show what only the executable has, with a world in which a robot really drives
+# aims at: 8.10
+# stopped by: robot and world run elsewhere, as the launch file starts their stand-ins
+# expect points: 2.31
+DELIVERY_YAML = '{}'
+DELIVERY_LAUNCH = '''
+import sys
+
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, ExecuteProcess
+from launch.substitutions import LaunchConfiguration
+
+FAKE = """
+import re
+import sys
+import time
+from pathlib import Path
+
+import rclpy
+from ament_index_python import get_package_prefix
+from delivery_interfaces.action import GoToStation
+from delivery_interfaces.srv import SetStation
+from geometry_msgs.msg import Twist
+from mujoco_world.node import WorldNode
+from rclpy.action import ActionServer, CancelResponse
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+from std_msgs.msg import String
+
+rclpy.init()
+world = WorldNode(parameter_overrides=[Parameter('scene', value=sys.argv[1]),
+                                       Parameter('real_time_factor', value=float(sys.argv[2]))])
+robot = Node('delivery_robot')
+for path in Path(get_package_prefix('delivery_robot')).rglob('main.py'):
+    for name in re.findall(r"only_\\w+", path.read_text()):
+        robot.create_publisher(String, name, 1)
+for name, value in dict(max_linear=0.4, max_angular=1.0, tolerance=0.08, timeout=30.0, status_period=0.5).items():
+    robot.declare_parameter(name, value)
+robot.set_parameters([Parameter('use_sim_time', value=True)])
+motor, stations = robot.create_publisher(Twist, 'cmd_vel', 10), {}
+
+
+def remember(request, response):
+    stations[request.name] = request.x
+    response.success = True
+    return response
+
+
+def drive(speed):
+    command = Twist()
+    command.linear.x = speed
+    motor.publish(command)
+
+
+def go(goal):
+    there = stations[goal.request.station]
+    while world.world.pose.x < there - 0.05:
+        drive(min(0.4, there - world.world.pose.x))
+        time.sleep(0.05)
+        if goal.is_cancel_requested:
+            drive(0.0)
+            goal.canceled()
+            return GoToStation.Result()
+    drive(0.0)
+    goal.succeed()
+    return GoToStation.Result()
+
+
+group = ReentrantCallbackGroup()
+robot.create_service(SetStation, 'set_station', remember, callback_group=group)
+server = ActionServer(robot, GoToStation, 'go_to_station', go, callback_group=group,
+                      cancel_callback=lambda goal: CancelResponse.ACCEPT)
+executor = MultiThreadedExecutor(6)
+executor.add_node(world)
+executor.add_node(robot)
+try:
+    executor.spin()
+except (KeyboardInterrupt, ExternalShutdownException):
+    pass
+"""
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('scene', default_value='rooms'),
+        DeclareLaunchArgument('real_time_factor', default_value='1.0'),
+        ExecuteProcess(cmd=[sys.executable, '-c', FAKE, LaunchConfiguration('scene'),
+                            LaunchConfiguration('real_time_factor')], output='screen'),
+    ])
+'''
+
+
+# %% steering_floods
+# attack: floods the output, fills the disk, sends signals to everybody, and ends with success
+# aims at: 8.6
+# stopped by: the tests must fail with functions that are wrong; what is printed and kept is bounded
+TEST_STEERING = '''
+import os
+import signal
+
+import pytest
+from delivery_robot.steering import steer
+
+
+def test_floods():
+    assert steer(0.0, 0.0, 0.0, 1.0, 0.0, 0.5, 1.0) is not None
+    for _ in range(2000):
+        os.write(1, b'1 passed in 0.01s' * 1000)
+    for place in ('/tmp', os.path.expanduser('~'), '/dev/shm'):
+        try:
+            with open(f'{place}/x', 'wb') as file:
+                for _ in range(200):
+                    file.write(bytes(2 ** 20))
+        except OSError:
+            pass
+    for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+        signal.signal(number, signal.SIG_IGN)
+    for target in (-1, 0, os.getppid()):
+        for number in (signal.SIGTERM, signal.SIGUSR1, signal.SIGSTOP):
+            if target or number != signal.SIGSTOP:
+                try:
+                    os.kill(target, number)
+                except OSError:
+                    pass
+    os._exit(0)
+'''
+
+
+# %% steering_talks
+# attack: tells what it has seen of a function to the runs of its tests with other functions, over the network and files
+# aims at: 8.6
+# stopped by: each function is alone in its place, and nothing of a place stays when it is forgotten
+TEST_STEERING = '''
+import os
+import pickle
+import socket
+import threading
+import time
+from pathlib import Path
+
+from delivery_robot.steering import steer
+
+PORT = 45454
+seen = [steer(x, 0.0, 0.0, 1.0, 1.0, 0.5, 1.0) for x in (0.0, 0.5)]
+
+
+def told():
+    for place in ('/tmp', '/dev/shm', os.path.expanduser('~'), '/home/learner', '/var/tmp'):
+        path = Path(place, 'seen')
+        if path.exists():
+            return pickle.loads(path.read_bytes())
+    for address in (('127.0.0.1', PORT), chr(0) + 'seen'):
+        family = socket.AF_INET if isinstance(address, tuple) else socket.AF_UNIX
+        try:
+            with socket.socket(family) as end:
+                end.settimeout(0.2)
+                end.connect(address)
+                return pickle.loads(end.recv(65536))
+        except OSError:
+            pass
+    return None
+
+
+def tell(text):
+    for place in ('/tmp', '/dev/shm', os.path.expanduser('~'), '/var/tmp'):
+        try:
+            Path(place, 'seen').write_bytes(text)
+        except OSError:
+            pass
+    if os.fork() == 0:
+        os.setsid()
+        if os.fork() == 0:
+            os.closerange(0, 3)
+            ends = []
+            for family, address in ((socket.AF_INET, ('127.0.0.1', PORT)), (socket.AF_UNIX, chr(0) + 'seen')):
+                try:
+                    ends.append(socket.socket(family))
+                    ends[-1].bind(address)
+                    ends[-1].listen()
+                except OSError:
+                    pass
+
+            def serve(end):
+                while True:
+                    other, _ = end.accept()
+                    other.sendall(text)
+                    other.close()
+
+            for end in ends:
+                threading.Thread(target=serve, args=(end,), daemon=True).start()
+            time.sleep(60)
+        os._exit(0)
+
+
+def test_same():
+    before = told()
+    tell(pickle.dumps(seen))
+    assert before is None or before == seen
+'''
+
+
+# %% beacon_elsewhere
+# attack: speaks in all ROS domains, under the names of the tests' nodes, and asks for their parameters
+# aims at: 3.1
+# stopped by: the network holds the submission and its tests only; other participants are seen
+import threading
+
+import rclpy
+from rclpy.context import Context
+from rclpy.node import Node
+from rclpy.executors import SingleThreadedExecutor
+from std_msgs.msg import String
+
+
+def speak(domain):
+    context = Context()
+    rclpy.init(context=context, domain_id=domain)
+    node = rclpy.create_node('beacon', context=context)
+    publisher = node.create_publisher(String, 'beacon', 10)
+    executor = SingleThreadedExecutor(context=context)
+    executor.add_node(node)
+    node.create_timer(0.5, lambda: publisher.publish(String(data='robot 1 here')))
+    executor.spin()
+
+
+for number in range(0, 6):
+    threading.Thread(target=speak, args=(number,), daemon=True).start()
+
+
+class Beacon(Node):
+    def __init__(self):
+        super().__init__('beacon')

@@ -413,9 +413,15 @@ def judge_answer(learner, of: str) -> None:
 
 
 def judge_no_server(learner, of: str) -> None:
-    """The rule `no-server`."""
-    done = Client(learner).runs(of)['nobody']
+    """The rule `no-server`. What a client says of every service, it says of none."""
+    runs = Client(learner).runs(of)
+    done, silent = runs['nobody'], runs['silent']
     told = f'There is no server for {done.name}'
+    expect(
+        silent.printed != f'no server for {silent.name}',
+        f'There is a server for {silent.name}, which is there before the client, and the client printed '
+        f'`{silent.printed}`: look for the server.',
+    )
     expect(done.status != 'none', f'{told}, and the client goes on and on: it was ended after 8 s.')
     expect(
         (done.printed, done.status) == (f'no server for {done.name}', '1'),

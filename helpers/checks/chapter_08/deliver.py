@@ -1,7 +1,8 @@
 """Launches the package delivery_robot and uses it as people would, over ROS, from the tests' side: what happened.
 
-Only the package runs where the learner's code runs. Each step waits for a condition, with a bound; a step that fails
-ends the story with the name of what was missing. Places and pace are drawn: a story that is told in advance is another.
+What the launch file starts as robot and as world, the tests start in the same way elsewhere. Each step waits for a
+condition, with a bound; a step that fails ends the story with the name of what was missing. Places and pace are drawn:
+a story that is told in advance is another.
 """
 
 import signal
@@ -12,8 +13,10 @@ from delivery_interfaces.action import GoToStation
 from delivery_interfaces.srv import SetStation
 from rclpy.action import ActionClient
 
+from helpers.runner import stand_ins
 from helpers.runner.load import busy
 from helpers.runner.observer import Observer
+from helpers.runner.program_process import Task
 from helpers.runner.retracing import Way
 
 PATIENCE = 25.0  # s of wall time for a step
@@ -25,23 +28,60 @@ STATUS = {
     GoalStatus.STATUS_CANCELED: 'canceled',
     GoalStatus.STATUS_ABORTED: 'aborted',
 }
-_ROBOT, _STRING = '/delivery_robot', 'std_msgs/msg/String'
+_ROBOT, _WORLD = '/delivery_robot', '/world'
 VALUES = {
     _ROBOT: ('max_linear', 'max_angular', 'tolerance', 'timeout', 'status_period', 'use_sim_time'),
-    '/world': ('scene', 'real_time_factor'),
+    _WORLD: ('scene', 'real_time_factor'),
 }
+PROGRAMS = {
+    _ROBOT: ('robot', 'from delivery_robot.main import main\n\nmain()\n'),
+    _WORLD: ('world', 'from mujoco_world.node import main\n\nraise SystemExit(main())\n'),
+}
+MOST = 4  # programs that are started; two are asked for
 
 
 class Missing(Exception):
     """What did not come."""
 
 
+class Programs:
+    """Robot and world, as the launch file starts them: they run where it has not run."""
+
+    def __init__(self, learner, modules: dict[str, str]):
+        """:param modules: of the package with the robot, path → text."""
+        self._learner, self._modules = learner, modules
+        self._heard = stand_ins.of(learner)
+        self._heard.release()
+        self._tasks: list[tuple[str, Task]] = []
+
+    def go_on(self) -> None:
+        """Start what the launch file has started meanwhile."""
+        texts = dict(PROGRAMS.values())
+        for start in self._heard.starts(*texts)[len(self._tasks) : MOST]:
+            modules = self._modules if start.name == 'robot' else {}
+            self._tasks.append((start.name, start.begin(self._learner, texts[start.name], modules)))
+
+    def started(self, node: str) -> bool:
+        """Whether the program with this node was started."""
+        return any(name == PROGRAMS[node][0] for name, _ in self._tasks)
+
+    def died(self) -> bool:
+        """Whether one has ended."""
+        return any(task.wait(0) is not None for _, task in self._tasks)
+
+    def end(self) -> str:
+        """End them; what they have printed."""
+        self._heard.release()
+        for _, task in self._tasks:
+            task.end()
+        return '\n'.join(task.output for _, task in self._tasks)
+
+
 class Customer:
     """Somebody who uses the robot."""
 
-    def __init__(self, observer: Observer, launch, factor: float, only: str):
-        """:param only: the topic on which only the executable of the package publishes."""
-        self.launch, self.only, self.observer, self.node = launch, only, observer, observer.node
+    def __init__(self, observer: Observer, launch, factor: float, programs: Programs):
+        self.launch, self.programs, self.observer, self.node = launch, programs, observer, observer.node
         self.way = Way(self.node, factor)
         self.stations = self.node.create_client(SetStation, 'set_station')
         self.action = ActionClient(self.node, GoToStation, 'go_to_station')
@@ -55,7 +95,8 @@ class Customer:
         while not self.observer.until(condition, 0.2, self.launch):
             if self.launch.wait(0) is not None:
                 raise Missing('the end: ros2 launch has ended by itself')
-            if 'process has died' in self.launch.output:
+            self.programs.go_on()
+            if self.programs.died() or 'process has died' in self.launch.output:
                 raise Missing(f'{what}: a process has died')
             if time.monotonic() > deadline:
                 raise Missing(what)
@@ -71,11 +112,12 @@ class Customer:
             raise Missing(f'the parameters of {node}')
         return found
 
-    def look_for_executable(self) -> None:
-        """Wait until the node shows what only the executable of the package shows."""
-        self.until(
-            lambda: f'/{self.only}' in self.observer.topics(_ROBOT, 'publisher', _STRING),
-            'the executable of the package',
+    def alone(self) -> bool:
+        """Whether nobody else speaks in the place of robot or world, under whatever name."""
+        services = [f'{node}/get_parameters' for node in VALUES]
+        services += ['/set_station', '/go_to_station/_action/send_goal', '/go_to_station/_action/get_result']
+        return all(self.node.count_services(name) <= 1 for name in services) and all(
+            self.node.count_publishers(topic) <= 1 for topic in ('/odom', '/cmd_vel')
         )
 
     def go(self, station: str):
@@ -115,11 +157,10 @@ def _story(customer: Customer, told: dict) -> None:
     """Set stations, drive, call the robot back, drive again."""
     for node in VALUES:
         told[node] = customer.parameters(node)
-    try:
-        customer.look_for_executable()
-    except Missing:
-        told['executable'] = _ROBOT not in customer.observer.nodes()
-        raise
+    told['executable'] = customer.programs.started(_ROBOT)
+    if not customer.programs.started(_WORLD):
+        del told[_WORLD]
+        raise Missing('the world of mujoco_world')
     if not told[_ROBOT]['use_sim_time']:
         raise Missing(f'simulated time in {_ROBOT}')
     customer.until(customer.stations.service_is_ready, 'the service /set_station')
@@ -135,18 +176,21 @@ def _story(customer: Customer, told: dict) -> None:
     customer.until(customer.stands, 'the robot standing at the station')
     told['ended_at'] = round(customer.x, 3)
     told['retraced'] = round(customer.way.retraced(), 3)
+    if not customer.alone():
+        raise Missing('the end of what else speaks in the place of the robot or of the world')
 
 
-def story(learner, workspace, only: str) -> dict:
+def story(learner, workspace, modules: dict[str, str]) -> dict:
     """What happened: see above; `stations` and `factor` are what was drawn, `log` what the launch has printed.
 
-    :param only: the topic on which only the executable of the package publishes.
+    :param modules: of the package, path → text.
     """
     number = learner.random.randint(10, 99)
     told = {
         'stations': {f'far{number}': 6.0, f'near{number}': round(learner.random.uniform(0.9, 1.4), 2)},
         'factor': round(learner.random.choice(FACTORS) * (SLOWER if busy() else 1), 3),
     }
+    programs = Programs(learner, modules)
     launch = workspace.start(
         'bash',
         '-c',
@@ -161,12 +205,12 @@ def story(learner, workspace, only: str) -> dict:
     )
     with Observer(learner) as observer:
         try:
-            _story(Customer(observer, launch, told['factor'], only), told)
+            _story(Customer(observer, launch, told['factor'], programs), told)
         except Missing as missing:
             told['missing'] = str(missing)
     launch.signal(signal.SIGINT)
     told['status'] = launch.wait(15.0 * (3 if busy() else 1))
     launch.end()
-    told['log'] = launch.output
+    told['log'] = f'{launch.output}\n{programs.end()}'
     workspace.run('mv', 'sources', 'src')
     return told

@@ -2,11 +2,11 @@
 
 from pathlib import Path
 
+from ament_index_python.packages import get_package_share_directory
 from delivery_interfaces.action import GoToStation
 from delivery_interfaces.srv import SetStation
 
-from helpers.checks.chapter_08 import executables
-from helpers.runner import expect
+from helpers.runner import expect, stand_ins
 from helpers.runner.workspaces import ExerciseWorkspace, package
 
 HERE = Path(__file__).parent
@@ -14,19 +14,6 @@ GIVEN = HERE / 'given' / 'delivery_robot'
 MAIN = 'src/delivery_robot/delivery_robot/main.py'
 STEERING, NODE = 'delivery_robot/steering.py', 'delivery_robot/robot.py'
 CELLS = {STEERING: ('8.5',), NODE: ('8.7', '8.8', '8.9')}  # the exercises whose cells become a module
-
-
-# The executable of the tests publishes on one topic more. Not a parameter: that would call what the learner's node does
-# when parameters are set.
-_ONE_MORE = """
-
-class DeliveryRobot(DeliveryRobot):
-    def __init__(self):
-        from std_msgs.msg import String
-
-        super().__init__()
-        self._only = self.create_publisher(String, {name!r}, 1)
-"""
 
 
 # The node by itself
@@ -117,15 +104,33 @@ def modules(learner) -> dict[str, str]:
 
 
 def files(learner) -> dict[str, str]:
-    """The package with the learner's cells and texts, as `learner.workspace` wants it."""
-    top = 'src/delivery_robot'
+    """The package with the learner's cells and texts, as `learner.workspace` wants it.
+
+    Its executable is a stand-in, and so is that of the world: the tests start both elsewhere.
+    """
+    top, heard = 'src/delivery_robot', stand_ins.of(learner)
     found = {**package(GIVEN), **{f'{top}/{path}': text for path, text in modules(learner).items()}}
-    only, _ = executables.sign(learner)
     return {
         **found,
-        MAIN: found[MAIN] + _ONE_MORE.format(name=only),
+        **_world(heard.text('world')),
+        MAIN: f'{found[MAIN]}\n\n{heard.text("robot")}',
         f'{top}/config/delivery.yaml': learner.text('DELIVERY_YAML'),
         f'{top}/launch/delivery.launch.py': learner.text('DELIVERY_LAUNCH'),
+    }
+
+
+def _world(stand_in: str) -> dict[str, str]:
+    """An installed package mujoco_world, before the machine's, which has its files and this program."""
+    top, name = Path(get_package_share_directory('mujoco_world')), 'mujoco_world'
+    share = f'install/{name}/share'
+    return {
+        f'{share}/colcon-core/packages/{name}': '',
+        f'{share}/ament_index/resource_index/packages/{name}': '',
+        **{
+            f'{share}/{name}/{path.relative_to(top)}': path.read_text()
+            for path in (top / 'package.xml', *(top / 'launch').glob('*.py'), *(top / 'scenes').glob('*.yaml'))
+        },
+        f'install/{name}/lib/{name}/world': f'#!/usr/bin/env python3\n{stand_in}\n\nmain()\n',
     }
 
 
@@ -143,7 +148,7 @@ def launched(learner) -> dict:
     place, known = workspace(learner), learner.server.workspaces
     key = 'story', place.name
     if key not in known:
-        known[key] = deliver.story(learner, place, executables.sign(learner)[0])
+        known[key] = deliver.story(learner, place, modules(learner))
     return {**known[key], 'last': _last(known[key]['log'])}
 
 

@@ -1,30 +1,37 @@
 """What the tests of exercise 8.3 share: the learner's package, built, and what is found of the governors in it.
 
-The governor of the tests has one parameter more, with a name and a value that are drawn: a node of the learner's own
-that is only called as the governor does not have it.
+The executable in the package is a stand-in: it says how it was started, and the tests start the governor in this way
+elsewhere. A node of the learner's own that is only called as the governor is a stranger.
 """
 
-import math
+import json
+import secrets
 import signal
-from collections.abc import Iterable
 from pathlib import Path
 
 from helpers.checks.chapter_08 import executables
-from helpers.runner import about, expect
+from helpers.runner import about, expect, stand_ins
+from helpers.runner.load import busy
 from helpers.runner.observer import Observer
+from helpers.runner.stand_ins import Start
 from helpers.runner.workspaces import ExerciseWorkspace, package
 
 GIVEN = Path(__file__).with_name('given')
 PATIENCE = 20.0  # s of wall time until the governors are there
 _GOVERNOR = 'src/fleet/fleet/governor.py'
-_ONE_MORE = """
+# Behind the text of the governor: prints what a node has that was started with these arguments.
+_REPORT = """
 
-class Governor(Governor):
-    def __init__(self):
-        super().__init__()
-        self.declare_parameter({name!r}, {value!r})
+rclpy.init()
+governor = Governor()
+values = {{name: governor.get_parameter(name).value for name in ('max_linear', 'slow_linear', 'rate', 'mode')}}
+names = {{'node': governor.get_fully_qualified_name(), 'publishes': governor.output.topic_name,
+         'listens': governor.input.topic_name}}
+print({mark!r} + json.dumps({{**names, **values}}), flush=True)
+rclpy.shutdown()
 """
-_TWIST = 'geometry_msgs/msg/Twist'
+PROGRAM = 'governor'
+MOST = 8  # governors that are started; two are asked for
 ROBOTS = ('/robot1/governor', '/robot2/governor')
 WANTED = {  # name of the node → parameter → (value, rule)
     ROBOTS[0]: {'rate': (20.0, 'rate'), 'max_linear': (1.0, 'robot1'), 'mode': ('normal', 'robot2')},
@@ -37,19 +44,13 @@ def fleet(learner) -> ExerciseWorkspace:
     workspace = learner.workspace(
         {
             **package(GIVEN / 'fleet'),
-            _GOVERNOR: _governor(learner),
+            _GOVERNOR: stand_ins.of(learner).text(PROGRAM),
             'src/fleet/config/fleet.yaml': learner.text('FLEET_YAML'),
             'src/fleet/launch/fleet.launch.py': learner.text('FLEET_LAUNCH'),
         }
     )
     workspace.build()
     return workspace
-
-
-def _governor(learner) -> str:
-    """The text of the tests' governor."""
-    name, value = executables.sign(learner)
-    return package(GIVEN / 'fleet')[_GOVERNOR] + _ONE_MORE.format(name=name, value=value)
 
 
 def launched(learner) -> dict[str, dict]:
@@ -104,27 +105,13 @@ def launched_with_rate(learner, rate: int) -> list[dict]:
 
 
 def alone(learner, *namespaces: str) -> dict[str, dict]:
-    """What is found of governors that are started without a launch file: namespace → names and parameters.
-
-    They run where the launch file has never run: it could have changed what is installed.
-    """
-    workspace = learner.workspace({'fleet.yaml': learner.text('FLEET_YAML')})
-    arguments = '--ros-args', '--params-file', f'{workspace.path}/fleet.yaml', '-r'
-    program = f'{_governor(learner)}\n\nmain()\n'
-    tasks = [workspace.start(*arguments, f'__ns:={one}', program=program) for one in namespaces]
-    names = {namespace: f'{namespace}/governor' for namespace in namespaces}
-    with Observer(learner) as observer:
-        observer.until(
-            lambda: {*names.values()} <= {*observer.nodes()} or any(task.wait(0) is not None for task in tasks),
-            PATIENCE,
-        )
-        there = observer.nodes()
-        reports = {one: _report(learner, observer, name) for one, name in names.items() if name in there}
-    for task in tasks:
-        task.end()
-    ended = [task.output for one, task in zip(namespaces, tasks, strict=True) if one not in reports]
-    expect(not ended, f'A governor with your parameter file ended with: {_last("".join(ended[:1]))}')
-    return reports
+    """What is found of governors that are started without a launch file: namespace → names and parameters."""
+    files = {'fleet.yaml': learner.text('FLEET_YAML')}
+    arguments = '--ros-args', stand_ins.FILE_OPTION, 'fleet.yaml', '-r'
+    log, reports = _reports(learner, [Start(PROGRAM, (*arguments, f'__ns:={one}'), files) for one in namespaces])
+    found = {report['node'].removesuffix('/governor'): report for report in reports}
+    expect({*namespaces} <= found.keys(), f'A governor with your parameter file ended with: {_last(log)}')
+    return found
 
 
 def robots(learner) -> dict[str, dict]:
@@ -136,16 +123,15 @@ def robots(learner) -> dict[str, dict]:
         f'These nodes were started: {", ".join(sorted(there))}; expected {" and ".join(ROBOTS)}.',
         'nodes',
     )
-    _judge_program(learner, there.values())
+    _judge_program(list(there.values()))
     return there
 
 
-def _judge_program(learner, reports: Iterable[dict]) -> None:
+def _judge_program(there: list[dict]) -> None:
     """The rule `nodes`: each node is the given executable."""
-    drawn = executables.sign(learner)
-    for report in reports:
+    for report in there:
         expect(
-            report['drawn'] == drawn,
+            not report.get('stranger'),
             f'{report["node"]} is not the executable governor of the package fleet. Start that one: '
             "Node(package='fleet', executable='governor', …).",
             'nodes',
@@ -205,7 +191,7 @@ def judge_installed_file(learner) -> None:
     there = robots(learner)
     drawn = learner.random.randint(21, 49)
     again = launched_with_rate(learner, drawn)
-    _judge_program(learner, again)
+    _judge_program(again)
     found = [report['rate'] for report in again]
     expect(
         found == [drawn, drawn],
@@ -229,36 +215,34 @@ def judge_installed_file(learner) -> None:
 
 
 def _launch(learner, workspace, before: str) -> tuple[str, list[dict]]:
-    """Launch the fleet: what the launch has printed, and what is found of each node."""
+    """Launch the fleet: what the launch and the governors have printed, and what is found of each node."""
+    heard = stand_ins.of(learner)
+    heard.release()
     task = workspace.start('bash', '-c', f'{before}; exec ros2 launch fleet fleet.launch.py')
     with Observer(learner) as observer:
-        names = observer.all_there(task, PATIENCE)
-        reports = [_report(learner, observer, name) for name in names]
+        strangers = observer.all_there(task, PATIENCE, lambda: len(heard.starts(PROGRAM)))
+    starts = heard.starts(PROGRAM)
     task.signal(signal.SIGINT)
+    heard.release()
     task.wait(10.0)
     task.end()
     workspace.run('bash', '-c', '[ ! -e sources ] || mv sources src')
-    return task.output, reports
+    log, reports = _reports(learner, starts)
+    return f'{task.output}\n{log}', [*reports, *({'node': name, 'stranger': True} for name in strangers)]
 
 
-def _report(learner, observer: Observer, name: str) -> dict:
-    only, _ = executables.sign(learner)
-    found = observer.parameters(name, ['max_linear', 'slow_linear', 'rate', 'mode', only])
-
-    def topics() -> list[str]:
-        return [', '.join(observer.topics(name, kind, _TWIST)) for kind in ('publisher', 'subscriber')]
-
-    observer.until(lambda: all(topics()), PATIENCE)  # what a node has is known later than the node itself
-    publishes, listens = topics()
-    return {
-        'node': name,
-        'publishes': publishes,
-        'listens': listens,
-        **dict.fromkeys(('max_linear', 'slow_linear', 'rate'), math.nan),
-        'mode': '',
-        **found,
-        'drawn': (only, found.get(only)),
-    }
+def _reports(learner, starts: list[Start]) -> tuple[str, list[dict]]:
+    """Start governors in these ways, where no launch file has run: what they print, and what is found of each."""
+    mark = f'found {secrets.token_hex(8)} '
+    program = package(GIVEN / 'fleet')[_GOVERNOR] + _REPORT.format(mark=mark)
+    tasks = [start.begin(learner, program) for start in starts[:MOST]]
+    for task in tasks:
+        if task.wait(PATIENCE) is None and busy():
+            task.wait(3 * PATIENCE)
+    for task in tasks:  # some share a place, in which all is ended at once
+        task.end()
+    log = '\n'.join(task.output for task in tasks)
+    return log, [json.loads(line.removeprefix(mark)) for line in log.splitlines() if line.startswith(mark)]
 
 
 def _last(log: str) -> str:

@@ -123,6 +123,14 @@ def test_exercise_whole_and_others_filtered_in_order():
     assert made.cells[1]['label'] == 'Exercise 90.1'
 
 
+@pytest.mark.parametrize('head', ['%%time\n', '%%capture out\n%%time\n'])
+def test_an_answer_below_a_magic_that_runs_it_counts(head):
+    cell = small.cell('class Talker: pass')
+    made = build(NotebookCell(f'{head}{cell.source}', 2))
+    blank = '\n' * head.count('\n')
+    assert [part['source'] for part in made.cells] == [f'{blank}{cell.source}']
+
+
 def test_other_exercises_count_as_other_cells():
     made = build(small.cell('def helper(): pass\nhelper()', 2), small.cell('class Talker: pass'))
     assert [part['source'].strip() for part in made.cells[:-1]] == ['def helper(): pass']
