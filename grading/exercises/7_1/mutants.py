@@ -24,6 +24,8 @@ MUTANTS = [
            expect='Without signed-by'),
     Mutant('never_not_sourced', old="if want['distro'] not in sourced.values():", new='if sourced is None:',
            breaks='not-sourced', also=('all', 'comments'), expect='Only a line that is no comment'),
+    Mutant('a_name_that_there_is_not', old="Finding('no_ros2', ", new="Finding('no-ros2', ", breaks='not-sourced',
+           also=('all', 'comments'), expect="'no-ros2' is no fault of section 7.2"),
     Mutant('any_distribution_will_do', old="if want['distro'] not in sourced.values():", new='if not sourced:',
            breaks='all', expect='it must be the wanted one'),
     Mutant('no_path', old="name == 'PATH' and '$PATH' not in value", new="name == 'PATHS'", breaks='path',

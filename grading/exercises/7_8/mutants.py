@@ -15,6 +15,8 @@ MUTANTS = [
     Mutant('another_cause', old="'range', 'ROS", new="'domain', 'ROS", breaks='cause', expect='is no fault of this system'),
     Mutant('another_fault', old="Finding('no_data', 'panel/panel.py', 'name'", new="Finding('waiting', 'panel/panel.py', 'name'",
            breaks='cause', expect='`waiting` with the cause `name` is no fault'),
+    Mutant('a_name_that_there_is_not', old="Finding('hang', ", new="Finding('hangs', ", breaks='cause',
+           expect="'hangs' is no fault of section 7.2"),
     Mutant('one_is_not_looked_at', edits=(('    4: [' + RANGE + ',', '    4: [],'),
                                           ("    4: [('panel/.bashrc', 'RANGE=OFF', 'RANGE=LOCALHOST')],", '    4: [],')),
            breaks='cause', also='repaired', expect='System 4 has no finding yet'),
