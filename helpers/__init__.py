@@ -18,6 +18,7 @@ for _name, _value in _DEFAULTS.items():
 # Public name -> module that defines it. README.md says the same for readers.
 _HOME = {
     'CallbackError': 'kernel.callback_errors',
+    'Finding': 'programs.faults.finding',
     'GraphView': 'show.graph.view',
     'PhysicsWorld': 'programs.physics_world',
     'ProgressBar': 'show.progress_bar',

@@ -13,9 +13,9 @@ pytestmark = [pytest.mark.timeout(300), pytest.mark.one_of(3)]
 
 @functools.cache
 def kinds(who: str) -> set[tuple]:
-    """What the systems of a name have: row, cause, and what is different."""
+    """What the systems of a name have: fault, cause, and what is different."""
     systems = (Planned(who, number) for number in NUMBERS)
-    return {(row, one.cause, tuple(one.change)) for system in systems for row, one in system.drawn.items()}
+    return {(name, one.cause, tuple(one.change)) for system in systems for name, one in system.drawn.items()}
 
 
 def names() -> list[str]:

@@ -27,7 +27,7 @@ def test_healthy_machine(learner):
 def test_apt(learner):
     """Every fault of apt's file is found, and its evidence is the line.
 
-    The rows of the table that begin with A7.1.
+    The card says which causes of `no_source` there are.
     """
     for cause in APT:
         check(learner, cause)
@@ -38,7 +38,7 @@ def test_apt(learner):
 def test_each_fault_of_a_shell(learner):
     """Every fault of the .bashrc is found where it is alone.
 
-    The rows of the table from A7.2 to A7.7, for other distributions, folders and domains.
+    The causes of no_ros2, no_colcon, mixed_distros and unseen, for other distributions, folders and domains.
     """
     for cause in SHELL:
         for form in machines.FORMS.get(cause, [{}]):
@@ -62,8 +62,8 @@ def test_lines(learner):
             else [f'export ROS_DOMAIN_ID={domain}', line.format(f'~/opt/ros/{older}/setup.sh')]
         )
         expected = {
-            'sources': [('A7.5', '.bashrc', 'other', lines[1])],
-            'variables': [('A7.3', '.bashrc', 'PATH', lines[0])],
+            'sources': [('mixed_distros', '.bashrc', 'other', lines[1])],
+            'variables': [('no_colcon', '.bashrc', 'PATH', lines[0])],
             'comments': [],
         }[rule]
         source = source if rule == 'sources' else f'source /opt/ros/{distro}/setup.bash'
@@ -91,7 +91,9 @@ def test_several_faults(learner):
     distro, _ = learner.random.choice([one for one in machines.RELEASES if one[0] != want['distro']])
     lines = [f'source /opt/ros/{distro}/setup.bash', f'. /opt/ros/{distro}/setup.sh']
     files['.bashrc'] += '\n'.join(lines)
-    machines.diagnose(learner, files, want, [*expected, *[('A7.5', '.bashrc', 'other', line) for line in lines]], 'all')
+    machines.diagnose(
+        learner, files, want, [*expected, *[('mixed_distros', '.bashrc', 'other', line) for line in lines]], 'all'
+    )
 
 
 def repair(learner, causes):

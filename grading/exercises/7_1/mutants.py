@@ -24,6 +24,8 @@ MUTANTS = [
            expect='Without signed-by'),
     Mutant('never_not_sourced', old="if want['distro'] not in sourced.values():", new='if sourced is None:',
            breaks='not-sourced', also=('all', 'comments'), expect='Only a line that is no comment'),
+    Mutant('a_name_that_there_is_not', old="Finding('no_ros2', ", new="Finding('no-ros2', ", breaks='not-sourced',
+           also=('all', 'comments'), expect="'no-ros2' is no fault of section 7.2"),
     Mutant('any_distribution_will_do', old="if want['distro'] not in sourced.values():", new='if not sourced:',
            breaks='all', expect='it must be the wanted one'),
     Mutant('no_path', old="name == 'PATH' and '$PATH' not in value", new="name == 'PATHS'", breaks='path',
@@ -48,8 +50,8 @@ MUTANTS = [
     Mutant('two_of_eight_causes', source=r'''
 def diagnose_machine(files, want):
     sourced = [re.match(SETUP, line)[1] for line in active(files['.bashrc']) if re.match(SETUP, line)]
-    found = [] if want['distro'] in sourced else [Finding('A7.2', '.bashrc', 'not sourced', '')]
-    return found + [Finding('A7.5', '.bashrc', 'other', line) for line in active(files['.bashrc'])
+    found = [] if want['distro'] in sourced else [Finding('no_ros2', '.bashrc', 'not sourced', '')]
+    return found + [Finding('mixed_distros', '.bashrc', 'other', line) for line in active(files['.bashrc'])
                     if re.match(SETUP, line) and re.match(SETUP, line)[1] != want['distro']]
 
 
@@ -58,7 +60,7 @@ def repair_machine(files, want):
              if not re.match(SETUP, line) or re.match(SETUP, line)[1] == want['distro']]
     return {**files, '.bashrc': '\n'.join(lines) + f"\nsource /opt/ros/{want['distro']}/setup.bash\n"}
 ''', breaks='missing', also=('release', 'key', 'path', 'domain', 'range', 'variables', 'all', 'repaired'),
-           expect='You did not find A7.1'),
+           expect='You did not find `no_source`'),
     Mutant('needs_export', old="'=' in line", new="line.startswith('export ')", breaks='variables',
            also=('all', 'path', 'domain', 'range'), expect='drops every folder that was in it'),
     Mutant('only_the_word_source', old='if re.match(SETUP, line)}', new="if re.match(SETUP, line) and line[0] == 's'}",
@@ -97,14 +99,14 @@ def repair_machine(files, want):
     Mutant('subnet_alone', old="value in ('OFF', 'LOCALHOST')", new="value != 'SUBNET'", expect='there is no such fault',
            breaks='range', also=('all', 'comments', 'kept', 'repaired')),
     Mutant('release_anywhere_in_the_line', old="line.split()[-2] != want['codename']",
-           new="want['codename'] not in line", expect='You did not find A7.1, cause `release`', breaks='release',
+           new="want['codename'] not in line", expect='You did not find `no_source`, cause `release`', breaks='release',
            also=('all', 'repaired')),
     Mutant('first_apt_line_only', old='for line in debs:', new='for line in debs[:1]:', breaks='all',
-           expect='You did not find A7.1, cause `key`'),
+           expect='You did not find `no_source`, cause `key`'),
     Mutant('one_finding_for_a_path', old="if name == 'PATH' and '$PATH' not in value:",
            new="if name == 'PATH' and '$PATH' not in value and 'PATH' not in [one.cause for one in found]:",
-           breaks='all', expect='You did not find A7.3, cause `PATH`'),
+           breaks='all', expect='You did not find `no_colcon`, cause `PATH`'),
     Mutant('the_last_range_holds', old="value in ('OFF', 'LOCALHOST'):",
            new="value in ('OFF', 'LOCALHOST') and line == [one[0] for one in values if one[1] == name][-1]:",
-           breaks='all', expect='You did not find A7.7, cause `range`'),
+           breaks='all', expect='You did not find `unseen`, cause `range`'),
 ]

@@ -78,14 +78,14 @@ def test_policies(learner):
     check(learner, 'both', rule='durability')
 
 
-@pytest.mark.rules('row')
+@pytest.mark.rules('fault')
 def test_description(learner):
-    """The topic /robot_description has its own row, A7.10, and services have theirs.
+    """The topic /robot_description has a fault of its own, `no_model`, and services have theirs.
 
     By the name that the subscription uses.
     """
     for fault in ('description nobody', 'description durability', 'service name', 'service nobody', 'service type'):
-        check(learner, fault, rule='row', times=2)
+        check(learner, fault, rule='fault', times=2)
     graphs.other_description(learner)
 
 

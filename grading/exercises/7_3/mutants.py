@@ -1,6 +1,6 @@
 from grading.variants import Mutant
 
-DIAGNOSE = {'also': ('all', 'row')}
+DIAGNOSE = {'also': ('all', 'fault')}
 NEAR = "faults = [('name', near) if near else ('nobody', '')]"
 
 MUTANTS = [
@@ -19,7 +19,7 @@ MUTANTS = [
     Mutant('no_name', old=NEAR, new="faults = [('nobody', '')]", breaks='name', expect='You did not find', **DIAGNOSE),
     Mutant('names_of_any_type', old="[e['name'] for e in senders if e['type'] == end['type']])",
            new="[e['name'] for e in endpoints])", breaks='nobody', expect='You did not find',
-           also=('all', 'row', 'name')),
+           also=('all', 'fault', 'name')),
     Mutant('no_nobody', old=NEAR, new="faults = [('name', near)] if near else []", breaks='nobody',
            expect='You did not find', **DIAGNOSE),
     Mutant('own_type_as_evidence', old="faults = [('type', there[0]['type'])]", new="faults = [('type', end['type'])]",
@@ -28,17 +28,17 @@ MUTANTS = [
            expect='You did not find', **DIAGNOSE),
     Mutant('equal_or_not', old='[key] == strong[key] != there', new='[key] != there', breaks='fits',
            expect='the other way round it fits',
-           also=('name', 'nobody', 'type', 'reliability', 'durability', 'row', 'all')),
+           also=('name', 'nobody', 'type', 'reliability', 'durability', 'fault', 'all')),
     Mutant('no_reliability', old="strong = {'reliability': 'RELIABLE', 'durability'", new="strong = {'durability'",
            breaks='reliability', also=('all', 'durability'), expect='You did not find'),
     Mutant('no_durability', old="'RELIABLE', 'durability': 'TRANSIENT_LOCAL'}", new="'RELIABLE'}", breaks='durability',
            expect='You did not find', **DIAGNOSE),
     Mutant('first_policy_only', old='there[0][key]]', new='there[0][key]][:1]', breaks='durability',
            expect='You did not find'),
-    Mutant('no_row_for_services', old="'A7.8' if end['role'] == 'client' else", new='', breaks='row', also='all',
-           expect='your row is'),
-    Mutant('no_row_for_models', old="'A7.10' if end['name'] == '/robot_description' else 'A7.6'", new="'A7.6'",
-           breaks='row', expect='your row is'),
+    Mutant('no_fault_for_services', old="'waiting' if end['role'] == 'client' else", new='', breaks='fault', also='all',
+           expect='your `fault` is'),
+    Mutant('no_fault_for_models', old="'no_model' if end['name'] == '/robot_description' else 'no_data'", new="'no_data'",
+           breaks='fault', expect='your `fault` is'),
     Mutant('one_finding', old='    return found\n\n\ndef repair_graph(finding):',
            new='    return found[:1]\n\n\ndef repair_graph(finding):', breaks='all', also=('durability', 'nobody'),
            expect='You did not find'),
@@ -54,7 +54,7 @@ MUTANTS = [
            ("'type': end.topic_type", "'type': types[0]")), expect='you have', breaks='read'),
     Mutant('near_to_another_deaf_one', old="[e['name'] for e in senders if e['type'] == end['type']]",
            new="[e['name'] for e in endpoints if e['type'] == end['type'] and e['name'] != end['name']]",
-           expect='The name that is near has no publisher either', breaks='nobody', also=('name', 'type', 'row', 'all', 'fits')),
+           expect='The name that is near has no publisher either', breaks='nobody', also=('name', 'type', 'fault', 'all', 'fits')),
     Mutant('rule_with_a_relative_name', old="f'{name}:={value}'", new='f"{name.lstrip('"'/'"')}:={value}"',
            expect='still hears nothing', breaks='remapping'),
     Mutant('rule_with_the_last_part', old="f'{name}:={value}'", new='f"{name.split('"'/'"')[-1]}:={value}"',
@@ -65,10 +65,10 @@ MUTANTS = [
     Mutant('one_for_each_node', old='for end in endpoints:',
            new="for end in {e['node']: e for e in endpoints if e['role'] in ('subscription', 'client')}.values():",
            expect='Every subscription is judged', breaks='all'),
-    Mutant('row_by_the_end_of_the_name', old="end['name'] == '/robot_description'",
-           new="end['name'].endswith('/robot_description')", breaks='row', expect='only for the name'),
-    Mutant('row_by_the_beginning_of_the_name', old="end['name'] == '/robot_description'",
-           new="end['name'].startswith('/robot_description')", breaks='row', expect='only for the name'),
+    Mutant('fault_by_the_end_of_the_name', old="end['name'] == '/robot_description'",
+           new="end['name'].endswith('/robot_description')", breaks='fault', expect='only for the name'),
+    Mutant('fault_by_the_beginning_of_the_name', old="end['name'] == '/robot_description'",
+           new="end['name'].startswith('/robot_description')", breaks='fault', expect='only for the name'),
     Mutant('value_in_capitals', old='value.lower()', new='value', expect='The value is in small letters',
            breaks='override'),
 ]

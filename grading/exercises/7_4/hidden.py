@@ -56,14 +56,14 @@ def test_several_threads(learner):
 def test_real_program(learner, kind):
     """The stacks of a program that hangs now tell the same.
 
-    It is one of those that `faults.stage('A7.9')` stages.
+    It is one of those that `faults.stage('hang')` stages.
     """
-    fault = faults.plan('A7.9', learner.random.getrandbits(32), kind)
+    fault = faults.plan('hang', learner.random.getrandbits(32), kind)
     (truth,) = fault.diagnosis
     program, line = truth.where, truth.evidence
     files = {name: text for name, text in fault.files.items() if name.endswith('.py')}
     text = stacks.take(learner, files, program, line, newer='call' if kind == 'call' else '')
-    expected = (truth.row, 'on_timer', truth.cause, line)
+    expected = (truth.fault, 'on_timer', truth.cause, line)
     compare(learner.call('diagnose_stacks', text, files), [expected], stacks.WHY, given=text)
 
 

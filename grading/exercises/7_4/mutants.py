@@ -11,8 +11,8 @@ MUTANTS = [
     Mutant('server_in_callbacks_only', old="('client.py', 'wait_for_service') in newer else ''",
            new="('client.py', 'wait_for_service') in newer and 'await_or_execute' in stacks else ''", breaks='server',
            expect='in a callback or not', **STACKS),
-    Mutant('server_has_the_row_of_the_others', old="'A7.8' if cause == 'server' else 'A7.9'", new="'A7.9'",
-           breaks='server', expect='your row is', **STACKS),
+    Mutant('server_has_the_fault_of_the_others', old="'waiting' if cause == 'server' else 'hang'", new="'hang'",
+           breaks='server', expect='your `fault` is', **STACKS),
     Mutant('no_call', old=CAUSE, new="cause = 'spin' if spins else 'busy'", breaks='call',
            expect='waits for an answer that the same thread', **STACKS),
     Mutant('newest_call_decides', old=CAUSE, new="cause = 'call' if newer else 'busy'", breaks='spin',
@@ -24,7 +24,7 @@ MUTANTS = [
     Mutant('call_in_main_too', old='return found\n', new="""
     for thread in re.split(THREAD, stacks):
         if 'in call' in thread and 'await_or_execute' not in thread:
-            found.append(Finding('A7.9', 'main', 'call', ''))
+            found.append(Finding('hang', 'main', 'call', ''))
     return found
 """, expect='there is no such fault', **HEALTHY),
     Mutant('oldest_own_call', old='own = mine[0]', new='own = mine[-2] if len(mine) > 2 else mine[0]',

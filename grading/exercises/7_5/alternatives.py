@@ -1,5 +1,6 @@
 from grading.variants import Alternative
 
+# With the numbers that faults had before they had names.
 ALTERNATIVES = [
     Alternative('text', source='''
 def moments_of(link):

@@ -106,5 +106,5 @@ MUTANTS = [
     Mutant('flat_bodies_too', old='high > low + middle', new='high >= low + middle', expect='there is no such fault',
            breaks='inertia'),
     Mutant('no_moment_is_right', old='if low <= 0 or high', new='if low < 0 or high',
-           expect='You did not find A7.11, cause `inertia`', breaks='inertia', also=('all', 'weight', 'kept')),
+           expect='You did not find `falls`, cause `inertia`', breaks='inertia', also=('all', 'weight', 'kept')),
 ]

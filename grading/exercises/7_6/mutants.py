@@ -7,25 +7,25 @@ NAMES = 't.header.frame_id, t.child_frame_id = (new if name == old else name for
 
 MUTANTS = [
     Mutant('no_unknown', old='if source not in frames:', new='if not frames:', breaks='unknown', also='order',
-           expect='You did not find A7.12, cause `unknown`'),
+           expect='You did not find `no_transform`, cause `unknown`'),
     Mutant('unknown_without_evidence', old="'unknown', nearest(source, frames))", new="'unknown', '')",
            breaks='unknown', also='order', expect='your evidence is'),
     Mutant('no_two_parents', old='        return twice\n', new='        return []\n', breaks='two-parents',
-           also='order', expect='You did not find A7.12, cause `two parents`'),
+           also='order', expect='You did not find `no_transform`, cause `two parents`'),
     Mutant('right_parent_is_wrong', old='!= target and parent not in parents', new='in parents or parent == target',
            breaks='two-parents', also='order', expect='the wrong parent is the one'),
     Mutant('both_parents', old=' if parent != target and parent not in parents]', new=']', breaks='two-parents',
            also='order', expect='there is no such fault'),
     Mutant('no_not_connected',
-           old="return [Finding('A7.12', way[-1], 'not connected', nearest(way[-1], frames - tree))]", new='return []',
-           also=('order', 'unknown'), expect='You did not find A7.12, cause `not connected`', **TREE),
+           old="return [Finding('no_transform', way[-1], 'not connected', nearest(way[-1], frames - tree))]", new='return []',
+           also=('order', 'unknown'), expect='You did not find `no_transform`, cause `not connected`', **TREE),
     Mutant('own_tree_counts', old='nearest(way[-1], frames - tree)', new='nearest(way[-1], frames)',
            expect='your evidence is', **TREE),
     Mutant('children_only_left_out', old='nearest(way[-1], frames - tree)',
            new='nearest(way[-1], [f for f in frames if way[-1] not in (f, *parents.get(f, ()))])',
            expect='so of none that is below', **TREE),
-    Mutant('source_instead_of_top', old="Finding('A7.12', way[-1], 'not", new="Finding('A7.12', source, 'not",
-           also='order', expect='your place is', **TREE),
+    Mutant('source_instead_of_top', old="Finding('no_transform', way[-1], 'not", new="Finding('no_transform', source, 'not",
+           also='order', expect='your `where` is', **TREE),
     Mutant('no_old', old='> 1.0]', new='> 1e9]', also='newest', expect='More than 1 s is old', **OLD),
     Mutant('buffer_of_ten_seconds', old='> 1.0]', new='> 10.0]', also='newest', expect='More than 1 s is old', **OLD),
     Mutant('every_old_frame', old='frame in way', new='frame in newest', also='newest',
@@ -43,14 +43,14 @@ MUTANTS = [
     Mutant('whole_seconds', old='stamp.sec + stamp.nanosec / 1e9)', new='stamp.sec)', breaks='newest', also='old',
            expect='The newest stamp of each'),
     Mutant('old_in_any_case',
-           old="return [Finding('A7.12', way[-1], 'not connected', nearest(way[-1], frames - tree))]", new='''
-        return [Finding('A7.12', way[-1], 'not connected', nearest(way[-1], frames - tree)),
-                *[Finding('A7.12', frame, 'old', f'{now - newest[frame]:.1f}') for frame in way
+           old="return [Finding('no_transform', way[-1], 'not connected', nearest(way[-1], frames - tree))]", new='''
+        return [Finding('no_transform', way[-1], 'not connected', nearest(way[-1], frames - tree)),
+                *[Finding('no_transform', frame, 'old', f'{now - newest[frame]:.1f}') for frame in way
                   if frame in newest and now - newest[frame] > 1.0]]
 ''', breaks='order', expect='there is no such fault'),
     Mutant('two_parents_first', old='if source not in frames:',
            new='if source not in frames and max(map(len, parents.values())) < 2:', breaks='order',
-           expect='You did not find A7.12, cause `unknown`'),
+           expect='You did not find `no_transform`, cause `unknown`'),
     Mutant('inverts_the_numbers', old='t.header.frame_id, t.child_frame_id = child, parent', new='''
         t.header.frame_id, t.child_frame_id = child, parent
         t.transform.translation.x *= -1
@@ -59,21 +59,21 @@ MUTANTS = [
     return [t for t in transforms if cause != 'two parents' or t.child_frame_id != where]
 ''', breaks='kept', expect='transforms and returned'),
     Mutant('known_as_a_child_only', old='frames = set(parents).union(*parents.values())', new='frames = set(parents)',
-           breaks='unknown', also='not-connected', expect='A7.12, cause'),
+           breaks='unknown', also='not-connected', expect='`no_transform`, cause'),
     Mutant('on_the_way_only', old='if len(both) > 1', new='if len(both) > 1 and above(parents, source, child)',
            imports='''
 def above(parents, frame, other):
     return frame == other or any(above(parents, one, other) for one in parents.get(frame, ()))
-''', breaks='two-parents', also='order', expect='You did not find A7.12, cause `two parents`'),
+''', breaks='two-parents', also='order', expect='You did not find `no_transform`, cause `two parents`'),
     Mutant('first_of_two_parents', old='return twice', new='return twice[:1]', breaks='two-parents',
-           expect='You did not find A7.12, cause `two parents`'),
+           expect='You did not find `no_transform`, cause `two parents`'),
     Mutant('in_the_tree_of_the_target', edits=(
-           ("return [Finding('A7.12', way[-1], 'not connected', nearest(way[-1], frames - tree))]", '''
+           ("return [Finding('no_transform', way[-1], 'not connected', nearest(way[-1], frames - tree))]", '''
             below = [frame for frame in frames if frame == target or target in parents.get(frame, ())]
-            return [Finding('A7.12', way[-1], 'not connected', nearest(way[-1], below))]
+            return [Finding('no_transform', way[-1], 'not connected', nearest(way[-1], below))]
             '''),), expect='your evidence is', also='order', **TREE),
     Mutant('not_the_sensor_itself', old=":.1f}') for frame in way", new=":.1f}') for frame in way[1:]",
-           expect='You did not find A7.12, cause `old`', **OLD),
+           expect='You did not find `no_transform`, cause `old`', **OLD),
     Mutant('at_one_second', old='> 1.0]', new='>= 1.0]', also='newest', expect='there is no such fault', **OLD),
     Mutant('age_is_cut_off', old="f'{now - newest[frame]:.1f}'", new="f'{(now - newest[frame]) // 0.1 / 10:.1f}'",
            also='newest', expect='your evidence is', **OLD),

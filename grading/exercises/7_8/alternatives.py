@@ -17,13 +17,15 @@ ALTERNATIVES = [
         ("('start.txt', ' --ros-args -p use_sim_time:=true', '')",
          "('start.txt', '', 'robot: python3 robot.py --ros-args --params-file params.yaml\\npanel: python3 panel.py\\n')"),
     )),
-    Alternative('in_another_order', edits=(
+    # The numbers are those that faults had before they had names.
+    Alternative('in_another_order_with_numbers', edits=(
         ("""
-    2: [Finding('A7.14', 'robot/robot.py', 'rate', 'average rate: 2.000'),
-        Finding('A7.15', 'start.txt', 'parameter', 'Double value is: 0.0')],
+    2: [Finding('too_slow', 'robot/robot.py', 'rate', 'average rate: 2.000'),
+        Finding('no_parameter', 'start.txt', 'parameter', 'Double value is: 0.0')],
 """, """
     2: [('A7.15', 'start.txt', 'parameter', 'Double value is: 0.0'),
         ('A7.14', 'robot/robot.py', 'rate', 'average rate: 1.98')],
 """),
+        ("Finding('unseen', 'panel/.bashrc', 'range', 'ROS", "Finding(row='A7.7', where='panel/.bashrc', cause='range', evidence='ROS"),
     )),
 ]

@@ -10,7 +10,7 @@ pytestmark = pytest.mark.exercise('7.8')
 @pytest.mark.rules('name', 'cause', 'both', 'nothing-else', 'where', 'evidence')
 @pytest.mark.parametrize('number', live_systems.NUMBERS)
 def test_findings_again(learner, number):
-    """Your findings are the faults of this system: cause, place and evidence.
+    """Your findings are the faults of this system: fault, cause, where and evidence.
 
     The task says how the system should be; a file or a tool says how it is.
     """

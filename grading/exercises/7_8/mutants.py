@@ -1,10 +1,10 @@
 from grading.variants import Mutant
 
 RATE = """
-    2: [Finding('A7.14', 'robot/robot.py', 'rate', 'average rate: 2.000'),
-        Finding('A7.15', 'start.txt', 'parameter', 'Double value is: 0.0')],
+    2: [Finding('too_slow', 'robot/robot.py', 'rate', 'average rate: 2.000'),
+        Finding('no_parameter', 'start.txt', 'parameter', 'Double value is: 0.0')],
 """
-RANGE = "Finding('A7.7', 'panel/.bashrc', 'range', 'ROS_AUTOMATIC_DISCOVERY_RANGE=OFF')]"
+RANGE = "Finding('unseen', 'panel/.bashrc', 'range', 'ROS_AUTOMATIC_DISCOVERY_RANGE=OFF')]"
 
 MUTANTS = [
     Mutant('name_of_the_example', old="NAME = 'the course'", new="NAME = 'my name'", breaks='name',
@@ -13,14 +13,16 @@ MUTANTS = [
     Mutant('copied_from_somebody', old="NAME = 'the course'", new="NAME = 'ada'", breaks='cause',
            also=('both', 'where', 'evidence', 'repaired', 'nothing-else'), expect='is no fault of this system'),
     Mutant('another_cause', old="'range', 'ROS", new="'domain', 'ROS", breaks='cause', expect='is no fault of this system'),
-    Mutant('another_row', old="Finding('A7.6', 'panel/panel.py', 'name'", new="Finding('A7.8', 'panel/panel.py', 'name'",
-           breaks='cause', expect='`name` (A7.8) is no fault'),
+    Mutant('another_fault', old="Finding('no_data', 'panel/panel.py', 'name'", new="Finding('waiting', 'panel/panel.py', 'name'",
+           breaks='cause', expect='`waiting` with the cause `name` is no fault'),
+    Mutant('a_name_that_there_is_not', old="Finding('hang', ", new="Finding('hangs', ", breaks='cause',
+           expect="'hangs' is no fault of section 7.2"),
     Mutant('one_is_not_looked_at', edits=(('    4: [' + RANGE + ',', '    4: [],'),
                                           ("    4: [('panel/.bashrc', 'RANGE=OFF', 'RANGE=LOCALHOST')],", '    4: [],')),
            breaks='cause', also='repaired', expect='System 4 has no finding yet'),
-    Mutant('the_symptom_s_place', old="'A7.14', 'robot/robot.py'", new="'A7.14', 'panel/panel.py'", breaks='where',
+    Mutant('the_symptom_s_place', old="'too_slow', 'robot/robot.py'", new="'too_slow', 'panel/panel.py'", breaks='where',
            also='only-there', expect='is not in'),
-    Mutant('the_other_machine', old="'A7.7', 'panel/.bashrc'", new="'A7.7', 'robot/.bashrc'", breaks='where',
+    Mutant('the_other_machine', old="'unseen', 'panel/.bashrc'", new="'unseen', 'robot/.bashrc'", breaks='where',
            also='only-there', expect='is not in'),
     Mutant('a_guess', old="'Double value is: 0.0'", new="'it must be the parameters'", breaks='evidence',
            expect='does not show `parameter`'),
@@ -31,9 +33,9 @@ MUTANTS = [
     Mutant('the_right_tree_as_evidence', old="'- Translation: [-2.816, 0.000, 0.000]'",
            new="'frame_id: odom, child_frame_id: base_link'", breaks='evidence', expect='does not show `exchanged`'),
     Mutant('the_first_fault_only', old=RATE, new="""
-    2: [Finding('A7.15', 'start.txt', 'parameter', 'Double value is: 0.0')],
+    2: [Finding('no_parameter', 'start.txt', 'parameter', 'Double value is: 0.0')],
 """, breaks='both', also='only-there', expect='there is one more fault'),
-    Mutant('one_more_to_be_safe', old=RANGE, new=RANGE[:-1] + ", Finding('A7.7', 'panel/.bashrc', 'domain', 'OFF')]",
+    Mutant('one_more_to_be_safe', old=RANGE, new=RANGE[:-1] + ", Finding('unseen', 'panel/.bashrc', 'domain', 'OFF')]",
            breaks='nothing-else', expect='is none of them'),
     Mutant('the_same_twice', old=RANGE, new=RANGE[:-1] + ', ' + RANGE[:-1] + ']', breaks='nothing-else',
            expect='the same twice'),

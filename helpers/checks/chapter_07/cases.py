@@ -90,7 +90,7 @@ class Case:
             if end['name'] in (right, wrong):
                 strength = graphs.STRONG if end['role'] == 'subscription' else graphs.WEAK
                 end['reliability'] = strength['reliability']
-        return 'A7.6', f'{node} {right}', 'reliability', graphs.WEAK['reliability']
+        return 'no_data', f'{node} {right}', 'reliability', graphs.WEAK['reliability']
 
     def triage(self, learner, rule: str) -> None:
         """Ask the learner's triage, and fail with words if it does not find what is expected."""

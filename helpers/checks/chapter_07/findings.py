@@ -1,11 +1,23 @@
 """What a learner's tools have found, against what was put in."""
 
+from helpers.programs.faults.finding import CAUSES, name_of
 from helpers.runner import expect
 
 
 def rule_of(cause: str) -> str:
     """The rule of the card that states a cause: its name, in the form of names of rules."""
     return cause.lower().replace(' ', '-')
+
+
+def with_name(finding: list) -> tuple:
+    """A learner's finding whose fault has its name, also if it was written with the earlier number."""
+    fault, where, cause, evidence = finding
+    return name_of(fault), where, cause, evidence
+
+
+def no_fault(name: str) -> str:
+    """What is said of a finding whose fault is none of the chapter's; '' if it is one."""
+    return '' if name in CAUSES else f'{name!r} is no fault of section 7.2. There are {", ".join(CAUSES)}.'
 
 
 def compare(got, expected: list[tuple], why: dict[str, str], rule: str = '', given: str = '') -> None:
@@ -25,12 +37,14 @@ def compare(got, expected: list[tuple], why: dict[str, str], rule: str = '', giv
     for one in got:
         fits = isinstance(one, list) and len(one) == 4 and all(isinstance(part, str) for part in one)
         expect(fits, f'{one!r} is no finding: it has four parts, and each is a string.', first)
-    found = [tuple(one) for one in got]
+    found = [with_name(one) for one in got]
+    for one in found:
+        expect(not no_fault(one[0]), no_fault(one[0]), rule or (rule_of(one[2]) if one[2] in why else first))
     for one in expected:
         if one in found:
             continue
         broken = rule or rule_of(one[2])
-        for part, name in ((3, 'evidence'), (1, 'place'), (0, 'row')):
+        for part, name in ((3, 'evidence'), (1, '`where`'), (0, '`fault`')):
             twins = [
                 other
                 for other in found
@@ -58,6 +72,6 @@ def compare(got, expected: list[tuple], why: dict[str, str], rule: str = '', giv
 
 
 def said(finding: tuple) -> str:
-    """Row, cause and place of a finding, in words."""
-    row, where, cause, _ = finding
-    return f'{row}, cause `{cause}`, in {where}'
+    """What a finding says, but for its evidence, in words."""
+    fault, where, cause, _ = finding
+    return f'`{fault}`, cause `{cause}`, in {where}'

@@ -69,13 +69,13 @@ def _draw(random, faults):
         roles = ('server', 'client') if service else ('publisher', 'subscription')
         kind, other = random.sample(REQUESTS if service else messages, 2)
         name = f'/{services.pop()}' if service else DESCRIPTION if where else f'{space}/{topics.pop()}'
-        row = 'A7.8' if service else 'A7.10' if where else 'A7.6'
+        name_of_fault = 'waiting' if service else 'no_model' if where else 'no_data'
         asked, offered, wanted = name, {}, {}
         if cause == 'name':
             last = name.rpartition('/')[2]
             asked = random.choice([name.replace(last, misspelt(last, random)), f'/{random.choice(ROOMS)}_robot/{last}'])
             asked = name.replace(last, misspelt(last, random)) if where == 'description' else asked
-            row = 'A7.6' if where == 'description' else row
+            name_of_fault = 'no_data' if where == 'description' else name_of_fault
         elif cause == 'healthy':
             wanted = random.choice([{}, WEAK])
             offered = random.choice([{}, STRONG])
@@ -87,9 +87,9 @@ def _draw(random, faults):
         end(roles[1], receiver, asked, other if cause == 'type' else kind, **wanted)
         evidence = {'name': name, 'nobody': '', 'type': kind}
         for policy in offered if cause not in ('healthy',) else ():
-            expected.append((row, f'{receiver} {asked}', policy, WEAK[policy]))
+            expected.append((name_of_fault, f'{receiver} {asked}', policy, WEAK[policy]))
         if cause in evidence:
-            expected.append((row, f'{receiver} {asked}', cause, evidence[cause]))
+            expected.append((name_of_fault, f'{receiver} {asked}', cause, evidence[cause]))
     # What is healthy: nobody hears it, nobody asks, and somebody asks for less than is offered.
     end('publisher', '/lonely', f'/{topics.pop()}', random.choice(MESSAGES), **random.choice([STRONG, WEAK]))
     end('server', '/idle', f'/{services.pop()}', random.choice(REQUESTS))
@@ -134,7 +134,7 @@ def other_type(learner) -> None:
     endpoints = [{'role': role, 'node': node, 'name': topic, 'type': one, **STRONG} for role, node, topic, one in ends]
     compare(
         learner.call('diagnose_graph', endpoints),
-        [('A7.6', f'/receiver /robot/{name}', 'nobody', '')],
+        [('no_data', f'/receiver /robot/{name}', 'nobody', '')],
         {**WHY, 'name': 'Only a name with the same type can be meant.'},
         'nobody',
         str(endpoints),
@@ -150,7 +150,7 @@ def same_name(learner) -> None:
     ]
     compare(
         learner.call('diagnose_graph', endpoints),
-        [('A7.6', f'{end["node"]} {end["name"]}', 'nobody', '') for end in endpoints],
+        [('no_data', f'{end["node"]} {end["name"]}', 'nobody', '') for end in endpoints],
         {'nobody': 'Every subscription is judged, also where two have one name, or one node.'},
         'all',
         str(endpoints),
@@ -165,9 +165,9 @@ def other_description(learner) -> None:
             learner.call(
                 'diagnose_graph', [{'role': 'subscription', 'node': '/receiver', 'name': name, 'type': kind, **STRONG}]
             ),
-            [('A7.6', f'/receiver {name}', 'nobody', '')],
-            {'nobody': f'The row A7.10 is only for the name {DESCRIPTION}.'},
-            'row',
+            [('no_data', f'/receiver {name}', 'nobody', '')],
+            {'nobody': f'The fault `no_model` is only for the name {DESCRIPTION}.'},
+            'fault',
         )
 
 
@@ -180,7 +180,7 @@ def two_deaf(learner) -> None:
     ]
     compare(
         learner.call('diagnose_graph', endpoints),
-        [('A7.6', f'{end["node"]} {end["name"]}', 'nobody', '') for end in endpoints],
+        [('no_data', f'{end["node"]} {end["name"]}', 'nobody', '') for end in endpoints],
         {**WHY, 'nobody': 'The name that is near has no publisher either: it cannot be meant.'},
         'nobody',
         str(endpoints),

@@ -18,6 +18,7 @@ from rclpy.qos import QoSProfile, ReliabilityPolicy
 from rosidl_runtime_py.utilities import get_message
 from tf2_msgs.msg import TFMessage
 
+from helpers.checks.chapter_07.findings import no_fault, with_name
 from helpers.kernel import domains
 from helpers.programs.faults.fault import START, commands
 from helpers.programs.faults.live import NUMBERS, Planned, changed, key
@@ -36,20 +37,20 @@ _WINDOW = 9  # so many messages before the last one tell a rate or a speed
 BUSY = 3  # so many times as long on a busy machine
 # What the evidence of a cause must have in it, in words.
 WANTED = {
-    ('A7.6', 'name'): 'the topic that the panel asks for',
-    ('A7.6', 'type'): 'the type that the panel asks for',
-    ('A7.6', 'reliability'): 'what the robot offers',
-    ('A7.7', 'domain'): 'the room whose domain the machine has',
-    ('A7.7', 'range'): 'the range that the machine has',
-    ('A7.8', 'name'): 'the service that the panel asks for',
-    ('A7.8', 'type'): 'the type that the panel asks for',
-    ('A7.9', 'call'): 'the line of the stack, or of the program, in which it waits',
-    ('A7.12', 'exchanged'): 'who is whose parent, or a negative x',
-    ('A7.12', 'unknown'): 'the wrong name of the frame',
-    ('A7.13', 'no clock'): 'use_sim_time of the node, or the publishers of /clock',
-    ('A7.13', 'other clock'): '`sec:` of a stamp that is no date, or the wrong clock',
-    ('A7.14', 'rate'): 'the measured rate',
-    ('A7.15', 'parameter'): 'the value that the node has',
+    ('no_data', 'name'): 'the topic that the panel asks for',
+    ('no_data', 'type'): 'the type that the panel asks for',
+    ('no_data', 'reliability'): 'what the robot offers',
+    ('unseen', 'domain'): 'the room whose domain the machine has',
+    ('unseen', 'range'): 'the range that the machine has',
+    ('waiting', 'name'): 'the service that the panel asks for',
+    ('waiting', 'type'): 'the type that the panel asks for',
+    ('hang', 'call'): 'the line of the stack, or of the program, in which it waits',
+    ('no_transform', 'exchanged'): 'who is whose parent, or a negative x',
+    ('no_transform', 'unknown'): 'the wrong name of the frame',
+    ('wrong_time', 'no clock'): 'use_sim_time of the node, or the publishers of /clock',
+    ('wrong_time', 'other clock'): '`sec:` of a stamp that is no date, or the wrong clock',
+    ('too_slow', 'rate'): 'the measured rate',
+    ('no_parameter', 'parameter'): 'the value that the node has',
 }
 _KEPT = (
     'FASTDDS_BUILTIN_TRANSPORTS',
@@ -106,7 +107,9 @@ def answer(learner) -> Answer:
                 raise broken(
                     f'System {number}: {one!r} is no finding: it has four parts, and each is a string.', 'cause'
                 )
-    return Answer(key(who), {number: [tuple(one) for one in found] for number, found in findings.items()}, changes)
+            if told := no_fault(with_name(one)[0]):
+                raise broken(f'System {number}: {told}', 'cause')
+    return Answer(key(who), {number: [with_name(one) for one in found] for number, found in findings.items()}, changes)
 
 
 def judge_all(learner, judge) -> None:
@@ -131,10 +134,10 @@ def judge_findings(learner, number: int) -> None:
     found = mine.findings.get(number, [])
     expect(found, _open(number), 'cause')
     truth = Planned(mine.who, number).drawn
-    there = {(row, one.cause): one for row, one in truth.items()}
+    there = {(fault, one.cause): one for fault, one in truth.items()}
     wrong = [one for one in found if (one[0], one[2]) not in there]
-    missed = there.keys() - {(row, cause) for row, _, cause, _ in found}
-    said = f'`{wrong[0][2]}` ({wrong[0][0]})' if wrong else ''
+    missed = there.keys() - {(fault, cause) for fault, _, cause, _ in found}
+    said = f'`{wrong[0][0]}` with the cause `{wrong[0][2]}`' if wrong else ''
     expect(
         not (wrong and missed),
         f'System {number}: {said} is no fault of this system. Which tool has told you so? Ask again from the top.',
@@ -150,19 +153,19 @@ def judge_findings(learner, number: int) -> None:
     expect(
         len(found) == len(there), f'System {number}: you found the same twice. A fault is one finding.', 'nothing-else'
     )
-    for row, where, cause, evidence in found:
-        one = there[row, cause]
+    for fault, where, cause, evidence in found:
+        one = there[fault, cause]
         files = ', '.join(Planned(mine.who, number).files)
         expect(
             where == one.where,
-            f'System {number}: the fault `{cause}` is not in {where!r}. A place is one of the files {files}: the one '
+            f'System {number}: the fault `{fault}` is not in {where!r}. `where` is one of the files {files}: the one '
             'that does not say what the task says.',
             'where',
         )
         expect(
             shows(one, evidence),
             f'System {number}: {evidence!r} does not show `{cause}`. Write a line that a tool has printed, with '
-            f'{WANTED[row, cause]} in it.',
+            f'{WANTED[fault, cause]} in it.',
             'evidence',
         )
 

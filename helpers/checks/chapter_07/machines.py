@@ -49,9 +49,9 @@ def twice(random) -> tuple[dict, dict, list[tuple]]:
     ranges = [f'export ROS_AUTOMATIC_DISCOVERY_RANGE={reach}' for reach in ('OFF', 'LOCALHOST')]
     files['ros2.list'] += '\n'.join(debs) + '\n'
     files['.bashrc'] += '\n'.join([*paths, *ranges, 'export ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET']) + '\n'
-    expected = [('A7.1', 'ros2.list', 'key', line) for line in debs]
-    expected += [('A7.3', '.bashrc', 'PATH', line) for line in paths]
-    return files, want, expected + [('A7.7', '.bashrc', 'range', line) for line in ranges]
+    expected = [('no_source', 'ros2.list', 'key', line) for line in debs]
+    expected += [('no_colcon', '.bashrc', 'PATH', line) for line in paths]
+    return files, want, expected + [('unseen', '.bashrc', 'range', line) for line in ranges]
 
 
 class _Machine:
@@ -79,10 +79,10 @@ class _Machine:
         )
         for cause in ('key', 'release'):
             if cause in self._causes:
-                self._fault('A7.1', cause, deb)
+                self._fault('no_source', cause, deb)
         if 'missing' in self._causes:
             deb = '' if self._plain else '# ' + deb
-            self._fault('A7.1', 'missing', '')
+            self._fault('no_source', 'missing', '')
         return ['# ROS 2', deb] + (
             []
             if self._plain
@@ -101,11 +101,11 @@ class _Machine:
             *([] if self._plain else [f'#source /opt/ros/{self._older}/setup.bash']),
         ]
         if 'not sourced' in self._causes:
-            self._fault('A7.2', 'not sourced', '')
+            self._fault('no_ros2', 'not sourced', '')
             source = '' if self._plain else self._random.choice(['', f'# {source}', f'  # {source}'])
         lines.append(source)
         if 'other' in self._causes:
-            line = self._fault('A7.5', 'other', self._setup(self._older))
+            line = self._fault('mixed_distros', 'other', self._setup(self._older))
             lines.insert(self._random.choice([2, len(lines)]), line)
         return lines
 
@@ -113,7 +113,7 @@ class _Machine:
         """The line of .bashrc that sets PATH."""
         folder = f'/opt/tool{self._random.randint(10, 99)}/bin'
         line = f'{self._export()}PATH={folder}:/usr/bin:/bin'
-        return [self._fault('A7.3', 'PATH', line) if 'PATH' in self._causes else f'export PATH={folder}:$PATH']
+        return [self._fault('no_colcon', 'PATH', line) if 'PATH' in self._causes else f'export PATH={folder}:$PATH']
 
     def domain(self, way: str) -> list[str]:
         """The lines of .bashrc that set the domain; for `way` see `draw`."""
@@ -124,19 +124,19 @@ class _Machine:
         way = way or self._random.choice(['none', 'only', 'last'])
         lines = [f'{self._export()}ROS_DOMAIN_ID={right}'] if way == 'last' else []
         lines += [] if way == 'none' else [f'{self._export()}ROS_DOMAIN_ID={wrong}']
-        self._fault('A7.7', 'domain', lines[-1] if lines else '')
+        self._fault('unseen', 'domain', lines[-1] if lines else '')
         return lines
 
     def reach(self, wrong: str) -> list[str]:
         """The lines of .bashrc that set the range of discovery; `wrong`: the range that is, '' for any."""
         wrong = wrong or self._random.choice(['OFF', 'LOCALHOST'])
         name = f'{self._export()}ROS_AUTOMATIC_DISCOVERY_RANGE'
-        last = self._fault('A7.7', 'range', f'{name}={wrong}') if 'range' in self._causes else f'{name}=SUBNET'
+        last = self._fault('unseen', 'range', f'{name}={wrong}') if 'range' in self._causes else f'{name}=SUBNET'
         return [f'{name}=SYSTEM_DEFAULT', last]
 
-    def _fault(self, row: str, cause: str, line: str) -> str:
+    def _fault(self, fault: str, cause: str, line: str) -> str:
         """Note a finding; returns the line."""
-        self.expected.append((row, '.bashrc' if row != 'A7.1' else 'ros2.list', cause, line))
+        self.expected.append((fault, '.bashrc' if fault != 'no_source' else 'ros2.list', cause, line))
         return line
 
     def _setup(self, distro: str) -> str:

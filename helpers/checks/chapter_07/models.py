@@ -135,13 +135,13 @@ class Robot:
                 wrong = self._one_of(random, ['0', f'-{low:.5f}', f'{2 * sum(map(float, moments)):.5f}'])
                 moments = moments[:1] * 3 if wrong == '0' else moments  # then 0 is the only thing that is wrong
                 moments[place] = wrong
-                self.expected.append(('A7.11', name, 'inertia', ' '.join(moments)))
+                self.expected.append(('falls', name, 'inertia', ' '.join(moments)))
             ElementTree.SubElement(
                 inertial, 'inertia', dict(zip(_MOMENTS, moments, strict=True)), ixy='1e-9', ixz='0', iyz='0'
             )
             if 'mass' in faults:
-                self.expected.append(('A7.11', name, 'mass', value))
-        self.expected += [('A7.11', name, cause, '') for cause in ('collision', 'inertial') if cause in faults]
+                self.expected.append(('falls', name, 'mass', value))
+        self.expected += [('falls', name, cause, '') for cause in ('collision', 'inertial') if cause in faults]
 
     def _one_of(self, random, values: list[str]) -> str:
         return random.choice(values) if self._form is None else values[self._form % len(values)]

@@ -120,7 +120,7 @@ class Package:
                     ],
                 }[faulty[program]]
                 value = random.choice(forms) if form is None else forms[form % len(forms)]
-                self.expected.append(('A7.4', program, faulty[program], value))
+                self.expected.append(('no_program', program, faulty[program], value))
             quote = random.choice(['"', "'"])
             entries.append(f'            {quote}{program} = {value}{quote},')
         self.files['setup.py'] = _SETUP.format(package=self.name, program=programs[0], entries='\n'.join(entries))

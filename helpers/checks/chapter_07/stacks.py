@@ -113,7 +113,7 @@ class _Program:
             return [*wait, *self._library('client.py call'), self._own('client.call(request)', 'main')]
         if state == 'server' and random.random() < 0.5:  # not in a callback
             function, outer = 'main', []
-        self.expected.append(('A7.8' if state == 'server' else 'A7.9', function, state, _LINES[state]))
+        self.expected.append(('waiting' if state == 'server' else 'hang', function, state, _LINES[state]))
         return [*newest[state], self._own(_LINES[state], function), *outer]
 
     def _of_others(self) -> list[str]:

@@ -40,7 +40,7 @@ def test_lines(learner):
                 learner, {'ros2.list': sources, '.bashrc': '\n'.join(lines) + '\n'}, want, list(expected), rule
             )
 
-    lost = ('A7.2', '.bashrc', 'not sourced', '')
+    lost = ('no_ros2', '.bashrc', 'not sourced', '')
     for dash in ('# ', '  #'):
         look('comments', [dash + source], lost)
         look(
@@ -55,7 +55,7 @@ def test_lines(learner):
         )
         look('comments', [source], sources=f'{dash}deb http://old.example {older} main\n' + deb)
     line = f'. ~/opt/ros/{older}/setup.sh'
-    look('comments', [source, f'   {line}  '], ('A7.5', '.bashrc', 'other', line))
+    look('comments', [source, f'   {line}  '], ('mixed_distros', '.bashrc', 'other', line))
     for word, folder, shell in (('.', '', 'bash'), ('source', '/home/ada', 'bash'), ('source', '', 'sh')):
         look('sources', [f'{word} {folder}/opt/ros/{distro}/setup.{shell}'])
     look('sources', ['source ~/.aliases', f'echo /opt/ros/{older}/setup.bash', source])
@@ -69,12 +69,14 @@ def test_lines(learner):
             'variables',
             [source, *lines],
             *[
-                (row, '.bashrc', cause, line)
-                for row, cause, line in zip(('A7.3', 'A7.7', 'A7.7'), ('PATH', 'domain', 'range'), lines, strict=True)
+                (fault, '.bashrc', cause, line)
+                for fault, cause, line in zip(
+                    ('no_colcon', 'unseen', 'unseen'), ('PATH', 'domain', 'range'), lines, strict=True
+                )
             ],
         )
     lines = [f'source /opt/ros/{older}/setup.bash', f'. /opt/ros/{older}/setup.sh']
-    look('all', lines, lost, *[('A7.5', '.bashrc', 'other', line) for line in lines])
+    look('all', lines, lost, *[('mixed_distros', '.bashrc', 'other', line) for line in lines])
     machines.diagnose(learner, *machines.twice(random), 'all')
     machines.diagnose(learner, *machines.draw(random, *machines.CAUSES[1:]), 'all')
 

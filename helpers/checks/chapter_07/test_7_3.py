@@ -31,7 +31,7 @@ def test_read(learner):
     graphs.check_read(seen, there)
 
 
-@pytest.mark.rules('name', 'nobody', 'type', 'reliability', 'durability', 'fits', 'row', 'all')
+@pytest.mark.rules('name', 'nobody', 'type', 'reliability', 'durability', 'fits', 'fault', 'all')
 def test_diagnose(learner):
     """Each cause is found where it is alone, and whoever gets something is no finding.
 
@@ -50,8 +50,8 @@ def test_diagnose(learner):
     with about('durability'):
         graphs.diagnose(learner, 'both', rule='durability')
     for fault in ('service name', 'service nobody', 'service type', 'description nobody', 'description durability'):
-        with about('row'):
-            graphs.diagnose(learner, fault, rule='row')
+        with about('fault'):
+            graphs.diagnose(learner, fault, rule='fault')
     graphs.other_description(learner)
     with about('all'):
         graphs.diagnose(learner, *graphs.CAUSES, 'service name', rule='all')

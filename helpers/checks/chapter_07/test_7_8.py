@@ -9,7 +9,7 @@ pytestmark = pytest.mark.exercise('7.8')
 
 @pytest.mark.rules('name', 'cause', 'both', 'nothing-else', 'where', 'evidence')
 def test_findings(learner):
-    """Your findings are the faults of the five systems: cause, place and evidence.
+    """Your findings are the faults of the five systems: fault, cause, where and evidence.
 
     The task says how the system should be; a file or a tool says how it is.
     """

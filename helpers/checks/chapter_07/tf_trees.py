@@ -243,7 +243,7 @@ class Tree:
             )
 
     def _found(self, where: str, cause: str, evidence: str) -> None:
-        self.expected.append(('A7.12', where, cause, evidence))
+        self.expected.append(('no_transform', where, cause, evidence))
 
     def _misspelt(self, name: str) -> str:
         """A wrong spelling for which no other frame could be meant."""

@@ -1,4 +1,4 @@
-"""A7.1: apt cannot use the source of ROS. The real apt, on a private root, with a folder for a server.
+"""`no_source`: apt cannot use the source of ROS. The real apt, on a private root, with a folder for a server.
 
 On a machine without apt the fault works, too: then Python reads the source line.
 """
@@ -39,7 +39,7 @@ class NoSource(Fault):
     ``malformed`` (a word of the line is missing).
     """
 
-    row, name, title = 'A7.1', 'no_source', 'apt update fails on the ROS source, or finds no ROS'
+    name, title = 'no_source', 'apt update fails on the ROS source, or finds no ROS'
     kinds = ('key_file', 'wrong_key', 'suite', 'codename', 'component', 'malformed')
     machine = 'pc'
 

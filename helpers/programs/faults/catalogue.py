@@ -1,10 +1,11 @@
-"""All faults by row and by name."""
+"""All faults by name."""
 
 from helpers.programs.faults.apt import NoSource
 from helpers.programs.faults.clocks import WrongTime
 from helpers.programs.faults.discovery import Unseen
 from helpers.programs.faults.distros import MixedDistros
 from helpers.programs.faults.fault import Fault, stop_all
+from helpers.programs.faults.finding import name_of
 from helpers.programs.faults.hang import Hang
 from helpers.programs.faults.models import Falls, NoModel
 from helpers.programs.faults.mystery import Mystery
@@ -16,23 +17,23 @@ from helpers.programs.faults.shells import CommandNotFound, NoColcon
 from helpers.programs.faults.topics import NoData
 from helpers.programs.faults.transforms import NoTransform
 
-#: The faults in the order of the article's table, three more that it lacks, and the mystery, which has two.
+#: The faults in the order of the chapter; the mystery, which has two of them, is the last one.
 FAULTS: tuple[type[Fault], ...] = (
-    NoSource,
     CommandNotFound,
     NoColcon,
-    NoProgram,
+    NoSource,
     MixedDistros,
-    NoData,
     Unseen,
+    NoProgram,
+    NoData,
     Waiting,
-    Hang,
     NoModel,
+    TooSlow,
+    NoParameter,
+    Hang,
     Falls,
     NoTransform,
     WrongTime,
-    TooSlow,
-    NoParameter,
     Mystery,
 )
 
@@ -40,14 +41,14 @@ FAULTS: tuple[type[Fault], ...] = (
 def plan(what: str, seed: int | str = 0, kind: str | None = None, folder=None, domain: int | None = None) -> Fault:
     """A fault that is drawn but not staged: nothing is written, nothing runs. For its ``files`` and ``diagnosis``.
 
-    :param what: name or row, such as ``'no_data'`` or ``'A7.6'``.
+    :param what: its name, such as ``'no_data'``, or the number that it had in earlier versions.
     :param kind: one of the fault's ``kinds``; drawn from the seed if not given.
     :param folder: where to stage it; by default ``faults_ws/NAME`` in the current folder.
     :param domain: its ROS domain; by default that of the environment.
     :raises ValueError: there is no such fault or kind.
     """
     for fault in FAULTS:
-        if what in (fault.row, fault.name):
+        if name_of(what) == fault.name:
             return fault(seed, kind, folder, domain)
     raise ValueError(f'there is no fault {what!r}: there are {", ".join(f.name for f in FAULTS)}')
 

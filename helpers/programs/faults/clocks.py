@@ -1,4 +1,4 @@
-"""A7.13: two programs do not have the same time."""
+"""`wrong_time`: two programs do not have the same time."""
 
 from helpers.programs.faults import words
 from helpers.programs.faults.fault import START, Fault, Verdict
@@ -78,7 +78,7 @@ class WrongTime(Fault):
     are those of a clock that begins with the start of the machine).
     """
 
-    row, name, title = 'A7.13', 'wrong_time', 'timers never fire, or every message is too old'
+    name, title = 'wrong_time', 'timers never fire, or every message is too old'
     kinds = ('no_clock', 'other_clock')
 
     def plan(self) -> None:

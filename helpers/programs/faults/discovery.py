@@ -1,4 +1,4 @@
-"""A7.7: two machines that cannot see each other."""
+"""`unseen`: two machines that cannot see each other."""
 
 from helpers.programs.faults import words
 from helpers.programs.faults.fault import START, Fault, Verdict
@@ -18,7 +18,7 @@ class Unseen(Fault):
     Kinds: ``domain`` (two domain ids), ``range`` (one of them does not look for others).
     """
 
-    row, name, title = 'A7.7', 'unseen', 'two machines do not see each other'
+    name, title = 'unseen', 'two machines do not see each other'
     kinds = ('domain', 'range')
 
     def plan(self) -> None:

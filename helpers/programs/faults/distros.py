@@ -1,4 +1,4 @@
-"""A7.5: two distributions in one environment."""
+"""`mixed_distros`: two distributions in one environment."""
 
 from helpers.programs.faults import words
 from helpers.programs.faults.fault import Fault, Verdict
@@ -50,7 +50,7 @@ class MixedDistros(Fault):
     that matter.
     """
 
-    row, name, title = 'A7.5', 'mixed_distros', 'colcon build breaks deep inside of ROS'
+    name, title = 'mixed_distros', 'colcon build breaks deep inside of ROS'
     kinds = ('both', 'workspace', 'pythonpath')
     machine = 'home'
 

@@ -20,7 +20,7 @@ from pathlib import Path
 
 from helpers.kernel import domains
 from helpers.programs import terminals
-from helpers.programs.faults.finding import Finding
+from helpers.programs.faults.finding import Finding, number_of
 from helpers.programs.faults.machine import Machine
 from helpers.programs.processes import BackgroundProcess, background
 from helpers.programs.workspace import Workspace
@@ -51,14 +51,13 @@ class Verdict:
 
 
 class Fault:
-    """A system with a fault. Made by `helpers.programs.faults.stage`; a subclass for each row of the chapter.
+    """A system with a fault. Made by `helpers.programs.faults.stage`; a subclass for each fault of the chapter.
 
     A subclass sets, in `plan`, what the system is: ``task``, ``files``, ``diagnosis``; and it says, in `works`, whether
-    it does its task. The same row, seed and kind give the same system, on every machine.
+    it does its task. The same name, seed and kind give the same system, on every machine.
     """
 
-    row = ''  #: its number in a finding of an exercise, such as ``'A7.6'``
-    name = ''  #: what the chapter calls it, such as ``'no_data'``
+    name = ''  #: what the chapter and its findings call it, such as ``'no_data'``
     title = ''  #: the symptom, as somebody would report it
     kinds: tuple[str, ...] = ()  #: the causes it may have
     machine = ''  #: the machine on which commands run; '' is this one
@@ -69,7 +68,8 @@ class Fault:
         if kind is not None and kind not in self.kinds:
             raise ValueError(f'{self.name} has no kind {kind!r}: it has {", ".join(self.kinds)}')
         self.seed = seed
-        self.random = random.Random(f'{self.row} {seed}')
+        # From the earlier number: a seed draws what it drew before faults had names.
+        self.random = random.Random(f'{number_of(self.name)} {seed}')
         drawn = self.random.choice(self.kinds)
         self.kind = kind or drawn  #: the cause that was drawn
         self.path = Path(folder or Path('faults_ws', self.name)).absolute()  #: the folder of the system
@@ -97,12 +97,12 @@ class Fault:
     def prepare(self) -> None:
         """Put into the folder the files of the system that the learner does not change."""
 
-    def diagnose(self, where: str, cause: str, evidence: str = '', row: str = '') -> None:
+    def diagnose(self, where: str, cause: str, evidence: str = '', fault: str = '') -> None:
         """Note a fault of this system, with the words of the exercises' cards; for `plan`.
 
-        :param row: where the exercises know it by another row than that of this fault.
+        :param fault: its name, where the exercises know it by another one than that of this class.
         """
-        self._truth.append(Finding(row or self.row, where, cause, evidence))
+        self._truth.append(Finding(fault or self.name, where, cause, evidence))
 
     def works(self, timeout: float) -> Verdict:
         """Watch the system for at most ``timeout`` seconds, and say whether it does its task."""

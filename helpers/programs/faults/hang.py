@@ -1,4 +1,4 @@
-"""A7.9: a program hangs, and Ctrl+C does not end it."""
+"""`hang`: a program hangs, and Ctrl+C does not end it."""
 
 import signal
 
@@ -98,7 +98,7 @@ class Hang(Fault):
     ``loop`` (a callback that never returns, and catches everything).
     """
 
-    row, name, title = 'A7.9', 'hang', 'the program hangs, and Ctrl+C does not end it'
+    name, title = 'hang', 'the program hangs, and Ctrl+C does not end it'
     kinds = ('call', 'poll', 'loop')
 
     def plan(self) -> None:

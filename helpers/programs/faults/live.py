@@ -22,7 +22,8 @@ from helpers.programs.faults.mystery import Mystery
 
 EXERCISE = '7.8'  # whose check tells the truth
 NUMBERS = (1, 2, 3, 4, 5)
-ROWS = ('A7.6', 'A7.7', 'A7.8', 'A7.9', 'A7.12', 'A7.13', 'A7.14', 'A7.15')
+# The faults that are drawn. The order stays, so that a name draws the systems that it has always drawn.
+POSSIBLE = ('no_data', 'unseen', 'waiting', 'hang', 'no_transform', 'wrong_time', 'too_slow', 'no_parameter')
 FILE = '.looks.json'  # beside the notebooks
 STACKS = 6  # after the five questions: where does the program stand?
 # In which order a command is asked for: the first pattern that it has tells which question it answers.
@@ -48,7 +49,7 @@ class Planned(Mystery):
     :raises ValueError: there is no system of that number.
     """
 
-    row = name = 'live'
+    name = 'live'
 
     def __init__(self, who: object, number: int, folder=None, domain: int | None = None):
         if number not in NUMBERS:
@@ -58,32 +59,32 @@ class Planned(Mystery):
 
     def plan(self) -> None:
         draw = random.Random(f'live {self.who}')
-        rows, sizes = draw.sample(ROWS, len(ROWS)), [1, 1, 1, 2, 2]
+        faults, sizes = draw.sample(POSSIBLE, len(POSSIBLE)), [1, 1, 1, 2, 2]
         draw.shuffle(sizes)
         begin = sum(sizes[: self.number - 1])
-        self.plan_system(rows[begin : begin + sizes[self.number - 1]])
+        self.plan_system(faults[begin : begin + sizes[self.number - 1]])
 
     def questions(self) -> list[tuple[int, str]]:
         """For each fault: the question that shows it, and the command with which it is asked."""
         topic, service, node = (self._values[name] for name in ('topic', 'service', 'node'))
         asleep = 'panel' if any('panel_time' in one.change for one in self.drawn.values()) else node
         tools = {
-            ('A7.6', 'name'): (2, 'ros2 node info /panel'),
-            ('A7.6', 'type'): (3, f'ros2 topic info --verbose /{topic}'),
-            ('A7.6', 'reliability'): (3, f'ros2 topic info --verbose /{topic}'),
-            ('A7.7', 'domain'): (4, 'env | grep ROS_'),
-            ('A7.7', 'range'): (4, 'env | grep ROS_'),
-            ('A7.8', 'name'): (2, 'ros2 node info /panel'),
-            ('A7.8', 'type'): (3, f'ros2 service type /{service}'),
-            ('A7.9', 'call'): (STACKS, 'system.stacks()'),
-            ('A7.12', 'exchanged'): (2, 'ros2 run tf2_ros tf2_echo odom base_link'),
-            ('A7.12', 'unknown'): (2, 'ros2 run tf2_ros tf2_echo odom base_link'),
-            ('A7.13', 'no clock'): (5, f'ros2 param get /{asleep} use_sim_time'),
-            ('A7.13', 'other clock'): (5, 'ros2 topic echo --once /tf'),
-            ('A7.14', 'rate'): (2, f'ros2 topic hz /{topic}'),
-            ('A7.15', 'parameter'): (1, f'ros2 param get /{node} speed'),
+            ('no_data', 'name'): (2, 'ros2 node info /panel'),
+            ('no_data', 'type'): (3, f'ros2 topic info --verbose /{topic}'),
+            ('no_data', 'reliability'): (3, f'ros2 topic info --verbose /{topic}'),
+            ('unseen', 'domain'): (4, 'env | grep ROS_'),
+            ('unseen', 'range'): (4, 'env | grep ROS_'),
+            ('waiting', 'name'): (2, 'ros2 node info /panel'),
+            ('waiting', 'type'): (3, f'ros2 service type /{service}'),
+            ('hang', 'call'): (STACKS, 'system.stacks()'),
+            ('no_transform', 'exchanged'): (2, 'ros2 run tf2_ros tf2_echo odom base_link'),
+            ('no_transform', 'unknown'): (2, 'ros2 run tf2_ros tf2_echo odom base_link'),
+            ('wrong_time', 'no clock'): (5, f'ros2 param get /{asleep} use_sim_time'),
+            ('wrong_time', 'other clock'): (5, 'ros2 topic echo --once /tf'),
+            ('too_slow', 'rate'): (2, f'ros2 topic hz /{topic}'),
+            ('no_parameter', 'parameter'): (1, f'ros2 param get /{node} speed'),
         }
-        return [tools[row, one.cause] for row, one in self.drawn.items()]
+        return [tools[fault, one.cause] for fault, one in self.drawn.items()]
 
 
 class LiveSystem(Planned):

@@ -1,4 +1,4 @@
-"""A7.10 and A7.11: a display that shows no robot, and a robot that does not stand on the floor."""
+"""`no_model` and `falls`: a display that shows no robot, and a robot that does not stand on the floor."""
 
 import re
 
@@ -80,7 +80,7 @@ class NoModel(Fault):
     listens to a misspelt topic), ``urdf`` (the description is not a robot, so that robot_state_publisher ends).
     """
 
-    row, name, title = 'A7.10', 'no_model', 'the display shows no robot model'
+    name, title = 'no_model', 'the display shows no robot model'
     kinds = ('no_publisher', 'namespace', 'name', 'urdf')
 
     def plan(self) -> None:
@@ -138,7 +138,7 @@ class Falls(Fault):
     mass), ``mass`` (it has far too much).
     """
 
-    row, name, title = 'A7.11', 'falls', 'the robot falls through the floor of the simulator, or does not drive'
+    name, title = 'falls', 'the robot falls through the floor of the simulator, or does not drive'
     kinds = ('no_collision', 'wheels', 'no_inertial', 'mass')
 
     def plan(self) -> None:

@@ -1,4 +1,4 @@
-"""Two faults of different rows in one system: one may hide the other. The same system serves exercise 7.8.
+"""Two different faults in one system: one may hide the other. The same system serves exercise 7.8.
 
 A robot and a panel on two machines. What the robot measures, where it begins and what it answers stands in a file of
 its own, `SENSOR`, and the numbers of the domains in `ROOMS`: who stages the system may draw these anew, and a repair of
@@ -11,6 +11,7 @@ from typing import NamedTuple
 from helpers.programs.faults import words
 from helpers.programs.faults.clocks import SIM_TIME
 from helpers.programs.faults.fault import START, Fault, Verdict
+from helpers.programs.faults.finding import number_of
 from helpers.programs.faults.hang import waits_in_call
 from helpers.programs.faults.machine import BASHRC, SETUP
 from helpers.programs.faults.rates import ENOUGH
@@ -179,15 +180,15 @@ class Shown(NamedTuple):
 class Mystery(Fault):
     """A robot and a panel on two machines, with two faults at once; ``kind`` is always ``two``."""
 
-    row, name, title = 'mystery', 'mystery', 'the panel does not show what it should'
+    name, title = 'mystery', 'the panel does not show what it should'
     kinds: tuple[str, ...] = ('two',)
     program = 'panel'
 
     def plan(self) -> None:
-        self.plan_system(self.random.sample(sorted(self._possible()), 2))
+        self.plan_system(self.random.sample(sorted(self._possible(), key=number_of), 2))
 
     def _possible(self) -> dict[str, list[Drawn]]:
-        """What may be wrong, by row. The names are drawn here."""
+        """What may be wrong, by fault. The names are drawn here."""
         draw = self.random
         robot, topic, service = (
             draw.choice(words.ROBOTS),
@@ -237,11 +238,11 @@ class Mystery(Fault):
         asleep = draw.choice([{'robot_time': SIM_TIME.removeprefix(' --ros-args')}, {'panel_time': SIM_TIME}])
         source = str(self._values['source'])
         return {
-            'A7.2': [
+            'no_ros2': [
                 Drawn('not sourced', f'panel/{BASHRC}', {'source': f'# {source}'}, '', ()),
                 Drawn('not sourced', f'panel/{BASHRC}', {'source': source.replace('jazzy', 'humble')}, '', ()),
             ],
-            'A7.6': [
+            'no_data': [
                 Drawn('name', 'panel/panel.py', {'topic': wrong[topic]}, f'/{wrong[topic]}', (sign[topic],)),
                 Drawn('reliability', 'robot/robot.py', {'reliability': 'BEST_EFFORT'}, 'BEST_EFFORT', ('BEST_EFFORT',)),
                 Drawn(
@@ -252,11 +253,11 @@ class Mystery(Fault):
                     (rf'\b{numbers[1][0]}\b',),
                 ),
             ],
-            'A7.7': [
+            'unseen': [
                 Drawn('domain', shell, {'room': other}, f'export ROS_DOMAIN_ID=${other}', (rf'{other}\b',)),
                 Drawn('range', shell, {'range': 'OFF'}, 'export ROS_AUTOMATIC_DISCOVERY_RANGE=OFF', (r'\bOFF\b',)),
             ],
-            'A7.8': [
+            'waiting': [
                 Drawn('name', 'panel/panel.py', {'service': wrong[service]}, f'/{wrong[service]}', (sign[service],)),
                 Drawn(
                     'type',
@@ -266,10 +267,10 @@ class Mystery(Fault):
                     (f'{packages[1]}/srv/Trigger', rf'from {packages[1]}\.srv'),
                 ),
             ],
-            'A7.9': [
+            'hang': [
                 Drawn('call', 'panel/panel.py', {'ask': _BLOCK}, _BLOCK.strip(), (r'in (call|on_timer)\b', r'\.call\('))
             ],
-            'A7.12': [
+            'no_transform': [
                 Drawn(
                     'exchanged',
                     'robot/robot.py',
@@ -281,7 +282,7 @@ class Mystery(Fault):
                     'unknown', 'robot/robot.py', {'child': wrong['base_link']}, wrong['base_link'], (sign['base_link'],)
                 ),
             ],
-            'A7.13': [
+            'wrong_time': [
                 Drawn(
                     'no clock',
                     START,
@@ -298,10 +299,10 @@ class Mystery(Fault):
                     'other clock', 'robot/robot.py', {'clock': _STEADY}, _STEADY, (r'\bsec: \d{1,8}\b', 'STEADY_TIME')
                 ),
             ],
-            'A7.14': [
+            'too_slow': [
                 Drawn('rate', 'robot/robot.py', {'period': period}, f'{1 / period:.1f}', (rf'create_timer\({period}',))
             ],
-            'A7.15': [
+            'no_parameter': [
                 Drawn('parameter', 'robot/params.yaml', {'node': wrong[robot]}, '0.0', (r'\b0\.0\b', sign[robot])),
                 Drawn(
                     'parameter', 'robot/params.yaml', {'parameter': wrong['speed']}, '0.0', (r'\b0\.0\b', sign['speed'])
@@ -310,10 +311,11 @@ class Mystery(Fault):
             ],
         }
 
-    def plan_system(self, rows: list[str]) -> None:
-        """Write the system down with a fault of each of these rows."""
+    def plan_system(self, faults: list[str]) -> None:
+        """Write the system down with these faults."""
         possible = self._possible()
-        self.drawn = {row: self.random.choice(possible[row]) for row in sorted(rows)}
+        # In the order of the earlier numbers: a seed draws what it drew before faults had names.
+        self.drawn = {fault: self.random.choice(possible[fault]) for fault in sorted(faults, key=number_of)}
         texts = {
             START: _START,
             f'robot/{BASHRC}': _SHELL,
@@ -330,8 +332,8 @@ class Mystery(Fault):
             self.files[file] = text.format(**self._values | wrong)
             if wrong:
                 self.repaired[file] = text.format(**self._values)
-        for row, found in self.drawn.items():
-            self.diagnose(found.where, found.cause, found.evidence, row)
+        for fault, found in self.drawn.items():
+            self.diagnose(found.where, found.cause, found.evidence, fault)
 
     def given(self, answer: str = 'done', begin: float = 1.0, first: int = 10) -> dict[str, str]:
         """The files that nobody changes, for the robot: what its sensor says. `first` is the first measurement."""

@@ -1,4 +1,4 @@
-"""A7.4: `ros2 run` does not find or start a program of a package."""
+"""`no_program`: `ros2 run` does not find or start a program of a package."""
 
 from helpers.programs.faults import words
 from helpers.programs.faults.fault import Fault, Verdict
@@ -57,7 +57,7 @@ class NoProgram(Fault):
     names one that does not exist), ``script_dir`` (setup.cfg installs programs where ros2 does not look).
     """
 
-    row, name, title = 'A7.4', 'no_program', 'ros2 run does not start the program'
+    name, title = 'no_program', 'ros2 run does not start the program'
     kinds = ('missing', 'name', 'module', 'function', 'script_dir')
 
     def plan(self) -> None:

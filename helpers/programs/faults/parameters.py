@@ -1,4 +1,4 @@
-"""A7.15: a parameter was written into a file, and the node has another value."""
+"""`no_parameter`: a parameter was written into a file, and the node has another value."""
 
 import re
 
@@ -42,7 +42,7 @@ class NoParameter(Fault):
     (nobody gives the file to the node).
     """
 
-    row, name, title = 'A7.15', 'no_parameter', 'a node does not do what its parameters say'
+    name, title = 'no_parameter', 'a node does not do what its parameters say'
     kinds = ('node', 'name', 'file')
 
     def plan(self) -> None:

@@ -1,4 +1,4 @@
-"""A7.14: data comes, but too seldom."""
+"""`too_slow`: data comes, but too seldom."""
 
 import re
 
@@ -77,7 +77,7 @@ class TooSlow(Fault):
     Kinds: ``period`` (its timer has another period), ``busy`` (its callback waits for longer than the period).
     """
 
-    row, name, title = 'A7.14', 'too_slow', 'data comes, but too seldom'
+    name, title = 'too_slow', 'data comes, but too seldom'
     kinds = ('period', 'busy')
 
     def plan(self) -> None:

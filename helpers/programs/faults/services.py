@@ -1,4 +1,4 @@
-"""A7.8: a client says that it waits, and never stops waiting."""
+"""`waiting`: a client says that it waits, and never stops waiting."""
 
 from helpers.programs.faults import words
 from helpers.programs.faults.fault import START, Fault, Verdict
@@ -59,7 +59,7 @@ class Waiting(Fault):
     client is not), ``type`` (a type of the same name from another package).
     """
 
-    row, name, title = 'A7.8', 'waiting', 'the client prints "waiting" and does not stop'
+    name, title = 'waiting', 'the client prints "waiting" and does not stop'
     kinds = ('no_server', 'name', 'namespace', 'type')
 
     def plan(self) -> None:

@@ -1,4 +1,4 @@
-"""A7.2 and A7.3: a command is not found."""
+"""`no_ros2` and `no_colcon`: a command is not found."""
 
 from helpers.programs.faults import words
 from helpers.programs.faults.fault import Fault, Verdict
@@ -31,7 +31,7 @@ class CommandNotFound(Fault):
     ``overwritten`` (a later line throws the PATH away).
     """
 
-    row, name, title = 'A7.2', 'no_ros2', 'ros2: command not found'
+    name, title = 'no_ros2', 'ros2: command not found'
     kinds = ('unsourced', 'wrong_file', 'overwritten')
     machine = 'home'
 
@@ -52,11 +52,11 @@ class CommandNotFound(Fault):
         self.repaired = {file: bashrc(draw, _ROS, name)}
         self.task = 'In a new terminal, ros2 should run. ROS is installed in ~/opt/ros/jazzy.'
         if self.kind == 'overwritten':
-            self.diagnose(file, 'PATH', path.strip(), 'A7.3')
+            self.diagnose(file, 'PATH', path.strip(), 'no_colcon')
         else:
             self.diagnose(file, 'not sourced')
         if self.kind == 'wrong_file':
-            self.diagnose(file, 'other', _ROS.replace('jazzy', older).strip(), 'A7.5')
+            self.diagnose(file, 'other', _ROS.replace('jazzy', older).strip(), 'mixed_distros')
 
     def prepare(self) -> None:
         self.home(self.machine).install()
@@ -76,7 +76,7 @@ class NoColcon(Fault):
     throws the PATH away).
     """
 
-    row, name, title = 'A7.3', 'no_colcon', 'colcon: command not found'
+    name, title = 'no_colcon', 'colcon: command not found'
     kinds = ('missing', 'misspelt', 'overwritten')
     machine = 'home'
 

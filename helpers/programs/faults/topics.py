@@ -1,4 +1,4 @@
-"""A7.6: publisher and subscriber are up, and no data comes."""
+"""`no_data`: publisher and subscriber are up, and no data comes."""
 
 from helpers.programs.faults import words
 from helpers.programs.faults.fault import START, Fault, Verdict
@@ -72,7 +72,7 @@ class NoData(Fault):
     side is in a namespace, the other is not), ``type``.
     """
 
-    row, name, title = 'A7.6', 'no_data', 'both programs run, but no data arrives'
+    name, title = 'no_data', 'both programs run, but no data arrives'
     kinds = ('reliability', 'durability', 'name', 'namespace', 'type')
 
     def plan(self) -> None:

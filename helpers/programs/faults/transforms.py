@@ -1,4 +1,4 @@
-"""A7.12: tf2 cannot look a transform up, or gives the wrong one."""
+"""`no_transform`: tf2 cannot look a transform up, or gives the wrong one."""
 
 from helpers.programs.faults import words
 from helpers.programs.faults.fault import START, Fault, Verdict
@@ -79,7 +79,7 @@ class NoTransform(Fault):
     changed places), ``child`` (the sensor's frame is misspelt), ``parent`` (two trees that are not connected).
     """
 
-    row, name, title = 'A7.12', 'no_transform', 'tf2 does not know where a frame is'
+    name, title = 'no_transform', 'tf2 does not know where a frame is'
     kinds = ('no_broadcaster', 'swapped', 'child', 'parent')
 
     def plan(self) -> None:

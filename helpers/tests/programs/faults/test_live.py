@@ -52,7 +52,7 @@ def told(fault, script, *texts):
     ],
 )
 def test_a_source_line_of_apt(tmp_path, kind, message, capsys):
-    with staged(tmp_path, 'A7.1', kind) as fault:
+    with staged(tmp_path, 'no_source', kind) as fault:
         fault.symptom()
         shown = capsys.readouterr().out
         assert message in shown and 'Candidate' not in shown
@@ -61,27 +61,27 @@ def test_a_source_line_of_apt(tmp_path, kind, message, capsys):
         assert fault.fits()
 
 
-@pytest.mark.parametrize('kind', faults.plan('A7.1').kinds)
+@pytest.mark.parametrize('kind', faults.plan('no_source').kinds)
 def test_a_source_line_where_there_is_no_apt(tmp_path, kind, capsys, monkeypatch):
     monkeypatch.setattr('helpers.programs.faults.apt.SYSTEM_PATH', str(tmp_path))
-    with staged(tmp_path, 'A7.1', kind) as fault:
+    with staged(tmp_path, 'no_source', kind) as fault:
         fault.symptom()
         assert capsys.readouterr().out.startswith('There is no apt-get on this machine')
         assert 'ros-archive-keyring.gpg' in fault.ask('ls usr/share/keyrings')[1]
         fault.repair()
 
 
-@pytest.mark.parametrize('row', ['A7.1', 'A7.3'])
-def test_a_path_with_a_space(tmp_path, row):
-    with faults.stage(row, 1, folder=tmp_path / 'my course' / 'system') as fault:
+@pytest.mark.parametrize('name', ['no_source', 'no_colcon'])
+def test_a_path_with_a_space(tmp_path, name):
+    with faults.stage(name, 1, folder=tmp_path / 'my course' / 'system') as fault:
         fault.repair()
         assert fault.verify()
     assert not fault.path.exists()
 
 
-@pytest.mark.parametrize('kind', faults.plan('A7.2').kinds)
+@pytest.mark.parametrize('kind', faults.plan('no_ros2').kinds)
 def test_a_shell_without_ros2(tmp_path, kind, capsys):
-    with staged(tmp_path, 'A7.2', kind) as fault:
+    with staged(tmp_path, 'no_ros2', kind) as fault:
         fault.symptom()
         assert 'ros2: command not found' in capsys.readouterr().out
         _, path = fault.ask('echo $PATH')
@@ -89,9 +89,9 @@ def test_a_shell_without_ros2(tmp_path, kind, capsys):
         fault.repair()
 
 
-@pytest.mark.parametrize('kind', faults.plan('A7.3').kinds)
+@pytest.mark.parametrize('kind', faults.plan('no_colcon').kinds)
 def test_a_shell_without_colcon(tmp_path, kind, capsys):
-    with staged(tmp_path, 'A7.3', kind) as fault:
+    with staged(tmp_path, 'no_colcon', kind) as fault:
         fault.symptom()
         assert 'colcon: command not found' in capsys.readouterr().out
         assert fault.ask('ros2 --help')[0] == 0
@@ -101,14 +101,14 @@ def test_a_shell_without_colcon(tmp_path, kind, capsys):
 
 @pytest.mark.parametrize('kind, message', [('module', 'ModuleNotFoundError'), ('script_dir', 'No executable found')])
 def test_an_entry_point(tmp_path, kind, message, capsys):
-    with staged(tmp_path, 'A7.4', kind) as fault:
+    with staged(tmp_path, 'no_program', kind) as fault:
         fault.run(fault.command)
         assert message in capsys.readouterr().out
         fault.repair()
 
 
 def test_two_distributions(tmp_path, domain):
-    with staged(tmp_path, 'A7.5', 'both') as fault:
+    with staged(tmp_path, 'mixed_distros', 'both') as fault:
         assert fault.facts['distro'] in fault.ask('echo $ROS_DISTRO')[1]
         assert fault.ask('cd ros2_ws && colcon build')[0] == 1
         log = fault.path / 'home' / 'ros2_ws' / 'log' / 'latest_build' / fault.package / 'stderr.log'
@@ -118,7 +118,7 @@ def test_two_distributions(tmp_path, domain):
 
 @pytest.mark.parametrize('kind', ['reliability', 'namespace', 'type'])
 def test_no_data(tmp_path, domain, kind):
-    with staged(tmp_path, 'A7.6', kind) as fault:
+    with staged(tmp_path, 'no_data', kind) as fault:
         truth = fault.facts
         heard = 0 if kind == 'namespace' else 1
         shown = told(
@@ -136,7 +136,7 @@ def test_no_data(tmp_path, domain, kind):
 
 @pytest.mark.parametrize('kind', ['domain', 'range'])
 def test_machines_that_do_not_see_each_other(tmp_path, domain, kind):
-    with staged(tmp_path, 'A7.7', kind) as fault:
+    with staged(tmp_path, 'unseen', kind) as fault:
         assert (fault.facts['variable'] == 'ROS_DOMAIN_ID') == (kind == 'domain')
         values = {fault.ask(f'echo ${fault.facts["variable"]}', on=machine)[1] for machine in fault.machines}
         assert len(values) == 2
@@ -145,7 +145,7 @@ def test_machines_that_do_not_see_each_other(tmp_path, domain, kind):
 
 @pytest.mark.parametrize('kind', ['no_server', 'type'])
 def test_a_client_that_waits(tmp_path, domain, kind):
-    with staged(tmp_path, 'A7.8', kind) as fault:
+    with staged(tmp_path, 'waiting', kind) as fault:
         truth = fault.facts
         asked = f'{truth["client_service"]}: {truth["client_type"]}'
         shown = told(fault, f'ros2 node info /{truth["client"]}', asked)
@@ -157,7 +157,7 @@ def test_a_client_that_waits(tmp_path, domain, kind):
 
 @pytest.mark.parametrize('kind', ['call', 'loop'])
 def test_a_program_that_hangs(tmp_path, domain, kind, capsys):
-    with staged(tmp_path, 'A7.9', kind) as fault:
+    with staged(tmp_path, 'hang', kind) as fault:
         fault.symptom()
         assert 'it goes on' in capsys.readouterr().out
         fault.stacks()
@@ -171,7 +171,7 @@ def test_a_program_that_hangs(tmp_path, domain, kind, capsys):
 
 
 def test_stacks_of_a_program_that_cannot_tell(tmp_path, domain, capsys):
-    with faults.stage('A7.9', 3, 'loop', tmp_path / 'system') as fault:
+    with faults.stage('hang', 3, 'loop', tmp_path / 'system') as fault:
         deaf = fault.files[fault.diagnosis[0].where].replace('faulthandler.register', '# ')
         fault.write(fault.diagnosis[0].where, deaf)
         fault.stacks()
@@ -185,7 +185,7 @@ def test_stacks_of_a_program_that_cannot_tell(tmp_path, domain, capsys):
 
 @pytest.mark.parametrize('kind', ['namespace', 'urdf'])
 def test_no_robot_model(tmp_path, domain, kind, capsys):
-    with staged(tmp_path, 'A7.10', kind) as fault:
+    with staged(tmp_path, 'no_model', kind) as fault:
         fault.symptom()
         shown = capsys.readouterr().out
         assert 'no robot description' in shown and ('FATAL' in shown) == (kind == 'urdf')
@@ -195,9 +195,9 @@ def test_no_robot_model(tmp_path, domain, kind, capsys):
         fault.repair()
 
 
-@pytest.mark.parametrize('kind', faults.plan('A7.11').kinds)
+@pytest.mark.parametrize('kind', faults.plan('falls').kinds)
 def test_a_robot_that_does_not_stand_or_drive(tmp_path, domain, kind):
-    with staged(tmp_path, 'A7.11', kind) as fault:
+    with staged(tmp_path, 'falls', kind) as fault:
         text = (fault.path / 'robot.urdf').read_text()
         assert ('<collision>' in text) == (kind != 'no_collision')
         fault.repair()
@@ -205,16 +205,16 @@ def test_a_robot_that_does_not_stand_or_drive(tmp_path, domain, kind):
 
 @pytest.mark.parametrize('kind', ['swapped', 'parent'])
 def test_a_transform(tmp_path, domain, kind):
-    with staged(tmp_path, 'A7.12', kind) as fault:
+    with staged(tmp_path, 'no_transform', kind) as fault:
         source = fault.facts['chain'][-1]
         with fault.terminal().start(f'exec ros2 run tf2_ros tf2_echo odom {source}') as echo:
             echo.wait_for_output('Translation: [-' if kind == 'swapped' else 'not part of the same tree', 20)
         fault.repair()
 
 
-@pytest.mark.parametrize('kind', faults.plan('A7.13').kinds)
+@pytest.mark.parametrize('kind', faults.plan('wrong_time').kinds)
 def test_a_wrong_clock(tmp_path, domain, kind, capsys):
-    with staged(tmp_path, 'A7.13', kind) as fault:
+    with staged(tmp_path, 'wrong_time', kind) as fault:
         fault.symptom()
         shown = capsys.readouterr().out
         if kind == 'no_clock':
@@ -227,9 +227,9 @@ def test_a_wrong_clock(tmp_path, domain, kind, capsys):
         fault.repair()
 
 
-@pytest.mark.parametrize('kind', faults.plan('A7.14').kinds)
+@pytest.mark.parametrize('kind', faults.plan('too_slow').kinds)
 def test_a_rate_that_is_too_low(tmp_path, domain, kind, capsys):
-    with staged(tmp_path, 'A7.14', kind) as fault:
+    with staged(tmp_path, 'too_slow', kind) as fault:
         fault.symptom()
         assert ' messages a second' in capsys.readouterr().out
         shown = told(fault, f'timeout 30 ros2 topic hz {fault.facts["topic"]} | head -n 1', 'average rate: ')
@@ -238,9 +238,9 @@ def test_a_rate_that_is_too_low(tmp_path, domain, kind, capsys):
         fault.repair()
 
 
-@pytest.mark.parametrize('kind', faults.plan('A7.15').kinds)
+@pytest.mark.parametrize('kind', faults.plan('no_parameter').kinds)
 def test_a_parameter_that_did_not_arrive(tmp_path, domain, kind, capsys):
-    with staged(tmp_path, 'A7.15', kind) as fault:
+    with staged(tmp_path, 'no_parameter', kind) as fault:
         fault.symptom()
         assert len(set(fault.places())) == 1 and 'x = ' in capsys.readouterr().out
         ask = f'ros2 param get {fault.facts["node"]} {fault.facts["parameter"]}'
@@ -258,7 +258,7 @@ def test_two_faults_at_once(tmp_path, domain):
 
 
 def test_editing_starts_only_what_has_changed(tmp_path, domain):
-    with staged(tmp_path, 'A7.6', 'name') as fault:
+    with staged(tmp_path, 'no_data', 'name') as fault:
         publisher = fault.programs[fault.publisher].pid
         wrong, right = fault.facts['subscriber_topic'], fault.facts['publisher_topic']
         fault.edit(fault.diagnosis[0].where, wrong.strip('/'), right.strip('/'))
@@ -269,21 +269,21 @@ def test_editing_starts_only_what_has_changed(tmp_path, domain):
 def test_a_folder_of_somebody_else_is_left_alone(tmp_path):
     (tmp_path / 'thesis.txt').write_text('three years')
     with pytest.raises(FileExistsError, match='move it away'):
-        faults.stage('A7.2', folder=tmp_path)
+        faults.stage('no_ros2', folder=tmp_path)
     assert (tmp_path / 'thesis.txt').read_text() == 'three years'
 
 
 def test_staging_again_stops_the_earlier_one(tmp_path, domain):
-    first = faults.stage('A7.8', 1, folder=tmp_path / 'system')
+    first = faults.stage('waiting', 1, folder=tmp_path / 'system')
     first.start()
     programs = list(first.programs.values())
-    with faults.stage('A7.8', 2, folder=tmp_path / 'system') as second:
+    with faults.stage('waiting', 2, folder=tmp_path / 'system') as second:
         assert not any(program.running for program in programs)
         assert set(second.files) <= {path.name for path in second.path.iterdir()}
 
 
 def test_the_same_edit_again_changes_nothing(tmp_path, capsys):
-    with faults.stage('A7.2', 1, 'unsourced', tmp_path / 'system') as fault:
+    with faults.stage('no_ros2', 1, 'unsourced', tmp_path / 'system') as fault:
         fault.write('notes.txt', 'one two')
         for edit in (('one', 'three'), ('two', 'four'), ('one', 'three')):
             fault.edit('notes.txt', *edit)
@@ -294,7 +294,7 @@ def test_the_same_edit_again_changes_nothing(tmp_path, capsys):
 
 
 def test_edits_are_exact_and_stay_inside(tmp_path):
-    with faults.stage('A7.2', 1, 'unsourced', tmp_path / 'system') as fault:
+    with faults.stage('no_ros2', 1, 'unsourced', tmp_path / 'system') as fault:
         with pytest.raises(ValueError, match=r"has no 'no such text': fault.show\('home/.bashrc'\) prints it"):
             fault.edit('home/.bashrc', 'no such text', '')
         with pytest.raises(ValueError, match="has 'export ' 2 times: give more of the text"):
@@ -318,6 +318,6 @@ def test_a_tool_that_the_system_has_itself_is_hidden(tmp_path, monkeypatch):
         (usr / command).symlink_to(f'{SYSTEM_PATH.split(":")[0]}/{command}')
     (usr / 'colcon').symlink_to('/bin/true')
     monkeypatch.setattr('helpers.programs.faults.machine.SYSTEM_PATH', str(usr))
-    with faults.stage('A7.3', 1, 'missing', tmp_path / 'system') as fault:
+    with faults.stage('no_colcon', 1, 'missing', tmp_path / 'system') as fault:
         assert fault.ask('colcon --help')[0] == 127
         assert fault.ask('ls')[0] == 0

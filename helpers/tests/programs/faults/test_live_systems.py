@@ -16,7 +16,7 @@ from helpers.programs.faults import mystery
 from helpers.programs.faults.live import (
     FILE,
     NUMBERS,
-    ROWS,
+    POSSIBLE,
     STACKS,
     Planned,
     Records,
@@ -46,11 +46,11 @@ def here(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
 
 
-def test_two_of_five_systems_have_two_faults_and_no_row_comes_twice():
+def test_two_of_five_systems_have_two_faults_and_no_fault_comes_twice():
     for who in map(str, range(60)):
-        rows = [sorted(Planned(who, number).drawn) for number in NUMBERS]
-        assert sorted(map(len, rows)) == [1, 1, 1, 2, 2]
-        assert len(set(itertools.chain(*rows))) == 7
+        drawn = [sorted(Planned(who, number).drawn) for number in NUMBERS]
+        assert sorted(map(len, drawn)) == [1, 1, 1, 2, 2]
+        assert len(set(itertools.chain(*drawn))) == 7
 
 
 def test_every_fault_is_drawn_by_somebody_and_shown_by_a_question():
@@ -58,13 +58,13 @@ def test_every_fault_is_drawn_by_somebody_and_shown_by_a_question():
     for who in map(str, range(120)):
         for system in (Planned(who, number) for number in NUMBERS):
             drawn |= {
-                (row, one.cause, one.where.partition('/')[2], tuple(one.change)) for row, one in system.drawn.items()
+                (name, one.cause, one.where.partition('/')[2], tuple(one.change)) for name, one in system.drawn.items()
             }
             assert len(system.questions()) == len(system.drawn)
             for number, command in system.questions():
                 assert number == STACKS or question(command) == number, command
                 asked.add(number)
-    assert {row for row, *_ in drawn} == set(ROWS) and len(drawn) == 17
+    assert {name for name, *_ in drawn} == set(POSSIBLE) and len(drawn) == 17
     assert asked == {1, 2, 3, 4, 5, STACKS}
 
 
@@ -267,15 +267,15 @@ def test_what_the_panel_lacks_is_said():
 
 
 @pytest.mark.one_of(3)
-@pytest.mark.parametrize('row, place', [(row, place) for row in ROWS for place in range(3)])
-def test_each_fault_breaks_the_system_and_its_repair_mends_it(tmp_path, domain, row, place):
+@pytest.mark.parametrize('name, place', [(name, place) for name in POSSIBLE for place in range(3)])
+def test_each_fault_breaks_the_system_and_its_repair_mends_it(tmp_path, domain, name, place):
     class One(mystery.Mystery):
         def plan(self):
             possible = self._possible()
-            self.plan_system([row])
-            self.asked = possible[row][place % len(possible[row])].cause
+            self.plan_system([name])
+            self.asked = possible[name][place % len(possible[name])].cause
 
-    seed = next(seed for seed in itertools.count() if (one := One(seed)).drawn[row].cause == one.asked)
+    seed = next(seed for seed in itertools.count() if (one := One(seed)).drawn[name].cause == one.asked)
     fault = One(seed, folder=tmp_path / 'system').stage()
     with fault:
         assert not fault.verify(timeout=2.0)
