@@ -411,6 +411,8 @@ class Conductor:
 
     def _run(self, handler, entity, node) -> int:
         """Run one ready callback; returns 1 if it is the learner's and has finished, else 0."""
+        if self.program.watch:
+            self.program.watch.begins()
         if self.pool and node is not self.node and getattr(entity, 'topic_name', None) != '/clock':
             self._sent_since_echo |= self.pool.run(handler, entity, node)  # it may have sent something before it waits
             return self._count_ended(self.pool)
@@ -573,6 +575,9 @@ class Worker:
     def do_start(self, name: str, args: list, kwargs: dict, threads: bool = False, switches: bool = False):
         """Construct the learner's class (or call their function) and take the nodes that it gives."""
         factory = self._loaded().find(name)
+        seen = self._loaded().watch
+        if seen:
+            seen.begins()
         try:
             made = factory(*map(values.decode, args), **{k: values.decode(v) for k, v in kwargs.items()})
         except BaseException as error:  # noqa: BLE001 - SystemExit in a constructor, too
@@ -599,6 +604,7 @@ class Worker:
             'index': len(self.started) - 1,
             'endpoints': self._endpoints(),
             'nodes': [node.get_fully_qualified_name() for node in nodes],
+            'namespaces': [seen.own_namespace(node) for node in nodes] if seen else [],
         }
 
     def do_call(self, name: str, args: list, kwargs: dict, index: int | None = None):
