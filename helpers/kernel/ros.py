@@ -60,6 +60,7 @@ def stop(timeout: float = 5.0) -> None:
         executor.shutdown(timeout_sec=0)
         vars(rclpy)['__executor'] = None
     uninstall_signal_handlers()
+    stop_button.end()
 
 
 def tame_signals() -> None:

@@ -33,10 +33,23 @@ def listen() -> None:
     threading.Thread(target=_listen, args=(reader,), daemon=True, name='stop button').start()
 
 
+def end() -> None:
+    """End listening; nothing is spun any more. Idempotent."""
+    global _listening
+    if _listening is None or threading.current_thread() is not threading.main_thread():
+        return
+    (_, writer), _listening = _listening, None
+    now = signal.set_wakeup_fd(-1)
+    if now != writer.fileno():  # somebody has taken its place
+        signal.set_wakeup_fd(now)
+    writer.close()  # the thread reads the end, and ends
+
+
 def _listen(reader: socket.socket) -> None:
-    while received := reader.recv(16):
-        if signal.SIGINT in received:
-            wake(threading.main_thread())
+    with reader:
+        while received := reader.recv(16):
+            if signal.SIGINT in received:
+                wake(threading.main_thread())
 
 
 def wake(thread: threading.Thread) -> None:

@@ -50,7 +50,7 @@ def _anything(value) -> bool:
 
 # By request, what its answer must have; other fields are not looked at.
 _ANSWERS = {
-    'start': {'index': _count, 'endpoints': _count, 'nodes': _texts},
+    'start': {'index': _count, 'endpoints': _count, 'nodes': _texts, 'namespaces': _texts},
     'call': {'result': _anything},
     'value': {'result': _anything},
     'switch': {'lines': _count, 'stood': _rows},

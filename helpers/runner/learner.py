@@ -170,9 +170,18 @@ class Learner(Workspaces):
     """
 
     def __init__(
-        self, server: ForkServer, program: dict, domain_id: int, timeouts: Timeouts = TIMEOUTS, *, random: Random
+        self,
+        server: ForkServer,
+        program: dict,
+        domain_id: int,
+        timeouts: Timeouts = TIMEOUTS,
+        *,
+        random: Random,
+        relative: bool = False,
     ):
+        """`relative`: the card's names are relative, so that no node may choose a namespace for itself."""
         self.server, self.program, self.timeouts, self.random = server, program, timeouts, random
+        self.relative = relative
         self.token = secrets.token_hex(6)  # makes names unique without naming the test
         self.now = 0  # simulated time, ns
         self.unsettled = False
@@ -261,6 +270,8 @@ class Learner(Workspaces):
         self._stepped.add(process.key)
         self._endpoints[process.key] = answer['endpoints']
         self._connected = False
+        if self.relative:
+            wiring.check_namespaces(answer['namespaces'])
         return StartedNodes(self, process, answer['index'], [str(node) for node in answer['nodes']])
 
     def call(self, name: str, *args, **kwargs):

@@ -10,6 +10,7 @@ import inspect
 import sys
 import threading
 import time
+import weakref
 from collections.abc import Callable
 from types import FrameType
 
@@ -34,6 +35,10 @@ class WaitsInCallback(BaseException):
 _POLLING = (Client.wait_for_service.__code__, ActionClient.wait_for_server.__code__)
 
 
+# So often a line may ask what time it is, in one run of a function, before that is a wait.
+_LOOKS = 50
+
+
 class Watch:
     """What the checks ask, and what they have seen."""
 
@@ -46,8 +51,20 @@ class Watch:
         self.in_callback, self.in_threads, self.is_learners = in_callback, in_threads, is_learners
         self.early: tuple[str, int] | None = None  # (file, line) of the last `result()` of a future that was not done
         self.remarks: list[str] = []  # sentences for the learner
-        self.slept = 0.0  # seconds for which the learner's lines have slept, also in wait_for_server
+        # Seconds for which the learner's lines have slept, also in wait_for_server, or asked a clock again and again.
+        self.slept = 0.0
+        self._looks: dict[tuple, tuple[int, float]] = {}  # per line in this callback: how often, and when it first did
         self._aside: set[threading.Thread] = set()
+        self._spaces: weakref.WeakKeyDictionary[Node, str] = weakref.WeakKeyDictionary()
+
+    def own_namespace(self, node: Node) -> str:
+        """The namespace that the node's constructor was given, which a remapping of `__ns` hides; '' for none."""
+        return self._spaces.get(node, '')
+
+    def made(self, node: Node, namespace: str | None) -> None:
+        """A node is being made with this argument `namespace`."""
+        if namespace and namespace != '/':
+            self._spaces[node] = str(namespace)
 
     def loaded(self) -> None:
         """The cells have run: what they did, and what threads do that they have started, is no part of the answer."""
@@ -58,6 +75,21 @@ class Watch:
         """A line sleeps."""
         if frame and self.is_learners(frame) and threading.current_thread() not in self._aside:
             self.slept += max(0.0, float(seconds))
+
+    def begins(self) -> None:
+        """A callback or a constructor begins."""
+        self._looks.clear()
+
+    def looks(self, frame: FrameType, now: float) -> None:
+        """A line asks for the time, which is `now` (s): a loop that does nothing else is a wait."""
+        if not self.is_learners(frame):
+            return
+        line = threading.get_ident(), id(frame), frame.f_lineno
+        count, begin = self._looks.get(line, (0, now))
+        if count >= _LOOKS:
+            self.sleeps(frame, now - begin)
+            begin = now
+        self._looks[line] = count + 1, begin
 
     def remark(self, sentence: str) -> None:
         """Keep a sentence for the learner, once."""
@@ -90,6 +122,16 @@ def watch(seen: Watch) -> None:
         setattr(owner, name, _no_wait(vars(owner)[name], name, seen, unless=seen.in_threads))
     Future.result = _asked_early(Future.result, seen)  # type: ignore[method-assign]  # put around it on purpose
     time.sleep = _counted(time.sleep, seen)
+    for name, unit in (
+        ('time', 1.0),
+        ('monotonic', 1.0),
+        ('perf_counter', 1.0),
+        ('monotonic_ns', 1e-9),
+        ('time_ns', 1e-9),
+    ):
+        setattr(time, name, _looked_at(getattr(time, name), unit, seen))
+    threading.Condition.wait = _waited(threading.Condition.wait, seen)  # type: ignore[method-assign]
+    _watch_nodes(seen)
     _watch_actions(seen)
 
 
@@ -170,6 +212,49 @@ def _counted(sleep, seen: Watch):
         return sleep(seconds)
 
     return sleeping
+
+
+def _looked_at(clock, unit: float, seen: Watch):
+    """A clock of Python's that notes which of the learner's lines ask it; `unit`: seconds in 1."""
+
+    @functools.wraps(clock)
+    def asked():
+        now = clock()
+        seen.looks(sys._getframe(1), now * unit)
+        return now
+
+    return asked
+
+
+def _waited(wait, seen: Watch):
+    """`Condition.wait`, and so Event.wait and Queue.get, that adds up for how long the learner's callbacks wait there.
+
+    Where callbacks run in threads they may.
+    """
+
+    @functools.wraps(wait)
+    def waiting(self, timeout=None):
+        caller: FrameType | None = sys._getframe(1)
+        while caller and caller.f_globals.get('__name__') in ('threading', 'queue'):
+            caller = caller.f_back
+        if timeout and seen.in_callback() and not seen.in_threads():
+            seen.sleeps(caller, timeout)
+        return wait(self, timeout)
+
+    return waiting
+
+
+def _watch_nodes(seen: Watch) -> None:
+    """Remember which namespace each node is given where it is made."""
+    create = Node.__init__
+    signature = inspect.signature(create)
+
+    @functools.wraps(create)
+    def __init__(self, *args, **kwargs):
+        create(self, *args, **kwargs)
+        seen.made(self, signature.bind(self, *args, **kwargs).arguments.get('namespace'))
+
+    Node.__init__ = __init__  # type: ignore[method-assign]  # put around it on purpose
 
 
 def _watch_actions(seen: Watch) -> None:

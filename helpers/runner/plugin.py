@@ -59,7 +59,7 @@ class Plugin:
         config.addinivalue_line('markers', 'not_looked_at(rule, why): a rule that no visible test can see')
         config.addinivalue_line('markers', 'rules(*names): the rules of the card that a test looks at')
         config.addinivalue_line('markers', 'weight(n): how much a test counts within its exercise; 1 by default')
-        config.addinivalue_line('markers', 'wiring(type=rule, qos=rule): which rules endpoints that do not fit break')
+        config.addinivalue_line('markers', 'wiring(type=, qos=, namespace=): the rules that are broken then')
 
     def pytest_ignore_collect(self, collection_path):
         """Leave out the files of other exercises, which would only cost time."""
@@ -111,6 +111,7 @@ class Plugin:
             self.domain_id,
             AGAIN if exercise in self._stuck else TIMEOUTS,
             random=generator(self.seeds.get(exercise, self.seed), test_id(request.node)),
+            relative=any('namespace' in marker.kwargs for marker in request.node.iter_markers('wiring')),
         )
         request.node.learner = learner
         yield learner

@@ -39,10 +39,10 @@ class ExpectationFailed(LearnerError):
 
 
 class WiringError(LearnerError):
-    """A type or QoS setting keeps the learner's endpoint and the test's from being connected."""
+    """A type, a QoS setting or a namespace keeps the learner's endpoint and the test's from being connected."""
 
     def __init__(self, message: str, kind: str):
-        """`kind`: 'type' or 'qos'."""
+        """`kind`: 'type', 'qos' or 'namespace'."""
         super().__init__(message)
         self.kind = kind
 

@@ -1,5 +1,6 @@
 """Who is connected with whom, and why not: what the graph knows, in a learner's words."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from rclpy.qos import QoSProfile
@@ -79,6 +80,16 @@ def check(ours, kind: str, learners: list[Endpoint]) -> None:
         )
         if not fit(offered, requested):
             raise WiringError(_incompatible(endpoint, kind, offered, requested), 'qos')
+
+
+def check_namespaces(namespaces: Iterable[str]) -> None:
+    """Raise WiringError if a node has got a namespace from its own constructor: cards name relative names only."""
+    for namespace in filter(None, namespaces):
+        raise WiringError(
+            f'Your node gives itself the namespace {namespace[:80]!r}, so all its relative names begin with it. Leave '
+            '`namespace` out of super().__init__: who starts the node chooses the namespace.',
+            'namespace',
+        )
 
 
 def _incompatible(endpoint: Endpoint, kind: str, offered: QoSProfile, requested: QoSProfile) -> str:

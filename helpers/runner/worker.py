@@ -47,7 +47,7 @@ from rosgraph_msgs.msg import Clock
 from std_msgs.msg import UInt64
 
 from helpers.kernel.nodes import destroy_actions
-from helpers.runner import values
+from helpers.runner import rates, values
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
 from helpers.runner.mistakes import WaitsInCallback, Watch, watch
 from helpers.runner.threads import Sleeps, ThreadPool, patch_locks
@@ -265,8 +265,8 @@ def _text(error: BaseException) -> str:
 class Conductor:
     """The hidden node for the tests' side: it keeps messages in order and reports when no callback is left to run."""
 
-    def __init__(self, token: str, program: LoadedProgram, executor: SingleThreadedExecutor):
-        self.program = program
+    def __init__(self, token: str, program: LoadedProgram, executor: SingleThreadedExecutor, sleepers: rates.Sleepers):
+        self.program, self.sleepers = program, sleepers
         self.executor = executor
         self.pool: ThreadPool | None = None  # where callbacks run in threads
         self.in_callback = False  # one of the learner's runs in the main thread
@@ -302,6 +302,7 @@ class Conductor:
         while not quiet:
             ran = self._drain(count)
             count += ran
+            self._sent_since_echo |= self.sleepers.rest()  # what their threads have sent belongs to this step, too
             # What its nodes have sent to each other may still be on its way: it arrives before this echo.
             quiet = ran == 0 and self.echo_sent > 0 and not self._sent_since_echo
             if not quiet:
@@ -411,6 +412,8 @@ class Conductor:
 
     def _run(self, handler, entity, node) -> int:
         """Run one ready callback; returns 1 if it is the learner's and has finished, else 0."""
+        if self.program.watch:
+            self.program.watch.begins()
         if self.pool and node is not self.node and getattr(entity, 'topic_name', None) != '/clock':
             self._sent_since_echo |= self.pool.run(handler, entity, node)  # it may have sent something before it waits
             return self._count_ended(self.pool)
@@ -476,6 +479,7 @@ class Worker:
         self.program: LoadedProgram | None = None
         self.executor: SingleThreadedExecutor | None = None
         self.conductor: Conductor | None = None
+        self.sleepers = rates.Sleepers()
         self.started: list = []  # what each `start` made
         self.nodes: list[Node] = []
         self.token = ''
@@ -547,6 +551,7 @@ class Worker:
             self.do_join()
         program.load(cells)
         program.watch.loaded()
+        rates.watch(self.sleepers, program.watch)  # not before: what cells start beside the answer does not count
         return {'notes': [note for _, note in program.notes]}
 
     def _in_callback(self) -> bool:
@@ -573,6 +578,9 @@ class Worker:
     def do_start(self, name: str, args: list, kwargs: dict, threads: bool = False, switches: bool = False):
         """Construct the learner's class (or call their function) and take the nodes that it gives."""
         factory = self._loaded().find(name)
+        seen = self._loaded().watch
+        if seen:
+            seen.begins()
         try:
             made = factory(*map(values.decode, args), **{k: values.decode(v) for k, v in kwargs.items()})
         except BaseException as error:  # noqa: BLE001 - SystemExit in a constructor, too
@@ -599,6 +607,7 @@ class Worker:
             'index': len(self.started) - 1,
             'endpoints': self._endpoints(),
             'nodes': [node.get_fully_qualified_name() for node in nodes],
+            'namespaces': [seen.own_namespace(node) for node in nodes] if seen else [],
         }
 
     def do_call(self, name: str, args: list, kwargs: dict, index: int | None = None):
@@ -626,7 +635,7 @@ class Worker:
         """Make the conductor, if there is none yet."""
         if self.conductor is None:
             self.executor = SingleThreadedExecutor()
-            self.conductor = Conductor(self.token, self._loaded(), self.executor)
+            self.conductor = Conductor(self.token, self._loaded(), self.executor, self.sleepers)
         return {}
 
     def do_mark(self, mark: str):

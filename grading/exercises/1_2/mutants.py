@@ -13,6 +13,9 @@ MUTANTS = [
     Mutant('distro_only', old=MIXED,
            new="elif distros and environ.get('ROS_DISTRO') and environ['ROS_DISTRO'] not in distros:",
            expect='which one was sourced last', breaks='mixed'),
+    Mutant('distro_anywhere_in_the_path', old=MIXED,
+           new="elif len(distros) > 1 or distros and environ.get('ROS_DISTRO', '') not in prefixes:",
+           expect='Path and ROS_DISTRO name two distributions', breaks='ros-distro'),
     Mutant('domain_from_one', old='int(domain) <= 101)', new='0 < int(domain) <= 101)', expect='ROS_DOMAIN_ID=0',
            breaks='domain'),
     Mutant('empty_domain', old='if domain and not', new="if 'ROS_DOMAIN_ID' in environ and not",
@@ -71,10 +74,12 @@ MUTANTS = [
         known = ('foxy', 'galactic', 'humble', 'iron', 'jazzy', 'kilted', 'lyrical', 'rolling')
         distros = {part[3] for part in parts if part[:3] == ['', 'opt', 'ros'] and part[3:] and part[3] in known}
         """, expect='whatever stands behind /opt/ros/', breaks='mixed'),
+    Mutant('beginning_of_the_version', old=PYTHON, new=PYTHON.replace("part != f'python{python}'", "part not in f'python{python}'"),
+           expect='One of its folders is for Python 3.1;', breaks='python'),
     Mutant('python_3_only', old=PYTHON, new=PYTHON.replace("'python')", "'python3')"), expect='is for Python 2.7',
            breaks='python'),
     Mutant('python_of_two_digits', old=PYTHON, new=PYTHON.replace("'python')", "'python3.1')"),
-           expect='One of its folders is for Python', breaks='python'),
+           expect="'other Python'", breaks='python'),
     Mutant('python_of_a_distribution', old=PYTHON, new="""
         folders = [folder.split('/') for folder in environ.get('PYTHONPATH', '').split(':') if '/opt/ros/' in folder]
         folders = [part for folder in folders for part in folder]

@@ -7,7 +7,7 @@ from helpers.checks.chapter_01 import domains
 from helpers.runner import about, expect
 from helpers.runner.elsewhere import Elsewhere
 
-pytestmark = [pytest.mark.exercise('1.3'), pytest.mark.wiring(type='carries', qos='carries')]
+pytestmark = [pytest.mark.exercise('1.3'), pytest.mark.wiring(type='carries', qos='carries', namespace='carries')]
 
 
 @pytest.mark.weight(2)

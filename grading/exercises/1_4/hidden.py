@@ -4,7 +4,7 @@ import pytest
 
 from helpers.checks.chapter_01 import goals
 
-pytestmark = [pytest.mark.exercise('1.4'), pytest.mark.wiring(type='topics', qos='topics')]
+pytestmark = [pytest.mark.exercise('1.4'), pytest.mark.wiring(type='topics', qos='topics', namespace='topics')]
 
 
 @pytest.mark.weight(3)

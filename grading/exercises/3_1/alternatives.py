@@ -37,4 +37,24 @@ def Beacon():
     node.create_timer(1 / 4, tell)
     return node
 '''),
+    Alternative('thread_with_a_rate', source='''
+import threading
+
+
+class Beacon(Node):
+    """A thread of its own sleeps on a rate."""
+
+    def __init__(self):
+        super().__init__('beacon')
+        self.publisher = self.create_publisher(String, 'beacon', 10)
+        self.rate = self.create_rate(4.0)
+        threading.Thread(target=self.work, daemon=True).start()
+
+    def work(self):
+        count = 0
+        while rclpy.ok():
+            self.rate.sleep()
+            count += 1
+            self.publisher.publish(String(data=f'alive {count}'))
+'''),
 ]

@@ -90,7 +90,7 @@ class Beacon(Node):
            imports='from rclpy.duration import Duration\nfrom rclpy.qos import QoSProfile', expect='policy lifespan 1 s',
            breaks='qos'),
     Mutant('own_namespace', old="super().__init__('beacon')", new="super().__init__('beacon', namespace='robot')",
-           expect='no publisher on the topic beacon', breaks='topic', also='rate'),
+           expect="gives itself the namespace 'robot'", breaks='topic'),
     Mutant('only_if_somebody_listens', old='self.count += 1', new="""
         if not self.publisher.get_subscription_count():
             return

@@ -10,7 +10,7 @@ from helpers.checks.chapter_03.endpoints import check_name, check_nothing_else, 
 from helpers.checks.chapter_03.ranges import burst, check_burst, check_reading, reading
 from helpers.runner import about, expect
 
-pytestmark = [pytest.mark.exercise('3.2'), pytest.mark.wiring(type='topics', qos='qos')]
+pytestmark = [pytest.mark.exercise('3.2'), pytest.mark.wiring(type='topics', qos='qos', namespace='topics')]
 
 
 def relay(learner, *messages):

@@ -6,7 +6,7 @@ from std_msgs.msg import Bool, Empty, Int32
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic
 from helpers.runner import expect, waiting
 
-pytestmark = [pytest.mark.exercise('3.3'), pytest.mark.wiring(type='topics', qos='qos')]
+pytestmark = [pytest.mark.exercise('3.3'), pytest.mark.wiring(type='topics', qos='qos', namespace='topics')]
 
 
 @pytest.mark.rules('led', 'led-rate', 'uptime', 'uptime-rate', 'no-wait')

@@ -6,6 +6,18 @@ RESET = '''
         '''
 
 MUTANTS = [
+    Mutant('asks_the_clock_again_and_again', breaks='no-wait', old='self.seconds += 1', new='''
+        end = time.monotonic() + 0.01
+        while time.monotonic() < end:
+            pass
+        self.seconds += 1
+        ''', imports='import time', expect='The timers do the waiting'),
+    Mutant('waits_for_an_event', breaks='no-wait', old='self.seconds += 1', new='''
+        threading.Event().wait(0.01)
+        self.seconds += 1
+        ''', imports='import threading', expect='The timers do the waiting'),
+    Mutant('own_namespace', breaks='topics', old="super().__init__('heartbeat')",
+           new="super().__init__('heartbeat', namespace='robot')", expect="gives itself the namespace 'robot'"),
     Mutant('absolute_reset', old="'reset'", new="'/reset'", expect='a relative name has no leading slash',
            breaks='topics'),
     Mutant('best_effort_led', old="(Bool, 'led', 10)", new="(Bool, 'led', qos_profile_sensor_data)",

@@ -17,7 +17,7 @@ from helpers.checks.chapter_03.maps import (
 )
 from helpers.runner import about, expect
 
-pytestmark = [pytest.mark.exercise('3.4'), pytest.mark.wiring(type='topics', qos='qos')]
+pytestmark = [pytest.mark.exercise('3.4'), pytest.mark.wiring(type='topics', qos='qos', namespace='topics')]
 
 
 @pytest.mark.weight(2)

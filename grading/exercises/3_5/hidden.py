@@ -7,7 +7,7 @@ from helpers.checks.chapter_03 import stops
 from helpers.checks.chapter_03.connections import check_pairs, mixed_pairs, single_pairs
 from helpers.runner import about, expect
 
-pytestmark = [pytest.mark.exercise('3.5'), pytest.mark.wiring(type='rest', qos='stop')]
+pytestmark = [pytest.mark.exercise('3.5'), pytest.mark.wiring(type='rest', qos='stop', namespace='rest')]
 
 
 @pytest.mark.weight(3)

@@ -6,7 +6,7 @@ from helpers.checks.chapter_03 import monitors
 from helpers.checks.chapter_03.monitors import scan
 from helpers.runner import about, expect
 
-pytestmark = [pytest.mark.exercise('3.6'), pytest.mark.wiring(type='topics', qos='qos')]
+pytestmark = [pytest.mark.exercise('3.6'), pytest.mark.wiring(type='topics', qos='qos', namespace='topics')]
 
 
 def monitor(learner, *args, space='', **kwargs):

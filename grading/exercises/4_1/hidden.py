@@ -8,7 +8,7 @@ from std_srvs.srv import SetBool
 
 from helpers.runner import about, expect
 
-pytestmark = [pytest.mark.exercise('4.1'), pytest.mark.wiring(type='request', qos='request')]
+pytestmark = [pytest.mark.exercise('4.1'), pytest.mark.wiring(type='request', qos='request', namespace='names')]
 
 
 def gripper(learner, answer, *args, delay=0.0, **options):
@@ -188,6 +188,7 @@ def test_server_comes_later(learner):
     node = learner.start('GripperClient')
     server = learner.serve('/set_gripper', SetBool, {'success': True})
     server.stop()
+    before = learner.slept
     learner.run(0.5)
     close.send(Bool(data=True))
     learner.run(0.6)
@@ -198,7 +199,14 @@ def test_server_comes_later(learner):
         f'A command at 0.5 s, a server from 1.1 s on: {states.data} at {states.stamps} s, expected ok at 1.5 s.',
     )
     server.stop()
-    learner.settle()
+    states.clear()
+    close.send(Bool(data=False))
+    learner.run(4.5)
+    expect(
+        states.data == ['failed'],
+        f'Without a server, a command gave {states.data}, expected one failed: nobody answers three requests.',
+    )
+    expect(learner.slept <= before, 'Without a server, a callback waits for it, and the whole node stands still.')
     seconds = []
     while len(seconds) < 4 and min(seconds, default=1) >= 0.35:
         begin = time.monotonic()

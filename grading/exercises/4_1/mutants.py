@@ -1,6 +1,16 @@
 from grading.variants import Mutant
 
 MUTANTS = [
+    Mutant('waits_for_the_service', breaks='no-server', old='self.future = self.client.call_async(self.request)', new='''
+        self.client.wait_for_service(timeout_sec=0.2)
+        self.future = self.client.call_async(self.request)
+        ''', expect='a callback waits for it'),
+    Mutant('nobody_is_no_try', breaks='no-server', old='self.future = self.client.call_async(self.request)', new='''
+        if not self.client.service_is_ready():
+            self.left += 1
+            return
+        self.future = self.client.call_async(self.request)
+        ''', expect='to nobody counts as one without an answer'),
     Mutant('absolute_close', breaks='names', old="self.create_subscription(Bool, 'close', self.on_close, 10)",
            new="self.create_subscription(Bool, '/close', self.on_close, 10)", expect='without a leading slash'),
     Mutant('absolute_service', breaks='names', old="'set_gripper')", new="'/set_gripper')",

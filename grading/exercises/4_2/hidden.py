@@ -10,7 +10,7 @@ from sensor_msgs.srv import SetCameraInfo
 from helpers.checks.chapter_04.test_4_2 import OTHER_MODELS, check_lifespan
 from helpers.runner import about, expect
 
-pytestmark = [pytest.mark.exercise('4.2'), pytest.mark.wiring(type='publish', qos='latched')]
+pytestmark = [pytest.mark.exercise('4.2'), pytest.mark.wiring(type='publish', qos='latched', namespace='names')]
 
 WORDS = 'size', 'focal length', 'principal point', 'distortion'
 LATCHED = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)

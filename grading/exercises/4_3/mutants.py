@@ -7,6 +7,17 @@ CALLERS = 'test_two_callers'
 WAITS = ('same-time', 'success', 'message', 'fresh', 'callers', 'names')
 
 MUTANTS = [
+    Mutant('answers_in_self', breaks='callers', edits=(("self.create_service(Trigger, 'status', self.on_status)",
+           "self.create_service(Trigger, 'status', self.on_status, callback_group=ReentrantCallbackGroup())"),
+           ('battery, lidar = [await future for future in futures]', '''
+            self.said = {}
+            for name, future in zip(('battery', 'lidar'), futures):
+                self.said[name] = await future
+            battery, lidar = self.said['battery'], self.said['lidar']
+            ''')), imports='from rclpy.callback_groups import ReentrantCallbackGroup',
+           expect='What belongs to one call must stay in local variables'),
+    Mutant('tidies_the_texts', breaks='message', old='{battery.message}; lidar: {lidar.message}',
+           new='{battery.message.strip()}; lidar: {lidar.message.strip()}', expect='The message of the status is'),
     Mutant('absolute_part', breaks='names', also=('callers', 'one-thread'), old="'lidar/check'", new="'/lidar/check'",
            expect='without a leading slash'),
     Mutant('any_success', breaks='success', also='callers', old='battery.success and lidar.success',

@@ -6,7 +6,7 @@ from std_srvs.srv import SetBool, Trigger
 from helpers.checks.chapter_04.test_4_4 import Room, people
 from helpers.runner import about, expect, waiting
 
-pytestmark = [pytest.mark.exercise('4.4'), pytest.mark.wiring(type='open')]
+pytestmark = [pytest.mark.exercise('4.4'), pytest.mark.wiring(type='open', namespace='names')]
 
 NEVER = (
     'enter was never answered: the answer of the lock waits in a callback group in which your callback still '

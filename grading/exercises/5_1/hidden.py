@@ -5,7 +5,7 @@ from example_interfaces.action import Fibonacci
 
 from helpers.runner import about, expect
 
-pytestmark = [pytest.mark.exercise('5.1'), pytest.mark.wiring(type='names')]
+pytestmark = [pytest.mark.exercise('5.1'), pytest.mark.wiring(type='names', namespace='names')]
 SERIES = [0, 1]
 while len(SERIES) < 47:
     SERIES.append(SERIES[-1] + SERIES[-2])
@@ -194,8 +194,10 @@ def test_two_clients(learner):
     """
     left, node = serve(learner)
     right = learner.action_client('/fibonacci', Fibonacci)
-    mine, other = left.send(order=8), right.send(order=3)
-    learner.run(0.7)
+    mine = left.send(order=8)
+    learner.run(0.2)
+    other = right.send(order=3)
+    learner.run(0.5)
     mine.cancel()
     learner.run(2.0)
     expect(mine.status == 'canceled', f'The cancelled goal of one client ended as {mine.status}.', 'cancel')

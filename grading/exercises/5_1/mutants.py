@@ -16,6 +16,9 @@ MUTANTS = [
            expect='without a leading slash'),
     Mutant('aborts', breaks='cancel', also='goals', old='goal.canceled()', new='goal.abort()',
            expect='ended as aborted, expected canceled'),
+    Mutant('every_second_step', breaks='cancel', old='if goal.is_cancel_requested:',
+           new='if goal.is_cancel_requested and len(numbers) % 2 == 0:', also=('partial', 'goals'),
+           expect='look at is_cancel_requested in every step'),
     Mutant('feedback_at_end', breaks='feedback', also=('goals', 'partial'),
            old='goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))', new='''
         if len(numbers) == goal.request.order:
@@ -102,6 +105,14 @@ goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))
            new="super().__init__('fibonacci')", expect='Your node is called'),
     Mutant('overflow', breaks='orders', old='order <= 47 else GoalResponse.', new='order <= 48 else GoalResponse.',
            expect='The order 48 was accepted'),
+    Mutant('refuses_while_busy', breaks='goals', also=('orders', 'end', 'cancel', 'partial'), edits=(('numbers = []', '''
+            numbers = []
+            self.running = goal
+            '''), ('return GoalResponse.ACCEPT if 0 <= request.order <= 47 else GoalResponse.REJECT', '''
+            if getattr(self, 'running', None) is not None and self.running.is_active:
+                return GoalResponse.REJECT
+            return GoalResponse.ACCEPT if 0 <= request.order <= 47 else GoalResponse.REJECT
+            ''')), expect='ran at the same time'),
     Mutant('refuses_47', breaks='orders', old='order <= 47 else GoalResponse.', new='order < 47 else GoalResponse.',
            expect='The order 47 was rejected'),
     Mutant('refuses_nothing', breaks='orders', also='numbers', old='GoalResponse.ACCEPT if 0 <= request.order <= 47',

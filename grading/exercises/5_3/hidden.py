@@ -5,7 +5,7 @@ from example_interfaces.action import Fibonacci
 
 from helpers.runner import about, expect
 
-pytestmark = [pytest.mark.exercise('5.3'), pytest.mark.wiring(type='names')]
+pytestmark = [pytest.mark.exercise('5.3'), pytest.mark.wiring(type='names', namespace='names')]
 
 
 def serve(learner):
@@ -27,16 +27,30 @@ def test_newest_wins(learner):
     """
     client, node = serve(learner)
     expect(node.name == '/newest_wins', f'Your node is called {node.name}, expected /newest_wins.', 'names')
-    count = learner.random.randint(1, 4)
-    old = client.send(order=30)
+    draw = learner.random
+    same = draw.randint(2, 5)
+    cases = [(30, draw.randint(1, 4), 4), (5, 4, 7), (same, 0, same), (6, draw.randint(1, 3), 6)]
+    draw.shuffle(cases)
+    for case in cases:
+        check_replaced(learner, client, *case)
+
+
+def check_replaced(learner, client, order, count, newer):
+    """A goal of this order, with `count` numbers, gives way to one of the order `newer`."""
+    old = client.send(order=order)
     learner.run(0.5 * count + 0.2)
-    new = client.send(order=4)
+    new = client.send(order=newer)
     learner.run(0.5)
     expect(new.accepted, 'A new goal was rejected while another one ran. The newest goal wins.', 'newest')
-    expect(old.done, 'A new goal was accepted, and the old one did not end within 0.5 s.', 'aborted')
+    expect(
+        old.done,
+        f'A goal of order {newer} was accepted, and the old one, of order {order}, did not end within 0.5 s.',
+        'aborted',
+    )
+    expect(len(old.feedback) <= count, 'The old goal sent feedback after the new one had come.', 'stops')
     expect(
         old.status == 'aborted',
-        f'The old goal ended as {old.status}, expected aborted: nobody asked to cancel it.',
+        f'The old goal ended as {old.status}, expected aborted: a newer one has taken its place.',
         'aborted',
     )
     expect(
@@ -44,17 +58,17 @@ def test_newest_wins(learner):
         f'The old goal had {up_to(count)} when the new one came, and its result is {list(old.result.sequence)}.',
         'stops' if len(old.result.sequence) > count else 'aborted',
     )
-    expect(len(old.feedback) == count, 'The old goal sent feedback after the new one had come.', 'stops')
-    learner.run(1.6)
+    learner.run(0.5 * newer - 0.4)
     expect(
-        new.status == 'succeeded' and list(new.result.sequence) == up_to(4),
-        f'The new goal ended as {new.status}, expected succeeded with [1, 2, 3, 4]. Each goal counts for itself.',
+        new.status == 'succeeded' and list(new.result.sequence) == up_to(newer),
+        f'The new goal ended as {new.status}, expected succeeded with {up_to(newer)}. Each goal counts for itself.',
         'newest',
     )
     took = new.finished - new.sent
     expect(
-        took == pytest.approx(2.0),
-        f'The new goal of order 4 took {took:g} s, expected 2 s: it begins at once. Each goal counts for itself.',
+        took == pytest.approx(newer / 2),
+        f'The new goal of order {newer} took {took:g} s, expected {newer / 2:g} s: it begins at once. Each goal counts '
+        'for itself.',
         'newest',
     )
 
@@ -70,16 +84,17 @@ def test_many_goals(learner):
     client, _ = serve(learner)
     goals = [client.send(order=5) for _ in range(3)]
     learner.run(0.7)
+    ends = [goal.status for goal in goals]
+    expect(
+        ends == ['aborted', 'aborted', None],
+        f'Three goals came at one moment; 0.7 s later they have ended as {ends}, expected the first two aborted.',
+        'aborted',
+    )
     goals.append(client.send(order=2))
     learner.run(1.5)
     after = client.send(order=1)
     learner.run(1.0)
     expect(all(goal.accepted for goal in goals), 'A goal was rejected because another one ran.', 'newest')
-    expect(
-        [goal.status for goal in goals[:2]] == ['aborted'] * 2,
-        f'Three goals came at one moment; the first two ended as {[goal.status for goal in goals[:2]]}.',
-        'aborted',
-    )
     expect(
         goals[2].status == 'aborted' and list(goals[2].result.sequence) == [1],
         f'The third of three goals had counted to 1 when the fourth came; it ended as {goals[2].status}.',
@@ -111,7 +126,7 @@ def test_rejected_goals_disturb_nobody(learner):
     )
 
 
-@pytest.mark.rules('cancel', 'newest')
+@pytest.mark.rules('cancel', 'newest', 'orders')
 @about('cancel')
 def test_cancel(learner):
     """A goal can be cancelled: canceled within 0.5 s, with the numbers so far. Then another one can run.
@@ -119,13 +134,19 @@ def test_cancel(learner):
     As in exercise 5.1.
     """
     client, _ = serve(learner)
-    goal = client.send(order=9)
-    learner.run(0.7)
-    cancel = goal.cancel()
-    learner.run(0.5)
-    expect(cancel.answer == 'accepted', 'A cancel request was not accepted.', 'cancel')
-    expect(goal.status == 'canceled', f'A cancelled goal ended as {goal.status}, expected canceled.', 'cancel')
-    expect(list(goal.result.sequence) == [1], f'The result is {list(goal.result.sequence)}, expected [1].', 'cancel')
+    draw = learner.random
+    for order, count in ((draw.randint(48, 2**31 - 1), 0), (9, 1), (9, draw.choice([2, 4])), (1, 0), (4, 3)):
+        goal = client.send(order=order)
+        learner.run(0.5 * count + 0.2)
+        expect(goal.accepted, f'The order {order} was rejected.', 'orders')
+        words = f'A goal of order {order} was cancelled with {up_to(count)} there. '
+        cancel = goal.cancel()
+        learner.run(0.5)
+        expect(cancel.answer == 'accepted', f'{words}The cancel request was not accepted.', 'cancel')
+        expect(goal.status == 'canceled', f'{words}It ended as {goal.status}, expected canceled.', 'cancel')
+        expect(
+            list(goal.result.sequence) == up_to(count), f'{words}The result is {list(goal.result.sequence)}.', 'cancel'
+        )
     after = client.send(order=1)
     learner.run(0.6)
     expect(after.status == 'succeeded', f'The goal after a cancelled one ended as {after.status}.', 'newest')

@@ -25,6 +25,9 @@ MUTANTS = [
     Mutant('canceled_without_request', breaks='aborted', also='newest',
            old='goal.canceled() if goal.is_cancel_requested else goal.abort()', new='goal.canceled()',
            expect='attempted invalid transition'),
+    Mutant('compares_orders', breaks='aborted',
+           edits=(('self.newest = goal', 'self.newest = goal.request.order'),
+            ('goal is not self.newest', 'goal.request.order != self.newest')), expect='goes on beside the second one'),
     Mutant('decides_in_goal_callback', breaks='rejected', also='newest',
            edits=(('self.newest = None', 'self.newest, self.number, self.mine = None, 0, {}'),
             ('def on_goal(self, request):', '''
@@ -52,6 +55,19 @@ MUTANTS = [
            expect='ended as aborted, expected succeeded'),
     Mutant('from_0', breaks='count', also=OTHERS, old='numbers.append(len(numbers) + 1)',
            new='numbers.append(len(numbers))', expect='has the result [0, 1'),
+    Mutant('larger_goal_wins', breaks='aborted', also=('newest', 'stops'), old='self.newest = goal', new='''
+        if self.newest is None or not self.newest.is_active or goal.request.order <= self.newest.request.order:
+            self.newest = goal
+        ''', expect='of order'),
+    Mutant('last_step_goes_on', breaks='stops', also=('aborted', 'cancel'),
+           old='if goal.is_cancel_requested or goal is not self.newest:', new='''
+        replaced = goal.is_cancel_requested or goal is not self.newest
+        if replaced and len(numbers) < goal.request.order - 1:
+        ''', expect='then it went on'),
+    Mutant('no_cancel_at_first', breaks='cancel', also=('newest',),
+           edits=(('numbers = []', 'numbers = self.numbers = []'), ('cancel_callback=lambda goal: CancelResponse.ACCEPT)',
+            'cancel_callback=lambda goal: CancelResponse.ACCEPT if self.numbers else CancelResponse.REJECT)')),
+           expect='The cancel request was answered: rejected'),
     Mutant('no_cancel_callback', breaks='cancel', also='newest', old='''
         handle_accepted_callback=self.on_accepted,
         cancel_callback=lambda goal: CancelResponse.ACCEPT)
@@ -73,7 +89,7 @@ MUTANTS = [
             numbers.clear()
         ''', expect='The goal of order'),
     Mutant('old_one_succeeds', breaks='aborted', old='goal.abort()', new='goal.succeed()',
-           expect='expected aborted: nobody asked to cancel it'),
+           expect='expected aborted: a newer one has taken its place'),
     Mutant('one_more', breaks='stops', also=('aborted', 'cancel'), edits=((WAIT, ''), (LOOK + COUNT.lstrip('\n'),
            LOOK + WAIT + COUNT)), expect='then it went on'),
     Mutant('one_too_many', breaks='count', also=(*OTHERS, 'feedback', 'succeeds'),
@@ -105,6 +121,8 @@ MUTANTS = [
     Mutant('refuses', breaks='newest', also=('aborted',), old='= 1 else GoalResponse.',
            new='= 1 and (self.newest is None or not self.newest.is_active) else GoalResponse.',
            expect='the second goal was rejected'),
+    Mutant('refuses_48', breaks='orders', also=('cancel',), old='request.order >= 1', new='1 <= request.order <= 47',
+           expect='Every order from 1 is accepted'),
     Mutant('side_by_side', breaks='aborted', also=('newest', 'stops'),
            edits=(('if goal.is_cancel_requested or goal is not self.newest:', 'if goal.is_cancel_requested:'),
             ('goal.canceled() if goal.is_cancel_requested else goal.abort()', 'goal.canceled()')),

@@ -11,7 +11,7 @@ from helpers.checks.chapter_05.driving import check_order
 from helpers.runner import about, expect
 from helpers.runner.turtlesim import TurtleSim
 
-pytestmark = [pytest.mark.exercise('5.4'), pytest.mark.wiring(type='names')]
+pytestmark = [pytest.mark.exercise('5.4'), pytest.mark.wiring(type='names', namespace='names')]
 
 
 def begin(learner, x=5.5, y=5.5, theta=0.0):

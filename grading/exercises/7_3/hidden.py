@@ -78,15 +78,17 @@ def test_policies(learner):
     check(learner, 'both', rule='durability')
 
 
-@pytest.mark.rules('fault')
+@pytest.mark.rules('fault', 'nobody')
 def test_description(learner):
     """The topic /robot_description has a fault of its own, `no_model`, and services have theirs.
 
     By the name that the subscription uses.
     """
-    for fault in ('description nobody', 'description durability', 'service name', 'service nobody', 'service type'):
+    descriptions = ('description name', 'description nobody', 'description durability')
+    for fault in (*descriptions, 'service name', 'service nobody', 'service type'):
         check(learner, fault, rule='fault', times=2)
     graphs.other_description(learner)
+    graphs.topic_and_service(learner)
 
 
 @pytest.mark.rules('all')

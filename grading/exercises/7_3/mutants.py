@@ -4,6 +4,11 @@ DIAGNOSE = {'also': ('all', 'fault')}
 NEAR = "faults = [('name', near) if near else ('nobody', '')]"
 
 MUTANTS = [
+    Mutant('a_topic_is_a_service', breaks='nobody', old="senders = [e for e in endpoints if e['role'] == sender]",
+           new="senders = [e for e in endpoints if e['role'] in ('publisher', 'server')]",
+           expect='A publisher serves no client'),
+    Mutant('fault_of_the_meant_name', breaks='fault', old="if end['name'] == '/robot_description'",
+           new="if '/robot_description' in (end['name'], faults and faults[0][1])", expect='no_data'),
     Mutant('double_slash', old="end.node_namespace.rstrip('/')}/{", new='end.node_namespace}/{', breaks='node-name',
            expect='There is'),
     Mutant('no_namespace', old='f"{end.node_namespace.rstrip(\'/\')}/{end.node_name}"', new="f'/{end.node_name}'",

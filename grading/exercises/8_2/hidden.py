@@ -15,7 +15,7 @@ from helpers.checks.chapter_08.governors import (
 )
 from helpers.runner import about, expect
 
-pytestmark = [pytest.mark.exercise('8.2'), pytest.mark.wiring(type='names', qos='names')]
+pytestmark = [pytest.mark.exercise('8.2'), pytest.mark.wiring(type='names', qos='names', namespace='names')]
 
 
 @pytest.mark.rules('limit', 'other-fields', 'rhythm')

@@ -6,6 +6,13 @@ PAIR = "good = new['slow_linear'] <= new['max_linear']"
 LISTENS = "self.create_subscription(Twist, 'cmd_vel_in', lambda command: setattr(self, 'command', command), 10)"
 
 MUTANTS = [
+    Mutant('sleeps_in_the_timer', breaks='rhythm', old='def on_timer(self):', new='''
+        def on_timer(self):
+            time.sleep(0.005)
+        ''', imports='import time', expect='the timer alone gives the rhythm'),
+    Mutant('any_type', breaks='defaults', old="ParameterDescriptor(description='normal, slow or stop')",
+           new="ParameterDescriptor(description='normal, slow or stop', dynamic_typing=True)",
+           expect='leave dynamic_typing out'),
     Mutant('absolute_topic', old=", 'cmd_vel',", new=", '/cmd_vel',", expect='has no publisher on', breaks='names',
            also=('limit', 'rhythm', 'at-once', 'defaults', 'pair', 'at-start')),
     Mutant('absolute_input', old="(Twist, 'cmd_vel_in'", new="(Twist, '/cmd_vel_in'", expect='has no subscription on',

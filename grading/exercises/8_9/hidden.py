@@ -18,7 +18,7 @@ from helpers.checks.chapter_08.drives import (
 )
 from helpers.runner import about
 
-pytestmark = [pytest.mark.exercise('8.9'), pytest.mark.wiring(type='rhythm', qos='rhythm')]
+pytestmark = [pytest.mark.exercise('8.9'), pytest.mark.wiring(type='rhythm', qos='rhythm', namespace='action')]
 
 
 @pytest.mark.rules('action')

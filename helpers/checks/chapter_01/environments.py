@@ -94,6 +94,7 @@ def _prefixes(random: Random, distro: str, good: dict) -> list[Case]:
     mixed = {PREFIX: 'mixed'}
     sourced = 'Two distributions are in the path; ROS_DISTRO tells only which one was sourced last.'
     inside = f'/opt/ros/{distro}/opt/extra:/opt/ros/{distro}'
+    said = f'/home/{random.choice(PEOPLE)}/{second}_ws/install:/opt/ros/{distro}'  # only a workspace has that name
     return [
         Case('not-sourced', {}, {PREFIX: 'not sourced'}),
         Case('not-sourced', {PREFIX: ''}, {PREFIX: 'not sourced'}),
@@ -108,7 +109,10 @@ def _prefixes(random: Random, distro: str, good: dict) -> list[Case]:
         Case('mixed', {PREFIX: ':'.join(two)}, mixed, 'Two distributions are in the path.'),
         Case('mixed', {PREFIX: f'{two[0]}:{two[1]}/opt/extra'}, mixed, 'Two distributions are in the path.'),
         Case('mixed', {PREFIX: inside, 'ROS_DISTRO': distro}, {}, 'Both folders belong to one distribution.'),
-        Case('ros-distro', {**good, 'ROS_DISTRO': second}, mixed, 'Path and ROS_DISTRO name two distributions.'),
+        *[
+            Case('ros-distro', environ, mixed, 'Path and ROS_DISTRO name two distributions.')
+            for environ in ({**good, 'ROS_DISTRO': second}, {PREFIX: said, 'ROS_DISTRO': second})
+        ],
     ]
 
 
@@ -140,7 +144,7 @@ def _pythons(random: Random, distro: str) -> list[Case]:
             {PYTHON: 'other Python'},
             f'One of its folders is for Python {wrong}; it is no folder of a distribution, and counts all the same.',
         )
-        for wrong in ('2.7', '3.8', random.choice(('3.10', '3.11', '3.13')))
+        for wrong in ('2.7', '3.1', '3.8', random.choice(('3.10', '3.11', '3.13')))
     ]
     tools = {**healthy(random, distro), PYTHON: '/home/ada/python/tools:/home/ada/my.python3'}
     return [*made, Case('python', tools, {}, 'PYTHONPATH has no part pythonX.Y.')]

@@ -4,7 +4,7 @@ import pytest
 
 from helpers.checks.chapter_01 import domains
 
-pytestmark = [pytest.mark.exercise('1.3'), pytest.mark.wiring(type='carries', qos='carries')]
+pytestmark = [pytest.mark.exercise('1.3'), pytest.mark.wiring(type='carries', qos='carries', namespace='carries')]
 
 
 @pytest.mark.rules('measures', 'sorted', 'in-time', 'leaves')

@@ -7,7 +7,7 @@ from helpers.checks.chapter_03.beacons import check_unheard
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic, robot
 from helpers.runner import about, expect, waiting
 
-pytestmark = [pytest.mark.exercise('3.1'), pytest.mark.wiring(type='topic', qos='qos')]
+pytestmark = [pytest.mark.exercise('3.1'), pytest.mark.wiring(type='topic', qos='qos', namespace='topic')]
 
 
 @pytest.mark.rules('at-once', 'node', 'topic', 'qos', 'first', 'texts', 'rate', 'own-count')

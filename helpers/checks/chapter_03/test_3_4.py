@@ -16,7 +16,7 @@ from helpers.checks.chapter_03.maps import (
 )
 from helpers.runner import about, expect
 
-pytestmark = [pytest.mark.exercise('3.4'), pytest.mark.wiring(type='topics', qos='qos')]
+pytestmark = [pytest.mark.exercise('3.4'), pytest.mark.wiring(type='topics', qos='qos', namespace='topics')]
 
 
 @pytest.mark.rules('server-node', 'one-map', 'cells', 'order', 'size', 'resolution', 'frame', 'topics', 'qos')

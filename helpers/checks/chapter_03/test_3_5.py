@@ -8,7 +8,7 @@ from helpers.checks.chapter_03.connections import check_pairs, mixed_pairs, sing
 from helpers.checks.chapter_03.endpoints import robot
 from helpers.runner import about, expect
 
-pytestmark = [pytest.mark.exercise('3.5'), pytest.mark.wiring(type='rest', qos='stop')]
+pytestmark = [pytest.mark.exercise('3.5'), pytest.mark.wiring(type='rest', qos='stop', namespace='rest')]
 
 
 @pytest.mark.rules('list', 'all', 'order', 'names', 'reliability', 'durability', 'deadline', 'no-deadline', 'depth')

@@ -6,7 +6,7 @@ from helpers.checks.chapter_03 import monitors
 from helpers.checks.chapter_03.endpoints import robot
 from helpers.runner import about, expect
 
-pytestmark = [pytest.mark.exercise('3.6'), pytest.mark.wiring(type='topics', qos='qos')]
+pytestmark = [pytest.mark.exercise('3.6'), pytest.mark.wiring(type='topics', qos='qos', namespace='topics')]
 JUST_MORE = 0.5078125  # s, than the default of max_gap; exact as a float and in a stamp
 
 

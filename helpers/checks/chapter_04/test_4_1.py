@@ -8,7 +8,7 @@ from std_srvs.srv import SetBool
 
 from helpers.runner import about, expect
 
-pytestmark = [pytest.mark.exercise('4.1'), pytest.mark.wiring(type='request', qos='request')]
+pytestmark = [pytest.mark.exercise('4.1'), pytest.mark.wiring(type='request', qos='request', namespace='names')]
 
 
 SLEEPS = (
@@ -314,10 +314,12 @@ def test_no_server(learner):
         'without a leading slash.',
         'names',
     )
+    before = learner.slept
     learner.run(begin)
     close.send(Bool(data=True))
     with about('no-server'):
         learner.run(0.4)
+        check_awake(learner, before)
         expect(
             not states.messages,
             f'No server is there; 0.4 s after a command gripper_state says {states.data}. The '
@@ -337,12 +339,38 @@ def test_no_server(learner):
         'no-server',
     )
     server.stop()
-    learner.settle()
+    check_nobody(learner, states, close)
     with about('no-server'):
         expect(
             any(_seconds(lambda: learner.start('GripperClient', beside=node)) < 0.35 for _ in range(4)),
             'Without a server, your constructor takes a long time: it must not wait for the service.',
         )
+
+
+def check_awake(learner, before: float) -> None:
+    """Expect that no callback has slept since `learner.slept` was this: also not for a service that is not there."""
+    expect(
+        learner.slept <= before,
+        'No server is there, and a callback waits for it: the whole node stands still meanwhile. Send the request all '
+        'the same, and let the timer do the waiting.',
+        'no-server',
+    )
+
+
+def check_nobody(learner, states, close) -> None:
+    """Expect that a command to a server that never comes ends as one to a silent server does."""
+    states.clear()
+    before = learner.slept
+    close.send(Bool(data=False))
+    with about('no-server'):
+        learner.run(4.5, step=1.0)
+    check_awake(learner, before)
+    expect(
+        states.data == ['failed'],
+        f'No server is there; 4.5 s after a command gripper_state says {states.data}, expected one failed: a request '
+        'to nobody counts as one without an answer.',
+        'no-server',
+    )
 
 
 def _seconds(function) -> float:

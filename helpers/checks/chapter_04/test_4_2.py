@@ -9,7 +9,7 @@ from sensor_msgs.srv import SetCameraInfo
 
 from helpers.runner import about, expect
 
-pytestmark = [pytest.mark.exercise('4.2'), pytest.mark.wiring(type='publish', qos='latched')]
+pytestmark = [pytest.mark.exercise('4.2'), pytest.mark.wiring(type='publish', qos='latched', namespace='names')]
 
 OTHER_MODELS = 'equidistant', '', 'Plumb_Bob', 'plumb_bob ', 'plumb_bob2', 'plumb'
 WORDS = 'size', 'focal length', 'principal point', 'distortion'

@@ -7,12 +7,14 @@ from std_srvs.srv import Trigger
 
 from helpers.runner import about, expect, waiting
 
-pytestmark = [pytest.mark.exercise('4.3'), pytest.mark.wiring(type='same-time')]
+pytestmark = [pytest.mark.exercise('4.3'), pytest.mark.wiring(type='same-time', namespace='names')]
 
 NEVER = (
     'The answer of a part waits in a callback group in which your callback still runs, so it is never taken: give '
     'the clients a callback group of their own.'
 )
+
+WORDS = ('low', 'full', 'warm', 'old', 'new', 'cold', 'dirty')
 
 
 @pytest.mark.rules('same-time', 'success', 'message', 'one-thread', 'fresh')
@@ -30,9 +32,9 @@ def test_status(learner):
     cases = list(itertools.product((True, False), repeat=2))
     draw.shuffle(cases)
     cases.sort(key=lambda good: good != (False, True))  # first one who may think that a second question is needless
+    texts = [_texts(draw) for _ in range(2)]
     for number, good in enumerate(cases, 1):
-        texts = ['blocked', 'no signal; 3 tries', 'größer', ' two  words ']  # whatever stands there
-        said = [f'{draw.randint(1, 99)} %', '' if number == 2 else ' 2 x ' if number == 3 else draw.choice(texts)]
+        said = [mine[number - 1] for mine in texts]
         slow, quick = draw.choice([0.6, 0.9]), draw.choice([0.2, 0.4])
         battery.delay, lidar.delay = (slow, quick) if number % 2 else (quick, slow)
         battery.answer, lidar.answer = ({'success': ok, 'message': text} for ok, text in zip(good, said, strict=True))
@@ -48,6 +50,14 @@ def test_status(learner):
         _look_at_questions(call, begin, battery, lidar, number, words)
         _look_at_status(call, begin, slow, good, said, words)
     expect(len(battery.requests) == 4, 'The battery was asked although nobody had called status.', 'fresh')
+
+
+def _texts(draw) -> list[str]:
+    """What a part says, one time after the other: whatever it is, it is handed on as it is."""
+    first, *others = draw.sample([f'{draw.randint(1, 99)} %', 'no Signal; 3 tries', ' Two  words '], 3)
+    others.append('')
+    draw.shuffle(others)
+    return [first, *others]
 
 
 def _look_at_questions(call, begin, battery, lidar, number, words):
@@ -104,28 +114,35 @@ def test_two_callers(learner):
     Relative names. What belongs to one call stays in local variables.
     """
     draw = learner.random
-    space, words = draw.choice(['/robot_3', '/north/panel']), draw.sample(['low', 'full', 'warm', 'old', 'new'], 2)
+    space = draw.choice(['/robot_3', '/north/panel'])
     node = learner.start('StatusPanel', remap={'__ns': space})
     expect(
         node.name == f'{space}/status_panel',
         f'In the namespace {space} your node is called {node.name}, expected {space}/status_panel.',
         'names',
     )
-    battery = learner.serve(
-        f'{space}/battery/check',
-        Trigger,
-        iter([{'success': ok, 'message': word} for ok, word in zip((True, False), words, strict=True)]),
-        0.3,
-    )
-    lidar = learner.serve(f'{space}/lidar/check', Trigger, {'success': True}, 0.2)
+    parts = [learner.serve(f'{space}/{part}/check', Trigger, None) for part in ('battery', 'lidar')]
     clients = [learner.client(f'{space}/status', Trigger) for _ in range(2)]
     learner.settle()
     expect(
-        f'{space}/status' in clients[0].theirs() and {battery.name, lidar.name} <= set(battery.theirs()),
+        f'{space}/status' in clients[0].theirs() and {part.name for part in parts} <= set(parts[0].theirs()),
         f'In the namespace {space} your node has not all of {space}/status, {space}/battery/check and '
         f'{space}/lidar/check: write the names without a leading slash.',
         'names',
     )
+    delays = [(0.3, 0.2), (0.2, 0.3)]  # each of the parts is the first one to answer
+    draw.shuffle(delays)
+    for pair in delays:
+        _look_at_two(learner, clients, parts, pair)
+
+
+def _look_at_two(learner, clients, parts, delays):
+    """Two callers ask at the same time, and each is told what the parts have said to it, after these delays."""
+    words, counts = learner.random.sample(WORDS, 4), [len(part.requests) for part in parts]
+    said = [dict(zip((True, False), two, strict=True)) for two in (words[:2], words[2:])]
+    for part, delay, texts in zip(parts, delays, said, strict=True):
+        part.delay = delay
+        part.answer = iter([{'success': good or part is parts[1], 'message': text} for good, text in texts.items()])
     calls = [client.send() for client in clients]
     learner.run(2.0, step=1.0)
     expect(
@@ -133,18 +150,19 @@ def test_two_callers(learner):
         f'Two callers asked at the same time, and not both got an answer. {NEVER}',
         'callers',
     )
+    asked = [len(part.requests) - count for part, count in zip(parts, counts, strict=True)]
     expect(
-        [len(battery.requests), len(lidar.requests)] == [2, 2],
-        f'Two callers asked at the same time: the battery was asked {len(battery.requests)} times, the lidar '
-        f'{len(lidar.requests)} times, expected 2 and 2.',
+        asked == [2, 2],
+        f'Two callers asked at the same time: the battery was asked {asked[0]} times, the lidar '
+        f'{asked[1]} times, expected 2 and 2.',
         'callers',
     )
-    told = sorted((call.response.message.partition(';')[0], call.response.success) for call in calls)
-    wanted = sorted((f'battery: {word}', ok) for ok, word in zip((True, False), words, strict=True))
+    told = sorted((call.response.message, call.response.success) for call in calls)
+    wanted = sorted((f'battery: {said[0][good]}; lidar: {said[1][good]}', good) for good in (True, False))
     expect(
         told == wanted,
         f'Two callers asked at the same time. The battery answered {words[0]!r} (success) and '
-        f'{words[1]!r} (no success); they were told {told}. What belongs to one call must stay in '
-        'local variables.',
+        f'{words[1]!r} (no success), the lidar {words[2]!r} and {words[3]!r}; they were told {told}. What belongs to '
+        'one call must stay in local variables.',
         'callers',
     )

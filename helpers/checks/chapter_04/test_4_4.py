@@ -5,7 +5,7 @@ from std_srvs.srv import SetBool, Trigger
 
 from helpers.runner import about, expect, waiting
 
-pytestmark = [pytest.mark.exercise('4.4'), pytest.mark.wiring(type='open')]
+pytestmark = [pytest.mark.exercise('4.4'), pytest.mark.wiring(type='open', namespace='names')]
 
 ANSWERS = 'welcome', 'locked', 'full'
 NEVER = (

@@ -5,7 +5,7 @@ from example_interfaces.action import Fibonacci
 
 from helpers.runner import about, expect
 
-pytestmark = [pytest.mark.exercise('5.1'), pytest.mark.wiring(type='names')]
+pytestmark = [pytest.mark.exercise('5.1'), pytest.mark.wiring(type='names', namespace='names')]
 SERIES = [0, 1]
 while len(SERIES) < 47:
     SERIES.append(SERIES[-1] + SERIES[-2])
@@ -87,8 +87,10 @@ def test_numbers(learner):
         goal = client.send(order=other)
         learner.run(other / 2 + 1)
         check_goal(goal, 'goals' if len(numbers(goal)) >= order else '')  # those of the first goal are still there
-    orders = [draw.randint(3, 4), draw.randint(5, 6)]
-    goals = [client.send(order=order) for order in orders]
+    orders = [draw.randint(3, 4), draw.randint(5, 6), draw.randint(3, 5)]
+    goals = [client.send(order=order) for order in orders[:2]]
+    learner.run(draw.choice([0.3, 0.7]))  # the last one comes while the others count
+    goals.append(client.send(order=orders[2]))
     learner.run(4.0)
     for goal in goals:
         expect(
@@ -123,9 +125,9 @@ def test_cancel(learner):
     draw = learner.random
     client = learner.action_client('/fibonacci', Fibonacci)
     learner.start('FibonacciServer', threads=True)
-    steps = [(9, 0), (9, draw.choice([2, 3]))]
+    steps = [(9, 0), (9, 1), (9, draw.choice([2, 4])), (9, draw.choice([3, 5]))]
     draw.shuffle(steps)
-    for order, step in [*steps, (5, 4)]:  # at last, in the last step
+    for order, step in [*steps, (5, 4), (1, 0)]:  # at last, in the last step
         goal = client.send(order=order)
         learner.run(step / 2 + draw.choice([0.1, 0.2, 0.4]))
         begin = learner.now / 1e9 - goal.sent

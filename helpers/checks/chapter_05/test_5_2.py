@@ -8,7 +8,7 @@ from std_msgs.msg import String
 
 from helpers.runner import about, action_peers, expect, waiting
 
-pytestmark = [pytest.mark.exercise('5.2'), pytest.mark.wiring(type='names', qos='once')]
+pytestmark = [pytest.mark.exercise('5.2'), pytest.mark.wiring(type='names', qos='once', namespace='names')]
 NEAR = 0.011  # s
 WORDS = 'rejected', 'succeeded', 'canceled', 'aborted', 'lost'
 

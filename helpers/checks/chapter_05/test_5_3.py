@@ -5,7 +5,7 @@ from example_interfaces.action import Fibonacci
 
 from helpers.runner import about, expect
 
-pytestmark = [pytest.mark.exercise('5.3'), pytest.mark.wiring(type='names')]
+pytestmark = [pytest.mark.exercise('5.3'), pytest.mark.wiring(type='names', namespace='names')]
 
 
 def up_to(count) -> list[int]:
@@ -81,10 +81,18 @@ def test_one_goal(learner):
     for other in bad:
         expect(other.accepted is False, f'The order {other.request.order} was accepted.', 'orders')
     check_goal(goal, 'Goals came in the meantime that were rejected. ', 'rejected')
-    count = draw.randint(0, 2)
-    goal = client.send(order=9)
-    learner.run(0.5 * count + 0.2)
-    words = f'A goal of order 9 was cancelled {0.5 * count + 0.2:.1f} s after its start. '
+    steps = [(draw.randint(48, 2**31 - 1), 0), (9, 1), (9, draw.choice([2, 4]))]
+    draw.shuffle(steps)
+    for number, count in [*steps, (3, 2)]:  # at last, in the last step
+        check_cancel(learner, client, number, count, 0.5 * count + 0.2)
+
+
+def check_cancel(learner, client, order, count, seconds) -> None:
+    """Expect that a goal that is cancelled after so many seconds, with `count` numbers, ends so."""
+    goal = client.send(order=order)
+    learner.run(seconds)
+    expect(goal.accepted, f'The goal of order {order} was rejected. Every order from 1 is accepted.', 'orders')
+    words = f'A goal of order {order} was cancelled {seconds:.1f} s after its start. '
     with about('cancel'):
         cancel = goal.cancel()
         learner.run(0.5)
@@ -111,39 +119,13 @@ def test_newest_wins(learner):
     draw = learner.random
     client = learner.action_client('/count', Fibonacci)
     learner.start('NewestWins', threads=True)
-    count, order = draw.randint(1, 3), draw.randint(3, 4)
-    begin = 0.5 * count + draw.choice([0.1, 0.2, 0.3])
-    old = client.send(order=20)
-    learner.run(begin)
-    new = client.send(order=order)
-    with about('aborted'):  # what the old goal does at its end
-        learner.run(0.5)
-    words = f'A goal of order 20, and {begin:.1f} s after it one of order {order}: '
-    expect(new.accepted, f'{words}the second goal was rejected. The newest goal wins.', 'newest')
-    expect(
-        old.done or new.feedback,
-        f'{words}0.5 s later the first goal goes on, and the second one has not begun: it begins at once.',
-        'newest',
-    )
-    expect(old.done, f'{words}the first goal goes on beside the second one.', 'aborted')
-    expect(
-        old.status == 'aborted',
-        f'{words}the first goal ended as {old.status}, expected aborted: nobody asked to cancel it.',
-        'aborted',
-    )
-    expect(
-        len(old.feedback) <= count and len(numbers(old)) <= count,
-        f'{words}the first goal had {up_to(count)} when the second one came; then it went on, with '
-        f'{len(old.feedback)} feedback messages and the result {numbers(old)}.',
-        'stops',
-    )
-    expect(
-        numbers(old) == up_to(count),
-        f'{words}the result of the first goal is {numbers(old)}, expected what it had, {up_to(count)}.',
-        'aborted',
-    )
-    learner.run(0.5 * order + 0.3)
-    check_goal(new, words, 'newest')
+    same = draw.randint(3, 4)
+    for order, count, newer in (
+        (20, draw.randint(1, 3), draw.randint(3, 4)),
+        (4, 3, draw.randint(5, 6)),  # in its last step, by a larger one
+        (same, 0, same),  # before its first number, by one that asks for the same
+    ):
+        check_replaced(learner, client, order, count, newer)
     goal = client.send(order=2)
     learner.run(1.5)
     check_goal(goal, 'A goal came when nothing ran any more, after one had been aborted. ', 'newest')
@@ -163,3 +145,39 @@ def test_newest_wins(learner):
     goal = client.send(order=2)
     learner.run(1.5)
     check_goal(goal, 'A goal came after another one had been cancelled. ', 'newest')
+
+
+def check_replaced(learner, client, order, count, newer) -> None:
+    """Expect that a goal of this order, with `count` numbers, gives way to one of the order `newer`."""
+    begin = 0.5 * count + learner.random.choice([0.1, 0.2, 0.3])
+    old = client.send(order=order)
+    learner.run(begin)
+    new = client.send(order=newer)
+    with about('aborted'):  # what the old goal does at its end
+        learner.run(0.5)
+    words = f'A goal of order {order}, and {begin:.1f} s after it one of order {newer}: '
+    expect(new.accepted, f'{words}the second goal was rejected. The newest goal wins.', 'newest')
+    expect(
+        old.done or new.feedback,
+        f'{words}0.5 s later the first goal goes on, and the second one has not begun: it begins at once.',
+        'newest',
+    )
+    expect(old.done, f'{words}the first goal goes on beside the second one.', 'aborted')
+    expect(
+        len(old.feedback) <= count and len(numbers(old)) <= count,
+        f'{words}the first goal had {up_to(count)} when the second one came; then it went on, with '
+        f'{len(old.feedback)} feedback messages and the result {numbers(old)}.',
+        'stops',
+    )
+    expect(
+        old.status == 'aborted',
+        f'{words}the first goal ended as {old.status}, expected aborted: a newer one has taken its place.',
+        'aborted',
+    )
+    expect(
+        numbers(old) == up_to(count),
+        f'{words}the result of the first goal is {numbers(old)}, expected what it had, {up_to(count)}.',
+        'aborted',
+    )
+    learner.run(0.5 * newer + 0.3)
+    check_goal(new, words, 'newest')

@@ -5,7 +5,7 @@ import pytest
 from helpers.checks.chapter_05.printing import NEVER, Job, Printer, check_switches, drawn_orders
 from helpers.runner import about
 
-pytestmark = [pytest.mark.exercise('5.5'), pytest.mark.wiring(type='names')]
+pytestmark = [pytest.mark.exercise('5.5'), pytest.mark.wiring(type='names', namespace='names')]
 
 
 @pytest.mark.rules('names', 'orders', 'pages', 'feedback', 'end', 'queue', 'status', 'places', 'at-once')

@@ -187,6 +187,30 @@ def two_deaf(learner) -> None:
     )
 
 
+def topic_and_service(learner) -> None:
+    """Topics and services have names of their own; fails with words if diagnose_graph takes one for the other."""
+    topic, service = learner.random.choice(TOPICS), learner.random.choice(SERVICES)
+    ends = [
+        ('publisher', '/sender', f'/{service}', MESSAGES[0]),
+        ('client', '/asker', f'/{service}', REQUESTS[0]),
+        ('server', '/helper', f'/{topic}', REQUESTS[0]),
+        ('subscription', '/receiver', f'/{topic}', MESSAGES[0]),
+    ]
+    endpoints = [
+        {'role': role, 'node': node, 'name': name, 'type': kind, 'reliability': '', 'durability': ''}
+        | (STRONG if kind in MESSAGES else {})
+        for role, node, name, kind in ends
+    ]
+    learner.random.shuffle(endpoints)
+    compare(
+        learner.call('diagnose_graph', endpoints),
+        [('waiting', f'/asker /{service}', 'nobody', ''), ('no_data', f'/receiver /{topic}', 'nobody', '')],
+        {**WHY, 'nobody': 'A publisher serves no client, and a server publishes nothing, also under the same name.'},
+        'nobody',
+        '\n'.join(map(str, endpoints)),
+    )
+
+
 def started_again(learner, fault: str, seconds: float, rule: str, apart: bool = False) -> None:
     """Start a deaf node again with the learner's arguments, and fail with words if it does not hear.
 

@@ -60,9 +60,20 @@ def {private}(task):
     print(task.{method}(), 'says {word}')
 
 
-def {function}():
+def {function}({arguments}):
     {private}(Task())
+
+
+def _{function}_again(task):
+    {private}(task)
+
+
+class Shift(Task):
+    def end(self):
+        return '{program} ends'
 '''
+# A function may take arguments, as long as it can be called without any.
+_ARGUMENTS = ('', 'args=None', '*args', 'words: list | None = None, **more')
 _PACKAGE_XML = """\
 <?xml version="1.0"?>
 <package format="3">
@@ -94,7 +105,12 @@ class Package:
         for program in programs:
             function, method = random.sample(FUNCTIONS, 2)
             self.files[f'{self.name}/{program}.py'] = _MODULE.format(
-                function=function, method=method, program=program, word=self.words[program], private=f'_{function}'
+                function=function,
+                arguments=random.choice(_ARGUMENTS),
+                method=method,
+                program=program,
+                word=self.words[program],
+                private=f'_{function}',
             )
             self.right[program] = value = f'{self.name}.{program}:{function}'
             if program in faulty:

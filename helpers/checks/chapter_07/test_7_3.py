@@ -49,10 +49,12 @@ def test_diagnose(learner):
             graphs.diagnose(learner, 'healthy', 'healthy', 'healthy', rule='fits')
     with about('durability'):
         graphs.diagnose(learner, 'both', rule='durability')
-    for fault in ('service name', 'service nobody', 'service type', 'description nobody', 'description durability'):
+    faults = ('service name', 'service nobody', 'service type')
+    for fault in (*faults, 'description name', 'description nobody', 'description durability'):
         with about('fault'):
             graphs.diagnose(learner, fault, rule='fault')
     graphs.other_description(learner)
+    graphs.topic_and_service(learner)
     with about('all'):
         graphs.diagnose(learner, *graphs.CAUSES, 'service name', rule='all')
 

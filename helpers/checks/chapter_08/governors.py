@@ -91,6 +91,11 @@ def judge_rhythm(governed: Governed, rate: float) -> None:
     first = governed.after(2.5 * period)
     at = [round(stamp, 4) for stamp in governed.heard.stamps]
     expect(
+        not governed.learner.slept,
+        'Your node sleeps, or waits in a loop, and stands still meanwhile: the timer alone gives the rhythm.',
+        'rhythm',
+    )
+    expect(
         first,
         f'With rate = {rate:g}, nothing came on {governed.heard.topic} in {2.5 * period:g} s after the '
         'start. Before the first command, zeros are expected.',
@@ -333,6 +338,11 @@ def judge_table(governed: Governed) -> None:
             found.type == wanted.value,
             f'{name} has the type {Parameter.Type(found.type).name}, expected {wanted.name}. The default gives the '
             f'type: write {default!r}.',
+            'defaults',
+        )
+        expect(
+            not found.dynamic_typing,
+            f'{name} may change its type: leave dynamic_typing out of its descriptor. The default gives the type.',
             'defaults',
         )
         value = parameters.get(name)

@@ -234,6 +234,14 @@ def judge_packages(learner) -> None:
                 'package',
                 why_not='It is one word of at least two characters.',
             )
+    compare(
+        bad_names(
+            learner, {'package.xml': package_xml(good).replace('<name>', f'<!-- <name>{bad}</name> -->\n  <name>')}
+        ),
+        [],
+        'package',
+        why_not='It stands in a comment, and not in the element <name>.',
+    )
     others = {
         'world.xml': f'<world><name>{bad}</name></world>',
         'README.md': f"create_node('{bad}')",

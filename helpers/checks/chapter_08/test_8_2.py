@@ -5,7 +5,7 @@ import pytest
 from helpers.checks.chapter_08 import governors
 from helpers.runner import about
 
-pytestmark = [pytest.mark.exercise('8.2'), pytest.mark.wiring(type='names', qos='names')]
+pytestmark = [pytest.mark.exercise('8.2'), pytest.mark.wiring(type='names', qos='names', namespace='names')]
 
 
 @pytest.mark.rules('defaults', 'description', 'bounds', 'unknown-mode', 'pair', 'reason')

@@ -6,7 +6,7 @@ from helpers.checks.chapter_08 import stations
 from helpers.checks.chapter_08.parameters import Parameters
 from helpers.runner import about
 
-pytestmark = [pytest.mark.exercise('8.7'), pytest.mark.wiring(type='names', qos='latched')]
+pytestmark = [pytest.mark.exercise('8.7'), pytest.mark.wiring(type='names', qos='latched', namespace='names')]
 
 
 @pytest.mark.rules(

@@ -5,7 +5,7 @@ import pytest
 from helpers.checks.chapter_08 import drives
 from helpers.runner import about
 
-pytestmark = [pytest.mark.exercise('8.9'), pytest.mark.wiring(type='rhythm', qos='rhythm')]
+pytestmark = [pytest.mark.exercise('8.9'), pytest.mark.wiring(type='rhythm', qos='rhythm', namespace='action')]
 
 
 @pytest.mark.rules(

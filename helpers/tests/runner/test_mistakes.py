@@ -245,3 +245,58 @@ def test_only_cells_with_the_missing_name_are_told(tmp_path):
     options = session.Options(visible=small.write_tests(tmp_path, RUN))
     test = session.run(cells, [small.exercise()], options).exercises[0].tests[0]
     assert 'Not loaded: cell 3' in test.details and 'cell 2' not in test.details
+
+
+SLEPT = '''
+def test_run(learner):
+    """It runs."""
+    learner.start('Talker')
+    learner.run(1.2)
+    expect(not learner.slept, 'It waits.')
+'''
+
+
+@pytest.mark.parametrize(
+    'line',
+    [
+        'end = time.monotonic() + 0.01\n        while time.monotonic() < end: pass',
+        'end = time.time() + 0.01\n        while time.time() < end: pass',
+        'threading.Event().wait(0.01)',
+        'with contextlib.suppress(queue.Empty): queue.Queue().get(timeout=0.01)',
+    ],
+)
+def test_a_wait_on_the_wall_clock_counts_as_sleep(tmp_path, line):
+    """In a callback, where a loop asks the time again and again, or an event is waited for, as in time.sleep."""
+    source = f'import contextlib\nimport queue\nimport threading\n{HEAD}    def tick(self):\n        {line}\n'
+    test = judge(tmp_path, source, SLEPT)
+    assert (test.verdict, test.message) == ('failed', 'It waits.')
+
+
+def test_who_looks_at_the_clock_does_not_wait(tmp_path):
+    """A measurement in each callback, or a loop over few things, is no wait."""
+    source = (
+        HEAD
+        + '    def tick(self):\n        begin = time.monotonic()\n        print([time.time() for _ in range(20)])\n'
+    )
+    test = judge(tmp_path, source.replace('0.5, self.tick', '0.001, self.tick'), SLEPT)
+    assert test.verdict == 'passed', test.message
+
+
+@pytest.mark.parametrize('namespace', ["'robot'", "'/robot'", "''", "'/'", 'None'])
+def test_a_namespace_that_a_node_gives_itself(tmp_path, namespace):
+    """A card with relative names leaves the namespace to whoever starts the node, also where a remapping hides it."""
+    source = HEAD.replace("'talker')", f"'talker', namespace={namespace})") + '    def tick(self):\n        pass\n'
+    test = judge(
+        tmp_path,
+        source,
+        """
+@pytest.mark.wiring(namespace='names')
+def test_run(learner):
+    \\"\\"\\"It runs.\\"\\"\\"
+    learner.start('Talker', remap={'__ns': '/here'})
+""".replace('\\', ''),
+    )
+    if 'robot' in namespace:
+        assert test.rule == 'names' and f'gives itself the namespace {namespace}' in test.message, test.message
+    else:
+        assert test.verdict == 'passed', test.message

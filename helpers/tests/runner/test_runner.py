@@ -108,6 +108,26 @@ time.sleep(0.02)
         + small.TALKER,
         EXACT + "expect(not learner.slept, f'{learner.slept}')\n",
     ),
+    'a thread of the answer that sleeps on a rate': Case(
+        'import threading\n'
+        + NODE
+        + """\
+        self.publisher, self.rate = self.create_publisher(String, 'chatter', 10), self.create_rate(2.0)
+        threading.Thread(target=self.work, daemon=True).start()
+
+    def work(self):
+        while rclpy.ok():
+            self.rate.sleep()
+            time.sleep(0.02)  # the step waits for it
+            self.publisher.publish(String(data='here'))
+""",
+        """
+heard = learner.listen('/chatter', String)
+learner.start('Talker')
+learner.run(6.1)
+expect(heard.stamps == [number / 2 for number in range(1, 13)], f'{heard.stamps}')
+""",
+    ),
     'what notebooks have without an import': Case(
         """\
 import asyncio
