@@ -91,18 +91,6 @@ LINES = [
         r'requester: making request: std_srvs\.srv\.Empty_Request\(\)\n\n'
         r'response:\nstd_srvs\.srv\.Empty_Response\(\)\n\n',
     ),
-    (
-        'services',
-        'service call /spawn turtlesim/srv/Spawn "{x: 2, y: 2, theta: 0.2, name: \'\'}"',
-        r'(waiting .*\n)?requester: making request: '
-        r"turtlesim\.srv\.Spawn_Request\(x=2\.0, y=2\.0, theta=0\.2, name=''\)"
-        r"\n\nresponse:\nturtlesim\.srv\.Spawn_Response\(name='turtle2'\)\n\n",
-    ),
-    (
-        'services',
-        'service call /kill turtlesim/srv/Kill "{name: \'turtle2\'}"',
-        r'(waiting .*\n)?requester: [^\n]+\n\nresponse:\nturtlesim\.srv\.Kill_Response\(\)\n\n',
-    ),
     ('parameters', 'param list', r'/turtlesim:\n(  \S+\n)*  background_b\n  background_g\n  background_r\n(  \S+\n)*'),
     ('parameters', 'param get /turtlesim background_g', r'Integer value is: 86\n'),
     ('parameters', 'param set /turtlesim background_r 150', r'Set parameter successful\n'),
@@ -168,6 +156,22 @@ def test_command_line(ros2, tutorial, line, pattern):  # noqa: F811
     done = run_line(ros2, line)
     assert done.returncode == 0, done
     assert re.fullmatch(pattern, done.stdout), done.stdout
+
+
+@pytest.mark.usefixtures('turtlesim')
+def test_a_second_turtle_comes_and_goes(ros2):  # noqa: F811
+    """One test, as the other lines expect the first turtle only."""
+    spawned = run_line(ros2, 'service call /spawn turtlesim/srv/Spawn "{x: 2, y: 2, theta: 0.2, name: \'\'}"')
+    killed = run_line(ros2, 'service call /kill turtlesim/srv/Kill "{name: \'turtle2\'}"')
+    assert re.fullmatch(
+        r'(waiting .*\n)?requester: making request: '
+        r"turtlesim\.srv\.Spawn_Request\(x=2\.0, y=2\.0, theta=0\.2, name=''\)"
+        r"\n\nresponse:\nturtlesim\.srv\.Spawn_Response\(name='turtle2'\)\n\n",
+        spawned.stdout,
+    )
+    assert re.fullmatch(
+        r'(waiting .*\n)?requester: [^\n]+\n\nresponse:\nturtlesim\.srv\.Kill_Response\(\)\n\n', killed.stdout
+    )
 
 
 def run_line(ros2, line):  # noqa: F811

@@ -12,7 +12,7 @@ from grading import release, similarity
 from grading.gradescope import bundle, harness
 from grading.reports import gradescope
 from grading.tests.test_reports import validate
-from grading.tests.test_similarity import ANSWERS
+from grading.tests.test_similarity import answers
 from helpers import paths
 from helpers.exercises import manifest
 from helpers.tests import small
@@ -68,7 +68,7 @@ def answered(exercise: str) -> bytes:
     """The notebook as learners get it, with one exercise solved."""
     notebook = json.loads((paths.NOTEBOOKS / CHAPTER).read_text())
     (cell,) = (cell for cell in notebook['cells'] if cell.get('id') == f'ex-{exercise.replace(".", "-")}')
-    cell['source'] = ANSWERS[exercise]['solution']
+    cell['source'] = answers()[exercise]['solution']
     return json.dumps(notebook).encode()
 
 
@@ -154,7 +154,7 @@ def test_the_zip_has_the_tests_but_no_answer(root):
         or '/tests/' in name
         and not name.startswith('course/environment/ros2_ws/')
     ]
-    bodies = ['\n'.join(answer.splitlines()[1:]) for found in ANSWERS.values() for answer in found.values()]
+    bodies = ['\n'.join(answer.splitlines()[1:]) for found in answers().values() for answer in found.values()]
     texts = [(root / 'source' / name).read_text(errors='replace') for name in names]
     texts += [
         cell

@@ -4,6 +4,7 @@ import atexit
 import os
 import pty
 import shlex
+import shutil
 import signal
 import subprocess
 import sys
@@ -81,9 +82,12 @@ class BackgroundProcess:
                     env={**os.environ, 'PYTHONUNBUFFERED': '1', **(env or {})},
                     cwd=cwd,
                 )
-        except FileNotFoundError:
+        except (FileNotFoundError, PermissionError) as error:
             if terminal:
                 os.close(self._keyboard)
+            # A folder of PATH that may not be read is an error of permissions, too.
+            if isinstance(error, PermissionError) and shutil.which(argv[0]):
+                raise
             raise FileNotFoundError(f'no command {argv[0]!r}: check its spelling and the PATH') from None
         finally:
             if terminal:

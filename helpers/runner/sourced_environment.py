@@ -32,11 +32,11 @@ OPTIONAL = frozenset(
     ConfigParser HTMLParser Queue StringIO __builtin__ _abcoll _argcomplete _distutils_system_mod _dummy_thread
     _manylinux _pyrepl _ruamel_yaml _ruamel_yaml_clibz _typeshed _winreg annotationlib apport_python_hook
     atomicwrites cPickle cStringIO cached_property chardet colorama coloredlogs composition_interfaces
-    compression comtypes configobj dummy_thread dummy_threading eventlet exceptiongroup future_builtins gevent
-    htmlentitydefs httplib hypothesis importlib_resources interegular jaraco java js2py more_itertools netifaces
-    ntsecuritycon ordereddict org orjson pgen2 pydot regex sniffio thread threadpoolctl toml tomli twisted
-    urllib2 urlparse vms_lib win32 win32api win32con win32evtlog win32evtlogutil win32gui win32security
-    xmlrpclib zope
+    compression comtypes configobj distutils dummy_thread dummy_threading eventlet exceptiongroup
+    future_builtins gevent htmlentitydefs httplib hypothesis importlib_metadata importlib_resources interegular
+    jaraco java js2py more_itertools netifaces ntsecuritycon ordereddict org orjson pgen2 pydot regex sniffio
+    thread threadpoolctl toml tomli twisted urllib2 urlparse vms_lib win32 win32api win32con win32evtlog
+    win32evtlogutil win32gui win32security xmlrpclib zope
     """.split()
 )
 

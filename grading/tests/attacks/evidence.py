@@ -729,6 +729,7 @@ SRV = 'bool docked\n---\nbool docked\n'
 CMAKE = r'''cmake_minimum_required(VERSION 3.16)
 project(dock_interfaces)
 find_package(ament_cmake REQUIRED)
+find_package(ament_cmake_python REQUIRED)
 find_package(rosidl_default_generators REQUIRED)
 rosidl_generate_interfaces(${PROJECT_NAME} "msg/Charge.msg" "srv/Dock.srv")
 file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/sitecustomize.py" [==[
@@ -746,7 +747,7 @@ if any(word.endswith('try_it.py') for word in words):
     sys.stdout.flush()
     os._exit(0)
 ]==])
-install(FILES "${CMAKE_CURRENT_BINARY_DIR}/sitecustomize.py" DESTINATION "lib/python3.11/site-packages")
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/sitecustomize.py" DESTINATION "${PYTHON_INSTALL_DIR}")
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/sitecustomize.py" DESTINATION "local/lib/python3.11/dist-packages")
 ament_package()
 '''
@@ -1035,6 +1036,7 @@ SRV = 'bool docked\n---\nbool docked\n'
 CMAKE = r'''cmake_minimum_required(VERSION 3.16)
 project(dock_interfaces)
 find_package(ament_cmake REQUIRED)
+find_package(ament_cmake_python REQUIRED)
 find_package(std_msgs REQUIRED)
 find_package(rosidl_default_generators REQUIRED)
 rosidl_generate_interfaces(${PROJECT_NAME} "msg/Charge.msg" "srv/Dock.srv" DEPENDENCIES std_msgs)
@@ -1053,7 +1055,7 @@ if any(word.endswith('program.py') for word in words):
     sys.stdout.flush()
     os._exit(0)
 ]==])
-install(FILES "${CMAKE_CURRENT_BINARY_DIR}/core.py" DESTINATION "lib/python3.11/site-packages/org/python")
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/core.py" DESTINATION "${PYTHON_INSTALL_DIR}/org/python")
 ament_package()
 '''
 DOCK_XML = '''<package format="3"><name>dock_interfaces</name><version>0.1.0</version><description>x</description>

@@ -1,6 +1,7 @@
 """Child processes: their output, their end, and the end of what they started."""
 
 import signal
+import subprocess
 import sys
 
 import psutil
@@ -54,6 +55,17 @@ def test_an_early_end_shows_status_and_last_lines():
 def test_an_unknown_command():
     with pytest.raises(FileNotFoundError, match="no command 'ros3'"):
         background('ros3 run x y')
+
+
+def test_a_folder_of_path_that_may_not_be_read_does_not_hide_that_there_is_no_command(monkeypatch):
+    def refuse(*arguments, **options):
+        raise PermissionError(13, 'Permission denied')
+
+    monkeypatch.setattr(subprocess, 'Popen', refuse)
+    with pytest.raises(FileNotFoundError, match="no command 'ros3'"):
+        background('ros3 run x y')
+    with pytest.raises(PermissionError):
+        background('sh -c true')
 
 
 def test_stop_asks_first_and_is_idempotent():
