@@ -5,7 +5,7 @@ Each patch is a module that is put beside the packages, and a few lines that put
 
 from pathlib import Path
 
-from environment.setup import action_client, cppcheck, python_tests
+from environment.setup import action_client, missing_linters, python_tests
 from environment.setup.relocation import replace
 
 # For each patched module its patch, what marks a version that needs none, and the lines at its end.
@@ -15,11 +15,14 @@ _PATCHES = {
         'Lock()',
         '\n\nfrom {name} import patch  # noqa: E402 - ros2/rclpy#1123\n\npatch(ActionClient)\n',
     ),
-    'ament_cppcheck/main.py': (
-        cppcheck,
-        None,
-        '\n\nfrom {name} import skip_without_cppcheck  # noqa: E402\n\nmain = skip_without_cppcheck(main)\n',
-    ),
+    **{
+        f'ament_{program}/main.py': (
+            missing_linters,
+            None,
+            f'\n\nfrom {{name}} import skip_without  # noqa: E402\n\nmain = skip_without({program!r}, main)\n',
+        )
+        for program in ('cppcheck', 'uncrustify')
+    },
 }
 _TESTS = '_course_python_tests'
 # What tells setuptools and colcon of the entry points: the record of an installed distribution.
@@ -34,7 +37,7 @@ _DISTRIBUTION = {
 
 def text() -> str:
     """All that the patches are made of: when it changes, they are due again."""
-    files = [__file__, *(module.__file__ for module in (action_client, cppcheck, python_tests))]
+    files = [__file__, *(module.__file__ for module in (action_client, missing_linters, python_tests))]
     return ''.join([*(Path(file).read_text() for file in files), *_DISTRIBUTION.values()])
 
 
@@ -50,8 +53,8 @@ def _patch(site: Path, path: str, patch, mark: str | None, tail: str) -> bool:
         return False
     name = f'_course_{patch.__name__.rpartition(".")[2]}'
     tail = tail.format(name=name)
-    # Without the lines of any earlier version of the patch.
-    old = module.read_text().partition(f'\n\nfrom {name} import ')[0]
+    # Without the lines of any earlier version of the patch, whatever it was called.
+    old = module.read_text().partition('\n\nfrom _course_')[0]
     if mark and mark in old:
         return False
     (site / f'{name}.py').write_text(Path(patch.__file__).read_text())
