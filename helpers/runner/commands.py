@@ -112,7 +112,8 @@ def _pytest(request: dict, given: list[int]) -> int:
     os.environ.update(request['environment'])
     os.environ['PYTEST_DISABLE_PLUGIN_AUTOLOAD'] = '1'
     missing: Any = None  # in place of a module: importing it is an ImportError
-    for name in request.get('without', ()):
+    without = set(request.get('without', ()))
+    for name in {*without, *(loaded for loaded in sys.modules if loaded.partition('.')[0] in without)}:
         sys.modules[name] = missing
     if given:
         os.environ['FUNCTIONS'] = str(given[0])

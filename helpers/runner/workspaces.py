@@ -158,13 +158,13 @@ class ExerciseWorkspace:
         *argv: str,
         functions: int | None = None,
         modules: tuple[str, ...] = (),
-        without: tuple[str, ...] = (),
+        without: Iterable[str] = (),
         environment: dict[str, str] | None = None,
     ) -> Task:
         """Start pytest with these arguments, in a process that has imported it, and `modules`, already.
 
         :param functions: a socket that the tests in there may use, see `helpers.runner.functions`.
-        :param without: modules that cannot be imported.
+        :param without: Python packages that cannot be imported, nor anything in them.
         """
         self._learner.end_calls()
         given = [functions] if functions is not None else []
@@ -177,7 +177,7 @@ class ExerciseWorkspace:
             folder=self.name,
             environment=environment or {},
             modules=list(modules),
-            without=list(without),
+            without=sorted(without),
         )
 
     def installed(self) -> list[str]:

@@ -22,6 +22,12 @@ def test_free():
         import pytest
         import rclpy
         ''', expect='Your tests import rclpy', breaks='no-ros'),
+    Mutant('needs_a_message', old='import pytest', new='''
+        import pytest
+        from geometry_msgs.msg import Twist
+        ''', expect='Your tests import geometry_msgs', breaks='no-ros'),
+    Mutant('no_negative_max_speed', old='[-0.1, -inf, nan]', new='[nan]', breaks='bad-max-speed',
+           expect='that accepts a negative max_speed'),
     Mutant('no_assert', source="""
 TEST_LIMIT = '''
 from math import inf, nan

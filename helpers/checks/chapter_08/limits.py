@@ -69,7 +69,7 @@ KINDS = (
         'borders',
         'that have wrong borders of the distance',
         {
-            'that ignores obstacles': variant(nan='', share='    share = 1.0\n'),
+            'that ignores obstacles': variant(share='    share = 1.0\n'),
             'that stops only at 0.0 m': variant(share='    share = max(0.0, min(1.0, distance))\n'),
             'that is free only from 1.5 m on': variant(
                 share='    share = max(0.0, min(1.0, (distance - 0.2) / 1.3))\n'
@@ -119,7 +119,7 @@ KINDS = (
         'bad-max-speed',
         'that take a bad max_speed, or refuse a good one',
         {
-            'that accepts a negative max_speed': variant(check='    max_speed = abs(max_speed)\n'),
+            'that accepts a negative max_speed': variant(check=f'    if isnan(max_speed):\n    {BAD}'),
             'that accepts nan as max_speed': variant(check=f'    if max_speed < 0:\n    {BAD}'),
             'that refuses 0 as max_speed': variant(check=f'    if not max_speed > 0:\n    {BAD}'),
         },

@@ -13,8 +13,11 @@ import os
 import re
 from contextlib import ExitStack
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path, PurePosixPath
 from time import monotonic as _now
+
+from ament_index_python import get_packages_with_prefixes
 
 from helpers.kernel import domains
 from helpers.runner import disguise, expect
@@ -107,9 +110,10 @@ def judge(
     outcomes = learner.server.workspaces[key]
     said = '\n'.join(outcome.output for outcome in outcomes.values())
     statuses = {outcome.status for outcome in outcomes.values()}
+    asked = {name for pair in _NOT_THERE.findall(said) for name in pair} & _packages_of_ros()
     expect(
-        subject.ros or "No module named 'rclpy" not in said and 'import of rclpy' not in said,
-        'Your tests import rclpy. The function needs no ROS, and its tests need none.',
+        subject.ros or not asked,
+        f'Your tests import {" and ".join(sorted(asked))}. The function needs no ROS, and its tests need none.',
         'no-ros',
     )
     expect(5 not in statuses, 'pytest found no test: the functions must begin with test_.')
@@ -123,6 +127,15 @@ def _run(learner, functions, subject: Subject, tests: str) -> dict[str, Outcome]
     learner.random.shuffle(names)
     run = _run_robots if subject.ros else _run_functions
     return run(learner, {name: functions[name] for name in names}, subject, tests)
+
+
+_NOT_THERE = re.compile(r"import of (\w+)[\w.]* halted|No module named '(\w+)")
+
+
+@cache
+def _packages_of_ros() -> frozenset[str]:
+    """The names of all that is installed as a package of ROS, and of what finds them."""
+    return frozenset({*get_packages_with_prefixes(), 'ament_index_python'})
 
 
 def _run_functions(learner, programs: dict[str, str], subject: Subject, tests: str) -> dict[str, Outcome]:
@@ -141,7 +154,9 @@ def _run_functions(learner, programs: dict[str, str], subject: Subject, tests: s
         exec(text, namespace)  # noqa: S102 - a program of the course's
         served = Served(namespace[subject.function.partition('(')[0]])
         try:
-            task = place.pytest(*_OPTIONS, path, functions=served.other, without=('rclpy', 'rclpy.node'))
+            task = place.pytest(
+                *_OPTIONS, path, functions=served.other, without=_packages_of_ros() - {module.parent.name}
+            )
             outcomes[name] = _outcome(task, subject.limit)
         finally:
             served.close()
