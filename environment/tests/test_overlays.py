@@ -39,6 +39,7 @@ UPSTREAM = {
     'launch.launch_description': 'LaunchDescription',
     'launch.launch_description_entity': 'LaunchDescriptionEntity',
     'launch.launch_description_sources': 'AnyLaunchDescriptionSource get_launch_description_from_any_launch_file',
+    'launch.substitutions': 'TextSubstitution',
     'launch.utilities.type_utils': 'get_typed_value is_instance_of',
     'launch_ros.actions': 'Node',
     'launch_ros.parameter_descriptions': 'ParameterValue',

@@ -86,6 +86,7 @@ class Recording:
         self.node, self.writer, self.options = node, writer, options
         self.paused = options.start_paused
         self.subscriptions: dict[str, Any] = {}
+        self.written = 0  #: messages
         self._fail = fail
         self._looked = self._flushed = float('-inf')
         self._refused: set[str] = set()
@@ -150,5 +151,6 @@ class Recording:
             return
         try:
             self.writer.write(name, data, self.node.get_clock().now().nanoseconds)
+            self.written += 1
         except (RuntimeError, OSError) as error:
             self._fail(error)

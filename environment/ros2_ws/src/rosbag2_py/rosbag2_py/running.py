@@ -12,6 +12,7 @@ from rclpy.parameter import Parameter
 from rclpy.signals import SignalHandlerOptions
 
 _LONGEST_WAIT = 0.1  # seconds after which a wait looks whether Ctrl+C was pressed
+_IDLE = 5  # times that nothing was ready: an executor may have something else to do in between
 
 
 class RunningNode:
@@ -69,6 +70,14 @@ class RunningNode:
             self._executor.spin_once(timeout_sec=wait)
             self._end_if_told()
         self._end_if_told()
+
+    def spin_ready(self, done: Callable[[], int], timeout: float = 1.0) -> None:
+        """Run the callbacks of what has come already: until `done` counts no more, for at most `timeout` seconds."""
+        end, idle = time.monotonic() + timeout, 0
+        while idle < _IDLE and time.monotonic() < end:
+            before = done()
+            self._executor.spin_once(timeout_sec=0)
+            idle = 0 if done() > before else idle + 1
 
     def _note(self, number: int, _: object) -> None:
         if self._signal:  # a second time: at once

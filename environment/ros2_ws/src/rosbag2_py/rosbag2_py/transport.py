@@ -108,5 +108,6 @@ class Recorder(_Transport):
                 return bool(failures) or self._cancelled.is_set()
 
             running.spin(until=step)
+            running.spin_ready(lambda: recording.written)
         if failures:
             raise failures[0]

@@ -40,6 +40,7 @@ from rosbag2_py import (
     compression_mode_from_string,
     compression_mode_to_string,
     get_registered_compressors,
+    running,
 )
 from rosbags.highlevel import AnyReader
 from std_msgs.msg import String
@@ -408,3 +409,16 @@ def test_what_shall_be_written_is_checked(tmp_path, text, said):
     (tmp_path / 'options.yaml').write_text(text)
     with pytest.raises(RuntimeError, match=said):
         bag_rewrite([], str(tmp_path / 'options.yaml'))
+
+
+def test_what_has_come_is_handled_at_the_end_though_nobody_has_spun():
+    heard = []
+    with running.RunningNode('keeper') as keeper:
+        publisher = keeper.node.create_publisher(String, 'words', 50)
+        keeper.node.create_subscription(String, 'words', heard.append, 50)
+        keeper.spin(until=publisher.get_subscription_count, timeout=10)
+        for number in range(30):
+            publisher.publish(String(data=str(number)))
+        assert publisher.wait_for_all_acked(Duration(seconds=10))
+        keeper.spin_ready(lambda: len(heard), timeout=10)
+    assert [message.data for message in heard] == [str(number) for number in range(30)]

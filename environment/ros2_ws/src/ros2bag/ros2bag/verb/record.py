@@ -272,5 +272,8 @@ def _run(running, recorder, pressed, failures, args):
     logger.info('Waiting for recording: Press SPACE to start.' if recorder.paused else 'Recording...')
     try:
         running.spin(until=step)
+    except KeyboardInterrupt:
+        running.spin_ready(lambda: recorder.written)  # on a busy machine the queue may hold messages
+        raise
     finally:
         logger.info('Recording stopped')
