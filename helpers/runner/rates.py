@@ -9,6 +9,8 @@ import sys
 import threading
 import time
 
+import rclpy
+from rclpy.exceptions import ROSInterruptException
 from rclpy.timer import Rate
 
 from helpers.runner.mistakes import Watch
@@ -84,5 +86,13 @@ def watch(sleepers: Sleepers, seen: Watch) -> None:
             sleepers.sleeps(thread, self)
         return sleep(self)
 
+    show = threading.excepthook
+
+    def raised(arguments):
+        # A rate that is slept on raises when the test is over: that is no fault of the thread.
+        if not issubclass(arguments.exc_type, ROSInterruptException) and rclpy.ok():
+            show(arguments)
+
+    threading.excepthook = raised
     # Replaced on purpose, which no type of theirs allows.
     threading.Thread.start, Rate.__init__, Rate.sleep = started, made, slept  # type: ignore[method-assign]
