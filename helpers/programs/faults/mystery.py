@@ -6,6 +6,7 @@ the other files still fits.
 """
 
 import re
+from random import Random
 from typing import NamedTuple
 
 from helpers.programs.faults import words
@@ -153,6 +154,7 @@ panel: python3 panel.py{panel_time}
 """
 _ASK = '            self.client.call_async(Trigger.Request()).add_done_callback(self.on_answer)'
 _BLOCK = '            self.answer = self.client.call(Trigger.Request()).message'
+_SOURCE = f'source ~/{SETUP.format(distro="jazzy")}'
 _STEADY = 'Clock(clock_type=ClockType.STEADY_TIME)'
 _SHOWN = re.compile(r'\w+: (\S+), (\S+) a second, \w+: (.+), base_link: (.+)$')
 _LINES = 8  # of the panel, in which something must have changed: more than two seconds
@@ -177,6 +179,156 @@ class Shown(NamedTuple):
     place: str
 
 
+class Names(NamedTuple):
+    """The names and numbers of one system, right and wrong."""
+
+    robot: str
+    topic: str
+    service: str
+    types: list[tuple[str, str]]  # the topic's type and another, each with what it carries
+    packages: list[str]  # the service's package and another
+    rooms: list[str]  # the system's and another
+    speed: float  # m/s
+    period: float  # s: too long
+    shell: str  # the machine whose terminal is in the wrong domain
+    wrong: dict[str, str]  # for each right name, one that is misspelt
+    asleep: dict[str, str]  # which program waits for a clock
+
+    @property
+    def signs(self) -> dict[str, str]:
+        """For each right name, a pattern of the misspelt one as a whole word: 'pressur' is in 'pressure'."""
+        return {word: rf'\b{name}\b' for word, name in self.wrong.items()}
+
+
+def _draw_names(draw: Random) -> Names:
+    robot, topic, service = draw.choice(words.ROBOTS), draw.choice(words.SENSORS)[0], draw.choice(words.SERVICES)[0]
+    return Names(
+        robot=robot,
+        topic=topic,
+        service=service,
+        types=draw.sample([('Int32', 'sensor.measure()'), ('Float32', 'float(sensor.measure())')], 2),
+        packages=draw.sample(['std_srvs', 'example_interfaces'], 2),
+        rooms=draw.sample(words.ROOMS, 2),
+        speed=draw.randrange(4, 10) / 10,
+        period=draw.choice([0.5, 0.8, 1.0]),
+        shell=draw.choice([f'robot/{BASHRC}', f'panel/{BASHRC}']),
+        wrong={word: words.misspelt(word, draw) for word in (topic, service, 'base_link', robot, 'speed')},
+        asleep=draw.choice([{'robot_time': SIM_TIME.removeprefix(' --ros-args')}, {'panel_time': SIM_TIME}]),
+    )
+
+
+def _right_values(names: Names) -> dict[str, object]:
+    """What stands in the files where nothing is wrong."""
+    return {
+        'topic': names.topic,
+        'measured': names.topic,
+        'asked': names.service,
+        'type': names.types[0][0],
+        'value': names.types[0][1],
+        'reliability': 'RELIABLE',
+        'service': names.service,
+        'package': names.packages[0],
+        'robot': names.robot,
+        'node': names.robot,
+        'parent': 'odom',
+        'child': 'base_link',
+        'ask': _ASK,
+        'clock': 'self.get_clock()',
+        'period': 0.1,
+        'parameter': 'speed',
+        'speed': names.speed,
+        'source': _SOURCE,
+        'room': names.rooms[0].upper(),
+        'range': 'LOCALHOST',
+        'parameters': ' --params-file params.yaml',
+        'robot_time': '',
+        'panel_time': '',
+    }
+
+
+def _task(names: Names) -> str:
+    return (
+        f'The machines robot and panel are in the room {names.rooms[0]}. robot publishes {names.topic} '
+        f'(std_msgs/msg/{names.types[0][0]}, RELIABLE) ten times a second, serves {names.service} '
+        f'({names.packages[0]}/srv/Trigger), and says where base_link is in odom: '
+        f'it drives ahead with {names.speed} m/s, as params.yaml says. panel should print all of '
+        'it, three times a second.'
+    )
+
+
+def _of_terminals(names: Names) -> dict[str, list[Drawn]]:
+    """Faults of what a terminal has sourced and set."""
+    other = names.rooms[1].upper()
+    return {
+        'no_ros2': [
+            Drawn('not sourced', f'panel/{BASHRC}', {'source': f'# {_SOURCE}'}, '', ()),
+            Drawn('not sourced', f'panel/{BASHRC}', {'source': _SOURCE.replace('jazzy', 'humble')}, '', ()),
+        ],
+        'unseen': [
+            Drawn('domain', names.shell, {'room': other}, f'export ROS_DOMAIN_ID=${other}', (rf'{other}\b',)),
+            Drawn('range', names.shell, {'range': 'OFF'}, 'export ROS_AUTOMATIC_DISCOVERY_RANGE=OFF', (r'\bOFF\b',)),
+        ],
+    }
+
+
+def _of_wires(names: Names) -> dict[str, list[Drawn]]:
+    """Faults of the topic and of the service."""
+    topic, service, (_, (other_type, _)), other = names.topic, names.service, names.types, names.packages[1]
+    sensed, served = names.wrong[topic], names.wrong[service]
+    panel, robot = 'panel/panel.py', 'robot/robot.py'
+    trigger = (f'{other}/srv/Trigger', rf'from {other}\.srv')
+    return {
+        'no_data': [
+            Drawn('name', panel, {'topic': sensed}, f'/{sensed}', (names.signs[topic],)),
+            Drawn('reliability', robot, {'reliability': 'BEST_EFFORT'}, 'BEST_EFFORT', ('BEST_EFFORT',)),
+            Drawn('type', panel, {'type': other_type}, f'std_msgs/msg/{other_type}', (rf'\b{other_type}\b',)),
+        ],
+        'waiting': [
+            Drawn('name', panel, {'service': served}, f'/{served}', (names.signs[service],)),
+            Drawn('type', panel, {'package': other}, trigger[0], trigger),
+        ],
+        'hang': [Drawn('call', panel, {'ask': _BLOCK}, _BLOCK.strip(), (r'in (call|on_timer)\b', r'\.call\('))],
+    }
+
+
+def _of_frames_and_clocks(names: Names) -> dict[str, list[Drawn]]:
+    """Faults of the transform from odom to base_link, and of its time."""
+    robot, base_link = 'robot/robot.py', names.wrong['base_link']
+    turned = (r'\[-\d+\.\d', r'base_link: -\d', r'child_frame_id\W+odom', r'(?<!child_)frame_id\W+base_link')
+    no_clock = (
+        r'use_sim_time(?!.*\b[Ff]alse\b)',
+        r'\bTrue\b',
+        r'/clock(?!.*count: [1-9])',
+        r'(?<!Subscription )count: 0',
+    )
+    return {
+        'no_transform': [
+            Drawn('exchanged', robot, {'parent': 'base_link', 'child': 'odom'}, "frame_id = 'base_link'", turned),
+            Drawn('unknown', robot, {'child': base_link}, base_link, (names.signs['base_link'],)),
+        ],
+        'wrong_time': [
+            Drawn('no clock', START, dict(names.asleep), SIM_TIME.split()[-1], no_clock),
+            Drawn('other clock', robot, {'clock': _STEADY}, _STEADY, (r'\bsec: \d{1,8}\b', 'STEADY_TIME')),
+        ],
+    }
+
+
+def _of_numbers(names: Names) -> dict[str, list[Drawn]]:
+    """Faults of the robot's rate and speed."""
+    period, file, zero = names.period, 'robot/params.yaml', r'\b0\.0\b'
+    robot, speed = names.wrong[names.robot], names.wrong['speed']
+    return {
+        'too_slow': [
+            Drawn('rate', 'robot/robot.py', {'period': period}, f'{1 / period:.1f}', (rf'create_timer\({period}',))
+        ],
+        'no_parameter': [
+            Drawn('parameter', file, {'node': robot}, '0.0', (zero, names.signs[names.robot])),
+            Drawn('parameter', file, {'parameter': speed}, '0.0', (zero, names.signs['speed'])),
+            Drawn('parameter', START, {'parameters': ''}, '0.0', (zero,)),
+        ],
+    }
+
+
 class Mystery(Fault):
     """A robot and a panel on two machines, with two faults at once; ``kind`` is always ``two``."""
 
@@ -189,127 +341,10 @@ class Mystery(Fault):
 
     def _possible(self) -> dict[str, list[Drawn]]:
         """What may be wrong, by fault. The names are drawn here."""
-        draw = self.random
-        robot, topic, service = (
-            draw.choice(words.ROBOTS),
-            draw.choice(words.SENSORS)[0],
-            draw.choice(words.SERVICES)[0],
-        )
-        numbers = draw.sample([('Int32', 'sensor.measure()'), ('Float32', 'float(sensor.measure())')], 2)
-        packages = draw.sample(['std_srvs', 'example_interfaces'], 2)
-        self.rooms = draw.sample(words.ROOMS, 2)
-        room, other = (name.upper() for name in self.rooms)
-        speed, period = draw.randrange(4, 10) / 10, draw.choice([0.5, 0.8, 1.0])
-        self._values: dict[str, object] = {
-            'topic': topic,
-            'measured': topic,
-            'asked': service,
-            'type': numbers[0][0],
-            'value': numbers[0][1],
-            'reliability': 'RELIABLE',
-            'service': service,
-            'package': packages[0],
-            'robot': robot,
-            'node': robot,
-            'parent': 'odom',
-            'child': 'base_link',
-            'ask': _ASK,
-            'clock': 'self.get_clock()',
-            'period': 0.1,
-            'parameter': 'speed',
-            'speed': speed,
-            'source': f'source ~/{SETUP.format(distro="jazzy")}',
-            'room': room,
-            'range': 'LOCALHOST',
-            'parameters': ' --params-file params.yaml',
-            'robot_time': '',
-            'panel_time': '',
-        }
-        self.task = (
-            f'The machines robot and panel are in the room {self.rooms[0]}. robot publishes {topic} '
-            f'(std_msgs/msg/{numbers[0][0]}, RELIABLE) ten times a second, serves {service} '
-            f'({packages[0]}/srv/Trigger), and says where base_link is in odom: '
-            f'it drives ahead with {speed} m/s, as params.yaml says. panel should print all of '
-            'it, three times a second.'
-        )
-        shell = draw.choice([f'robot/{BASHRC}', f'panel/{BASHRC}'])
-        wrong = {word: words.misspelt(word, draw) for word in (topic, service, 'base_link', robot, 'speed')}
-        sign = {word: rf'\b{name}\b' for word, name in wrong.items()}  # 'pressur' is in 'pressure'
-        asleep = draw.choice([{'robot_time': SIM_TIME.removeprefix(' --ros-args')}, {'panel_time': SIM_TIME}])
-        source = str(self._values['source'])
-        return {
-            'no_ros2': [
-                Drawn('not sourced', f'panel/{BASHRC}', {'source': f'# {source}'}, '', ()),
-                Drawn('not sourced', f'panel/{BASHRC}', {'source': source.replace('jazzy', 'humble')}, '', ()),
-            ],
-            'no_data': [
-                Drawn('name', 'panel/panel.py', {'topic': wrong[topic]}, f'/{wrong[topic]}', (sign[topic],)),
-                Drawn('reliability', 'robot/robot.py', {'reliability': 'BEST_EFFORT'}, 'BEST_EFFORT', ('BEST_EFFORT',)),
-                Drawn(
-                    'type',
-                    'panel/panel.py',
-                    {'type': numbers[1][0]},
-                    f'std_msgs/msg/{numbers[1][0]}',
-                    (rf'\b{numbers[1][0]}\b',),
-                ),
-            ],
-            'unseen': [
-                Drawn('domain', shell, {'room': other}, f'export ROS_DOMAIN_ID=${other}', (rf'{other}\b',)),
-                Drawn('range', shell, {'range': 'OFF'}, 'export ROS_AUTOMATIC_DISCOVERY_RANGE=OFF', (r'\bOFF\b',)),
-            ],
-            'waiting': [
-                Drawn('name', 'panel/panel.py', {'service': wrong[service]}, f'/{wrong[service]}', (sign[service],)),
-                Drawn(
-                    'type',
-                    'panel/panel.py',
-                    {'package': packages[1]},
-                    f'{packages[1]}/srv/Trigger',
-                    (f'{packages[1]}/srv/Trigger', rf'from {packages[1]}\.srv'),
-                ),
-            ],
-            'hang': [
-                Drawn('call', 'panel/panel.py', {'ask': _BLOCK}, _BLOCK.strip(), (r'in (call|on_timer)\b', r'\.call\('))
-            ],
-            'no_transform': [
-                Drawn(
-                    'exchanged',
-                    'robot/robot.py',
-                    {'parent': 'base_link', 'child': 'odom'},
-                    "frame_id = 'base_link'",
-                    (r'\[-\d+\.\d', r'base_link: -\d', r'child_frame_id\W+odom', r'(?<!child_)frame_id\W+base_link'),
-                ),
-                Drawn(
-                    'unknown', 'robot/robot.py', {'child': wrong['base_link']}, wrong['base_link'], (sign['base_link'],)
-                ),
-            ],
-            'wrong_time': [
-                Drawn(
-                    'no clock',
-                    START,
-                    asleep,
-                    SIM_TIME.split()[-1],
-                    (
-                        r'use_sim_time(?!.*\b[Ff]alse\b)',
-                        r'\bTrue\b',
-                        r'/clock(?!.*count: [1-9])',
-                        r'(?<!Subscription )count: 0',
-                    ),
-                ),
-                Drawn(
-                    'other clock', 'robot/robot.py', {'clock': _STEADY}, _STEADY, (r'\bsec: \d{1,8}\b', 'STEADY_TIME')
-                ),
-            ],
-            'too_slow': [
-                Drawn('rate', 'robot/robot.py', {'period': period}, f'{1 / period:.1f}', (rf'create_timer\({period}',))
-            ],
-            'no_parameter': [
-                Drawn('parameter', 'robot/params.yaml', {'node': wrong[robot]}, '0.0', (r'\b0\.0\b', sign[robot])),
-                Drawn(
-                    'parameter', 'robot/params.yaml', {'parameter': wrong['speed']}, '0.0', (r'\b0\.0\b', sign['speed'])
-                ),
-                Drawn('parameter', START, {'parameters': ''}, '0.0', (r'\b0\.0\b',)),
-            ],
-        }
+        names = _draw_names(self.random)
+        self.rooms = names.rooms
+        self._values, self.task = _right_values(names), _task(names)
+        return {**_of_terminals(names), **_of_wires(names), **_of_frames_and_clocks(names), **_of_numbers(names)}
 
     def plan_system(self, faults: list[str]) -> None:
         """Write the system down with these faults."""
