@@ -8,8 +8,8 @@ from contextlib import contextmanager
 
 from grading.bench import Figure
 
-ROUNDS = 5  # of each, in turn: what disturbs one disturbs the other
-SECONDS = 1.0
+ROUNDS = 15  # of each, in turn: what disturbs one disturbs the other; rates of short rounds differ by half
+SECONDS = 0.4
 PATIENCE = 10.0
 _IN_FLIGHT = 8  # messages, for the rate; fewer than the queue is deep, so that none is lost
 _PEER = 'plain rclpy'
