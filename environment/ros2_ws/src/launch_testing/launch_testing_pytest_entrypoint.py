@@ -39,6 +39,7 @@ class LaunchTestItem(pytest.Item):
             launch_file_arguments=arguments,
             debug=self.config.get_verbosity() > 1,
         )
+        runner.validate()
         results = runner.run()
         if not all(result.wasSuccessful() for result in results.values()):
             raise LaunchTestFailure(results)

@@ -1,3 +1,5 @@
+from glob import glob
+
 from setuptools import find_packages, setup
 
 setup(
@@ -13,6 +15,7 @@ setup(
         ),
         ('share/launch_testing', ['package.xml']),
         ('share/launch_testing_ament_cmake', ['manifests/launch_testing_ament_cmake/package.xml']),
+        ('lib/launch_testing', sorted(glob('example_processes/*'))),
         ('share/launch_testing_ament_cmake/cmake', ['cmake/launch_testing_ament_cmakeConfig.cmake']),
     ],
     install_requires=['setuptools'],

@@ -21,8 +21,10 @@ setup(
         'ros2cli.command': ['bag = ros2bag.command.bag:BagCommand'],
         'ros2cli.extension_point': ['ros2bag.verb = ros2bag.verb:VerbExtension'],
         'ros2bag.verb': [
+            'burst = ros2bag.verb.burst:BurstVerb',
             'convert = ros2bag.verb.convert:ConvertVerb',
             'info = ros2bag.verb.info:InfoVerb',
+            'list = ros2bag.verb.list:ListVerb',
             'play = ros2bag.verb.play:PlayVerb',
             'record = ros2bag.verb.record:RecordVerb',
             'reindex = ros2bag.verb.reindex:ReindexVerb',

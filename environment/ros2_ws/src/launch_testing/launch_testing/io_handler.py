@@ -24,15 +24,19 @@ class IoHandler:
         self._all.append(process_io)
         self._by_name.setdefault(process_io.process_name, []).append(process_io)
 
+    def track(self, process_name: str) -> None:
+        """Know a process that has not written anything yet."""
+        self._by_name.setdefault(process_name, [])
+
     def __iter__(self) -> Iterator[ProcessIO]:
         return iter(list(self._all))
 
     def processes(self) -> list[ExecuteProcess]:
         """Return the actions of the processes that have written something."""
-        return [parts[0].action for parts in self._by_name.values()]
+        return [parts[0].action for parts in self._by_name.values() if parts]
 
     def process_names(self) -> list[str]:
-        """Return the names of the processes that have written something."""
+        """Return the names of the processes that have written something or are tracked."""
         return list(self._by_name)
 
     def __getitem__(self, key: str | ExecuteProcess) -> list[ProcessIO]:
@@ -57,6 +61,11 @@ class ActiveIoHandler:
             self._io_handler.append(process_io)
             self._changed.notify_all()
 
+    def track(self, process_name: str) -> None:
+        """Know a process that has not written anything yet."""
+        with self._changed:
+            self._io_handler.track(process_name)
+
     def __iter__(self) -> Iterator[ProcessIO]:
         with self._changed:
             return iter(self._io_handler)
@@ -67,7 +76,7 @@ class ActiveIoHandler:
             return self._io_handler.processes()
 
     def process_names(self) -> list[str]:
-        """Return the names of the processes that have written something."""
+        """Return the names of the processes that have written something or are tracked."""
         with self._changed:
             return self._io_handler.process_names()
 

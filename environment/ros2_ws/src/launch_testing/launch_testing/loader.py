@@ -76,6 +76,21 @@ class TestRun:
         ready[0]._add_callback(ready_fn)
         return description, dict(context)
 
+    def check_arguments(self) -> None:
+        """
+        Look at the arguments of the function that describes the launch, without a call.
+
+        :raises TypeError: if it wants one that nobody gives it, or does not take one of ``parametrize``
+        """
+        taken = inspect.signature(self._describe).parameters
+        takes_any = any(one.kind is one.VAR_KEYWORD for one in taken.values())
+        for name in () if takes_any else self.param_args.keys() - taken.keys():
+            raise TypeError(f"Could not find an argument of generate_test_description named '{name}'")
+        for name, one in taken.items():
+            given = name in self.param_args or one.default is not one.empty
+            if not given and one.kind not in (one.VAR_POSITIONAL, one.VAR_KEYWORD):
+                raise TypeError(f"generate_test_description has an unexpected extra argument '{name}'")
+
     def get_launch_description(self) -> LaunchDescription:
         """Return the launch description, only to look at it."""
         return self.normalized_test_description(ready_fn=lambda: None)[0]

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import time
 import unittest
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from launch_testing.loader import TestRun
 
 
 class TestResult(unittest.TextTestResult):
@@ -34,21 +37,25 @@ class TestResult(unittest.TextTestResult):
 
 
 class FailResult(unittest.TestResult):
-    """The result of a run whose cases could not all run; ``message`` says why."""
+    """The result of a run whose cases could not all run: each counts as failed; ``message`` says why."""
 
-    def __init__(self, message: str):
+    def __init__(self, test_run: TestRun, message: str):
         super().__init__()
         self.message = message
         self.seconds: dict[unittest.TestCase, float] = {}
+        self.failures = [(case, message) for case in test_run.all_cases()]
+        self.testsRun = len(self.failures)
 
     def wasSuccessful(self) -> bool:
         return False
 
 
 class SkipResult(unittest.TestResult):
-    """The result of a run that is skipped; ``message`` says why."""
+    """The result of a run that is skipped with all of its cases; ``message`` says why."""
 
-    def __init__(self, message: str):
+    def __init__(self, test_run: TestRun, skip_reason: str = ''):
         super().__init__()
-        self.message = message
+        self.message = skip_reason
         self.seconds: dict[unittest.TestCase, float] = {}
+        self.skipped = [(case, skip_reason) for case in test_run.all_cases()]
+        self.testsRun = len(self.skipped)

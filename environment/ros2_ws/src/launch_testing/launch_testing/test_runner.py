@@ -68,7 +68,7 @@ class _Worker:
         if self._result is None:
             print(self._failure)
             self._print_failed_processes()
-            return FailResult(self._failure)
+            return FailResult(self._run, self._failure)
         self._result.append(_run_suite(self._run.post_shutdown_tests))
         return self._result
 
@@ -133,19 +133,16 @@ class LaunchTestRunner:
                 results[run] = _Worker(run, self._arguments, self._debug).work()
             except unittest.SkipTest as skip:
                 print(f'{run} is skipped: {skip}')
-                results[run] = SkipResult(str(skip))
+                results[run] = SkipResult(run, str(skip))
             if isinstance(results[run], FailResult):  # most likely the user's Ctrl+C
                 break
         return results
 
     def validate(self) -> None:
         """
-        Check the descriptions without launching them.
+        Check what can be checked before anything is launched.
 
-        :raises Exception: what is wrong with one of them
+        :raises TypeError: if a function wants an argument that nobody gives it
         """
         for run in self._runs:
-            try:
-                run.get_launch_description()
-            except unittest.SkipTest:
-                continue
+            run.check_arguments()

@@ -1,18 +1,21 @@
 """Launch tests, run as a user runs them: by pytest and by ``launch_test``."""
 
+import io
 import os
 import re
 import subprocess
 import sys
 import textwrap
+import unittest
 from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import launch
 import pytest
+from launch import LaunchContext
 from launch.actions import ExecuteProcess, OpaqueFunction, RegisterEventHandler
 from launch.substitutions import LocalSubstitution
-from launch_testing import ActiveIoHandler, ProcInfoHandler, markers
+from launch_testing import ActiveIoHandler, ActiveProcInfoHandler, ProcInfoHandler, markers
 from launch_testing.asserts import (
     NO_CMD_ARGS,
     SequentialTextChecker,
@@ -22,7 +25,10 @@ from launch_testing.asserts import (
     assertSequentialStdout,
 )
 from launch_testing.event_handlers import StdoutReadyListener
-from launch_testing.tools import basic_output_filter, expect_output, expected_output_from_file
+from launch_testing.junitxml import unittestResultsToXml
+from launch_testing.loader import TestRun
+from launch_testing.test_result import FailResult, SkipResult, TestResult
+from launch_testing.tools import ProcessProxy, basic_output_filter, expect_output, expected_output_from_file
 from launch_testing.util import NoMatchingProcessException, resolveProcesses
 from launch_testing_ros.tools import basic_output_filter as ros_output_filter
 
@@ -43,6 +49,49 @@ from launch.actions import DeclareLaunchArgument, ExecuteProcess, TimerAction
 from launch.substitutions import LaunchConfiguration
 
 LOOP = 'import time; print("tick", flush=True); print("warn", file=sys.stderr, flush=True); time.sleep(100)'
+"""
+
+EXAMPLES = """
+import os
+
+from ament_index_python import get_package_prefix
+from launch_testing.asserts import assertExitCodes, assertSequentialStdout
+
+FOLDER = os.path.join(get_package_prefix('launch_testing'), 'lib', 'launch_testing')
+
+
+def start(name, *words):
+    environment = {'PYTHONUNBUFFERED': '1'}
+    return launch.actions.ExecuteProcess(
+        cmd=[sys.executable, os.path.join(FOLDER, name), *words], name=name, additional_env=environment
+    )
+
+
+def generate_test_description():
+    good, ending, failing = start('good_proc'), start('terminating_proc', '--foo'), start('exit_code_proc', '--silent')
+    ready = launch_testing.actions.ReadyToTest()
+    return launch.LaunchDescription([good, ending, failing, ready]), locals()
+
+
+class While(unittest.TestCase):
+    def test_output(self, proc_output, proc_info, good, ending, failing):
+        proc_output.assertWaitFor('Loop 1', process=good, timeout=30, stream='stdout')
+        proc_info.assertWaitForShutdown(process=ending, timeout=30)
+        proc_info.assertWaitForShutdown(process=failing, timeout=30)
+
+
+@launch_testing.post_shutdown_test()
+class After(unittest.TestCase):
+    def test_all(self, proc_output, proc_info, good, ending, failing):
+        with assertSequentialStdout(proc_output, process=good) as output:
+            output.assertInStdout('Starting Up')
+            output.assertInStdout('Shutting Down')
+        with assertSequentialStdout(proc_output, process=ending) as output:
+            for text in ('Starting Up', 'Ready', "Called with arguments ['--foo']", 'Emulating Work', 'Done'):
+                output.assertInStdout(text)
+        assertExitCodes(proc_info, [0], process=good)
+        assertExitCodes(proc_info, [0], process=ending)
+        assertExitCodes(proc_info, [1], process=failing)
 """
 
 WHOLE = """
@@ -169,6 +218,9 @@ def test_launch_test_tells_a_failure_by_its_status_and_in_the_report(write, tmp_
     [
         ("def generate_test_description():\n    return launch.LaunchDescription([])\n",
          'must return a LaunchDescription containing a ReadyToTest action'),
+        ("def generate_test_description(ready_fn):\n    pass\n", "an unexpected extra argument 'ready_fn'"),
+        ("@launch_testing.parametrize('speed', [1, 2])\ndef generate_test_description():\n    pass\n",
+         "Could not find an argument of generate_test_description named 'speed'"),
         ("def generate_test_description():\n    return 5\n", 'must return a LaunchDescription, or a tuple of one'),
     ],
 )  # fmt: skip
@@ -453,3 +505,46 @@ def test_a_process_says_that_it_is_ready():
     )
     assert service.run() == 0
     assert sorted(said) == ['any', 'ready']
+
+
+def test_results_of_runs_that_failed_or_were_skipped_have_all_cases():
+    class Cases(unittest.TestCase):
+        def test_one(self):
+            self.fail('no')
+
+        def test_two(self):
+            raise unittest.SkipTest('not here')
+
+    suite = unittest.defaultTestLoader.loadTestsFromTestCase(Cases)
+    run = TestRun('name', lambda: None, {}, suite, unittest.TestSuite())
+    for result, tag in ((FailResult(run, 'broken'), 'failure'), (SkipResult(run, 'broken'), 'skipped')):
+        (report,) = unittestResultsToXml(test_results={run: result}).getroot()
+        assert [case.find(tag).get('message') for case in report] == ['broken', 'broken']
+        assert result.testsRun == 2 and result.wasSuccessful() == (tag == 'skipped')
+    result = unittest.TextTestRunner(stream=io.StringIO(), resultclass=TestResult).run(suite)
+    (report,) = unittestResultsToXml(test_results={'by name': result}).getroot()
+    assert (report.get('name'), report.get('tests'), report.get('failures')) == ('by name', '2', '1')
+    assert {case.get('classname') for case in report} == {f'{__name__}.Cases'}
+
+
+def test_expected_output_may_have_escape_sequences(tmp_path):
+    (tmp_path / 'bell.txt').write_text(r'a\bb')
+    assert not expect_output(expected_lines=expected_output_from_file(tmp_path / 'bell'), text='a\bb')
+    assert expect_output(expected_lines=expected_output_from_file(tmp_path / 'bell', 'unicode_escape'), text='a\bb')
+
+
+def test_a_process_is_known_before_it_writes():
+    action = ExecuteProcess(cmd=['ls', '-a'], name='list', cwd='/')
+    action.prepare(LaunchContext())
+    assert action.name.startswith('list-') and (action.cmd, action.cwd) == (['ls', '-a'], '/')
+    handler = ActiveIoHandler()
+    handler.track(action.name)
+    assert handler.process_names() == [action.name] and handler.processes() == []
+    proxy = ProcessProxy(action, ActiveProcInfoHandler(), handler)
+    assert not proxy.running and proxy.output == ''
+
+
+def test_the_programs_to_try_tests_on_are_there(write):
+    path = write(EXAMPLES)
+    result = launch_test(path)
+    assert result.returncode == 0, result.stdout + result.stderr

@@ -10,6 +10,7 @@ import pytest
 import rclpy
 import yaml
 from rclpy.executors import SingleThreadedExecutor
+from rclpy.qos import DurabilityPolicy, QoSProfile
 from rclpy.serialization import serialize_message
 from rosbag2_py import SequentialReader, SequentialWriter, StorageOptions, TopicMetadata
 from rosbags.highlevel import AnyReader
@@ -31,10 +32,10 @@ class Listener:
         self.executor = SingleThreadedExecutor(context=self.context)
         self.executor.add_node(self.node)
 
-    def hear(self, kind, topic):
+    def hear(self, kind, topic, qos=100):
         """Return a list of (time, message)."""
         heard = []
-        self.node.create_subscription(kind, topic, lambda m: heard.append((time.monotonic(), m)), 100)
+        self.node.create_subscription(kind, topic, lambda m: heard.append((time.monotonic(), m)), qos)
         return heard
 
     def until(self, condition, what, timeout=PATIENCE):
@@ -253,6 +254,38 @@ def test_play_a_part_under_another_name_with_a_clock(ros2, listener, numbers):
     times = [message.clock.sec * 10**9 + message.clock.nanosec - 1_700_000_000_000_000_000 for _, message in clock]
     assert len(times) > 5 and times == sorted(times)
     assert times[0] == pytest.approx(450_000_000, abs=100_000_000)
+
+
+@pytest.mark.parametrize('options,triggers', [(['--clock-topics-all'], 11), (['--clock-topics', '/word'], 1)])
+def test_messages_set_the_clock(ros2, listener, numbers, options, triggers):
+    clock, words = listener.hear(Clock, '/clock'), listener.hear(String, '/word')
+    with ros2.start('bag', 'play', numbers, '-d', '1', '-r', '10', *options) as player:
+        listener.until(lambda: len(clock) >= triggers and words, 'the clock')
+        assert ended(player) == 0
+    times = [message.clock.nanosec for _, message in clock]
+    assert len(times) == triggers and 550_000_000 in times
+
+
+def test_a_burst_comes_at_once_and_the_rest_after_a_pause(ros2, listener, numbers):
+    latched = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL)  # heard whenever the reader is found
+    (ros2.directory / 'latched.yaml').write_text('/number: {durability: transient_local, depth: 100}')
+    heard = listener.hear(Int32, '/number', latched)
+    options = ['--topics', '/number', '--qos-profile-overrides-path', 'latched.yaml']
+    with ros2.start('bag', 'burst', numbers, '--num-messages', '3', *options) as player:
+        listener.until(lambda: len(heard) == 3, 'three numbers')
+        assert player.running
+        assert player.stop(PATIENCE) == 0
+    assert [message.data for _, message in heard] == [0, 1, 2]
+    assert ros2.run('bag', 'burst', numbers).returncode == 0  # all of them, and no pause
+
+
+def test_plugins_are_listed(ros2):
+    assert ros2.lines('bag', 'list', 'storage') == ['mcap', 'sqlite3']
+    assert ros2.lines('bag', 'list', 'compression') == ros2.lines('bag', 'list', 'decompression') == ['zstd']
+    assert ros2.lines('bag', 'list', 'converter') == []
+    verbose = ros2.lines('bag', 'list', 'storage', '--verbose')
+    assert verbose[:2] == ['available storage plugins are:', 'name: mcap'] and len(verbose) == 9
+    assert 'the following arguments are required: plugin_type' in ros2.error('bag', 'list', status=2)
 
 
 def test_play_in_a_loop_until_interrupted(ros2, listener, numbers):

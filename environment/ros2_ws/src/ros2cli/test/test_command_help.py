@@ -9,7 +9,7 @@ import pytest
 from environment.tests.running import ROS2
 
 VERBS = {
-    'bag': ('convert', 'info', 'play', 'record', 'reindex'),
+    'bag': ('burst', 'convert', 'info', 'list', 'play', 'record', 'reindex'),
     'component': ('list', 'load', 'standalone', 'types', 'unload'),
     'daemon': ('start', 'status', 'stop'),
     'multicast': ('receive', 'send'),

@@ -43,6 +43,8 @@ class PlayOptions:
     loop: bool = False
     topic_remapping_options: list[str] = field(default_factory=list)  # old:=new, also behind --ros-args --remap
     clock_publish_frequency: float = 0.0
+    clock_publish_on_topic_publish: bool = False
+    clock_topics: list[str] = field(default_factory=list)  # of these topics only; otherwise of all
     delay: float = 0.0
     start_paused: bool = False
     start_offset: float = 0.0
@@ -82,7 +84,7 @@ class Playback:
         self._now, self._since = self._start, time.monotonic()  # the bag's time, and when it was that
         self._clock: Any = None
         self._next_clock = 0.0
-        if options.clock_publish_frequency:
+        if options.clock_publish_frequency or options.clock_publish_on_topic_publish:
             from rosgraph_msgs.msg import Clock
 
             self._clock = node.create_publisher(Clock, '/clock', 10)
@@ -132,32 +134,53 @@ class Playback:
         return published
 
     def burst(self, number: int) -> int:
-        """Publish so many messages at once; returns how many there were."""
+        """Publish so many messages at once, all of them with 0; returns how many there were."""
         published = 0
         self.reader.seek(self._start)
-        while published < number and self.reader.has_next():
-            topic, data, timestamp = self.reader.read_next()
-            if timestamp > self._end:
+        self._set_time(self._start)
+        while not number or published < number:
+            message = self._next()
+            if message is None:
                 break
-            if topic in self.publishers:
-                self.publishers[topic].publish(data)
-                published += 1
+            self._wait(0.0)  # Ctrl+C counts
+            self._set_time(message[2])
+            published += self._publish(*message)
+        self._deliver()
+        return published
+
+    def play_rest(self) -> int:
+        """Play what a burst has left, from where it ended; returns how many messages were published."""
+        published = self._play_on()
         self._deliver()
         return published
 
     def _play_once(self) -> int:
-        published = 0
         self.reader.seek(self._start)
         self._set_time(self._start)
-        while self.reader.has_next():
-            topic, data, timestamp = self.reader.read_next()
-            if timestamp > self._end:
-                break
-            self._wait_until(timestamp)
-            if topic in self.publishers:
-                self.publishers[topic].publish(data)
-                published += 1
+        return self._play_on()
+
+    def _play_on(self) -> int:
+        published = 0
+        while (message := self._next()) is not None:
+            self._wait_until(message[2])
+            published += self._publish(*message)
         return published
+
+    def _next(self) -> tuple[str, bytes, int] | None:
+        """Return the next message up to the end, if there is one."""
+        if not self.reader.has_next():
+            return None
+        message = self.reader.read_next()
+        return message if message[2] <= self._end else None
+
+    def _publish(self, topic: str, data: bytes, timestamp: int) -> int:
+        """Publish a message; return how many were published: 0 or 1."""
+        if topic not in self.publishers:
+            return 0
+        if self.options.clock_publish_on_topic_publish and topic in (self.options.clock_topics or (topic,)):
+            self._publish_clock(timestamp)  # before the message, which is about this time
+        self.publishers[topic].publish(data)
+        return 1
 
     def time(self) -> int:
         """Return the bag's time, in nanoseconds."""
@@ -191,17 +214,20 @@ class Playback:
             if not self.paused and missing <= 0:
                 return
             longest = _STEP if self.paused else min(_STEP, missing)
-            if self._clock is not None:
+            if self.options.clock_publish_frequency:
                 longest = min(longest, max(0.0, self._next_clock - time.monotonic()))
             self._wait(longest)
 
     def _tell_time(self, now: int) -> None:
         """Publish /clock, as often as asked."""
-        if self._clock is None or time.monotonic() < self._next_clock:
+        if not self.options.clock_publish_frequency or time.monotonic() < self._next_clock:
             return
+        self._next_clock = time.monotonic() + 1.0 / self.options.clock_publish_frequency
+        self._publish_clock(now)
+
+    def _publish_clock(self, now: int) -> None:
         from rosgraph_msgs.msg import Clock
 
-        self._next_clock = time.monotonic() + 1.0 / self.options.clock_publish_frequency
         self._clock.publish(Clock(clock=Time(nanoseconds=now).to_msg()))
 
     def _deliver(self) -> None:

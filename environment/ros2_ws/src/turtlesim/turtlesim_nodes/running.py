@@ -7,6 +7,7 @@ from pathlib import Path
 
 import rclpy
 from rclpy._rclpy_pybind11 import RCLError
+from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValueException
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 
@@ -15,7 +16,7 @@ def run(make_node: Callable[[], Node], args: list[str] | None) -> None:
     """
     Make a node and spin it until Ctrl+C, SIGTERM or a shutdown of its context.
 
-    ROS arguments that cannot be read end the program with their error and status 1.
+    ROS arguments that cannot be read, and parameters of a wrong type, end the program with their error and status 1.
     """
     with contextlib.suppress(KeyboardInterrupt):
         try:
@@ -28,6 +29,9 @@ def run(make_node: Callable[[], Node], args: list[str] | None) -> None:
             rclpy.spin(make_node(), executor)
         except ExternalShutdownException:
             pass
+        except (InvalidParameterTypeException, InvalidParameterValueException) as error:
+            print(f'{Path(sys.argv[0]).name}: {error}', file=sys.stderr)
+            raise SystemExit(1) from None
         except Exception:
             # rclpy's signal handler takes the context away at once; a callback that is about to publish then fails.
             if rclpy.ok():

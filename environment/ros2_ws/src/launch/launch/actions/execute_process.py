@@ -92,6 +92,7 @@ class ExecuteProcess(Action):
         self._on_exit = on_exit
         self._respawn, self._respawn_delay, self._respawn_retries = respawn, respawn_delay, respawn_max_retries
         self._details: dict[str, Any] = {}
+        self._executed = False
         self._child: ChildProcess | None = None
         self._task: asyncio.Task | None = None
         self._shutdown_requested: asyncio.Event | None = None
@@ -296,9 +297,8 @@ class ExecuteProcess(Action):
 
     # --- what the launch service asks for ---------------------------------------------------------------------
 
-    def execute(self, context: LaunchContext) -> None:
-        if self._details:
-            raise RuntimeError(f"ExecuteProcess action '{self.process_name}': executed more than once")
+    def prepare(self, context: LaunchContext) -> None:
+        """Find the texts of name, command, directory and environment, as ``execute`` does; start nothing."""
         cmd = self._with_prefix(context, self.get_command(context))
         name = os.path.basename(cmd[0]) if self._name is None else to_text(context, self._name)
         self._details = {
@@ -308,6 +308,13 @@ class ExecuteProcess(Action):
             'cwd': None if self._cwd is None else to_text(context, self._cwd),
             'env': self._expand_environment(context),
         }
+
+    def execute(self, context: LaunchContext) -> None:
+        if self._executed:
+            raise RuntimeError(f"ExecuteProcess action '{self.process_name}': executed more than once")
+        self._executed = True
+        if not self._details:
+            self.prepare(context)
         if context.is_shutdown:
             return
         self._logger = launch.logging.get_logger(self.process_name)

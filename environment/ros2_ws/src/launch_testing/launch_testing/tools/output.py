@@ -35,15 +35,16 @@ def basic_output_filter(
     return lambda output: ''.join(filter(keep, output.splitlines(keepends=True)))
 
 
-def expected_output_from_file(path: str | Path) -> list[str | re.Pattern]:
+def expected_output_from_file(path: str | Path, encoding: str | None = None) -> list[str | re.Pattern]:
     """
     Return the lines of the file PATH.txt, or those of PATH.regex as regular expressions.
 
+    :param encoding: of the file; ``'unicode_escape'`` also reads Python's escape sequences
     :raises RuntimeError: if there is none of the two
     """
     text, patterns = Path(f'{path}.txt'), Path(f'{path}.regex')
     if text.is_file():
-        return list(text.read_text().splitlines())
+        return list(text.read_text(encoding).splitlines())
     if patterns.is_file():
-        return [re.compile(line) for line in patterns.read_text().splitlines()]
+        return [re.compile(line) for line in patterns.read_text(encoding).splitlines()]
     raise RuntimeError(f'could not find output check file: {path}')
