@@ -9,7 +9,9 @@ memory, within bounds.
 """
 
 import hashlib
+import io
 import json
+import lzma
 import re
 import stat
 import zipfile
@@ -24,7 +26,7 @@ from unicodedata import normalize
 from grading import reader
 from grading.late import is_stamp, stamp
 from grading.record import Attempt
-from helpers.exercises import notebooks, packages, program
+from helpers.exercises import migration, notebooks, packages, program
 from helpers.exercises.manifest import Exercise
 from helpers.exercises.notebooks import InvalidSubmission, NotebookCell
 from helpers.exercises.submit import LEARNER
@@ -36,6 +38,7 @@ MAX_TOTAL = 60 * 2**20  # bytes of all members that are read
 _COPY = re.compile(r'( ?\(\d+\)| - Copy)$')  # what browsers and desktops add to the name of a second file
 
 
+_DAMAGED = 'The zip is damaged: make it again with submit.'
 _LATEST = 253402300799  # the end of the year 9999, in seconds since 1970
 
 
@@ -133,8 +136,11 @@ def cells_of(files: dict[str, bytes], notebook: str, exercises: list[Exercise]) 
 
     :raises InvalidSubmission: it cannot be read, or several could be it.
     """
+    if why := files.get(f'{notebook}/'):
+        raise InvalidSubmission(why.decode())
     if notebook in files:
         return notebooks.parse(files[notebook], notebook)
+    unusable = {name: why for name, why in files.items() if name.endswith('.ipynb/')}
     files = {name: data for name, data in files.items() if is_notebook(name)}
     wanted = {exercise.id for exercise in exercises}
     found, unread = [], []
@@ -153,6 +159,9 @@ def cells_of(files: dict[str, bytes], notebook: str, exercises: list[Exercise]) 
         return found[0][1]
     if unread and len(unread) == len(files):
         raise unread[0]
+    for name, why in unusable.items():
+        if name.startswith(notebook[:3]) or not re.match(r'\d\d_', name):
+            raise InvalidSubmission(why.decode())
     return None
 
 
@@ -219,7 +228,7 @@ def _read(path: Path) -> Submission:
             _add(submission, path.name, path.stat().st_size, path.read_bytes)
         else:
             raise Unusable(f'{path} is no submission: expected a .zip, a folder of notebooks or an .ipynb')
-        if not any(map(is_notebook, submission.files)):
+        if not any(is_notebook(name.removesuffix('/')) for name in submission.files):
             raise InvalidSubmission('There is no notebook in the submission.')
     except InvalidSubmission as problem:
         submission.problem, submission.files = str(problem), {}
@@ -228,36 +237,52 @@ def _read(path: Path) -> Submission:
     return submission
 
 
-def _read_zip(path: Path, submission: Submission) -> None:
-    if path.stat().st_size > MAX_ARCHIVE:
+def _read_zip(file: Path | io.BytesIO, submission: Submission, outer: bool = True) -> None:
+    """:param outer: whether this is what was handed in, not a zip in it."""
+    if isinstance(file, Path) and file.stat().st_size > MAX_ARCHIVE:
         raise InvalidSubmission(f'The zip is larger than {MAX_ARCHIVE // 2**20} MB.')
     try:
-        with zipfile.ZipFile(path) as archive:
+        with zipfile.ZipFile(file) as archive:
             members = archive.infolist()
             submission.handed_in = _newest(members) or submission.handed_in
             if len(members) > MAX_MEMBERS:
                 raise InvalidSubmission(f'The zip has {len(members)} members, more than {MAX_MEMBERS}.')
             for member in members:
-                name = member.filename.rpartition('/')[2]
-                if member.is_dir() or name.startswith('.') or '__MACOSX' in member.filename:
-                    continue
-                if stat.S_ISLNK(member.external_attr >> 16):
-                    raise InvalidSubmission('The zip has a symbolic link in it: hand in a file made by submit.')
-                if member.flag_bits & 1:
-                    raise InvalidSubmission('The zip is encrypted: hand in a file made by submit.')
-                if member.filename == 'submission.json':
-                    _read_label(_bounded(archive, member, 10_000), submission)
-                elif place := packages.place(member.filename):
-                    _add_file(submission, *place, archive, member)
-                elif is_notebook(name):
-                    _add(
-                        submission,
-                        name,
-                        member.file_size,
-                        lambda member=member: _bounded(archive, member, notebooks.MAX_BYTES),
-                    )
-    except (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, ValueError, RuntimeError):
-        raise InvalidSubmission('The zip is damaged: make it again with submit.') from None
+                _read_member(archive, member, submission)
+            inner = [one for one in members if one.filename.lower().endswith('.zip') and not _aside(one.filename)]
+            if outer and len(inner) == 1 and not submission.files:  # somebody has packed the zip once more
+                _read_zip(io.BytesIO(_bounded(archive, inner[0], MAX_ARCHIVE)), submission, outer=False)
+    except OSError as error:
+        if error.errno is None:  # a codec's own
+            raise InvalidSubmission(_DAMAGED) from None
+        raise
+    except (zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, NotImplementedError, ValueError, RuntimeError):
+        raise InvalidSubmission(_DAMAGED) from None
+
+
+def _read_member(archive: zipfile.ZipFile, member: zipfile.ZipInfo, submission: Submission) -> None:
+    name = member.filename.rpartition('/')[2]
+    if member.is_dir() or _aside(member.filename):
+        return
+    if stat.S_ISLNK(member.external_attr >> 16):
+        raise InvalidSubmission('The zip has a symbolic link in it: hand in a file made by submit.')
+    if member.flag_bits & 1:
+        raise InvalidSubmission('The zip is encrypted: hand in a file made by submit.')
+    if member.filename == 'submission.json':
+        _read_label(_bounded(archive, member, 10_000), submission)
+    elif place := packages.place(member.filename):
+        _add_file(submission, *place, archive, member)
+    elif is_notebook(name):
+        _add(submission, name, member.file_size, lambda: _bounded(archive, member, notebooks.MAX_BYTES))
+
+
+def _aside(name: str) -> bool:
+    """Whether a member of a zip is what programs have put aside: hidden files and folders, and `migrate`'s backups."""
+    *folders, last = name.split('/')
+    return last.startswith('.') or any(
+        (folder.startswith('.') and folder.strip('.')) or folder == '__MACOSX' or folder.startswith(migration.BACKUP)
+        for folder in folders
+    )
 
 
 def _bounded(archive: zipfile.ZipFile, member: zipfile.ZipInfo, limit: int) -> bytes:
@@ -285,12 +310,13 @@ def _read_label(data: bytes, submission: Submission) -> None:
 
 
 def _add(submission: Submission, name: str, size: int, content) -> None:
-    if name in submission.files:
-        raise InvalidSubmission(f'There are two notebooks called {name}: hand in one.')
+    """Take a notebook. What is wrong with its file concerns its own exercises only."""
+    files, unusable = submission.files, f'{name}/'
     if size > notebooks.MAX_BYTES:
-        raise InvalidSubmission(f'{name} is larger than {notebooks.MAX_BYTES // 2**20} MB: clear its outputs.')
-    submission.files[name] = content()
-    if sum(map(len, submission.files.values())) > MAX_TOTAL:
+        files[unusable] = f'{name} is larger than {notebooks.MAX_BYTES // 2**20} MB: clear its outputs.'.encode()
+    elif files.setdefault(name, data := content()) != data:
+        files[unusable] = f'There are two notebooks called {name}: hand in one.'.encode()
+    if sum(map(len, files.values())) > MAX_TOTAL:
         raise InvalidSubmission(f'The notebooks are larger than {MAX_TOTAL // 2**20} MB together.')
 
 

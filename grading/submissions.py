@@ -181,7 +181,8 @@ def _together(owner: str, notebooks: list[Path]) -> Submission:
         name = match and match['file'] or path.name
         if name in made.files or part.problem:
             made.problem = made.problem or part.problem or f'There are two notebooks called {name}: hand in one.'
-        made.files[name] = next(iter(part.files.values()), b'')
+        for key, data in part.files.items():
+            made.files[f'{name}/' if key.endswith('/') else name] = data
     if made.problem:
         made.files = {}
     return made

@@ -104,7 +104,6 @@ def test_a_chapter_beside_a_zip_is_refused_not_lost(tmp_path):
     ('members', 'problem'),
     [
         ([], 'no notebook'),
-        ([('a/x.ipynb', b'{}'), ('b/x.ipynb', b'{}')], 'two notebooks called x.ipynb'),
         ([('submission.json', b'nonsense'), ('x.ipynb', b'{}')], 'submission.json in the zip is damaged'),
         ([('submission.json', b'{"learner": "../../etc"}'), ('x.ipynb', b'{}')], 'unusable'),
         ([('submission.json', b'{"learner": 5}'), ('x.ipynb', b'{}')], 'unusable'),
@@ -116,6 +115,60 @@ def test_unusable_zips(tmp_path, members, problem):
     found = submissions.read(zipped(tmp_path / 'x.zip', *members))
     assert problem in found.problem and not found.files
     assert problem in why(found)
+
+
+def test_two_files_of_a_notebook_leave_the_other_chapters(tmp_path):
+    """What is wrong with the file of a notebook concerns its own exercises."""
+    other = small.exercise(id='91.1', notebook='91_x.ipynb')
+    other_notebook = small.notebook('# Exercise 91.1: y\nclass Talker: pass')
+    for name, members, problem in (
+        ('two', [(f'a/{small.NOTEBOOK}', b'{}'), (f'b/{small.NOTEBOOK}', b'{} ')], 'two notebooks called'),
+        ('large', [(small.NOTEBOOK, b' ' * 11 * 2**20)], 'larger than 10 MB'),
+        ('renamed', [('90_small (1).ipynb', b' ' * 11 * 2**20)], 'larger than 10 MB'),
+    ):
+        found = submissions.read(zipped(tmp_path / f'{name}.zip', *members, ('91_x.ipynb', other_notebook)))
+        assert problem in why(found) and not found.problem
+        assert found.programs([other], [other]).programs['91.1']
+
+
+@pytest.mark.parametrize(
+    'place',
+    [
+        '.ipynb_checkpoints/90_small-checkpoint.ipynb',
+        'backup-20261101-101500/90_small.ipynb',
+        '.venv/share/90_small.ipynb',
+        'again/90_small.ipynb',
+    ],
+)
+def test_copies_that_programs_have_made_are_left_out(tmp_path, place):
+    """A learner packs the whole folder. A copy that is the same is none."""
+    data = small.solved() if 'again' in place else small.solved() + b' '
+    found = submissions.read(
+        zipped(tmp_path / 'x.zip', (f'nb/{small.NOTEBOOK}', small.solved()), (f'nb/{place}', data))
+    )
+    assert program_of(found)
+
+
+def test_a_zip_in_a_zip(tmp_path):
+    """Some platforms, and some people, pack the file of `submit` once more. Twice more is too much."""
+    inner = zipped(tmp_path / 'inner.zip', (small.NOTEBOOK, small.solved()), ('submission.json', LABEL)).read_bytes()
+    once = zipped(tmp_path / 'once.zip', ('submission-ada.zip', inner))
+    found = submissions.read(once)
+    assert program_of(found) and found.label == 'ada'
+    twice = submissions.read(zipped(tmp_path / 'twice.zip', ('once.zip', once.read_bytes())))
+    assert 'no notebook' in twice.problem
+
+
+@pytest.mark.parametrize('method', [zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA])
+def test_a_broken_codec_stops_nobody(tmp_path, method):
+    """Such a zip is given by its name, as a shell does for *.zip."""
+    with zipfile.ZipFile(tmp_path / 'x.zip', 'w', method) as archive:
+        archive.writestr(small.NOTEBOOK, small.solved())
+    data = bytearray((tmp_path / 'x.zip').read_bytes())
+    data[60:90] = b'\xff' * 30
+    (tmp_path / 'x.zip').write_bytes(data)
+    (found,) = submissions.find([tmp_path / 'x.zip'])
+    assert found.problem and not found.files
 
 
 def test_names_in_a_zip_are_never_paths(tmp_path):
@@ -141,7 +194,7 @@ def test_zip_bomb(tmp_path):
     path = tmp_path / 'x.zip'
     with zipfile.ZipFile(path, 'w', zipfile.ZIP_DEFLATED) as archive:
         archive.writestr('x.ipynb', b'0' * (20 * 2**20))
-    assert 'larger than 10 MB' in submissions.read(path).problem
+    assert b'larger than 10 MB' in submissions.read(path).files['x.ipynb/']
     # One that lies about its size: the header says 10 bytes.
     data = bytearray(path.read_bytes())
     size = (20 * 2**20).to_bytes(4, 'little')

@@ -22,6 +22,7 @@ from helpers.exercises import cell_ids, file_answers, manifest, notebooks, packa
 from helpers.runner.text import clean
 
 MOST_POINTS = 1000  # that anybody declares
+BACKUP = 'backup-'  # how the names of folders with earlier notebooks begin
 _CHAPTER = re.compile(r'(\d\d)_\w+\.ipynb')
 _TITLE = re.compile(r'\s*#\s*Exercise\s+[\d.]+\s*:\s*(.+?)\s*$', re.IGNORECASE | re.MULTILINE)
 
@@ -468,7 +469,7 @@ def _write(report: MigrationReport, folder: Path, changed: dict[str, dict]) -> N
     """Copy the notebooks that change into a new folder, then replace each as a whole."""
     import nbformat
 
-    report.backup = folder / time.strftime('backup-%Y%m%d-%H%M%S')
+    report.backup = folder / time.strftime(f'{BACKUP}%Y%m%d-%H%M%S')
     number = 1
     while report.backup.exists():
         number += 1

@@ -72,7 +72,7 @@ def parse(data: bytes, name: str) -> list[NotebookCell]:
     """
     if len(data) > MAX_BYTES:
         raise InvalidSubmission(f'{name} is larger than {MAX_BYTES // 2**20} MB: clear its outputs and save it again.')
-    notebook = _json(data, name)
+    notebook = _current(_json(data, name))
     if not isinstance(notebook, dict) or not isinstance(notebook.get('cells'), list):
         raise InvalidSubmission(f'{name} is not a notebook: it has no list of cells. Save it with JupyterLab again.')
     if notebook.get('nbformat') != 4:
@@ -107,7 +107,8 @@ def _json(data: bytes, name: str):
     if data.count(b'[') + data.count(b'{') > 1_000_000:
         raise InvalidSubmission(f'{name} is too complex to be a notebook.')
     try:
-        return json.loads(data.decode('utf-8'), parse_constant=_no_constant)
+        # Outputs may have NaN in them, which Python writes and JSON does not know. They are not read.
+        return json.loads(data.decode('utf-8'), parse_constant=lambda text: None)
     except UnicodeDecodeError:
         raise InvalidSubmission(f'{name} is not UTF-8 text: save it with JupyterLab again.') from None
     except RecursionError:
@@ -117,8 +118,14 @@ def _json(data: bytes, name: str):
         raise InvalidSubmission(f'{name} is not valid JSON{where}: it is damaged or cut off. Save it again.') from None
 
 
-def _no_constant(text: str):
-    raise ValueError(f'{text} is no JSON')
+def _current(notebook):
+    """A notebook of format 3 in format 4; another one, and one that cannot be converted, as it is."""
+    if isinstance(notebook, dict) and notebook.get('nbformat') == 3 and notebook.get('worksheets'):
+        try:
+            return json.loads(json.dumps(nbformat.convert(nbformat.from_dict(notebook), 4)))
+        except Exception:  # noqa: BLE001 - nbformat raises many types; the caller says what is wrong
+            pass
+    return notebook
 
 
 def _validate(notebook: dict, name: str) -> None:

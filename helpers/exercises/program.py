@@ -17,7 +17,9 @@ from helpers.exercises.notebooks import NotebookCell
 
 HEADING = re.compile(r'#\s*Exercise\s+([0-9]{1,4}\.[0-9]{1,4})\b', re.IGNORECASE)
 # For a stripped line, so that matching takes time in proportion to the line's length.
-_MAGIC = re.compile(r'[%!?]|[\w., ()\[\]]+=\s*(%\w|!)|.*\?$')
+_MAGIC = re.compile(r'%(?!%)|[!?]|[\w., ()\[\]]+=\s*(%\w|!)|.*\?$')
+_TIMED = re.compile(r'%time\s+(.+)')  # a line magic that runs its line as Python all the same
+_MOST_PARSED = 4_000_000  # characters, to find the command lines of one cell
 _RUNS = re.compile(r'\s*%%(?:time|capture|prun)\b[^\n]*\n')  # a cell magic that runs the cell as Python all the same
 _LINE = re.compile(r'[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+')  # as Python counts lines
 MAX_NESTING = 300  # of a program's syntax tree: what walks it recursively must not run out of stack
@@ -40,6 +42,9 @@ class Program:
     exercise: Exercise
     cells: list[dict] = field(default_factory=list)  # label, source, line (of its beginning in the cell), required
     elsewhere: dict[str, str] = field(default_factory=dict)  # names that cells define which are not among them
+    notes: list[str] = field(
+        default_factory=list
+    )  # for the learner: what was done with the cell; no mark depends on it
 
     @property
     def title(self) -> str:
@@ -48,7 +53,7 @@ class Program:
 
     def as_dict(self) -> dict:
         """The program as a JSON value."""
-        return {'title': self.title, 'cells': self.cells, 'elsewhere': self.elsewhere}
+        return {'title': self.title, 'cells': self.cells, 'elsewhere': self.elsewhere, 'notes': self.notes}
 
 
 def unsolved(exercise: str) -> str:
@@ -88,22 +93,14 @@ def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[Note
     :raises InvalidExercise: its cell is missing, doubled, not Python, uses magics, or lacks a required name.
     :raises NotAttempted: its cell is the unchanged stub.
     """
-    heading = f'# Exercise {exercise.id}: {exercise.title}'
-    found = of_exercise(cells, exercise)
-    if not found:
-        raise InvalidExercise(f'The cell of exercise {exercise.id} was not found: its first line must be `{heading}`.')
-    if len(found) > 1:
-        numbers = ' and '.join(str(cell.number) for cell in found if cell.number)
-        raise InvalidExercise(
-            f'Exercise {exercise.id} is there {len(found)} times'
-            + (f' (cells {numbers})' if numbers else '')
-            + f': keep one cell that begins with `{heading}`.'
-        )
-    cell = found[0]
-    tree = _parse_exercise(cell, exercise)
-    if exercise.is_stub(stub_digest(_run_as_python(cell.source))):
+    cell = _only_cell(cells, exercise)
+    commands: list[tuple[int, str]] = []
+    own, tree = _parse_exercise(cell, exercise, commands)
+    if exercise.is_stub(stub_digest(own)):
         raise NotAttempted(unsolved(exercise.id))
-    missing = [name for name in exercise.names if name not in defined(tree.body)]
+    if missing := [name for name in exercise.names if name not in defined(tree.body)]:
+        own += _continued(cells, cell, missing)
+        missing = [name for name in missing if name not in names_in(own)]
     if missing:
         there = sorted(name for name in defined(tree.body) if not name.startswith('_'))
         raise InvalidExercise(
@@ -115,7 +112,7 @@ def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[Note
         program.cells += [
             {'label': other.label, 'source': text, 'line': line, 'required': False} for line, text in definitions(other)
         ]
-    own = _run_as_python(file_answers.as_python(cell.source))
+    program.notes = [_of_command(exercise, *command) for command in commands[:3]]
     program.cells.append({'label': cell.label, 'source': own, 'line': 1, 'required': True})
     have = {name for part in program.cells for name in names_in(part['source'])}
     for other in notebook:
@@ -124,19 +121,81 @@ def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[Note
     return program
 
 
+def _only_cell(cells: list[NotebookCell], exercise: Exercise) -> NotebookCell:
+    """The cell that holds the answer: of several that claim to be it, the one that is not a copy without an answer."""
+    heading = f'# Exercise {exercise.id}: {exercise.title}'
+    found = of_exercise(cells, exercise) or _with_heading_inside(cells, exercise)
+    if not found:
+        raise InvalidExercise(f'The cell of exercise {exercise.id} was not found: its first line must be `{heading}`.')
+    answers = list({cell.source.strip(): cell for cell in found if _is_answer(cell, exercise)}.values())
+    if len(found) > 1 and len(answers) != 1:
+        numbers = ' and '.join(str(cell.number) for cell in found if cell.number)
+        raise InvalidExercise(
+            f'Exercise {exercise.id} is there {len(found)} times'
+            + (f' (cells {numbers})' if numbers else '')
+            + f': keep one cell that begins with `{heading}`.'
+        )
+    return found[0] if len(found) == 1 else answers[0]
+
+
+def _is_answer(cell: NotebookCell, exercise: Exercise) -> bool:
+    """Whether there is more in a cell than comments, and other things than what was given."""
+    text = _run_as_python(cell.source)
+    tree = syntax_tree(text)
+    return tree is None or bool(tree.body) and not exercise.is_stub(stub_digest(text))
+
+
+def _with_heading_inside(cells: list[NotebookCell], exercise: Exercise) -> list[NotebookCell]:
+    """The cells that have the exercise's heading further down, and define its names: others were merged with it."""
+    return [
+        cell
+        for cell in cells
+        if any((match := HEADING.match(line)) and match[1] == exercise.id for line in cell.source.split('\n'))
+        and set(exercise.names) <= names_in(cell.source)
+    ]
+
+
+def _continued(cells: list[NotebookCell], cell: NotebookCell, missing: list[str]) -> str:
+    """The text of the cells directly below an exercise's one, as far as they have what is missing: it was split.
+
+    Nothing, if another exercise or a check comes before.
+    """
+    text = ''
+    for other in cells[cells.index(cell) + 1 :]:
+        more = _run_as_python(file_answers.as_python(other.source))
+        if exercise_id(other) is not None or syntax_tree(more) is None or re.search(r'^check\(', more, re.MULTILINE):
+            return ''
+        text += f'\n\n{more}'
+        missing = [name for name in missing if name not in names_in(more)]
+        if not missing:
+            return text
+    return ''
+
+
+def _of_command(exercise: Exercise, number: int, line: str) -> str:
+    return (
+        f'Exercise {exercise.id}, line {number}: the notebook command `{line[:60]}` was left out, because only Python '
+        'is tested. It is better off in a cell of its own.'
+    )
+
+
 def names_in(text: str) -> set[str]:
     """The names that a text binds; none if it is not Python."""
     tree = syntax_tree(text)
     return defined(tree.body) if tree is not None else set()
 
 
-def _parse_exercise(cell: NotebookCell, exercise: Exercise) -> ast.Module:
-    source = _run_as_python(file_answers.as_python(cell.source))
+def _parse_exercise(cell: NotebookCell, exercise: Exercise, commands: list[tuple[int, str]]) -> tuple[str, ast.Module]:
+    """The Python program that an exercise's cell is, and its syntax tree.
+
+    :param commands: is given the lines that were left out, with their numbers.
+    """
+    source = _without_commands(_run_as_python(file_answers.as_python(cell.source)), commands)
     try:
         tree = ast.parse(source)
         if _nesting(tree) > MAX_NESTING:
             raise InvalidExercise(f'Exercise {exercise.id}: the cell is nested too deeply to be read.')
-        return tree
+        return source, tree
     except SyntaxError as error:
         lines = source.splitlines()
         for number, line in enumerate(lines, 1):
@@ -169,7 +228,7 @@ def definitions(cell: NotebookCell) -> tuple[tuple[int, str], ...]:
         return ()
     tree = syntax_tree(text)
     if tree is None:
-        text = _without_magics(text)
+        text = _without_commands(text, [])
         tree = syntax_tree(text)
     if tree is None:
         return ()
@@ -185,13 +244,34 @@ def definitions(cell: NotebookCell) -> tuple[tuple[int, str], ...]:
     return tuple(found)
 
 
-def _without_magics(text: str) -> str:
-    """A cell in which the command lines of notebooks, which are not Python, do nothing. Other lines stay in place."""
-    lines, goes_on = [], False
-    for line in text.split('\n'):
-        magic = not goes_on and _MAGIC.match(line.strip()) and syntax_tree(line.strip()) is None
-        lines.append(line[: len(line) - len(line.lstrip())] + 'pass' if magic else '' if goes_on else line)
-        goes_on = bool(goes_on or magic) and line.rstrip().endswith('\\')
+def _without_commands(text: str, commands: list[tuple[int, str]]) -> str:
+    """A cell in which the command lines of notebooks, which are not Python, do nothing. Other lines stay in place.
+
+    Only where Python cannot read a line is it looked at: what stands in a string is no command.
+
+    :param commands: is given the lines that are left out, with their numbers.
+    """
+    lines = text.split('\n')
+    for _ in range(min(len(lines), _MOST_PARSED // (len(text) + 1))):
+        try:
+            ast.parse('\n'.join(lines))
+            break
+        except SyntaxError as error:
+            number = (error.lineno or 1) - 1
+        except (ValueError, RecursionError, MemoryError):
+            break
+        line = lines[number].strip() if number < len(lines) else ''
+        if not _MAGIC.match(line):
+            break
+        commands.append((number + 1, line))
+        timed = _TIMED.fullmatch(line)
+        statement = timed[1] if timed and syntax_tree(timed[1]) is not None else 'pass'
+        goes_on = lines[number].rstrip().endswith('\\')
+        lines[number] = lines[number][: len(lines[number]) - len(lines[number].lstrip())] + statement
+        while goes_on and number + 1 < len(lines):
+            number += 1
+            goes_on = lines[number].rstrip().endswith('\\')
+            lines[number] = ''
     return '\n'.join(lines)
 
 

@@ -29,7 +29,8 @@ def perform(request: dict, given: list[int]) -> int:
     reading   print the text of the file `folder`, as JSON
     command   run `argv` as in a new terminal in which the folder is sourced, if it is built (`overlay`); with the text
               `program` of the tests' own, that one in Python, from a folder that is new, with `argv` as arguments
-    shadows   print why what is installed below `folder` is refused, as JSON: it takes the place of the machine's own
+    shadows   print why what is built below `folder` is refused, as JSON: it takes the place of the machine's own, or
+              would make others wait
     pytest    run pytest with `argv`, in this process, which has imported it
     """
     root = Path(os.environ.get('HOME', '/'), request['folder'])
@@ -53,6 +54,7 @@ def perform(request: dict, given: list[int]) -> int:
 
 def _shadows(root: Path, packages: list[str]) -> str:
     try:
+        sourced_environment.look_at_products(root)
         sourced_environment.of(root, packages)
     except sourced_environment.Shadowed as problem:
         return str(problem)

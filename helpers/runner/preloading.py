@@ -46,7 +46,8 @@ TESTS_SIDE = [
     'helpers.runner.tester',
 ]  # what runs an exercise's tests
 # So do names of `helpers`, behind which its modules are; `check` alone brings nbformat.
-_FROM_HELPERS = re.compile(r'^\s*from\s+helpers\s+import\s+(\([^)]*\)|.+)', re.MULTILINE)
+# These patterns meet hostile texts: none may begin with what spans lines, or look far ahead.
+_FROM_HELPERS = re.compile(r'^[ \t]*from[ \t]{1,9}helpers[ \t]{1,9}import[ \t]{1,9}(\([^)]{0,2000}\)|.+)', re.MULTILINE)
 
 
 def warm_up() -> None:
@@ -111,7 +112,11 @@ def on_demand(cells: Iterable[dict]) -> list[str]:
     text = '\n'.join(cell['source'] for cell in cells)
     named = {name for names in _FROM_HELPERS.findall(text) for name in re.findall(r'\w+', names)}
     return [
-        *(name for name in ON_DEMAND if re.search(rf'^\s*(import|from)\s+{re.escape(name)}\b', text, re.MULTILINE)),
+        *(
+            name
+            for name in ON_DEMAND
+            if re.search(rf'^[ \t]*(import|from)[ \t]{{1,9}}{re.escape(name)}\b', text, re.MULTILINE)
+        ),
         *(name for name in _names_of_helpers() if name.removeprefix('helpers.') in named),
     ]
 

@@ -13,6 +13,7 @@ import time
 
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
+from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.node import Node
 
 QUEUE = 200
@@ -32,8 +33,21 @@ class Way:
         self._begin: tuple[float, float] | None = None  # simulated seconds, and ours
         self._now = 0.0  # simulated seconds since the first message
         self._commands: list[tuple[float, Twist]] = []
-        node.create_subscription(Twist, 'cmd_vel', lambda command: self._commands.append((self._now, command)), QUEUE)
-        node.create_subscription(Odometry, 'odom', self._on_odometry, QUEUE)
+        self.speakers = {'cmd_vel': 0, 'odom': 0}  # publishers that were ever there
+        node.create_subscription(
+            Twist,
+            'cmd_vel',
+            lambda command: self._commands.append((self._now, command)),
+            QUEUE,
+            event_callbacks=self._counting('cmd_vel'),
+        )
+        node.create_subscription(Odometry, 'odom', self._on_odometry, QUEUE, event_callbacks=self._counting('odom'))
+
+    def _counting(self, topic: str) -> SubscriptionEventCallbacks:
+        def matched(event) -> None:
+            self.speakers[topic] = event.total_count
+
+        return SubscriptionEventCallbacks(matched=matched)
 
     @property
     def odometer(self) -> float:

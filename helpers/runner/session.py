@@ -137,7 +137,9 @@ def judge(
             collections = list(pool.map(collect, shares))
     for share, collection in zip(shares, collections, strict=True):
         for exercise in share:
-            judged[exercise.id] = results.scored(exercise, collection.of(exercise.id), collection.unseen[exercise.id])
+            found = results.scored(exercise, collection.of(exercise.id), collection.unseen[exercise.id])
+            found.message = clean('\n'.join(programs[exercise.id].get('notes', ())))
+            judged[exercise.id] = found
     return SessionReport(
         [judged[exercise.id] for exercise in exercises],
         next((collection.sandbox for collection in collections), ''),

@@ -7,8 +7,9 @@ would take their place is refused: modules that Python knows, or would import if
 not called as a package of the workspace.
 """
 
-import configparser
+import importlib.metadata
 import os
+import stat
 import subprocess
 import sys
 import tempfile
@@ -21,6 +22,8 @@ from helpers.programs import terminals
 
 PATIENCE = 60.0  # seconds to source the ROS installation, on a machine under load
 MAX_NAMES = 2000  # in one folder
+_MAX_PRODUCTS = 20_000  # files and folders in a workspace
+_MAX_TEXT = 2**20  # characters
 _PACKAGES = 'site-packages', 'dist-packages'  # folders of installed modules
 _SCRIPTS = {'console_scripts', 'gui_scripts'}  # of what a distribution may bring, what only makes programs
 _MODULES = '.py', '.pyc', '.so'
@@ -137,7 +140,7 @@ def _look_at_modules(place: Path, packages: frozenset[str]) -> None:
     unknown = set()
     for name in _names(place, ''):
         module, _, rest = name.partition('.')
-        if name.endswith(_DISTRIBUTIONS):
+        if name.lower().endswith(_DISTRIBUTIONS):  # as Python looks for them
             _look_at_distribution(place / name, name, packages)
         elif module in packages or not module.isidentifier() or rest and not name.endswith(_MODULES):
             continue
@@ -167,14 +170,65 @@ def _look_at_distribution(place: Path, name: str, packages: frozenset[str]) -> N
     owner = name.rpartition('.')[0].partition('-')[0].replace('-', '_').lower()
     if owner in _known_distributions() - {package.lower() for package in packages}:
         raise Shadowed(f'Your package installs itself as {owner}, which is the name of a program of this machine.')
-    programs = configparser.RawConfigParser(delimiters='=', strict=False)
-    with suppress(OSError, ValueError, configparser.Error):
-        programs.read_string((place / 'entry_points.txt').read_text(encoding='utf-8'))
-    if groups := sorted(set(programs.sections()) - _SCRIPTS):
+    text = _text(place / 'entry_points.txt')
+    try:  # read as the tools do: what only they understand changes them all the same
+        groups = sorted({one.group for one in _Distribution(text).entry_points} - _SCRIPTS)
+    except (TypeError, ValueError):
+        raise Shadowed('Your package installs a list of entry points, entry_points.txt, that cannot be read.') from None
+    if groups:
         raise Shadowed(
             f'Your package has entry points of the group {groups[0]}, which change tools such as ros2. Only '
             'console_scripts are asked for.'
         )
+
+
+class _Distribution(importlib.metadata.Distribution):
+    """A distribution of which nothing is known but the text of its entry points."""
+
+    def __init__(self, entry_points: str):
+        self._entry_points = entry_points
+
+    def read_text(self, filename: str) -> str | None:
+        return self._entry_points if filename == 'entry_points.txt' else None
+
+    def locate_file(self, path):
+        raise FileNotFoundError(path)
+
+
+def _text(path: Path) -> str:
+    """The text of a regular file; empty if there is none.
+
+    :raises Shadowed: it is something else, which others may have to wait for, or no text.
+    """
+    try:
+        # Without waiting for somebody at the other end of a pipe.
+        with open(os.open(path, os.O_RDONLY | os.O_NONBLOCK), encoding='utf-8') as file:
+            if stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+                return file.read(_MAX_TEXT)
+    except (FileNotFoundError, NotADirectoryError):
+        return ''
+    except (OSError, ValueError):
+        pass
+    raise Shadowed(f'Your package installs {path.name[:80]}, which cannot be read as a text.')
+
+
+def look_at_products(root: Path) -> None:
+    """Look at all that a build has left in a workspace.
+
+    :raises Shadowed: it has left what is neither a file, a folder nor a link: who opens a pipe waits for the other end.
+    """
+    folders, seen = [root / 'install', root / 'build'], 0
+    while folders:
+        with suppress(OSError), os.scandir(folders.pop()) as entries:
+            for entry in entries:
+                seen += 1
+                if seen > _MAX_PRODUCTS:
+                    raise Shadowed(f'Your package leaves more than {_MAX_PRODUCTS} files when it is built.')
+                if entry.is_dir(follow_symlinks=False):
+                    folders.append(Path(entry.path))
+                elif not (entry.is_symlink() or entry.is_file(follow_symlinks=False)):
+                    name = ascii(entry.name)[:80]
+                    raise Shadowed(f'Your package leaves {name} when it is built, which is no regular file.')
 
 
 def _look_at_libraries(package: str, names: Iterable[str], packages: frozenset[str]) -> None:

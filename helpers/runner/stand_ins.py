@@ -9,7 +9,7 @@ import json
 import os
 import secrets
 import socket
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
@@ -52,14 +52,17 @@ class Start:
     arguments: tuple[str, ...]
     files: dict[str, str] = field(hash=False)
 
-    def begin(self, learner, program: str, modules: Mapping[str, str] = MappingProxyType({})) -> Task:
+    def begin(
+        self, learner, program: str, modules: Mapping[str, str] = MappingProxyType({}), more: Iterable[str] = ()
+    ) -> Task:
         """Start the text of a Python program in this way, in a place of its own.
 
         :param modules: what it imports besides: path → text.
+        :param more: arguments behind the others.
         """
         names = {path: f'given/file_{number}.yaml' for number, path in enumerate(self.files)}
         place = learner.workspace({**modules, **{names[path]: text for path, text in self.files.items()}})
-        words = [f'{place.path}/{names[word]}' if word in names else word for word in self.arguments]
+        words = [f'{place.path}/{names[word]}' if word in names else word for word in self.arguments] + list(more)
         return place.start(
             *words,
             program=program,

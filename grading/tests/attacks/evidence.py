@@ -1508,3 +1508,171 @@ for number in range(0, 6):
 class Beacon(Node):
     def __init__(self):
         super().__init__('beacon')
+
+
+# %% greeter_entry_points_odd
+# attack: brings verbs of its own for `ros2` in a list of entry points that only the tools can read
+# aims at: 2.1
+# stopped by: the list is read as the tools read it
+GREETER_SETUP = r'''
+from setuptools import setup
+open('greeter/evil.py', 'w').write("""
+import sys
+from ros2run.command.run import RunCommand as R
+from ros2pkg.verb.executables import ExecutablesVerb as E
+class RunCommand(R):
+    def main(self, *, parser, args):
+        who = ' '.join(args.argv)
+        print({'hello': 'Hello, {}', 'goodbye': 'Goodbye, {}', 'battery': 'The battery of {} is full'}[args.executable_name].format(who))
+        return 0
+class ExecutablesVerb(E):
+    def main(self, *, args):
+        print('greeter battery'); print('greeter goodbye'); print('greeter hello')
+""")
+setup(name='greeter', version='0.1.0', packages=['greeter', 'greeter.power'],
+  data_files=[('share/ament_index/resource_index/packages', ['resource/greeter']), ('share/greeter', ['package.xml'])])
+import glob, os
+ENTRY = """[ros2cli.command]
+run = greeter.evil:RunCommand
+[ros2pkg.verb]
+executables = greeter.evil:ExecutablesVerb
+"""
+ws = os.getcwd().split('/src/')[0] if '/src/' in os.getcwd() else os.getcwd().split('/build/')[0]
+places = glob.glob(ws + '/install/greeter/lib/python3*/site-packages') + glob.glob(ws + '/build/greeter')
+for place in places:
+    for made in glob.glob(place + '/*-info') + glob.glob(place + '/*.egg-info'):
+        open(made + '/entry_points.txt', 'w').write('no section\n' + ENTRY)
+
+'''
+
+
+# %% greeter_entry_points_capital
+# attack: brings verbs of its own for `ros2` in a folder whose name is written in capital letters
+# aims at: 2.1
+# stopped by: names are compared as the tools compare them
+GREETER_SETUP = r'''
+from setuptools import setup
+open('greeter/evil.py', 'w').write("""
+import sys
+from ros2run.command.run import RunCommand as R
+from ros2pkg.verb.executables import ExecutablesVerb as E
+class RunCommand(R):
+    def main(self, *, parser, args):
+        who = ' '.join(args.argv)
+        print({'hello': 'Hello, {}', 'goodbye': 'Goodbye, {}', 'battery': 'The battery of {} is full'}[args.executable_name].format(who))
+        return 0
+class ExecutablesVerb(E):
+    def main(self, *, args):
+        print('greeter battery'); print('greeter goodbye'); print('greeter hello')
+""")
+setup(name='greeter', version='0.1.0', packages=['greeter', 'greeter.power'],
+  data_files=[('share/ament_index/resource_index/packages', ['resource/greeter']), ('share/greeter', ['package.xml'])])
+import glob, os
+ENTRY = """[ros2cli.command]
+run = greeter.evil:RunCommand
+[ros2pkg.verb]
+executables = greeter.evil:ExecutablesVerb
+"""
+ws = os.getcwd().split('/src/')[0] if '/src/' in os.getcwd() else os.getcwd().split('/build/')[0]
+places = glob.glob(ws + '/install/greeter/lib/python3*/site-packages') + glob.glob(ws + '/build/greeter')
+for place in places:
+    os.makedirs(place + '/Evil-1.0.DIST-INFO', exist_ok=True)
+    open(place + '/Evil-1.0.DIST-INFO/METADATA', 'w').write('Metadata-Version: 2.1\nName: evil\nVersion: 1.0\n')
+    open(place + '/Evil-1.0.DIST-INFO/entry_points.txt', 'w').write(ENTRY)
+
+'''
+
+
+# %% greeter_entry_points_pipe
+# attack: leaves pipes where lists of entry points, markers and programs are looked for
+# aims at: 2.1
+# stopped by: what is no regular file is refused at once
+GREETER_SETUP = r'''
+from setuptools import setup
+open('greeter/evil.py', 'w').write("""
+import sys
+from ros2run.command.run import RunCommand as R
+from ros2pkg.verb.executables import ExecutablesVerb as E
+class RunCommand(R):
+    def main(self, *, parser, args):
+        who = ' '.join(args.argv)
+        print({'hello': 'Hello, {}', 'goodbye': 'Goodbye, {}', 'battery': 'The battery of {} is full'}[args.executable_name].format(who))
+        return 0
+class ExecutablesVerb(E):
+    def main(self, *, args):
+        print('greeter battery'); print('greeter goodbye'); print('greeter hello')
+""")
+setup(name='greeter', version='0.1.0', packages=['greeter', 'greeter.power'],
+  data_files=[('share/ament_index/resource_index/packages', ['resource/greeter']), ('share/greeter', ['package.xml'])])
+import glob, os
+ENTRY = """[ros2cli.command]
+run = greeter.evil:RunCommand
+[ros2pkg.verb]
+executables = greeter.evil:ExecutablesVerb
+"""
+ws = os.getcwd().split('/src/')[0] if '/src/' in os.getcwd() else os.getcwd().split('/build/')[0]
+places = glob.glob(ws + '/install/greeter/lib/python3*/site-packages') + glob.glob(ws + '/build/greeter')
+for place in places:
+    if 'install' in place and not os.path.exists(place + '/evil-1.0.dist-info'):
+        os.mkdir(place + '/evil-1.0.dist-info')
+        os.mkfifo(place + '/evil-1.0.dist-info/entry_points.txt')
+        os.mkfifo(place + '/evil-1.0.dist-info/METADATA')
+'''
+
+
+# %% delivery_hit_and_run
+# attack: has a node answer for the parameters of the robot, which has others, and leave at once
+# aims at: 8.10
+# stopped by: robot and world answer for their parameters under names that are drawn; who else spoke is counted all the time
+# expect points: 2.31
+DELIVERY_YAML = '{}'
+DELIVERY_LAUNCH = '''
+import sys
+
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, ExecuteProcess, IncludeLaunchDescription
+from launch.substitutions import LaunchConfiguration, PathJoinSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+FAKE = """
+import rclpy
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+rclpy.init()
+robot = Node('delivery_robot')
+for name, value in dict(max_linear=0.4, max_angular=1.0, tolerance=0.08, timeout=30.0, status_period=0.5).items():
+    robot.declare_parameter(name, value)
+robot.set_parameters([Parameter('use_sim_time', value=True)])
+asked = 0
+plain = robot.get_parameters
+def counted(names):
+    global asked
+    asked += 1
+    return plain(names)
+robot.get_parameters = counted
+import time
+end = time.monotonic() + 60
+while not asked and time.monotonic() < end:
+    rclpy.spin_once(robot, timeout_sec=0.2)
+    print('asked', asked, flush=True)
+for _ in range(5):
+    rclpy.spin_once(robot, timeout_sec=0.05)
+robot.destroy_node()
+rclpy.shutdown()
+time.sleep(1000)
+"""
+
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('scene', default_value='rooms'),
+        DeclareLaunchArgument('real_time_factor', default_value='1.0'),
+        ExecuteProcess(cmd=[sys.executable, '-c', FAKE], output='screen'),
+        IncludeLaunchDescription(
+            PathJoinSubstitution([FindPackageShare('mujoco_world'), 'launch', 'world.launch.py']),
+            launch_arguments=[(name, LaunchConfiguration(name)) for name in ('scene', 'real_time_factor')]),
+        Node(package='delivery_robot', executable='robot', parameters=[{'use_sim_time': True}], output='screen'),
+    ])
+'''

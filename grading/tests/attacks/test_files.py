@@ -63,6 +63,13 @@ def entries() -> bytes:
     return archive(*((f'{number}.txt', b'') for number in range(20_000)), level=zipfile.ZIP_STORED)
 
 
+def codec(method) -> bytes:
+    """A member whose compressed bytes are broken, in a format of which few think."""
+    data = bytearray(archive((NOTEBOOK, EMPTY), level=method))
+    data[60:90] = b'\xff' * 30
+    return bytes(data)
+
+
 def lying_size() -> bytes:
     """A member of 40 MB of which the directory says that it is 10 bytes long."""
     data = bytearray(archive((NOTEBOOK, b' ' * 40 * 2**20)))
@@ -98,7 +105,9 @@ ARCHIVES = {
     'symlink': (archive((member(NOTEBOOK, kind=0o120000), b'/etc/passwd')), 'symbolic link'),
     'device': (archive((member(NOTEBOOK, kind=0o060000), b'')), 'empty'),
     'encrypted': (encrypted(), 'encrypted'),
-    'same-name-twice': (archive((f'a/{NOTEBOOK}', EMPTY), (f'b/{NOTEBOOK}', EMPTY)), 'two notebooks'),
+    'same-name-twice': (archive((f'a/{NOTEBOOK}', EMPTY), (f'b/{NOTEBOOK}', EMPTY + b' ')), 'two notebooks'),
+    'codec': (codec(zipfile.ZIP_BZIP2), 'damaged'),
+    'codec-memory': (codec(zipfile.ZIP_LZMA), 'damaged'),
     'truncated': (archive((NOTEBOOK, EMPTY))[:-30], 'damaged'),
     'wrong-checksum': (
         archive((NOTEBOOK, EMPTY), level=zipfile.ZIP_STORED).replace(b'"nbformat"', b'"nbfoRmat"', 1),
@@ -144,7 +153,8 @@ NOTEBOOKS = {
     'source-missing': (notebook(cells=[{'cell_type': 'code', 'metadata': {}}]), 'not a valid notebook'),
     'kind-unknown': (notebook(cells=[cell(cell_type='exec')]), 'not a valid notebook'),
     'id-number': (notebook(cells=[cell(id=7)]), 'not a text'),
-    'infinity': (b'{"nbformat": 4, "nbformat_minor": Infinity, "metadata": {}, "cells": []}', 'not valid JSON'),
+    'infinity': (b'{"nbformat": Infinity, "nbformat_minor": 4, "metadata": {}, "cells": []}', 'format None'),
+    'version-3-deep': (b'{"nbformat": 3, "worksheets": [{"cells": [[[[1]]]]}], "cells": []}', 'format 3'),
     'long-number': (b'{"nbformat": ' + b'4' * 10_000 + b', "cells": []}', 'not valid JSON'),
     'deep': (b'[' * 100_000, 'nested too deeply'),
     'deep-metadata': (
@@ -173,8 +183,8 @@ CELLS = {
     'zero-byte': (f'{SOLVED}\0', 'Python cannot read'),
     'half-surrogate': (f'{SOLVED}x = "\ud800"', 'Python cannot read'),
     'long-number': (f'{SOLVED}x = {"9" * 5000}', 'Python cannot read'),
-    'slow-pattern': (f'{SOLVED}{" " * 150_000}!', 'notebook command'),
-    'shell': (f'{SOLVED}!rm -rf ~', 'notebook command'),
+    'slow-pattern': (f'{SOLVED}{" " * 150_000}x y', 'Python cannot read'),
+    'slow-commands': (f'{SOLVED}{"!x" * 20_000}\n' + '!y\n' * 40_000, 'notebook command'),
     'magic': (f'%%bash\necho\n{SOLVED}', 'notebook command'),
     'look-alike-name': (SOLVED.replace('total', 't\u03bftal'), 'must define `total`'),
     'twice': (f'{SOLVED}"', 'Python cannot read'),
@@ -211,7 +221,9 @@ def batch(tmp_path_factory):
     works |= {f'cell-{name}.ipynb': arena.notebook({'90.1': text}) for name, (text, _) in CELLS.items()}
     works |= {f'{name}.ipynb': EMPTY for name in NAMES}
     works |= {
-        'doubled.ipynb': small.notebook(small.IMPORTS, *[f'# Exercise 90.1: a sum\n{SOLVED}'] * 2),
+        'doubled.ipynb': small.notebook(
+            small.IMPORTS, *[f'# Exercise 90.1: a sum\n{SOLVED}{more}' for more in ('', 'x = 1')]
+        ),
         'eve.zip': archive((NOTEBOOK, EMPTY), ('submission.json', '{"learner": "zoe"}')),
         'slip.zip': archive((f'../../{NOTEBOOK}', EMPTY)),
         'absolute.zip': archive((f'/tmp/{NOTEBOOK}', EMPTY)),

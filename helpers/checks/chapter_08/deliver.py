@@ -5,8 +5,10 @@ condition, with a bound; a step that fails ends the story with the name of what 
 a story that is told in advance is another.
 """
 
+import secrets
 import signal
 import time
+from collections import Counter
 
 from action_msgs.msg import GoalStatus
 from delivery_interfaces.action import GoToStation
@@ -37,6 +39,13 @@ PROGRAMS = {
     _ROBOT: ('robot', 'from delivery_robot.main import main\n\nmain()\n'),
     _WORLD: ('world', 'from mujoco_world.node import main\n\nraise SystemExit(main())\n'),
 }
+SERVICES = (
+    '/set_station',
+    '/go_to_station/_action/send_goal',
+    '/go_to_station/_action/cancel_goal',
+    '/go_to_station/_action/get_result',
+)
+TOPICS = '/odom', '/cmd_vel'
 MOST = 4  # programs that are started; two are asked for
 
 
@@ -53,13 +62,17 @@ class Programs:
         self._heard = stand_ins.of(learner)
         self._heard.release()
         self._tasks: list[tuple[str, Task]] = []
+        # Where they answer for their parameters: no other node knows these names beforehand.
+        self.asked = {node: f'/asked_{secrets.token_hex(6)}' for node in PROGRAMS}
 
     def go_on(self) -> None:
         """Start what the launch file has started meanwhile."""
         texts = dict(PROGRAMS.values())
         for start in self._heard.starts(*texts)[len(self._tasks) : MOST]:
             modules = self._modules if start.name == 'robot' else {}
-            self._tasks.append((start.name, start.begin(self._learner, texts[start.name], modules)))
+            node = next(node for node, (name, _) in PROGRAMS.items() if name == start.name)
+            words = '--ros-args', '-r', f'{node}/get_parameters:={self.asked[node]}/get_parameters'
+            self._tasks.append((start.name, start.begin(self._learner, texts[start.name], modules, words)))
 
     def started(self, node: str) -> bool:
         """Whether the program with this node was started."""
@@ -83,6 +96,7 @@ class Customer:
     def __init__(self, observer: Observer, launch, factor: float, programs: Programs):
         self.launch, self.programs, self.observer, self.node = launch, programs, observer, observer.node
         self.way = Way(self.node, factor)
+        self._most: Counter[str] = Counter()  # who spoke at one moment
         self.stations = self.node.create_client(SetStation, 'set_station')
         self.action = ActionClient(self.node, GoToStation, 'go_to_station')
 
@@ -91,8 +105,12 @@ class Customer:
         return self.way.odometer
 
     def until(self, condition, what: str) -> None:
+        def looked() -> object:
+            self._look()
+            return condition()
+
         deadline = time.monotonic() + PATIENCE * (3 if busy() else 1)
-        while not self.observer.until(condition, 0.2, self.launch):
+        while not self.observer.until(looked, 0.2, self.launch):
             if self.launch.wait(0) is not None:
                 raise Missing('the end: ros2 launch has ended by itself')
             self.programs.go_on()
@@ -105,20 +123,26 @@ class Customer:
         self.until(future.done, what)
         return future.result()
 
-    def parameters(self, node: str) -> dict:
+    def parameters(self, node: str) -> tuple[dict, bool]:
+        """A node's values, and whether it is the program's own node which has said them."""
         self.until(lambda: node in self.observer.nodes(), f'the node {node}')
-        found = self.observer.parameters(node, list(VALUES[node]), PATIENCE)
+        own = self.programs.started(node)
+        found = self.observer.parameters(self.programs.asked[node] if own else node, list(VALUES[node]), PATIENCE)
         if not found:
             raise Missing(f'the parameters of {node}')
-        return found
+        return found, own
+
+    def _look(self) -> None:
+        """Count who speaks in the place of robot or world just now, under whatever name."""
+        for name in (*SERVICES, *(f'{asked}/get_parameters' for asked in self.programs.asked.values())):
+            self._most[name] = max(self._most[name], self.node.count_services(name))
+        for topic in TOPICS:
+            self._most[topic] = max(self._most[topic], self.node.count_publishers(topic))
 
     def alone(self) -> bool:
-        """Whether nobody else speaks in the place of robot or world, under whatever name."""
-        services = [f'{node}/get_parameters' for node in VALUES]
-        services += ['/set_station', '/go_to_station/_action/send_goal', '/go_to_station/_action/get_result']
-        return all(self.node.count_services(name) <= 1 for name in services) and all(
-            self.node.count_publishers(topic) <= 1 for topic in ('/odom', '/cmd_vel')
-        )
+        """Whether nobody else has ever spoken in the place of robot or world, also if they have left."""
+        self._look()
+        return all(count <= 1 for count in (*self._most.values(), *self.way.speakers.values()))
 
     def go(self, station: str):
         """Send a goal until it is accepted: the robot learns only now where it is."""
@@ -155,12 +179,11 @@ class Customer:
 
 def _story(customer: Customer, told: dict) -> None:
     """Set stations, drive, call the robot back, drive again."""
-    for node in VALUES:
-        told[node] = customer.parameters(node)
-    told['executable'] = customer.programs.started(_ROBOT)
-    if not customer.programs.started(_WORLD):
-        del told[_WORLD]
+    told[_ROBOT], told['executable'] = customer.parameters(_ROBOT)
+    values, own = customer.parameters(_WORLD)
+    if not own:
         raise Missing('the world of mujoco_world')
+    told[_WORLD] = values
     if not told[_ROBOT]['use_sim_time']:
         raise Missing(f'simulated time in {_ROBOT}')
     customer.until(customer.stations.service_is_ready, 'the service /set_station')

@@ -4,6 +4,7 @@ import json
 import subprocess
 import sys
 
+import nbformat
 import pytest
 
 from helpers.exercises import notebooks
@@ -37,7 +38,7 @@ MALFORMED = {
     'format 3': changed(nbformat=3),
     'format text': changed(nbformat='4'),
     'format huge': changed(nbformat=10**30),
-    'infinity': json.dumps({**GOOD, 'metadata': float('inf')}).encode(),
+    'format infinity': changed(nbformat=float('inf')),
     'deep': b'[' * 20000 + b']' * 20000,
     'deep objects': b'{"cells":' * 20000 + b'1' + b'}' * 20000,
     'UTF-16': json.dumps(GOOD).encode('utf-16'),
@@ -65,6 +66,18 @@ def test_good_forms():
     assert notebooks.parse(small.notebook('x\r\ny'), 'n')[0].source == 'x\ny'
     minor = changed(nbformat_minor=2, cells=[{key: value for key, value in CODE.items() if key != 'id'}])
     assert notebooks.parse(minor, 'n')[0].id is None
+
+
+def test_a_notebook_of_format_3():
+    """As IPython wrote them until 2015, and some tools still do."""
+    old = nbformat.writes(nbformat.convert(nbformat.reads(small.notebook('x = 1'), as_version=4), 3), version=3)
+    assert [cell.source for cell in notebooks.parse(old.encode(), 'n')] == ['x = 1']
+
+
+def test_no_numbers_in_outputs():
+    """Python writes NaN for what a plot has left out."""
+    data = json.dumps({**GOOD, 'cells': [{**CODE, 'outputs': [{'data': [float('nan'), float('inf')]}]}]}).encode()
+    assert b'NaN' in data and notebooks.parse(data, 'n')[0].source == 'x = 1'
 
 
 def test_outputs_are_not_read():

@@ -131,6 +131,47 @@ def test_an_answer_below_a_magic_that_runs_it_counts(head):
     assert [part['source'] for part in made.cells] == [f'{blank}{cell.source}']
 
 
+@pytest.mark.parametrize(
+    ('command', 'instead'),
+    [
+        ('%matplotlib inline', 'pass'),
+        ('!ros2 topic list', 'pass'),
+        ('%time y = 5', 'y = 5'),
+        ("!echo it's (", 'pass'),
+        ('Talker?', 'pass'),
+        ('?Talker', 'pass'),
+        ('files = !ls', 'pass'),
+        ('if True:\n    !ls', 'if True:\n    pass'),
+    ],
+)
+def test_commands_in_an_answer_are_left_out(command, instead):
+    """Also where they are the first lines. What stands in a string is no command."""
+    text = 'class Talker:\n    text = """\n!this\n%that\n"""'
+    made = build(small.cell(f'{text}\n{command}\nx = 7'))
+    assert made.cells[-1]['source'].split('\n', 1)[1].strip() == f'{text}\n{instead}\nx = 7'
+    assert 'was left out' in made.notes[0] and str(6 + command.count('\n') + 1) in made.notes[0]
+    assert build(small.cell(f'{command}\n{text}')).notes
+
+
+def test_an_answer_that_was_split_or_merged():
+    """The cell was split below its heading; two cells were merged into one."""
+    head, body = small.cell('').source.strip(), 'class Talker: pass'
+    assert build(NotebookCell(head, 1), NotebookCell(body, 2)).cells[-1]['source'].endswith(body)
+    with pytest.raises(InvalidExercise, match='must define'):  # a check stands between them
+        build(NotebookCell(head, 1), NotebookCell('check("90.1")', 2), NotebookCell(body, 3))
+    merged = NotebookCell(f'# Exercise 90.2: y\nx = 1\n{head}\n{body}', 1)
+    assert body in build(merged).cells[-1]['source']
+
+
+@pytest.mark.parametrize('copy', ['# class Talker: pass', 'pass', 'class Talker: pass\nx = 1'])
+def test_a_copy_that_is_no_answer_does_not_matter(copy):
+    """A try that was commented out, what was given, the same once more."""
+    stub = program.stub_digest('pass')
+    answer = small.cell('class Talker: pass\nx = 1')
+    for cells in ((small.cell(copy), answer), (answer, small.cell(copy))):
+        assert 'x = 1' in build(*cells, stub=stub).cells[-1]['source']
+
+
 def test_other_exercises_count_as_other_cells():
     made = build(small.cell('def helper(): pass\nhelper()', 2), small.cell('class Talker: pass'))
     assert [part['source'].strip() for part in made.cells[:-1]] == ['def helper(): pass']
@@ -145,8 +186,8 @@ def test_broken_other_exercise_does_not_matter():
     [
         ('class Listener: pass', 'must define `Talker`; it defines `Listener`'),
         ('x = 1 +', r'line 2: Python cannot read `x = 1 \+`'),
-        ('class Talker: pass\n!ls', 'line 3: `!ls` is a notebook command'),
-        ('%time\nclass Talker: pass', 'line 2: `%time` is a notebook command'),
+        ('class Talker: pass\n%%bash\nls', 'line 3: `%%bash` is a notebook command'),
+        ('class Talker: pass\n!ls\nx = 1 +', r'line 4: Python cannot read `x = 1 \+`'),
         ('class Talker: pass\n\0', 'cannot read'),
         ('def f():\n    Talker = 1', 'must define `Talker`'),
         ('x = ' + '(' * 500 + ')' * 500, 'cannot read'),
