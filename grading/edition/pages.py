@@ -115,6 +115,9 @@ def readable(chapter: Chapter, notebook: nbformat.NotebookNode) -> nbformat.Note
                 cell.metadata['magics_language'] = 'python'  # else a cell has no colours from its first magic on
         elif cell.cell_type == 'markdown':
             cell.source = _TO_A_CHAPTER.sub(r'](\1.html\2', stub.source)
+        elif cell.source.startswith('%%writefile'):
+            python = cell.source.partition('\n')[0].endswith('.py')
+            cell.metadata['magics_language'] = 'python' if python else 'text'  # most others stumble over the first line
     return notebook
 
 

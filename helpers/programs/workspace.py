@@ -166,10 +166,15 @@ class Workspace:
 
 
 def _texts_of_cells() -> list[str]:
-    """What cells of this kernel have written into files by the magic commands `%%writefile` and `%%answer`."""
-    parts = (cell.source.lstrip().partition('\n') for cell in journal.cells)
-    written = [text for first, _, text in parts if first.startswith('%%writefile')]
-    return written + [text for cell in journal.cells for _, _, text, _ in file_answers.files(cell.source)]
+    """What cells of this kernel have written into files by `%%writefile`, `%%writefile -a` and `%%answer`."""
+    written: dict[str, str] = {}
+    for cell in journal.cells:
+        first, _, text = cell.source.lstrip().partition('\n')
+        words = first.split()
+        if words[:1] == ['%%writefile']:
+            before = written.get(words[-1], '') if '-a' in words else ''
+            written[words[-1]] = f'{before}{text.rstrip()}\n'
+    return [*written.values(), *(text for cell in journal.cells for _, _, text, _ in file_answers.files(cell.source))]
 
 
 class _Progress:

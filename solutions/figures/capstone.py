@@ -4,7 +4,7 @@ from grading.authoring.drawing import NOTE, Sheet
 
 ALT = (
     'The node delivery_robot with its three classes: StationKeeper with parameters, status and stations; Courier '
-    'with tf2 and the motor; DeliveryRobot with the action, which uses the function steer. An operator calls '
+    'with tf2 and the motor; DeliveryRobot with the action, which uses the function steer. A customer calls '
     'set_station and sends goals to go_to_station. The world sends /tf and gets cmd_vel. status tells everybody '
     'what the robot does. The file delivery.yaml gives the parameters.'
 )
@@ -16,7 +16,7 @@ def draw():
     keeper = sheet.box(246, 100, 218, 52, '`StationKeeper`\nparameters, status, stations', plain=True, size=NOTE)
     courier = sheet.box(246, 172, 218, 52, '`Courier`\nwhere am I? drive', plain=True, size=NOTE)
     robot = sheet.box(246, 244, 218, 52, '`DeliveryRobot`\nthe action, with `steer()`', plain=True, size=NOTE)
-    sheet.box(16, 100, 90, 196, 'operator', colour='violet')
+    sheet.box(16, 100, 90, 196, 'customer', colour='violet')
     sheet.box(594, 150, 90, 96, 'world', colour='green')
     sheet.box(246, 16, 218, 34, '`config/delivery.yaml`', colour='orange', size=NOTE)
     sheet.box(594, 70, 90, 40, 'anybody', colour='muted', size=NOTE)

@@ -85,7 +85,14 @@ def test_the_tiny_chapter_has_no_mistake(tree):
         ('def double', 'def triple', 'def triple', 'does not define double', 'define it'),
         ('Some prose.', 'Some prose.\n\n# BEGIN SOLUTION', '# BEGIN SOLUTION', 'solution marker in prose', 'move it'),
         ('# 7 Tiny', 'Seven', None, 'no title', 'begin the text'),
-        ("    print('checked', identifier)\n", '    x = 1\n' * 25, 'def check', 'a code cell of 26 lines', 'split it'),
+        ("    print('checked', identifier)\n", '    x = 1\n' * 15, 'def check', 'a code cell of 16 lines', 'split it'),
+        (
+            'Some prose.',
+            'Some [prose](https://docs.ros.org/en/rolling/a.html).',
+            'Some [prose]',
+            'a link to docs.ros.org/en/rolling',
+            'the page of Jazzy',
+        ),
     ],
 )
 def test_a_mistake_names_file_line_and_mend(tree, old, new, line, problem, remedy):
@@ -111,8 +118,10 @@ def test_all_mistakes_are_told_at_once(tree):
     assert len(str(caught.value).splitlines()) == 3
 
 
-def test_a_cell_of_25_lines_is_allowed(tree):
-    write(tree, TINY.replace("    print('checked', identifier)\n", '    x = 1\n' * 24))
+@pytest.mark.parametrize('first', ['', '%%writefile a.py\n'])
+def test_a_cell_of_15_lines_is_allowed_and_one_more_for_the_name_of_a_file(tree, first):
+    cell = f'{FENCE}{first}def check(identifier):\n' + '    x = 1\n' * 14
+    write(tree, TINY.replace(DEMONSTRATION, f'{cell}```\n\n'))
     assert build.read_all(tree)
 
 
@@ -190,7 +199,7 @@ def test_an_id_is_given_once_in_all_chapters(tree, name):
 
 
 def test_long_cells_give_advice_only(tree):
-    write(tree, TINY.replace("    print('checked', identifier)\n", '    x = 1\n' * 20))
+    write(tree, TINY.replace("    print('checked', identifier)\n", '    x = 1\n' * 14))
     assert rules.advice(build.read_all(tree)[0]) == []  # the median of four cells is small
-    write(tree, FRONT + TITLE + DEMONSTRATION.replace("    print('checked', identifier)\n", '    x = 1\n' * 20))
+    write(tree, FRONT + TITLE + DEMONSTRATION.replace("    print('checked', identifier)\n", '    x = 1\n' * 14))
     assert 'aim at 6' in rules.advice(build.read_all(tree)[0])[0]

@@ -57,6 +57,19 @@ def test_a_hint_stays_folded(built, tmp_path):  # noqa: F811
     assert re.search(r'<summary>Hint</summary>\s*<p>A <strong>hint</strong>.</p>\s*</details>', page.read_text())
 
 
+@pytest.mark.parametrize('file, coloured', [('a.py', True), ('a.yaml', False)])
+def test_a_file_of_python_has_colours(built, tmp_path, file, coloured):  # noqa: F811
+    source = built.solutions / '07_tiny.md'
+    text = {'a.py': 'def f():\n    return 1', 'a.yaml': 'low: 0.25'}[file]
+    cell = f'```{{code-cell}} ipython3\n%%writefile {file}\n{text}\n```\n\n'
+    source.write_text(source.read_text().replace('```{code-cell}', f'{cell}```{{code-cell}}', 1))
+    built.solved(chapters.read(source)).unlink()
+    make_without_kernel(built)
+    _, page = pages.write(built, tmp_path / 'pages', say=lambda line: None)
+    shown = page.read_text().partition('writefile')[2].partition('</pre>')[0]
+    assert ('<span class="k">' in shown) is coloured and 'class="err"' not in shown
+
+
 def test_a_page_brings_its_figures(illustrated, tmp_path):  # noqa: F811
     _, page = pages.write(illustrated, tmp_path / 'pages', say=lambda line: None)
     (address,) = re.findall(r'<img[^>]* src="([^"]+)"', page.read_text())

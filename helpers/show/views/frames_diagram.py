@@ -196,7 +196,9 @@ def show_frames(buffer=None, duration: float = 2.0) -> FramesDiagram:
             listener.unregister()
             tree = Tree(listener.links)
             problems = tree.problems(tree.best_root())
-        diagram = FramesDiagram(mine, clock.now(), _broadcasters(node), problems)
+        broadcasters = _broadcasters(node)
+        diagram = FramesDiagram(mine, clock.now(), broadcasters, problems)
+        diagram.now = clock.now()  # later than all stamps that it has read: no age is negative
         if diagram.other_clock and node.count_publishers('/clock'):
             clock.wait()
             diagram.now = clock.now()

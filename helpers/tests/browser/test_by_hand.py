@@ -166,6 +166,8 @@ def test_a_cell_with_a_file_tells_a_mistake_with_its_line_and_writes_the_file(le
     assert learner.output('file').inner_text().strip() == 'Written: config/robot.yaml'
     shown = learner.add('print(CONFIG)')
     learner.sees(shown, 'low: 0.25')
+    learner.write('file', RIGHT.replace('%%answer CONFIG', '%%writefile'))  # a file of the lesson has colours, too
+    learner.page.wait_for_function(_COLOURED)
 
 
 # Whether the course's own language colours the active cell, and a key of YAML has a colour.

@@ -78,6 +78,16 @@ def test_what_a_cell_has_written_is_the_lessons(ws, capsys, monkeypatch, line):
         assert ('is kept: p,' in capsys.readouterr().out) is mine
 
 
+def test_a_file_that_two_cells_have_written_is_the_lessons(ws, capsys, monkeypatch):
+    texts = '%%writefile ros2_ws/src/p/a.py\nprint(1)', '%%writefile -a ros2_ws/src/p/a.py\n\nprint(2)'
+    monkeypatch.setattr(journal, 'cells', [journal.ExecutedCell(None, text) for text in texts])
+    ws.write('src/p/b.py', '')
+    (ws.path / 'src/p/a.py').write_text('print(1)\n\nprint(2)\n')
+    ws.run('true')
+    ws.reset()
+    assert 'is kept' not in capsys.readouterr().out
+
+
 def test_a_folder_of_somebody_else_is_left_alone(tmp_path):
     (tmp_path / 'thesis.txt').write_text('three years')
     with pytest.raises(FileExistsError, match='move it away'):

@@ -12,7 +12,7 @@ from tf2_ros import Buffer, StaticTransformBroadcaster, TransformBroadcaster
 
 from helpers import TfView, show_frames, spin_for, wait_for
 from helpers.kernel.ros import nodes
-from helpers.show.views import Display
+from helpers.show.views import Display, frames_diagram
 from helpers.show.views.frames_diagram import FramesDiagram
 from helpers.show.views.shapes import Axes, Label, Line, Sphere
 
@@ -258,6 +258,22 @@ def test_the_flat_tree(sender):
         wait_for(lambda: view.problems, timeout=30)
         loop = show_frames(view)
         assert repr(loop).startswith('a loop: ') and '>map</text>' in loop.svg()
+
+
+def test_no_age_is_negative_though_transforms_come_while_the_diagram_is_made(sender, monkeypatch):
+    buffer = Buffer()
+
+    def meanwhile(node):
+        message = TransformStamped(child_frame_id='base')
+        message.header.frame_id, message.transform.rotation.w = 'map', 1.0
+        message.header.stamp = node.get_clock().now().to_msg()
+        buffer.set_transform(message, 'me')
+        return [], []
+
+    monkeypatch.setattr(frames_diagram, '_broadcasters', meanwhile)
+    diagram = show_frames(buffer)
+    (row,) = [row for row in diagram.rows if not row.static]
+    assert 0 <= diagram.now - row.stamp < 10
 
 
 def test_the_flat_tree_of_a_buffer_alone():

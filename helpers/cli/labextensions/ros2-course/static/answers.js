@@ -1,8 +1,8 @@
-/* Colours a cell with `%%answer NAME FILE` by the languages of its files: each file is parsed by the parser that
-   JupyterLab's editor has for a file of that name, and what stands above the first one as Python. */
+/* Colours a cell with `%%answer NAME FILE` or `%%writefile FILE` by the languages of its files: each file is parsed by the
+   parser that JupyterLab's editor has for a file of that name, and what stands above the first one as Python. */
 
 const MIME = 'text/x-ros2-course-answers';
-const FILE = /^%%answer[ \t]+\w+[ \t]+(\S+)[ \t]*$/gm;
+const FILE = /^%%(?:answer[ \t]+\w+|writefile(?:[ \t]+-a)?)[ \t]+(\S+)[ \t]*$/gm;
 const ALIKE = { urdf: 'xml', cfg: 'ini' }; // suffixes that the editor does not know
 const PYTHON = 'a.py';
 const NAMES = [PYTHON, 'a.xml', 'a.yaml', 'a.ini', 'CMakeLists.txt'];
@@ -50,7 +50,7 @@ function like(path) {
   return ALIKE[suffix] ? `a.${ALIKE[suffix]}` : name;
 }
 
-/** What a text is made of: [kind, begin, end, file] of each line `%%answer` and of what stands between them. */
+/** What a text is made of: [kind, begin, end, file] of each line that names a file and of what stands between them. */
 function parts(text) {
   const found = [];
   let begin = 0;
