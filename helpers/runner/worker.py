@@ -49,7 +49,7 @@ from std_msgs.msg import UInt64
 from helpers.kernel.nodes import destroy_actions
 from helpers.runner import rates, values
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
-from helpers.runner.mistakes import WaitsInCallback, Watch, watch
+from helpers.runner.mistakes import CALLBACK_WORK, CONSTRUCTOR_WORK, WaitsInCallback, Watch, watch
 from helpers.runner.threads import Sleeps, ThreadPool, patch_locks
 
 MAX_CALLBACKS = 5000  # in one step: more means that it never becomes idle
@@ -418,6 +418,7 @@ class Conductor:
             self._sent_since_echo |= self.pool.run(handler, entity, node)  # it may have sent something before it waits
             return self._count_ended(self.pool)
         self.in_callback = node is not self.node
+        begin = time.thread_time()
         try:
             handler()
             if not handler.done():
@@ -427,6 +428,8 @@ class Conductor:
             error = raised
         finally:
             self.in_callback = False
+            if self.program.watch and node is not self.node:
+                self.program.watch.worked(_describe(entity), time.thread_time() - begin, CALLBACK_WORK)
         return self._count(error, entity, node)
 
     def _count(self, error: BaseException | None, entity, node) -> int:
@@ -581,10 +584,13 @@ class Worker:
         seen = self._loaded().watch
         if seen:
             seen.begins()
+        begin = time.thread_time()
         try:
             made = factory(*map(values.decode, args), **{k: values.decode(v) for k, v in kwargs.items()})
         except BaseException as error:  # noqa: BLE001 - SystemExit in a constructor, too
             raise self._loaded().error('constructor', error, name=name) from None
+        if seen:
+            seen.worked(name, time.thread_time() - begin, CONSTRUCTOR_WORK)
         nodes = list(made) if isinstance(made, (list, tuple)) else [made]
         for node in nodes:
             if not isinstance(node, Node):
