@@ -429,7 +429,7 @@ class Conductor:
         finally:
             self.in_callback = False
             if self.program.watch and node is not self.node:
-                self.program.watch.worked(_describe(entity), time.thread_time() - begin, CALLBACK_WORK)
+                self.program.watch.worked(_named(entity), time.thread_time() - begin, CALLBACK_WORK)
         return self._count(error, entity, node)
 
     def _count(self, error: BaseException | None, entity, node) -> int:
@@ -461,6 +461,12 @@ def _explained(error: BaseException) -> BaseException:
 def _depth(profile: QoSProfile) -> int:
     """How many messages an endpoint keeps; 0: all of them."""
     return 0 if profile.history == HistoryPolicy.KEEP_ALL else profile.depth
+
+
+def _named(entity) -> str:
+    """Which callback it is. It asks nothing of rclpy: the callback may have destroyed its timer."""
+    callback = getattr(entity, 'callback', None)
+    return f'{type(entity).__name__} {getattr(callback, "__qualname__", "")}'
 
 
 def _describe(entity) -> str:
