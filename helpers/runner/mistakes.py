@@ -31,6 +31,10 @@ class WaitsInCallback(BaseException):
         self.call = call  # 'rclpy.spin_until_future_complete'
 
 
+# Who keeps the processor for longer than this (s) each time waits in a loop that counts. The right answers' callbacks
+# took less than 10 ms and their constructors less than 20 ms, also on a busy machine.
+CALLBACK_WORK, CONSTRUCTOR_WORK = 0.02, 0.06
+
 # They sleep until the graph shows a server.
 _POLLING = (Client.wait_for_service.__code__, ActionClient.wait_for_server.__code__)
 
@@ -51,8 +55,10 @@ class Watch:
         self.in_callback, self.in_threads, self.is_learners = in_callback, in_threads, is_learners
         self.early: tuple[str, int] | None = None  # (file, line) of the last `result()` of a future that was not done
         self.remarks: list[str] = []  # sentences for the learner
-        # Seconds for which the learner's lines have slept, also in wait_for_server, or asked a clock again and again.
+        # Seconds for which the learner's lines have slept, also in wait_for_server, asked a clock again and again, or
+        # counted.
         self.slept = 0.0
+        self._work: dict[str, float] = {}  # per callback: the least processor time of its runs (s)
         self._looks: dict[tuple, tuple[int, float]] = {}  # per line in this callback: how often, and when it first did
         self._aside: set[threading.Thread] = set()
         self._spaces: weakref.WeakKeyDictionary[Node, str] = weakref.WeakKeyDictionary()
@@ -90,6 +96,16 @@ class Watch:
             self.sleeps(frame, now - begin)
             begin = now
         self._looks[line] = count + 1, begin
+
+    def worked(self, what: str, seconds: float, limit: float) -> None:
+        """A callback or a constructor, `what`, has used the processor for so long; longer than `limit` is a wait.
+
+        Its own processor time hardly depends on what else the machine does. The first run may have imported modules.
+        """
+        before = self._work.get(what)
+        self._work[what] = min(seconds, seconds if before is None else before)
+        if before is not None and self._work[what] > limit:
+            self.slept += seconds
 
     def remark(self, sentence: str) -> None:
         """Keep a sentence for the learner, once."""

@@ -49,7 +49,7 @@ from std_msgs.msg import UInt64
 from helpers.kernel.nodes import destroy_actions
 from helpers.runner import rates, values
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
-from helpers.runner.mistakes import WaitsInCallback, Watch, watch
+from helpers.runner.mistakes import CALLBACK_WORK, CONSTRUCTOR_WORK, WaitsInCallback, Watch, watch
 from helpers.runner.threads import Sleeps, ThreadPool, patch_locks
 
 MAX_CALLBACKS = 5000  # in one step: more means that it never becomes idle
@@ -418,6 +418,7 @@ class Conductor:
             self._sent_since_echo |= self.pool.run(handler, entity, node)  # it may have sent something before it waits
             return self._count_ended(self.pool)
         self.in_callback = node is not self.node
+        begin = time.thread_time()
         try:
             handler()
             if not handler.done():
@@ -427,6 +428,8 @@ class Conductor:
             error = raised
         finally:
             self.in_callback = False
+            if self.program.watch and node is not self.node:
+                self.program.watch.worked(_named(entity), time.thread_time() - begin, CALLBACK_WORK)
         return self._count(error, entity, node)
 
     def _count(self, error: BaseException | None, entity, node) -> int:
@@ -458,6 +461,12 @@ def _explained(error: BaseException) -> BaseException:
 def _depth(profile: QoSProfile) -> int:
     """How many messages an endpoint keeps; 0: all of them."""
     return 0 if profile.history == HistoryPolicy.KEEP_ALL else profile.depth
+
+
+def _named(entity) -> str:
+    """Which callback it is. It asks nothing of rclpy: the callback may have destroyed its timer."""
+    callback = getattr(entity, 'callback', None)
+    return f'{type(entity).__name__} {getattr(callback, "__qualname__", "")}'
 
 
 def _describe(entity) -> str:
@@ -581,10 +590,13 @@ class Worker:
         seen = self._loaded().watch
         if seen:
             seen.begins()
+        begin = time.thread_time()
         try:
             made = factory(*map(values.decode, args), **{k: values.decode(v) for k, v in kwargs.items()})
         except BaseException as error:  # noqa: BLE001 - SystemExit in a constructor, too
             raise self._loaded().error('constructor', error, name=name) from None
+        if seen:
+            seen.worked(name, time.thread_time() - begin, CONSTRUCTOR_WORK)
         nodes = list(made) if isinstance(made, (list, tuple)) else [made]
         for node in nodes:
             if not isinstance(node, Node):

@@ -35,6 +35,9 @@ MUTANTS = [
     Mutant('long_way_round', old='error = math.remainder(math.atan2(dy, dx) - pose.theta, 2 * math.pi)',
            new='error = math.atan2(dy, dx) - pose.theta', expect='the long way round', breaks='short-way',
            also=('reach', 'walls')),
+    Mutant('always_to_the_left', old='error = math.remainder(math.atan2(dy, dx) - pose.theta, 2 * math.pi)',
+           new='error = (math.atan2(dy, dx) - pose.theta) % (2 * math.pi)', expect='° to the right, and the turtle',
+           breaks='short-way', also=ALL),
     Mutant('never_stops', old=STOP, new='''
         command.angular.z = 3.0 * error
         command.linear.x = 0.5

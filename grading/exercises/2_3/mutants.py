@@ -64,4 +64,8 @@ MUTANTS = [
            breaks='full'),
     Mutant('false_by_default', old='bool docked', new='bool docked false', expect='`docked` of Dock has a default value',
            breaks='default'),
+    Mutant('full_from_the_start', old='uint8 percent', new='uint8 percent 100',
+           expect='`percent` of Charge has a default value', breaks='charge'),
+    Mutant('one_more_constant', old='uint8 FULL=100', new='uint8 FULL=100\nuint8 EMPTY=0',
+           expect='another constant, EMPTY', breaks='full'),
 ]

@@ -13,6 +13,8 @@ LIBRARY_ENDS = """
 
 MUTANTS = [
     Mutant('circle', old=WHEEL_MATH, new=f'{WHEEL_MATH} <exec_depend>odometry</exec_depend>', expect='in a circle', breaks='order'),
+    Mutant('prints_as_an_error', old=":.3f} m')", new=":.3f} m', file=sys.stderr)",
+           expect='printed nothing on the standard output', breaks='prints'),
     Mutant('computes_itself', edits=((IMPORT, 'import math'),
             ('distance(int(sys.argv[1]))', '2 * math.pi * 0.033 * int(sys.argv[1]) / 360')),
            expect='do not compute the distance again', breaks='library'),

@@ -136,6 +136,12 @@ class RangeToMetres(Node):
            breaks='variance'),
     Mutant('whole_centimetres', old='msg.range /= 100', new='msg.range = round(msg.range, -2) / 100',
            expect='Convert all three distances', breaks='distances'),
+    Mutant('large_numbers_are_metres', old='msg.max_range /= 100',
+           new='msg.max_range /= 100 if msg.max_range < 10_000 else 1', expect='max_range: ', breaks='distances'),
+    Mutant('published_by_the_constructor', old="self.publisher = self.create_publisher(Range, 'sonar', 10)", new='''
+        self.publisher = self.create_publisher(Range, 'sonar', 10)
+        self.publisher.publish(Range())
+        ''', expect='its constructor publishes', breaks='one-each'),
     Mutant('drops_zero', old='def on_range(self, msg):', new='''
         def on_range(self, msg):
             if not msg.range:

@@ -21,8 +21,11 @@ def test_exact_times(learner):
         learner.start('Heartbeat')
     learner.settle()
     with waiting('no-wait'):
-        learner.run(seconds + 0.1, step=0.5)
-    expect(not learner.slept, 'The program sleeps; its timers do the waiting.', 'no-wait')
+        learner.run(2.1, step=0.5)
+    expect(not learner.slept, 'The program sleeps, or waits in a loop; its timers do the waiting.', 'no-wait')
+    with waiting('no-wait'):
+        learner.run(seconds - 2.0, step=0.5)
+    expect(not learner.slept, 'The program sleeps, or waits in a loop; its timers do the waiting.', 'no-wait')
     expect(
         led.stamps == pytest.approx([n / 4 for n in range(1, 4 * seconds + 1)]),
         f'The first LED messages came at {led.stamps[:4]} s, expected 0.25, 0.5, 0.75, 1.0 s.',
@@ -133,7 +136,7 @@ def test_every_reset(learner):
     )
 
 
-@pytest.mark.rules('own-state')
+@pytest.mark.rules('own-state', 'no-wait')
 def test_two_heartbeats(learner):
     """Two heartbeats in one program do not disturb each other.
 
@@ -147,6 +150,7 @@ def test_two_heartbeats(learner):
         learner.run(learner.random.randint(1, 3) + 0.3)
     counts = len(led), len(uptime)
     learner.start('Heartbeat', beside=first)
+    expect(not learner.slept, 'The constructor waits in a loop; the timers do the waiting.', 'no-wait')
     with waiting('no-wait'):
         learner.run(2.6)
     expect(uptime.data or led.data, 'Two heartbeats have said nothing on /uptime and /led.', 'uptime')

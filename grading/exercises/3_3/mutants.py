@@ -12,6 +12,16 @@ MUTANTS = [
             pass
         self.seconds += 1
         ''', imports='import time', expect='The timers do the waiting'),
+    Mutant('counts_in_callback', breaks='no-wait', old='self.seconds += 1', new='''
+        for _ in range(10_000_000):
+            pass
+        self.seconds += 1
+        ''', expect='A callback sleeps, or waits in a loop'),
+    Mutant('counts_in_constructor', breaks='no-wait', old='self.lit = False', new='''
+        for _ in range(10_000_000):
+            pass
+        self.lit = False
+        ''', expect='The constructor waits in a loop'),
     Mutant('waits_for_an_event', breaks='no-wait', old='self.seconds += 1', new='''
         threading.Event().wait(0.01)
         self.seconds += 1

@@ -129,4 +129,6 @@ MUTANTS = [
     Mutant('as_the_first_publisher', old="(LaserScan, 'scan', self.on_scan, sensor)",
            new="(LaserScan, 'scan', self.on_scan, qos_profile_best_available)",
            imports='from rclpy.qos import qos_profile_best_available', expect='requests RELIABLE', breaks='any-lidar'),
+    Mutant('without_the_scan_itself', breaks='gap', also=('limit', 'own-state', 'first', 'old'), old='.nanoseconds / 1e9', new='.nanoseconds / 1e9 - scan.scan_time',
+           expect='scan_gap'),
 ]

@@ -16,9 +16,9 @@ WORDS = 'size', 'focal length', 'principal point', 'distortion'
 LATCHED = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
-def info(width=640, height=480, fx=500.0, fy=510.0, cx=320.0, cy=240.0, model='plumb_bob', d=5, bend=0.01):
+def info(width=640, height=480, fx=500.0, fy=510.0, cx=320.0, cy=240.0, model='plumb_bob', d=5, bend=0.01, last=1.0):
     return CameraInfo(
-        width=width, height=height, distortion_model=model, d=[bend] * d, k=[fx, 0.0, cx, 0.0, fy, cy, 0.0, 0.0, 1.0]
+        width=width, height=height, distortion_model=model, d=[bend] * d, k=[fx, 0.0, cx, 0.0, fy, cy, 0.0, 0.0, last]
     )
 
 
@@ -73,6 +73,8 @@ def test_every_rule(learner):
     for value in (0.001, 1e200):
         accepted(client, 'focal-length', 'Every positive, finite number is a focal length.', fx=value, fy=value)
     accepted(client, 'distortion', 'Five zeros are five numbers.', bend=0.0)
+    accepted(client, 'distortion', 'The five numbers themselves are not checked.', bend=inf)
+    accepted(client, 'focal-length', 'Other places of k are not checked.', last=1.5)
     accepted(client, 'accept')
 
 

@@ -115,4 +115,11 @@ MUTANTS = [
         self.create_service(SetCameraInfo, 'set_camera_info', self.on_set)
         self.publisher.publish(CameraInfo())
         """, also=('unchanged', 'names', 'latched'), expect='before a calibration was set'),
+    Mutant('checks_all_of_k', breaks='focal-length', also='publish',
+           old='0 < k[0] < inf and 0 < k[4] < inf', new='0 < k[0] < inf and 0 < k[4] < inf and k[8] == 1',
+           expect='the other places of k are not checked'),
+    Mutant('checks_the_distortion', breaks='distortion', old='len(info.d) == 5',
+           new='len(info.d) == 5 and all(abs(one) < 10 for one in info.d)', expect='The five numbers themselves'),
+    Mutant('landscape_only', breaks='size', also=('principal-point',), old='info.width > 0 and info.height > 0',
+           new='0 < info.height <= info.width', expect='higher than it is wide'),
 ]

@@ -173,6 +173,12 @@ def test_alone(learner):
     took = goal.finished - goal.sent
     expect(took == pytest.approx(order / 2), f'Order {order} took {took:g} s, expected {order / 2} s.', 'count')
     expect(len(goal.stamps) == order, f'{len(goal.stamps)} feedback messages came for {order} numbers.', 'feedback')
+    said = [list(feedback.sequence) for feedback in goal.feedback]
+    expect(
+        said == [up_to(n) for n in up_to(order)],
+        f'The feedback is {said}; each one has all numbers so far, from 1.',
+        'feedback',
+    )
     expect(
         [stamp - goal.sent for stamp in goal.stamps] == pytest.approx([n / 2 for n in up_to(order)]),
         f'The numbers came at {goal.stamps} s.',

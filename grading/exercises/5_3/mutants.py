@@ -75,6 +75,13 @@ MUTANTS = [
     Mutant('no_feedback', breaks='feedback', also=OTHERS,
            old='goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))', new='',
            expect='sent 0 feedback messages'),
+    Mutant('feedback_of_one_number', breaks='feedback',
+           old='goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))',
+           new='goal.publish_feedback(Fibonacci.Feedback(sequence=numbers[-1:]))', expect='expected all numbers so far'),
+    Mutant('numbered_in_execute', breaks='aborted', also='newest',
+           edits=(('self.newest = None', 'self.latest = 0'), ('self.newest = goal', 'self.latest += 1'),
+                  ('numbers = []', 'numbers, mine = [], self.latest'), ('goal is not self.newest', 'mine < self.latest')),
+           expect='Three goals came at one moment'),
     Mutant('no_numbers_when_aborted', breaks='aborted', also='cancel', old=LOOK, new='''
         if goal.is_cancel_requested or goal is not self.newest:
             if goal.is_cancel_requested:

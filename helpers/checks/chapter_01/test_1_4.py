@@ -19,13 +19,14 @@ def test_any_goal(learner):
     drive.stays(2.0)
 
 
+@pytest.mark.parametrize('side', (1, -1), ids=('left', 'right'))
 @pytest.mark.rules('short-way')
-def test_short_way(learner):
-    """The turtle turns the short way, also where the angle jumps from π to −π.
+def test_short_way(learner, side):
+    """The turtle turns the short way to both sides, also where the angle jumps from π to −π.
 
     math.remainder(error, 2 * math.pi) brings the error into −π … π.
     """
-    goals.across_pi(learner, learner.random.choice((1, -1)))
+    goals.across_pi(learner, side)
 
 
 @pytest.mark.rules('walls')

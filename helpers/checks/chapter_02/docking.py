@@ -43,6 +43,8 @@ def _written_in(learner) -> dict:
         'request': fields(request),
         'response': fields(response),
         'FULL': next((one.value for one in message.constants if one.name == 'FULL'), None),
+        'constants': [one.name for one in message.constants if one.name != 'FULL'],
+        'begins': [field.name for field in message.fields if field.default_value is not None],
         'speed': defaults.pop('speed', None) or 0.0,
         'defaults': [name for name, value in defaults.items() if value is not None],
     }
@@ -68,6 +70,9 @@ def _judge_charge(learner, found: dict) -> None:
         'charge',
     )
     expect(fields == CHARGE, f'The fields of Charge are {_written(fields)}; expected {_written(CHARGE)}.', 'charge')
+    begins, more = found.get('begins', []), found.get('constants', [])
+    expect(not begins, f'`{begins and begins[0]}` of Charge has a default value. None of its fields has one.', 'charge')
+    expect(not more, f'Charge has another constant, {more and more[0]}. Only FULL is asked for.', 'full')
     expect(
         found['FULL'] is not None,
         'Charge has no constant FULL. A constant has a type, a name, `=` and a value.',

@@ -15,6 +15,8 @@ FILES = {
     'share/ament_index/resource_index/packages/greeter': 'the marker resource/greeter, by which ROS finds the package',
     'share/greeter/package.xml': 'package.xml',
 }
+# What colcon writes into `share` itself
+COLCON = re.compile(r'share/(greeter/(package\.\w+|hook/.*)|colcon-core/.*)')
 PACKAGES = ('greeter/__init__.py', 'greeter/power/__init__.py', 'greeter/farewell.py')
 
 
@@ -106,3 +108,5 @@ def judge_rest(learner) -> None:
     name, version = found[:2] if found else ('', '')
     expect(name == 'greeter', f'The name of the package in setup.py is {name or "nothing"}, and was greeter.', 'rest')
     expect(version == '0.1.0', f'setup.py says greeter {version}, and said greeter 0.1.0 before.', 'rest')
+    more = sorted(name for name in there if name.startswith('share/') and name not in FILES and not COLCON.match(name))
+    expect(not more, f'setup.py installs {more and more[0]}, too: leave data_files as it was.', 'rest')

@@ -11,7 +11,7 @@ from helpers.runner import about, expect
 
 def scan(seconds: float) -> LaserScan:
     """A scan with this stamp."""
-    message = LaserScan()
+    message = LaserScan(scan_time=0.0625, time_increment=0.0001)  # what a gap does not depend on
     message.header.stamp = Time(nanoseconds=round(seconds * 1e9)).to_msg()
     return message
 

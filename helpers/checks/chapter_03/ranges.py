@@ -33,7 +33,8 @@ def burst(random) -> list[Range]:
     return [
         still,
         still,
-        reading(random, range=still.range),
+        # Many metres, as some sensors see.
+        reading(random, range=still.range, min_range=random.uniform(300, 900), max_range=random.uniform(2e4, 9e6)),
         reading(random, range=0.0, min_range=0.0, variance=0.0),  # zero is a number like any other
         reading(random, range=random.uniform(0.1, 0.9), min_range=0.0625, max_range=0.9375),  # also centimetres
         reading(random, range=random.uniform(0.1, 0.9), header=Header()),  # nearer than min_range, and no header

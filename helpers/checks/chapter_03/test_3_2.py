@@ -33,7 +33,7 @@ def test_relay(learner):
     echoes = [
         reading(random, variance=4.0),
         reading(random, max_range=math.inf),
-        reading(random, range=random.uniform(600, 900)),
+        reading(random, range=random.uniform(2e4, 9e4)),
     ]
     silent = random.randint(1, 2)
     echoes.insert(silent, reading(random, range=math.inf))
@@ -53,6 +53,31 @@ def test_relay(learner):
     learner.run(61.0, step=10.0)
     check_number(learner, heard, count, 'one-each')
     check_nothing_else(learner, {f'{space}/sonar'}, 'one-each')
+    check_second(learner, heard, sensor, node)
+
+
+def check_second(learner, heard, sensor, node):
+    """A second relay in the same program publishes nothing by itself either, and both convert each message."""
+    count = len(heard)
+    with about('one-each'):
+        learner.start('RangeToMetres', beside=node)
+        learner.settle()
+    expect(
+        len(heard) == count,
+        'A second relay in the same program published before it had received anything: its constructor publishes.',
+        'one-each',
+    )
+    message = reading(learner.random)
+    sensor.send(message)
+    learner.settle()
+    learner.wait_until(lambda: len(heard) >= count + 2, 0.5)
+    expect(
+        len(heard) == count + 2,
+        f'A message went in to two relays in the same program, and {len(heard) - count} came out, expected 2.',
+        'one-each',
+    )
+    for got in heard.messages[count:]:
+        check_reading(got, message)
 
 
 def check_number(learner, heard, wanted, rule):

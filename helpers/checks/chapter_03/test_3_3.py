@@ -152,6 +152,9 @@ def check_second(learner, led, uptime, node):
     counts = len(led), len(uptime)
     with about('own-state'):
         learner.start('Heartbeat', beside=node)
+    # A loop that only counts is noticed when it runs again.
+    expect(not learner.slept, 'The constructor waits in a loop. The timers do the waiting.', 'no-wait')
+    with about('own-state'):
         learner.settle()
         learner.run(2.1, step=0.5)
     beats = list(zip(led.stamps, led.data, strict=True))[counts[0] :]

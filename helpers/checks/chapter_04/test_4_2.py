@@ -118,6 +118,10 @@ def test_words(learner):
         some.refused('principal point', **changes)
     for changes in (*({'model': name} for name in OTHER_MODELS), {'d': 0}, {'d': 4}, {'d': 6}, {'d': 8}):
         some.refused('distortion', **changes)
+    some.accepted(
+        'size', 'A picture may be higher than it is wide.', width=height, height=width, cx=0.5, cy=height + 0.5
+    )
+    some.accepted('distortion', 'The five numbers themselves are not checked.', bend=learner.random.choice([inf, -1e9]))
     some.accepted('distortion', 'Five zeros are five numbers: a camera that does not distort.', bend=0.0)
     for place, word in (
         ('fx', 'focal length'),
@@ -208,12 +212,13 @@ def _set_three(some, heard):
             info = some.info()  # nothing in its header: as it came
         elif number == 1:
             info = some.info(fx=draw.uniform(100, 900))
-            info.k[1] = draw.uniform(0.5, 2)
+            info.k[1], info.k[3], info.k[8] = draw.uniform(0.5, 2), draw.uniform(-9, 0), draw.uniform(1.5, 3)
             info.header.frame_id, info.header.stamp.sec = draw.choice(['left_eye', 'lens']), draw.randint(1, 99)
             info.binning_x, info.p[3], info.roi.height = 2, draw.uniform(-60, 0), draw.randint(1, 99)
         expect(
             some.client.call(camera_info=info).success,
-            'A calibration that breaks no rule was refused. Header, binning, roi and p are not checked.',
+            'A calibration that breaks no rule was refused. Header, binning, roi, p and the other places of k are not '
+            'checked.',
             'publish',
         )
         expect(

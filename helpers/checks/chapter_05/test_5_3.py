@@ -47,6 +47,11 @@ def check_goal(goal, story='', rule='') -> None:
         f'{words}sent {len(heard)} feedback messages, expected one for each number.',
         rule or 'feedback',
     )
+    said = [list(feedback.sequence) for feedback in goal.feedback]
+    wanted = [up_to(n) for n in up_to(order)]
+    expect(
+        rule or said == wanted, f'{words}sent the feedback {said}, expected all numbers so far: {wanted}.', 'feedback'
+    )
     expect(heard == due, f'{words}sent feedback after {heard} s, expected after {due} s.', rule or 'count')
 
 

@@ -4,6 +4,7 @@ import pytest
 
 from helpers.exercises.notebooks import NotebookCell
 from helpers.runner import session
+from helpers.runner.mistakes import Watch
 from helpers.tests import small
 
 HEAD = """\
@@ -300,3 +301,14 @@ def test_run(learner):
         assert test.rule == 'names' and f'gives itself the namespace {namespace}' in test.message, test.message
     else:
         assert test.verdict == 'passed', test.message
+
+
+def test_a_callback_that_always_keeps_the_processor_waits():
+    """Its first run may have imported modules; and who is quick once does not wait."""
+    seen = Watch(lambda: True, lambda: False, lambda frame: True)
+    seen.worked('tick', 0.5, 0.02)
+    for seconds in (0.5, 0.001, 0.5):
+        seen.worked('tock', seconds, 0.02)
+    counted = seen.slept
+    seen.worked('tick', 0.25, 0.02)
+    assert (counted, seen.slept) == (0.0, 0.25)
