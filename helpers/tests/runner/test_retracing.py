@@ -13,7 +13,7 @@ class Ears:
     def __init__(self):
         self.heard = {}
 
-    def create_subscription(self, kind, topic, callback, depth):
+    def create_subscription(self, kind, topic, callback, depth, event_callbacks=None):
         self.heard[topic] = callback
 
     def odometry(self, seconds, x=0.0):
