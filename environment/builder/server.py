@@ -5,6 +5,7 @@ once here (`generators`). A `setup.py` finds setuptools loaded. The server ends 
 """
 
 import importlib
+import importlib.metadata
 import json
 import os
 import runpy
@@ -20,7 +21,7 @@ from environment.builder import generators
 REFUSED = 255  # the client is to run the command itself
 _PRELOADED = ('setuptools', 'distutils.core', 'setuptools.command.build_py', 'setuptools.command.egg_info',
               'setuptools.command.install', 'setuptools.command.install_egg_info', 'setuptools.command.install_lib',
-              'setuptools.command.install_scripts', 'setuptools.dist')  # fmt: skip
+              'setuptools.command.install_scripts', 'setuptools.dist', 'pkg_resources')  # fmt: skip
 
 
 def start(path: Path) -> int:
@@ -37,8 +38,12 @@ def start(path: Path) -> int:
     try:
         _end_with(parent)
         signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody waits for the forks: they answer by themselves
+        warnings.filterwarnings(
+            'ignore', 'pkg_resources is deprecated'
+        )  # setuptools itself imports it, to install scripts
         for name in _PRELOADED:
             importlib.import_module(name)
+        _share_entry_points()
         generators.share_work()
         _serve(listener)
         status = 0
@@ -54,6 +59,15 @@ def _end_with(parent: int) -> None:
     ctypes.CDLL(None).prctl(set_signal_for_parents_death, signal.SIGTERM)
     if os.getppid() != parent:
         os._exit(1)
+
+
+def _share_entry_points() -> None:
+    """Read the entry points of what is installed once: a setup.py asks for them fifteen times, in 300 folders each.
+
+    They are those of setuptools' own plugins, which no package of the workspace adds to.
+    """
+    known = importlib.metadata.entry_points()
+    importlib.metadata.entry_points = lambda **chosen: known.select(**chosen)
 
 
 def _serve(listener: socket.socket) -> None:

@@ -6,7 +6,7 @@ function(_share_headers_of_type_support)
   foreach(kind c cpp fastrtps_c fastrtps_cpp)
     set(target ${PROJECT_NAME}__rosidl_typesupport_${kind})
     if(TARGET ${target})
-      set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+      set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 64)
     endif()
   endforeach()
   # Its sources specialise templates that others of them use before: they cannot be one translation unit.
