@@ -120,6 +120,8 @@ def refresh(setup: Setup, stale: list[str]) -> None:
         setup.build_overlay()
         if 'kernel' in setup.stale():
             setup.install_kernel()
+        if builds:
+            setup.compile_course()
     except PreflightError:
         if anew:
             shutil.rmtree(layout.prefix, ignore_errors=True)

@@ -220,6 +220,9 @@ class Setup:
         kernel.install(self.layout)
         self.stamps.write('kernel', self.kernel_key())
 
+    def compile_course(self) -> None:
+        self.run("Compiling the course's modules", [self.layout.python, '-m', 'helpers.runner.bytecode'], 'compile')
+
     # Helpers.
 
     def _env(self) -> dict[str, str]:

@@ -69,6 +69,7 @@ def grade(
     from grading import grade as grader
     from grading import late as lateness
     from grading.submissions import find
+    from helpers.runner import bytecode
 
     refused = _refused()
     console = Console(highlight=False, soft_wrap=True)
@@ -92,6 +93,7 @@ def grade(
             cluster,
         )
         _warn(skipped, course.sandbox, console)
+        bytecode.store()
         with progress.Shown(console) as shown:
             records = grader.grade(found, course, output, jobs, shown, settings)
     except refused as error:
