@@ -75,6 +75,31 @@ def test_programs_send_and_receive_datagrams():
         receive(port=49156, timeout=0.05)
 
 
+def test_a_signal_that_interrupts_no_wait_ends_one(ros2):
+    """As one that comes just before the wait begins: the system call is not interrupted, and Python learns of it later."""
+    code = """
+import os, signal, threading
+from ros2multicast.api import receive
+
+def interrupt():
+    while open(f'/proc/self/task/{os.getpid()}/syscall').read().split()[0] not in ('7', '45', '73', '207'):
+        pass  # until the main thread is in poll or recvfrom (their numbers on x86-64 and arm64)
+    signal.pthread_kill(threading.get_ident(), signal.SIGINT)
+
+thread = threading.Thread(target=interrupt)
+thread.start()
+signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+try:
+    receive(port=49157)
+except KeyboardInterrupt:
+    print('interrupted')
+"""
+    done = subprocess.run(
+        [sys.executable, '-c', code], env=ros2.environ, timeout=PATIENCE, capture_output=True, text=True
+    )
+    assert (done.returncode, done.stdout) == (0, 'interrupted\n'), done
+
+
 def test_a_node_of_a_command_lives_in_any_thread(ros2):
     code = """
 import threading
