@@ -49,7 +49,7 @@ def wait_for(predicate: Callable[[], bool], timeout: float, period: float = 0.05
 
 def parse_yaml_dictionary(text: str, not_a_dictionary: str) -> dict[str, Any]:
     """
-    Parse the values on a command line; also as a list of completions shows them, copied: in quotes, with ^J for line ends.
+    Parse the values on a command line, or what a list of completions shows: in quotes, with ^J for line ends.
 
     :param not_a_dictionary: what to say if the text is YAML, but no dictionary.
     :raises RuntimeError: with one line that says what is wrong.

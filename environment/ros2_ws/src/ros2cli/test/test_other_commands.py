@@ -39,6 +39,22 @@ def test_types_of_components_come_from_the_index(ros2, tmp_path):
     assert ros2.output('component', 'types', 'ros2cli') == '\n'
 
 
+def test_programs_ask_for_components(ros2):
+    code = """
+from ros2cli.node.strategy import NodeStrategy
+from ros2component.api import find_container_node_names, get_package_component_types, get_registered_component_types
+from ros2node.api import get_node_names
+with NodeStrategy([]) as node:
+    assert find_container_node_names(node=node, node_names=get_node_names(node=node, include_hidden_nodes=True)) == []
+assert get_package_component_types(package_name='ros2cli') == []
+print(get_registered_component_types())
+"""
+    done = subprocess.run(
+        [sys.executable, '-c', code], env=ros2.environ, timeout=2 * PATIENCE, capture_output=True, text=True
+    )
+    assert (done.returncode, done.stdout) == (0, '[]\n'), done
+
+
 def test_a_datagram_is_sent_and_received(ros2):
     port = ['--port', '49153']
     with ros2.start('multicast', 'receive', *port, '--timeout', str(PATIENCE)) as receiver:
@@ -76,7 +92,7 @@ def test_programs_send_and_receive_datagrams():
 
 
 def test_a_signal_that_interrupts_no_wait_ends_one(ros2):
-    """As one that comes just before the wait begins: the system call is not interrupted, and Python learns of it later."""
+    """As one that comes just before the wait begins: Python learns of it only after the system call."""
     code = """
 import os, signal, threading
 from ros2multicast.api import receive
