@@ -7,6 +7,7 @@ import time
 from concurrent.futures import ThreadPoolExecutor, wait
 
 import pytest
+from ros2cli.node.daemon import is_daemon_running, shutdown_daemon, spawn_daemon
 from ros2multicast.api import receive, send
 
 from environment.tests.running import PATIENCE
@@ -16,6 +17,7 @@ def test_there_is_no_daemon(ros2):
     for verb in ('status', 'stop'):
         assert ros2.output('daemon', verb) == 'The daemon is not running\n'
     assert ros2.output('daemon', 'start').startswith('No daemon is started')
+    assert not is_daemon_running(args=[]) and not spawn_daemon(args=[]) and not shutdown_daemon(args=[])
 
 
 def test_without_containers_there_are_no_components(ros2):
@@ -118,8 +120,12 @@ except KeyboardInterrupt:
 
 def test_a_node_of_a_command_lives_in_any_thread(ros2):
     code = """
-import threading
+import argparse, threading
+from ros2cli.node.direct import DEFAULT_TIMEOUT, add_arguments
 from ros2cli.node.strategy import NodeStrategy
+parser = argparse.ArgumentParser()
+add_arguments(parser)
+assert parser.parse_args([]).spin_time == DEFAULT_TIMEOUT
 names = []
 def look():
     with NodeStrategy(None) as node:
