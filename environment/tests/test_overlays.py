@@ -38,7 +38,8 @@ UPSTREAM = {
     'launch.launch_context': 'LaunchContext',
     'launch.launch_description': 'LaunchDescription',
     'launch.launch_description_entity': 'LaunchDescriptionEntity',
-    'launch.launch_description_sources': 'AnyLaunchDescriptionSource get_launch_description_from_any_launch_file',
+    'launch.launch_description_sources': 'AnyLaunchDescriptionSource InvalidLaunchFileError '
+    'InvalidPythonLaunchFileError get_launch_description_from_any_launch_file',
     'launch.substitutions': 'TextSubstitution',
     'launch.utilities.type_utils': 'get_typed_value is_instance_of',
     'launch_ros.actions': 'Node',

@@ -45,6 +45,8 @@ LINES = [
     ('topic pub --once -w 0 /reference sensor_msgs/msg/TimeReference \'{header: "auto", time_ref: "now"}\'',
      r'publisher: beginning loop\npublishing #1: sensor_msgs\.msg\.TimeReference\(.*time_ref=builtin_interfaces\.msg\.'
      r'Time\(sec=[1-9]\d+, .*\)\n\n'),
+    (r"topic pub --once -w 0 /copied geometry_msgs/msg/Vector3 \'x:\ 1.0\^Jy:\ 0.0\^Jz:\ 0.0\^J\'",
+     r'publisher: beginning loop\npublishing #1: geometry_msgs\.msg\.Vector3\(x=1\.0, y=0\.0, z=0\.0\)\n\n'),
     # Understanding services
     ('service list -c', r'14\n'),
     ('service find turtlesim/srv/Spawn', r'/spawn\n'),

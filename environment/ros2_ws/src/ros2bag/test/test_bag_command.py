@@ -369,9 +369,12 @@ def test_wrong_usage_is_said(ros2, numbers, tmp_path):
         (['--topics', '/a', '-x', 'b'], '--exclude-regex argument requires either --all, --all-topics, --topic-types,'),
         (['--all', '--compression-format', 'zstd'], 'Invalid choice: Cannot specify compression format without a'),
         (['--all', '--compression-mode', 'file'], "the compression format '' is not known; there is 'zstd'"),
+        (['--all', '--snapshot-mode'], 'Snapshot mode is not available: the service that takes a snapshot is one of'),
         (['--all', '--use-sim-time', '--no-discovery'], '--use-sim-time and --no-discovery both set, but are'),
     ):
         assert ros2.error('bag', 'record', *options).splitlines()[-1].startswith(f'[ERROR] [ros2bag]: {said}')
+    for verb in ('record', 'play', 'burst'):
+        assert 'offers no services such as ~/pause' in ' '.join(ros2.output('bag', verb, '-h').split())
     assert 'not a valid regular expression' in ros2.error('bag', 'record', '-e', '[')
     for verb in ('info', 'play', 'reindex'):
         assert "Bag path 'nothing' does not exist!" in ros2.error('bag', verb, 'nothing', status=2)

@@ -61,9 +61,9 @@ def _main(script_name: str, argv: list[str] | None, description: str | None, ext
         extension.add_arguments(parser, script_name)
 
     if '_ARGCOMPLETE' in os.environ:
-        import argcomplete
+        from ros2cli.yaml_completion import CompletionFinder
 
-        argcomplete.autocomplete(parser, exclude=['-h', '--help'])
+        CompletionFinder()(parser, exclude=['-h', '--help'])
 
     args = parser.parse_args(argv)
     if not args.use_python_default_buffering and hasattr(sys.stdout, 'reconfigure'):

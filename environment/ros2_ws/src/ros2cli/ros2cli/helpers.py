@@ -49,13 +49,15 @@ def wait_for(predicate: Callable[[], bool], timeout: float, period: float = 0.05
 
 def parse_yaml_dictionary(text: str, not_a_dictionary: str) -> dict[str, Any]:
     """
-    Parse the values on a command line.
+    Parse the values on a command line, or what a list of completions shows: in quotes, with ^J for line ends.
 
     :param not_a_dictionary: what to say if the text is YAML, but no dictionary.
     :raises RuntimeError: with one line that says what is wrong.
     """
     import yaml
 
+    if text.startswith("'") and text.endswith("^J'"):
+        text = text[1:-1].replace('^J', '\n')
     try:
         values = yaml.safe_load(text)
     except yaml.YAMLError as e:

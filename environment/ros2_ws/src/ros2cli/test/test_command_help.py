@@ -1,6 +1,7 @@
 """Help, unknown commands, plug-ins, completion."""
 
 import os
+import shlex
 import subprocess
 import sys
 
@@ -109,7 +110,7 @@ def test_help_does_not_load_ros(ros2):
     assert done.returncode == 0, done
 
 
-def complete(ros2, line: str) -> list[str]:
+def complete(ros2, line: str, strip: bool = True) -> list[str]:
     """Return what the Tab key offers at the end of a line."""
     read, write = os.pipe()
     try:
@@ -132,7 +133,7 @@ def complete(ros2, line: str) -> list[str]:
         os.close(write)
         write = None
         with os.fdopen(read, closefd=False) as answers:
-            return [word.strip() for word in answers.read().splitlines()]
+            return [word.strip() if strip else word for word in answers.read().split('\n')]
     finally:
         os.close(read)
         if write is not None:
@@ -145,6 +146,27 @@ def test_tab_completes_commands_options_packages_and_types(ros2):
     assert '--once' in complete(ros2, 'ros2 topic echo --on')
     assert complete(ros2, 'ros2 pkg prefix ros2topi') == ['ros2topic']
     assert complete(ros2, 'ros2 interface show std_srvs/srv/Set') == ['std_srvs/srv/SetBool']
+
+
+VALUES = {
+    'topic pub /x geometry_msgs/msg/PointStamped': (
+        'header:\n  stamp:\n    sec: 0\n    nanosec: 0\n  frame_id: ""\npoint:\n  x: 0.0\n  y: 0.0\n  z: 0.0\n'
+    ),
+    'service call /x example_interfaces/srv/AddTwoInts': 'a: 0\nb: 0\n',
+    'action send_goal /x example_interfaces/action/Fibonacci': 'order: 0\n',
+}
+
+
+@pytest.mark.parametrize('line', VALUES)
+def test_tab_writes_values_that_the_shell_and_yaml_understand(ros2, line):
+    """Tutorial, Understanding topics: after a quote with a backslash; or after a quote and the first letters."""
+    whole = '\n'.join(complete(ros2, f"ros2 {line} \\'", strip=False))
+    assert shlex.split(whole) == [VALUES[line]]
+    assert (
+        '\n'.join(complete(ros2, f'ros2 {line} "{VALUES[line][:2]}', strip=False)).replace('\\"', '"') == VALUES[line]
+    )
+    listed = '\n'.join(complete(ros2, f'ros2 {line} ', strip=False)).splitlines()
+    assert '--stdin' in listed and f"\\'{VALUES[line][:2]}" in '\n'.join(listed)
 
 
 def test_the_hook_for_bash_is_installed_and_registers_ros2(ros2):

@@ -7,6 +7,7 @@ import time
 from concurrent.futures import ThreadPoolExecutor, wait
 
 import pytest
+from ros2cli.node.daemon import is_daemon_running, shutdown_daemon, spawn_daemon
 from ros2multicast.api import receive, send
 
 from environment.tests.running import PATIENCE
@@ -16,6 +17,7 @@ def test_there_is_no_daemon(ros2):
     for verb in ('status', 'stop'):
         assert ros2.output('daemon', verb) == 'The daemon is not running\n'
     assert ros2.output('daemon', 'start').startswith('No daemon is started')
+    assert not is_daemon_running(args=[]) and not spawn_daemon(args=[]) and not shutdown_daemon(args=[])
 
 
 def test_without_containers_there_are_no_components(ros2):
@@ -37,6 +39,22 @@ def test_types_of_components_come_from_the_index(ros2, tmp_path):
     (index.parent / 'packages' / 'parts').touch()
     assert command.lines('component', 'types', 'parts') == ['parts::Wheel', 'parts::Axle']
     assert ros2.output('component', 'types', 'ros2cli') == '\n'
+
+
+def test_programs_ask_for_components(ros2):
+    code = """
+from ros2cli.node.strategy import NodeStrategy
+from ros2component.api import find_container_node_names, get_package_component_types, get_registered_component_types
+from ros2node.api import get_node_names
+with NodeStrategy([]) as node:
+    assert find_container_node_names(node=node, node_names=get_node_names(node=node, include_hidden_nodes=True)) == []
+assert get_package_component_types(package_name='ros2cli') == []
+print(get_registered_component_types())
+"""
+    done = subprocess.run(
+        [sys.executable, '-c', code], env=ros2.environ, timeout=2 * PATIENCE, capture_output=True, text=True
+    )
+    assert (done.returncode, done.stdout) == (0, '[]\n'), done
 
 
 def test_a_datagram_is_sent_and_received(ros2):
@@ -75,10 +93,39 @@ def test_programs_send_and_receive_datagrams():
         receive(port=49156, timeout=0.05)
 
 
+def test_a_signal_that_interrupts_no_wait_ends_one(ros2):
+    """As one that comes just before the wait begins: Python learns of it only after the system call."""
+    code = """
+import os, signal, threading
+from ros2multicast.api import receive
+
+def interrupt():
+    while open(f'/proc/self/task/{os.getpid()}/syscall').read().split()[0] not in ('7', '45', '73', '207'):
+        pass  # until the main thread is in poll or recvfrom (their numbers on x86-64 and arm64)
+    signal.pthread_kill(threading.get_ident(), signal.SIGINT)
+
+thread = threading.Thread(target=interrupt)
+thread.start()
+signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+try:
+    receive(port=49157)
+except KeyboardInterrupt:
+    print('interrupted')
+"""
+    done = subprocess.run(
+        [sys.executable, '-c', code], env=ros2.environ, timeout=PATIENCE, capture_output=True, text=True
+    )
+    assert (done.returncode, done.stdout) == (0, 'interrupted\n'), done
+
+
 def test_a_node_of_a_command_lives_in_any_thread(ros2):
     code = """
-import threading
+import argparse, threading
+from ros2cli.node.direct import DEFAULT_TIMEOUT, add_arguments
 from ros2cli.node.strategy import NodeStrategy
+parser = argparse.ArgumentParser()
+add_arguments(parser)
+assert parser.parse_args([]).spin_time == DEFAULT_TIMEOUT
 names = []
 def look():
     with NodeStrategy(None) as node:

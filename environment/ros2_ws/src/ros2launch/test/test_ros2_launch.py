@@ -286,3 +286,14 @@ def test_completion_knows_all_formats(tmp_path):
         (tmp_path / name).write_text('')
     assert get_launch_file_paths(path=str(tmp_path)) == [str(tmp_path / name) for name in names]
     assert is_launch_file(tmp_path / 'b_launch.xml') and not is_launch_file(tmp_path / 'package.xml')
+
+
+def test_programs_print_the_arguments_of_a_description(capsys):
+    from launch import LaunchDescription
+    from launch.actions import DeclareLaunchArgument
+    from ros2launch.api import print_arguments_of_launch_description
+
+    print_arguments_of_launch_description(launch_description=LaunchDescription([DeclareLaunchArgument('speed')]))
+    assert capsys.readouterr().out == (
+        "Arguments (pass arguments as '<name>:=<value>'):\n\n    'speed':\n        no description given\n"
+    )

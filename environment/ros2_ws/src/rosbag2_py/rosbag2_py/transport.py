@@ -1,4 +1,8 @@
-"""Play and record by program: a call lasts until the end, Ctrl+C, or `cancel()` from another thread."""
+"""
+Play and record by program: a call lasts until the end, Ctrl+C, or `cancel()` from another thread.
+
+The nodes offer no services such as `~/pause`: those are services of rosbag2_interfaces.
+"""
 
 import threading
 from contextlib import closing

@@ -27,6 +27,10 @@ from rosbag2_py.options import (
 from rosbag2_py.qos import to_rosbags
 
 DEFAULT_STORAGE = 'mcap'
+NO_SNAPSHOTS = (
+    'Snapshot mode is not available: the service that takes a snapshot is one of rosbag2_interfaces, '
+    'and no such service is offered here. Record without it.'
+)
 SPACE_KEPT = 10 * 2**20  # bytes that a recording leaves free on the disk
 
 
@@ -42,8 +46,11 @@ class SequentialWriter:
         """
         Create a bag: a folder of the name `storage_options.uri`.
 
-        :raises BagError: if it is there already, or the storage or the serialization format is not known.
+        :raises BagError: if it is there already, the storage or the serialization format is not known, or for
+            snapshot mode.
         """
+        if storage_options.snapshot_mode:
+            raise BagError(NO_SNAPSHOTS)
         for given in (converter_options or ConverterOptions()).__dict__.values():
             if given not in ('', 'cdr'):
                 raise BagError(f"the serialization format '{given}' is not known; there is 'cdr'")

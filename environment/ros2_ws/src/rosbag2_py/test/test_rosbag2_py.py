@@ -332,6 +332,8 @@ def test_what_cannot_be_is_said(tmp_path):
         writer.write('/words', b'', 0)
     with pytest.raises(BagError, match="the storage 'tape' is not known; there are mcap, sqlite3"):
         writer.open(StorageOptions(str(tmp_path / 'bag'), 'tape'))
+    with pytest.raises(BagError, match='Snapshot mode is not available: .* is one of rosbag2_interfaces'):
+        writer.open(StorageOptions(str(tmp_path / 'bag'), snapshot_mode=True))
     writer.open(StorageOptions(str(tmp_path / 'bag')))
     with pytest.raises(BagError, match='create_topic'):
         writer.write('/words', b'', 0)

@@ -97,6 +97,8 @@ class ActionGoalPrototypeCompleter:
 
     def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return one text, the YAML of a goal with default values."""
+        from ros2cli.yaml_completion import quoted_yaml
         from rosidl_runtime_py import message_to_yaml
 
-        return [message_to_yaml(load_action_class(getattr(parsed_args, self.action_type_key)).Goal())]
+        action_class = load_action_class(getattr(parsed_args, self.action_type_key))
+        return quoted_yaml(message_to_yaml(action_class.Goal()), prefix)

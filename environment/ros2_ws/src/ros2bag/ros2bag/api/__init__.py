@@ -5,6 +5,10 @@ import os
 from typing import Any
 
 STORAGES = ('mcap', 'sqlite3')  # as rosbag2_py has them, which a help text need not load
+NO_SERVICES = (
+    'The node offers no services such as ~/pause: they are services of rosbag2_interfaces. '
+    'The keys of this terminal pause and resume.'
+)
 
 
 def print_error(text: str) -> str:

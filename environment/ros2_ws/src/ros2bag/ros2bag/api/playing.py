@@ -5,6 +5,7 @@ from collections.abc import Callable
 from typing import Any
 
 from ros2bag.api import (
+    NO_SERVICES,
     STORAGES,
     check_not_negative,
     check_path_exists,
@@ -25,6 +26,7 @@ _KEYS = (
 
 def add_bag_arguments(parser: Any) -> None:
     """Add the arguments that both verbs have."""
+    parser.epilog = NO_SERVICES
     add = parser.add_argument
     add('bag_path', type=check_path_exists, help='Bag: a folder, or a .mcap or .db3 file')
     add('-s', '--storage', choices=STORAGES, default='', help='Accepted; the bag says it itself')

@@ -5,6 +5,7 @@ import os
 import re
 
 from ros2bag.api import (
+    NO_SERVICES,
     STORAGES,
     check_not_negative_int,
     event_topics,
@@ -21,6 +22,7 @@ class RecordVerb(VerbExtension):
 
     def add_arguments(self, parser, cli_name):
         """Add the arguments."""
+        parser.epilog = NO_SERVICES
         add = parser.add_argument
         add('topics', nargs='*', default=[], metavar='Topic', help='Topics to record (outdated: use --topics)')
         add('-o', '--output', help='Folder of the bag (default: rosbag2_ and the time, in the current folder)')
@@ -74,6 +76,7 @@ class RecordVerb(VerbExtension):
             help='For mcap: compress with zstd, or not (default)',
         )
         add('--storage-config-file', help='Accepted; there is nothing to configure')
+        add('--snapshot-mode', action='store_true', help='Refused: it needs a service of rosbag2_interfaces')
         self._add_compression(parser)
         add('--log-level', choices=('debug', 'info', 'warn', 'error', 'fatal'), default='info', help='What to log')
 
@@ -204,6 +207,7 @@ def _record(args, output, overrides, custom_data):
                     args.max_bag_duration,
                     args.max_cache_size,
                     args.storage_preset_profile,
+                    snapshot_mode=args.snapshot_mode,
                     custom_data=custom_data,
                 )
             )

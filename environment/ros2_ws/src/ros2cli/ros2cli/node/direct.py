@@ -22,7 +22,9 @@ from ros2cli.node import NODE_NAME_PREFIX
 from ros2cli.node.arguments import add_direct_arguments as add_arguments
 from ros2cli.node.discovery import wait_for_graph
 
-__all__ = ['DirectNode', 'add_arguments']
+__all__ = ['DEFAULT_TIMEOUT', 'DirectNode', 'add_arguments']
+
+DEFAULT_TIMEOUT = None  # what --spin-time is if it is not given: until the graph is known
 
 # Seconds after which a wait looks whether Ctrl+C was pressed.
 _LONGEST_WAIT = 0.1

@@ -1,11 +1,14 @@
 """Send and receive one datagram."""
 
+import math
 import socket
 import struct
+import time
 from typing import Any
 
 DEFAULT_GROUP, DEFAULT_PORT = '225.0.0.1', 49150
 _LARGEST = 4096
+_LONGEST_WAIT = 0.25  # seconds; a signal that comes just before a wait begins is handled only after it
 
 
 def send(data: bytes, *, group: str = DEFAULT_GROUP, port: int = DEFAULT_PORT, ttl: int | None = None) -> None:
@@ -30,5 +33,11 @@ def receive(
         receiver.bind(('', port))
         membership = struct.pack('4sl', socket.inet_aton(group), socket.INADDR_ANY)
         receiver.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, membership)
-        receiver.settimeout(timeout)
-        return receiver.recvfrom(_LARGEST)
+        end = math.inf if timeout is None else time.monotonic() + timeout
+        while True:
+            receiver.settimeout(max(0.001, min(_LONGEST_WAIT, end - time.monotonic())))
+            try:
+                return receiver.recvfrom(_LARGEST)
+            except TimeoutError:
+                if time.monotonic() >= end:
+                    raise

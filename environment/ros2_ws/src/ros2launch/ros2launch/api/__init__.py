@@ -8,7 +8,27 @@ import pathlib
 import launch
 from ament_index_python.packages import PackageNotFoundError, get_package_share_directory
 from launch.frontend import Parser
-from launch.launch_description_sources import AnyLaunchDescriptionSource, get_launch_description_from_any_launch_file
+from launch.launch_description_sources import (
+    AnyLaunchDescriptionSource,
+    InvalidLaunchFileError,
+    InvalidPythonLaunchFileError,
+    get_launch_description_from_any_launch_file,
+)
+
+__all__ = [
+    'InvalidLaunchFileError',
+    'InvalidPythonLaunchFileError',
+    'LaunchFileNameCompleter',
+    'MultipleLaunchFilesError',
+    'get_launch_file_paths',
+    'get_share_file_path_from_package',
+    'is_launch_file',
+    'launch_a_launch_file',
+    'parse_launch_arguments',
+    'print_a_launch_file',
+    'print_arguments_of_launch_description',
+    'print_arguments_of_launch_file',
+]
 
 
 class MultipleLaunchFilesError(Exception):
@@ -82,7 +102,14 @@ def print_a_launch_file(*, launch_file_path: str) -> None:
 
 def print_arguments_of_launch_file(*, launch_file_path: str) -> None:
     """Print the arguments that a launch file declares."""
-    arguments = get_launch_description_from_any_launch_file(launch_file_path).get_launch_arguments()
+    print_arguments_of_launch_description(
+        launch_description=get_launch_description_from_any_launch_file(launch_file_path)
+    )
+
+
+def print_arguments_of_launch_description(*, launch_description: launch.LaunchDescription) -> None:
+    """Print the arguments that a launch description declares."""
+    arguments = launch_description.get_launch_arguments()
     print("Arguments (pass arguments as '<name>:=<value>'):")
     for argument in arguments:
         # Not public, but the same in upstream's launch, whose own command reads it, too.

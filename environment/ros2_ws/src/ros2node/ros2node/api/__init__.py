@@ -55,43 +55,46 @@ def get_node_names(*, node: Any, include_hidden_nodes: bool = False) -> list[Nod
     ]
 
 
-def _visible(remote_node_name: str, get: Callable[[str, str], Any], include_hidden: bool) -> list[TopicInfo]:
+def get_topics(
+    remote_node_name: str, func: Callable[[str, str], Any], *, include_hidden: bool = False
+) -> list[TopicInfo]:
+    """Return what a function of the name and the namespace of a node knows of it, hidden ones only if asked for."""
     remote = parse_node_name(remote_node_name)
     return [
         TopicInfo(name, types)
-        for name, types in get(remote.name, remote.namespace)
+        for name, types in func(remote.name, remote.namespace)
         if include_hidden or not any(part.startswith(HIDDEN_NODE_PREFIX) for part in name.split('/'))
     ]
 
 
 def get_subscriber_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:
     """Return what a node subscribes to."""
-    return _visible(remote_node_name, node.get_subscriber_names_and_types_by_node, include_hidden)
+    return get_topics(remote_node_name, node.get_subscriber_names_and_types_by_node, include_hidden=include_hidden)
 
 
 def get_publisher_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:
     """Return what a node publishes."""
-    return _visible(remote_node_name, node.get_publisher_names_and_types_by_node, include_hidden)
+    return get_topics(remote_node_name, node.get_publisher_names_and_types_by_node, include_hidden=include_hidden)
 
 
 def get_service_server_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:
     """Return the services a node offers."""
-    return _visible(remote_node_name, node.get_service_names_and_types_by_node, include_hidden)
+    return get_topics(remote_node_name, node.get_service_names_and_types_by_node, include_hidden=include_hidden)
 
 
 def get_service_client_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:
     """Return the services a node may call."""
-    return _visible(remote_node_name, node.get_client_names_and_types_by_node, include_hidden)
+    return get_topics(remote_node_name, node.get_client_names_and_types_by_node, include_hidden=include_hidden)
 
 
 def get_action_server_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:
     """Return the actions a node offers."""
-    return _visible(remote_node_name, node.get_action_server_names_and_types_by_node, include_hidden)
+    return get_topics(remote_node_name, node.get_action_server_names_and_types_by_node, include_hidden=include_hidden)
 
 
 def get_action_client_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:
     """Return the actions a node may send goals to."""
-    return _visible(remote_node_name, node.get_action_client_names_and_types_by_node, include_hidden)
+    return get_topics(remote_node_name, node.get_action_client_names_and_types_by_node, include_hidden=include_hidden)
 
 
 class NodeNameCompleter:

@@ -1,5 +1,6 @@
 """Parameters of other nodes: values, types, and the calls to read and write them."""
 
+import sys
 from argparse import Namespace
 from typing import Any
 
@@ -97,6 +98,49 @@ def call_set_parameters(*, node: Any, node_name: str, parameters: list[Any]) -> 
     from rcl_interfaces.srv import SetParameters
 
     return _call(node, SetParameters, node_name, 'set_parameters', parameters=parameters)
+
+
+def load_parameter_file(*, node: Any, node_name: str, parameter_file: str, use_wildcard: bool) -> None:
+    """
+    Set every parameter of a file, and print for each whether the node took it (RuntimeError).
+
+    :param use_wildcard: also those of the name `/**`.
+    """
+    parameters = _read(parameter_file, node_name, use_wildcard)
+    response = call_set_parameters(node=node, node_name=node_name, parameters=parameters)
+    for parameter, result in zip(parameters, response.results, strict=True):
+        reason = f': {result.reason}' if result.reason else ''
+        if result.successful:
+            print(f'Set parameter {parameter.name} successful{reason}')
+        else:
+            print(f'Set parameter {parameter.name} failed{reason}', file=sys.stderr)
+
+
+def _read(path: str, node_name: str, use_wildcard: bool) -> list[Any]:
+    import yaml
+    from rclpy.parameter import parameter_dict_from_yaml_file
+
+    try:
+        with open(path, encoding='utf-8') as file:
+            content = yaml.safe_load(file)
+    except OSError as e:
+        raise RuntimeError(f"Cannot read parameter file '{path}': {e.strerror}") from None
+    except yaml.YAMLError as e:
+        raise RuntimeError(f"Parameter file '{path}' is not valid YAML: {getattr(e, 'problem', e)}") from None
+    if not isinstance(content, dict):
+        raise RuntimeError(f"'{path}' is not a valid ROS parameter file")
+    # The wildcard alone will do; rclpy insists on the node if it is named.
+    targets = [key for key in (node_name, node_name.lstrip('/')) if key in content][:1]
+    if not targets:
+        if not (use_wildcard and '/**' in content):
+            raise RuntimeError(
+                f'Param file does not contain parameters for {node_name}, only for nodes: {list(content)}'
+            )
+        targets = ['/**']
+    try:
+        return list(parameter_dict_from_yaml_file(path, use_wildcard, targets).values())
+    except (AssertionError, AttributeError, TypeError, ValueError) as e:
+        raise RuntimeError(f"'{path}' is not a valid ROS parameter file: {e}") from None
 
 
 def add_node_arguments(parser: Any, *, timeout: bool = True) -> None:

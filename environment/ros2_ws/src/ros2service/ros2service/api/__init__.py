@@ -118,7 +118,8 @@ class ServicePrototypeCompleter:
 
     def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return one text, the YAML of a request with default values."""
+        from ros2cli.yaml_completion import quoted_yaml
         from rosidl_runtime_py import message_to_yaml
 
         service_class = load_service_class(getattr(parsed_args, self.service_type_key))
-        return [message_to_yaml(service_class.Request())]
+        return quoted_yaml(message_to_yaml(service_class.Request()), prefix)

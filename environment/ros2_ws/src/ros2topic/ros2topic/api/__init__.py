@@ -152,7 +152,8 @@ class TopicMessagePrototypeCompleter:
 
     def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return one text, the YAML of a message with default values."""
+        from ros2cli.yaml_completion import quoted_yaml
         from rosidl_runtime_py import message_to_yaml
 
         message_class = load_message_class(getattr(parsed_args, self.topic_type_key))
-        return [message_to_yaml(message_class())]
+        return quoted_yaml(message_to_yaml(message_class()), prefix)

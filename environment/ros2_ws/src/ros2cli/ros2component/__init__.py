@@ -1,0 +1,1 @@
+"""Containers and their components; the command is `ros2cli.command.component`."""
