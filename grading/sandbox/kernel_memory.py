@@ -1,8 +1,8 @@
 """Memory that the kernel holds for the processes of a sandbox, and that no process shows as its own.
 
 Each object is small, and the kernel bounds their number for a process, for a user or not at all: the maps of a
-process's memory, what it watches with epoll, its locks on parts of files, what stands in its pipes. Control groups count
-most of it; where there are none, it is counted here. Other kinds are refused (`seccomp`) or bounded (`Limits`,
+process's memory, what it watches with epoll, its locks on parts of files, what stands in its pipes. Control groups
+count most of it; where there are none, it is counted here. Other kinds are refused (`seccomp`) or bounded (`Limits`,
 `learners_side`).
 """
 

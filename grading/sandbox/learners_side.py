@@ -88,6 +88,9 @@ class Sandboxed(fork_server.ProgramProcesses):
             sandbox.close()
         self._places.pop(place, None)
 
+    def used(self, place: str) -> float | None:
+        return sum(sandbox.used() for sandbox in self._named(place))
+
     def look(self) -> str:
         return next((why for sandbox in self._all() if (why := sandbox.look())), '')
 
@@ -183,10 +186,14 @@ class Sandbox:
             return 'memory'
         # What forked processes still share counts once, but that takes longer to find out.
         kernel = _socket_buffers(self._holder.pid) + self._kernel_memory(most)
-        if self._memory(_own) + kernel < most or self._memory(_share) + kernel < most:
+        if self._sum(_own) + kernel < most or self._sum(_share) + kernel < most:
             return ''
         self._inside(_kill_all, namespaces.ALL)
         return 'memory'
+
+    def used(self) -> float:
+        """The processor time of what runs inside and of what that has waited for, in seconds."""
+        return self._sum(_ticks) / os.sysconf('SC_CLK_TCK')
 
     def close(self) -> None:
         """End it. Idempotent."""
@@ -206,7 +213,7 @@ class Sandbox:
             self._kernel = now, answer
         return answer
 
-    def _memory(self, measure: Callable[[str], int]) -> int:
+    def _sum(self, measure: Callable[[str], int]) -> int:
         """The sum of a measure over the processes inside."""
         total = 0
         with suppress(OSError):
@@ -271,6 +278,11 @@ def _kill_all() -> None:
             os.kill(-1, signal.SIGKILL)
         os._exit(0)
     os.waitpid(pid, 0)
+
+
+def _ticks(process: str) -> int:
+    """Processor time of a process and of its children that have ended."""
+    return sum(map(int, Path(process, 'stat').read_text().rpartition(')')[2].split()[11:15]))
 
 
 def _own(process: str) -> int:
