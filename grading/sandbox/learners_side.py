@@ -8,18 +8,21 @@ code.
 import os
 import signal
 import socket
+import time
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
-from grading.sandbox import control_groups, mounts, namespaces, seccomp
+from grading.sandbox import control_groups, kernel_memory, mounts, namespaces, seccomp
 from grading.sandbox.holder import Holder
 from helpers.runner import fork_server, forked, sourced_environment
 from helpers.runner.lifetime import die_with_parent
 from helpers.runner.start_processes import Limits
 
 INODES = 20_000  # files and folders in each place that can be written
+TERMINALS = 32  # pseudo-terminals; the kernel has room for some thousands of them, of all users together
 _BUFFERS = 2 * 212_992  # bytes: what one socket sends and receives, by the kernel's usual settings
+_KERNEL = 0.5  # seconds between two looks at what the kernel holds
 
 
 def warm_up() -> None:
@@ -85,6 +88,9 @@ class Sandboxed(fork_server.ProgramProcesses):
             sandbox.close()
         self._places.pop(place, None)
 
+    def used(self, place: str) -> float | None:
+        return sum(sandbox.used() for sandbox in self._named(place))
+
     def look(self) -> str:
         return next((why for sandbox in self._all() if (why := sandbox.look())), '')
 
@@ -109,6 +115,7 @@ class Sandbox:
         self._sizes: tuple | None = None  # of the places that can be written
         self._limits = Limits()
         self._used = False  # since the last `clear`
+        self._kernel = (0.0, 0)  # when it was asked last what the kernel holds, and the answer
         self._bounds = control_groups.Bounds(None, self._limits)
 
     def start(self, limits: Limits, kept: list[int], act: Callable[[], None]) -> int:
@@ -120,6 +127,7 @@ class Sandbox:
             self._processes = os.open(f'/proc/{self._holder.pid}/root/proc', os.O_PATH | os.O_DIRECTORY)
             self._mounts = os.open(f'/proc/{self._holder.pid}/ns/mnt', os.O_RDONLY)
             self._sizes = None
+            self._inside(_bound_terminals, namespaces.NEWNS)
             self._bounds = control_groups.Bounds(control_groups.settled(control_groups.own()), limits)
         if limits != self._limits:
             self._bounds.set(limits)
@@ -177,11 +185,15 @@ class Sandbox:
             self._inside(_kill_all, namespaces.ALL)
             return 'memory'
         # What forked processes still share counts once, but that takes longer to find out.
-        buffers = _socket_buffers(self._holder.pid)
-        if self._memory(_own) + buffers < most or self._memory(_share) + buffers < most:
+        kernel = _socket_buffers(self._holder.pid) + self._kernel_memory(most)
+        if self._sum(_own) + kernel < most or self._sum(_share) + kernel < most:
             return ''
         self._inside(_kill_all, namespaces.ALL)
         return 'memory'
+
+    def used(self) -> float:
+        """The processor time of what runs inside and of what that has waited for, in seconds."""
+        return self._sum(_ticks) / os.sysconf('SC_CLK_TCK')
 
     def close(self) -> None:
         """End it. Idempotent."""
@@ -192,7 +204,16 @@ class Sandbox:
             os.close(self._mounts)
             self._holder = self._sizes = None
 
-    def _memory(self, measure: Callable[[str], int]) -> int:
+    def _kernel_memory(self, most: int) -> int:
+        """What the kernel holds for the processes inside: nearly always little, so it is asked less often."""
+        asked, answer = self._kernel
+        if (now := time.monotonic()) > asked + _KERNEL:
+            with suppress(OSError):
+                answer = kernel_memory.held(Path(f'/proc/self/fd/{self._processes}'), most)
+            self._kernel = now, answer
+        return answer
+
+    def _sum(self, measure: Callable[[str], int]) -> int:
         """The sum of a measure over the processes inside."""
         total = 0
         with suppress(OSError):
@@ -239,6 +260,16 @@ def _resize(limits: Limits) -> None:
         )
 
 
+def _bound_terminals() -> None:
+    namespaces.mount(
+        'devpts',
+        '/dev/pts',
+        None,
+        namespaces.MS_REMOUNT | namespaces.MS_NOSUID,
+        f'ptmxmode=666,mode=620,max={TERMINALS}',
+    )
+
+
 def _kill_all() -> None:
     """Kill every process of the sandbox but its first, from a process inside: no fork is quicker than that."""
     pid = os.fork()
@@ -247,6 +278,11 @@ def _kill_all() -> None:
             os.kill(-1, signal.SIGKILL)
         os._exit(0)
     os.waitpid(pid, 0)
+
+
+def _ticks(process: str) -> int:
+    """Processor time of a process and of its children that have ended."""
+    return sum(map(int, Path(process, 'stat').read_text().rpartition(')')[2].split()[11:15]))
 
 
 def _own(process: str) -> int:

@@ -1,14 +1,16 @@
 """The filter of system calls under which a learner's program runs, as a program for the kernel's classic BPF machine.
 
 What programs, compilers and DDS never need is refused with EPERM: namespaces, mounts, tracing, keys, kernel modules,
-clocks, and sockets of kinds that are not bound to the network namespace. The list is by numbers of x86-64, the only
-processor for which the course has a ROS; on another one `install` raises.
+clocks, sockets of kinds that are not bound to the network namespace, and memory of the kernel's that nobody counts
+(`kernel_memory` says what is left of it). The list is by numbers of x86-64, the only processor for which the course has
+a ROS; on another one `install` raises.
 """
 
 import ctypes
 import errno
 import platform
 import struct
+from collections.abc import Iterable
 
 from grading.sandbox import namespaces
 
@@ -48,6 +50,17 @@ DENIED = {
     'memfd_create': 319,
     'memfd_secret': 447,
     'shmget': 29,
+    'semget': 64,
+    'msgget': 68,
+    'vmsplice': 278,  # pages that stay in a pipe when they are not mapped any more
+    # Objects of the kernel's that are counted for a user, thus for all submissions together, or not at all.
+    'inotify_init': 253,
+    'inotify_init1': 294,
+    'io_setup': 206,
+    'landlock_create_ruleset': 444,
+    'landlock_add_rule': 445,
+    'landlock_restrict_self': 446,
+    'seccomp': 317,
     'keyctl': 250,
     'add_key': 248,
     'request_key': 249,
@@ -80,6 +93,10 @@ DENIED = {
     'sysfs': 139,
 }
 _CLONE, _CLONE3, _SOCKET, _IOCTL, _MMAP, _PRLIMIT = 56, 435, 41, 16, 9, 302
+_FCNTL, _PRCTL, _SETSOCKOPT = 72, 157, 54
+_PIPE_SIZE, _LOCKS = 1031, (37, 38)  # F_SETPIPE_SZ; F_OFD_SETLK and F_OFD_SETLKW, which /proc/locks shows to everybody
+_SOL_SOCKET, _BUFFERS = 1, (7, 8)  # SO_SNDBUF, SO_RCVBUF
+_PROGRAMS = (26, 50, 51, 52)  # SO_ATTACH_FILTER, _BPF, _REUSEPORT_CBPF, _REUSEPORT_EBPF
 _SHARED, _ANONYMOUS = 1, 0x20
 _NEW_NAMESPACES = namespaces.ALL | 0x00000080  # NEWTIME
 _TERMINAL_INPUT = (0x5412, 0x541C)  # TIOCSTI, TIOCLINUX
@@ -117,8 +134,21 @@ def program() -> bytes:
     # Flags of clone3 lie in memory, where no filter reads them: the C library falls back to clone.
     lines += [(_EQUAL, 0, 1, _CLONE3), _refuse(errno.ENOSYS)]
     lines += _guarded(_CLONE, [_argument(0), (_ANY_BIT, 0, 1, _NEW_NAMESPACES), no])
+    lines += _guarded(_IOCTL, [_argument(1), *_unless(_TERMINAL_INPUT, no)])
+    lines += _guarded(_FCNTL, [_argument(1), *_unless((_PIPE_SIZE, *_LOCKS), no)])
+    lines += _guarded(_PRCTL, [_argument(0), *_unless((_PR_SET_SECCOMP,), no)])
+    # A socket keeps the buffers that the kernel gives to all, whatever the machine would allow besides: success is
+    # told, as the kernel tells it when it takes less than is asked for.
     lines += _guarded(
-        _IOCTL, [_argument(1), *[line for request in _TERMINAL_INPUT for line in ((_EQUAL, 0, 1, request), no)]]
+        _SETSOCKOPT,
+        [
+            _argument(1),
+            (_EQUAL, 1, 0, _SOL_SOCKET),
+            (_RETURN, 0, 0, _ALLOW),
+            _argument(2),
+            *_unless(_BUFFERS, _refuse(0)),
+            *_unless(_PROGRAMS, no),
+        ],
     )
     # Of the calling process only: process 1 is of the same user, and others set its limits.
     lines += _guarded(_PRLIMIT, [_argument(0), (_EQUAL, 1, 0, 0), no])
@@ -145,6 +175,11 @@ def program() -> bytes:
 def _guarded(number: int, lines: list) -> list:
     """`lines`, for one system call only; what they let through is allowed."""
     return [(_EQUAL, 0, len(lines) + 1, number), *lines, (_RETURN, 0, 0, _ALLOW)]
+
+
+def _unless(values: Iterable[int], answer: tuple) -> list:
+    """Lines that give this answer if what was loaded is one of the values."""
+    return [line for value in values for line in ((_EQUAL, 0, 1, value), answer)]
 
 
 class _Program(ctypes.Structure):

@@ -16,6 +16,7 @@ from grading.sandbox.holder import Holder, SandboxError
 from helpers.runner import forked, preloading
 
 MEMORY = 4 * 2**30  # bytes of address space
+BUFFER = 212_992  # bytes in each direction of a socket, as other kinds have
 
 
 def warm_up() -> None:
@@ -40,6 +41,7 @@ def run(request: dict, job: int, events: int, printed: int, control: int, life: 
         print(f'the sandbox did not start: {error}', flush=True)
         forked.report(watched, 1)
         return
+    _bound_sockets(holder.pid)
     namespaces.join(holder.pidfd, namespaces.ALL)
     pid = os.fork()
     if pid == 0:
@@ -50,6 +52,18 @@ def run(request: dict, job: int, events: int, printed: int, control: int, life: 
     status = forked.attend(pid, watched)  # first: a sandbox does not end before all in it are buried
     holder.close()
     forked.report(watched, status)
+
+
+def _bound_sockets(pid: int) -> None:
+    """Have TCP keep to the usual sizes in the network of a process: else a socket gets some tens of megabytes.
+
+    The calling process is in that network afterwards, and in the namespace of users that it belongs to.
+    """
+    network = os.open(f'/proc/{pid}/ns/net', os.O_RDONLY)
+    namespaces.join(namespaces.owner(network), namespaces.NEWUSER)
+    namespaces.join(network, namespaces.NEWNET)
+    for name, usual in (('tcp_rmem', 131_072), ('tcp_wmem', 16_384)):
+        Path('/proc/sys/net/ipv4', name).write_text(f'4096 {usual} {BUFFER}')
 
 
 def _become_tests(request: dict, job: int, events: int, control: int) -> None:

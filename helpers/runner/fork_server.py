@@ -11,6 +11,8 @@ Programs run the learner's cells. A task (`helpers.runner.commands`) runs in a p
                                                      ->  {"event": "forked", "key": k, "pid": p}
     {"op": "kill", "key": k}                         ->  (none)
     {"op": "signal", "key": k, "number": n}          ->  (none)
+    {"op": "used", "place": name}                    ->  {"event": "used", "seconds": s}, of processor time, for all
+                                                         that runs in the place; null if that is not known
     {"op": "clear", "place": name}                   ->  {"event": "cleared"}, when nothing of the place runs; without a
                                                          place nothing at all
     {"op": "forget", "place": name}                  ->  {"event": "cleared"}, when the place is gone
@@ -76,6 +78,10 @@ class ProgramProcesses:
 
     def forget(self, place: str) -> None:
         """Remove a place."""
+
+    def used(self, place: str) -> float | None:
+        """The processor time of what runs in a place, in seconds; None if that is not known."""
+        return None
 
     def look(self) -> str:
         """End programs that use too much; returns why, or nothing."""
@@ -155,6 +161,8 @@ class _Server:
                 self._programs.clear(place) if request['op'] == 'clear' else self._programs.forget(place)
                 self._why = ''
                 self._tell(event='cleared')
+            case 'used':
+                self._tell(event='used', seconds=self._programs.used(request['place']))
             case 'fork':
                 self._fork(request, descriptors)
             case _:

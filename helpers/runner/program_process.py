@@ -120,6 +120,13 @@ class ForkServer:
             return None
         return self._ended[key]
 
+    def used(self, place: str) -> float | None:
+        """The processor time of what runs in a place, in seconds; None if that is not known."""
+        found: list[float | None] = []
+        self._control.send(json.dumps({'op': 'used', 'place': place}).encode())
+        self._until(lambda event: event.get('event') == 'used' and not found.append(event['seconds']), START_TIMEOUT)
+        return found[0]
+
     def clear(self, place: str | None = None) -> None:
         """End all that programs and tasks have left behind; or those in a place."""
         self._control.send(json.dumps({'op': 'clear', 'place': place}).encode())

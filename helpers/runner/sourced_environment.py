@@ -215,20 +215,35 @@ def _text(path: Path) -> str:
 def look_at_products(root: Path) -> None:
     """Look at all that a build has left in a workspace.
 
-    :raises Shadowed: it has left what is neither a file, a folder nor a link: who opens a pipe waits for the other end.
+    :raises Shadowed: it has left what is neither a file nor a folder, nor a link to a file or to a folder of the
+        workspace: who opens a pipe waits for the other end.
     """
-    folders, seen = [root / 'install', root / 'build'], 0
+    folders, seen = [root / 'install', root / 'build', root / 'src'], 0
     while folders:
         with suppress(OSError), os.scandir(folders.pop()) as entries:
             for entry in entries:
                 seen += 1
                 if seen > _MAX_PRODUCTS:
                     raise Shadowed(f'Your package leaves more than {_MAX_PRODUCTS} files when it is built.')
+                name = ascii(entry.name)[:80]
                 if entry.is_dir(follow_symlinks=False):
                     folders.append(Path(entry.path))
-                elif not (entry.is_symlink() or entry.is_file(follow_symlinks=False)):
-                    name = ascii(entry.name)[:80]
+                elif entry.is_symlink():
+                    if not _leads_to_a_file(Path(entry.path), root):
+                        raise Shadowed(f'Your package leaves a link {name} when it is built, which leads to no file.')
+                elif not entry.is_file(follow_symlinks=False):
                     raise Shadowed(f'Your package leaves {name} when it is built, which is no regular file.')
+
+
+def _leads_to_a_file(link: Path, root: Path) -> bool:
+    """Whether a link leads to a regular file, to a folder of the workspace, or nowhere."""
+    try:
+        kind = link.stat().st_mode
+    except (FileNotFoundError, NotADirectoryError):
+        return True
+    except OSError:
+        return False
+    return stat.S_ISREG(kind) or stat.S_ISDIR(kind) and link.resolve().is_relative_to(root.resolve())
 
 
 def _look_at_libraries(package: str, names: Iterable[str], packages: frozenset[str]) -> None:

@@ -15,6 +15,8 @@ from environment.setup.startup import DEFAULTS
 ROOT = Path(__file__).resolve().parents[2]
 PROFILE = Path(__file__).with_name('fastdds.xml')
 
+SIGNALS = 4096  # that wait, timers included, of all processes in a sandbox
+
 # Kept from the caller's environment: what makes Python and the ROS installation work, nothing else.
 _KEPT = (
     'PATH',
@@ -60,6 +62,7 @@ class Limits:
             bounds[resource.RLIMIT_NPROC] = self.processes
             bounds[resource.RLIMIT_MSGQUEUE] = 0
             bounds[resource.RLIMIT_MEMLOCK] = 2**20
+            bounds[resource.RLIMIT_SIGPENDING] = SIGNALS
         for what, value in bounds.items():
             hard = resource.getrlimit(what)[1]
             value = value if hard == resource.RLIM_INFINITY else min(value, hard)

@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING
 
 from helpers.exercises import packages
 from helpers.runner import values
-from helpers.runner.load import busy
+from helpers.runner.load import busy, starved
 from helpers.runner.program_process import ForkServer, ProgramProcess, Task
 from helpers.runner.text import clean
 from helpers.runner.verdicts import InvalidProgram, LearnerCrashed, LearnerError, LearnerTimeout
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from helpers.runner.learner import Timeouts
 
 BUILD_TIMEOUT = 90.0  # seconds
+BUILD_AGAIN = 15.0  # for another build of an exercise of which one has not come to its end
 RUN_TIMEOUT = 20.0
 PATIENCE = 4  # so many times its timeout is a command waited for while the machine is busy
 LISTING = 2**20  # bytes
@@ -87,15 +88,22 @@ class ExerciseWorkspace:
         """`colcon build` with these arguments; the same build of the same files is done once in a session.
 
         :param check: fail the test if it does not succeed, with the reason in the message.
+
+        All builds of an exercise that do not come to their end take little longer together than one of them.
         """
         key = (self.name, *arguments)
         if key not in self._cache:
+            hanging = self._cache.setdefault(('hanging', self._learner.program['title']), [])
             try:
-                self._cache[key] = self.run(
-                    'colcon', 'build', '--event-handlers', 'console_cohesion+', *arguments, timeout=BUILD_TIMEOUT
+                if len(hanging) > 1:
+                    raise hanging[0]
+                timeout = BUILD_AGAIN if hanging else BUILD_TIMEOUT
+                self._cache[key] = self._run(
+                    ('colcon', 'build', '--event-handlers', 'console_cohesion+', *arguments), timeout, alone=True
                 )
             except LearnerTimeout as error:  # nobody waits for it a second time
-                self._cache[key] = error
+                hanging.append(error)
+                self._cache[key] = hanging[0]
             else:
                 if self._cache[key].status == 0:
                     self._cache[(self.name, 'shadows', *arguments)] = self._shadows()
@@ -116,11 +124,20 @@ class ExerciseWorkspace:
         One that does not end in `timeout` seconds fails the test with the verdict timeout; one that gets no computing
         time is given more, so that the work of others costs nobody a mark. Whatever it leaves behind is ended.
         """
+        return self._run(argv, timeout, program)
+
+    def _run(self, argv: tuple[str, ...], timeout: float, program: str = '', alone: bool = False) -> Done:
+        """:param alone: whether it waits for nobody else: if it does not compute either, it never ends."""
         shown = shlex.join(['python3', 'program.py', *argv] if program else argv)
         task = self.start(*argv, program=program)
-        status, waited = task.wait(timeout), timeout
-        while status is None and waited < PATIENCE * timeout and busy():
-            status, waited = task.wait(timeout), waited + timeout
+        status, waited, used = None, 0.0, 0.0
+        slice_ = timeout / 3
+        while status is None and (waited < timeout - 1 or waited < PATIENCE * timeout - 1 and busy()):
+            status, waited, before = task.wait(slice_), waited + slice_, used
+            if status is None and alone and (now := self._learner.server.used(self.name)) is not None:
+                used = now
+                if waited > timeout - 1 and not (used < timeout and starved(used - before, slice_)):
+                    break
         task.end()
         self.transcript.append(f'$ {shown}\n{task.output}')
         if status is None:

@@ -1,6 +1,9 @@
 """The environment of a built workspace, made from what is installed there."""
 
 import ast
+import os
+import socket
+import stat
 import sys
 import sysconfig
 from pathlib import Path
@@ -53,6 +56,65 @@ def test_only_libraries_of_the_package_are_found(tmp_path, folder):
     installed(tmp_path, 'lib/libpatrol__c.so', f'lib/{folder}/libm.so.6')
     place = Path(sourced_environment.of(tmp_path, ['patrol'])['LD_LIBRARY_PATH'].split(':')[-1])
     assert [path.name for path in place.rglob('*')] == ['libpatrol__c.so']
+
+
+def _socket(path):
+    os.chdir(path.parent)  # the name of a socket must be short
+    with socket.socket(socket.AF_UNIX) as one:
+        one.bind(path.name)
+
+
+def _device(path):
+    if os.geteuid():
+        pytest.skip('only root makes devices')
+    os.mknod(path, stat.S_IFCHR | 0o600, os.makedev(1, 3))
+
+
+def _link_to_a_pipe(path):
+    os.mkfifo(path.parents[3] / 'elsewhere')
+    path.symlink_to(path.parents[3] / 'elsewhere')
+
+
+PRODUCTS = {
+    'pipe': (os.mkfifo, 'no regular file'),
+    'socket': (_socket, 'no regular file'),
+    'device': (_device, 'no regular file'),
+    'link to a pipe': (_link_to_a_pipe, 'leads to no file'),
+    'link to a device': (lambda path: path.symlink_to('/dev/zero'), 'leads to no file'),
+    'link to itself': (lambda path: path.symlink_to(path.name), 'leads to no file'),
+    'folder elsewhere': (lambda path: path.symlink_to('/usr/share'), 'leads to no file'),
+}
+
+
+@pytest.mark.parametrize('place', ['install/patrol/share', 'build/patrol/x', 'src/patrol/patrol'])
+@pytest.mark.parametrize('kind', PRODUCTS)
+def test_what_others_would_wait_for_is_refused(tmp_path, monkeypatch, kind, place):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / place).mkdir(parents=True)
+    make, why = PRODUCTS[kind]
+    make(tmp_path / place / 'route')
+    with pytest.raises(sourced_environment.Shadowed, match=f"'route' when it is built, which.*{why}"):
+        sourced_environment.look_at_products(tmp_path)
+
+
+def test_what_builds_leave_is_accepted(tmp_path):
+    """Files, folders, and the links of `colcon build --symlink-install`, of which one may lead nowhere."""
+    installed(tmp_path, 'share/patrol/package.xml', 'lib/patrol/drive')
+    (tmp_path / 'src/patrol/patrol').mkdir(parents=True)
+    (tmp_path / 'src/patrol/setup.py').write_text('')
+    (tmp_path / 'build/patrol').mkdir(parents=True)
+    for name in ('setup.py', 'patrol', 'gone'):
+        (tmp_path / 'build/patrol' / name).symlink_to(tmp_path / 'src/patrol' / name)
+    (tmp_path / 'build/patrol/python').symlink_to(sys.executable)
+    sourced_environment.look_at_products(tmp_path)
+    sourced_environment.look_at_products(tmp_path / 'nowhere')
+
+
+def test_too_many_products_are_refused(tmp_path, monkeypatch):
+    monkeypatch.setattr(sourced_environment, '_MAX_PRODUCTS', 3)
+    installed(tmp_path, 'a', 'b', 'c')
+    with pytest.raises(sourced_environment.Shadowed, match='more than 3 files'):
+        sourced_environment.look_at_products(tmp_path)
 
 
 @pytest.mark.parametrize(

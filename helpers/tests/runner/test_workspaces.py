@@ -4,19 +4,20 @@ from types import SimpleNamespace
 
 import pytest
 
+from helpers.runner import load, workspaces
 from helpers.runner.verdicts import LearnerTimeout
-from helpers.runner.workspaces import ExerciseWorkspace
+from helpers.runner.workspaces import BUILD_AGAIN, BUILD_TIMEOUT, PATIENCE, ExerciseWorkspace
 
 
 def test_a_build_that_does_not_end_is_waited_for_once(monkeypatch):
     calls = []
 
-    def run(self, *argv, timeout):
+    def run(self, argv, timeout, alone):
         calls.append(argv)
         raise LearnerTimeout('it did not end', 'output')
 
-    monkeypatch.setattr(ExerciseWorkspace, 'run', run)
-    learner = SimpleNamespace(server=SimpleNamespace(workspaces={}, forget=lambda name: None))
+    monkeypatch.setattr(ExerciseWorkspace, '_run', run)
+    learner = SimpleNamespace(program={'title': 'x'}, server=SimpleNamespace(workspaces={}, forget=lambda name: None))
     for _ in range(3):
         with pytest.raises(LearnerTimeout, match='it did not end') as found:
             ExerciseWorkspace(learner, 'ws').build('--packages-select', 'patrol', check=False)
@@ -24,4 +25,55 @@ def test_a_build_that_does_not_end_is_waited_for_once(monkeypatch):
         found.value.rule = 'builds'  # what a test adds is not seen by the next one
     assert len(calls) == 1
     ExerciseWorkspace(learner, 'ws').forget()
-    assert not learner.server.workspaces
+    assert not [key for key in learner.server.workspaces if 'ws' in key]
+
+
+class Server:
+    """A fork server whose builds never end; `uses` is the processor time that they take, in seconds of each second."""
+
+    def __init__(self, uses):
+        self.workspaces, self.uses, self.waited = {}, uses, 0.0
+
+    def task(self, *_, **__):
+        return SimpleNamespace(wait=self.wait, end=lambda: None, output='')
+
+    def wait(self, seconds):
+        self.waited += seconds
+
+    def used(self, place):
+        return self.waited * self.uses
+
+    def learner(self):
+        return SimpleNamespace(program={'title': 'x'}, server=self, end_calls=lambda: None)
+
+
+@pytest.fixture
+def busy(monkeypatch):
+    """Each processor has twice the work that it can do."""
+    monkeypatch.setattr(load.os, 'getloadavg', lambda: (2.0 * load.os.cpu_count(), 0, 0))
+
+
+def test_builds_that_wait_for_something_are_given_up_together(busy):
+    """On a busy machine, too: who does not compute is not late because of others."""
+    server = Server(uses=0.0)
+    for number in range(5):
+        with pytest.raises(LearnerTimeout, match='colcon build .* did not end within 90 s'):
+            ExerciseWorkspace(server.learner(), f'ws_{number}').build()
+    assert server.waited == BUILD_TIMEOUT + BUILD_AGAIN
+
+
+@pytest.mark.parametrize(('uses', 'waited'), [(0.2, PATIENCE * BUILD_TIMEOUT), (0.5, 2 * BUILD_TIMEOUT)])
+def test_a_build_that_computes_has_more_time_while_others_do(busy, uses, waited):
+    """Until its own processor time is as much as it may take."""
+    server = Server(uses)
+    with pytest.raises(LearnerTimeout):
+        ExerciseWorkspace(server.learner(), 'ws').build()
+    assert server.waited == waited
+
+
+def test_a_build_has_no_more_time_if_nobody_else_computes(monkeypatch):
+    monkeypatch.setattr(workspaces, 'busy', lambda: False)
+    server = Server(uses=0.5)
+    with pytest.raises(LearnerTimeout):
+        ExerciseWorkspace(server.learner(), 'ws').build()
+    assert server.waited == BUILD_TIMEOUT

@@ -126,6 +126,10 @@ def total(numbers):
             pass
         if libc.shmget(0, ctypes.c_size_t(size), 0o1600) != -1:
             tell('SEEN', 'segment')
+    if libc.semget(0, 32_000, 0o1600) != -1:
+        tell('SEEN', 'semaphores')
+    if libc.msgget(0, 0o1600) != -1:
+        tell('SEEN', 'queue of messages')
     return 0
 
 
@@ -341,4 +345,77 @@ def total(numbers):
                 time.sleep(10)
             finally:
                 os._exit(0)
+    return 0
+
+
+# %% kernel_locks
+# attack: locks millions of single bytes, for each of which the kernel needs memory
+# row: 16
+# aims at: 90.1
+# stopped by: what the kernel holds for a program counts as its memory
+# expect verdict: learner_crashed
+# expect message: more memory than it may
+import fcntl
+
+
+def total(numbers):
+    files = [open(f'/tmp/{number}', 'w') for number in range(200)]
+    for byte in range(0, 4000, 2):
+        for file in files:
+            fcntl.lockf(file, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, byte)
+    return 0
+
+
+# %% kernel_maps
+# attack: cuts the memory of many processes into millions of parts, and touches none of it
+# row: 16
+# aims at: 90.1
+# stopped by: what the kernel holds for a program counts as its memory; all processes end with the program
+# expect verdict: learner_crashed or timeout
+# expect message: more memory than it may or did not return
+import mmap
+
+
+def total(numbers):
+    libc = ctypes.CDLL(None)
+    memory = mmap.mmap(-1, 60_000 * 4096, mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS)
+    begin = ctypes.addressof(ctypes.c_char.from_buffer(memory))
+    for page in range(0, 60_000, 2):
+        libc.mprotect(ctypes.c_void_p(begin + page * 4096), ctypes.c_size_t(4096), 1)
+    for _ in range(150):
+        if os.fork() == 0:
+            linger(20)
+    time.sleep(20)
+    return 0
+
+
+# %% kernel_objects
+# attack: asks for objects of the kernel's of which all users of the machine together have few, or that nobody counts
+# row: 16
+# aims at: 90.1
+# stopped by: most kinds are refused; of the others a sandbox has few
+# expect verdict: failed
+# expect message: gives 0
+def total(numbers):
+    libc = ctypes.CDLL(None, use_errno=True)
+    waiting = ctypes.c_ulong(0)
+    if libc.syscall(206, 60_000, ctypes.byref(waiting)) == 0:
+        tell('SEEN', 'asynchronous input')
+    for name, number in {'inotify': 294, 'landlock': 444, 'userfaultfd': 323, 'io_uring': 425, 'bpf': 321}.items():
+        libc.syscall(number, 0, 0, 1)
+        if ctypes.get_errno() != 1:
+            tell('SEEN', name)
+    terminals = []
+    try:
+        while len(terminals) < 200:
+            terminals.append(os.open('/dev/ptmx', os.O_RDWR))
+    except OSError:
+        pass
+    if len(terminals) > 50:
+        tell('SEEN', 'terminals')
+    made, timers = ctypes.c_void_p(), 0
+    while timers < 20_000 and libc.timer_create(1, None, ctypes.byref(made)) == 0:
+        timers += 1
+    if timers > 10_000:
+        tell('SEEN', 'timers')
     return 0
