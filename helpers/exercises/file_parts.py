@@ -67,9 +67,9 @@ def _replaced(line: str, part: str) -> bool:
 
 def _before(file: str) -> str | None:
     """What the running cell appended to this file at its last run; None if the front end sends no ids of cells."""
-    *earlier, running = journal.cells or [None]
-    for cell in reversed(earlier):
-        if running and running.id and cell.id == running.id:
+    running = journal.cells[-1].id if journal.cells else None
+    for cell in reversed(journal.cells[:-1]):
+        if running and cell.id == running:
             named = _named(cell.source)
             return named[2] if named and named[:2] == (file, True) else None
     return None
