@@ -76,3 +76,4 @@ if 'IPython' in sys.modules:  # in a kernel: note the executed cells from here o
     importlib.import_module(f'{__name__}.kernel.journal').start()
     importlib.import_module(f'{__name__}.kernel.kernel_exit').register()
     importlib.import_module(f'{__name__}.exercises.answer_magic').register()
+    importlib.import_module(f'{__name__}.exercises.file_parts').register()

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from helpers.kernel import journal
 
-_RULE = '─' * 78
+_RULE = '─' * 68  # with its corner, it fits into a pane of 700 pixels
 _HELPERS = Path(__file__).parents[1]
 _ROOMS = tuple(_HELPERS / room for room in ('kernel', 'show', 'programs', 'exercises'))  # whose frames are not shown
 # What rclpy says about a mistake -> what the mistake is. rclpy 7.1.9 words some of them differently from 7.1.6.

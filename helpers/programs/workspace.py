@@ -7,7 +7,7 @@ import time
 from contextlib import contextmanager
 from pathlib import Path
 
-from helpers.exercises import file_answers
+from helpers.exercises import file_answers, file_parts
 from helpers.kernel import journal
 from helpers.programs import terminals
 from helpers.programs.belongings import Belongings
@@ -167,14 +167,8 @@ class Workspace:
 
 def _texts_of_cells() -> list[str]:
     """What cells of this kernel have written into files by `%%writefile`, `%%writefile -a` and `%%answer`."""
-    written: dict[str, str] = {}
-    for cell in journal.cells:
-        first, _, text = cell.source.lstrip().partition('\n')
-        words = first.split()
-        if words[:1] == ['%%writefile']:
-            before = written.get(words[-1], '') if '-a' in words else ''
-            written[words[-1]] = f'{before}{text.rstrip()}\n'
-    return [*written.values(), *(text for cell in journal.cells for _, _, text, _ in file_answers.files(cell.source))]
+    written = [f'{text.rstrip()}\n' for text in file_parts.written().values()]
+    return [*written, *(text for cell in journal.cells for _, _, text, _ in file_answers.files(cell.source))]
 
 
 class _Progress:

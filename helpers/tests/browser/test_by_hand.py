@@ -54,6 +54,7 @@ with TfView() as view:
 with TfView(frames=False):
     pass
 node.destroy_node()""",
+    'plot': "print('a line of words')\nhelpers.figure().plot([0, 1]);",
     'file': '',
 }
 # What somebody types into a cell: a file with a mistake in its second line, and the same without it.
@@ -151,6 +152,17 @@ def test_a_slider_calls_its_function_and_a_view_can_be_turned_after_its_block_un
     learner.sees('sliders', 'the cup is at 1, 0')
 
 
+@pytest.mark.one_of(4, group=0)
+def test_a_plot_has_no_background_on_a_dark_page_and_lines_break_between_words(learner):
+    learner.run('plot')
+    plot = learner.output('plot').locator('img')
+    plot.wait_for()
+    learner.page.evaluate(_DARK)
+    assert plot.evaluate('plot => getComputedStyle(plot).backgroundColor') == 'rgba(0, 0, 0, 0)'
+    words = learner.output('plot').locator('pre').first
+    assert words.evaluate('pre => getComputedStyle(pre).wordBreak') == 'normal'
+
+
 @pytest.mark.one_of(4, group=1)
 def test_a_cell_with_a_file_tells_a_mistake_with_its_line_and_writes_the_file(learner, folder):
     (folder / 'config').mkdir()
@@ -177,6 +189,9 @@ _COLOURED = """() => {
         && [...cell.node.querySelectorAll('.cm-line span')].some(span => span.textContent.includes('ros__parameters'));
 }"""
 # The view says the heading in degrees. How far a press turns it depends on how busy the machine is.
+# As JupyterLab marks a dark theme, without its colours.
+_DARK = "() => { document.body.dataset.jpThemeLight = 'false'; }"
+
 _TURNED = r"""() => {
     const said = document.querySelector('.turtle-view')?.textContent.match(/theta (-?\d+)°/);
     return said && Number(said[1]) > 5;

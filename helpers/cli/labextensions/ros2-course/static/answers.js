@@ -3,7 +3,7 @@
 
 const MIME = 'text/x-ros2-course-answers';
 const FILE = /^%%(?:answer[ \t]+\w+|writefile(?:[ \t]+-a)?)[ \t]+(\S+)[ \t]*$/gm;
-const ALIKE = { urdf: 'xml', cfg: 'ini' }; // suffixes that the editor does not know
+const ALIKE = { urdf: 'xml', xacro: 'xml', cfg: 'ini' }; // suffixes that the editor does not know
 const PYTHON = 'a.py';
 const NAMES = [PYTHON, 'a.xml', 'a.yaml', 'a.ini', 'CMakeLists.txt'];
 
