@@ -54,6 +54,11 @@ class Elsewhere:
         """The names of the nodes in this domain, tests' nodes left out."""
         return sorted(name for name in self.node.get_node_names() if not name.startswith('_'))
 
+    def full_names(self) -> list[str]:
+        """The nodes in this domain with their namespaces, tests' nodes left out."""
+        found = self.node.get_node_names_and_namespaces()
+        return sorted(f'{space.rstrip("/")}/{name}' for name, space in found if not name.startswith('_'))
+
     def wait_until(self, condition, timeout: float = 10.0) -> bool:
         """Spin until `condition()` is true; False after `timeout` seconds of wall time."""
         deadline = time.monotonic() + timeout

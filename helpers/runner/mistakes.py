@@ -32,8 +32,11 @@ class WaitsInCallback(BaseException):
 
 
 # Who keeps the processor for longer than this (s) each time waits in a loop that counts. The right answers' callbacks
-# took less than 10 ms and their constructors less than 20 ms, also on a busy machine.
+# took less than 10 ms and their constructors less than 20 ms, also on a busy machine. Of many runs of a callback, the
+# shortest took far less than a millisecond.
 CALLBACK_WORK, CONSTRUCTOR_WORK = 0.02, 0.06
+STEADY_WORK, _STEADY = 0.001, 8  # the limit (s) after so many runs
+_INSTANT = 0.01  # s: who spins for less has only looked what there is
 
 # They sleep until the graph shows a server.
 _POLLING = (Client.wait_for_service.__code__, ActionClient.wait_for_server.__code__)
@@ -58,7 +61,7 @@ class Watch:
         # Seconds for which the learner's lines have slept, also in wait_for_server, asked a clock again and again, or
         # counted.
         self.slept = 0.0
-        self._work: dict[str, float] = {}  # per callback: the least processor time of its runs (s)
+        self._work: dict[str, tuple[int, float]] = {}  # per callback: its runs, and their least processor time (s)
         self._looks: dict[tuple, tuple[int, float]] = {}  # per line in this callback: how often, and when it first did
         self._aside: set[threading.Thread] = set()
         self._spaces: weakref.WeakKeyDictionary[Node, str] = weakref.WeakKeyDictionary()
@@ -97,14 +100,17 @@ class Watch:
             begin = now
         self._looks[line] = count + 1, begin
 
-    def worked(self, what: str, seconds: float, limit: float) -> None:
+    def worked(self, what: str, seconds: float, limit: float, steady: float | None = None) -> None:
         """A callback or a constructor, `what`, has used the processor for so long; longer than `limit` is a wait.
 
         Its own processor time hardly depends on what else the machine does. The first run may have imported modules.
+
+        :param steady: the limit if it has run often.
         """
-        before = self._work.get(what)
-        self._work[what] = min(seconds, seconds if before is None else before)
-        if before is not None and self._work[what] > limit:
+        runs, least = self._work.get(what, (0, seconds))
+        least = min(least, seconds)
+        self._work[what] = runs + 1, least
+        if runs and least > (limit if steady is None or runs < _STEADY else steady):
             self.slept += seconds
 
     def remark(self, sentence: str) -> None:
@@ -188,13 +194,19 @@ def _no_function(where: str, given) -> str:
 
 
 def _no_wait(function, name: str, seen: Watch, unless: Callable[[], bool] = lambda: False):
-    """A function that waits, refused in a callback, where nothing can come while it waits."""
+    """A function that waits, refused in a callback, where nothing can come while it waits; elsewhere it is counted."""
+    clock = time.monotonic  # itself: a look of ours is none of the learner's
 
     @functools.wraps(function)
     def refusing(*args, **kwargs):
         if seen.in_callback() and not unless():
             raise WaitsInCallback(name)
-        return function(*args, **kwargs)
+        begin, frame = clock(), sys._getframe(1)
+        try:
+            return function(*args, **kwargs)
+        finally:
+            if clock() - begin > _INSTANT and not seen.in_threads():
+                seen.sleeps(frame, clock() - begin)
 
     return refusing
 

@@ -49,7 +49,7 @@ from std_msgs.msg import UInt64
 from helpers.kernel.nodes import destroy_actions
 from helpers.runner import rates, values
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
-from helpers.runner.mistakes import CALLBACK_WORK, CONSTRUCTOR_WORK, WaitsInCallback, Watch, watch
+from helpers.runner.mistakes import CALLBACK_WORK, CONSTRUCTOR_WORK, STEADY_WORK, WaitsInCallback, Watch, watch
 from helpers.runner.threads import Sleeps, ThreadPool, patch_locks
 
 MAX_CALLBACKS = 5000  # in one step: more means that it never becomes idle
@@ -429,7 +429,7 @@ class Conductor:
         finally:
             self.in_callback = False
             if self.program.watch and node is not self.node:
-                self.program.watch.worked(_named(entity), time.thread_time() - begin, CALLBACK_WORK)
+                self.program.watch.worked(_named(entity), time.thread_time() - begin, CALLBACK_WORK, STEADY_WORK)
         return self._count(error, entity, node)
 
     def _count(self, error: BaseException | None, entity, node) -> int:
@@ -545,6 +545,8 @@ class Worker:
         rclpy.init(
             args=['--ros-args', '-p', 'use_sim_time:=true', *ros_args], signal_handler_options=SignalHandlerOptions.NO
         )
+        if ros_args:  # as `ros2 run` gives them: a context that the program makes itself takes them from here
+            sys.argv[1:] = ['--ros-args', *ros_args]
         # The notebook's own start and stop of ROS mean this context. Other contexts are left as they are.
         for function in (rclpy.init, rclpy.shutdown, rclpy.try_shutdown):
             setattr(rclpy, function.__name__, _for_other_contexts(function))

@@ -51,6 +51,23 @@ MUTANTS = [
         if abs(error) < 0.3:
             command.linear.x = min(1.5 * distance, 2.0)
         ''', expect='Publish a command of zero there', breaks='stop'),
-    Mutant('too_slow', old='min(1.5 * distance, 2.0)', new='min(distance, 0.1)', expect='m away', breaks='reach',
+    Mutant('too_slow', old='min(1.5 * distance, 2.0)', new='min(distance, 0.6)', expect='m away', breaks='reach',
            also=ALL),
+    Mutant('in_an_arc', old='if abs(error) < 0.3:', new='if abs(error) < 2.5:', expect='ran into a wall', breaks='walls',
+           also=ALL),
+    Mutant('backwards', old='''
+        command.angular.z = 3.0 * error
+        if abs(error) < 0.3:
+            command.linear.x = min(1.5 * distance, 2.0)
+        ''', new='''
+        turn = math.remainder(error, math.pi)
+        command.angular.z = 3.0 * turn
+        if abs(turn) < 0.3:
+            command.linear.x = math.copysign(min(1.5 * distance, 2.0), math.cos(error))
+        ''', expect='drive backwards', breaks='short-way', also=ALL),
+    Mutant('turns_at_the_goal', old=STOP, new='''
+        command.angular.z = 3.0 * error
+        if distance > 0.05 and abs(error) < 0.3:
+            command.linear.x = min(1.5 * distance, 2.0)
+        ''', expect='the last command on', breaks='stop', also=ALL),
 ]

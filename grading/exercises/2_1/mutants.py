@@ -42,6 +42,7 @@ MUTANTS = [
     Mutant('another_version', old='0.1.0', new='1.0.0', expect='said greeter 0.1.0 before', breaks='rest'),
     Mutant('tests_are_installed', old="find_packages(exclude=['test'])", new='find_packages()',
            expect='is installed as a package, too', breaks='rest'),
+    Mutant('programs_with_a_window', old="'console_scripts'", new="'gui_scripts'", expect='in gui_scripts', breaks='rest'),
     Mutant('more_is_installed', old="['package.xml']", new="['package.xml', 'setup.py']", expect='installs share/greeter/setup.py, too',
            breaks='rest'),
 ]

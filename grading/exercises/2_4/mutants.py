@@ -32,6 +32,17 @@ MUTANTS = [
            breaks='argument'),
     Mutant('second_argument', old='sys.argv[1]', new='sys.argv[2]', expect='ended with: IndexError', breaks='argument'),
     Mutant('two_decimals', old=':.3f', new=':.2f', expect='three decimals, a space and m', breaks='prints'),
+    Mutant('thousands', old=':.3f', new=':,.3f', expect='three decimals, a space and m', breaks='prints'),
+    Mutant('when_it_is_imported', old='''
+        def main():
+            print(f'{distance(int(sys.argv[1])):.3f} m')
+        ''', new='''
+        print(f'{distance(int(sys.argv[1])):.3f} m')
+
+
+        def main():
+            pass
+        ''', expect='`import odometry.report` already does something', breaks='prints'),
     Mutant('rounded', old='{distance(int(sys.argv[1])):.3f}', new='{round(distance(int(sys.argv[1])), 3)}',
            expect='three decimals, a space and m', breaks='prints'),
     Mutant('no_unit', old=':.3f} m', new=':.3f}', expect='without the unit', breaks='prints'),

@@ -126,6 +126,8 @@ MUTANTS = [
            expect='pass with a round_trip that leaves the second station out', breaks='notices'),
     Mutant('only_the_length', old=COMPARED, new="assert len(round_trip(['dock', 'door', 'lab'])) == 4",
            expect='pass with a round_trip that gives the stations in reverse order', breaks='notices'),
+    Mutant('tested_with_a_tuple', old=COMPARED, new="assert round_trip(('dock', 'door', 'lab')) == ['dock', 'door', 'lab', 'dock']",
+           expect='do not pass with another round_trip that is right', breaks='notices'),
     Mutant('looks_at_the_text', old="'test/test_route.py': '''from patrol.route import round_trip",
            new="'test/test_route.py': '''import inspect\n\nfrom patrol.route import round_trip\n\n\ndef test_text():\n"
                "    assert '*stations' in inspect.getsource(round_trip)",

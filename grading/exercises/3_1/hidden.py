@@ -23,7 +23,8 @@ def test_first_message(learner):
         learner.start('Beacon')
     expect(
         not learner.slept,
-        'The constructor sleeps, or a thread that it starts. A timer does the waiting: the constructor only prepares.',
+        'The constructor sleeps or spins, or a thread that it starts sleeps. A timer does the waiting: the constructor '
+        'only prepares.',
         'at-once',
     )
     learner.settle()

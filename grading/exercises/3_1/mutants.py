@@ -65,10 +65,10 @@ class Beacon(Node):
     Mutant('publishes_str', old=TEXT, new="f'alive {self.count}'", expect='Expected <class', breaks='texts'),
     Mutant('rate_as_period', old='.create_timer(0.25, self', new='.create_timer(4, self',
            expect='wants the period, not the rate', breaks='rate', also=('own-count',)),
-    Mutant('short_sleep_in_constructor', old='self.count = 0', new='''
+    Mutant('spins_in_constructor', old='self.count = 0', new='''
         self.count = 0
-        time.sleep(0.25)
-        ''', imports='import time', expect='The constructor sleeps', breaks='at-once'),
+        rclpy.spin_once(self, timeout_sec=0.1)
+        ''', expect='The constructor sleeps or spins', breaks='at-once'),
     Mutant('sleeps_in_constructor', old='self.timer = self.create_timer(0.25, self.on_timer)', new='''
         while True:
             self.on_timer()

@@ -12,10 +12,10 @@ MUTANTS = [
             pass
         self.seconds += 1
         ''', imports='import time', expect='The timers do the waiting'),
-    Mutant('counts_in_callback', breaks='no-wait', old='self.seconds += 1', new='''
-        for _ in range(10_000_000):
+    Mutant('counts_in_callback', breaks='no-wait', old='self.lit = not self.lit', new='''
+        for _ in range(1_000_000):
             pass
-        self.seconds += 1
+        self.lit = not self.lit
         ''', expect='A callback sleeps, or waits in a loop'),
     Mutant('counts_in_constructor', breaks='no-wait', old='self.lit = False', new='''
         for _ in range(10_000_000):

@@ -151,6 +151,7 @@ def test_threshold(learner):
         f'RateMonitor(2.0) with the stamps 1, 2.5, 4.5, 7 reports {gaps.data}, expected [2.5].',
         'gap',
     )
+    monitors.check_exact(learner)
 
 
 @pytest.mark.rules('old')

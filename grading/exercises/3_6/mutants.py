@@ -31,6 +31,8 @@ MUTANTS = [
         ''', expect='each gap is told once', breaks='gap', also=('own-state', 'limit')),
     Mutant('fixed_threshold', old='if gap > self.max_gap:', new='if gap > 0.5:',
            expect='Only a difference of more than max_gap', breaks='limit', also=('own-state',)),
+    Mutant('stamps_as_floats', edits=((STAMP, 'stamp = scan.header.stamp.sec + scan.header.stamp.nanosec / 1e9'),
+           ('gap = (stamp - (self.newest or stamp)).nanoseconds / 1e9', 'gap = stamp - (self.newest or stamp)')), expect='subtract whole nanoseconds', breaks='limit'),
     Mutant('gap_at_the_limit', old='gap > self.', new='gap >= self.', expect='Only a difference of more than max_gap',
            breaks='limit'),
     Mutant('gap_before_first', old='or stamp))', new='or Time(clock_type=stamp.clock_type)))',

@@ -175,6 +175,19 @@ def test_leaving(learner):
     )
 
 
+@pytest.mark.rules('full')
+@about('full')
+@waiting('one-thread')
+def test_no_place(learner):
+    """A room of capacity 0 is full although nobody is inside.
+
+    0 is a number like any other.
+    """
+    room = Room(learner, 0)
+    for _ in range(2):
+        room.enter('full', 'full', 'nobody inside')
+
+
 @pytest.mark.rules('names', 'one-thread')
 @about('welcome')
 @waiting('one-thread')

@@ -20,8 +20,8 @@ MUTANTS = [
         self.create_service(Trigger, 'enter', self.on_enter, callback_group=group)
         self.create_service(Trigger, 'leave', self.on_leave, callback_group=group)
         ''', expect='enter must stay in a mutually exclusive group'),
-    Mutant('always_two', breaks='full', also=('welcome', 'locked', 'leave', 'capacity', 'open'),
-           old='self.capacity, self.inside = capacity, 0', new='self.capacity, self.inside = 2, 0', expect='Capacity'),
+    Mutant('two_for_none', breaks='full', old='self.capacity, self.inside = capacity, 0',
+           new='self.capacity, self.inside = capacity or 2, 0', expect='Capacity 0, nobody inside'),
     Mutant('asks_the_lock_first', breaks='full', also=('capacity', 'leave', 'locked'),
            edits=(('async def on_enter(self, request, response):', '''
             async def on_enter(self, request, response):

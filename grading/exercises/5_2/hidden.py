@@ -128,6 +128,25 @@ def test_aborted(learner):
     )
 
 
+@pytest.mark.rules('numbers')
+@about('numbers')
+def test_empty_result(learner):
+    """A result without numbers is reported so, also if numbers came in the feedback.
+
+    Only a goal that is lost has the numbers of the feedback.
+    """
+    number = learner.random.randint(1, 99)
+    end = action_peers.Aborted(Fibonacci.Result())
+    outcome, _, _ = begin(learner, 3, 3.0, [(0.5, Fibonacci.Feedback(sequence=[number])), (0.5, end)])
+    learner.run(3.0)
+    expect(
+        outcome.data == ['aborted []'],
+        f'The feedback said [{number}], the goal was aborted with an empty result, and /outcome said {outcome.data}, '
+        'expected ["aborted []"].',
+        'numbers',
+    )
+
+
 @pytest.mark.weight(2)
 @pytest.mark.rules('result')
 @about('result')

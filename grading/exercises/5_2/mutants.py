@@ -57,6 +57,8 @@ MUTANTS = [
             ''')), expect='stop looking for the server when the goal is sent'),
     Mutant('numbers_of_feedback', breaks='numbers', also=('result', 'word', 'names', 'once', 'send'),
            old='future.result().result.sequence', new='self.numbers', expect='/outcome said'),
+    Mutant('feedback_for_an_empty_result', breaks='numbers', old='future.result().result.sequence',
+           new='future.result().result.sequence or self.numbers', expect="expected 'aborted []'"),
     Mutant('only_stops_waiting', breaks='deadline', also=('lost', 'once', 'result', 'numbers', 'names'), old=f'''
         {LOST}
         {CANCEL}

@@ -3,6 +3,7 @@
 import pytest
 from example_interfaces.action import Fibonacci
 
+from helpers.checks.chapter_05.test_5_3 import check_threads
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('5.3'), pytest.mark.wiring(type='names', namespace='names')]
@@ -102,6 +103,16 @@ def test_many_goals(learner):
     )
     expect(goals[3].status == 'succeeded', f'The last goal ended as {goals[3].status}, expected succeeded.', 'newest')
     expect(after.status == 'succeeded', f'A goal that came when nothing ran ended as {after.status}.', 'newest')
+
+
+@pytest.mark.rules('newest', 'aborted')
+@about('newest')
+def test_threads(learner):
+    """Of two goals that come at one moment the second is the newest, whichever thread is the first to go on.
+
+    handle_accepted_callback is called in the order of the goals; two execute callbacks may begin in any order.
+    """
+    check_threads(learner)
 
 
 @pytest.mark.weight(2)

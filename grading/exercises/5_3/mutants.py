@@ -64,6 +64,8 @@ MUTANTS = [
         replaced = goal.is_cancel_requested or goal is not self.newest
         if replaced and len(numbers) < goal.request.order - 1:
         ''', expect='then it went on'),
+    Mutant('newest_when_it_executes', breaks='newest', edits=(('self.newest = goal', ''),
+           ('numbers = []', 'numbers, self.newest = [], goal')), expect='not when its execute callback begins'),
     Mutant('no_cancel_at_first', breaks='cancel', also=('newest',),
            edits=(('numbers = []', 'numbers = self.numbers = []'), ('cancel_callback=lambda goal: CancelResponse.ACCEPT)',
             'cancel_callback=lambda goal: CancelResponse.ACCEPT if self.numbers else CancelResponse.REJECT)')),
@@ -94,7 +96,7 @@ MUTANTS = [
         numbers = self.numbers = getattr(self, 'numbers', [])
         if len(numbers) >= goal.request.order or not self.server:
             numbers.clear()
-        ''', expect='The goal of order'),
+        ''', expect='of order'),
     Mutant('old_one_succeeds', breaks='aborted', old='goal.abort()', new='goal.succeed()',
            expect='expected aborted: a newer one has taken its place'),
     Mutant('one_more', breaks='stops', also=('aborted', 'cancel'), edits=((WAIT, ''), (LOOK + COUNT.lstrip('\n'),

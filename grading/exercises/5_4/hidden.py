@@ -7,7 +7,7 @@ from geometry_msgs.msg import Twist
 from turtle_interfaces.action import DriveTo
 from turtlesim.msg import Pose
 
-from helpers.checks.chapter_05.driving import check_order
+from helpers.checks.chapter_05.driving import check_newest, check_order
 from helpers.runner import about, expect
 from helpers.runner.turtlesim import TurtleSim
 
@@ -152,7 +152,14 @@ def test_outside(learner):
     Both x and y, on both sides.
     """
     client, _, _ = begin(learner)
-    for x, y in ((-0.1, 5.0), (5.0, -learner.random.uniform(0.1, 9)), (11.2, 5.0), (5.0, 11.1), (5.0, math.nan)):
+    for x, y in (
+        (-0.1, 5.0),
+        (5.0, -learner.random.uniform(0.1, 9)),
+        (11.2, 5.0),
+        (5.0, 11.1),
+        (5.0, math.nan),
+        (math.nan, 5.0),
+    ):
         goal = client.send(x=x, y=y)
         learner.settle()
         expect(goal.accepted is False, f'The goal ({x:g}, {y:g}) was accepted.', 'field')
@@ -269,9 +276,12 @@ def test_poses(learner):
     expect(goal.accepted, 'A goal after one that was rejected was rejected, too.', 'next')
     distance = draw.uniform(0.4, 1.2)
     poses.send(Pose(x=9.0 - distance, y=1.0))
+    learner.settle()
+    commands.clear()
     learner.run(0.3)
     expect(
         commands.messages and commands.messages[-1].linear.x == pytest.approx(1.5 * distance, abs=0.01),
         f'{distance:.2f} m are left, and the last command is not what steer gives for this pose.',
         'steer',
     )
+    check_newest(commands.messages, (1.5 * distance, 0.0), f'{distance:.2f} m are left')

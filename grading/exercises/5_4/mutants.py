@@ -17,8 +17,8 @@ MUTANTS = [
     Mutant('accepts_everywhere', breaks='field', old='inside = 0 <= request.x <= 11 and 0 <= request.y <= 11',
            new='inside = True', expect='No turtle can get there'),
     Mutant('accepts_nan', breaks='field', old='inside = 0 <= request.x <= 11 and 0 <= request.y <= 11',
-           new='inside = not (request.x < 0 or request.x > 11 or request.y < 0 or request.y > 11)',
-           expect='The goal (nan, 5) was accepted'),
+           new='inside = min(request.x, request.y) >= 0 and max(request.x, request.y) <= 11',
+           expect='The goal (5, nan) was accepted'),
     Mutant('arrives_early', breaks='arrive', also='result',
            edits=(('distance < 0.1:', 'distance < 0.3:'), ('if distance < 0.1 else', 'if distance < 0.3 else')),
            expect='expected to go on until the distance is below 0.1 m'),
@@ -33,6 +33,8 @@ MUTANTS = [
            new='0 < request.x < 11 and 0 < request.y < 11', expect='The goal (11, 0) was rejected'),
     Mutant('first_pose', breaks='steer', also=('arrive', 'feedback', 'result', 'zeros', 'cancel'),
            old='self.pose = pose', new='self.pose = self.pose or pose', expect='use the newest pose'),
+    Mutant('pose_before_the_wait', breaks='steer', edits=(
+           (WAIT, f'pose = self.pose\n{WAIT}'), (STEER, STEER.replace('self.pose', 'pose'))), expect='as for an older pose'),
     Mutant('floods', breaks='feedback', old=FEEDBACK, new='''
            goal.publish_feedback(DriveTo.Feedback(distance=distance))
            ''', expect='expected 2 to 5'),

@@ -67,7 +67,7 @@ def test_cancel(learner):
     draw = learner.random
     places = draw.randint(4, 5)
     printer = Printer(learner, places, clients=3)
-    orders = drawn_orders(draw, places, least=2, most=3)
+    orders = drawn_orders(draw, places, least=3, most=4)  # the first one runs until the last ones have come
     jobs = [Job(f'{number + 1}', 0.0, order) for number, order in enumerate(orders)]
     first, second = draw.sample(jobs[1:], 2)
     now = round(draw.choice([0.2, 0.6, 0.7]), 1)

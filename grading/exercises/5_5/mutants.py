@@ -117,6 +117,8 @@ MUTANTS = [
             with self.lock:
                 self.lock.wait_for(lambda: self.goals[0] is goal)
             ''')), expect='but it waited until'),
+    Mutant('two_for_none', breaks='places', old='self.places, self.goals, self.lock = places,',
+           new='self.places, self.goals, self.lock = places or 2,', expect='was accepted, although one goal ran'),
     Mutant('unbounded', breaks='places', also=('cancel-waiting',), old=FULL, new='full = False',
            expect='was accepted, although one goal ran'),
     Mutant('counts_the_one_that_runs', breaks='places', also=('cancel-waiting', 'others'), old=FULL,

@@ -207,6 +207,13 @@ def check_bridge(learner, count: int) -> None:
             f'Messages were published on chatter in the domain of the program, and none came in domain {domain}.',
             'carries',
         )
+        inside = f'{space}/bridge' in there.full_names()  # who gives its context no arguments has no namespace there
+        expect(
+            not inside or there.node.count_publishers(near) > 1,  # the first is the tests'
+            f'In the namespace {space} your bridge says on /chatter in domain {domain}: a relative name has no leading '
+            'slash there, either.',
+            'carries',
+        )
         texts = [f'  {random.choice(["north", "Süd", "EAST"])} {random.randint(0, 999)} \n' for _ in range(count)]
         texts += ['', texts[0], texts[0]]  # what was said before is said again, and twice in a row
         talker.send(*[String(data=text) for text in texts])

@@ -64,6 +64,13 @@ class Drive:
 
         with about('reach'):
             sim.run(AT_MOST, until=arrived)
+        back = min((command.linear.x for command in sim.commands.messages), default=0.0)
+        expect(
+            back > -1e-3,
+            f'{self.way}your node told the turtle to drive backwards, linear.x {back:.2f}. Turn to the goal, and drive '
+            'forwards.',
+            'short-way',
+        )
         place = f'({sim.turtle.x:.1f}, {sim.turtle.y:.1f}), heading {math.degrees(sim.turtle.theta):.0f}°'
         expect(sim.commands.messages, f'The simulator told its pose, and no command came on {COMMAND}.', 'reach')
         passed = (
@@ -158,7 +165,21 @@ def across_pi(learner, side: int) -> None:
 
 
 def goal_behind(learner) -> Drive:
-    """The turtle looks at a wall that is near, and the goal is behind it."""
+    """The turtle looks askew at a wall that is 0.02 m away, and the goal is behind it: an arc has no room."""
     y = learner.random.uniform(4.0, 7.0)
     goal = (6.5, y + learner.random.uniform(-0.5, 0.5))
-    return Drive(learner, (10.7, y, learner.random.uniform(-0.2, 0.2)), goal)
+    heading = learner.random.choice([1, -1]) * learner.random.uniform(0.9, 1.1)
+    return Drive(learner, (11.07, y, heading), goal)
+
+
+def across_the_world(learner) -> Drive:
+    """From near one corner to near the opposite one: who is slow needs more than the time."""
+    low, high = (learner.random.uniform(0.9, 1.1) for _ in range(2))
+    start, goal = learner.random.sample([(low, low), (11.0 - high, 11.0 - high)], 2)
+    return Drive(learner, (*start, learner.random.uniform(-3.1, 3.1)), goal)
+
+
+def there_already(learner) -> Drive:
+    """The turtle starts at its goal."""
+    goal = learner.random.uniform(2.0, 9.0), learner.random.uniform(2.0, 9.0)
+    return Drive(learner, (*goal, learner.random.uniform(1.0, 3.0)), goal)

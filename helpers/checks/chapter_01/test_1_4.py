@@ -19,6 +19,18 @@ def test_any_goal(learner):
     drive.stays(2.0)
 
 
+@pytest.mark.rules('reach', 'stop')
+def test_far_and_near(learner):
+    """Across the whole world 20 s are enough, and a turtle that starts at its goal stands still at once.
+
+    math.atan2(0, 0) is 0, and that is no direction to turn to.
+    """
+    drive = goals.across_the_world(learner)
+    drive.to_the_goal()
+    drive.node.stop()  # two drivers would steer one turtle
+    goals.there_already(learner).stays(1.0)
+
+
 @pytest.mark.parametrize('side', (1, -1), ids=('left', 'right'))
 @pytest.mark.rules('short-way')
 def test_short_way(learner, side):
@@ -29,7 +41,7 @@ def test_short_way(learner, side):
     goals.across_pi(learner, side)
 
 
-@pytest.mark.rules('walls')
+@pytest.mark.rules('walls', 'short-way')
 def test_goal_behind(learner):
     """A goal behind a turtle that looks at a near wall is reached without touching the wall.
 

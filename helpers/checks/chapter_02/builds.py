@@ -8,13 +8,19 @@ import email
 import json
 import re
 from pathlib import Path
+from typing import NamedTuple
 from xml.etree import ElementTree
+
+from catkin_pkg.condition import evaluate_condition
 
 from helpers.checks.chapter_02 import interface_faults
 from helpers.runner import about, broken, expect
 from helpers.runner.workspaces import ExerciseWorkspace, package, reason
 
 GIVEN = Path(__file__).with_name('given')
+DISTRO = {'ROS_DISTRO': 'jazzy', 'ROS_VERSION': '2', 'ROS_PYTHON_VERSION': '3'}  # what the condition of a line sees
+# What colcon writes into `share` itself
+COLCON = re.compile(r'share/(\w+/(package\.(?!xml)\w+|hook/.*)|colcon-core/.*)')
 _PYTHON_TOOLS = 'ament_python', 'python3-setuptools'
 
 
@@ -133,10 +139,20 @@ def build_type(learner, name: str) -> str:
 
 
 def dependencies(learner, name: str) -> dict[str, set[str]]:
-    """What the package.xml in the learner's text `name` declares: tag -> packages."""
+    """What the package.xml in the learner's text `name` declares for this distribution: tag -> packages."""
+    return declared(_manifest(learner, name))
+
+
+def declared(manifest: ElementTree.Element) -> dict[str, set[str]]:
+    """What a package.xml declares: tag -> packages. A line whose condition is false in jazzy declares nothing."""
     found: dict[str, set[str]] = {}
-    for element in _manifest(learner, name):
-        found.setdefault(element.tag, set()).add((element.text or '').strip())
+    for element in manifest:
+        package_name, condition = (element.text or '').strip(), element.get('condition')
+        try:
+            holds = evaluate_condition(condition, DISTRO)
+        except ValueError:
+            raise broken(f'The condition of {package_name} in package.xml, {condition!r}, has a mistake.') from None
+        found.setdefault(element.tag if holds else f'{element.tag} condition="{condition}"', set()).add(package_name)
     return found
 
 
@@ -150,8 +166,17 @@ def _manifest(learner, name: str) -> ElementTree.Element:
         raise broken(f'{name} is not XML: {error}.') from None
 
 
-def metadata(workspace: ExerciseWorkspace, package_name: str) -> tuple[str, str, dict[str, str]] | None:
-    """Name and version that setup.py gives, and its programs: name -> right side. None if nothing is installed.
+class Metadata(NamedTuple):
+    """What setup.py says of its package."""
+
+    name: str
+    version: str
+    programs: dict[str, str]  # name -> right side
+    lists: list[str]  # of entry points: console_scripts, and others
+
+
+def metadata(workspace: ExerciseWorkspace, package_name: str) -> Metadata | None:
+    """Name and version that setup.py gives, and its programs. None if nothing is installed.
 
     They are read from the files that the build has installed: nothing of the learner's runs for this.
     """
@@ -168,24 +193,24 @@ def metadata(workspace: ExerciseWorkspace, package_name: str) -> tuple[str, str,
     except configparser.Error:
         programs.clear()  # what nobody can read has no programs
     scripts = dict(programs['console_scripts']) if programs.has_section('console_scripts') else {}
-    return str(said['Name']), str(said['Version']), scripts
+    return Metadata(str(said['Name']), str(said['Version']), scripts, programs.sections())
 
 
-def to_run(declared: dict[str, set[str]]) -> set[str]:
+def to_run(found: dict[str, set[str]]) -> set[str]:
     """The packages that must be there when it runs."""
-    return declared.get('depend', set()) | declared.get('exec_depend', set())
+    return found.get('depend', set()) | found.get('exec_depend', set())
 
 
-def to_build(declared: dict[str, set[str]]) -> set[str]:
+def to_build(found: dict[str, set[str]]) -> set[str]:
     """The packages that must be there when it is built, tools included."""
-    return declared.get('depend', set()) | declared.get('build_depend', set()) | declared.get('buildtool_depend', set())
+    return found.get('depend', set()) | found.get('build_depend', set()) | found.get('buildtool_depend', set())
 
 
-def needed(declared: dict[str, set[str]]) -> set[str]:
+def needed(found: dict[str, set[str]]) -> set[str]:
     """All that is declared, except for tests, for documents, and as the tool that builds Python packages."""
     return {
         name
-        for tag, names in declared.items()
+        for tag, names in found.items()
         for name in names
         if tag.endswith('depend')
         and tag not in ('test_depend', 'doc_depend')

@@ -9,6 +9,9 @@ from helpers.runner.workspaces import ExerciseWorkspace, package
 
 PROGRAM = 'lib/line_follower/follow'
 DATA = 'share/line_follower/config/gains.yaml'
+MARKER = 'share/ament_index/resource_index/packages/line_follower'
+PLACES = PROGRAM, DATA, MARKER, 'share/line_follower/package.xml'
+ONCE = 'install the marker, package.xml and the data file, each to one place, and no other file.'
 IMPORTED = ('geometry_msgs', 'ament_index_python', 'python3-yaml')
 SAID = 'forward 0.20 m/s, turn -0.08 rad/s'
 # tag -> text in package.xml
@@ -133,6 +136,12 @@ def judge_dependencies(learner) -> None:
                 name not in declared.get('build_depend', set()) - builds.to_run(declared),
                 f'{name} is a build_depend only: it would be there when the package is built, but not when it runs.',
             )
+            others = [tag for tag, names in declared.items() if name in names and 'condition' in tag]
+            expect(
+                name in builds.to_run(declared) or not others,
+                f'follow.py needs {name}, and package.xml declares it as {others and others[0]}: that does not hold in '
+                'jazzy, so it is not installed.',
+            )
             expect(
                 name in builds.to_run(declared),
                 f'follow.py needs {name}, and package.xml does not declare it. On a fresh machine it is not installed.',
@@ -149,6 +158,7 @@ def judge_rest(learner) -> None:
         f'setup.py says {name} {version}, and said line_follower 0.1.0 before.',
         'rest',
     )
+    _judge_files(_there(learner))
     others = [other for other in programs if other != 'follow']
     expect(
         not others or len(programs) == 1,
@@ -161,6 +171,23 @@ def judge_rest(learner) -> None:
         expect(
             found == wanted,
             f'The {tag.rpartition("/")[2]} in package.xml is {found}, and was {wanted} before. It was no fault.',
+            'rest',
+        )
+
+
+def _judge_files(there: list[str]) -> None:
+    """Besides the Python code, nothing is installed but four files, each once: rule `rest`.
+
+    One that is not in its place is the subject of another rule.
+    """
+    for name in sorted(there):
+        place = next((place for place in PLACES if place.rpartition('/')[2] == name.rpartition('/')[2]), name)
+        expect(
+            name in PLACES
+            or '-packages/' in name
+            or builds.COLCON.match(name)
+            or (place != name and place not in there),
+            f'setup.py also installs {name}, which nobody looks for there: {ONCE}',
             'rest',
         )
 

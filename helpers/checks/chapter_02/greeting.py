@@ -15,8 +15,6 @@ FILES = {
     'share/ament_index/resource_index/packages/greeter': 'the marker resource/greeter, by which ROS finds the package',
     'share/greeter/package.xml': 'package.xml',
 }
-# What colcon writes into `share` itself
-COLCON = re.compile(r'share/(greeter/(package\.\w+|hook/.*)|colcon-core/.*)')
 PACKAGES = ('greeter/__init__.py', 'greeter/power/__init__.py', 'greeter/farewell.py')
 
 
@@ -106,7 +104,15 @@ def judge_rest(learner) -> None:
     )
     found = builds.metadata(workspace, 'greeter')
     name, version = found[:2] if found else ('', '')
+    other = [one for one in (found.lists if found else ()) if one != 'console_scripts']
+    expect(
+        not other or 'console_scripts' in found.lists,
+        f'setup.py names its programs in {other and other[0]}. The list was called console_scripts: leave its name.',
+        'rest',
+    )
     expect(name == 'greeter', f'The name of the package in setup.py is {name or "nothing"}, and was greeter.', 'rest')
     expect(version == '0.1.0', f'setup.py says greeter {version}, and said greeter 0.1.0 before.', 'rest')
-    more = sorted(name for name in there if name.startswith('share/') and name not in FILES and not COLCON.match(name))
+    more = sorted(
+        name for name in there if name.startswith('share/') and name not in FILES and not builds.COLCON.match(name)
+    )
     expect(not more, f'setup.py installs {more and more[0]}, too: leave data_files as it was.', 'rest')

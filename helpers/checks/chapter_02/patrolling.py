@@ -57,7 +57,7 @@ def round_trip(*arguments, **named):
     return _own(*arguments, **named)
 """
 RIGHT = (
-    'return list(stations) + list(stations[:1])',
+    'return stations + stations[:1]',  # a list and a list
     'found = []\n    for station in stations:\n        found.append(station)\n    return found + found[:1]',
     'return [stations[place % len(stations)] for place in range(len(stations) + 1)]',
 )
@@ -379,9 +379,7 @@ def judge_dependencies(learner) -> None:
     """package.xml declares the ROS packages that the code imports: rule `dependencies`."""
     found = files(learner)
     manifest = ElementTree.fromstring(found['package.xml'].encode())
-    declared: dict[str, set[str]] = {}
-    for element in manifest:
-        declared.setdefault(element.tag, set()).add((element.text or '').strip())
+    declared = builds.declared(manifest)
     to_run = builds.to_run(declared)
     imported = _imports(text for path, text in found.items() if _runs(path)) & _ros_packages() - {NAME}
     with about('dependencies'):

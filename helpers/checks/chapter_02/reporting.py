@@ -24,7 +24,8 @@ def judge_report(learner, zero: bool = False) -> None:
     """What `ros2 run` prints for some numbers of ticks: rules `argument` and `prints`."""
     workspace = builds.odometry(learner)
     first = learner.random.choice((0, -learner.random.randint(100, 900))) if zero else 360
-    for ticks, silent in ((first, ()), (learner.random.randint(1000, 9000), _WITHOUT_ERRORS)):
+    # So far a wheel has turned after a day; a thousand metres may be written as 1,000.
+    for ticks, silent in ((first, ()), (learner.random.randint(5_000_000, 9_000_000), _WITHOUT_ERRORS)):
         length = 2 * math.pi * 0.033 * ticks / 360
         with about('prints'):
             done = workspace.run(*silent, 'ros2', 'run', 'odometry', 'report', str(ticks))
@@ -74,6 +75,14 @@ def judge_report(learner, zero: bool = False) -> None:
             'prints',
         )
         expect(last == wanted, f'{command} printed {last}; expected {wanted}.', 'library')
+    with about('prints'):
+        done = workspace.run('python3', '-c', 'import odometry.report', str(first))
+    expect(
+        done.status == 0 and not done.lines,
+        f'`import odometry.report` already does something, and says: {done.last_line}. Only the function main reads '
+        'the command line and prints.',
+        'prints',
+    )
 
 
 def judge_library(learner) -> None:
@@ -195,7 +204,7 @@ def judge_types(learner) -> None:
 
 def _written_otherwise(text: str, value: float) -> bool:
     """Whether a text holds this number (m) with other decimals or in another unit."""
-    number = re.search(r'-?\d+\.?\d*', text)
+    number = re.search(r'-?\d+\.?\d*', text.replace(',', ''))
     return bool(number) and any(
         math.isclose(float(number[0]), value * factor, abs_tol=0.06 * factor, rel_tol=1e-9) for factor in (1, 100, 1000)
     )

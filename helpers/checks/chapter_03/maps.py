@@ -9,6 +9,7 @@ from helpers.runner import expect
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 ALL_KEPT = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 VALUES = {'#': 100, '.': 0, '?': -1}
+OTHERS = {**VALUES, '+': 99}  # in the maps of other servers: probably a wall
 
 
 def random_rows(random) -> list[str]:
@@ -36,7 +37,7 @@ def orders(rows: list[str]) -> dict[str, list[str]]:
 
 def values(rows: list[str]) -> list[int]:
     """The cells, row by row."""
-    return [VALUES[cell] for row in rows for cell in row]
+    return [OTHERS[cell] for row in rows for cell in row]
 
 
 def walls(rows: list[str]) -> int:
@@ -98,6 +99,12 @@ def check_answers(answers: list[int], sent: list[list[str]]) -> None:
         expect(
             answer != walls(rows) + cells.count('?') or not cells.count('?'),
             f'MapReader counts {answer} walls in {rows}: unknown (-1) is no wall.',
+            'walls',
+        )
+        expect(
+            answer == walls(rows) or answer != walls(rows) + cells.count('+'),
+            f'MapReader counts {answer} walls in a map in which {walls(rows)} cells are 100 and {cells.count("+")} are '
+            f'{OTHERS["+"]}: only 100 is a wall.',
             'walls',
         )
         expect(answer == walls(rows), f'MapReader says {answer} for {rows}, expected {walls(rows)}.', 'walls')

@@ -7,13 +7,60 @@ from std_msgs.msg import Float64
 
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic
 from helpers.runner import about, expect
+from helpers.runner.peers import SECOND
+
+# How a stamp (ns) may be made a float
+AS_FLOATS = (
+    lambda stamp: stamp / 1e9,
+    lambda stamp: stamp * 1e-9,
+    lambda stamp: stamp // SECOND + stamp % SECOND / 1e9,
+    lambda stamp: stamp // SECOND + stamp % SECOND * 1e-9,
+)
 
 
 def scan(seconds: float) -> LaserScan:
     """A scan with this stamp."""
+    return _scan(round(seconds * 1e9))
+
+
+def _scan(nanoseconds: int) -> LaserScan:
     message = LaserScan(scan_time=0.0625, time_increment=0.0001)  # what a gap does not depend on
-    message.header.stamp = Time(nanoseconds=round(seconds * 1e9)).to_msg()
+    message.header.stamp = Time(nanoseconds=nanoseconds).to_msg()
     return message
+
+
+def check_exact(learner, **start) -> None:
+    """Of a third monitor: two stamps of today that differ by exactly its max_gap make no gap.
+
+    The seconds of the two stamps as floats differ by more, as they have not digits enough.
+    """
+    random = learner.random
+    exact = [ms / 1000 for ms in range(50, 450) if ms * 1_000_000 * 1e-9 == ms / 1000 == ms * 1_000_000 / 1e9]
+    early, max_gap = next(
+        (early, max_gap)
+        for early, max_gap in ((_today(random), random.choice(exact)) for _ in range(10_000))
+        if all(way(early + round(max_gap * SECOND)) - way(early) > max_gap for way in AS_FLOATS)
+    )
+    gaps = learner.listen('/exact/scan_gap', Float64)
+    lidar = learner.talk('/exact/scan', LaserScan, qos_profile_sensor_data, strict=False)
+    learner.start('RateMonitor', max_gap, remap={'__ns': '/exact'}, **start)
+    for stamp in (early, early + round(max_gap * SECOND)):
+        with about('limit'):
+            learner.settle()
+        lidar.send(_scan(stamp))
+    with about('limit'):
+        learner.settle()
+    expect(
+        not gaps.messages,
+        f'With max_gap {max_gap:g} s, two stamps of today, {early} ns and exactly max_gap later, gave {gaps.data} on '
+        'scan_gap. A float has too few digits for them: subtract whole nanoseconds, or Time objects, then divide.',
+        'limit',
+    )
+
+
+def _today(random) -> int:
+    """A stamp (ns) as lidars have it."""
+    return random.randint(1_700_000_000 * SECOND, 1_800_000_000 * SECOND)
 
 
 def start(learner, space: str, *args, qos=qos_profile_sensor_data, **kwargs):

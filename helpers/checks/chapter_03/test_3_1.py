@@ -24,7 +24,8 @@ def test_beacon(learner):
         beacon = learner.start('Beacon', remap={'__ns': space})
     expect(
         not learner.slept,
-        'The constructor sleeps, or a thread that it starts. A timer does the waiting: the constructor only prepares.',
+        'The constructor sleeps or spins, or a thread that it starts sleeps. A timer does the waiting: the constructor '
+        'only prepares.',
         'at-once',
     )
     check_name(beacon, 'beacon', 'node')

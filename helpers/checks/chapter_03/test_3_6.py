@@ -48,6 +48,7 @@ def test_monitor(learner):
     check_reports(rates, [*sent, 0, 0], begin)
     watched.end()
     check_second(learner, rates, gaps, lidar, node, stamp)
+    monitors.check_exact(learner)
 
 
 def check_reports(rates, sent, begin):

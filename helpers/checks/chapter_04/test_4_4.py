@@ -135,6 +135,17 @@ def test_one_after_the_other(learner):
     room.leave_meanwhile()
 
 
+@pytest.mark.rules('full')
+@about('full')
+@waiting('one-thread')
+def test_no_place(learner):
+    """A room of capacity 0 is full although nobody is inside.
+
+    0 is a number like any other: `capacity or 2` is 2.
+    """
+    Room(learner, 0).enter('full', 'full', 'nobody inside')
+
+
 @pytest.mark.rules('names', 'open', 'capacity', 'full')
 @about('welcome')
 @waiting('capacity')

@@ -99,9 +99,10 @@ def test_outcomes(learner):
     learner.run(2.5, step=1.0)
     rounds.expect('rejected []', 'word', 'Look at accepted first.')
     server.accept, value = True, draw.randint(3, 99)
+    heard = Fibonacci.Feedback(sequence=[value])
     for plan_, wanted in (
         ([(0.6, action_peers.Aborted(Fibonacci.Result(sequence=[value])))], f'aborted [{value}]'),
-        ([(0.6, action_peers.Aborted(Fibonacci.Result()))], 'aborted []'),
+        ([(0.3, heard), (0.3, action_peers.Aborted(Fibonacci.Result()))], 'aborted []'),  # not what the feedback said
     ):
         server.plan = plan_
         rounds.begin(order, 1.5, 'a server that aborts the goal')

@@ -7,6 +7,8 @@ from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('5.3'), pytest.mark.wiring(type='names', namespace='names')]
 
+MOST_PLACES = 80  # in the learner's lines, to which threads come when two goals begin
+
 
 def up_to(count) -> list[int]:
     return list(range(1, count + 1))
@@ -150,6 +152,40 @@ def test_newest_wins(learner):
     goal = client.send(order=2)
     learner.run(1.5)
     check_goal(goal, 'A goal came after another one had been cancelled. ', 'newest')
+
+
+@pytest.mark.rules('newest', 'aborted')
+@about('newest')
+def test_threads(learner):
+    """Of two goals that come at one moment the second is the newest, whichever thread is the first to go on.
+
+    handle_accepted_callback is called in the order of the goals; two execute callbacks may begin in any order.
+    """
+    check_threads(learner)
+
+
+def check_threads(learner) -> None:
+    """Two goals come at one moment, while the thread of the first stands aside at one place after the other."""
+    client = learner.action_client('/count', Fibonacci)
+    node = learner.start('NewestWins', threads=True, switches=True)
+    for place in range(1, MOST_PLACES):
+        node.switch(place)
+        first, second = client.send(order=1), client.send(order=1)
+        learner.settle()
+        places, stood = node.switch(0)
+        learner.run(0.6, step=0.5)
+        words = (
+            f'Two goals came at one moment{stood and f", while a thread stood before {stood}"}; they ended as '
+            f'{first.status} and {second.status}, expected aborted and succeeded. '
+        )
+        expect(
+            second.status == 'succeeded',
+            f'{words}Note the newest goal in handle_accepted_callback, not when its execute callback begins.',
+            'newest',
+        )
+        expect(first.status == 'aborted', words, 'aborted')
+        if places < place:
+            break
 
 
 def check_replaced(learner, client, order, count, newer) -> None:

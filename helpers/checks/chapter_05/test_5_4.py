@@ -7,7 +7,7 @@ from geometry_msgs.msg import Twist
 from turtle_interfaces.action import DriveTo
 from turtlesim.msg import Pose
 
-from helpers.checks.chapter_05.driving import check_order
+from helpers.checks.chapter_05.driving import check_newest, check_order
 from helpers.runner import about, expect
 from helpers.runner.turtlesim import TurtleSim
 
@@ -138,6 +138,7 @@ def _follow_poses(learner, robot):
         learner.run(0.3)
         count = len(robot.commands)
         expect(2 <= count <= 4, f'{count} commands came in 0.3 s, expected one every 0.1 s.', 'steer')
+        check_newest(robot.commands.messages, wanted, f'The robot stood at (2, 2) and looked to {theta:.2f} rad')
         expect(
             robot.said() == pytest.approx(wanted, abs=0.01),
             f'The robot stood at (2, 2) and looked to {theta:.2f} rad, the place is (9, 2). 0.3 s after this pose '
@@ -257,7 +258,8 @@ def test_simulated_robot(learner):
     sim = TurtleSim(learner, draw.uniform(4, 6), draw.uniform(4, 6), draw.uniform(-0.5, 0.5))
     learner.start('Driver', threads=True)
     sim.run(0.1)
-    outside = ((-0.1, 5.0), (5.0, -draw.uniform(0.1, 9)), (11.2, 5.0), (5.0, draw.uniform(11.1, 99)), (math.nan, 5.0))
+    outside = ((-0.1, 5.0), (5.0, -draw.uniform(0.1, 9)), (11.2, 5.0), (5.0, draw.uniform(11.1, 99)))
+    outside += ((math.nan, 5.0), (5.0, math.nan))
     for x, y in outside:
         goal = client.send(x=x, y=y)
         learner.settle()

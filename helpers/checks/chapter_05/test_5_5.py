@@ -34,6 +34,18 @@ def test_queue(learner):
     printer.judge()
 
 
+@pytest.mark.rules('places')
+@about('places')
+def test_no_place(learner):
+    """In a printer without places nobody waits: a goal is rejected while another one runs.
+
+    0 is a number like any other: `places or 2` is 2.
+    """
+    printer = Printer(learner, 0)
+    printer.tell(Job('A', 0.0, 2), Job('too many', 0.2, 1), Job('B', 1.3, 1))
+    printer.judge()
+
+
 @pytest.mark.rules('cancel', 'cancel-waiting', 'others', 'at-once')
 @about('cancel')
 def test_cancel(learner):

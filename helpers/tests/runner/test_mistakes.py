@@ -312,3 +312,22 @@ def test_a_callback_that_always_keeps_the_processor_waits():
     counted = seen.slept
     seen.worked('tick', 0.25, 0.02)
     assert (counted, seen.slept) == (0.0, 0.25)
+
+
+def test_after_many_runs_the_limit_is_lower():
+    """Of many runs the shortest tells how long the callback needs; who was quick once does not wait."""
+    seen = Watch(lambda: True, lambda: False, lambda frame: True)
+    for run in range(30):
+        seen.worked('tick', 0.001 if run == 3 else 0.01, 0.02, 0.002)
+    assert seen.slept == 0.0
+    for _ in range(30):
+        seen.worked('tock', 0.01, 0.02, 0.002)
+    assert seen.slept > 0.1
+
+
+def test_who_spins_in_the_constructor_waits(tmp_path):
+    """A spin that only looks what there is is none."""
+    for timeout, verdict in ((0.1, 'failed'), (0.0, 'passed')):
+        source = f'{HEAD}        rclpy.spin_once(self, timeout_sec={timeout})\n\n    def tick(self):\n        pass\n'
+        test = judge(tmp_path, source, SLEPT)
+        assert test.verdict == verdict, test.message
