@@ -32,6 +32,7 @@ class Plan:
         return Unit(
             self.submission.files,
             self.submission.problem,
+            self.submission.unusable,
             course.packed(),
             course.digest,
             tuple(self.todo),

@@ -58,12 +58,14 @@ class Submission:
     """One learner's work, or what makes it unreadable.
 
     `files`: the notebooks' bytes by file name, and those of packages, see `helpers.exercises.packages.place`.
+    `unusable`: for notebooks, and for folders of packages, why they cannot be used.
     """
 
     learner: str
     source: Path
     files: dict[str, bytes] = field(default_factory=dict)
     problem: str = ''  # for the learner; no exercise can be graded
+    unusable: dict[str, str] = field(default_factory=dict)  # for the learner; other exercises can be graded
     handed_in: str = ''  # ISO 8601, UTC
     label: str = ''  # the learner's id that a zip's submission.json says
     platform: bool = False  # whether `learner` comes from a learning platform
@@ -76,6 +78,8 @@ class Submission:
         digest = hashlib.sha256(f'{self.learner}\0{self.problem}\0'.encode(errors='backslashreplace'))
         for name, data in sorted(self.files.items()):
             digest.update(f'{name}\0{len(data)}\0'.encode(errors='backslashreplace') + data)  # not all names are text
+        for name, why in sorted(self.unusable.items()):
+            digest.update(f'{name}\0{why}\0'.encode(errors='backslashreplace'))
         return digest.hexdigest()
 
     def programs(self, exercises: Iterable[Exercise], course: Iterable[Exercise]) -> Programs:
@@ -91,7 +95,7 @@ class Submission:
             mine = [exercise for exercise in exercises if exercise.notebook == notebook]
             known = [exercise for exercise in course if exercise.notebook == notebook]
             try:
-                value, _ = reader.ask('grading.submission:programs', self.files, notebook, mine, known)
+                value, _ = reader.ask('grading.submission:programs', self.files, self.unusable, notebook, mine, known)
                 found |= value['programs']
                 without |= {identity: tuple(why) for identity, why in value['without'].items()}
             except reader.TooMuch as problem:
@@ -104,22 +108,24 @@ class Submission:
 # In a child process
 
 
-def programs(files: dict[str, bytes], notebook: str, exercises: list[Exercise], known: list[Exercise]):
+def programs(
+    files: dict[str, bytes], unusable: dict[str, str], notebook: str, exercises: list[Exercise], known: list[Exercise]
+):
     """What `Submission.programs` says of one notebook; as JSON values."""
     without = results.NOT_ATTEMPTED, f'{notebook} was not handed in.'
     found: dict[str, dict] = {}
     whys: dict[str, tuple[str, str]] = {}
     try:
-        cells = cells_of(files, notebook, known)
+        cells = cells_of(files, unusable, notebook, known)
     except InvalidSubmission as problem:
         cells, without = None, (verdicts.INVALID_SUBMISSION, str(problem))
     for exercise in exercises:
-        if cells is None and not packages.handed_in(exercise, files):
+        if cells is None and not packages.handed_in(exercise, files, unusable):
             whys[exercise.id] = without
             continue
         try:
             if exercise.folder:
-                found[exercise.id] = packages.of_submission(exercise, files).as_dict()
+                found[exercise.id] = packages.of_submission(exercise, files, unusable).as_dict()
             else:
                 found[exercise.id] = program.build(cells or [], exercise).as_dict()
         except program.NotAttempted as reason:
@@ -129,18 +135,19 @@ def programs(files: dict[str, bytes], notebook: str, exercises: list[Exercise], 
     return {'programs': found, 'without': whys}, ()
 
 
-def cells_of(files: dict[str, bytes], notebook: str, exercises: list[Exercise]) -> list[NotebookCell] | None:
+def cells_of(
+    files: dict[str, bytes], unusable: dict[str, str], notebook: str, exercises: list[Exercise]
+) -> list[NotebookCell] | None:
     """The code cells of a chapter's notebook; None if it was not handed in.
 
     Without a file of that name, the one that has the chapter's exercises is taken ("… (1).ipynb").
 
     :raises InvalidSubmission: it cannot be read, or several could be it.
     """
-    if why := files.get(f'{notebook}/'):
-        raise InvalidSubmission(why.decode())
+    if notebook in unusable:
+        raise InvalidSubmission(unusable[notebook])
     if notebook in files:
         return notebooks.parse(files[notebook], notebook)
-    unusable = {name: why for name, why in files.items() if name.endswith('.ipynb/')}
     files = {name: data for name, data in files.items() if is_notebook(name)}
     wanted = {exercise.id for exercise in exercises}
     found, unread = [], []
@@ -160,8 +167,8 @@ def cells_of(files: dict[str, bytes], notebook: str, exercises: list[Exercise]) 
     if unread and len(unread) == len(files):
         raise unread[0]
     for name, why in unusable.items():
-        if name.startswith(notebook[:3]) or not re.match(r'\d\d_', name):
-            raise InvalidSubmission(why.decode())
+        if is_notebook(name) and (name.startswith(notebook[:3]) or not re.match(r'\d\d_', name)):
+            raise InvalidSubmission(why)
     return None
 
 
@@ -170,12 +177,13 @@ def read_data(path: Path):
     try:
         found = _read(path)
     except Unusable as problem:
-        return {'unusable': str(problem)}, ()
+        return {'no_submission': str(problem)}, ()
     return {
         'problem': found.problem,
         'handed_in': found.handed_in,
         'label': found.label,
         'notes': found.notes,
+        'unusable': found.unusable,
         'files': list(found.files),
     }, found.files.values()
 
@@ -197,8 +205,8 @@ def read(path: Path) -> Submission:
     except reader.TooMuch as problem:
         submission.problem, submission.handed_in = str(problem), changed(path)
         return submission
-    if 'unusable' in value:
-        raise Unusable(value['unusable'])
+    if 'no_submission' in value:
+        raise Unusable(value['no_submission'])
     submission.files = dict(zip(value.pop('files'), blobs, strict=True))
     for name, said in value.items():
         setattr(submission, name, said)
@@ -228,10 +236,10 @@ def _read(path: Path) -> Submission:
             _add(submission, path.name, path.stat().st_size, path.read_bytes)
         else:
             raise Unusable(f'{path} is no submission: expected a .zip, a folder of notebooks or an .ipynb')
-        if not any(is_notebook(name.removesuffix('/')) for name in submission.files):
+        if not any(map(is_notebook, (*submission.files, *submission.unusable))):
             raise InvalidSubmission('There is no notebook in the submission.')
     except InvalidSubmission as problem:
-        submission.problem, submission.files = str(problem), {}
+        submission.problem, submission.files, submission.unusable = str(problem), {}, {}
     except OSError as error:
         raise Unusable(f'{path} cannot be read: {error.strerror}') from None
     return submission
@@ -250,7 +258,9 @@ def _read_zip(file: Path | io.BytesIO, submission: Submission, outer: bool = Tru
             for member in members:
                 _read_member(archive, member, submission)
             inner = [one for one in members if one.filename.lower().endswith('.zip') and not _aside(one.filename)]
-            if outer and len(inner) == 1 and not submission.files:  # somebody has packed the zip once more
+            if (
+                outer and len(inner) == 1 and not (submission.files or submission.unusable)
+            ):  # somebody has packed the zip once more
                 _read_zip(io.BytesIO(_bounded(archive, inner[0], MAX_ARCHIVE)), submission, outer=False)
     except OSError as error:
         if error.errno is None:  # a codec's own
@@ -311,11 +321,11 @@ def _read_label(data: bytes, submission: Submission) -> None:
 
 def _add(submission: Submission, name: str, size: int, content) -> None:
     """Take a notebook. What is wrong with its file concerns its own exercises only."""
-    files, unusable = submission.files, f'{name}/'
+    files, unusable = submission.files, submission.unusable
     if size > notebooks.MAX_BYTES:
-        files[unusable] = f'{name} is larger than {notebooks.MAX_BYTES // 2**20} MB: clear its outputs.'.encode()
+        unusable[name] = f'{name} is larger than {notebooks.MAX_BYTES // 2**20} MB: clear its outputs.'
     elif files.setdefault(name, data := content()) != data:
-        files[unusable] = f'There are two notebooks called {name}: hand in one.'.encode()
+        unusable[name] = f'There are two notebooks called {name}: hand in one.'
     if sum(map(len, files.values())) > MAX_TOTAL:
         raise InvalidSubmission(f'The notebooks are larger than {MAX_TOTAL // 2**20} MB together.')
 
@@ -325,12 +335,12 @@ def _add_file(
 ) -> None:
     """Take a file of a package. What is wrong with a package concerns its own exercise only."""
     files, key = submission.files, f'{folder}/{name}'
-    if f'{folder}/' in files:
+    if folder in submission.unusable:
         return
     mine = [other for other in files if other.startswith(f'{folder}/')]
     size = sum(len(files[other]) for other in mine)
     if key in files:
-        files[f'{folder}/'] = f'There are two files called {key} in the zip: make it again with submit.'.encode()
+        submission.unusable[folder] = f'There are two files called {key} in the zip: make it again with submit.'
     elif len(mine) <= packages.MAX_FILES and size <= packages.MAX_BYTES:  # else there are too many already
         with archive.open(member) as file:
             files[key] = file.read(packages.MAX_FILE + 1)

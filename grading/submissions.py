@@ -181,10 +181,12 @@ def _together(owner: str, notebooks: list[Path]) -> Submission:
         name = match and match['file'] or path.name
         if name in made.files or part.problem:
             made.problem = made.problem or part.problem or f'There are two notebooks called {name}: hand in one.'
-        for key, data in part.files.items():
-            made.files[f'{name}/' if key.endswith('/') else name] = data
+        for data in part.files.values():
+            made.files[name] = data
+        for why in part.unusable.values():
+            made.unusable[name] = why
     if made.problem:
-        made.files = {}
+        made.files, made.unusable = {}, {}
     return made
 
 

@@ -27,6 +27,7 @@ class Unit:
 
     files: dict[str, bytes]
     problem: str  # what makes the submission unreadable
+    unusable: dict[str, str]  # see `Submission`
     course: Course  # packed
     digest: str  # of the course, on the grader's machine
     exercises: tuple[str, ...]
@@ -57,7 +58,7 @@ def perform(unit: Unit, say: Callable[[str], None] = lambda test: None) -> Outco
         )
     began = time.monotonic()
     report = judge(
-        Submission('', Path(), unit.files, unit.problem),
+        Submission('', Path(), unit.files, unit.problem, unit.unusable),
         course,
         unit.processes,
         only=unit.exercises,

@@ -230,7 +230,7 @@ def test_what_fails_is_tried_once_more(course, tmp_path, monkeypatch, faults):
 def test_another_course_stops_the_run(course, tmp_path, monkeypatch):
     """A machine with other tests is no learner's fault: nothing is graded there."""
     monkeypatch.undo()
-    work = unit.Unit({}, '', course.packed(), 'another', ('90.1',), 's')
+    work = unit.Unit({}, '', {}, course.packed(), 'another', ('90.1',), 's')
     with pytest.raises(unit.Mismatch, match='is not the one that this run began with'):
         unit.perform(work)
     assert unit.perform(replace(work, digest=course.digest)).exercises[0].verdict == 'not_attempted'

@@ -10,9 +10,10 @@ A folder on the learner's own machine and the members of a zip that a stranger h
 import os
 import re
 import stat
-from collections.abc import Iterable, Mapping
+from collections.abc import Container, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from types import MappingProxyType
 
 from helpers.exercises import program
 from helpers.exercises.manifest import Exercise
@@ -165,19 +166,23 @@ def of_folder(exercise: Exercise, notebooks: Path) -> program.Program:
     return of_files(exercise, package.files)
 
 
-def handed_in(exercise: Exercise, files: Iterable[str]) -> bool:
+def handed_in(exercise: Exercise, files: Iterable[str], unusable: Container[str] = ()) -> bool:
     """Whether these files, see `place`, have something of the exercise's package among them."""
-    return bool(exercise.folder) and any(name.startswith(f'{exercise.folder}/') for name in files)
+    top = exercise.folder
+    return bool(top) and (top in unusable or any(name.startswith(f'{top}/') for name in files))
 
 
-def of_submission(exercise: Exercise, handed_in: Mapping[str, bytes]) -> program.Program:
+def of_submission(
+    exercise: Exercise, handed_in: Mapping[str, bytes], unusable: Mapping[str, str] = MappingProxyType({})
+) -> program.Program:
     """The program of an exercise whose answer was handed in among these files, see `place`.
 
+    :param unusable: for folders of packages, why they cannot be used.
     :raises InvalidExercise: the package cannot be used. :raises NotAttempted: there is none.
     """
     top = f'{exercise.folder}/'
-    if top in handed_in:
-        raise InvalidExercise(handed_in[top].decode())
+    if exercise.folder in unusable:
+        raise InvalidExercise(unusable[exercise.folder])
     files = {name.removeprefix(top): content for name, content in handed_in.items() if name.startswith(top)}
     if not files:
         raise NotAttempted(
@@ -189,8 +194,7 @@ def of_submission(exercise: Exercise, handed_in: Mapping[str, bytes]) -> program
 def place(member: str) -> tuple[str, str] | None:
     """The folder and the path in it of a member of a zip, if it is a file of a package: 'my_ws/src/patrol', 'setup.py'.
 
-    A package's file stands among those that were handed in as 'my_ws/src/patrol/setup.py'. Under 'my_ws/src/patrol/'
-    stands why the package cannot be used.
+    A package's file stands among those that were handed in as 'my_ws/src/patrol/setup.py'.
     """
     match = _IN_ZIP.search(member)
     return (match[1], match[2]) if match else None

@@ -42,9 +42,8 @@ class Program:
     exercise: Exercise
     cells: list[dict] = field(default_factory=list)  # label, source, line (of its beginning in the cell), required
     elsewhere: dict[str, str] = field(default_factory=dict)  # names that cells define which are not among them
-    notes: list[str] = field(
-        default_factory=list
-    )  # for the learner: what was done with the cell; no mark depends on it
+    # For the learner: what was done with the cell; no mark depends on it.
+    notes: list[str] = field(default_factory=list)
 
     @property
     def title(self) -> str:
@@ -90,7 +89,7 @@ def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[Note
 
     ``notebook``: all cells of the notebook where ``cells`` are only those that were run: messages name what is missing.
 
-    :raises InvalidExercise: its cell is missing, doubled, not Python, uses magics, or lacks a required name.
+    :raises InvalidExercise: its cell is missing, doubled, not Python, or lacks a required name.
     :raises NotAttempted: its cell is the unchanged stub.
     """
     cell = _only_cell(cells, exercise)
@@ -112,7 +111,7 @@ def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[Note
         program.cells += [
             {'label': other.label, 'source': text, 'line': line, 'required': False} for line, text in definitions(other)
         ]
-    program.notes = [_of_command(exercise, *command) for command in commands[:3]]
+    program.notes = [_on_left_out(exercise, *command) for command in commands[:3]]
     program.cells.append({'label': cell.label, 'source': own, 'line': 1, 'required': True})
     have = {name for part in program.cells for name in names_in(part['source'])}
     for other in notebook:
@@ -172,7 +171,7 @@ def _continued(cells: list[NotebookCell], cell: NotebookCell, missing: list[str]
     return ''
 
 
-def _of_command(exercise: Exercise, number: int, line: str) -> str:
+def _on_left_out(exercise: Exercise, number: int, line: str) -> str:
     return (
         f'Exercise {exercise.id}, line {number}: the notebook command `{line[:60]}` was left out, because only Python '
         'is tested. It is better off in a cell of its own.'

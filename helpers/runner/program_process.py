@@ -124,7 +124,13 @@ class ForkServer:
         """The processor time of what runs in a place, in seconds; None if that is not known."""
         found: list[float | None] = []
         self._control.send(json.dumps({'op': 'used', 'place': place}).encode())
-        self._until(lambda event: event.get('event') == 'used' and not found.append(event['seconds']), START_TIMEOUT)
+
+        def told(event: dict) -> bool:
+            if event.get('event') == 'used':
+                found.append(event['seconds'])
+            return bool(found)
+
+        self._until(told, START_TIMEOUT)
         return found[0]
 
     def clear(self, place: str | None = None) -> None:
