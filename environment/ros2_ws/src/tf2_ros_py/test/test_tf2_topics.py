@@ -9,7 +9,7 @@ import tf2_ros
 from rclpy.duration import Duration
 from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from rclpy.parameter import Parameter
-from rclpy.qos import DurabilityPolicy
+from rclpy.qos import DurabilityPolicy, QoSProfile
 from rclpy.time import Time
 from rosgraph_msgs.msg import Clock
 from std_srvs.srv import Trigger
@@ -143,6 +143,26 @@ def awaiting(buffer):
         return response
 
     return callback
+
+
+def test_a_listener_to_static_transforms_hears_no_others(domain):
+    node = domain.node()
+    static, both = tf2_ros.Buffer(), tf2_ros.Buffer()
+    listeners = [
+        tf2_ros.StaticTransformListener(static, node, tf_static_topic='/fixed'),
+        tf2_ros.TransformListener(both, node, tf_topic='/moving', tf_static_topic='/fixed'),
+    ]
+    moving = node.create_publisher(TFMessage, '/moving', 10)
+    latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    fixed = node.create_publisher(TFMessage, '/fixed', latched)
+    domain.spin(node)
+    matched(moving)
+    moving.publish(TFMessage(transforms=[transform('world', 'robot')]))
+    fixed.publish(TFMessage(transforms=[transform('robot', 'camera')]))
+    both.lookup_transform('world', 'camera', LATEST, LONG)
+    static.lookup_transform('robot', 'camera', LATEST, LONG)
+    assert not static.can_transform('world', 'robot', LATEST)
+    assert node.count_subscribers('/moving') == 1 and node.count_subscribers('/fixed') == len(listeners)
 
 
 def test_blocking_wait_in_a_callback_under_a_multi_threaded_executor(domain):

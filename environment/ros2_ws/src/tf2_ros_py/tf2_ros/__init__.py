@@ -11,5 +11,6 @@ from tf2_ros.buffer import *  # noqa: F403
 from tf2_ros.buffer_client import *  # noqa: F403
 from tf2_ros.buffer_interface import *  # noqa: F403
 from tf2_ros.static_transform_broadcaster import *  # noqa: F403
+from tf2_ros.static_transform_listener import *  # noqa: F403
 from tf2_ros.transform_broadcaster import *  # noqa: F403
 from tf2_ros.transform_listener import *  # noqa: F403

@@ -11,6 +11,8 @@ from tf2_msgs.msg import TFMessage
 
 from tf2_ros.buffer import Buffer
 
+DEFAULT_TF_TOPIC, DEFAULT_STATIC_TF_TOPIC = '/tf', '/tf_static'
+
 
 class TransformListener:
     """
@@ -24,6 +26,9 @@ class TransformListener:
     :param spin_thread: spin the whole node in a thread of its own; do not spin it elsewhere then.
     :param qos: QoS or depth for `/tf`; by default the last 100, volatile.
     :param static_qos: QoS or depth for `/tf_static`; by default the last 100, transient local.
+    :param tf_topic: another topic than `/tf`.
+    :param tf_static_topic: another topic than `/tf_static`.
+    :param static_only: listen to the static transforms alone.
     """
 
     def __init__(
@@ -34,6 +39,9 @@ class TransformListener:
         spin_thread: bool = False,
         qos: QoSProfile | int | None = None,
         static_qos: QoSProfile | int | None = None,
+        tf_topic: str = DEFAULT_TF_TOPIC,
+        tf_static_topic: str = DEFAULT_STATIC_TF_TOPIC,
+        static_only: bool = False,
     ) -> None:
         if qos is None:
             qos = QoSProfile(depth=100, durability=DurabilityPolicy.VOLATILE, history=HistoryPolicy.KEEP_LAST)
@@ -44,9 +52,10 @@ class TransformListener:
         self.buffer = buffer
         self.node = node
         self.group = ReentrantCallbackGroup()
-        self.tf_sub = node.create_subscription(TFMessage, '/tf', self.callback, qos, callback_group=self.group)
+        if not static_only:
+            self.tf_sub = node.create_subscription(TFMessage, tf_topic, self.callback, qos, callback_group=self.group)
         self.tf_static_sub = node.create_subscription(
-            TFMessage, '/tf_static', self.static_callback, static_qos, callback_group=self.group
+            TFMessage, tf_static_topic, self.static_callback, static_qos, callback_group=self.group
         )
         if spin_thread:
             self.executor = SingleThreadedExecutor(context=node.context)
@@ -65,7 +74,7 @@ class TransformListener:
         self.unregister()
 
     def unregister(self) -> None:
-        """Stop listening: destroy both subscriptions."""
+        """Stop listening: destroy the subscriptions."""
         for subscription in ('tf_sub', 'tf_static_sub'):
             if hasattr(self, subscription):
                 self.node.destroy_subscription(getattr(self, subscription))
