@@ -171,7 +171,7 @@ def _read(path: Path, owner: str = '') -> Submission:
 
 
 def _together(owner: str, notebooks: list[Path]) -> Submission:
-    """One submission of notebooks that the platform delivered one by one."""
+    """One submission of notebooks that the platform delivered one by one. One that is wrong concerns itself only."""
     if len(notebooks) == 1:
         return _read(notebooks[0], owner)
     parts = [read(path) for path in notebooks]
@@ -179,12 +179,13 @@ def _together(owner: str, notebooks: list[Path]) -> Submission:
     for path, part in zip(notebooks, parts, strict=True):
         match = _CANVAS.fullmatch(path.name) or _MOODLE.fullmatch(path.name)
         name = match and match['file'] or path.name
-        if name in made.files or part.problem:
-            made.problem = made.problem or part.problem or f'There are two notebooks called {name}: hand in one.'
+        if part.problem:
+            made.files[f'{name}/'] = part.problem.encode()
         for key, data in part.files.items():
-            made.files[f'{name}/' if key.endswith('/') else name] = data
-    if made.problem:
-        made.files = {}
+            if key.endswith('/'):
+                made.files[f'{name}/'] = data
+            elif made.files.setdefault(name, data) != data:
+                made.files[f'{name}/'] = f'There are two notebooks called {name}: hand in one.'.encode()
     return made
 
 
