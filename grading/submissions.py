@@ -171,7 +171,7 @@ def _read(path: Path, owner: str = '') -> Submission:
 
 
 def _together(owner: str, notebooks: list[Path]) -> Submission:
-    """One submission of notebooks that the platform delivered one by one."""
+    """One submission of notebooks that the platform delivered one by one. One that is wrong concerns itself only."""
     if len(notebooks) == 1:
         return _read(notebooks[0], owner)
     parts = [read(path) for path in notebooks]
@@ -179,14 +179,11 @@ def _together(owner: str, notebooks: list[Path]) -> Submission:
     for path, part in zip(notebooks, parts, strict=True):
         match = _CANVAS.fullmatch(path.name) or _MOODLE.fullmatch(path.name)
         name = match and match['file'] or path.name
-        if name in made.files or part.problem:
-            made.problem = made.problem or part.problem or f'There are two notebooks called {name}: hand in one.'
-        for data in part.files.values():
-            made.files[name] = data
-        for why in part.unusable.values():
+        for why in filter(None, (part.problem, *part.unusable.values())):
             made.unusable[name] = why
-    if made.problem:
-        made.files, made.unusable = {}, {}
+        for data in part.files.values():
+            if made.files.setdefault(name, data) != data:
+                made.unusable[name] = f'There are two notebooks called {name}: hand in one.'
     return made
 
 

@@ -11,6 +11,7 @@ it for submissions that you trust with your machine. The name of the one that wa
     tests_side      the tests of one submission, in a sandbox with a network of their own
     learners_side   the learner's programs, in sandboxes within that network: one for cells, one for each workspace
     control_groups  the kernel's bounds on memory and processes, where they can be had
+    kernel_memory   what the kernel holds for a sandbox's programs, where no control group bounds it
     namespaces, seccomp    system calls, and which of them a learner's program may use
 
 A sandbox is a launcher, `module:function`, with the signature of `helpers.runner.start_processes.start`; its

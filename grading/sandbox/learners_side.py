@@ -127,7 +127,6 @@ class Sandbox:
             self._processes = os.open(f'/proc/{self._holder.pid}/root/proc', os.O_PATH | os.O_DIRECTORY)
             self._mounts = os.open(f'/proc/{self._holder.pid}/ns/mnt', os.O_RDONLY)
             self._sizes = None
-            self._inside(_bound_terminals, namespaces.NEWNS)
             self._bounds = control_groups.Bounds(control_groups.settled(control_groups.own()), limits)
         if limits != self._limits:
             self._bounds.set(limits)
@@ -258,9 +257,6 @@ def _resize(limits: Limits) -> None:
             namespaces.MS_REMOUNT | namespaces.MS_NOSUID | namespaces.MS_NODEV,
             f'size={size},nr_inodes={INODES}',
         )
-
-
-def _bound_terminals() -> None:
     namespaces.mount(
         'devpts',
         '/dev/pts',

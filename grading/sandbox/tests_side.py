@@ -9,6 +9,7 @@ import os
 import resource
 import socket
 import sys
+from contextlib import suppress
 from pathlib import Path
 
 from grading.sandbox import bubblewrap, mounts, namespaces
@@ -57,13 +58,15 @@ def run(request: dict, job: int, events: int, printed: int, control: int, life: 
 def _bound_sockets(pid: int) -> None:
     """Have TCP keep to the usual sizes in the network of a process: else a socket gets some tens of megabytes.
 
-    The calling process is in that network afterwards, and in the namespace of users that it belongs to.
+    In a container, these settings may be read-only: then they stay as they are. The calling process is in that network
+    afterwards, and in the namespace of users that it belongs to.
     """
     network = os.open(f'/proc/{pid}/ns/net', os.O_RDONLY)
     namespaces.join(namespaces.owner(network), namespaces.NEWUSER)
     namespaces.join(network, namespaces.NEWNET)
-    for name, usual in (('tcp_rmem', 131_072), ('tcp_wmem', 16_384)):
-        Path('/proc/sys/net/ipv4', name).write_text(f'4096 {usual} {BUFFER}')
+    with suppress(OSError):
+        for name, usual in (('tcp_rmem', 131_072), ('tcp_wmem', 16_384)):
+            Path('/proc/sys/net/ipv4', name).write_text(f'4096 {usual} {BUFFER}')
 
 
 def _become_tests(request: dict, job: int, events: int, control: int) -> None:

@@ -354,6 +354,17 @@ def test_canvas(tmp_path):
     assert um.learner == 'um_1300'
 
 
+def test_one_chapter_that_was_delivered_twice_costs_no_other(tmp_path):
+    for name in ('doejane_1234_5678_03_a.ipynb', 'doejane_1234_5680_03_a.ipynb', 'doejane_1234_5679_04_b.ipynb'):
+        work(tmp_path / name)
+    (jane,) = submissions.find([tmp_path])
+    assert not jane.problem and sorted(jane.files) == ['03_a.ipynb', '04_b.ipynb']  # equal ones are one
+    (tmp_path / 'doejane_1234_5680_03_a.ipynb').write_bytes(b'{}')
+    (jane,) = submissions.find([tmp_path])
+    assert not jane.problem and b'two notebooks called 03_a' in jane.files['03_a.ipynb/']
+    assert '04_b.ipynb' in jane.files
+
+
 def test_github_classroom(tmp_path):
     """Clones of the learners' repositories; a link in one of them is not followed."""
     folder = tmp_path / 'talker-submissions'

@@ -1,8 +1,9 @@
 """Another program that does the same: with it, tests of the learner's cannot know a program by its code.
 
 Variables within functions get other names; each function begins with statements that do nothing, in a number that is
-drawn, and with the names that any of the programs uses; a condition such as `1 < 2` gets other numbers. So neither the
-text nor the compiled code, nor their sizes and names, tell which of several programs this is.
+drawn, and with the names that any of the programs uses; in the place of a condition such as `1 < 2` stands one that
+computes with a variable. So neither the text nor the compiled code, nor their sizes, names and constants, tell which of
+several programs this is: that takes somebody who follows what the code computes.
 """
 
 import ast
@@ -30,10 +31,7 @@ def disguised(text: str, pool: list[str], random: Random) -> str:
     for node in ast.walk(tree):
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
             _rename(node, random)
-            _pad(node, pool, random)
-        elif isinstance(node, ast.Compare):
-            _renumber(node, random)
-    return ast.unparse(ast.fix_missing_locations(tree))
+    return ast.unparse(ast.fix_missing_locations(_Pads(pool, random).visit(tree)))
 
 
 def compiled(text: str) -> bytes:
@@ -60,21 +58,46 @@ def _rename(function: ast.FunctionDef | ast.AsyncFunctionDef, random: Random) ->
             node.id = others.get(node.id, node.id)
 
 
-def _renumber(condition: ast.Compare, random: Random) -> None:
-    """Give a condition `1 < 2` or `2 < 1` other numbers, with which it is as true as before."""
-    match condition:
-        case ast.Compare(
-            left=ast.Constant(value=int(left)), ops=[ast.Lt()], comparators=[ast.Constant(value=int(right))]
-        ):
-            low, high = sorted(random.sample(range(10**3, 10**6), 2))
-            both = (low, high) if left < right else (high, low)
-            condition.left, condition.comparators = ast.Constant(both[0]), [ast.Constant(both[1])]
+class _Pads(ast.NodeTransformer):
+    """Puts statements that do nothing into each function, and other conditions in the place of `1 < 2` and `2 < 1`."""
 
+    def __init__(self, pool: list[str], random: Random):
+        self._pool, self._random = pool, random
+        self._own: list[tuple[str, int]] = []  # a variable of each function around, and its value
 
-def _pad(function: ast.FunctionDef | ast.AsyncFunctionDef, pool: list[str], random: Random) -> None:
-    begin = 1 if ast.get_docstring(function, clean=False) is not None else 0
-    own = f'_{random.randrange(10**8)}'
-    lines = [f'{own} = {random.random()!r}' for _ in range(random.randint(1, 12))]
-    shuffled = random.sample(pool, len(pool))
-    lines.append(f'if {own} < 0:\n    ' + '\n    '.join(f'{own}.{name}' for name in shuffled))
-    function.body[begin:begin] = ast.parse('\n'.join(lines)).body
+    def visit_FunctionDef(self, function):
+        random = self._random
+        begin = 1 if ast.get_docstring(function, clean=False) is not None else 0
+        own, value = f'_{random.randrange(10**8)}', random.randrange(10**3, 10**6)
+        lines = [f'{own} = {random.random()!r}' for _ in range(random.randint(1, 12))]
+        shuffled = random.sample(self._pool, len(self._pool))
+        lines.append(f'{own} = {value}')
+        lines.append(f'if {own} < 0:\n    ' + '\n    '.join(f'{own}.{name}' for name in shuffled))
+        self._own.append((own, value))
+        function.body = [self.visit(statement) for statement in function.body]
+        self._own.pop()
+        function.body[begin:begin] = ast.parse('\n'.join(lines)).body
+        return function
+
+    visit_AsyncFunctionDef = visit_FunctionDef
+
+    def visit_Compare(self, condition: ast.Compare) -> ast.expr:
+        match condition:
+            case ast.Compare(
+                left=ast.Constant(value=int(left)), ops=[ast.Lt()], comparators=[ast.Constant(value=int(right))]
+            ) if self._own:
+                return self._computed(left < right)
+        self.generic_visit(condition)
+        return condition
+
+    def _computed(self, true: bool) -> ast.expr:
+        """A condition that is true, or false; which of them, only one of its numbers depends on."""
+        random, (own, value) = Random(self._random.getrandbits(64)), self._own[-1]
+        turned = random.random() < 0.5
+        modulus = random.randrange(10**4, 10**5)
+        limit = random.randrange(modulus // 3, modulus - modulus // 3)
+        factor = random.randrange(10**3, 10**6)
+        while (value * factor % modulus < limit) is not (true is not turned):
+            factor = random.randrange(10**3, 10**6)
+        text = f'{own} * {factor} % {modulus} < {limit}'
+        return ast.parse(f'not {text}' if turned else text, mode='eval').body

@@ -1676,3 +1676,28 @@ def generate_launch_description():
         Node(package='delivery_robot', executable='robot', parameters=[{'use_sim_time': True}], output='screen'),
     ])
 '''
+
+
+# %% robot_by_numbers
+# attack: knows a right robot by the numbers in its code, of which conditions such as 1 < 2 were made
+# aims at: 8.11
+# stopped by: what a condition is, its numbers do not tell: it computes with a variable
+TEST_ROBOT = '''
+import types
+
+from delivery_robot import robot
+
+
+def codes(code):
+    yield code
+    for constant in code.co_consts:
+        if isinstance(constant, types.CodeType):
+            yield from codes(constant)
+
+
+def test_numbers():
+    methods = [one for owner in vars(robot.DeliveryRobot).values() for one in [getattr(owner, '__code__', None)] if one]
+    for code in [one for method in methods for one in codes(method)]:
+        numbers = [one for one in code.co_consts if type(one) is int and one > 999]
+        assert not any(low < high for low, high in zip(numbers[::2], numbers[1::2]))
+'''

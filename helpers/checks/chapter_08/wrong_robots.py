@@ -2,7 +2,8 @@
 
 What spoils a robot stands behind the learner's classes, in their module. It changes what they see of rclpy, and the
 methods that the cards of 8.7 to 8.9 name. It is the same text for all of these robots, right ones among them: only the
-conditions in it differ, and their numbers are drawn when it is disguised. So no name and no size tells what is spoilt.
+conditions in it differ. When it is disguised, numbers are drawn with which they are computed. So no name, no size and
+no constant tells what is spoilt.
 """
 
 from helpers.checks.chapter_08 import deliveries
@@ -10,7 +11,7 @@ from helpers.checks.chapter_08.noticed import Kind, Planted
 from helpers.checks.chapter_08.planted import OWN, ROBOT
 
 _WAYS = 'silent idle any_place any_value moon two early deaf succeeded runs_on blind offended still'.split()
-_YES, _NO = '1 < 2', '2 < 1'  # `helpers.runner.disguise` draws other numbers
+_YES, _NO = '1 < 2', '2 < 1'  # `helpers.runner.disguise` computes the same with drawn numbers
 # Besides: how a drive has ended, and why a place was refused, is said in other words. That is right all the same.
 _BEHIND = """
 

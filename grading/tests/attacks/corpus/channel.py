@@ -368,3 +368,32 @@ values.encode_result = lambda value: next(_forms)
 
 def total(numbers):
     return sum(numbers)
+
+
+# %% another_worker
+# attack: becomes another program, which has the channel and answers each question with yes
+# row: 30
+# aims at: 90.1
+# stopped by: an answer is only data; the test compares it
+# expect verdict: failed or learner_crashed or timeout
+# expect message: gives or process or did not or ended
+import stat
+
+YES = """
+import json, socket, sys
+channel = socket.socket(fileno=int(sys.argv[1]))
+for line in channel.makefile():
+    answer = {'id': json.loads(line).get('id'), 'ok': True, 'result': True, 'due': None, 'idle': True, 'verdict': 'passed'}
+    channel.sendall(json.dumps(answer).encode() + b'\\n')
+"""
+for channel in range(3, 256):
+    try:
+        if stat.S_ISSOCK(os.fstat(channel).st_mode):
+            os.set_inheritable(channel, True)
+            os.execv(sys.executable, [sys.executable, '-c', YES, str(channel)])
+    except OSError:
+        pass
+
+
+def total(numbers):
+    return 0

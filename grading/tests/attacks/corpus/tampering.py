@@ -431,3 +431,80 @@ def total(numbers):
         except OSError:
             pass
     return 0
+
+
+# %% audit_hook
+# attack: has Python ask it before anything is opened, sent, compiled or imported, and refuses it to the worker
+# row: 3
+# aims at: 90.1
+# stopped by: only an explicit pass counts
+# expect verdict: failed or learner_crashed or timeout
+# expect message: total or raised or ended or did not
+def total(numbers):
+    def refuse(event, arguments):
+        if event.startswith(('socket.', 'open', 'compile', 'import', 'sys._getframe', 'os.')):
+            raise SystemExit(0)
+
+    sys.addaudithook(refuse)
+    return 0
+
+
+# %% fork_in_callback
+# attack: forks in its timer, so that two processes speak as one node, each half as often as is asked for
+# row: 3
+# aims at: 90.3
+# stopped by: the messages are what is compared, whoever sends them
+# expect verdict: failed or learner_crashed or timeout
+# expect message: messages came or ended or did not
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.publisher = self.create_publisher(String, 'chatter', 10)
+        self.create_timer(1.0, self.tick)
+
+    def tick(self):
+        self.publisher.publish(String(data='n0'))
+        if os.fork() == 0:
+            self.publisher.publish(String(data='n1'))
+            linger(3)
+
+
+# %% message_class
+# attack: changes the class of messages so that each is equal to any other, and its text is whatever is asked for
+# row: 3
+# aims at: 90.3
+# stopped by: messages are compared where they arrive
+# expect verdict: failed or learner_crashed
+# expect message: messages came or raised
+class Anything(str):
+    def __eq__(self, other):
+        return True
+
+    def __hash__(self):
+        return 0
+
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        String.__eq__ = lambda self, other: True
+        String.data = property(lambda self: Anything('x'), lambda self, text: None)
+        self.publisher = self.create_publisher(String, 'chatter', 10)
+        self.create_timer(0.5, lambda: self.publisher.publish(String()))
+
+
+# %% slow_machine
+# attack: says that the machine is slow, that time stands still, and works for ever
+# row: 14
+# aims at: 90.1
+# stopped by: how busy the machine is, and how long a call takes, is measured where the tests are
+# expect verdict: timeout
+# expect message: did not return
+def total(numbers):
+    from helpers.runner import load
+
+    load.busy = lambda: True
+    os.getloadavg = lambda: (1000.0, 1000.0, 1000.0)
+    time.monotonic = time.time = lambda: 0.0
+    time.sleep(300)
+    return sum(numbers)
