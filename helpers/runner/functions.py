@@ -1,7 +1,8 @@
 """Functions on the tests' side that a program on the learner's side calls, over a socket that only these two have.
 
 So tests of the learner's can be run with a function whose text, size and code they cannot see: each gets the same stub.
-Arguments and results are numbers, texts, truth values, None, and tuples, lists and dictionaries of these.
+Arguments and results are numbers, texts, truth values, None, and tuples, lists and dictionaries of these. A result that
+is a named tuple arrives as a tuple of another type, without its names.
 """
 
 import builtins
@@ -40,7 +41,11 @@ def _unpacked(value):
     (kind, items), = value.items()
     if kind == 'dict':
         return {{_unpacked(key): _unpacked(item) for key, item in items}}
-    return (tuple if kind == 'tuple' else list)(map(_unpacked, items))
+    return {{'tuple': tuple, 'list': list}}.get(kind, _Named)(map(_unpacked, items))
+
+
+class _Named(tuple):
+    pass
 
 
 def {function}:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_06.falling import Crate
+from helpers.checks.chapter_06.falling import Crate, small
 from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('6.6')
@@ -34,3 +34,4 @@ def test_weight(learner):
     The inertia about an axis: mass / 12 times the sum of the squares of the two other sides. In kg and metres.
     """
     crate(learner).check_weight()
+    small(learner).check_weight()

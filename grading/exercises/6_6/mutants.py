@@ -57,6 +57,8 @@ MUTANTS = [
     Mutant('two_links', breaks='urdf', old='</link></robot>',
            new='</link><link name="lid"/><joint name="hinge" type="fixed"><parent link="crate"/><child link="lid"/>'
                '</joint></robot>', also=('collision', 'mass'), expect='has the links crate, lid'),
+    Mutant('rounded', breaks='inertia', old='{ixx}" iyy="{iyy}" izz="{izz}', new='{ixx:.3f}" iyy="{iyy:.3f}" izz="{izz:.3f}',
+           expect='Do not round'),
     Mutant('visual_at_the_frame', breaks='visual', old='<visual>{middle}{shape}', new='<visual>{shape}',
            expect='is not the one that was given'),
 ]

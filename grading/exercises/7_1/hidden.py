@@ -96,8 +96,8 @@ def test_several_faults(learner):
     )
 
 
-def repair(learner, causes):
-    files, want, expected = machines.draw(learner.random, *causes)
+def repair(learner, causes, **form):
+    files, want, expected = machines.draw(learner.random, *causes, **form)
     machines.diagnose(learner, files, want, expected, 'all')
     with about('repaired'):
         repaired = learner.call('repair_machine', files, want)
@@ -113,6 +113,7 @@ def test_repaired_shell(learner):
     """
     for causes in (SHELL, learner.random.sample(SHELL, 2)):
         repair(learner, causes)
+    repair(learner, ['domain'], way='both')
 
 
 @pytest.mark.rules('repaired', 'kept')

@@ -87,6 +87,7 @@ def repair_machine(files, want):
            expect='discovery range'),
     Mutant('no_domain_added', old=', f"export ROS_DOMAIN_ID={want[\'domain\']}"]', new=']', breaks='repaired',
            expect='is in domain'),
+    Mutant('adds_at_the_top', old='bashrc += [', new='bashrc[:0] = [', breaks='repaired', expect='is in domain'),
     Mutant('a_new_bashrc', old="bashrc = [line + ':$PATH' * (line.strip() in wrong) for line in keep['.bashrc']]",
            new="bashrc = [line + ':$PATH' * (line.strip() in wrong) for line in keep['.bashrc'] if 'PATH=' in line]",
            breaks='kept', expect='keep all other lines'),

@@ -29,7 +29,7 @@ MUTANTS = [
            **FUNCTION),
     Mutant('beginnings_count', old=r"(rf'^def {function}\(', text", new="(rf'^def {function}', text",
            expect='a longer name that only begins so', **FUNCTION),
-    Mutant('none_named_is_right', old='elif not re.search', new='elif function and not re.search',
+    Mutant('none_named_is_main', old='^def {function}', new='^def {function or "main"}',
            expect='is named after a colon', **FUNCTION),
     Mutant('only_main_is_right', old=r"re.search(rf'^def {function}\(', text, re.MULTILINE):",
            new="function == 'main':", expect='there is no such fault', **FUNCTION),

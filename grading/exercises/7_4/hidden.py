@@ -37,6 +37,10 @@ def test_one_thread(learner, cause):
     for _ in range(3):
         with about(cause):
             stacks.diagnose(learner, cause, plain=True)
+    for state in [state for state, of in (('calling', 'busy'), ('ending', 'spin')) if of == cause]:
+        for _ in range(4):
+            with about(cause):
+                stacks.diagnose(learner, state, plain=True)
     check(learner, cause, rule='own-call')
     check(learner, cause, 'idle', 'spinning', rule='all')
 

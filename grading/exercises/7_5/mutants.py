@@ -85,6 +85,10 @@ MUTANTS = [
 ''', breaks='shape', expect='has 2 <collision>'),
     Mutant('moments_of_one_kilogram', old="float(link.find('inertial/mass').get('value'))", new='1.0', breaks='weight',
            expect='The moments of'),
+    Mutant('moments_before_the_mass', edits=(
+        ('in diagnose_model(urdf):', "in sorted(diagnose_model(urdf), key=lambda one: one.cause == 'mass'):"),
+        ("float(link.find('inertial/mass').get('value'))", "abs(float(link.find('inertial/mass').get('value'))) or 1.0")),
+           breaks='weight', expect='The moments of base_link are'),
     Mutant('moments_stay', old="if cause in ('inertial', 'inertia'):", new="if cause == 'inertial':", breaks='weight',
            expect='The moments of'),
     Mutant('moments_of_one', old="zip(('ixx', 'iyy', 'izz'), map(str, moments))",

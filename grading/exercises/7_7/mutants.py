@@ -40,8 +40,8 @@ MUTANTS = [
            expect='After your repair', **REPAIR),
     Mutant('static_only', old="'moving', 'static')", new="'static',)", breaks='transforms', also='hidden',
            expect='tf2', **REPAIR),
-    Mutant('only_what_was_repaired', old='    return case\n', new="""
-    return {key: case[key] for key in ('files', 'package', 'urdf', 'moving', 'static', 'endpoints')}
-""", breaks='new-case', also=('hidden', 'every-part', 'ends'), expect='The case that repair_case returned lacks',
-           **REPAIR),
+    Mutant('what_the_table_names', old='    return case\n', new="""
+    return {key: case[key] for key in ('files', 'want', 'package', 'endpoints', 'stacks', 'programs', 'urdf', 'moving',
+                                       'static', 'target', 'source', 'now')}
+""", breaks='new-case', expect='The case that repair_case returned lacks note', **REPAIR),
 ]

@@ -3,7 +3,7 @@
 import pytest
 
 from helpers.checks.chapter_08 import test_8_10
-from helpers.checks.chapter_08.test_8_10 import VALUES, story
+from helpers.checks.chapter_08.test_8_10 import VALUES, story, values_of_the_file
 from helpers.runner import expect
 
 pytestmark = pytest.mark.exercise('8.10')
@@ -24,6 +24,7 @@ def test_values(learner):
     )
     for name, wanted in VALUES:
         expect(values[name] == wanted, f'{name} of /delivery_robot is {values[name]}, expected {wanted}.', 'values')
+    values_of_the_file(learner)
 
 
 @pytest.mark.rules('arguments')

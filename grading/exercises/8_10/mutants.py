@@ -16,6 +16,15 @@ MUTANTS = [
            breaks='types', alone=True),
     Mutant('path_of_the_sources', old=INSTALLED, new="'src/delivery_robot/config/delivery.yaml',",
            expect='a parameter file that is not there', breaks='robot', alone=True),
+    Mutant('beside_the_launch_file', old=INSTALLED, breaks='robot', alone=True,
+           new="str(__import__('pathlib').Path(__file__).parents[1] / 'config/delivery.yaml'),",
+           expect='by the name of the package'),
+    Mutant('values_in_the_launch_file', edits=(("""
+            max_linear: 0.4
+            tolerance: 0.08
+            timeout: 30.0
+        """, 'use_sim_time: true'), ("{'use_sim_time': True}", "{'max_linear': 0.4, 'tolerance': 0.08, 'timeout': 30.0}")),
+           expect='Values belong into this file', breaks='values', alone=True),
     Mutant('time_of_the_wall', old=f"""
         {INSTALLED}
         {{'use_sim_time': True}}]),

@@ -4,7 +4,7 @@ ALTERNATIVES = [
     Alternative('loop_and_share_directory', source="""
 FLEET_YAML = '''
 /**/governor:
-  ros__parameters: {rate: 20.0, max_linear: 0.6}
+  ros__parameters: {rate: 2.0e+1, max_linear: 0.6}
 /robot1:
   governor:
     ros__parameters:

@@ -5,7 +5,7 @@ import pytest
 from helpers.checks.chapter_08.noticed import Kind, Planted
 from helpers.checks.chapter_08.planted import STEERING
 from helpers.checks.chapter_08.steerings import variant
-from helpers.checks.chapter_08.wrong_steerings import NOTHINGS, angular, linear
+from helpers.checks.chapter_08.wrong_steerings import NAMED, NOTHINGS, TURNED, angular, linear
 
 pytestmark = pytest.mark.exercise('8.6')
 RIGHT = {
@@ -16,10 +16,8 @@ RIGHT = {
     'one that asks for the distance with **': variant(
         way='    dx, dy = goal_x - x, goal_y - y\n    distance = (dx ** 2 + dy ** 2) ** 0.5\n'
     ),
-    'one that turns the world instead of the robot': variant(
-        angle='    from math import cos, sin\n    angle = atan2(dy * cos(yaw) - dx * sin(yaw), '
-        'dx * cos(yaw) + dy * sin(yaw))\n'
-    ),
+    'one that returns a named tuple': NAMED,
+    'one that turns the world instead of the robot': variant(angle=TURNED),
 }
 KINDS = (
     Kind(

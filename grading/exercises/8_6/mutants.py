@@ -8,8 +8,25 @@ MUTANTS = [
             ('1.0, 2.0, 0.3, 1.0, 2', '0.0, 0.0, 0.3, 0.0, 0')), expect='that forgets where the robot is',
            breaks='places'),
     Mutant('exact_numbers',
-           edits=(('assert (distance, turn) == pytest.approx((2.0, angular), abs=1e-6)', 'assert (distance, turn) == (2.0, angular)'),
-            ('= pytest.approx(0', '= (0')), expect='A test of yours fails with a function', breaks='right-functions'),
+           edits=(('assert (distance, turn) == pytest.approx((2.0, angular), abs=1e-6)',
+                   'assert turn == pytest.approx(angular) and distance == math.hypot(goal[0] - 1.0, goal[1] + 2.0)'),),
+           expect='A test of yours fails with a function', breaks='right-functions'),
+    Mutant('exactly_at_the_border', old='def test_at_the_goal():', new="""
+        @pytest.mark.parametrize('yaw', [0.0, 0.3, 1.0, 2.2])
+        def test_border(yaw):
+            there = 2 * math.cos(yaw + 0.5), 2 * math.sin(yaw + 0.5)
+            assert steer(0.0, 0.0, yaw, *there, 0.5, 1.0)[1] == pytest.approx(0.5)
+
+
+        def test_at_the_goal():
+        """, expect='one that turns the world', breaks='right-functions'),
+    Mutant('asks_for_a_plain_tuple', old='def test_at_the_goal():', new="""
+        def test_tuple():
+            assert type(steer(0.0, 0.0, 0.0, 3.0, 0.0, 0.5, 1.0)) is tuple
+
+
+        def test_at_the_goal():
+        """, expect='one that returns a named tuple', breaks='right-functions'),
     Mutant('happy_path', source="""
 TEST_STEERING = '''
 import math

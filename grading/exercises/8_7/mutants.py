@@ -57,6 +57,8 @@ MUTANTS = [
 
            def place(self, name):
            ''')), expect='the value at the start counts', breaks='status-period'),
+    Mutant('blanks_are_no_name', old='bool(request.name) and', new='bool(request.name.strip()) and', breaks='station',
+           expect='was refused: success is false'),
     Mutant('names_without_blanks', old='self.stations[request.name] =', new='self.stations[request.name.strip()] =',
            expect='After set_station, place(', breaks='station'),
     Mutant('names_in_any_letters', edits=(('return self.stations.get(name)', 'return self.stations.get(name.lower())'),

@@ -8,6 +8,7 @@ from helpers.checks.chapter_08.drives import (
     TOLERANCE,
     Drives,
     judge_arrived,
+    judge_border,
     judge_cancel,
     judge_driving,
     judge_lost,
@@ -78,6 +79,12 @@ def test_cancel(learner):
         drives.goal = drives.go('far', 'next', 'No other goal runs')
         drives.run(learner.random.uniform(1.2, 1.8))
         judge_cancel(drives, 'far')
+
+
+@pytest.mark.rules('succeeds')
+def test_border(learner):
+    """The robot has arrived when the distance is below the tolerance, and not before."""
+    judge_border(learner)
 
 
 @pytest.mark.rules('rejects-lost', 'lost', 'timeout', 'next', 'succeeds', 'result')

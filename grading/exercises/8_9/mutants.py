@@ -64,6 +64,8 @@ MUTANTS = [
            expect='expected succeeded', breaks='succeeds', alone=True),
     Mutant('arrives_early', old="distance < self.value('tolerance')", new="distance < 3 * self.value('tolerance')",
            expect='With tolerance = 0.1', breaks='succeeds', also='stands', alone=True),
+    Mutant('arrives_at_the_tolerance', old="distance < self.value('tolerance')", new="distance <= self.value('tolerance')",
+           expect='is below the tolerance', breaks='succeeds', alone=True),
     Mutant('arrives_never', old="distance < self.value('tolerance')", new='distance == 0.0',
            expect='the goal is still running', breaks='succeeds', also='timeout', alone=True),
     Mutant('aborts_on_arrival', old='end, why = goal.succeed,', new='end, why = goal.abort,',

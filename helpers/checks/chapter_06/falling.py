@@ -11,6 +11,14 @@ from helpers.runner import expect
 SCRIPT = Path(__file__).with_name('drop.py')
 
 
+def small(learner) -> 'Crate':
+    """A crate so small that the numbers of its inertia begin with some zeros."""
+    draw = learner.random.uniform
+    sides = [round(side, 3) for side in (draw(0.1, 0.14), draw(0.15, 0.19), draw(0.2, 0.25))]
+    learner.random.shuffle(sides)
+    return Crate(learner, round(draw(0.6, 1.0), 2), *sides)
+
+
 class Crate:
     """The learner's crate of this mass (kg) and size (length, width, height; metres), and what `drop.py` found."""
 
@@ -105,6 +113,10 @@ class Crate:
             is_about(wanted),
             told,
             (is_about(12 * wanted), 'Divide by 12.'),
+            (
+                np.allclose(inertia, np.diag(wanted), rtol=0, atol=6e-4),
+                'Do not round the numbers in the text: the inertia of a small crate has many zeros.',
+            ),
             # No body has two moments that are together less than the third: MuJoCo takes the mean of all three.
             (
                 is_about(own) or is_about([own.mean()] * 3),

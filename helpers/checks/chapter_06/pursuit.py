@@ -109,7 +109,7 @@ def check_limit(there: Pursuit) -> None:
             'old, and the command is zeros. What is older than 0.5 s is too old; 0.5 s is not.',
             'old',
         )
-    there.tell(seconds=learner.now / SECOND + 0.2)
+    there.tell(seconds=learner.now / SECOND + 0.9)
     learner.run(0.15)
     expect(
         not there.stands,

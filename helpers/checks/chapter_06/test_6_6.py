@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_06.falling import Crate
+from helpers.checks.chapter_06.falling import Crate, small
 from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('6.6')
@@ -21,3 +21,5 @@ def test_crate(learner):
     crate = Crate(learner, round(draw(2.0, 5.5), 2), *sides)
     crate.check_fall()
     crate.check_weight()
+    with about('inertia'):
+        small(learner).check_weight()

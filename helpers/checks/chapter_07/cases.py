@@ -71,6 +71,7 @@ class Case:
             *deaf,
         ]
         self.case = {
+            'note': f'battery changed {random.randint(2, 9)} days ago',  # that no tool asks for
             'files': self.files,
             'want': self.want,
             'package': self.package.files,

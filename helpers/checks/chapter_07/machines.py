@@ -9,7 +9,7 @@ RELEASES = (('jazzy', 'noble'), ('humble', 'jammy'), ('foxy', 'focal'))
 CAUSES = ('missing', 'release', 'key', 'not sourced', 'PATH', 'other', 'domain', 'range')
 # How a cause may show, where it has several forms: arguments of `draw`.
 FORMS = {
-    'domain': [{'way': way} for way in ('none', 'only', 'last')],
+    'domain': [{'way': way} for way in ('none', 'only', 'last', 'both')],
     'range': [{'reach': reach} for reach in ('OFF', 'LOCALHOST')],
 }
 WHY = {
@@ -30,7 +30,8 @@ def draw(random, *causes: str, plain: bool = False, way: str = '', reach: str = 
     """A machine with these faults: its files, what the team wants, and the findings that are right.
 
     :param plain: lines that do something have the commonest form, and no comment has a fault in it.
-    :param way: how the domain is wrong: 'none' (no line), 'only' (one line), 'last' (the last of two lines).
+    :param way: how the domain is wrong: 'none' (no line), 'only' (one line), 'last' (the last of two lines),
+        'both' (each of two lines, with two numbers).
     :param reach: the range that is wrong.
     """
     machine = _Machine(random, causes, plain)
@@ -118,11 +119,12 @@ class _Machine:
     def domain(self, way: str) -> list[str]:
         """The lines of .bashrc that set the domain; for `way` see `draw`."""
         right = self.want['domain']
-        wrong = self._random.choice([number for number in range(102) if number != right])
+        wrong, other = self._random.sample([number for number in range(102) if number != right], 2)
         if 'domain' not in self._causes:
             return [f'{self._export()}ROS_DOMAIN_ID={value}' for value in (wrong, right)]
-        way = way or self._random.choice(['none', 'only', 'last'])
-        lines = [f'{self._export()}ROS_DOMAIN_ID={right}'] if way == 'last' else []
+        way = way or self._random.choice(['none', 'only', 'last', 'both'])
+        first = {'last': [right], 'both': [other]}.get(way, [])
+        lines = [f'{self._export()}ROS_DOMAIN_ID={number}' for number in first]
         lines += [] if way == 'none' else [f'{self._export()}ROS_DOMAIN_ID={wrong}']
         self._fault('unseen', 'domain', lines[-1] if lines else '')
         return lines

@@ -100,10 +100,13 @@ class Package:
         self.right, self.expected, entries = {}, [], []
         self.files = {f'{self.name}/__init__.py': '', 'README.md': f'The robot {self.name}\n'}
         faulty = dict(zip([programs[0], *random.sample(programs[1:3], 2), 'pylon'], causes, strict=False))
+        first = programs[0]
         random.shuffle(programs)
         lost = f'{self.name}.{random.choice(["main", "program", "node"])}:main'  # programs may share a wrong one
         for program in programs:
             function, method = random.sample(FUNCTIONS, 2)
+            if program == first:  # no function named is a fault also where the module has a main
+                function, method = 'main', random.choice(FUNCTIONS[1:])
             self.files[f'{self.name}/{program}.py'] = _MODULE.format(
                 function=function,
                 arguments=random.choice(_ARGUMENTS),

@@ -17,12 +17,14 @@ from helpers.runner.observer import Observer
 WHY = {
     'server': 'A thread that waits in wait_for_service of rclpy has not found its server, in a callback or not.',
     'call': '`call` of rclpy in a callback waits for an answer that the same thread should bring.',
-    'spin': 'A callback that spins waits for the executor that runs it.',
-    'busy': 'A callback that stands in its own line does not return.',
+    'spin': 'A callback that spins waits for the executor that runs it, and so does any other call in executors.py.',
+    'busy': 'A callback that stands in its own line does not return. Of the calls in client.py only `call` and '
+    '`wait_for_service` wait.',
 }
 CAUSES = tuple(WHY)
 START = 30.0  # s of wall time for a program to be up, on a machine under load
 MADE, WAITS = 'client made', 'waits for the server'  # what WATCHED says
+TWICE = 6.0  # s that the client may wait for each of two things which take a bit more than half of it
 LATE = 0.5  # s of wall time that the output of a program takes at most to come
 LIMIT = 90.0  # s for a run of the driver; it ends by itself before
 _RCLPY = ('/opt/ros/jazzy/lib/python3.12/site-packages/rclpy', '/home/ada/.venv/lib/python3.11/site-packages/rclpy')
@@ -33,6 +35,11 @@ _SPINS = (
     ('executors.py _wait_for_ready_callbacks', 'executors.py spin_once', '__init__.py spin_once'),
     ('executors.py wait_for_ready_callbacks', 'executors.py _spin_once_impl', 'executors.py spin_once'),
 )
+# Calls of rclpy with which a state shows otherwise than as a rule.
+_OTHER_FORMS = {
+    'calling': ('busy', ('client.py call_async', 'client.py service_is_ready', 'publisher.py publish')),
+    'ending': ('spin', ('executors.py shutdown',)),
+}
 # Calls of other libraries, whose files and functions are called as those of rclpy.
 _OF_OTHERS = (
     ('/usr/lib/python3/dist-packages/roslibpy/client.py', 214, 'call'),
@@ -51,8 +58,9 @@ def draw(random, *states: str, plain: bool = False) -> tuple[str, dict[str, str]
     """Stacks with a thread in each of these states, the program's files, and the findings that are right.
 
     States: the causes, ``spinning`` (the main thread spins), ``idle`` (a worker without the program's calls),
-    ``waits in main`` (``call`` outside of a callback, which is no finding). :param plain: each thread has one own call
-    besides that in main, and no file is called as one of rclpy's.
+    ``waits in main`` (``call`` outside of a callback, which is no finding), ``calling`` (busy, with a newer call of
+    rclpy that does not wait), ``ending`` (it ends the executor, which waits in executors.py).
+    :param plain: each thread has one own call besides that in main, and no file is called as one of rclpy's.
     """
     program = _Program(random, plain)
     threads = [program.thread(state) for state in states]
@@ -111,6 +119,9 @@ class _Program:
             return [*wait, '  File "/usr/lib/python3.12/concurrent/futures/thread.py", line 90 in _worker']
         if state == 'waits in main':
             return [*wait, *self._library('client.py call'), self._own('client.call(request)', 'main')]
+        if state in _OTHER_FORMS:
+            state, calls = _OTHER_FORMS[state]
+            newest[state] = self._library(random.choice(calls))
         if state == 'server' and random.random() < 0.5:  # not in a callback
             function, outer = 'main', []
         self.expected.append(('waiting' if state == 'server' else 'hang', function, state, _LINES[state]))
@@ -347,10 +358,11 @@ class Client:
         )
 
     def runs(self, of: str) -> dict[str, Ended]:
-        """What becomes of three clients, side by side, once in a session; `of`: for which tests.
+        """What becomes of four clients, side by side, once in a session; `of`: for which tests.
 
-        ``late``: the server comes late and answers late, and the client may wait long. ``nobody``: there is no server.
-        ``silent``: the server is there, and never answers.
+        ``late``: the server comes late and answers late, and the client may wait long. ``twice``: so late that both
+        waits together are longer than what the client may wait for each. ``nobody``: there is no server. ``silent``:
+        the server is there, and never answers.
         """
         cache, key = self._learner.server.workspaces, ('clients', of, self._workspace.name)
         if key not in cache:
@@ -361,21 +373,26 @@ class Client:
         random = self._learner.random
         delay, word = random.uniform(2.2, 2.5), f'word {random.randint(100, 999)}'
         # No name tells what the server does.
-        names = (f'/{service}' for service, _, _ in random.sample(words.SERVICES, 3))
+        names = (f'/{service}' for service, _, _ in random.sample(words.SERVICES, 4))
+        patience = TWICE * (2 if busy() else 1)
         asked = {
             what: (next(names), round(random.uniform(low, low + 0.3), 2))
-            for what, low in (('late', 30.0), ('nobody', 3.0), ('silent', 3.0))
+            for what, low in (('late', 30.0), ('twice', patience), ('nobody', 3.0), ('silent', 3.0))
         }
         with Observer(self._learner) as observer, Observer(self._learner) as silent:
-            server = _LateServer(observer, asked['late'][0], delay, word)
+            delays = {'late': delay, 'twice': 0.62 * patience}
+            servers = {what: _LateServer(observer, asked[what][0], delays[what], word) for what in delays}
             silent.node.create_service(Trigger, asked['silent'][0], lambda request, response: response)  # never spun
             running = {
-                what: _Running(self._start(name, seconds, what == 'silent'), 2 * delay + 6.0 if what == 'late' else 8.0)
+                what: _Running(
+                    self._start(name, seconds, what == 'silent'), 2 * delays[what] + 6.0 if what in delays else 8.0
+                )
                 for what, (name, seconds) in asked.items()
             }
 
             def all_over() -> bool:
-                server.go_on(running['late'].begun)
+                for what, server in servers.items():
+                    server.go_on(running[what].begun)
                 return not [one for one in running.values() if not one.over()]
 
             observer.until(all_over, 5 * START)
@@ -398,7 +415,8 @@ class Client:
 
 def judge_answer(learner, of: str) -> None:
     """The rule `answer`: the server comes late, and takes its time, and the client has much more."""
-    done = Client(learner).runs(of)['late']
+    runs = Client(learner).runs(of)
+    done = runs['late']
     told = f'The server of {done.name} came after about 2 s and answered `{done.word}` about 2 s after it was asked'
     expect(
         done.printed != f'no server for {done.name}' and done.printed != 'no answer',
@@ -409,6 +427,13 @@ def judge_answer(learner, of: str) -> None:
     expect(
         (done.printed, done.status) == (f'answer: {done.word}', '0'),
         f'{told}; the client printed `{done.printed}` and ended with status {done.status}.',
+    )
+    both = runs['twice']
+    expect(
+        (both.printed, both.status) == (f'answer: {both.word}', '0'),
+        f'The server of {both.name} came after about {0.62 * both.seconds:.0f} s, and needed as long for its answer. '
+        f'The client may wait {both.seconds:g} s for each of the two, and printed `{both.printed}` after '
+        f'{both.took:.1f} s.',
     )
 
 

@@ -87,8 +87,8 @@ def test_repair(learner):
 
     Each finding names the line that goes, or is changed; what is missing is added.
     """
-    for causes in (machines.CAUSES[1:], ['missing', 'other'], []):
-        files, want, expected = machines.draw(learner.random, *causes)
+    for causes, way in ((machines.CAUSES[1:], ''), (['missing', 'other'], ''), (['domain'], 'both'), ([], '')):
+        files, want, expected = machines.draw(learner.random, *causes, way=way)
         machines.diagnose(learner, files, want, expected, 'all')
         with about('repaired'):
             repaired = learner.call('repair_machine', files, want)

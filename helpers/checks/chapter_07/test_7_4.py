@@ -18,6 +18,10 @@ def test_stacks(learner):
         for _ in range(3):
             with about(cause):
                 stacks.diagnose(learner, cause, plain=True)
+    for state, cause in (('calling', 'busy'), ('ending', 'spin')):
+        for _ in range(4):
+            with about(cause):
+                stacks.diagnose(learner, state, plain=True)
     for state in ('spinning', 'idle', 'waits in main'):
         with about('healthy'):
             stacks.diagnose(learner, state, rule='healthy', plain=True)

@@ -36,8 +36,10 @@ def test_repair(learner):
 
     copy.deepcopy copies an element with all that is in it; inertia(shape, mass) gives three numbers.
     """
-    for causes in ((), *[(cause,) for cause in CAUSES], [('base_link', 'mass'), ('base_link', 'inertia')], CAUSES):
-        robot = Robot(learner.random, *causes, frame='empty', form=2 if causes == ('mass',) else None)
+    both = [('base_link', 'mass'), ('base_link', 'inertia')]
+    for causes in ((), *[(cause,) for cause in CAUSES], both, CAUSES):
+        # A negative mass shows whose mass the moments are; 0 does not.
+        robot = Robot(learner.random, *causes, frame='empty', form=2 if causes in (('mass',), both) else None)
         robot.diagnose(learner, 'all')
         with about('kept'):
             robot.check(learner.call('repair_model', robot.urdf))

@@ -1,5 +1,7 @@
 """What the tests of exercises 8.7 to 8.11 share: the robot that the learner's node drives, and the package, built."""
 
+import json
+import secrets
 from pathlib import Path
 
 from ament_index_python.packages import get_package_share_directory
@@ -7,12 +9,25 @@ from delivery_interfaces.action import GoToStation
 from delivery_interfaces.srv import SetStation
 
 from helpers.runner import expect, stand_ins
+from helpers.runner.load import busy
+from helpers.runner.stand_ins import Start
 from helpers.runner.workspaces import ExerciseWorkspace, package
 
+PATIENCE = 20.0  # s of wall time until a node has said what parameters it has
 HERE = Path(__file__).parent
 GIVEN = HERE / 'given' / 'delivery_robot'
 MAIN = 'src/delivery_robot/delivery_robot/main.py'
 STEERING, NODE = 'delivery_robot/steering.py', 'delivery_robot/robot.py'
+# A node that only has parameters, and prints them.
+_REPORT = """
+import json, rclpy
+
+rclpy.init()
+node = rclpy.create_node('delivery_robot')
+found = {{name: node.declare_parameter(name, value).value for name, value in {defaults!r}.items()}}
+print({mark!r} + json.dumps(found), flush=True)
+rclpy.shutdown()
+"""
 CELLS = {STEERING: ('8.5',), NODE: ('8.7', '8.8', '8.9')}  # the exercises whose cells become a module
 
 
@@ -150,6 +165,21 @@ def launched(learner) -> dict:
     if key not in known:
         known[key] = deliver.story(learner, place, modules(learner))
     return {**known[key], 'last': _last(known[key]['log'])}
+
+
+def by_the_file(learner, defaults: dict[str, float]) -> dict:
+    """The parameters of a node that is started with the learner's DELIVERY_YAML, and without the launch file."""
+    mark = f'found {secrets.token_hex(8)} '
+    start = Start(
+        'robot', ('--ros-args', stand_ins.FILE_OPTION, 'own.yaml'), {'own.yaml': learner.text('DELIVERY_YAML')}
+    )
+    task = start.begin(learner, _REPORT.format(mark=mark, defaults=defaults))
+    if task.wait(PATIENCE) is None and busy():
+        task.wait(3 * PATIENCE)
+    task.end()
+    told = [line.removeprefix(mark) for line in task.output.splitlines() if line.startswith(mark)]
+    expect(told, f'A node with your parameter file ended with: {_last(task.output)}', 'types')
+    return json.loads(told[0])
 
 
 def _last(log: str) -> str:

@@ -30,6 +30,7 @@ names = {{'node': governor.get_fully_qualified_name(), 'publishes': governor.out
 print({mark!r} + json.dumps({{**names, **values}}), flush=True)
 rclpy.shutdown()
 """
+_RATE = r'(\brate["\x27]?[[:space:]]*:[[:space:]]*)[^[:space:],}#]+'  # and its value, however that is written
 PROGRAM = 'governor'
 MOST = 8  # governors that are started; two are asked for
 ROBOTS = ('/robot1/governor', '/robot2/governor')
@@ -61,7 +62,7 @@ def launched(learner) -> dict[str, dict]:
     workspace = fleet(learner)
     key = 'fleet', workspace.name
     if key not in learner.server.workspaces:
-        learner.server.workspaces[key] = _launch(learner, workspace, 'mv src sources')
+        learner.server.workspaces[key] = _launch(learner, workspace, 'mv src sources', 'fleet fleet.launch.py')
     log, reports = learner.server.workspaces[key]
     expect(
         'InvalidParameterTypeException' not in log,
@@ -92,13 +93,18 @@ def launched(learner) -> dict[str, dict]:
 
 
 def launched_with_rate(learner, rate: int) -> list[dict]:
-    """What is found of the governors when the rate in the installed parameter file is another one."""
+    """What is found of the governors when the rate in the installed parameter file is another one.
+
+    A copy of the launch file is launched, in a folder where nothing else is.
+    """
     share = 'share=$(ros2 pkg prefix --share fleet)'
     workspace = fleet(learner)
     _, reports = _launch(
         learner,
         workspace,
-        f'{share}; cp $share/config/fleet.yaml kept.yaml; sed -i "s/20[.]0*/{rate}.0/" $share/config/fleet.yaml',
+        rf"{share}; cp $share/config/fleet.yaml kept.yaml; sed -Ei 's/{_RATE}/\1{rate}.0/' $share/config/fleet.yaml; "
+        'mkdir -p elsewhere; cp $share/launch/fleet.launch.py elsewhere',
+        'elsewhere/fleet.launch.py',
     )
     workspace.run('bash', '-c', f'{share}; cp kept.yaml $share/config/fleet.yaml')
     return reports
@@ -197,7 +203,7 @@ def judge_installed_file(learner) -> None:
         found == [drawn, drawn],
         f'The rate in the installed config/fleet.yaml was changed to {drawn}, and the '
         f'governors have {found}. The launch file must use the installed file, for both, '
-        'and give no values itself.',
+        'find it by the name of the package, wherever it stands itself, and give no values.',
         'installed-file',
     )
     with about('installed-file'):
@@ -214,11 +220,11 @@ def judge_installed_file(learner) -> None:
             )
 
 
-def _launch(learner, workspace, before: str) -> tuple[str, list[dict]]:
-    """Launch the fleet: what the launch and the governors have printed, and what is found of each node."""
+def _launch(learner, workspace, before: str, what: str) -> tuple[str, list[dict]]:
+    """`ros2 launch` with the words `what`: what it and the governors have printed, and what is found of each node."""
     heard = stand_ins.of(learner)
     heard.release()
-    task = workspace.start('bash', '-c', f'{before}; exec ros2 launch fleet fleet.launch.py')
+    task = workspace.start('bash', '-c', f'{before}; exec ros2 launch {what}')
     with Observer(learner) as observer:
         strangers = observer.all_there(task, PATIENCE, lambda: len(heard.starts(PROGRAM)))
     starts = heard.starts(PROGRAM)

@@ -157,7 +157,7 @@ def judge_stations(keeper: Keeper) -> None:
     """The rules `station`, `new-place`, `unknown`, `bad-station`, `message` and `unchanged`."""
     names = keeper.learner.random.sample(NAMES, len(NAMES))
     nobody = names.pop()
-    names += [f' {names[0]}', f'{names[1]} ']  # other names than those without blanks
+    names += [f' {names[0]}', f'{names[1]} ', '  ']  # other names than those without blanks
     wanted = _judge_new_stations(keeper, names)
     for name in (nobody, names[0] + 's', names[0].upper()):
         found = keeper.place(name, 'unknown')

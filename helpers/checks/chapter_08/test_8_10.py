@@ -7,7 +7,8 @@ from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('8.10')
 APART = 0.3  # m, at most between what the world says and where the robot's commands lead
-DEFAULTS = 'max_angular', 'status_period'
+DEFAULTS = {'max_linear': 0.5, 'tolerance': 0.1, 'timeout': 60.0, 'max_angular': 1.0, 'status_period': 0.5}
+UNNAMED = 'max_angular', 'status_period'
 VALUES = (('max_linear', 0.4), ('tolerance', 0.08), ('timeout', 30.0), ('max_angular', 1.0), ('status_period', 0.5))
 
 
@@ -26,8 +27,8 @@ def story(learner) -> dict:
         expect(word not in told['log'], f'Your node did not start. {why}', rule)
     expect(
         not executables.lacks_parameter_file(told['log']),
-        'The launch file names a parameter file that is not there. The sources of the package are gone: '
-        'FindPackageShare finds the installed folder.',
+        'The launch file names a parameter file that is not there. The sources of the package are gone, and the launch '
+        'file is a copy in another folder: FindPackageShare finds the installed folder by the name of the package.',
         'robot',
     )
     expect('/delivery_robot' in told, f'The node /delivery_robot did not start: {told["last"]}', 'robot')
@@ -38,6 +39,19 @@ def story(learner) -> dict:
         'robot',
     )
     return told
+
+
+def values_of_the_file(learner) -> None:
+    """Fail unless the parameter file alone gives the values."""
+    values = deliveries.by_the_file(learner, DEFAULTS)
+    for name, wanted in VALUES:
+        expect(
+            values[name] == wanted,
+            f'Without your launch file, DELIVERY_YAML gives /delivery_robot {name} = {values[name]}, expected '
+            f'{wanted}. '
+            'Values belong into this file; the launch file adds nothing but the simulated time.',
+            'values',
+        )
 
 
 def real(told: dict) -> None:
@@ -91,11 +105,12 @@ def test_values(learner):
             f'{name} of /delivery_robot is {values[name]}, expected {wanted}. '
             + (
                 'It is not named in the specification, so it keeps its default.'
-                if name in DEFAULTS
+                if name in UNNAMED
                 else 'Does the name of the block fit, and does the launch file hand the file over?'
             ),
             'values',
         )
+    values_of_the_file(learner)
 
 
 @pytest.mark.rules('world')

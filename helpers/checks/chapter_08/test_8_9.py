@@ -35,6 +35,15 @@ def test_name(learner):
     drives.judge_name(learner)
 
 
+@pytest.mark.rules('succeeds')
+def test_border(learner):
+    """The robot has arrived when the distance is below the tolerance, and not before.
+
+    distance < tolerance.
+    """
+    drives.judge_border(learner)
+
+
 @pytest.mark.rules('rejects-lost', 'lost', 'timeout', 'next', 'succeeds', 'result')
 def test_lost_and_late(learner):
     """A robot that is lost, or takes too long, gives up, stands, and takes the next goal.

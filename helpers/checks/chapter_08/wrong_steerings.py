@@ -5,12 +5,23 @@ from helpers.checks.chapter_08.planted import NOTHING, STEERING
 from helpers.checks.chapter_08.steerings import variant
 
 NOTHINGS = {'that returns nothing': variant(result=NOTHING)}
+TURNED = (
+    '    from math import cos, sin\n    angle = atan2(dy * cos(yaw) - dx * sin(yaw), dx * cos(yaw) + dy * sin(yaw))\n'
+)
+NAMED = variant(
+    linear='    linear = min(max_linear, distance) if abs(angle) <= 0.5 else 0\n',
+    result='    from collections import namedtuple\n'
+    "    return namedtuple('Steering', 'distance linear angular')(distance, linear, angular)\n",
+)
 RIGHT = {
     "the course's": variant(),
-    'one that computes its angle in another way': variant(
+    'one that computes its angle and its distance in another way': variant(
+        way='    dx, dy = goal_x - x, goal_y - y\n    distance = (dx ** 2 + dy ** 2) ** 0.5\n',
         angle='    from math import cos, sin\n    angle = atan2(dy, dx) - yaw\n'
-        '    angle = atan2(sin(angle), cos(angle))\n'
+        '    angle = atan2(sin(angle), cos(angle))\n',
     ),
+    'one that turns the world instead of the robot': variant(angle=TURNED),
+    'one that returns a named tuple, and a whole number when it stands': NAMED,
 }
 
 
