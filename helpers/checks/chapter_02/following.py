@@ -29,7 +29,7 @@ def _there(learner) -> list[str]:
     return [name.removeprefix('line_follower/') for name in builds.line_follower(learner).installed()]
 
 
-def _metadata(learner) -> tuple[str, str, dict[str, str]]:
+def _metadata(learner) -> builds.Metadata:
     """Name and version in setup.py, and its programs."""
     found = builds.metadata(builds.line_follower(learner), 'line_follower')
     if found is None:
@@ -39,7 +39,7 @@ def _metadata(learner) -> tuple[str, str, dict[str, str]]:
 
 def judge_entry_point(learner) -> None:
     """The entry point follow leads to main of follow.py: rule `entry-point`."""
-    programs = _metadata(learner)[2]
+    programs = _metadata(learner).programs
     expect(
         'follow' in programs,
         f'setup.py has no entry point `follow`; its programs are: {", ".join(sorted(programs)) or "none"}.',
@@ -152,13 +152,14 @@ def judge_dependencies(learner) -> None:
 
 def judge_rest(learner) -> None:
     """Names, versions, licence and the one program are as before: rule `rest`."""
-    name, version, programs = _metadata(learner)
+    name, version, programs, _ = _metadata(learner)
     expect(
         (name, version) == ('line_follower', '0.1.0'),
         f'setup.py says {name} {version}, and said line_follower 0.1.0 before.',
         'rest',
     )
-    _judge_files(_there(learner))
+    installed = [name for name in builds.line_follower(learner).installed() if name.startswith('line_follower/')]
+    _judge_files([name.removeprefix('line_follower/') for name in installed])  # what is beside it, colcon has written
     others = [other for other in programs if other != 'follow']
     expect(
         not others or len(programs) == 1,
