@@ -361,7 +361,7 @@ def test_one_chapter_that_was_delivered_twice_costs_no_other(tmp_path):
     assert not jane.problem and sorted(jane.files) == ['03_a.ipynb', '04_b.ipynb']  # equal ones are one
     (tmp_path / 'doejane_1234_5680_03_a.ipynb').write_bytes(b'{}')
     (jane,) = submissions.find([tmp_path])
-    assert not jane.problem and b'two notebooks called 03_a' in jane.files['03_a.ipynb/']
+    assert not jane.problem and 'two notebooks called 03_a' in jane.unusable['03_a.ipynb']
     assert '04_b.ipynb' in jane.files
 
 
