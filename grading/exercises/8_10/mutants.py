@@ -35,6 +35,10 @@ MUTANTS = [
            breaks='arguments', alone=True),
     Mutant('a_scene_of_its_own', old=HANDED_ON, new="for name in ('real_time_factor',)] + [('scene', 'rooms')]",
            expect='the world has', breaks='world', also=('drives', 'arguments'), alone=True),
+    Mutant('one_node_more', old=ROBOT, new='''
+        Node(package='tf2_ros', executable='static_transform_publisher', arguments=['--child-frame-id', 'dock',
+                                                                                    '--frame-id', 'map']),
+        ''' + ROBOT, expect='There is one more node, /static_transform_publisher', breaks='world', alone=True),
     Mutant('nobody_hears', old=ROBOT, new=ROBOT.replace("output='screen'",
                                                         "output='screen', remappings=[('cmd_vel', 'motor')]"),
            expect='This never came', breaks='drives', alone=True),

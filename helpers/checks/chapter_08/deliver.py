@@ -201,12 +201,14 @@ def _story(customer: Customer, told: dict) -> None:
     customer.until(customer.stands, 'the robot standing at the station')
     told['ended_at'] = round(customer.x, 3)
     told['retraced'] = round(customer.way.retraced(), 3)
+    told['nodes'] = customer.observer.nodes()
     if not customer.alone():
         raise Missing('the end of what else speaks in the place of the robot or of the world')
 
 
 def story(learner, workspace, modules: dict[str, str]) -> dict:
-    """What happened: see above; `stations` and `factor` are what was drawn, `log` what the launch has printed.
+    """What happened: see above; `stations` and `factor` are what was drawn, `nodes` the nodes in the end, `log` what
+    the launch has printed.
 
     :param modules: of the package, path → text.
     """

@@ -8,6 +8,7 @@ from helpers.runner import about, expect
 pytestmark = pytest.mark.exercise('8.10')
 APART = 0.3  # m, at most between what the world says and where the robot's commands lead
 DEFAULTS = {'max_linear': 0.5, 'tolerance': 0.1, 'timeout': 60.0, 'max_angular': 1.0, 'status_period': 0.5}
+NODES = '/world', '/robot_state_publisher', '/delivery_robot'
 UNNAMED = 'max_angular', 'status_period'
 VALUES = (('max_linear', 0.4), ('tolerance', 0.08), ('timeout', 30.0), ('max_angular', 1.0), ('status_period', 0.5))
 
@@ -124,6 +125,11 @@ def test_world(learner):
     expect(values, 'The node /world did not start: the launch file must include world.launch.py.')
     wanted = {'scene': 'empty', 'real_time_factor': told['factor']}
     expect(values == wanted, f'Launched with scene:=empty real_time_factor:={told["factor"]}, the world has {values}.')
+    more = [node for node in told.get('nodes', ()) if node not in NODES]
+    expect(
+        not more,
+        f'There is one more node, {more and more[0]}: start nothing but the world, as it is included, and the robot.',
+    )
     real(told)
 
 
