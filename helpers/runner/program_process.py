@@ -81,7 +81,8 @@ class ForkServer:
         self._until(lambda event: event.get('event') == 'forked' and event.get('key') == key, START_TIMEOUT)
         return key, ours, output_read
 
-    def _until(self, wanted, timeout: float) -> None:
+    def _until(self, wanted, timeout: float) -> dict:
+        """Take events until a wanted one comes; returns that one."""
         deadline = time.monotonic() + timeout
         while True:
             event = self._event(max(0.0, deadline - time.monotonic()))
@@ -90,7 +91,7 @@ class ForkServer:
                 if event.get('why'):
                     self.why[event['key']] = event['why']
             if wanted(event):
-                return
+                return event
 
     def task(self, op: str, place: str, *given: int, keep: int, **arguments) -> 'Task':
         """Start a task of `helpers.runner.commands` in a place; the last `keep` bytes that it prints are kept."""
@@ -122,10 +123,8 @@ class ForkServer:
 
     def used(self, place: str) -> float | None:
         """The processor time of what runs in a place, in seconds; None if that is not known."""
-        found: list[float | None] = []
         self._control.send(json.dumps({'op': 'used', 'place': place}).encode())
-        self._until(lambda event: event.get('event') == 'used' and not found.append(event['seconds']), START_TIMEOUT)
-        return found[0]
+        return self._until(lambda event: event.get('event') == 'used', START_TIMEOUT)['seconds']
 
     def clear(self, place: str | None = None) -> None:
         """End all that programs and tasks have left behind; or those in a place."""
