@@ -191,7 +191,7 @@ class Sandbox:
         return 'memory'
 
     def used(self) -> float:
-        """The processor time of what runs inside and of what that has waited for, in seconds."""
+        """The processor time of what runs inside, and of its children that have ended, in seconds."""
         return self._sum(_ticks) / os.sysconf('SC_CLK_TCK')
 
     def close(self) -> None:
