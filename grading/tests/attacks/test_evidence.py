@@ -1,6 +1,6 @@
 """Attacks on what counts as evidence: the real exercises that judge commands, packages, launched systems and tests.
 
-Each row of `evidence.py` is an exercise's cell. It gains nothing: what it may have besides is in its header. The right
+Each row of `evidence/` is an exercise's cell. It gains nothing: what it may have besides is in its header. The right
 answers to the same exercises get full marks: see `grading/tests/test_validity.py`.
 """
 
@@ -12,7 +12,7 @@ from grading.tests.attacks import arena
 from helpers.exercises import manifest, notebooks, program
 from helpers.runner import session, verdicts
 
-ATTACKS = arena.read(arena.HERE / 'evidence.py')
+ATTACKS = [attack for path in sorted((arena.HERE / 'evidence').glob('*.py')) for attack in arena.read(path)]
 EXERCISES = manifest.load()
 
 
