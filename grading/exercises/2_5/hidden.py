@@ -15,7 +15,7 @@ WRONG = {
 RIGHT = (
     'from itertools import chain, islice\n    return [*chain(stations, islice(stations, 1))]',
     'there = list(stations)\n    there.append(there[0])\n    return there',
-    'return stations + [stations[0]] if isinstance(stations, list) else [*stations, stations[0]]',
+    'return stations + [stations[0]]',  # a list and a list
 )
 
 
