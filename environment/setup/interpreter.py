@@ -14,13 +14,23 @@ OLDEST, NEWEST = (3, 10), (3, 13)
 SYSTEM = '/usr/bin/python3'
 
 _PROBE = """
-import json, os, sys, sysconfig
+import glob, json, os, sys, sysconfig
 def has(name):
     try:
         __import__(name)
     except Exception:
         return False
     return True
+def pip_wheel():
+    try:
+        import ensurepip
+    except Exception:
+        return ""
+    own = os.path.join(os.path.dirname(ensurepip.__file__), "_bundled")
+    for folder in (own, sysconfig.get_config_var("WHEEL_PKG_DIR") or own):
+        for wheel in glob.glob(os.path.join(glob.escape(folder), "pip-*.whl")):
+            return wheel
+    return ""
 print(json.dumps({
     "path": os.path.realpath(sys.executable),
     "version": list(sys.version_info[:3]),
@@ -28,6 +38,7 @@ print(json.dumps({
     "bits": 64 if sys.maxsize > 2**32 else 32,
     "venv": has("venv") and has("ensurepip"),
     "headers": os.path.exists(os.path.join(sysconfig.get_path("include"), "Python.h")),
+    "pip_wheel": pip_wheel(),
 }))
 """
 
@@ -43,6 +54,7 @@ class Interpreter:
     bits: int
     venv: bool
     headers: bool
+    pip_wheel: str = ''  # from which its ensurepip installs pip; '' if it is not where it is usually kept
 
     @property
     def right_version(self) -> bool:

@@ -120,6 +120,8 @@ class Setup:
             shutil.rmtree(prefix)
             self.console.end()
         options = ['--system-site-packages'] if self.underlay.stock else []
+        # pip itself comes with the locked packages; to install and compile the bundled one first takes two seconds.
+        options += ['--without-pip'] if interpreter.pip_wheel else []
         self.run(
             f'Making a virtual environment with Python {interpreter.short}',
             [interpreter.command, '-m', 'venv', *options, prefix],
@@ -127,7 +129,7 @@ class Setup:
         )
         uv = self.layout.state / 'uv.txt'
         uv.write_text(requirements.entry(self.layout.requirements.read_text(), 'uv'))
-        pip = [self.layout.python, '-m', 'pip', '--disable-pip-version-check']
+        pip = [*self.pip(interpreter.pip_wheel), '--disable-pip-version-check']
         patience = [] if 'PIP_DEFAULT_TIMEOUT' in self.environ else ['--timeout', '15']
         self.run(
             'Fetching uv, the installer',
@@ -144,9 +146,15 @@ class Setup:
                     'version': interpreter.short,
                     'asked': self.environ.get('COURSE_PYTHON', ''),
                     'underlay': str(self.underlay),
+                    'pip_wheel': interpreter.pip_wheel,
                 }
             ),
         )
+
+    def pip(self, wheel: str) -> list:
+        """How pip is called: the environment's own, once that is there, else the one in the wheel."""
+        installed = not wheel or (self.layout.site_packages() / 'pip').is_dir()
+        return [self.layout.python, '-m', 'pip'] if installed else [self.layout.python, Path(wheel, 'pip')]
 
     # What comes from PyPI.
 
@@ -158,9 +166,8 @@ class Setup:
         self.stamps.remove('backports')  # they change files of these packages
         self.stamps.write('requirements.started', '1')
         env = self._env()
-        config = subprocess.run(
-            [self.layout.python, '-m', 'pip', 'config', 'list'], env=env, capture_output=True, text=True, check=False
-        )
+        pip = self.pip(self.venv_facts().get('pip_wheel', ''))
+        config = subprocess.run([*pip, 'config', 'list'], env=env, capture_output=True, text=True, check=False)
         env.update(requirements.for_uv(env, config.stdout))
         uv = [self.layout.prefix / 'bin' / 'uv', 'pip']
         gone = sorted(before - requirements.names(lock))
