@@ -172,7 +172,7 @@ class Sandbox:
     def clear(self) -> None:
         """Kill all that runs inside."""
         if self._holder is not None and self._used:
-            self._inside(_kill_all, namespaces.ALL)
+            self._end_all()
             self._used = False
 
     def look(self) -> str:
@@ -181,14 +181,18 @@ class Sandbox:
         if self._holder is None or not self._used:
             return ''
         if self._bounds.exceeded():
-            self._inside(_kill_all, namespaces.ALL)
+            self._end_all()
             return 'memory'
         # What forked processes still share counts once, but that takes longer to find out.
         kernel = _socket_buffers(self._holder.pid) + self._kernel_memory(most)
         if self._sum(_own) + kernel < most or self._sum(_share) + kernel < most:
             return ''
-        self._inside(_kill_all, namespaces.ALL)
+        self._end_all()
         return 'memory'
+
+    def _end_all(self) -> None:
+        self._inside(_kill_all, namespaces.ALL)
+        self._kernel = 0.0, 0  # what it held for them it does not hold any more
 
     def used(self) -> float:
         """The processor time of what runs inside, and of its children that have ended, in seconds."""

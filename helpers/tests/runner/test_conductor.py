@@ -3,7 +3,8 @@
 import pytest
 from rclpy.executors import TimeoutException
 
-from helpers.runner.worker import Conductor, LoadedProgram, RequestError
+from helpers.runner.conductor import Conductor
+from helpers.runner.loaded_program import LoadedProgram, RequestError
 
 
 class Executor:

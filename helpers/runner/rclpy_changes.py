@@ -1,0 +1,82 @@
+"""What a learner's process changes in rclpy: simulated time from the first moment, actions whose errors are noted."""
+
+import functools
+from collections.abc import Callable
+from typing import Any
+
+import rclpy
+from rclpy.action import ActionServer
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+from rclpy.clock import ClockType
+from rclpy.executors import await_or_execute
+from rclpy.qos import QoSProfile, ReliabilityPolicy
+from rclpy.time import Time
+from rclpy.time_source import CLOCK_TOPIC, TimeSource
+from rosgraph_msgs.msg import Clock
+
+
+class SimulatedTimeSource(TimeSource):
+    """A time source that starts at the current simulated time, as if /clock had already been heard."""
+
+    now = 0  # nanoseconds
+
+    def __init__(self, *, node=None):
+        super().__init__(node=None)
+        self._last_time_set = Time(nanoseconds=type(self).now, clock_type=ClockType.ROS_TIME)
+        if node is not None:
+            self.attach_node(node)
+
+    def _subscribe_to_clock_topic(self) -> None:
+        """Hear /clock in a callback group of its own.
+
+        In the node's default group, as rclpy has it, a callback that awaits an answer would stop the node's clock. That
+        does not happen to the same program on the wall clock.
+        """
+        node = self._get_node()
+        if self._clock_sub is None and node is not None:
+            self._clock_sub = node.create_subscription(
+                Clock,
+                CLOCK_TOPIC,
+                self.clock_callback,
+                QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT),
+                callback_group=MutuallyExclusiveCallbackGroup(),
+            )
+
+
+def watch_actions(note: Callable[[Exception], Any], hold: Callable[[Callable[[], None]], Any]) -> None:
+    """Have `note` called with what an execute callback raises: rclpy only prints it and aborts the goal.
+
+    Each execution is given to `hold`, which begins it by a call when it is time.
+    """
+    plain = ActionServer.notify_execute
+
+    def notify_execute(self, goal_handle, execute_callback):
+        callback = execute_callback or self._execute_callback
+
+        async def noting(goal_handle):
+            try:
+                result = await await_or_execute(callback, goal_handle)
+                if isinstance(result, self.action_type.Result):
+                    return result
+                what = 'nothing (None)' if result is None else f'an object of type {type(result).__name__}'
+                raise TypeError(f"execute returned {what}; return the action's Result on every way")
+            except Exception as error:
+                note(error)
+                if goal_handle.is_active:
+                    goal_handle.abort()
+                return self.action_type.Result()
+
+        hold(functools.partial(plain, self, goal_handle, noting))
+
+    ActionServer.notify_execute = notify_execute  # type: ignore[method-assign]  # put around it on purpose
+
+
+def for_other_contexts(function):
+    """`rclpy.init` or its like without any effect on the default context, which is the worker's."""
+
+    @functools.wraps(function)
+    def wrapped(*args, context=None, **kwargs):
+        if context is not None and context is not rclpy.get_default_context():
+            function(*args, context=context, **kwargs)
+
+    return wrapped
