@@ -111,7 +111,8 @@ def test_functions_coroutines_and_generators(run):
 
 
 def test_tests_share_a_launch_and_the_end_waits_for_all(run):
-    status, output = run("""
+    status, output = run(
+        """
         made = []
 
 
@@ -142,9 +143,12 @@ def test_tests_share_a_launch_and_the_end_waits_for_all(run):
         @pytest.mark.launch(fixture=shared)
         def test_numbers(shared, number):
             assert made[0].return_code is None
-    """)
+    """,
+        '-rp',
+    )
     assert status == 0, output
-    order = [line.split()[0].partition('::')[2] for line in output.splitlines() if ' PASSED' in line]
+    # From the summary: what a launched process prints may stand within the lines of progress.
+    order = [line.partition('::')[2] for line in output.splitlines() if line.startswith('PASSED ')]
     assert order == ['test_first', 'test_second', 'test_numbers[1]', 'test_numbers[2]', 'test_first[shutdown_test]',
                      'test_end']  # fmt: skip
 
