@@ -19,7 +19,7 @@ import typer
 from helpers import paths
 
 SETTINGS = {'context_settings': {'ignore_unknown_options': True, 'help_option_names': ['--help']}}
-FEW = 8  # up to so many failed tests run once more, one at a time: a busy machine may be the cause
+FEW = 16  # up to so many failed tests run once more, one at a time: a busy machine may be the cause
 NO_TESTS = 5  # pytest's status if nothing was collected
 Arguments = Annotated[list[str] | None, typer.Argument(metavar='[PYTEST ARGS]', help='Run pytest with these only.')]
 

@@ -158,12 +158,14 @@ node = rclpy.create_node('fake')
 publisher = node.create_publisher(Pose, 'turtle1/pose', 10)
 state = Pose(x=1.0, y=1.0)
 def move():
-    state.x += 0.05
+    state.x += 0.05 * (state.x < 9.0)
     publisher.publish(state)
 node.create_timer(0.02, move)
 with spinning(node):
     view = TurtleView(size=100)
-    wait_for(lambda: view.pose() and view.pose().x > 3.0, timeout=30)
+    changes = []
+    view._output.widget.observe(changes.append, 'picture')
+    wait_for(lambda: len(changes) > 3, timeout=30)
 ros.stop()
 """
 
