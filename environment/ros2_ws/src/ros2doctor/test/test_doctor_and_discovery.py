@@ -47,7 +47,9 @@ def test_doctor_hello_tells_in_a_table_who_is_heard(ros2):
     with ros2.start('topic', 'pub', '-r', '20', '/canyouhearme', 'std_msgs/msg/String', greeting):
         lines = ros2.output('doctor', 'hello', '--once', '--emit-period', '4.0').splitlines()
     head = f'{"":<15} {"Hostname":<20} {"Msg Count /1.0s":<10}'
-    assert lines[0] == 'MULTIMACHINE COMMUNICATION SUMMARY' and lines[2] == 'Subscribed from:' and lines.count(head) == 2
+    assert (
+        lines[0] == 'MULTIMACHINE COMMUNICATION SUMMARY' and lines[2] == 'Subscribed from:' and lines.count(head) == 2
+    )
     # With --once there is one greeting, however long it listens.
     assert lines[1] == 'Topic: /canyouhearme, Published Msg Count: 1'
     assert re.fullmatch(r' {16}robot {16}\d+ *', lines[4])
