@@ -45,10 +45,40 @@ def test_doctor_report(ros2):
 def test_doctor_hello_tells_in_a_table_who_is_heard(ros2):
     greeting = """{data: "hello, it's me robot"}"""
     with ros2.start('topic', 'pub', '-r', '20', '/canyouhearme', 'std_msgs/msg/String', greeting):
-        lines = ros2.output('doctor', 'hello', '--once', '--print-period', '4.0').splitlines()
-    head = f'{"":<15} {"Hostname":<20} {"Msg Count /4.0s":<10}'
-    assert lines[:4:2] == ['MULTIMACHINE COMMUNICATION SUMMARY', 'Subscribed from:'] and lines.count(head) == 2
+        lines = ros2.output('doctor', 'hello', '--once', '--emit-period', '4.0').splitlines()
+    head = f'{"":<15} {"Hostname":<20} {"Msg Count /1.0s":<10}'
+    assert (
+        lines[0] == 'MULTIMACHINE COMMUNICATION SUMMARY' and lines[2] == 'Subscribed from:' and lines.count(head) == 2
+    )
+    # With --once there is one greeting, however long it listens.
+    assert lines[1] == 'Topic: /canyouhearme, Published Msg Count: 1'
     assert re.fullmatch(r' {16}robot {16}\d+ *', lines[4])
+
+
+def test_doctor_hello_counts_in_a_table_that_a_program_gives(ros2):
+    script = """
+from argparse import Namespace
+from socket import gethostname
+from ros2doctor.verb.hello import HelloVerb, SummaryTable
+
+table = SummaryTable()
+args = Namespace(topic='/hello', emit_period=0.1, print_period=5.0, ttl=None, once=True)
+HelloVerb().main(args=args, summary_table=table)
+assert table._pub == 1 and gethostname() not in {**table._sub, **table._receive}, vars(table)
+table.increment_sub('away')
+table.increment_sub('away')
+table.increment_receive('far')
+table.format_print_summary('/hello', 5.0)
+table.reset()
+assert (table._pub, table._send, table._sub, table._receive) == (0, 0, {}, {})
+"""
+    done = subprocess.run(
+        [sys.executable, '-c', script], env=ros2.environ, cwd=ros2.directory, capture_output=True, text=True, timeout=60
+    )
+    assert (done.returncode, done.stderr) == (0, '')
+    first, _, second = done.stdout.partition('-' * 60)
+    assert 'Published Msg Count: 1\n' in first and 'Published Msg Count: 1\n' in second
+    assert re.findall(r' {16}(\w+) +(\d+) *$', second, re.MULTILINE) == [('away', '2'), ('far', '1')]
 
 
 def test_doctor_says_what_is_wrong(ros2):

@@ -1,7 +1,20 @@
 """Names and types of actions."""
 
+import sys
 from argparse import Namespace
 from typing import Any
+
+# The completers look names up here, so that a test can put something else in their place, as with upstream's modules.
+_this = sys.modules[__name__]
+
+
+def __getattr__(name: str) -> Any:
+    """Return upstream's NodeStrategy, which needs rclpy: a help text must not load that."""
+    if name != 'NodeStrategy':
+        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+    from ros2cli.node.strategy import NodeStrategy
+
+    return NodeStrategy
 
 
 def get_action_names_and_types(*, node: Any) -> list[tuple[str, list[str]]]:
@@ -56,9 +69,7 @@ def load_action_class(name: str) -> Any:
 
 def action_name_completer(prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
     """Return the names of the actions of the graph."""
-    from ros2cli.node.strategy import NodeStrategy
-
-    with NodeStrategy(parsed_args) as node:
+    with _this.NodeStrategy(parsed_args) as node:
         return get_action_names(node=node)
 
 
@@ -70,7 +81,7 @@ def action_type_completer(**_: Any) -> list[str]:
 
 
 class ActionTypeCompleter:
-    """Completes the type of an action: the one it has, or any."""
+    """Completes the type of an action: the one it has; any, without the name of an action."""
 
     def __init__(self, *, action_name_key: str | None = None) -> None:
         """Remember which argument names the action."""
@@ -78,14 +89,10 @@ class ActionTypeCompleter:
 
     def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return the types."""
-        from ros2cli.node.strategy import NodeStrategy
-
-        if self.action_name_key is not None:
-            with NodeStrategy(parsed_args) as node:
-                types = dict(get_action_names_and_types(node=node)).get(getattr(parsed_args, self.action_name_key))
-            if types:
-                return types
-        return action_type_completer()
+        if self.action_name_key is None:
+            return action_type_completer()
+        with _this.NodeStrategy(parsed_args) as node:
+            return dict(get_action_names_and_types(node=node)).get(getattr(parsed_args, self.action_name_key), [])
 
 
 class ActionGoalPrototypeCompleter:

@@ -1,5 +1,6 @@
 """Names of nodes, and what they offer."""
 
+import sys
 from argparse import Namespace
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -10,6 +11,18 @@ INFO_NONUNIQUE_WARNING_TEMPLATE = (
     'There are {num_nodes} nodes in the graph with the exact name "{node_name}". '
     'You are seeing information about only one of them.'
 )
+
+# The completers look names up here, so that a test can put something else in their place, as with upstream's modules.
+_this = sys.modules[__name__]
+
+
+def __getattr__(name: str) -> Any:
+    """Return upstream's NodeStrategy, which needs rclpy: a help text must not load that."""
+    if name != 'NodeStrategy':
+        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+    from ros2cli.node.strategy import NodeStrategy
+
+    return NodeStrategy
 
 
 class NodeName(NamedTuple):
@@ -106,8 +119,6 @@ class NodeNameCompleter:
 
     def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return the full names."""
-        from ros2cli.node.strategy import NodeStrategy
-
         hidden = bool(self.include_hidden_nodes_key and getattr(parsed_args, self.include_hidden_nodes_key, False))
-        with NodeStrategy(parsed_args) as node:
+        with _this.NodeStrategy(parsed_args) as node:
             return [name.full_name for name in get_node_names(node=node, include_hidden_nodes=hidden)]

@@ -1,7 +1,20 @@
 """Names and types of services."""
 
+import sys
 from argparse import Namespace
 from typing import Any
+
+# The completers look names up here, so that a test can put something else in their place, as with upstream's modules.
+_this = sys.modules[__name__]
+
+
+def __getattr__(name: str) -> Any:
+    """Return upstream's NodeStrategy, which needs rclpy: a help text must not load that."""
+    if name != 'NodeStrategy':
+        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+    from ros2cli.node.strategy import NodeStrategy
+
+    return NodeStrategy
 
 
 def get_service_names_and_types(*, node: Any, include_hidden_services: bool = False) -> list[tuple[str, list[str]]]:
@@ -74,10 +87,8 @@ class ServiceNameCompleter:
 
     def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return the names."""
-        from ros2cli.node.strategy import NodeStrategy
-
         key = self.include_hidden_services_key
-        with NodeStrategy(parsed_args) as node:
+        with _this.NodeStrategy(parsed_args) as node:
             return get_service_names(node=node, include_hidden_services=bool(key and getattr(parsed_args, key, False)))
 
 
@@ -97,10 +108,8 @@ class ServiceTypeCompleter:
 
     def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return the types."""
-        from ros2cli.node.strategy import NodeStrategy
-
         if self.service_name_key is not None:
-            with NodeStrategy(parsed_args) as node:
+            with _this.NodeStrategy(parsed_args) as node:
                 types = dict(get_service_names_and_types(node=node, include_hidden_services=True)).get(
                     getattr(parsed_args, self.service_name_key)
                 )

@@ -1,19 +1,30 @@
 """Names and types of topics."""
 
+import sys
 from argparse import Namespace
+from importlib import import_module
 from typing import Any
 
-# Upstream has these here. They need rclpy, which a help text must not load.
-_OF_QOS = ('add_qos_arguments', 'choose_qos', 'profile_configure_short_keys', 'qos_profile_from_short_keys')
+# Upstream has these here. They need rclpy or all messages, which a help text must not load.
+_DEFINED_IN = {
+    'NodeStrategy': 'ros2cli.node.strategy',
+    'add_qos_arguments': 'ros2topic.api.qos',
+    'choose_qos': 'ros2topic.api.qos',
+    'get_message': 'rosidl_runtime_py.utilities',
+    'message_to_yaml': 'rosidl_runtime_py',
+    'profile_configure_short_keys': 'ros2topic.api.qos',
+    'qos_profile_from_short_keys': 'ros2topic.api.qos',
+}
+
+# The completers look names up here, so that a test can put something else in their place, as with upstream's module.
+_this = sys.modules[__name__]
 
 
 def __getattr__(name: str) -> Any:
-    """Return what is defined in ros2topic.api.qos."""
-    if name not in _OF_QOS:
+    """Return what is defined in other modules."""
+    if name not in _DEFINED_IN:
         raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
-    from ros2topic.api import qos
-
-    return getattr(qos, name)
+    return getattr(import_module(_DEFINED_IN[name]), name)
 
 
 def get_topic_names_and_types(*, node: Any, include_hidden_topics: bool = False) -> list[tuple[str, list[str]]]:
@@ -91,10 +102,8 @@ def load_message_class(name: str, error: str = 'The passed message type is inval
     :param error: what to say if there is none of that name.
     :raises RuntimeError: if there is none of that name.
     """
-    from rosidl_runtime_py.utilities import get_message
-
     try:
-        return get_message(name)
+        return _this.get_message(name)
     except (AttributeError, ModuleNotFoundError, ValueError):
         raise RuntimeError(error) from None
 
@@ -108,10 +117,8 @@ class TopicNameCompleter:
 
     def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return the names."""
-        from ros2cli.node.strategy import NodeStrategy
-
         hidden = bool(self.include_hidden_topics_key and getattr(parsed_args, self.include_hidden_topics_key, False))
-        with NodeStrategy(parsed_args) as node:
+        with _this.NodeStrategy(parsed_args) as node:
             return get_topic_names(node=node, include_hidden_topics=hidden)
 
 
@@ -131,10 +138,8 @@ class TopicTypeCompleter:
 
     def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return the types."""
-        from ros2cli.node.strategy import NodeStrategy
-
         if self.topic_name_key is not None:
-            with NodeStrategy(parsed_args) as node:
+            with _this.NodeStrategy(parsed_args) as node:
                 types = dict(get_topic_names_and_types(node=node, include_hidden_topics=True)).get(
                     getattr(parsed_args, self.topic_name_key)
                 )
@@ -153,7 +158,6 @@ class TopicMessagePrototypeCompleter:
     def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """Return one text, the YAML of a message with default values."""
         from ros2cli.yaml_completion import quoted_yaml
-        from rosidl_runtime_py import message_to_yaml
 
         message_class = load_message_class(getattr(parsed_args, self.topic_type_key))
-        return quoted_yaml(message_to_yaml(message_class()), prefix)
+        return quoted_yaml(_this.message_to_yaml(message_class()), prefix)
