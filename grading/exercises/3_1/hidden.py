@@ -3,7 +3,7 @@
 import pytest
 from std_msgs.msg import String
 
-from helpers.checks.chapter_03.beacons import check_unheard
+from helpers.checks.chapter_03.beacons import check_own_publishers, check_unheard
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic, robot
 from helpers.runner import about, expect, waiting
 
@@ -107,6 +107,7 @@ def test_three_beacons(learner):
     for _ in range(2):
         learner.start('Beacon', beside=first)
     learner.settle()
+    check_own_publishers(learner, '/beacon', 3)
     expect(not heard.messages, 'A beacon publishes when it starts: publish in the timer only.', 'first')
     with about('texts'):
         learner.run(1.1)
