@@ -13,7 +13,7 @@ MUTANTS = [
         def on_timer(self):
             if self.count == 8:
                 return
-        ''', expect='at 4 Hz there are', breaks='rate', also=('own-count',)),
+        ''', expect='at 4 Hz there are', breaks='rate', also=('own-count', 'texts')),
     Mutant('best_effort', old="(String, 'beacon', 10)", new="(String, 'beacon', qos_profile_sensor_data)",
            imports='from rclpy.qos import qos_profile_sensor_data', expect='BEST_EFFORT', breaks='qos'),
     Mutant('capital_letter', old="f'alive", new="f'Alive", expect="is 'Alive 1', expected 'alive 1'", breaks='texts'),
