@@ -78,7 +78,7 @@ MUTANTS = [
                                              (NEWEST, '''
             self.count += gap >= 0
             self.newest = stamp if gap >= 0 else self.newest
-            ''')), expect='it counts, too', breaks='old'),
+            ''')), expect='they count, too', breaks='old'),
     Mutant('old_scan_moves_back', old=NEWEST, new='self.newest = stamp', expect='must not move the newest stamp back',
            breaks='old'),
     Mutant('other_name', old="'rate_monitor'", new="'monitor'", expect="expected 'rate_monitor'", breaks='node'),
@@ -123,7 +123,7 @@ MUTANTS = [
            breaks='gap', also=('limit', 'own-state', 'old')),
     Mutant('stamp_zero_is_none', edits=((STAMP, 'stamp = scan.header.stamp.sec + scan.header.stamp.nanosec / 1e9'),
            ('gap = (stamp - (self.newest or stamp)).nanoseconds / 1e9', 'gap = stamp - (self.newest or stamp)')),
-           expect='nothing came on scan_gap', breaks='gap'),
+           expect='nothing came on scan_gap', breaks='gap', also=('limit',)),
     Mutant('silence_is_a_gap', old='def on_second(self):', new='''
         def on_second(self):
             if self.newest is not None and not self.count:

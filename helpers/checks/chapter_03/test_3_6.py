@@ -61,7 +61,7 @@ def check_reports(rates, sent, begin):
         'silent',
     )
     expect(
-        rates.numbers[0] == 1,
+        rates.numbers[0] == 1 and rates.stamps[0] > begin + 0.01,  # it may be heard, on a busy machine
         'A report went out in the constructor. Report in the timer only: the first one comes after 1.0 s.',
         'report',
     )
