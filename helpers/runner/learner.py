@@ -486,6 +486,15 @@ class Learner(Workspaces):
             self.connect()
         self._acknowledge()
 
+    def jump(self, seconds: float) -> None:
+        """Let the clock go forward at once: what was due in between is called late, and a timer once only.
+
+        So it is after a callback that has blocked, or on a busy machine.
+        """
+        self.settle()
+        self._step_to(self.now + round(seconds * SECOND))
+        self.settle()
+
     def settle(self) -> None:
         """Let the learner's nodes react to all that was sent, without letting time pass."""
         self.connect()

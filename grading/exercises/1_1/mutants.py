@@ -86,4 +86,8 @@ def choose_distribution(ubuntu, today, releases=RELEASES):
         releases = releases or RELEASES
         month = today[:7]
         """, expect='nothing that you know by heart', breaks='table'),
+    Mutant('years_of_two_digits', edits=(('month = today[:7]', 'month = today[2:7]'),
+                                         ('if first <= month <= last]', 'if first[2:] <= month <= last[2:]]'),
+                                         ('any(first > month', 'any(first[2:] > month')),
+           expect='expected', breaks='months', also=('ends-last', 'ended', 'to-come', 'table')),
 ]

@@ -85,4 +85,9 @@ MUTANTS = [
         folders = [part for folder in folders for part in folder]
         if any(part.startswith('python') and '.' in part and part != f'python{python}' for part in folders):
         """, expect='it is no folder of a distribution', breaks='python'),
+    Mutant('python_anywhere', old=PYTHON, new="if set(re.findall(r'python([0-9]+[.][0-9]+)', environ.get('PYTHONPATH', ''))) - {python}:",
+           imports='import re', expect='nothing more', breaks='python'),
+    Mutant('distro_by_its_beginning', old=MIXED, new='''
+        elif len(distros) > 1 or not all(name.startswith(environ.get('ROS_DISTRO', '')) for name in distros):
+        ''', expect='These are two names', breaks='ros-distro'),
 ]

@@ -70,4 +70,9 @@ MUTANTS = [
         if distance > 0.05 and abs(error) < 0.3:
             command.linear.x = min(1.5 * distance, 2.0)
         ''', expect='the last command on', breaks='stop', also=ALL),
+    Mutant('goal_in_a_point', edits=(('self.x, self.y = x, y', """
+            from geometry_msgs.msg import Point
+            self.goal = Point(x=x, y=y)
+            """), ('self.x - pose.x, self.y - pose.y', 'self.goal.x - pose.x, self.goal.y - pose.y')),
+           expect="must be of type 'float'", breaks='reach'),
 ]

@@ -13,7 +13,7 @@ MUTANTS = [
         def on_timer(self):
             if self.count == 8:
                 return
-        ''', expect='at 4 Hz there are', breaks='rate', also=('own-count',)),
+        ''', expect='at 4 Hz there are', breaks='rate', also=('own-count', 'texts')),
     Mutant('best_effort', old="(String, 'beacon', 10)", new="(String, 'beacon', qos_profile_sensor_data)",
            imports='from rclpy.qos import qos_profile_sensor_data', expect='BEST_EFFORT', breaks='qos'),
     Mutant('capital_letter', old="f'alive", new="f'Alive", expect="is 'Alive 1', expected 'alive 1'", breaks='texts'),
@@ -98,4 +98,17 @@ class Beacon(Node):
         """, expect='whether somebody listens or not', breaks='rate'),
     Mutant('counts_the_clock', old='self.count += 1', new='self.count = self.get_clock().now().nanoseconds // 250_000_000',
            expect='begins with', breaks='own-count', also='texts'),
+    Mutant('forty_texts', edits=(('self.count = 0', "self.texts = [f'alive {number}' for number in range(1, 41)]"),
+                                 ('self.count += 1', "if not self.texts:\n    return"),
+                                 (TEXT, 'String(data=self.texts.pop(0))')), expect='without end', breaks='texts',
+           also=('rate',)),
+    Mutant('periods_since_the_start', edits=(('self.count = 0', 'self.start = self.get_clock().now()'),
+                                             ('self.count += 1', """
+            passed = self.get_clock().now() - self.start
+            self.count = round(passed.nanoseconds / 250_000_000)
+            """)), expect='do not compute it from the time', breaks='texts'),
+    Mutant('one_publisher_for_all', old="self.publisher = self.create_publisher(String, 'beacon', 10)", new="""
+            if not hasattr(Beacon, 'publisher'):
+                Beacon.publisher = self.create_publisher(String, 'beacon', 10)
+            """, expect='Each constructor makes its own', breaks='topic'),
 ]

@@ -93,4 +93,7 @@ MUTANTS = [
         """, expect='No scan came for a minute', breaks='rest', also=('scan', 'stop')),
     Mutant('short_life', old='depth=1, durability', new='depth=1, lifespan=Duration(seconds=10), durability',
            imports='from rclpy.duration import Duration', expect='has the lifespan 10 s', breaks='stop'),
+    Mutant('scan_best_available', old="self.on_scan, sensor)",
+           new="self.on_scan, QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_AVAILABLE))",
+           expect='BEST_AVAILABLE', breaks='scan'),
 ]

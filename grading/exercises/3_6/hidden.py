@@ -134,7 +134,7 @@ def test_first_scan(learner):
     expect(not gaps.messages, f'The first scan made a gap of {gaps.data[:1]} s: there is nothing before it.', 'first')
 
 
-@pytest.mark.rules('limit')
+@pytest.mark.rules('limit', 'report')
 def test_threshold(learner):
     """max_gap is an argument, and a gap of exactly max_gap is none.
 
@@ -152,6 +152,7 @@ def test_threshold(learner):
         'gap',
     )
     monitors.check_exact(learner)
+    monitors.check_zero(learner)
 
 
 @pytest.mark.rules('old')
@@ -176,6 +177,18 @@ def test_old_scan(learner):
         rates.data == [6.0],
         f'Six scans, two of them late, gave the report {rates.data}, expected [6].',
         'old' if rates.data == [4.0] else 'report',
+    )
+    lidar.send(scan(13.0))
+    learner.settle()
+    came = gaps.data
+    expect(came == pytest.approx([1.8]), f'The stamps 11.2 and 13 gave {came} on scan_gap, expected [1.8].', 'gap')
+    lidar.send(*[scan(stamp) for stamp in learner.random.sample([12.0, 11.0, 9.5], 3)])
+    learner.settle()
+    expect(
+        gaps.data == came,
+        f'After the stamp 13 came three older ones, and {gaps.data[len(came) :]} came on scan_gap: an old scan makes '
+        'no gap.',
+        'old',
     )
 
 

@@ -78,7 +78,7 @@ MUTANTS = [
                                              (NEWEST, '''
             self.count += gap >= 0
             self.newest = stamp if gap >= 0 else self.newest
-            ''')), expect='it counts, too', breaks='old'),
+            ''')), expect='they count, too', breaks='old'),
     Mutant('old_scan_moves_back', old=NEWEST, new='self.newest = stamp', expect='must not move the newest stamp back',
            breaks='old'),
     Mutant('other_name', old="'rate_monitor'", new="'monitor'", expect="expected 'rate_monitor'", breaks='node'),
@@ -123,7 +123,7 @@ MUTANTS = [
            breaks='gap', also=('limit', 'own-state', 'old')),
     Mutant('stamp_zero_is_none', edits=((STAMP, 'stamp = scan.header.stamp.sec + scan.header.stamp.nanosec / 1e9'),
            ('gap = (stamp - (self.newest or stamp)).nanoseconds / 1e9', 'gap = stamp - (self.newest or stamp)')),
-           expect='nothing came on scan_gap', breaks='gap'),
+           expect='nothing came on scan_gap', breaks='gap', also=('limit',)),
     Mutant('silence_is_a_gap', old='def on_second(self):', new='''
         def on_second(self):
             if self.newest is not None and not self.count:
@@ -134,4 +134,19 @@ MUTANTS = [
            imports='from rclpy.qos import qos_profile_best_available', expect='requests RELIABLE', breaks='any-lidar'),
     Mutant('without_the_scan_itself', breaks='gap', also=('limit', 'own-state', 'first', 'old'), old='.nanoseconds / 1e9', new='.nanoseconds / 1e9 - scan.scan_time',
            expect='scan_gap'),
+    Mutant('zero_means_default', old='self.max_gap, self.count, self.newest = max_gap, 0, None',
+           new='self.max_gap, self.count, self.newest = max_gap or 0.5, 0, None', expect='like any other', breaks='limit'),
+    Mutant('divided_by_the_time', edits=(('self.create_timer(1.0, self.on_second)', """
+            self.last = self.get_clock().now()
+            self.create_timer(1.0, self.on_second)
+            """), (RATE, """
+            now = self.get_clock().now()
+            passed, self.last = (now - self.last).nanoseconds / 1e9, now
+            self.rate.publish(Float64(data=round(self.count / passed, 3) if passed else 0.0))
+            """)), expect='Do not divide by the time', breaks='report'),
+    Mutant('sorts_the_stamps', edits=(('max_gap, 0, None', 'max_gap, 0, []'),
+                                      ('gap = (stamp - (self.newest or stamp)).nanoseconds / 1e9', """
+            self.newest = sorted([*self.newest, stamp.nanoseconds])[-2:]
+            gap = (self.newest[-1] - self.newest[0]) / 1e9
+            """), (NEWEST, '')), expect='older than the newest one makes no gap', breaks='old'),
 ]

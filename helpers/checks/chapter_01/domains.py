@@ -76,9 +76,14 @@ def check_roll_call(learner) -> None:
 
 def check_bridged(learner) -> None:
     """`who_hears` finds a bridge that the tests have made."""
-    with domains(3) as three:
-        # The bridge leads to a smaller number, so that the order in which listeners hear is not the sorted one.
-        second, ours, third = sorted(three)
+    with domains(12) as claimed:
+        # The bridge leads to a smaller number, so that the order in which listeners hear is not the sorted one; nor is
+        # that of their texts, if there are such domains.
+        second, ours, third = sorted(claimed)[:3]
+        numbers = [(low, high) for low in claimed for high in claimed if low < high and str(low) > str(high)]
+        if numbers:
+            second, ours = learner.random.choice(numbers)
+            third = next(domain for domain in claimed if domain not in (second, ours))
         with Elsewhere(second) as there, Elsewhere(ours) as here:
             here.relay('/roll_call', String, to=there)
             asked = learner.random.sample([ours, third], 2) + [second]
@@ -92,6 +97,8 @@ def check_bridged(learner) -> None:
             'measures',
         )
         said = f'With a bridge from {ours} to {second}, who_hears({ours}, {asked}) gives {got!r}, expected {wanted}.'
+        as_texts = got == wanted[::-1] == sorted(wanted, key=str)
+        expect(not as_texts, f'{said} They are sorted as texts; sort them as numbers.', 'sorted')
         expect(set(got) == set(wanted), said, 'measures')
         expect(got == wanted, f'{said} The domains must be sorted, each once.', 'sorted')
 
@@ -192,7 +199,7 @@ def check_bridge(learner, count: int) -> None:
             there.listen(topic, String, heard)
         spoken = [there.node.create_publisher(String, topic, 100) for topic in _far(space)]
         talker = learner.talk(near, String, strict=False)
-        _start_bridge(learner, domain, space)
+        node = _start_bridge(learner, domain, space)
         expect(there.wait_until(there.nodes, 5), f'No node of yours is in domain {domain}.', 'bridge')
         at_home = here.listen(near, String)  # only now: it is a subscription on chatter, too
 
@@ -226,9 +233,43 @@ def check_bridge(learner, count: int) -> None:
         got = came()
         expect(got == texts, f'{texts} was said here; in the other domain came {got}.', 'carries')
         _check_one_way(learner, there, here, spoken, at_home)
+        _check_two(learner, there, heard, talker, node, space)
 
 
-def _start_bridge(learner, domain: int, space: str) -> None:
+def _check_two(learner, there: Elsewhere, heard: list, talker, node, space: str) -> None:
+    """With a second bridge in the same program, to a third domain, both domains hear what is said."""
+    with domains(1) as (domain,), Elsewhere(domain) as third:
+        also: list = []
+        for topic in _far(space):
+            third.listen(topic, String, also)
+        with about('bridge'):
+            learner.start('Bridge', domain, beside=node)
+
+        def came(messages: list) -> bool:
+            return any(message.data == 'for both' for message in messages)
+
+        def both():
+            talker.send(String(data='for both'))
+            with about('carries'):
+                learner.settle()
+            there.wait_until(lambda: came(heard), timeout=0.05)
+            return came(heard) and came(also)
+
+        third.wait_until(both, timeout=6)
+        expect(
+            came(heard),
+            'A second Bridge, to another domain, was made in the same program. Since then the first one carries '
+            'nothing: each bridge keeps a node and a publisher of its own (self), not of the class.',
+            'carries',
+        )
+        expect(
+            came(also),
+            'A second Bridge, to another domain, was made in the same program, and nothing came in its domain.',
+            'carries',
+        )
+
+
+def _start_bridge(learner, domain: int, space: str):
     """Start a Bridge to this domain in a namespace, and look at its name and its subscription."""
     near = f'{space}/chatter'
     with about('bridge'):
@@ -249,6 +290,7 @@ def _start_bridge(learner, domain: int, space: str) -> None:
         'The queue of your subscription to chatter has not the depth 10.',
         'carries',
     )
+    return node
 
 
 def _check_one_way(learner, there: Elsewhere, here: Elsewhere, spoken: list, at_home: list) -> None:

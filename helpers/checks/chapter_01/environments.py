@@ -94,6 +94,8 @@ def _prefixes(random: Random, distro: str, good: dict) -> list[Case]:
     mixed = {PREFIX: 'mixed'}
     sourced = 'Two distributions are in the path; ROS_DISTRO tells only which one was sourced last.'
     inside = f'/opt/ros/{distro}/opt/extra:/opt/ros/{distro}'
+    thrice = f'/opt/ros/{distro}:{inside}'
+    longer = f'{distro}{random.choice(("_old", "-test", "2"))}'  # a name that begins like the other one
     said = f'/home/{random.choice(PEOPLE)}/{second}_ws/install:/opt/ros/{distro}'  # only a workspace has that name
     return [
         Case('not-sourced', {}, {PREFIX: 'not sourced'}),
@@ -109,9 +111,14 @@ def _prefixes(random: Random, distro: str, good: dict) -> list[Case]:
         Case('mixed', {PREFIX: ':'.join(two)}, mixed, 'Two distributions are in the path.'),
         Case('mixed', {PREFIX: f'{two[0]}:{two[1]}/opt/extra'}, mixed, 'Two distributions are in the path.'),
         Case('mixed', {PREFIX: inside, 'ROS_DISTRO': distro}, {}, 'Both folders belong to one distribution.'),
+        Case('mixed', {PREFIX: thrice, 'ROS_DISTRO': distro}, {}, 'All three folders belong to one distribution.'),
         *[
             Case('ros-distro', environ, mixed, 'Path and ROS_DISTRO name two distributions.')
             for environ in ({**good, 'ROS_DISTRO': second}, {PREFIX: said, 'ROS_DISTRO': second})
+        ],
+        *[
+            Case('ros-distro', {PREFIX: f'/opt/ros/{one}', 'ROS_DISTRO': two}, mixed, 'These are two names.')
+            for one, two in ((distro, longer), (longer, distro))
         ],
     ]
 
@@ -146,8 +153,17 @@ def _pythons(random: Random, distro: str) -> list[Case]:
         )
         for wrong in ('2.7', '3.1', '3.8', random.choice(('3.10', '3.11', '3.13')))
     ]
-    tools = {**healthy(random, distro), PYTHON: '/home/ada/python/tools:/home/ada/my.python3'}
-    return [*made, Case('python', tools, {}, 'PYTHONPATH has no part pythonX.Y.')]
+    good = healthy(random, distro)
+    tools = {**good, PYTHON: '/home/ada/python/tools:/home/ada/my.python3'}
+    within = {
+        **good,
+        PYTHON: f'{good[PYTHON]}:/home/{random.choice(PEOPLE)}/mypython{random.choice(("2.7", "3.10"))}/lib',
+    }
+    return [
+        *made,
+        Case('python', tools, {}, 'PYTHONPATH has no part pythonX.Y.'),
+        Case('python', within, {}, 'No part is pythonX.Y and nothing more, as it stands between two slashes.'),
+    ]
 
 
 def _domains(random: Random, good: dict) -> list[Case]:
@@ -167,7 +183,7 @@ def _ranges(random: Random, good: dict) -> list[Case]:
         Case('off', {**good, RANGE: 'OFF'}, {RANGE: 'off'}, 'With OFF, nodes do not find each other.'),
         *[
             Case('unknown', {**good, RANGE: text}, {RANGE: 'unknown'}, 'That is none of the four, letter by letter.')
-            for text in random.sample(BAD_RANGES, 4)
+            for text in BAD_RANGES
         ],
     ]
 

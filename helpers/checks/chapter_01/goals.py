@@ -173,10 +173,11 @@ def goal_behind(learner) -> Drive:
 
 
 def across_the_world(learner) -> Drive:
-    """From near one corner to near the opposite one: who is slow needs more than the time."""
+    """From near one corner to a place near the opposite one, in whole numbers: who is slow needs more than the time."""
     low, high = (learner.random.uniform(0.9, 1.1) for _ in range(2))
     start, goal = learner.random.sample([(low, low), (11.0 - high, 11.0 - high)], 2)
-    return Drive(learner, (*start, learner.random.uniform(-3.1, 3.1)), goal)
+    # Whole numbers, as a learner types them: a message takes no int where a float belongs.
+    return Drive(learner, (*start, learner.random.uniform(-3.1, 3.1)), tuple(map(round, goal)))
 
 
 def there_already(learner) -> Drive:

@@ -1,15 +1,18 @@
-"""A beacon that nobody hears at first: for exercise 3.1."""
+"""A beacon that nobody hears at first, that is called late, and that goes on: for exercise 3.1."""
 
 import re
+from itertools import pairwise
 
 from std_msgs.msg import String
 
 from helpers.checks.chapter_03.endpoints import check_topic
 from helpers.runner import about, expect, waiting
 
+MANY = 30.0  # s: more texts than anybody writes down beforehand
+
 
 def check_unheard(learner, quarters: int) -> None:
-    """A beacon without a namespace counts on while nobody listens, for so many periods."""
+    """A beacon without a namespace counts on while nobody listens, for so many periods; and then for long."""
     learner.run(learner.random.uniform(1.0, 9.0))  # its count does not depend on the clock
     with waiting('at-once'):
         learner.start('Beacon')
@@ -27,4 +30,42 @@ def check_unheard(learner, quarters: int) -> None:
         f'Who listens from {quarters / 4 + 0.1:g} s on hears {heard.data} in half a second, expected '
         f"'alive {quarters + 1}' first: a beacon publishes and counts whether somebody listens or not.",
         'rate',
+    )
+    _check_late_call(learner, heard)
+    with about('texts'):
+        learner.run(MANY, step=1.0)
+    expect(
+        heard.stamps[-1] > learner.now / 1e9 - 1,
+        f'After {heard.data[-1]!r} nothing more was published, for more than a second. A beacon goes on without end, '
+        'and so do its numbers.',
+        'texts',
+    )
+
+
+def _check_late_call(learner, heard) -> None:
+    """When the clock leaps, the timer is called once, and its text has the next number."""
+    before = heard.data[-1]
+    count = len(heard)
+    with about('texts'):
+        learner.jump(2.0)
+        learner.run(0.5)
+    found = [re.fullmatch(r'alive (\d+)', text) for text in (before, *heard.data[count : count + 2])]
+    numbers = [int(match[1]) for match in found if match]
+    expect(
+        len(numbers) < len(found) or all(after in (last, last + 1) for last, after in pairwise(numbers)),
+        f'After {before!r} the timer was called late, as on a busy machine, and the text was '
+        f'{heard.data[count : count + 1]}. The number counts the messages: add 1 in each call, and do not compute it '
+        'from the time.',
+        'texts',
+    )
+
+
+def check_own_publishers(learner, topic: str, count: int) -> None:
+    """So many beacons in one program have a publisher each."""
+    found = len(learner.depths('publisher', topic))
+    expect(
+        found >= count,
+        f'{count} beacons in one program have {found} publisher together: what one of them says goes out of the '
+        'publisher of another one, and ends with it. Each constructor makes its own (self.create_publisher).',
+        'topic',
     )

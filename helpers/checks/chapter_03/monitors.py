@@ -1,5 +1,6 @@
 """Scans with stamps, and the reports of a RateMonitor: for exercise 3.6."""
 
+import pytest
 from rclpy.qos import qos_profile_sensor_data
 from rclpy.time import Time
 from sensor_msgs.msg import LaserScan
@@ -55,6 +56,38 @@ def check_exact(learner, **start) -> None:
         f'With max_gap {max_gap:g} s, two stamps of today, {early} ns and exactly max_gap later, gave {gaps.data} on '
         'scan_gap. A float has too few digits for them: subtract whole nanoseconds, or Time objects, then divide.',
         'limit',
+    )
+
+
+def check_zero(learner) -> None:
+    """Of a monitor with the limit 0: each later stamp makes a gap. A late report has the count, and no quotient."""
+    rates, gaps = (learner.listen(f'/zero/{topic}', Float64) for topic in ('scan_rate', 'scan_gap'))
+    lidar = learner.talk('/zero/scan', LaserScan, qos_profile_sensor_data, strict=False)
+    learner.start('RateMonitor', 0.0, remap={'__ns': '/zero'})
+    stamp, step = learner.random.randint(5, 90), learner.random.choice([0.125, 0.25, 0.375])
+    for seconds in (stamp, stamp, stamp + step):
+        with about('limit'):
+            learner.settle()
+        lidar.send(scan(seconds))
+    with about('limit'):
+        learner.settle()
+    expect(
+        gaps.data == pytest.approx([step]),
+        f'RateMonitor(0.0) heard the stamps {stamp}, {stamp} and {stamp + step:g} s, and {gaps.data} came on scan_gap, '
+        f'expected {[step]}: 0.0 is a max_gap like any other. (`max_gap or 0.5` is 0.5 then.)',
+        'limit',
+    )
+    with about('report'):
+        learner.jump(2.0)
+        learner.run(1.1, step=1.0)
+    counts = [count for count in rates.data if count]
+    expect(
+        counts in ([], [3.0]),
+        f'Three scans came, and then a report was called a second late, as on a busy machine. It says {counts[0]:g}, '
+        'expected 3: how many scans have come since the last report. Do not divide by the time.'
+        if counts
+        else '',
+        'report',
     )
 
 

@@ -3,7 +3,7 @@
 import pytest
 from std_msgs.msg import String
 
-from helpers.checks.chapter_03.beacons import check_unheard
+from helpers.checks.chapter_03.beacons import check_own_publishers, check_unheard
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic, robot
 from helpers.runner import about, expect, waiting
 
@@ -41,15 +41,16 @@ def test_beacon(learner):
     with about('own-count'):
         learner.start('Beacon', beside=beacon)
         learner.settle()
+        check_own_publishers(learner, f'{space}/beacon', 2)
         learner.run(1.1, step=1.0)
     check_second(heard, quarters, begin)
 
 
-@pytest.mark.rules('topic', 'rate')
+@pytest.mark.rules('topic', 'rate', 'texts')
 def test_nobody_listens(learner):
-    """A Beacon publishes and counts whether somebody listens or not.
+    """A Beacon publishes and counts whether somebody listens or not, in each call of its timer, without end.
 
-    Publish in each call of the timer. The node needs a name, and no namespace of its own.
+    Publish in each call of the timer, and add 1 to the number there. The node has a name, and no namespace of its own.
     """
     check_unheard(learner, learner.random.randint(2, 6))
 

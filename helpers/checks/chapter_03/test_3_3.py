@@ -4,6 +4,7 @@ import pytest
 from std_msgs.msg import Bool, Empty, Int32
 
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic, robot
+from helpers.checks.chapter_03.heartbeats import check_starts
 from helpers.runner import about, expect, waiting
 
 pytestmark = [pytest.mark.exercise('3.3'), pytest.mark.wiring(type='topics', qos='qos', namespace='topics')]
@@ -45,6 +46,15 @@ def test_heartbeat(learner):
     check_minute(learner, led, uptime)
     check_resets(learner, led, uptime, button)
     check_second(learner, led, uptime, node)
+
+
+@pytest.mark.rules('led', 'uptime')
+def test_started_at_any_time(learner):
+    """A Heartbeat begins with True and 1, whenever it is started.
+
+    Keep the light and the number in attributes; do not compute them from the clock.
+    """
+    check_starts(learner)
 
 
 def check_led(led, seconds):

@@ -1,0 +1,33 @@
+"""Heartbeats that start at different times: for exercise 3.3."""
+
+from std_msgs.msg import Bool, Int32
+
+from helpers.checks.chapter_03.endpoints import robot
+from helpers.runner import expect, waiting
+
+
+def check_starts(learner) -> None:
+    """Two heartbeats, of which one starts a quarter of a second after the other, begin with True and with 1."""
+    space = robot(learner.random)
+    with waiting('no-wait'):
+        learner.run(learner.random.uniform(2.0, 9.0), step=10.0)
+    for name in ('left', 'right'):  # the LED of somebody who looks at the clock is True for one of them only
+        led, uptime = (
+            learner.listen(f'{space}{name}/{topic}', kind) for topic, kind in (('led', Bool), ('uptime', Int32))
+        )
+        begin = learner.now / 1e9
+        with waiting('no-wait'):
+            learner.start('Heartbeat', remap={'__ns': f'{space}{name}'})
+            learner.run(1.25, step=0.5)
+        expect(
+            not led.data or led.data[0],
+            f'A heartbeat that starts at {begin:.2f} s of its clock begins with False on led. It begins with True, '
+            'whenever it starts: keep the state in an attribute, and do not compute it from the time.',
+            'led',
+        )
+        expect(
+            not uptime.data or uptime.data[0] == 1,
+            f'A heartbeat that starts at {begin:.2f} s of its clock begins with {uptime.data[:1]} on uptime, '
+            'expected 1.',
+            'uptime',
+        )
