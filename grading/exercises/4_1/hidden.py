@@ -6,6 +6,7 @@ import pytest
 from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool
 
+from helpers.checks.chapter_04.test_4_1 import check_constructor
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.1'), pytest.mark.wiring(type='request', qos='request', namespace='names')]
@@ -176,6 +177,19 @@ def test_the_newest_command_wins(learner):
         f'Two commands, one after the other, to a silent server gave {states.data}, '
         'expected one failed, for the second.',
     )
+    server.answer = {'success': False}
+    states.clear()
+    begin = 0.0
+    for pause in (0.6, 3.0):  # the same command twice
+        close.send(Bool(data=True))
+        learner.run(pause)
+        begin = begin or server.stamps[-1]
+    expect(
+        states.data == ['refused'] and states.stamps == pytest.approx([begin + 1.4]),
+        'The same command came twice, 0.6 s apart, and each request was answered after 0.8 s; the reports '
+        f'{states.data} came {[round(stamp - begin, 3) for stamp in states.stamps]} s after the first command, '
+        'expected one, after 1.4 s: an answer to the old command does not count for the new one.',
+    )
 
 
 @pytest.mark.rules('no-server')
@@ -186,6 +200,7 @@ def test_server_comes_later(learner):
     """
     states, close = learner.listen('/gripper_state', String), learner.talk('/close', Bool)
     node = learner.start('GripperClient')
+    check_constructor(learner)
     server = learner.serve('/set_gripper', SetBool, {'success': True})
     server.stop()
     before = learner.slept

@@ -1,6 +1,19 @@
 from grading.variants import Mutant
 
 MUTANTS = [
+    Mutant('constructor_waits_a_moment', breaks='no-server', old="self.client = self.create_client(SetBool, 'set_gripper')",
+           new='''
+           self.client = self.create_client(SetBool, 'set_gripper')
+           self.client.wait_for_service(timeout_sec=0.2)
+           ''', expect='your constructor waits'),
+    Mutant('answer_to_the_same_try', breaks='newest', edits=(
+        ('self.future.add_done_callback(self.on_answer)', '''
+         key = (self.left, self.request.data)
+         self.future.add_done_callback(lambda future: self.on_answer(future, key))
+         '''),
+        ('def on_answer(self, future):', 'def on_answer(self, future, key):'),
+        ('if future is self.future:', 'if self.future is not None and key == (self.left, self.request.data):')),
+        expect='also if both have the same data'),
     Mutant('waits_for_the_service', breaks='no-server', old='self.future = self.client.call_async(self.request)', new='''
         self.client.wait_for_service(timeout_sec=0.2)
         self.future = self.client.call_async(self.request)

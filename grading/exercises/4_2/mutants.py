@@ -6,6 +6,12 @@ WORDS = 'test_words'
 PUBLISHED = 'test_published'
 
 MUTANTS = [
+    Mutant('one_direction_first', breaks='order', old="next((word for word in fine if not fine[word]), '')",
+           new="('principal point' if fine['size'] and 0 < k[0] < inf and not 0 <= k[2] <= info.width else '') or "
+               "next((word for word in fine if not fine[word]), '')", expect='the first one of the list decides'),
+    Mutant('finite_distortion', breaks='distortion', old='len(info.d) == 5',
+           new='len(info.d) == 5 and all(abs(number) < inf for number in info.d)',
+           expect='The five numbers themselves are not checked'),
     Mutant('absolute_service', breaks='names', also=('always', 'publish'), old="'set_camera_info'",
            new="'/set_camera_info'", expect='without a leading slash'),
     Mutant('absolute_topic', breaks='names', old="'camera_info', latched", new="'/camera_info', latched",

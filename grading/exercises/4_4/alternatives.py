@@ -70,4 +70,48 @@ class DoorGuard(Node):
             self.inside -= 1
         return Trigger.Response(success=True)
 '''),
+    Alternative('a_line_at_the_door', source='''
+from collections import deque
+
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.task import Future
+from std_srvs.srv import SetBool, Trigger
+
+
+class DoorGuard(Node):
+    """Who finds somebody at the door waits, in any order: the second to come may be told last."""
+
+    def __init__(self, capacity=2):
+        super().__init__('door_guard')
+        self.capacity, self.inside = capacity, 0
+        self.line, self.occupied = deque(), False
+        all_of_them = ReentrantCallbackGroup()
+        self.lock = self.create_client(SetBool, 'lock', callback_group=all_of_them)
+        self.create_service(Trigger, 'enter', self.on_enter, callback_group=all_of_them)
+        self.create_service(Trigger, 'leave', self.on_leave, callback_group=all_of_them)
+
+    async def on_enter(self, request, response):
+        while self.occupied and self.inside < self.capacity:
+            turn = Future()
+            self.line.append(turn)
+            await turn
+        if self.inside >= self.capacity:
+            response.message = 'full'
+            while self.line:
+                self.line.popleft().set_result(None)
+            return response
+        self.occupied = True
+        answer = await self.lock.call_async(SetBool.Request())
+        self.occupied = False
+        if answer.success:
+            self.inside += 1
+        while self.line:
+            self.line.popleft().set_result(None)
+        return Trigger.Response(success=answer.success, message=('locked', 'welcome')[answer.success])
+
+    def on_leave(self, request, response):
+        self.inside -= self.inside > 0
+        response.success = True
+        return response
+'''),
 ]

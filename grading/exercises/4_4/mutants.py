@@ -7,6 +7,14 @@ ALL = 'test_all_at_once'
 NEVER = ('names', 'capacity', 'welcome', 'open', 'locked', 'full', 'leave')
 
 MUTANTS = [
+    Mutant('one_count_for_all_guards', breaks='full', edits=(
+        ('self.capacity, self.inside = capacity, 0', 'self.capacity = capacity'),
+        ('class DoorGuard(Node):', '''
+         class DoorGuard(Node):
+             inside = 0
+
+         '''), ('self.inside += answer.success', 'DoorGuard.inside += answer.success'),
+        (LEAVE, 'DoorGuard.inside = max(0, self.inside - 1)')), expect='Each guard counts for itself'),
     Mutant('absolute_lock', breaks='names', also=('one-thread', 'capacity'), old="SetBool, 'lock', callback_group",
            new="SetBool, '/lock', callback_group", expect='without a leading slash'),
     Mutant('all_reentrant', breaks='capacity', also=('full', 'open'), old='''

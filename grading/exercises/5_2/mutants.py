@@ -9,6 +9,12 @@ LATE = 'test_server_comes_late'
 ALL = ('send', 'word', 'numbers', 'deadline', 'result', 'lost', 'once', 'names', 'at-once')
 
 MUTANTS = [
+    Mutant('sends_until_accepted', breaks='send', old="return self.finish('rejected', [])", new='''
+           if not self.said:
+               self.outcome.publish(String(data='rejected []'))
+           self.said = True
+           return self.timer.reset()
+           ''', expect='a goal that was rejected is not sent again'),
     Mutant('absolute_action', breaks='names', also='at-once', old="Fibonacci, 'fibonacci')",
            new="Fibonacci, '/fibonacci')", expect='without a leading slash'),
     Mutant('absolute_outcome', breaks='names', old="String, 'outcome', 10", new="String, '/outcome', 10",

@@ -7,7 +7,7 @@ from geometry_msgs.msg import Twist
 from turtle_interfaces.action import DriveTo
 from turtlesim.msg import Pose
 
-from helpers.checks.chapter_05.driving import check_newest, check_order
+from helpers.checks.chapter_05.driving import check_cancel, check_newest, check_order
 from helpers.runner import about, expect
 from helpers.runner.turtlesim import TurtleSim
 
@@ -200,6 +200,35 @@ def test_one_at_a_time(learner):
         'busy',
     )
     expect(far < 0.2, f'The goal (7, 5.5) succeeded {far:.1f} m away from it, expected less than 0.1 m.', 'arrive')
+
+
+@pytest.mark.rules('busy', 'give-up', 'cancel', 'next')
+@about('busy')
+def test_cancelled_before(learner):
+    """Until a cancelled goal has ended, no other one is accepted; the next one has its 20 s.
+
+    What belongs to one goal begins anew with the next one.
+    """
+    client = learner.action_client('/drive_to', DriveTo)
+    poses = learner.talk('/turtle1/pose', Pose)
+    learner.start('Driver', threads=True)
+    poses.send(Pose(x=2.0, y=2.0))
+    learner.settle()
+    goal = client.send(x=9.0, y=2.0)
+    seconds = round(learner.random.uniform(2.0, 4.0), 1)
+    learner.run(seconds)
+    check_cancel(learner, client, goal, f'A goal was cancelled {seconds:g} s after its start: ')
+    goal = client.send(x=9.0, y=2.0)
+    learner.run(20.6)
+    expect(goal.accepted, 'A goal that came after a cancelled one was rejected.', 'next')
+    expect(goal.done, 'The turtle did not move for 20.6 s, and the goal still runs.', 'give-up')
+    took = goal.finished - goal.sent
+    expect(
+        took == pytest.approx(20.0, abs=0.5),
+        f'A goal that came after one that had been cancelled after {seconds:g} s was given up after {took:.1f} s, '
+        'expected 20 s: each goal has 20 s of its own.',
+        'give-up',
+    )
 
 
 @pytest.mark.rules('give-up', 'zeros', 'steer')

@@ -10,6 +10,25 @@ STANDS = 'test_standing_robot'
 DRIVES = 'test_simulated_robot'
 
 MUTANTS = [
+    Mutant('rounds_go_on_after_a_cancel', breaks='give-up', edits=(
+        ('self.pose, self.busy = None, False', 'self.pose, self.busy, self.rounds = None, False, 0'),
+        ('for step in range(1, 201):', 'for step in range(1 + self.rounds, 201):'), ('''
+        self.motor.publish(Twist())
+        self.busy = False
+        ''', '''
+        self.rounds = step if goal.is_cancel_requested else 0
+        self.motor.publish(Twist())
+        self.busy = False
+        ''')), expect='each goal has 20 s of its own'),
+    Mutant('free_when_asked_to_cancel', breaks='busy', edits=(
+        ('cancel_callback=lambda goal: CancelResponse.ACCEPT)', 'cancel_callback=self.on_cancel)'),
+        ('def on_pose(self, pose):', '''
+        def on_cancel(self, goal):
+            self.busy = False
+            return CancelResponse.ACCEPT
+
+        def on_pose(self, pose):
+        ''')), expect='not when somebody has asked for its end'),
     Mutant('absolute_action', breaks='names', old="'drive_to', self.execute", new="'/drive_to', self.execute",
            expect='without a leading slash'),
     Mutant('absolute_pose', breaks='names', old="'turtle1/pose'", new="'/turtle1/pose'",
@@ -23,7 +42,7 @@ MUTANTS = [
            edits=(('distance < 0.1:', 'distance < 0.3:'), ('if distance < 0.1 else', 'if distance < 0.3 else')),
            expect='expected to go on until the distance is below 0.1 m'),
     Mutant('busy_for_ever', breaks='next', also=('cancel', 'field'), old='self.busy = False', new='',
-           expect='A goal that came after one that was given up was rejected'),
+           expect='A goal that came after a cancelled one was rejected'),
     Mutant('commands_after_end', breaks='zeros', also=('cancel', 'result'), edits=((
            "self.server = ActionServer(", '''
            self.create_timer(0.1, lambda: self.busy or self.pose and self.motor.publish(Twist()))

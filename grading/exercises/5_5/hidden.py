@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_05.printing import Job, Printer, check_switches, drawn_orders
+from helpers.checks.chapter_05.printing import Job, Printer, check_at_the_end, check_switches, drawn_orders
 from helpers.runner import about
 
 pytestmark = [pytest.mark.exercise('5.5'), pytest.mark.wiring(type='names', namespace='names')]
@@ -83,6 +83,7 @@ def test_cancel(learner):
         Job('D', 0.2, draw.randint(1, 3)),
     )
     printer.judge()
+    check_at_the_end(printer, draw)
 
 
 @pytest.mark.rules('lock')

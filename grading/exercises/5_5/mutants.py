@@ -26,6 +26,21 @@ def leave(self, goal):
 '''
 
 MUTANTS = [
+    Mutant('no_look_at_the_last_page', breaks='cancel-waiting', old='self.look_at_the_others()', new='''
+        if len(pages) < goal.request.order:
+            self.look_at_the_others()
+        ''', expect='somebody must look at the goals that wait'),
+    Mutant('occupied_after_a_cancel', breaks='others', also=('cancel', 'lock'), edits=(
+        ('self.places, self.goals, self.lock = places, [], threading.Lock()',
+         'self.places, self.goals, self.lock, self.occupied = places, [], threading.Lock(), False'),
+        ('alone = len(self.goals) == 1', '''
+         alone = not self.occupied
+         self.occupied = True
+         '''), ('following = self.goals[:1]', '''
+         following = self.goals[:1]
+         if not following and len(pages) == goal.request.order:
+             self.occupied = False
+         ''')), expect='never began'),
     Mutant('absolute_name', breaks='names', old="'print', self.execute", new="'/print', self.execute",
            expect='without a leading slash'),
     Mutant('other_name', breaks='names', old="super().__init__('printer')", new="super().__init__('print')",

@@ -1,6 +1,15 @@
 from grading.variants import Mutant
 
 MUTANTS = [
+    Mutant('a_moment_later', breaks='late', edits=(
+           ('self.broadcaster = StaticTransformBroadcaster(self)', '''
+            self.broadcaster = StaticTransformBroadcaster(self)
+            self.timer = self.create_timer(
+                0.1, lambda: (self.timer.cancel(), self.broadcaster.sendTransform(self.frames)))
+            '''), ('self.broadcaster.sendTransform([', 'self.frames = list([')),
+           expect='Send the transforms in the constructor'),
+    Mutant('never_steeper_than_45', breaks='tilt', old='math.radians(tilt)', new='math.radians(min(tilt, 45))',
+           expect='the camera looks along'),
     Mutant('all_on_the_base', breaks='tree', also='optical', old='''
         transform('mast', 'lidar', z=height, roll=math.pi),
         transform('mast', 'camera', x=0.05, z=height - 0.1, pitch=math.radians(tilt)),

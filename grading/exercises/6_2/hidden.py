@@ -14,7 +14,7 @@ def test_circle(learner):
 
     The angle comes from the clock: 2 pi times the time by the period. Not from a counter, and not from the start.
     """
-    moons.judge_circle(moons.Watched(learner, 2.0))
+    moons.judge_circle(moons.Watched(learner, 2.0, rounds=True))
 
 
 @pytest.mark.rules('face')
@@ -24,7 +24,7 @@ def test_face(learner):
 
     The moon stands at the angle a and looks back: its yaw is a + pi. Radians. A Quaternion has x, y, z and then w.
     """
-    moons.judge_face(moons.Watched(learner, 1.0))
+    moons.judge_face(moons.Watched(learner, 1.0, rounds=True))
 
 
 @pytest.mark.rules('stamp')

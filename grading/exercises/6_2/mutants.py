@@ -1,6 +1,18 @@
 from grading.variants import Mutant
 
 MUTANTS = [
+    Mutant('adds_up_the_period', breaks='time', also='face', edits=(
+           ('period = radius, period', 'period, self.seconds = radius, period, None'),
+           ('angle = 2 * math.pi * (now.nanoseconds / 1e9) / self.period', '''
+            begin = now.nanoseconds / 1e9 if self.seconds is None else self.seconds
+            self.seconds = begin if self.seconds is None else begin + 0.05
+            angle = 2 * math.pi * self.seconds / self.period
+            ''')), expect='some calls were left out'),
+    Mutant('w_is_never_negative', breaks='face', old='message.header.stamp = now.to_msg()', new='''
+           message.header.stamp = now.to_msg()
+           z = math.sin((angle + math.pi) / 2)
+           message.transform.rotation = Quaternion(z=z, w=math.sqrt(max(0.0, 1 - z * z)))
+           ''', expect='expected to the planet'),
     Mutant('angle_as_quaternion', breaks='face', old="message = transform('planet', 'moon', x=x, y=y, yaw=angle + math.pi)", new='''
         message = transform('planet', 'moon', x=x, y=y)
         message.transform.rotation = Quaternion(z=angle + math.pi, w=1.0)

@@ -4,6 +4,29 @@ CUP = 'test_cup'
 FOUND = "found = self.buffer.lookup_transform_full('base_link', Time(), 'cup', then, 'map')"
 
 MUTANTS = [
+    Mutant('heading_only', breaks='point', edits=((FOUND, '''
+            robot = self.buffer.lookup_transform('map', 'base_link', Time())
+            cup = self.buffer.lookup_transform('map', 'cup', then)
+            '''), ('''
+        point = PointStamped(header=found.header)
+        place = found.transform.translation
+        point.point.x, point.point.y, point.point.z = place.x, place.y, place.z
+        ''', '''
+        point = PointStamped(header=robot.header)
+        point.header.frame_id = 'base_link'
+        c, r, q = cup.transform.translation, robot.transform.translation, robot.transform.rotation
+        yaw = math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y**2 + q.z**2))
+        dx, dy = c.x - r.x, c.y - r.y
+        point.point.x = math.cos(yaw) * dx + math.sin(yaw) * dy
+        point.point.y = math.cos(yaw) * dy - math.sin(yaw) * dx
+        point.point.z = c.z - r.z
+        ''')), expect='it is turned by more than its yaw'),
+    Mutant('listens_when_asked', breaks='none', also=('then', 'robot-now', 'far'), edits=(
+           ('self.listener = TransformListener(self.buffer, self)', 'self.listener = None'),
+           ('then = self.get_clock().now() - Duration(seconds=seconds)', '''
+            self.listener = self.listener or TransformListener(self.buffer, self)
+            then = self.get_clock().now() - Duration(seconds=seconds)
+            ''')), expect='so that they hear what comes before the first question'),
     Mutant('another_time_instead', breaks='too-long', also=('none', 'far', 'then', 'robot-now',), old='return None',
            new='''
         try:

@@ -3,6 +3,9 @@ from grading.variants import Mutant
 SCANS = 'test_scans'
 
 MUTANTS = [
+    Mutant('from_min_to_max', breaks='place', old='number * scan.angle_increment',
+           new='number * (scan.angle_max - scan.angle_min) / max(1, len(scan.ranges) - 1)',
+           expect='spread from angle_min to angle_max'),
     Mutant('always_laser', breaks='frame', also=('one-cloud', 'later', 'hopeless', 'range'),
            old='scan.header.frame_id', new="'laser'", expect='not of the frame in the header of the scan'),
     Mutant('blocks', breaks='later', also=('hopeless',), old='''

@@ -6,6 +6,9 @@ LOOKUP = '(self.me, self.leader, Time())'
 TIMER = 'self.create_timer(0.1, self.tick)'
 
 MUTANTS = [
+    Mutant('two_trees', breaks='unknown', also=ALL, old='except TransformException:',
+           new='except (tf2_ros.LookupException, tf2_ros.ExtrapolationException):', imports='import tf2_ros',
+           expect='ConnectivityException'),
     Mutant('asks_for_now', breaks='newest', also=ALL + ('unknown',), old='(self.me, self.leader, Time())',
            new='(self.me, self.leader, self.get_clock().now())', expect='ask for the newest'),
     Mutant('blind', breaks='old', old='''

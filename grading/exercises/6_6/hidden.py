@@ -23,7 +23,9 @@ def test_fall(learner):
 
     The <collision> has the shape and the origin of the <visual>.
     """
-    crate(learner).check_fall()
+    one = crate(learner)
+    one.check_fall()
+    small(learner, one).check_fall()
 
 
 @pytest.mark.rules('urdf', 'mass', 'centre', 'inertia')
@@ -33,5 +35,6 @@ def test_weight(learner):
 
     The inertia about an axis: mass / 12 times the sum of the squares of the two other sides. In kg and metres.
     """
-    crate(learner).check_weight()
-    small(learner).check_weight()
+    one = crate(learner)
+    one.check_weight()
+    small(learner, one).check_weight()

@@ -3,6 +3,12 @@ from grading.variants import Mutant
 CRATE = 'test_crate'
 
 MUTANTS = [
+    Mutant('three_digits', breaks='inertia', old='"{ixx}" iyy="{iyy}" izz="{izz}"',
+           new='"{ixx:.3g}" iyy="{iyy:.3g}" izz="{izz:.3g}"', expect='Do not round the numbers'),
+    Mutant('long_side_first', breaks='collision', old="collision = f'<collision>{middle}{shape}</collision>'", new='''
+        box = f'<box size="{max(length, width)} {min(length, width)} {height}"/>'
+        collision = f'<collision>{middle}<geometry>{box}</geometry></collision>'
+        ''', expect='Length and width are exchanged'),
     Mutant('collision_at_the_frame', breaks='place', old='collision>{middle}{shape}<', new='collision>{shape}<',
            expect='the <collision> needs an <origin>, too'),
     Mutant('grams', breaks='mass', old='value="{mass}"/', new='value="{1000 * mass}"/', expect='has the mass'),

@@ -217,6 +217,7 @@ def test_new_command(learner):
     gripper = Gripper(learner, lambda request: {'success': request.data}, delay=delay)
     _while_a_request_is_open(gripper, first, pause)
     _while_a_server_is_silent(gripper, first, pause)
+    _the_same_command_again(gripper, first, pause)
     _ten_at_once(gripper, first)
 
 
@@ -247,6 +248,28 @@ def _while_a_request_is_open(gripper, first, pause):
     expect(
         told == wanted,
         f'{words}gripper_state says {told}, expected {wanted}: nothing is reported for the old command.',
+        'newest',
+    )
+
+
+def _the_same_command_again(gripper, data, pause):
+    """The same command twice, the second one before the first is answered: the two answers look alike."""
+    learner, states, server = gripper.learner, gripper.states, gripper.server
+    server.answer = {'success': data}
+    states.clear()
+    begin = None
+    for _ in range(2):
+        gripper.close.send(Bool(data=data))
+        learner.run(pause)
+        begin = begin or server.stamps[-1]
+    learner.run(5.0, step=1.0)
+    told = list(zip(states.data, (round(stamp - begin, 3) for stamp in states.stamps), strict=True))
+    wanted = [('ok' if data else 'refused', round(pause + server.delay, 3))]
+    expect(
+        told == wanted,
+        f'The command {data} came twice, at 0 s and at {pause} s, and each request was answered after '
+        f'{server.delay} s; gripper_state says {told}, expected {wanted}: the answer to a request of the old command '
+        'does not count for the new one, also if both have the same data.',
         'newest',
     )
 
@@ -303,6 +326,7 @@ def test_no_server(learner):
     states, close = learner.listen(f'{space}/gripper_state', String), learner.talk(f'{space}/close', Bool)
     with about('no-server'):
         node = learner.start('GripperClient', remap={'__ns': space})
+    check_constructor(learner)
     expect(
         node.name == f'{space}/gripper_client',
         f'In the namespace {space} your node is called {node.name}, expected {space}/gripper_client.',
@@ -345,6 +369,16 @@ def test_no_server(learner):
             any(_seconds(lambda: learner.start('GripperClient', beside=node)) < 0.35 for _ in range(4)),
             'Without a server, your constructor takes a long time: it must not wait for the service.',
         )
+
+
+def check_constructor(learner) -> None:
+    """Expect that the constructor of the client that has just been started has not waited, not even shortly."""
+    expect(
+        learner.slept == 0.0,
+        f'Without a server, your constructor waits ({learner.slept:.2g} s): it must not wait for the service. The '
+        'first command makes a request all the same.',
+        'no-server',
+    )
 
 
 def check_awake(learner, before: float) -> None:

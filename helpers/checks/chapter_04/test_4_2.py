@@ -121,7 +121,8 @@ def test_words(learner):
     some.accepted(
         'size', 'A picture may be higher than it is wide.', width=height, height=width, cx=0.5, cy=height + 0.5
     )
-    some.accepted('distortion', 'The five numbers themselves are not checked.', bend=learner.random.choice([inf, -1e9]))
+    for bend in (inf, -1e9):
+        some.accepted('distortion', 'The five numbers themselves are not checked.', bend=bend)
     some.accepted('distortion', 'Five zeros are five numbers: a camera that does not distort.', bend=0.0)
     for place, word in (
         ('fx', 'focal length'),
@@ -134,6 +135,7 @@ def test_words(learner):
     some.refused('size', 'order', hint, width=0, fx=low)
     some.refused('size', 'order', hint, height=0, d=3)
     some.refused('focal length', 'order', hint, fy=0.0, cy=low, model='')
+    some.refused('focal length', 'order', hint, fy=low, cx=low)
     some.refused('principal point', 'order', hint, cx=low, d=0)
     some.accepted('accept', 'It came after some that were refused.')
     large = learner.random.randint(20_000, 2**32 - 1)

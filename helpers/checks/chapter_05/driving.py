@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.runner import expect
+from helpers.runner import about, expect
 from helpers.runner.action_peers import Goal
 
 ENDS = ('succeeded', 'canceled', 'aborted')
@@ -31,4 +31,29 @@ def check_newest(commands: list, wanted: tuple[float, float], story: str) -> Non
         f'{story}. The first command after this pose is {first}, as for an older pose, and the last one {last}: after '
         'the wait, take the pose that is the newest then.',
         'steer',
+    )
+
+
+def check_cancel(learner, client, goal: Goal, story: str) -> None:
+    """Cancel a goal: it ends within 0.2 s as canceled, and until its end no other goal is accepted."""
+    with about('cancel'):
+        cancel = goal.cancel()
+        learner.settle()
+        running = not goal.done
+        other = client.send(x=5.0, y=6.0) if running else None
+        learner.settle()
+        running = running and not goal.done
+        learner.run(0.2)
+    expect(cancel.done, f'{story}the cancel request was not answered: no thread was free to hear it.', 'cancel')
+    expect(cancel.answer == 'accepted', f'{story}the cancel request was refused.', 'cancel')
+    expect(
+        goal.status == 'canceled',
+        f'{story}0.2 s later it is {goal.status or "still running"}, expected canceled.',
+        'cancel',
+    )
+    expect(
+        not running or not other.accepted,
+        f'{story}directly after the cancel request, when it still ran, another goal came and was accepted. The robot '
+        'is free when the goal has ended, not when somebody has asked for its end.',
+        'busy',
     )

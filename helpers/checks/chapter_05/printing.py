@@ -239,7 +239,7 @@ class Printer:
         expect(executing or goal.finished is not None, f'{told}never began, {begins}.', queue)
         if goal.finished is None:
             expect(job.cancel_at == NEVER, f'{told}was cancelled while it ran, and did not end.', 'cancel')
-        if executing and job.begin < executing[0]:
+        if executing and job.begin < executing[0] - 1e-6:
             expect(False, f'{told}began at {executing[0]:g} s, {begins}.', queue)
         if job.cancel_at < job.begin + PAGE * job.order:
             self._judge_cancelled(job, len(due))
@@ -456,3 +456,17 @@ def _words(rush: Rush, stood: str) -> str:
     also = ', and one that waited was cancelled' if rush.cancelled else ''
     where = f' One thread stood still before {stood}, or in it, and the others went on.' if stood else ''
     return f'A goal came just when another one ended{also}.{where} '
+
+
+def check_at_the_end(printer: Printer, draw: Random) -> None:
+    """One that waits leaves during the last page of the goal that runs; then the only goal is cancelled, and one comes.
+
+    While the last page is printed somebody must look at those that wait, too; a cancelled goal leaves a free printer.
+    """
+    pages, last = draw.randint(1, 2), draw.choice([0.1, 0.2, 0.3])
+    leaves = Job('L', 0.0, draw.randint(1, 3), client=1, cancel_at=round(PAGE * (pages - 1) + last, 1))
+    printer.tell(Job('J', 0.0, pages), Job('K', 0.0, 3), leaves)
+    printer.judge()
+    only = Job('M', 0.0, 5, cancel_at=draw.choice([0.3, 0.7, 1.2]))
+    printer.tell(only, Job('N', round(only.cancel_at + PAGE + 0.2, 1), 2, client=1))
+    printer.judge()

@@ -98,6 +98,12 @@ def test_outcomes(learner):
     rounds.begin(order, 1.0, 'a server that rejects the goal')
     learner.run(2.5, step=1.0)
     rounds.expect('rejected []', 'word', 'Look at accepted first.')
+    sent = len(server.goals) - 1  # without that of the first client
+    expect(
+        sent == 1,
+        f'{rounds.story}it sent {sent} goals, expected one: a goal that was rejected is not sent again.',
+        'send',
+    )
     server.accept, value = True, draw.randint(3, 99)
     heard = Fibonacci.Feedback(sequence=[value])
     for plan_, wanted in (

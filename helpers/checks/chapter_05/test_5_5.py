@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_05.printing import NEVER, Job, Printer, check_switches, drawn_orders
+from helpers.checks.chapter_05.printing import NEVER, Job, Printer, check_at_the_end, check_switches, drawn_orders
 from helpers.runner import about
 
 pytestmark = [pytest.mark.exercise('5.5'), pytest.mark.wiring(type='names', namespace='names')]
@@ -67,6 +67,7 @@ def test_cancel(learner):
     now = draw.choice([0.3, 0.7, 1.3])
     printer.tell(Job('F', 0.0, 9, cancel_at=now), Job('G', 0.1, 2, client=1), Job('H', 0.1, 1))
     printer.judge()
+    check_at_the_end(printer, draw)
 
 
 @pytest.mark.rules('lock')

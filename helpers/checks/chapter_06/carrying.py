@@ -1,5 +1,7 @@
 """What the tests of exercise 6.3 show the learner's node: a robot that drives, and a cup that is carried."""
 
+from random import Random
+
 import numpy as np
 from geometry_msgs.msg import PointStamped
 from rclpy.time import Time
@@ -23,13 +25,14 @@ class Scene:
         self.learner, self._robot, self._cup = learner, np.array(robot, float), np.array(cup, float)
         learner.now = learner.now or learner.random.randint(1000, 1900) * SECOND
         self._begin = learner.now / SECOND
+        self._ramp = Random(learner.now).choice([-1, 1]) * 0.3  # rad: the robot is not level
         self._tf = learner.tf_broadcaster()
         self.newest = 0.0  # stamp of the robot's last transform, simulated seconds
 
     def robot(self, seconds: float) -> np.ndarray:
         """The matrix of base_link in map."""
         x, y, yaw = self._robot[0] + (seconds - self._begin) * self._robot[1]
-        return pose(x, y, 0.0, yaw=yaw)
+        return pose(x, y, 0.3, pitch=self._ramp, yaw=yaw)
 
     def cup(self, seconds: float) -> np.ndarray:
         """The matrix of cup in map."""
@@ -56,6 +59,17 @@ class Scene:
         self._ask_kept(node, round(self.learner.random.uniform(24.0, 29.5), 1))
         self.run(10, 0.1)  # what is newest is so new now that a buffer of 29.5 s has lost what was 30 s ago
         self._ask_kept(node, 30.0)
+
+    def ask_first(self, node) -> None:
+        """Ask a node that has heard everything, and that nobody has asked before."""
+        expect(
+            node.call('where_was', 1.0) is not None,
+            'All transforms had come when where_was was called for the first time, and where_was(1) gave None: the '
+            'buffer and its listener belong into the constructor, so that they hear what comes before the first '
+            'question.',
+            'none',
+        )
+        self.ask(node, 1.0)
 
     def ask_now(self, node) -> None:
         """The cup says where it is now; then ask where it was no time ago."""
@@ -95,9 +109,11 @@ class Scene:
         both = self.newest - EARLIER  # the newest time of which all is known
         robot, before = np.linalg.inv(self.robot(self.newest)), np.linalg.inv(self.robot(then))
         expected = origin(robot @ self.cup(then))
+        x, y, yaw = self._robot[0] + (self.newest - self._begin) * self._robot[1]
+        level = np.linalg.inv(pose(x, y, 0.3, yaw=yaw)) @ self.cup(then)
         rules = [
             rule
-            for wrong, rule in ((before @ self.cup(then), 'robot-now'), (self.cup(then), 'point'))
+            for wrong, rule in ((before @ self.cup(then), 'robot-now'), (self.cup(then), 'point'), (level, 'point'))
             if same(place, origin(wrong), 1e-3)
         ]
         explain(
@@ -110,6 +126,7 @@ class Scene:
                     (robot @ self.cup(both), 'This is where the cup was just now.'),
                     (np.linalg.inv(self.robot(both)) @ self.cup(both), 'This is where the cup was just now.'),
                     (self.cup(then), 'This is in the frame map.'),
+                    (level, 'The robot stands on a ramp: it is turned by more than its yaw.'),
                     (
                         np.linalg.inv(robot @ self.cup(then)),
                         'This is where the robot is, seen from the cup: target and source are swapped.',

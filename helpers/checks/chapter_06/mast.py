@@ -49,13 +49,16 @@ def _drawn(draw) -> tuple[float, float]:
     """A height and a tilt; some degrees look the same as radians, and they are left out."""
     height, tilt = round(draw.uniform(0.6, 2.5), 2), 0.0
     while abs(math.sin(tilt) - math.sin(math.radians(tilt))) < 0.2:
-        tilt = round(draw.uniform(25, 50), 1)
+        tilt = round(draw.uniform(48, 80), 1)  # steep: no tilt is too large
     return height, tilt
 
 
 def _late_joiner(learner, height: float, tilt: float) -> Listener:
     """Start the mast, and listen when all has been said."""
+    early = learner.tf_listener()
     node = learner.start('SensorMast', height, tilt)
+    learner.settle()
+    at_once = set(early.static_transforms)
     learner.run(0.5)
     expect(node.name == '/sensor_mast', f'Your node is called {node.name}, expected /sensor_mast.', 'name')
     late = learner.tf_listener()
@@ -82,6 +85,14 @@ def _late_joiner(learner, height: float, tilt: float) -> Listener:
         f'A listener that came late heard of {", ".join(f"`{child}`" for child in sorted(heard))}, and '
         f'nothing of `{lost and lost[0]}`. {_why(heard, lost)}',
         'late' if len(heard) == 1 else 'tree',
+    )
+    waiting = [child for child in PARENTS if child not in at_once]
+    expect(
+        not waiting,
+        f'`SensorMast({height}, {tilt})` was made, and at this moment nobody heard of '
+        f'`{waiting and waiting[0]}`; later somebody did. Send the transforms in the constructor, not in a timer or '
+        'another callback.',
+        'late',
     )
     return late
 
@@ -140,7 +151,7 @@ def judge_camera(mast: Mast) -> None:
 def judge_upwards(learner) -> None:
     """The rules `tilt` and `places`, for a mast that is very low, and a camera that looks up."""
     draw = learner.random
-    mast = Mast(learner, (round(draw.uniform(0.02, 0.08), 2), -round(draw.uniform(25, 50), 1)))
+    mast = Mast(learner, (round(draw.uniform(0.02, 0.08), 2), -round(draw.uniform(48, 80), 1)))
     judge_places(mast)
     view, angle = axis(mast.in_base('camera'), 'x'), math.radians(mast.tilt)
     expected = math.cos(angle), 0, -math.sin(angle)

@@ -7,6 +7,7 @@ import numpy as np
 from helpers.checks.chapter_06.geometry import axis, check_rotation, explain, origin, same, words
 from helpers.runner import about, expect
 from helpers.runner.frames import to_matrix
+from helpers.runner.peers import SECOND
 
 STEP = 0.05  # s
 
@@ -14,7 +15,8 @@ STEP = 0.05  # s
 class Watched:
     """A moon that was started at some time. `pairs`: (time of arrival in s, transform)."""
 
-    def __init__(self, learner, seconds: float):
+    def __init__(self, learner, seconds: float, rounds: bool = False):
+        """Watch it for so many seconds; `rounds`: then at times in two rounds, and most calls of its timer are lost."""
         draw = learner.random
         self.radius, self.period = round(draw.uniform(1.5, 9.0), 1), round(draw.uniform(5.0, 15.0), 1)
         self.called, self.seconds = f'Moon({self.radius}, {self.period})', seconds
@@ -30,6 +32,8 @@ class Watched:
             'Transforms came on /tf_static. That is for frames that never move: use a TransformBroadcaster.',
             'frames',
         )
+        if rounds:
+            self._lose_calls(learner)
         expect(heard.transforms, 'No transform came on /tf.', 'frames')
         for transform in heard.transforms:
             names = transform.header.frame_id, transform.child_frame_id
@@ -46,6 +50,13 @@ class Watched:
             )
         pairs = zip(heard.moving.stamps, heard.moving.messages, strict=True)
         self.pairs = [(time, transform) for time, message in pairs for transform in message.transforms]
+
+    def _lose_calls(self, learner):
+        """Let the clock jump through two rounds of the moon, as if the machine were too busy to call the timer."""
+        for _ in range(9):
+            learner.now += round(2 * self.period / 9 * SECOND)
+            with about('rate'):
+                learner.run(STEP)
 
     def angle(self, time: float) -> float:
         """Where the moon is at this time, in rad from the planet's x axis."""
@@ -88,7 +99,7 @@ def judge_stamp(moon: Watched) -> None:
 def judge_circle(moon: Watched) -> None:
     """The rules `circle` and `time`."""
     start = moon.pairs[0][0]
-    for time, transform in moon.pairs:
+    for number, (time, transform) in enumerate(moon.pairs):
         angle, there = moon.angle(time), origin(to_matrix(transform))
         told = f'{moon.called}: at time {time:g} s the moon is at {words(there)}'
         expect(
@@ -101,6 +112,11 @@ def judge_circle(moon: Watched) -> None:
         explain(
             same(there, moon.place(angle), 1e-3),
             f'{told}, expected {words(moon.place(angle))}.',
+            (
+                same(there, moon.place(moon.angle(start + number * STEP)), 1e-3),
+                f'This is the place for {start + number * STEP:g} s: 0.05 s more for each call of the timer. The '
+                'machine was busy, and some calls were left out. Take the time from the clock in each call.',
+            ),
             (late, 'It started on the x axis when the node was made. Its place depends on the time of the clock only.'),
             (right, 'It goes round to the right, expected to the left: from x to y.'),
             rule='circle' if right and not late else 'time',

@@ -58,6 +58,10 @@ class Pursuit:
                 stamp = self.learner.now / SECOND if seconds is None else seconds
                 self.stamps[turtle.name] = max(stamp, self.stamps[turtle.name])
 
+    def tell_elsewhere(self, name: str) -> None:
+        """A turtle says where it is in another tree, whose root is `map`: no way leads from one to the other."""
+        self._tf.send('map', name, pose(1.0, 2.0))
+
     def seen_back(self) -> np.ndarray:
         """Where the follower is in the frame of the leader: x, y, z."""
         leader, me = (pose(turtle.x, turtle.y, yaw=turtle.theta) for turtle in (self.leader, self.me))

@@ -60,7 +60,7 @@ class Laser:
         """
         scan = LaserScan(
             angle_min=first,
-            angle_max=first + step * (len(ranges) - 1),
+            angle_max=first + step * len(ranges),  # some drivers say so: the last direction is one step before it
             angle_increment=step,
             range_min=limits[0],
             range_max=limits[1],
@@ -135,6 +135,7 @@ class Laser:
                 'frame',
             )
         degrees = moved(self.hits(_in_degrees(scan)), there)
+        spread = moved(self.hits(_spread(scan)), there)
         reasons = [
             (np.eye(4), 'It is still in the frame of the laser: only the name of the frame has changed.'),
             (np.linalg.inv(there), 'The transform goes from map to the laser: target and source are swapped.'),
@@ -144,6 +145,11 @@ class Laser:
             told,
             *[(same(found, moved(hits, wrong), 1e-3), reason) for wrong, reason in reasons],
             (same(found, degrees, 1e-3), 'The angles of a scan are in radians already.'),
+            (
+                same(found, spread, 1e-3),
+                'The directions are spread from angle_min to angle_max. Each is one angle_increment farther than the '
+                'one before.',
+            ),
             rule='place',
         )
 
@@ -180,6 +186,18 @@ def points(cloud: PointCloud2) -> np.ndarray:
 def moved(hits: np.ndarray, matrix: np.ndarray) -> np.ndarray:
     """Points (Nx3) through a 4x4 matrix."""
     return hits @ matrix[:3, :3].T + matrix[:3, 3]
+
+
+def _spread(scan: LaserScan) -> LaserScan:
+    """The scan with directions that go from angle_min to angle_max in equal steps."""
+    step = (scan.angle_max - scan.angle_min) / max(1, len(scan.ranges) - 1)
+    return LaserScan(
+        angle_min=scan.angle_min,
+        angle_increment=step,
+        range_min=scan.range_min,
+        range_max=scan.range_max,
+        ranges=scan.ranges,
+    )
 
 
 def _in_degrees(scan: LaserScan) -> LaserScan:

@@ -25,6 +25,6 @@ def test_circle(learner):
     The angle comes from the clock: 2 pi times the time by the period. A moon at the angle a looks back: its yaw is
     a + pi.
     """
-    moon = moons.Watched(learner, 2.0)
+    moon = moons.Watched(learner, 2.0, rounds=True)
     moons.judge_circle(moon)
     moons.judge_face(moon)

@@ -22,6 +22,7 @@ def test_cup(learner):
         cup=[(draw(3, 5), draw(3, 5), draw(-3, 3)), (draw(-0.8, -0.3), draw(0.3, 0.8), draw(-0.5, 0.5))],
     )
     node = learner.start('CupFinder')
+    other = learner.start('CupFinder', beside=node)
     expect(node.name == '/cup_finder', f'Your node is called {node.name}, expected /cup_finder.', 'name')
     learner.run(0.2)
     found = node.call('where_was', 0.3)
@@ -36,6 +37,7 @@ def test_cup(learner):
         there.ask(node, round(draw(0.7, 1.8), 2))
         there.run(2)
         there.ask(node, round(draw(0.5, 2.1), 2))
+        there.ask_first(other)
         there.ask_now(node)
     with about('too-long'):
         seconds = round(draw(3.2, 9.0), 1)

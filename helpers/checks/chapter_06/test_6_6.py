@@ -22,4 +22,6 @@ def test_crate(learner):
     crate.check_fall()
     crate.check_weight()
     with about('inertia'):
-        small(learner).check_weight()
+        other = small(learner, crate)
+        other.check_fall()
+        other.check_weight()
