@@ -27,7 +27,7 @@ def test_read_topics(learner):
         if end['role'] in ('publisher', 'subscription')
     ]
     strange = next(kind for kind in graphs.MESSAGES if kind != endpoints[0]['type'])  # two types on one topic
-    endpoints.append({**endpoints[0], 'node': '/hall/stranger', 'role': 'subscription', 'type': strange})
+    endpoints.append({**endpoints[0], 'node': '/house/hall/stranger', 'role': 'subscription', 'type': strange})
     secret = {**endpoints[0], 'node': '/_secret', 'role': 'subscription'}
     with graphs.System(learner.context.get_domain_id()) as system, about('read'):
         for endpoint in [secret, *endpoints]:

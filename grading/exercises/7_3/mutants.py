@@ -13,6 +13,12 @@ MUTANTS = [
            expect='There is'),
     Mutant('no_namespace', old='f"{end.node_namespace.rstrip(\'/\')}/{end.node_name}"', new="f'/{end.node_name}'",
            breaks='node-name', expect='There is'),
+    Mutant('last_part_of_the_namespace', old='f"{end.node_namespace.rstrip(\'/\')}/{end.node_name}"',
+           new="'/'.join(['', *end.node_namespace.split('/')[-1:], end.node_name]).replace('//', '/')",
+           breaks='node-name', expect='There is'),
+    Mutant('durability_of_publishers_alone', old="end.qos_profile.durability.name} for",
+           new="end.qos_profile.durability.name if role == 'publisher' else 'VOLATILE'} for", breaks='read',
+           expect='There is'),
     Mutant('publishers_only', old="('subscription', node.get_subscriptions_info_by_topic(name))):", new='):',
            breaks='read', expect='you have it not'),
     Mutant('policies_exchanged', edits=(

@@ -78,6 +78,8 @@ MUTANTS = [
 ''', breaks='shape', also='weight', expect='<collision> after your repair'),
     Mutant('collision_without_origin', old="in ('origin', 'geometry')", new="== 'geometry'", breaks='shape',
            expect='The <origin> of the <collision>'),
+    Mutant('parts_by_number', old="[part for part in visual if part.tag in ('origin', 'geometry')]", new='list(visual)[:2]',
+           breaks='shape', expect='The <geometry> of the <collision>'),
     Mutant('collision_twice', old="collision = ElementTree.SubElement(link, 'collision')", new='''
             link.append(copy.deepcopy(visual))
             link[-1].tag = 'collision'

@@ -44,4 +44,5 @@ def test_another_robot(learner):
     The name /** stands for all nodes in all namespaces.
     """
     number = learner.random.randint(3, 99)
-    fleets.judge_others(learner, f'/robot1{number}', f'/hall{number}/robot2')
+    namespaces = f'/robot1{number}', f'/hall{number}/robot2', f'/robot1/deck{number}', f'/robot2/deck{number}'
+    fleets.judge_others(learner, *namespaces)

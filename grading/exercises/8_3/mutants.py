@@ -97,6 +97,11 @@ def generate_launch_description():
            expect="has mode = 'slow', expected 'normal'", breaks='robot2'),
     Mutant('slow_in_every_robot2', old='/robot2/governor:', new='/**/robot2/governor:', breaks='robot2',
            expect="has mode = 'slow', expected 'normal'"),
+    Mutant('slow_below_robot2', old='/robot2/governor:', new='/robot2/**:', breaks='robot2',
+           expect="has mode = 'slow', expected 'normal'"),
+    Mutant('one_value_in_both_files', old='parameters=[config], remappings',
+           new="parameters=[config, {'max_linear': 0.6}], remappings", breaks='installed-file',
+           expect='has max_linear = 0.6. The launch file must use the installed file'),
     Mutant('default_max_linear', old='    max_linear: 0.6', new='', expect='has max_linear = 0.5', breaks='max-linear'),
     Mutant('half_the_rate', old='rate: 20.0', new='rate: 2.0', expect='has rate = 2.0', breaks='rate',
            also='installed-file'),
@@ -136,5 +141,5 @@ def generate_launch_description():
               ros__parameters:
                 max_linear: 1.0
             """, ''), ("namespace='robot1', parameters=[config]", "namespace='robot1', parameters=[config, {'max_linear': 1.0}]")),
-           expect='Values belong into the file', breaks='installed-file'),
+           expect='/robot1/governor has max_linear = 1.0. The launch file must', breaks='installed-file'),
 ]

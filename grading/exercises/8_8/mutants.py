@@ -76,6 +76,14 @@ MUTANTS = [
     Mutant('future_is_old', old=AGE,
            new='if abs((self.get_clock().now() - Time.from_msg(found.header.stamp)).nanoseconds) > 5e8:',
            expect='ahead of the clock', breaks='old'),
+    Mutant('place_of_before', edits=(('''
+        except TransformException:
+            return None
+        ''', '''
+        except TransformException:
+            return getattr(self, 'known', None)
+        '''), (RETURN, RETURN.replace('return', 'self.known =') + '\nreturn self.known\n')),
+           expect='Do not return a place of before', breaks='old'),
     Mutant('no_common_time', old='except TransformException:', new='except (LookupException, ConnectivityException):',
            imports='from tf2_ros import ConnectivityException, LookupException', expect='Exception', breaks='at-once'),
 ]

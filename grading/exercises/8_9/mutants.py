@@ -42,6 +42,11 @@ MUTANTS = [
            expect='expected succeeded', breaks='succeeds', also='timeout', alone=True),
     Mutant('five_times_a_second', old='sleep_for(Duration(seconds=0.1))', new='sleep_for(Duration(seconds=0.2))',
            expect='from one command to the next', breaks='rhythm', also='timeout', alone=True),
+    Mutant('looks_every_second_round', edits=(
+        ('step, pose = step + 1, self.where()', 'step, pose = step + 1, self.where() if step % 2 == 0 else pose'),
+        ("step, distance, end = self.place(goal.request.station), 0, -1.0, None",
+         "step, distance, end, pose = self.place(goal.request.station), 0, -1.0, None, None")),
+           expect='ask where() and steer() every 0.1 s', breaks='rhythm', alone=True),
     Mutant('parameters_read_once', edits=(('super().__init__(**options)', """
             super().__init__(**options)
             self.limits = self.value('max_linear'), self.value('max_angular')
@@ -98,6 +103,11 @@ MUTANTS = [
         for _ in range(3):
             self.drive(0.0, 0.0)
         """, expect='more than once to stand', breaks='stands', alone=True),
+    Mutant('stands_after_the_end', old=END, new='''
+end()
+self.drive(0.0, 0.0)
+self.state = 'idle'
+''', expect='published only after the goal had ended', breaks='stands', alone=True),
     Mutant('no_message', old=RESULT, new='return GoToStation.Result(distance=distance)', expect='is empty',
            breaks='result', alone=True),
     Mutant('one_message', old=RESULT, new="return GoToStation.Result(distance=distance, message='ended')",

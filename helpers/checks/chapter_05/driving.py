@@ -1,4 +1,4 @@
-"""In which order a driver of exercise 5.4 stops the robot and ends its goal."""
+"""In which order a driver of exercises 5.4 and 8.9 stops the robot and ends its goal."""
 
 import pytest
 
@@ -8,8 +8,8 @@ from helpers.runner.action_peers import Goal
 ENDS = ('succeeded', 'canceled', 'aborted')
 
 
-def check_order(commands, goal: Goal, story: str) -> None:
-    """The last of `commands`, which stops the robot, was published before the end of the goal: rule `zeros`.
+def check_order(commands, goal: Goal, story: str, rule: str = 'zeros') -> None:
+    """The last of `commands`, which stops the robot, was published before the end of the goal: this rule.
 
     Both are said at one moment of simulated time, so what counts is when they were published.
     """
@@ -18,7 +18,7 @@ def check_order(commands, goal: Goal, story: str) -> None:
         not ended or commands.published[-1] < ended[0],
         f'{story}the zeros were published only after the goal had ended. Stop the robot first, and then end the goal: '
         'who hears of the end must find a robot that stands.',
-        'zeros',
+        rule,
     )
 
 

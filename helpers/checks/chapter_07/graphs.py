@@ -250,17 +250,19 @@ def check_read(seen, there: list[dict]) -> None:
             'usual',
         )
     for endpoint in there:
-        twin = [
+        twins = [
             end
             for end in seen
             if (end.get('role'), end.get('name')) == (endpoint['role'], endpoint['name'])
             and end.get('node') != '/_secret'
             and end not in there
         ]
-        wrong = [key for key in endpoint if twin and twin[0].get(key) != endpoint[key]]
+        # Several may have this name: what was meant is the one that differs least.
+        twin = min(twins, key=lambda one: sum(one.get(key) != endpoint[key] for key in endpoint), default=None)
+        wrong = [key for key in endpoint if twin and twin.get(key) != endpoint[key]]
         expect(
             endpoint in seen,
-            f'There is {endpoint}; ' + (f'you have {twin[0]}.' if twin else 'you have it not.'),
+            f'There is {endpoint}; ' + (f'you have {twin}.' if twin else 'you have it not.'),
             'node-name' if wrong == ['node'] else 'read',
         )
     for end in seen:

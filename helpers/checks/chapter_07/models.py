@@ -111,11 +111,14 @@ class Robot:
         origin = {'xyz': f'0 0 {float(numbers[2]) / 10:.4f}', 'rpy': '0 0 0'}
         for part in ['visual'] if 'collision' in faults else ['visual', 'collision']:
             there = ElementTree.SubElement(link, part)
+            if part == 'visual' and 'collision' in faults:  # its parts may stand in any order
+                ElementTree.SubElement(there, 'material', name='paint')
             ElementTree.SubElement(there, 'origin', origin)
             geometry = ElementTree.SubElement(there, 'geometry')
             if part == 'visual':
                 ElementTree.SubElement(geometry, *shape)
-                ElementTree.SubElement(there, 'material', name='paint')
+                if 'collision' not in faults:
+                    ElementTree.SubElement(there, 'material', name='paint')
             else:  # another body than what is seen, as in many robots
                 ElementTree.SubElement(geometry, 'sphere', radius=f'{random.uniform(0.2, 0.3):.3f}')
         if 'inertial' not in faults:

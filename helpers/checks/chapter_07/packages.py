@@ -34,7 +34,7 @@ setup(
     zip_safe=True,
     maintainer='{program} team',
     maintainer_email='team@example.com',
-    description='What the robot does',
+    description='{description}',
     license='Apache-2.0',
     entry_points={{
         'console_scripts': [
@@ -142,7 +142,11 @@ class Package:
                 self.expected.append(('no_program', program, faulty[program], value))
             quote = random.choice(['"', "'"])
             entries.append(f'            {quote}{program} = {value}{quote},')
-        self.files['setup.py'] = _SETUP.format(package=self.name, program=programs[0], entries='\n'.join(entries))
+        # The first wrong right side stands before the entries, too, where it does no harm.
+        self.description = ' as '.join(['What the robot does', *[finding[3] for finding in self.expected[:1]]])
+        self.files['setup.py'] = _SETUP.format(
+            package=self.name, program=programs[0], description=self.description, entries='\n'.join(entries)
+        )
 
     def diagnose(self, learner, rule: str = '') -> None:
         """Ask the learner's diagnose_package, and fail with words if it does not find what is expected."""
@@ -171,6 +175,12 @@ class Package:
             entries, rest = _console_scripts(setup)
         except (SyntaxError, ValueError, RecursionError, MemoryError) as error:  # whatever is in a learner's text
             expect(False, f'After your repair, Python cannot read setup.py: {error}.', 'repaired')
+        expect(
+            self.description in rest,
+            f'In setup.py, the description was right, `{self.description}`, and your repair has changed it: replace '
+            'a whole entry, with the name of its program, and not its right side wherever that stands.',
+            'kept',
+        )
         there = dict(match.groups() for match in map(_ENTRY.fullmatch, entries) if match)
         healthy = self.right.keys() - {finding[1] for finding in self.expected}
         for program, value in self.right.items():

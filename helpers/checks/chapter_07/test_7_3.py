@@ -22,7 +22,8 @@ def test_read(learner):
         {'role': 'subscription', 'node': f'/{room}/ear', 'name': f'/{room}/{topic}', **common, **graphs.WEAK},
     ]
     other = next(kind for kind in graphs.MESSAGES if kind != common['type'])  # on one topic with the ear
-    there.append({**there[1], 'node': f'/{room}/other_ear', 'type': other})
+    # In a namespace of a namespace, and with a policy of each kind.
+    there.append({**there[1], 'node': f'/house/{room}/other_ear', 'type': other, 'durability': 'TRANSIENT_LOCAL'})
     secret = {'role': 'subscription', 'node': '/_secret', 'name': f'/{topic}', **common}
     with graphs.System(learner.context.get_domain_id()) as system, about('read'):
         for endpoint in (secret, *there):

@@ -7,6 +7,7 @@ from delivery_interfaces.action import GoToStation
 from delivery_interfaces.srv import SetStation
 from std_msgs.msg import String
 
+from helpers.checks.chapter_05.driving import check_order
 from helpers.checks.chapter_08.deliveries import Delivery, Localizer
 from helpers.checks.chapter_08.parameters import Parameters
 from helpers.runner import about, expect
@@ -77,6 +78,7 @@ class Drives:
             f'{when} the goal was {status}, and the robot was told more than once to stand. Once is enough.',
             'stands',
         )
+        check_order(self.commands, goal, f'{when} the goal was {status}: ', 'stands')
         count = len(self.commands)
         self.run(0.4)
         expect(
@@ -303,8 +305,22 @@ def _judge_quick_cancel(drives: Drives, name: str) -> None:
     )
 
 
+def _judge_each_round(drives: Drives, goal, name: str) -> None:
+    """The rule `rhythm`: while the robot slows down before this station, each command is for another place."""
+    sent = zip(drives.commands.messages, drives.commands.stamps, strict=True)
+    slower = [round(one.linear.x, 4) for one, at in sent if at > goal.sent and 0 < one.linear.x < 0.45]
+    same = sum(early == late for early, late in zip(slower, slower[1:], strict=False))
+    expect(
+        len(slower) < 8 or 5 * same <= 2 * len(slower),  # now and then a place may come a round later
+        f'Before {name} the robot slows down, and these were the values of linear.x, from round to round: '
+        f'{slower[:8]}. The place was another one in each round: ask where() and steer() every 0.1 s.',
+        'rhythm',
+    )
+
+
 def judge_arrived(drives: Drives, goal, name: str, tolerance: float) -> None:
     """The rule `succeeds`, with this tolerance."""
+    _judge_each_round(drives, goal, name)
     seconds = drives.learner.now / SECOND - goal.sent
     distance = drives.delivery.distance(name)
     drives.ended(goal, 'succeeded', 'succeeds', f'{seconds:.1f} s after it was sent,')

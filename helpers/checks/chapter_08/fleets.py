@@ -30,7 +30,7 @@ names = {{'node': governor.get_fully_qualified_name(), 'publishes': governor.out
 print({mark!r} + json.dumps({{**names, **values}}), flush=True)
 rclpy.shutdown()
 """
-_RATE = r'(\brate["\x27]?[[:space:]]*:[[:space:]]*)[^[:space:],}#]+'  # and its value, however that is written
+_VALUE = r'(\b%s["\x27]?[[:space:]]*:[[:space:]]*)[^,}#]+'  # a parameter's name and its value, however that is written
 PROGRAM = 'governor'
 MOST = 8  # governors that are started; two are asked for
 ROBOTS = ('/robot1/governor', '/robot2/governor')
@@ -92,17 +92,19 @@ def launched(learner) -> dict[str, dict]:
     return {report['node']: report for report in reports}
 
 
-def launched_with_rate(learner, rate: int) -> list[dict]:
-    """What is found of the governors when the rate in the installed parameter file is another one.
+def launched_with(learner, values: dict[str, float | str]) -> list[dict]:
+    """What is found of the governors when these values stand in the installed parameter file, wherever one stood.
 
     A copy of the launch file is launched, in a folder where nothing else is.
     """
     share = 'share=$(ros2 pkg prefix --share fleet)'
     workspace = fleet(learner)
+    # A space behind each value: what begins a comment after it must not become a part of it.
+    changes = '; '.join(rf's/{_VALUE % name}/\1{value} /' for name, value in values.items())
     _, reports = _launch(
         learner,
         workspace,
-        rf"{share}; cp $share/config/fleet.yaml kept.yaml; sed -Ei 's/{_RATE}/\1{rate}.0/' $share/config/fleet.yaml; "
+        f"{share}; cp $share/config/fleet.yaml kept.yaml; sed -Ei '{changes}' $share/config/fleet.yaml; "
         'mkdir -p elsewhere; cp $share/launch/fleet.launch.py elsewhere',
         'elsewhere/fleet.launch.py',
     )
@@ -196,16 +198,19 @@ def judge_installed_file(learner) -> None:
     """The rule `installed-file`."""
     there = robots(learner)
     drawn = learner.random.randint(21, 49)
-    again = launched_with_rate(learner, drawn)
+    values = {'rate': float(drawn), 'max_linear': round(1 + drawn / 100, 2), 'mode': 'stop'}
+    again = launched_with(learner, values)
     _judge_program(again)
-    found = [report['rate'] for report in again]
-    expect(
-        found == [drawn, drawn],
-        f'The rate in the installed config/fleet.yaml was changed to {drawn}, and the '
-        f'governors have {found}. The launch file must use the installed file, for both, '
-        'find it by the name of the package, wherever it stands itself, and give no values.',
-        'installed-file',
-    )
+    found = {report['node']: report for report in again}
+    for name, parameter in [(one, key) for key in ('rate', 'max_linear') for one in ROBOTS] + [(ROBOTS[1], 'mode')]:
+        got, wanted = found.get(name, {}).get(parameter), values[parameter]
+        expect(
+            got == wanted,
+            f'In the installed config/fleet.yaml, each {parameter} was changed to {wanted}, and {name} has '
+            f'{parameter} = {got}. The launch file must use the installed file, for both, '
+            'find it by the name of the package, wherever it stands itself, and give no values.',
+            'installed-file',
+        )
     with about('installed-file'):
         reports = alone(learner, *(name.removesuffix('/governor') for name in ROBOTS))
     for report in reports.values():

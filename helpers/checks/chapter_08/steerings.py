@@ -99,6 +99,16 @@ def judge_angle(learner) -> None:
                 f'{side_of(angle)} of where the robot looks.',
                 'angle',
             )
+    for angle in (draw.uniform(0.1, 0.4), -draw.uniform(0.6, 1.4)):
+        arguments = case(draw, angle, draw.uniform(0.002, 0.008))
+        got = steer(learner, 'angle', *arguments)[2]
+        expect(
+            got == pytest.approx(2 * angle, abs=1e-6),
+            f'{words(arguments)}: angular is {got:.3f} rad/s, expected {2 * angle:.3f}: the goal is '
+            f'{side_of(angle)}, {right(*arguments)[0] * 1000:.0f} mm away. Only at distance 0 there is no '
+            'direction.',
+            'angle',
+        )
     for side in (1, -1):
         for yaw in (draw.uniform(2.6, 3.1), 3 * math.pi + draw.uniform(-0.2, 0.2), draw.uniform(11.8, 12.9)):
             angle = side * draw.uniform(1, 2.5)
@@ -138,12 +148,12 @@ def judge_speed(learner) -> None:
                 'linear',
             )
     for side in (1, -1):
-        for angle in (0.505, draw.uniform(2, 3)):
-            arguments = case(draw, side * angle, draw.uniform(0.5, 2), max_angular=draw.uniform(0.2, 0.8))
+        for angle, distance in ((0.505, draw.uniform(0.5, 2)), (draw.uniform(2, 3), draw.uniform(0.002, 0.3))):
+            arguments = case(draw, side * angle, distance, max_angular=draw.uniform(0.2, 0.8))
             got = steer(learner, 'on-the-spot', *arguments)[1]
             expect(
                 got == 0,
-                f'{words(arguments)}: linear is {got:.2f} m/s, and the goal is {side_of(side * angle)}, '
+                f'{words(arguments)}: linear is {got:.3f} m/s, and the goal is {side_of(side * angle)}, '
                 'more than 0.5 rad. First the robot must turn.',
                 'on-the-spot',
             )

@@ -41,7 +41,8 @@ def test_another_robot(learner):
     The name /** stands for all nodes in all namespaces.
     """
     number = learner.random.randint(3, 99)
-    fleets.judge_others(learner, f'/robot{number}', f'/hall{number}/robot1', f'/hall{number}/robot2')
+    namespaces = [f'/hall{number}/robot1', f'/hall{number}/robot2', f'/robot1/deck{number}', f'/robot2/deck{number}']
+    fleets.judge_others(learner, f'/robot{number}', *namespaces)
 
 
 @pytest.mark.rules('installed-file')

@@ -199,3 +199,29 @@ def judge_age(lost: Lost) -> None:
         'than 0.5 s.',
         'old',
     )
+    _judge_long_silence(lost)
+
+
+def _judge_long_silence(lost: Lost) -> None:
+    """The rules `old` and `again`, of a localiser that is silent until no moment is left for which tf2 knows both."""
+    for _ in range(13):  # a buffer keeps 10 s
+        lost.learner.run(1.0)
+        lost.localizer.move(*lost.somewhere())
+    lost.learner.run(0.02)
+    found = lost.where('old')
+    expect(
+        found is None,
+        'The localiser has said nothing for 13 s, and base_footprint in odom came all the time: tf2 cannot look the '
+        f'place up any more, and where() still says {found and shown(found)}. Do not return a place of before.',
+        'old',
+    )
+    back = lost.somewhere()
+    lost.localizer.tell(*back)
+    lost.learner.run(0.1)
+    found = lost.where('again')
+    expect(
+        same(found, back),
+        f'After a silence of 13 s the localiser came back: the robot is at {shown(back)}, and where() is '
+        f'{found and shown(found)}.',
+        'again',
+    )
