@@ -48,11 +48,7 @@ def explain(kind: str, text: str, early: str = '', elsewhere: Mapping[str, str] 
     notebook that defines it and that has not been run.
     """
     if kind == 'AttributeError' and (
-        found := re.search(
-            r"property '(\w+)' of .* has no setter|can't set attribute "
-            r"'?(\w+)?",
-            text,
-        )
+        found := re.search(r"property '(\w+)' of (?:.* has no setter|Node)|can't set attribute '?(\w+)?", text)
     ):
         name = found[1] or found[2] or ''
         if not name or name in _RESERVED:

@@ -273,16 +273,32 @@ def _waited(wait, seen: Watch):
 
 
 def _watch_nodes(seen: Watch) -> None:
-    """Remember which namespace each node is given where it is made."""
+    """Remember which namespace each node is given where it is made; refuse a class that could never be a node."""
     create = Node.__init__
     signature = inspect.signature(create)
 
     @functools.wraps(create)
     def __init__(self, *args, **kwargs):
+        _check_names(type(self))
         create(self, *args, **kwargs)
         seen.made(self, signature.bind(self, *args, **kwargs).arguments.get('namespace'))
 
     Node.__init__ = __init__  # type: ignore[method-assign]  # put around it on purpose
+
+
+def _check_names(kind: type) -> None:
+    """Raise AttributeError if a class has a method, or another value, in the place of a property that Node needs.
+
+    Without this, rclpy fails later and elsewhere: "'method' object does not support the context manager protocol".
+    """
+    for each in kind.__mro__:
+        if each is Node:
+            return
+        for name, value in vars(each).items():
+            needed = getattr(Node, name, None)
+            fixed = isinstance(needed, property) and (needed.fset is None or name == 'handle')  # whose setter refuses
+            if fixed and not isinstance(value, property):
+                raise AttributeError(f'class {each.__name__!r} hides the property {name!r} of Node')
 
 
 def _watch_actions(seen: Watch) -> None:

@@ -157,6 +157,22 @@ class Talker(Node):
     assert "`super().__init__('name')` must come before everything else" in test.message, test.message
 
 
+@pytest.mark.parametrize('name', ['handle', 'services'])
+def test_a_method_with_the_name_of_a_property_of_nodes_is_named(tmp_path, name):
+    """rclpy would say that a 'method' object is no context manager, or that it cannot be iterated."""
+    source = f"""\
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.create_timer(0.5, self.{name})
+
+    def {name}(self):
+        pass
+"""
+    test = judge(tmp_path, source)
+    assert test.verdict == 'learner_crashed' and f'such as `self.my_{name}`' in test.message, test.message
+
+
 @pytest.mark.one_of(3)
 @pytest.mark.parametrize(
     ('callback', 'words'),
