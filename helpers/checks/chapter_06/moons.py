@@ -7,7 +7,6 @@ import numpy as np
 from helpers.checks.chapter_06.geometry import axis, check_rotation, explain, origin, same, words
 from helpers.runner import about, expect
 from helpers.runner.frames import to_matrix
-from helpers.runner.peers import SECOND
 
 STEP = 0.05  # s
 
@@ -54,8 +53,8 @@ class Watched:
     def _lose_calls(self, learner):
         """Let the clock jump through two rounds of the moon, as if the machine were too busy to call the timer."""
         for _ in range(9):
-            learner.now += round(2 * self.period / 9 * SECOND)
             with about('rate'):
+                learner.jump(2 * self.period / 9)
                 learner.run(STEP)
 
     def angle(self, time: float) -> float:

@@ -24,6 +24,18 @@ CASES = {
     # Time
     'timers fire at their exact times': Case(small.TALKER, EXACT),
     'small steps change nothing': Case(small.TALKER, EXACT.replace('5.0', '5.0, step=0.01')),
+    'after a jump of the clock a timer is called once, late': Case(
+        small.TALKER,
+        """
+heard = learner.listen('/chatter', String)
+learner.start('Talker')
+learner.run(0.6)
+learner.jump(2.0)
+expect(heard.stamps == [0.5, 2.6], f'{heard.stamps}')
+learner.run(1.0)
+expect(heard.data == ['0', '1', '2', '3'] and heard.stamps[2:] == [3.0, 3.5], f'{heard.data} {heard.stamps}')
+""",
+    ),
     'a period that no step divides': Case(
         small.TALKER.replace('0.5', '1 / 3'),
         """
