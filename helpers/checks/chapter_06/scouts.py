@@ -24,23 +24,30 @@ STATIONS = {'kitchen': (-2.0, 2.0), 'office': (2.0, 2.0), 'lab': (-2.0, -2.0), '
 MASSES = {'base_link': (2.0, 8.0), 'left_wheel': (0.2, 1.0), 'right_wheel': (0.2, 1.0)}  # kg
 MOST = 10.0  # kg, of the whole robot
 NEAR = 1e-3  # m
+SIZES = {'small': ((0.04, 0.045), (0.2, 0.23)), 'large': ((0.09, 0.1), (0.38, 0.4))}  # radius and separation, m
 CLEAR = 0.01  # m, between the floor and what must not touch it
 # Whoever reads the URDF or simulates it refuses it with words like these, and then this rule is broken.
 REFUSED = {'drive': 'drive', '<plugin>': 'drive', 'lidar': 'scan', 'unstable': 'stands', 'has fallen': 'stands'}
 
 
-def drawn(random: Random) -> tuple[float, float, float]:
-    """Radius of the wheels, separation, height of the mast, in metres: far from those of other robots."""
-    radius = random.choice([random.uniform(0.04, 0.045), random.uniform(0.055, 0.065), random.uniform(0.09, 0.1)])
-    separation = random.choice([random.uniform(0.2, 0.31), random.uniform(0.38, 0.4)])
+def drawn(random: Random, size: str = '') -> tuple[float, float, float]:
+    """Radius of the wheels, separation, height of the mast, in metres: far from those of other robots.
+
+    :param size: of SIZES; otherwise any.
+    """
+    if size:
+        radius, separation = (random.uniform(*limits) for limits in SIZES[size])
+    else:
+        radius = random.choice([random.uniform(0.04, 0.045), random.uniform(0.055, 0.065), random.uniform(0.09, 0.1)])
+        separation = random.choice([random.uniform(0.2, 0.31), random.uniform(0.38, 0.4)])
     return round(radius, 3), round(separation, 3), round(random.uniform(0.25, 0.5), 2)
 
 
 class Scout:
     """The learner's robot with these sizes (metres), and what `probe.py` has found in one of its tasks."""
 
-    def __init__(self, learner, task: str, **given):
-        self.radius, self.separation, self.mast = sizes = drawn(learner.random)
+    def __init__(self, learner, task: str, size: str = '', **given):
+        self.radius, self.separation, self.mast = sizes = drawn(learner.random, size)
         self.name = f'scout({", ".join(map(str, sizes))})'
         text = learner.call('scout', *sizes)
         expect(isinstance(text, str), f'{self.name} gave {text}, expected the text of a URDF.', 'urdf')
@@ -384,23 +391,24 @@ class Scout:
         )
 
 
-def judge_frames(learner) -> None:
+def judge_frames(learner, size: str = '') -> None:
     """What robot_state_publisher makes of the description: the tree, its joints and their places."""
-    scout = Scout(learner, 'frames')
+    scout = Scout(learner, 'frames', size)
     scout.check_tree()
     scout.check_joints()
     scout.check_places()
 
 
 def judge_bodies(learner) -> None:
-    """The links with their shapes, masses and moments."""
-    scout = Scout(learner, 'bodies')
-    scout.check_links()
-    scout.check_wheels()
-    scout.check_caster()
-    scout.check_floor()
-    scout.check_mass()
-    scout.check_inertia()
+    """The links with their shapes, masses and moments, of a small and of a large scout: a copied number fits one."""
+    for size in SIZES:
+        scout = Scout(learner, 'bodies', size)
+        scout.check_links()
+        scout.check_wheels()
+        scout.check_caster()
+        scout.check_floor()
+        scout.check_mass()
+        scout.check_inertia()
 
 
 def judge_ride(learner) -> None:

@@ -15,7 +15,7 @@ def test_frames(learner):
 
     Each joint says where its child is in its parent, and how it can move.
     """
-    scouts.judge_frames(learner)
+    scouts.judge_frames(learner, 'large')
 
 
 @pytest.mark.rules('tree', 'wheels', 'caster', 'floor', 'mass', 'inertia')
