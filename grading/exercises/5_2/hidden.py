@@ -128,7 +128,7 @@ def test_aborted(learner):
     )
 
 
-@pytest.mark.rules('numbers')
+@pytest.mark.rules('numbers', 'word')
 @about('numbers')
 def test_empty_result(learner):
     """A result without numbers is reported so, also if numbers came in the feedback.
@@ -143,7 +143,7 @@ def test_empty_result(learner):
         outcome.data == ['aborted []'],
         f'The feedback said [{number}], the goal was aborted with an empty result, and /outcome said {outcome.data}, '
         'expected ["aborted []"].',
-        'numbers',
+        'numbers' if outcome.data and outcome.data[0].startswith('aborted') else 'word',
     )
 
 
