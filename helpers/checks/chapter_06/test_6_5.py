@@ -25,7 +25,7 @@ def test_life(learner):
     there = Pursuit(learner, leader, me, (5.5, 5.5, draw.uniform(2, 3)), (2.0, draw.uniform(2, 4), -0.4), threads=True)
     expect(there.node.name == '/follower', f'Your node is called {there.node.name}, expected /follower.', 'name')
     check_topic(there)
-    learner.run(1.2)
+    learner.run(0.9)
     known, other = draw.sample(there.names, 2)
     there.tell([known])
     learner.run(0.2)
@@ -82,7 +82,7 @@ def _check_unknown(there, count):
     """The first `count` commands came before both were known."""
     expect(
         count,
-        'For 1.7 s the place of one turtle or of both was unknown, and no command came. Then, too, publish a '
+        'For 1.4 s the place of one turtle or of both was unknown, and no command came. Then, too, publish a '
         'Twist of zeros every 0.1 s, and do not wait for a transform.',
     )
     expect(
