@@ -129,7 +129,7 @@ class Bridge(Node):
     Mutant('says_nothing_twice', old="(String, 'chatter', self.publisher.publish, 10)",
            new="(String, 'chatter', lambda msg, said=['']: msg.data == said[-1] or said.append(msg.data) or "
                'self.publisher.publish(msg), 10)', expect='in the other domain came', breaks='carries'),
-    Mutant('sorted_as_texts', old='return sorted(heard)', new='return sorted(heard, key=str)', expect='sorted as texts',
+    Mutant('sorted_as_texts', old='return sorted(heard)', new='return sorted(heard, key=str)', expect='and not as texts',
            breaks='sorted'),
     Mutant('one_far_side', edits=(('self.publisher = self.other_side', 'Bridge.out = self.other_side'),
                                   ('self.publisher.publish, 10', 'lambda msg: Bridge.out.publish(msg), 10')),

@@ -98,7 +98,7 @@ def check_bridged(learner) -> None:
         )
         said = f'With a bridge from {ours} to {second}, who_hears({ours}, {asked}) gives {got!r}, expected {wanted}.'
         as_texts = got == wanted[::-1] == sorted(wanted, key=str)
-        expect(not as_texts, f'{said} They are sorted as texts; sort them as numbers.', 'sorted')
+        expect(not as_texts, f'{said} The domains must be sorted, as numbers and not as texts.', 'sorted')
         expect(set(got) == set(wanted), said, 'measures')
         expect(got == wanted, f'{said} The domains must be sorted, each once.', 'sorted')
 
