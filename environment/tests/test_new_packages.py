@@ -152,8 +152,10 @@ def test_new_packages_build_and_pass_their_tests(workspace):
     assert tested.returncode == 0, tested.stdout
     found = results(workspace)
     assert found['plain/lint_cmake.xunit.xml'] == found['plain/xmllint.xunit.xml'] == (1, 0, 0)
-    for program, counts in (('uncrustify', (4, 0, 0)), ('cppcheck', (2, 0, 0))):
-        assert found[f'native/{program}.xunit.xml'] == (counts if shutil.which(program) else (1, 0, 1))
+    assert found['native/uncrustify.xunit.xml'] == ((4, 0, 0) if shutil.which('uncrustify') else (1, 0, 1))
+    # Upstream's linter leaves out the versions of cppcheck that are slow, as are those of Debian 12 and Ubuntu 24.04.
+    tests, failures, skipped = found['native/cppcheck.xunit.xml']
+    assert tests and not failures and skipped in (0, tests)
     assert found['python/pytest.xml'] == (3, 0, 1)  # the copyright test, until the files have a header
 
 
