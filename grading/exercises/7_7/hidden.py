@@ -69,7 +69,7 @@ def test_many_rounds(learner):
         find(learner, {'frames': ROUNDS, 'graph': ('type',)}, 'hidden')
 
 
-@pytest.mark.rules('ends', 'once', 'every-part')
+@pytest.mark.rules('ends', 'once', 'every-part', 'hidden')
 def test_beyond_repair(learner):
     """What nobody can repair from outside is found once, and triage comes to an end.
 
@@ -77,6 +77,8 @@ def test_beyond_repair(learner):
     """
     find(learner, {'graph': ('type', 'nobody')}, 'ends')
     find(learner, {'stacks': learner.random.sample(FAULTS['stacks'], 2)}, 'every-part')
+    # In the second round the callback is found again, beside what was hidden.
+    find(learner, {'graph': ('hidden',), 'stacks': ('server',)}, 'hidden')
 
 
 @pytest.mark.rules('files', 'new-case')
