@@ -5,6 +5,8 @@ from argparse import Namespace
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+from ros2cli.deferred import attributes_from
+
 HIDDEN_NODE_PREFIX = '_'
 
 INFO_NONUNIQUE_WARNING_TEMPLATE = (
@@ -12,17 +14,10 @@ INFO_NONUNIQUE_WARNING_TEMPLATE = (
     'You are seeing information about only one of them.'
 )
 
+__getattr__ = attributes_from({'NodeStrategy': 'ros2cli.node.strategy'}, module=__name__)
+
 # The completers look names up here, so that a test can put something else in their place, as with upstream's modules.
 _this = sys.modules[__name__]
-
-
-def __getattr__(name: str) -> Any:
-    """Return upstream's NodeStrategy, which needs rclpy: a help text must not load that."""
-    if name != 'NodeStrategy':
-        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
-    from ros2cli.node.strategy import NodeStrategy
-
-    return NodeStrategy
 
 
 class NodeName(NamedTuple):

@@ -4,17 +4,12 @@ import sys
 from argparse import Namespace
 from typing import Any
 
+from ros2cli.deferred import attributes_from
+
+__getattr__ = attributes_from({'NodeStrategy': 'ros2cli.node.strategy'}, module=__name__)
+
 # The completers look names up here, so that a test can put something else in their place, as with upstream's modules.
 _this = sys.modules[__name__]
-
-
-def __getattr__(name: str) -> Any:
-    """Return upstream's NodeStrategy, which needs rclpy: a help text must not load that."""
-    if name != 'NodeStrategy':
-        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
-    from ros2cli.node.strategy import NodeStrategy
-
-    return NodeStrategy
 
 
 def get_service_names_and_types(*, node: Any, include_hidden_services: bool = False) -> list[tuple[str, list[str]]]:

@@ -2,29 +2,25 @@
 
 import sys
 from argparse import Namespace
-from importlib import import_module
 from typing import Any
 
-# Upstream has these here. They need rclpy or all messages, which a help text must not load.
-_DEFINED_IN = {
-    'NodeStrategy': 'ros2cli.node.strategy',
-    'add_qos_arguments': 'ros2topic.api.qos',
-    'choose_qos': 'ros2topic.api.qos',
-    'get_message': 'rosidl_runtime_py.utilities',
-    'message_to_yaml': 'rosidl_runtime_py',
-    'profile_configure_short_keys': 'ros2topic.api.qos',
-    'qos_profile_from_short_keys': 'ros2topic.api.qos',
-}
+from ros2cli.deferred import attributes_from
+
+__getattr__ = attributes_from(
+    {
+        'NodeStrategy': 'ros2cli.node.strategy',
+        'add_qos_arguments': 'ros2topic.api.qos',
+        'choose_qos': 'ros2topic.api.qos',
+        'get_message': 'rosidl_runtime_py.utilities',
+        'message_to_yaml': 'rosidl_runtime_py',
+        'profile_configure_short_keys': 'ros2topic.api.qos',
+        'qos_profile_from_short_keys': 'ros2topic.api.qos',
+    },
+    module=__name__,
+)
 
 # The completers look names up here, so that a test can put something else in their place, as with upstream's module.
 _this = sys.modules[__name__]
-
-
-def __getattr__(name: str) -> Any:
-    """Return what is defined in other modules."""
-    if name not in _DEFINED_IN:
-        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
-    return getattr(import_module(_DEFINED_IN[name]), name)
 
 
 def get_topic_names_and_types(*, node: Any, include_hidden_topics: bool = False) -> list[tuple[str, list[str]]]:
