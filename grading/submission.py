@@ -258,9 +258,8 @@ def _read_zip(file: Path | io.BytesIO, submission: Submission, outer: bool = Tru
             for member in members:
                 _read_member(archive, member, submission)
             inner = [one for one in members if one.filename.lower().endswith('.zip') and not _aside(one.filename)]
-            if (
-                outer and len(inner) == 1 and not (submission.files or submission.unusable)
-            ):  # somebody has packed the zip once more
+            nothing_here = not (submission.files or submission.unusable)
+            if outer and len(inner) == 1 and nothing_here:  # somebody has packed the zip once more
                 _read_zip(io.BytesIO(_bounded(archive, inner[0], MAX_ARCHIVE)), submission, outer=False)
     except OSError as error:
         if error.errno is None:  # a codec's own

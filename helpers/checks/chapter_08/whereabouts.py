@@ -159,16 +159,7 @@ def judge_age(lost: Lost) -> None:
         f'The transforms are more than a second old, and where() still says {found and shown(found)}.',
         'old',
     )
-    back = lost.somewhere()
-    lost.localizer.tell(*back)
-    lost.learner.run(0.1)
-    found = lost.where('again')
-    expect(
-        same(found, back),
-        f'After a pause the transforms came again: the robot is at {shown(back)}, and where() is '
-        f'{found and shown(found)}.',
-        'again',
-    )
+    back = _judge_return(lost, 'After a pause the transforms came again')
     for _ in range(7):  # the wheels go on, the localiser does not
         lost.learner.run(0.1)
         lost.localizer.move(*back)
@@ -215,13 +206,16 @@ def _judge_long_silence(lost: Lost) -> None:
         f'place up any more, and where() still says {found and shown(found)}. Do not return a place of before.',
         'old',
     )
+    _judge_return(lost, 'After a silence of 13 s the localiser came back')
+
+
+def _judge_return(lost: Lost, what: str) -> tuple[float, float, float]:
+    """The rule `again`, once `what` has happened. Returns where the robot is, in metres and radians."""
     back = lost.somewhere()
     lost.localizer.tell(*back)
     lost.learner.run(0.1)
     found = lost.where('again')
     expect(
-        same(found, back),
-        f'After a silence of 13 s the localiser came back: the robot is at {shown(back)}, and where() is '
-        f'{found and shown(found)}.',
-        'again',
+        same(found, back), f'{what}: the robot is at {shown(back)}, and where() is {found and shown(found)}.', 'again'
     )
+    return back

@@ -898,8 +898,8 @@ def test_same():
 # %% delivery_hit_and_run
 # attack: has a node answer for the parameters of the robot, which has others, and leave at once
 # aims at: 8.10
-# stopped by: robot and world answer for their parameters under names that are drawn; who else spoke is counted all the time
-# expect points: 2.31
+# stopped by: robot and world answer under names that are drawn; a fake that came too late to be counted gains nothing
+# expect points: 11.54
 DELIVERY_YAML = '{}'
 DELIVERY_LAUNCH = '''
 import sys
