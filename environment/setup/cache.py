@@ -2,12 +2,15 @@
 
 Each entry is one file, named by the digest of all that the package was made from. It holds what the package installed,
 with a marker where the prefix was named. An entry is used only if it and every folder above it are this user's (or the
-system's) and nobody else may write to them, and if its content has the digest that it begins with.
+system's) and nobody else may write to them, and if its content has the digest that it begins with. A group that has
+only this user in it, as Debian and Ubuntu give one to each user, is nobody else.
 """
 
+import grp
 import hashlib
 import io
 import os
+import pwd
 import re
 import stat
 import tarfile
@@ -170,6 +173,20 @@ def _open_to_others(directory: Path) -> Path | None:
         if facts.st_uid not in (os.geteuid(), 0):
             return step
         sticky = step != directory and facts.st_mode & stat.S_ISVTX  # there only its owner can exchange a folder
-        if facts.st_mode & 0o022 and not sticky:
+        if _others_may_write(facts) and not sticky:
             return step
     return None
+
+
+def _others_may_write(facts: os.stat_result) -> bool:
+    by_group = facts.st_mode & stat.S_IWGRP and not _is_own_group(facts.st_gid)
+    return bool(facts.st_mode & stat.S_IWOTH or by_group)
+
+
+def _is_own_group(gid: int) -> bool:
+    """Whether a group has only this user in it: it is the user's first one, has the same name and no other member."""
+    try:
+        user, group = pwd.getpwuid(os.geteuid()), grp.getgrgid(gid)
+    except KeyError:  # a user or a group without a name
+        return False
+    return user.pw_gid == gid and group.gr_name == user.pw_name and set(group.gr_mem) <= {user.pw_name}

@@ -2,6 +2,7 @@
 
 import os
 import tarfile
+from types import SimpleNamespace
 
 import pytest
 
@@ -15,6 +16,13 @@ KEY = 'f' * 64
 def folder(tmp_path):
     """A folder for entries that is nobody else's, in one that is."""
     return tmp_path / 'cache'
+
+
+def group(monkeypatch, *, name: str = 'ada', members: list[str] | None = None, first: bool = True):
+    """Let the user be called ada, and the group of the folders be as is said; `first`: it is ada's first group."""
+    gid = os.getegid() if first else os.getegid() + 1
+    monkeypatch.setattr(cache.pwd, 'getpwuid', lambda uid: SimpleNamespace(pw_name='ada', pw_gid=gid))
+    monkeypatch.setattr(cache.grp, 'getgrgid', lambda gid: SimpleNamespace(gr_name=name, gr_mem=members or []))
 
 
 @pytest.fixture
@@ -83,12 +91,24 @@ def test_an_entry_that_others_may_write_to_is_no_entry(second):
 
 
 @pytest.mark.parametrize('mode', [0o777, 0o770, 0o1777])
-def test_a_folder_that_others_may_write_to_is_not_used(first, mode):
+def test_a_folder_that_others_may_write_to_is_not_used(first, mode, monkeypatch):
+    group(monkeypatch, members=['ada', 'bob'])
     first.directory.chmod(mode)
     assert first.problem() == f'others may write to {first.directory}'
     first.directory.chmod(0o700)
     first.directory.parent.chmod(0o777)
     assert first.problem() == f'others may write to {first.directory.parent}'
+
+
+def test_the_users_own_group_may_write_to_the_folder(first, monkeypatch):
+    first.directory.chmod(0o770)
+    first.directory.parent.chmod(0o775)
+    group(monkeypatch, members=[])
+    assert first.problem() == ''
+    group(monkeypatch, name='students')
+    assert first.problem() == f'others may write to {first.directory}'
+    group(monkeypatch, first=False)
+    assert first.problem() == f'others may write to {first.directory}'
 
 
 @pytest.mark.skipif(os.getuid() != 0, reason='only root can give a folder away')
