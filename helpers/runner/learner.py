@@ -3,7 +3,7 @@
 import itertools
 import secrets
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from random import Random
 from typing import TYPE_CHECKING
@@ -15,15 +15,17 @@ from rclpy.executors import SingleThreadedExecutor, TimeoutException
 from rclpy.node import Node
 from rclpy.publisher import Publisher
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
-from rclpy.subscription import Subscription
 from rclpy.time import Time
 from rosgraph_msgs.msg import Clock
 from std_msgs.msg import UInt64
 
 from helpers.kernel.nodes import UNKNOWN
 from helpers.runner import action_peers, service_peers, spent, values, wiring
+from helpers.runner.own_endpoints import Recording, Talker
 from helpers.runner.peers import SECOND, Peer
 from helpers.runner.program_process import ForkServer, ProgramProcess
+from helpers.runner.started_nodes import StartedNodes
+from helpers.runner.timeouts import TIMEOUTS, Timeouts
 from helpers.runner.verdicts import LearnerError, Unheard
 from helpers.runner.workspaces import Workspaces
 
@@ -35,60 +37,6 @@ MAX_MESSAGES = 5000  # at one moment of simulated time, on all topics that a tes
 
 
 @dataclass(frozen=True)
-class Timeouts:
-    """Bounds on waiting, in seconds of wall time. They only end programs that would never end by themselves."""
-
-    load: float = 6.0
-    start: float = 6.0
-    call: float = 6.0
-    step: float = 6.0  # for what the worker itself awaits at one moment of simulated time
-    stuck: float = 6.5  # for all callbacks at one moment of simulated time
-    discovery: float = 20.0
-
-
-TIMEOUTS = Timeouts()
-# For an exercise that has already been stuck in another test. Only a program that stands in one of the learner's lines
-# is given up so soon; who is late because of the machine gets four times as long.
-AGAIN = Timeouts(3.0, 3.0, 3.0, 3.0, stuck=1.5)
-
-
-@dataclass
-class Recording:
-    """What a subscription of the test's has received: `messages`, and `stamps` (simulated seconds of receipt).
-
-    `numbers` are those that the publishers gave the messages, from 1: who comes late to a latched topic hears the last
-    message, and sees how many there were before it. `published` is when, in ns of the machine's clock: the
-    order of what one process has said on several topics at one simulated moment.
-    """
-
-    topic: str
-    messages: list = field(default_factory=list)
-    stamps: list[float] = field(default_factory=list)
-    numbers: list[int] = field(default_factory=list)
-    published: list[int] = field(default_factory=list)
-    subscription: Subscription = field(init=False, repr=False)
-    strict: bool = field(default=True, repr=False)
-    optional: bool = field(default=False, repr=False)  # no hint if the learner has no publisher there
-    matched: int = field(default=0, repr=False)  # publishers that were ever connected
-    known: set = field(default_factory=set, repr=False)  # those of the test's and the learner's programs
-
-    @property
-    def data(self) -> list:
-        """The `data` fields of the messages."""
-        return [message.data for message in self.messages]
-
-    def clear(self) -> None:
-        """Forget what has been received."""
-        self.messages.clear()
-        self.stamps.clear()
-        self.numbers.clear()
-        self.published.clear()
-
-    def __len__(self) -> int:
-        return len(self.messages)
-
-
-@dataclass(frozen=True)
 class _Own:
     """The test's node, and what goes with it."""
 
@@ -97,69 +45,6 @@ class _Own:
     executor: SingleThreadedExecutor
     clock: Publisher
     step: Publisher
-
-
-class Talker:
-    """A publisher of the test's. `optional`: a program may do without a subscription to it; no hint tells of that."""
-
-    optional = False
-
-    def __init__(self, learner: 'Learner', publisher, strict: bool):
-        self.learner, self.publisher, self.strict = learner, publisher, strict
-        self.topic = publisher.topic_name
-
-    def send(self, *messages) -> None:
-        """Publish; `settle` or `run` lets the learner's node react.
-
-        The first send waits until the learner's nodes are connected.
-        """
-        self.learner.connect()
-        for message in messages:
-            self.publisher.publish(message)
-        self.learner.unsettled = True
-
-
-class StartedNodes:
-    """What `learner.start` gives: one process with the learner's node in it."""
-
-    def __init__(self, learner: 'Learner', process: ProgramProcess, index: int, nodes: list[str]):
-        self.learner, self.process, self.index = learner, process, index
-        self.nodes = nodes  # fully qualified names
-
-    @property
-    def name(self) -> str:
-        """The fully qualified name of the (first) node."""
-        return self.nodes[0] if self.nodes else ''
-
-    @property
-    def output(self) -> str:
-        """What this process has printed and logged so far."""
-        return self.process.output.text
-
-    def call(self, method: str, *args, **kwargs):
-        """Call a method of the learner's object; arguments and result as in `learner.call`."""
-        return self.process.call(method, args, kwargs, self.learner.timeouts.call, self.index)
-
-    def switch(self, line: int, hold: bool = False) -> tuple[int, str]:
-        """Let another thread go on in the middle of a callback, as real threads do; for `start(…, switches=True)`.
-
-        The thread that comes to the place with the number `line` stands aside until nothing else can go on at that
-        moment of simulated time. Places are before each line of the learner's, and in it before each store,
-        and after each call and each store; they are counted over all callbacks from now on. 0: none stands aside.
-
-        :param hold: it stands aside until the next call at least, so that a test can send something meanwhile.
-        :returns: to how many places threads have come since the last call, and the line at which one stood aside
-            ('' for none).
-        """
-        answer = self.process.ask('switch', self.learner.timeouts.call, line=line, hold=hold)
-        stood = [f'{row["cell"]}, line {row["line"]}: `{row["code"]}`' for row in answer['stood'][-1:]]
-        return answer['lines'], ''.join(stood)
-
-    def stop(self) -> None:
-        """End this process; its nodes leave the graph."""
-        self.learner.settle()
-        self.process.stop()
-        self.learner.forget(self.process)
 
 
 class Learner(Workspaces):

@@ -18,10 +18,11 @@ import pytest
 
 from helpers.exercises import manifest
 from helpers.runner import verdicts
-from helpers.runner.learner import AGAIN, TIMEOUTS, Learner
+from helpers.runner.learner import Learner
 from helpers.runner.load import busy
 from helpers.runner.program_process import ForkServer
 from helpers.runner.seeds import generator
+from helpers.runner.timeouts import AGAIN, TIMEOUTS
 
 STUCK = 1.5  # so many times as long as a test may take all that comes before and after it, too
 

@@ -19,17 +19,14 @@ import shlex
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
-from typing import TYPE_CHECKING
 
 from helpers.exercises import packages
 from helpers.runner import values
 from helpers.runner.load import busy, starved
 from helpers.runner.program_process import ForkServer, ProgramProcess, Task
 from helpers.runner.text import clean
+from helpers.runner.timeouts import Timeouts
 from helpers.runner.verdicts import InvalidProgram, LearnerCrashed, LearnerError, LearnerTimeout
-
-if TYPE_CHECKING:
-    from helpers.runner.learner import Timeouts
 
 BUILD_TIMEOUT = 90.0  # seconds
 BUILD_AGAIN = 15.0  # for another build of an exercise of which one has not come to its end

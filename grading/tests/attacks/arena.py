@@ -60,7 +60,7 @@ SOLVED = {
 # The tests wait less for what never comes, so that many attacks can be judged.
 PATIENCE = """
 from helpers.runner import plugin
-from helpers.runner.learner import Timeouts
+from helpers.runner.timeouts import Timeouts
 plugin.TIMEOUTS, plugin.AGAIN = Timeouts(3.0, 3.0, 3.0, 3.0), Timeouts(1.5, 1.5, 1.5, 1.5)
 """
 VISIBLE = {

@@ -91,7 +91,7 @@ def fine():
 # What is under test is which bound ends a program: the one on time must not come first on a slow machine.
 TESTS = '''
 from helpers.runner import plugin
-from helpers.runner.learner import Timeouts
+from helpers.runner.timeouts import Timeouts
 plugin.TIMEOUTS = Timeouts(call=60.0)
 pytestmark = [pytestmark, pytest.mark.limits(
     memory=900 * 2**20, total_memory=600 * 2**20, processes=64, tmp=4 * 2**20, home=5 * 2**20, shared=3 * 2**20)]

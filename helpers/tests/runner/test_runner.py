@@ -708,7 +708,7 @@ def judged(tmp_path_factory):
 
 
 # What does not come back is given up sooner than in a course.
-QUICK = '    from helpers.runner.learner import Timeouts\n    learner.timeouts = Timeouts(2, 2, 2, 2, stuck=3)\n'
+QUICK = '    from helpers.runner.timeouts import Timeouts\n    learner.timeouts = Timeouts(2, 2, 2, 2, stuck=3)\n'
 
 
 @pytest.mark.timeout(600)
