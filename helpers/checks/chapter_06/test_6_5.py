@@ -28,6 +28,8 @@ def test_life(learner):
     learner.run(0.9)
     known, other = draw.sample(there.names, 2)
     there.tell([known])
+    learner.run(0.6)
+    there.tell([other])  # there is no time of which both are known
     learner.run(0.2)
     _tell_two_trees(there, known, other)
     unknown = len(there.commands)
@@ -82,7 +84,7 @@ def _check_unknown(there, count):
     """The first `count` commands came before both were known."""
     expect(
         count,
-        'For 1.4 s the place of one turtle or of both was unknown, and no command came. Then, too, publish a '
+        'For 2 s the place of one turtle or of both was unknown, and no command came. Then, too, publish a '
         'Twist of zeros every 0.1 s, and do not wait for a transform.',
     )
     expect(
@@ -133,6 +135,10 @@ def _check_place(there, before):
         (
             there.is_for(command, there.leader.x, there.leader.y),
             'That is for where the leader is in the world. The follower does not know where it looks itself.',
+        ),
+        (
+            there.is_for(command, *there.in_space()),
+            'That is for the way in space, with z. chase wants x and y, as they are.',
         ),
         rule='place',
     )
