@@ -177,7 +177,7 @@ def test_limits(learner):
     """
     there = laser(learner)
     there.tell(0.0)
-    for limits in ((0.25, 4.5), (1.5, 30.0)):
+    for limits in ((0.25, 4.5), (1.5, 30.0), (0.0, 6.0)):
         there.clouds.clear()
         values = [*limits, limits[0] - 0.001, limits[1] + 0.001, 0.1875, 1.0, 4.0, 4.75, 29.0, 40.0]
         learner.random.shuffle(values)

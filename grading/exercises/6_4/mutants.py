@@ -142,4 +142,6 @@ MUTANTS = [
                 return
             self.last = stamp
         """, expect='no cloud came on /points'),
+    Mutant('zero_is_no_distance', old='if scan.range_min <= distance', new='if distance and scan.range_min <= distance',
+           breaks='range', expect='also if it is 0.0'),
 ]

@@ -48,7 +48,9 @@ def test_command(learner):
     """
     there = pursuit(learner)
     # Ahead and to the right of it, 2 m away: with a look-up of anything else chase says something else.
-    there.me.theta = math.atan2(5.5 - there.me.y, 5.5 - there.me.x) + 0.6
+    ahead = math.atan2(5.5 - there.me.y, 5.5 - there.me.x)
+    there.leader.x, there.leader.y = there.me.x + 2.0 * math.cos(ahead), there.me.y + 2.0 * math.sin(ahead)
+    there.me.theta = ahead + 0.6
     there.leader.theta = there.me.theta + 2.0
     for _ in range(3):
         there.tell()
@@ -77,6 +79,10 @@ def test_command(learner):
         (
             there.is_for(command, there.leader.x, there.leader.y),
             'That is for where the leader is in the world. The follower does not know where it looks itself.',
+        ),
+        (
+            there.is_for(command, *there.in_space()),
+            'That is for the way in space, with z. chase wants x and y, as they are.',
         ),
         rule='place',
     )
@@ -118,9 +124,13 @@ def test_unknown(learner):
     known, other = learner.random.sample(there.names, 2)
     there.run(1.024, names=[known])
     heard(there, 20, 'Only one of the turtles is known after 2 s. In this time', 'unknown')
+    learner.run(0.6)
+    there.tell([other])
+    learner.run(0.3)
+    heard(there, 29, 'Both turtles said where they are, and never at the same time. After 2.9 s', 'unknown')
     there.tell_elsewhere(other)
     there.run(0.512, names=[known])
-    heard(there, 25, 'The turtles are in two trees, with no way from one to the other. After 2.5 s', 'unknown')
+    heard(there, 34, 'The turtles are in two trees, with no way from one to the other. After 3.4 s', 'unknown')
     expect(all(map(zeros, there.commands.messages)), 'The leader or the follower was unknown, and a command drives.')
     there.run(0.896)
     expect(not there.stands, 'Both turtles are known now, and the follower stands. Does your node listen?')

@@ -96,4 +96,13 @@ MUTANTS = [
         if command == Twist():
             self.motor.publish(command)
         """, expect='one after the other', also=('no-wait', 'unknown')),
+    Mutant('no_common_time', old='except TransformException:', new='except (LookupException, ConnectivityException):',
+           imports='from tf2_ros import ConnectivityException, LookupException', breaks='unknown',
+           expect='ExtrapolationException'),
+    Mutant('way_in_space', breaks='place', expect='for the way in space',
+           old='command = chase(found.transform.translation.x, found.transform.translation.y)', new="""
+           place = found.transform.translation
+           share = math.hypot(place.x, place.y, place.z) / max(1e-9, math.hypot(place.x, place.y))
+           command = chase(place.x * share, place.y * share)
+           """),
 ]

@@ -24,6 +24,7 @@ def test_healthy_threads(learner):
     """
     check(learner, 'idle', 'spinning', rule='healthy')
     check(learner, 'waits in main', rule='healthy')
+    check(learner, 'serving', rule='healthy', times=2)
 
 
 @pytest.mark.rules('server', 'call', 'spin', 'busy', 'own-call', 'all')
@@ -37,7 +38,7 @@ def test_one_thread(learner, cause):
     for _ in range(3):
         with about(cause):
             stacks.diagnose(learner, cause, plain=True)
-    for state in [state for state, of in (('calling', 'busy'), ('ending', 'spin')) if of == cause]:
+    for state in [state for state, of in stacks.OTHERS if of == cause]:
         for _ in range(4):
             with about(cause):
                 stacks.diagnose(learner, state, plain=True)
@@ -52,6 +53,7 @@ def test_several_threads(learner):
     A MultiThreadedExecutor can hang in several callbacks.
     """
     check(learner, 'idle', *learner.random.sample(stacks.CAUSES, 3), 'spinning', rule='all')
+    check(learner, learner.random.choice(stacks.CAUSES), 'same', 'same', 'spinning', rule='all', times=2)
 
 
 @pytest.mark.rules('call', 'busy')

@@ -77,4 +77,23 @@ MUTANTS = [
         while time.monotonic() < end:
             rclpy.spin_once(node, timeout_sec=0.1)
         ''', breaks='answer', expect='the answer ends the wait'),
+    Mutant('callback_of_rclpy', old='for _, _, function in calls[own:]]', new='for _, _, function in calls]',
+           breaks='healthy', also=('all', 'own-call'), expect='its own call is no callback'),
+    Mutant('server_is_the_newest_call', old="('client.py', 'wait_for_service') in newer else ''", breaks='server',
+           new="own and calls[0][2] == 'wait_for_service' and paths[0].parent.name == 'rclpy' else ''",
+           expect='A thread that waits in wait_for_service', **STACKS),
+    Mutant('same_line_once', old='    return found\n', breaks='all', expect='with the same four parts',
+           new='    return [one for number, one in enumerate(found) if one not in found[:number]]\n'),
+    Mutant('rclpy_in_the_name_of_a_folder', old="path.parent.name != 'rclpy']", new="'rclpy' not in str(path)]",
+           breaks='own-call', also='all', expect='You did not find'),
+    Mutant('pool_waits_for_the_answer', old='rclpy.spin_until_future_complete(node, future, timeout_sec=patience)', new="""
+        from concurrent.futures import ThreadPoolExecutor
+        import os, time
+        with ThreadPoolExecutor() as pool:
+            waits = pool.submit(lambda: [time.sleep(0.1) for _ in range(10**6) if not future.done()])
+            rclpy.spin_until_future_complete(node, future, timeout_sec=patience)
+            if not future.done():
+                print('no answer', flush=True)
+                os._exit(1)
+        """, breaks='interrupt', expect='also for those of a pool'),
 ]

@@ -102,4 +102,6 @@ def above(parents, frame, other):
             t.header.stamp.sec += 10
     return transforms
 ''', breaks='nothing', expect='cannot be repaired here'),
+    Mutant('ahead_of_now', old='now - newest[frame] > 1.0]', new='abs(now - newest[frame]) > 1.0]', breaks='old',
+           also=('newest', 'order'), expect='what is ahead of now is not'),
 ]

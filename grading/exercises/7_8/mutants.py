@@ -85,4 +85,7 @@ done
            old="('robot/robot.py', PARTS, \"frame_id = 'odom'\\n        transform.child_frame_id = 'base_link'\")",
            new="('panel/panel.py', \"'odom', 'base_link'\", \"'base_link', 'odom'\")", breaks='repaired',
            expect='the robot does not say where base_link is in odom'),
+    Mutant('panel_once_a_second', old="self.on_answer)')],",
+           new="self.on_answer)'), ('panel/panel.py', 'create_timer(0.3', 'create_timer(1.0')],", breaks='repaired',
+           expect='the panel prints less than three times a second'),
 ]

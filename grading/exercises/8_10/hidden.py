@@ -9,7 +9,7 @@ from helpers.runner import expect
 pytestmark = pytest.mark.exercise('8.10')
 
 
-@pytest.mark.rules('values', 'types', 'robot', 'sim-time')
+@pytest.mark.rules('values', 'types', 'robot', 'sim-time', 'world')
 @pytest.mark.weight(2)
 def test_values(learner):
     """The node has the values of delivery.yaml, and simulated time.

@@ -54,4 +54,6 @@ MUTANTS = [
             max_linear: 0.4
             status_period: 1.0
         """, expect='so it keeps its default', breaks='values'),
+    Mutant('two_scenes_only', old="default_value='rooms')", new="default_value='rooms', choices=['rooms', 'empty'])",
+           expect='Pass the value on', breaks='world'),
 ]

@@ -138,7 +138,12 @@ RIGHT = {
         loop=PARTS['loop']
         .replace('        while', '        rate = self.create_rate(10.0)\n        while')
         .replace('self.get_clock().sleep_for(Duration(seconds=0.1))', 'rate.sleep()'),
-        stations=PARTS['stations'].replace("'no'", "f'{request.x}, {request.y} is nowhere'"),
+        stations=PARTS['stations']
+        .replace("'no'", "f'{request.x}, {request.y} is nowhere'")
+        .replace(
+            '        return response',
+            "        response.message = response.message or f'{request.name} is noted'\n        return response",
+        ),
         cancelled=PARTS['cancelled'].replace("'cancelled'", "'called back'"),
         lost=PARTS['lost'].replace("'lost'", "'nobody tells where I am'"),
         arrived=PARTS['arrived'].replace("'arrived'", "'here I am'"),

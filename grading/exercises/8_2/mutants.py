@@ -197,4 +197,18 @@ class Governor(Node):
             ("limit = self.get_parameter('slow_linear' if mode == 'slow' else 'max_linear').value",
              "limit = self.values['slow_linear' if mode == 'slow' else 'max_linear']")),
            expect='While you check, store and change nothing', breaks='refused'),
+    Mutant('zero_is_no_limit', old='command.linear.x = max(-limit, min(limit, self.command.linear.x))', new="""
+           speed = self.command.linear.x
+           command.linear.x = max(-limit, min(limit, speed)) if limit else speed
+           """, breaks='limit', also='modes', expect='0.0 counts as false'),
+    Mutant('rate_comes_first', old="if 'rate' in [parameter.name for parameter in parameters]:",
+           new="if parameters[0].name == 'rate':", breaks='new-rate', expect='all parameters of a request'),
+    Mutant('command_of_the_class', old="lambda command: setattr(self, 'command', command)",
+           new="lambda command: setattr(Governor, 'command', command)", breaks='before',
+           edits=(('self.command, self.timer = Twist(), None', 'self.timer = None'),
+                  ('class Governor(Node):', """
+           class Governor(Node):
+               command = Twist()
+
+           """)), expect='A second one was made'),
 ]

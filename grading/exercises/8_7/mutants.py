@@ -130,4 +130,6 @@ if len(self.stations) > 5:
             override = name == 'status_period'
             self.declare_parameter(name, default, bounded(description, low, high), ignore_override=not override)
             """, expect='The node was started with', breaks='parameters'),
+    Mutant('too_far_away', old='math.isfinite(request.x) and math.isfinite(request.y)',
+           new='math.isfinite(math.hypot(request.x, request.y))', breaks='station', expect='judge each one by itself'),
 ]

@@ -13,6 +13,7 @@ from helpers.runner.peers import SECOND
 from helpers.show.turtle_view import STEP, World
 
 STEPS = 8  # of the simulation between two transforms: 0.128 s
+HEIGHT = 0.7  # m, of the leader's frame above the follower's: chase does not ask for it
 
 
 class Pursuit:
@@ -47,14 +48,17 @@ class Pursuit:
 
     def place(self) -> np.ndarray:
         """Where the leader is in the frame of the follower: x, y, z."""
-        leader, me = (pose(turtle.x, turtle.y, yaw=turtle.theta) for turtle in (self.leader, self.me))
-        return origin(np.linalg.inv(me) @ leader)
+        return origin(np.linalg.inv(self._pose(self.me)) @ self._pose(self.leader))
+
+    def _pose(self, turtle) -> np.ndarray:
+        """The matrix of a turtle in the world."""
+        return pose(turtle.x, turtle.y, HEIGHT if turtle is self.leader else 0.0, yaw=turtle.theta)
 
     def tell(self, names=None, seconds: float | None = None) -> None:
         """Turtles (both, unless named) say where they are; stamped now, or as given (simulated seconds)."""
         for turtle in (self.leader, self.me):
             if names is None or turtle.name in names:
-                self._tf.send('world', turtle.name, pose(turtle.x, turtle.y, yaw=turtle.theta), seconds)
+                self._tf.send('world', turtle.name, self._pose(turtle), seconds)
                 stamp = self.learner.now / SECOND if seconds is None else seconds
                 self.stamps[turtle.name] = max(stamp, self.stamps[turtle.name])
 
@@ -64,8 +68,12 @@ class Pursuit:
 
     def seen_back(self) -> np.ndarray:
         """Where the follower is in the frame of the leader: x, y, z."""
-        leader, me = (pose(turtle.x, turtle.y, yaw=turtle.theta) for turtle in (self.leader, self.me))
-        return origin(np.linalg.inv(leader) @ me)
+        return origin(np.linalg.inv(self._pose(self.leader)) @ self._pose(self.me))
+
+    def in_space(self) -> np.ndarray:
+        """A place in the direction of the leader that is as far in the plane as the leader is in space: x, y."""
+        place = self.place()
+        return place[:2] * np.linalg.norm(place) / max(np.linalg.norm(place[:2]), 1e-9)
 
     def is_for(self, command: Twist, x: float, y: float) -> bool:
         """Whether a command is what `chase` says for this place."""
@@ -82,7 +90,7 @@ class Pursuit:
         while (now := self.learner.now / SECOND) < end - 1e-9:
             for turtle in (self.leader, self.me):
                 if names is None or turtle.name in names:
-                    pending.append((now, turtle.name, pose(turtle.x, turtle.y, yaw=turtle.theta)))
+                    pending.append((now, turtle.name, self._pose(turtle)))
             while pending and pending[0][0] <= now - delay + 1e-9:
                 stamp, name, matrix = pending.pop(0)
                 self._tf.send('world', name, matrix, stamp)

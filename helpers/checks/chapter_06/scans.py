@@ -171,6 +171,21 @@ def check_no_hits(there: Laser, seconds: float) -> None:
     expect(found == [0], f'A scan without a hit gave {len(found)} clouds, expected one without points.', 'one-cloud')
 
 
+def check_zero(there: Laser, seconds: float) -> None:
+    """Fail unless a distance of 0.0 is a hit if range_min is 0; the transforms of this time are there."""
+    there.clouds.clear()
+    distances = there.learner.random.sample([0.0, 2.0, 3.0], 3)
+    there.scan(distances, seconds, limits=(0.0, 12.0))
+    there.learner.run(0.1)
+    found = [len(points(cloud)) for cloud in there.clouds.messages]
+    expect(
+        found == [3],
+        f'A scan with range_min 0.0 and the distances {distances} gave clouds with {found} points, expected one with '
+        '3: what is equal to range_min is a hit, also if it is 0.0, which counts as false in Python.',
+        'range',
+    )
+
+
 def points(cloud: PointCloud2) -> np.ndarray:
     """The points of a cloud, Nx3; fails if it cannot be read."""
     try:

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from helpers.checks.chapter_06.scans import Laser, check_no_hits, check_topics, points
+from helpers.checks.chapter_06.scans import Laser, check_no_hits, check_topics, check_zero, points
 from helpers.runner import about, expect
 from helpers.runner.frames import pose
 
@@ -48,6 +48,7 @@ def test_scans(learner):
     _check_scan(there, other, 'frame', -1, (0.28, 0.36))  # this one turns to the right
     _check_scan(there, 'laser', 'one-cloud', 1, (0.05, 0.15))  # an older one comes after a newer one
     check_no_hits(there, 0.25)
+    check_zero(there, 0.25)
     _check_later(there, other)
     _check_hopeless(there)
 

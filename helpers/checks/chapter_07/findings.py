@@ -64,9 +64,12 @@ def compare(got, expected: list[tuple], why: dict[str, str], rule: str = '', giv
             f'You found {said(one)} (evidence {one[3]!r}), and there is no such fault. {why.get(one[2], "")}{given}',
             broken,
         )
+        times, wanted = found.count(one), expected.count(one)
+        expect(times <= wanted, f'You found {said(one)} {times} times. Each fault is one finding.{given}', broken)
         expect(
-            found.count(one) == 1,
-            f'You found {said(one)} {found.count(one)} times. Each fault is one finding.{given}',
+            times == wanted,
+            f'You found {said(one)} {times} time(s), and there are {wanted} with the same four parts: each is a '
+            f'finding of its own.{given}',
             broken,
         )
 

@@ -14,6 +14,7 @@ import time
 from contextlib import ExitStack
 from dataclasses import dataclass
 
+from rcl_interfaces.msg import Log
 from rclpy.qos import QoSProfile, ReliabilityPolicy
 from rosidl_runtime_py.utilities import get_message
 from tf2_msgs.msg import TFMessage
@@ -33,6 +34,7 @@ from helpers.runner.verdicts import ExpectationFailed
 EXAMPLE = 'my name'  # what the cell has at first
 PATIENCE = 10.0  # s in which a repaired system shows that it works, after its start
 MANY = 14.0  # messages a second; with a timer of 0.1 s there are ten
+SLOW = 0.6  # s from one line of the panel to the next; with its timer of 0.3 s there are half as many
 _WINDOW = 9  # so many messages before the last one tell a rate or a speed
 BUSY = 3  # so many times as long on a busy machine
 # What the evidence of a cause must have in it, in words.
@@ -324,10 +326,10 @@ class _Copy:
 
 
 class _Outside:
-    """What somebody else than the panel sees of a copy's robot: is it as its task says?
+    """What somebody else than the panel sees of a copy: is it as its task says?
 
     Where two faults are in two files, a learner may change both: then the panel alone cannot tell on which side
-    a name, a type or a frame is wrong.
+    a name, a type or a frame is wrong. How often the panel prints is seen on /rosout, where its lines have a time.
     """
 
     def __init__(self, domain: int, system: Planned):
@@ -340,9 +342,11 @@ class _Outside:
         qos = QoSProfile(depth=50, reliability=ReliabilityPolicy.BEST_EFFORT)
         self._node.node.create_subscription(get_message(self._kind), self._topic, self._on_message, qos)
         self._node.node.create_subscription(TFMessage, '/tf', self._on_transforms, qos)
+        self._printed: list[float] = []  # when the panel has printed its lines, in s
+        self._node.node.create_subscription(Log, '/rosout', self._on_line, qos)
 
     def lacks(self) -> str:
-        """In what the robot is not as its task says, in words; '' if it is. Waits for four seconds at most."""
+        """In what the system is not as its task says, in words; '' if it is. Waits for four seconds at most."""
         self._node.wait_until(lambda: not self._missing(), 4.0)
         return self._missing()
 
@@ -351,6 +355,10 @@ class _Outside:
 
     def _on_message(self, message, info) -> None:
         self._sent = [*self._sent[-_WINDOW:], info['source_timestamp'] / 1e9]
+
+    def _on_line(self, message) -> None:
+        if message.name.endswith('panel') and 'base_link: ' in message.msg:
+            self._printed.append(message.stamp.sec + message.stamp.nanosec / 1e9)
 
     def _on_transforms(self, message) -> None:
         for one in message.transforms:
@@ -379,6 +387,10 @@ class _Outside:
         wanted = float(self._values['speed'])
         if abs(speed - wanted) > 0.2 * wanted:
             return f'the robot drives with {speed:.2f} m/s, and not with {wanted:g} m/s'
+        # A busy machine delays some lines, but not all: four in time are enough. What no logger prints is not seen.
+        spans = [later - earlier for earlier, later in zip(self._printed, self._printed[3:], strict=False)]
+        if self._printed and not any(span < 3 * SLOW for span in spans):
+            return 'the panel prints less than three times a second'
         return ''
 
 

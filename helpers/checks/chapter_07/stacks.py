@@ -22,8 +22,13 @@ WHY = {
     '`wait_for_service` wait.',
 }
 CAUSES = tuple(WHY)
+# What else is to be said of a state in which threads often are.
+MORE = {
+    'serving': 'The main thread spins, and runs a callback of rclpy itself, as for `ros2 param list`: its own call is '
+    'no callback, because `await_or_execute` is newer than that, and not older.'
+}
 START = 30.0  # s of wall time for a program to be up, on a machine under load
-MADE, WAITS = 'client made', 'waits for the server'  # what WATCHED says
+MADE, WAITS, ASKED = 'client made', 'waits for the server', 'has asked the server'  # what WATCHED says
 TWICE = 4.0  # s that the client may wait for each of two things which take a bit more than half of it
 LATE = 0.5  # s of wall time that the output of a program takes at most to come
 LIMIT = 90.0  # s for a run of the driver; it ends by itself before
@@ -35,11 +40,13 @@ _SPINS = (
     ('executors.py _wait_for_ready_callbacks', 'executors.py spin_once', '__init__.py spin_once'),
     ('executors.py wait_for_ready_callbacks', 'executors.py _spin_once_impl', 'executors.py spin_once'),
 )
-# Calls of rclpy with which a state shows otherwise than as a rule.
+# Calls of rclpy with which a state shows otherwise than as a rule, the newest one first.
 _OTHER_FORMS = {
-    'calling': ('busy', ('client.py call_async', 'client.py service_is_ready', 'publisher.py publish')),
-    'ending': ('spin', ('executors.py shutdown',)),
+    'calling': ('busy', (('client.py call_async',), ('client.py service_is_ready',), ('publisher.py publish',))),
+    'ending': ('spin', (('executors.py shutdown',),)),
+    'looking': ('server', (('client.py service_is_ready', 'client.py wait_for_service'),)),
 }
+OTHERS = tuple((state, cause) for state, (cause, _) in _OTHER_FORMS.items())
 # Calls of other libraries, whose files and functions are called as those of rclpy.
 _OF_OTHERS = (
     ('/usr/lib/python3/dist-packages/roslibpy/client.py', 214, 'call'),
@@ -58,8 +65,10 @@ def draw(random, *states: str, plain: bool = False) -> tuple[str, dict[str, str]
     """Stacks with a thread in each of these states, the program's files, and the findings that are right.
 
     States: the causes, ``spinning`` (the main thread spins), ``idle`` (a worker without the program's calls),
-    ``waits in main`` (``call`` outside of a callback, which is no finding), ``calling`` (busy, with a newer call of
-    rclpy that does not wait), ``ending`` (it ends the executor, which waits in executors.py).
+    ``waits in main`` (``call`` outside of a callback, which is no finding), ``serving`` (the main thread spins, and a
+    callback of rclpy runs), ``calling`` (busy, with a newer call of rclpy that does not wait), ``ending`` (it ends the
+    executor, which waits in executors.py), ``looking`` (it waits for a server, and just looks whether it is there),
+    ``same`` (another thread in the line of the one before).
     :param plain: each thread has one own call besides that in main, and no file is called as one of rclpy's.
     """
     program = _Program(random, plain)
@@ -88,7 +97,12 @@ class _Program:
             f'{nodes[1][1]}.py',
             'tools.py' if plain else random.choice(['client.py', 'executors.py', 'task.py']),
         ]
-        self._folder = f'/home/{random.choice(["ada", "linus"])}/{random.choice(words.ROBOTS)}'
+        # The name of a folder may begin with that of rclpy. (If it ended with it, `my_rclpy/client.py` would end as
+        # the card says of rclpy's own file.)
+        self._folder = (
+            f'/home/{random.choice(["ada", "linus"])}/{"" if plain else "rclpy_"}{random.choice(words.ROBOTS)}'
+        )
+        self._last: list[str] = []
         self._lines = {name: [f'# line {number} of {name}' for number in range(1, 60)] for name in names}
         self.expected: list[tuple] = []
 
@@ -99,6 +113,13 @@ class _Program:
 
     def thread(self, state: str) -> list[str]:
         """The stack of a thread in this state, the newest call first."""
+        if state == 'same':
+            self.expected.append(self.expected[-1])
+        else:
+            self._last = self._thread(state)
+        return self._last
+
+    def _thread(self, state: str) -> list[str]:
         random = self._random
         callback = f'on_{random.choice(["timer", "scan", "request", "goal", "button"])}'
         wait = ['  File "/usr/lib/python3.12/threading.py", line 355 in wait']
@@ -115,13 +136,16 @@ class _Program:
         if state == 'spinning':
             calls = self._library('executors.py _wait_for_ready_callbacks', *_SPIN)
             return [*calls, self._own('rclpy.spin(node)', 'main')]
+        if state == 'serving':
+            served = self._library('parameter_service.py _list_parameters_callback', *_OUTER, *_SPIN)
+            return [*served, self._own('rclpy.spin(node)', 'main')]
         if state == 'idle':
             return [*wait, '  File "/usr/lib/python3.12/concurrent/futures/thread.py", line 90 in _worker']
         if state == 'waits in main':
             return [*wait, *self._library('client.py call'), self._own('client.call(request)', 'main')]
         if state in _OTHER_FORMS:
             state, calls = _OTHER_FORMS[state]
-            newest[state] = self._library(random.choice(calls))
+            newest[state] = self._library(*random.choice(calls))
         if state == 'server' and random.random() < 0.5:  # not in a callback
             function, outer = 'main', []
         self.expected.append(('waiting' if state == 'server' else 'hang', function, state, _LINES[state]))
@@ -150,12 +174,13 @@ class _Program:
 def diagnose(learner, *states: str, rule: str = '', plain: bool = False) -> None:
     """Draw stacks, ask the learner's diagnose_stacks, and fail with words if it does not find what is expected."""
     text, files, expected = draw(learner.random, *states, plain=plain)
+    more = [MORE[state] for state in states if state in MORE]
     compare(
         learner.call('diagnose_stacks', text, files),
         expected,
         WHY,
         rule,
-        f'The files are {", ".join(files)}; the stacks are:\n{text}',
+        '\n'.join([*more, f'The files are {", ".join(files)}; the stacks are:\n{text}']),
     )
 
 
@@ -222,8 +247,8 @@ finally:
         program.kill()
 '''
 
-# Runs a program, and tells when it has made a client, and when it looks for the client's server. If there is a server,
-# the client knows it as soon as it is made: how long that takes on this machine is not what is asked.
+# Runs a program, and tells when it has made a client, when it looks for the client's server, and when it asks it. If
+# there is a server, the client knows it as soon as it is made: how long that takes on this machine is not asked.
 WATCHED = """\
 import runpy
 import sys
@@ -233,6 +258,7 @@ from rclpy.client import Client
 from rclpy.node import Node
 
 make, is_ready, wait = Node.create_client, Client.service_is_ready, Client.wait_for_service
+ask = Client.call_async
 said = set()
 
 
@@ -261,7 +287,14 @@ def wait_for_service(self, *args, **kwargs):
     return wait(self, *args, **kwargs)
 
 
+def call_async(self, *args, **kwargs):
+    future = ask(self, *args, **kwargs)
+    say('has asked the server')
+    return future
+
+
 Node.create_client, Client.service_is_ready, Client.wait_for_service = create_client, service_is_ready, wait_for_service
+Client.call_async = call_async
 served, *sys.argv = sys.argv[1:]
 runpy.run_path(sys.argv[0], run_name='__main__')
 """
@@ -317,7 +350,7 @@ class _Running:
         status = self.task.wait(0) if self.ended else None
         self.task.end()
         lines = [line.strip() for line in self.task.output.splitlines() if line.strip()]
-        said = [line for line in lines if line != WAITS and not line.startswith(MADE)]
+        said = [line for line in lines if line not in (WAITS, ASKED) and not line.startswith(MADE)]
         took = (self.ended or time.monotonic()) - (self.begun or self._start)
         return Ended(said[-1] if said else '', 'none' if status is None else str(status), took, seconds, name, word)
 
@@ -398,18 +431,23 @@ class Client:
             observer.until(all_over, 5 * START)
         return {what: one.outcome(asked[what][1], asked[what][0], word) for what, one in running.items()}
 
-    def interrupt(self) -> str:
-        """Ctrl+C while it waits for a server: 'True' if it ends, 'False' if not, 'early' if it had ended before."""
+    def interrupt(self, silent: bool) -> str:
+        """Ctrl+C while it waits: 'True' if it ends, 'False' if not, 'early' if it had ended before.
+
+        :param silent: it waits for the answer of a server that is there, and never answers; else there is no server.
+        """
         name = f'/{self._learner.random.choice(words.SERVICES)[0]}'
-        with Observer(self._learner) as observer:
-            task = self._start(name, 60)
+        with Observer(self._learner) as observer, Observer(self._learner) as server:
+            if silent:
+                server.node.create_service(Trigger, name, lambda request, response: response)  # never spun
+            task = self._start(name, 60, silent)
             observer.until(lambda: MADE in task.output, START, task)
-            # It looks for the server next. One that does so in an unusual way has a moment to come there.
-            observer.until(lambda: WAITS in task.output, 3.0, task)
-        early = task.wait(0.5) is not None  # who only says that it waits has ended meanwhile
-        task.signal(signal.SIGINT)
-        ended = task.wait(5.0 * (4 if busy() else 1)) is not None
-        task.end()
+            # It waits next. One that does so in an unusual way has a moment to come there.
+            observer.until(lambda: (ASKED if silent else WAITS) in task.output, 3.0, task)
+            early = task.wait(0.5) is not None  # who only says that it waits has ended meanwhile
+            task.signal(signal.SIGINT)
+            ended = task.wait(5.0 * (4 if busy() else 1)) is not None
+            task.end()
         return 'early' if early else str(ended)
 
 
@@ -481,9 +519,15 @@ def _judge_time(done: Ended, told: str) -> None:
 
 def judge_interrupt(learner) -> None:
     """The rule `interrupt`."""
-    ended = Client(learner).interrupt()
-    expect(ended != 'early', 'The client ended before its time.')
-    expect(ended == 'True', 'The client did not end within two seconds after Ctrl+C.')
+    client = Client(learner)
+    for silent, what in ((False, 'for a server'), (True, 'for the answer of a server')):
+        ended = client.interrupt(silent)
+        expect(ended != 'early', f'The client was to wait 60 s {what}, and ended before its time.')
+        expect(
+            ended == 'True',
+            f'The client waited {what}, and did not end within two seconds after Ctrl+C. Python waits for all threads '
+            'that are no daemons, also for those of a pool.',
+        )
 
 
 def take(learner, files: dict[str, str], program: str, line: str, newer: str = '') -> str:

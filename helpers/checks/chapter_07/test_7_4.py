@@ -18,11 +18,11 @@ def test_stacks(learner):
         for _ in range(3):
             with about(cause):
                 stacks.diagnose(learner, cause, plain=True)
-    for state, cause in (('calling', 'busy'), ('ending', 'spin')):
+    for state, cause in stacks.OTHERS:
         for _ in range(4):
             with about(cause):
                 stacks.diagnose(learner, state, plain=True)
-    for state in ('spinning', 'idle', 'waits in main'):
+    for state in ('spinning', 'idle', 'waits in main', 'serving'):
         with about('healthy'):
             stacks.diagnose(learner, state, rule='healthy', plain=True)
     for _ in range(3):
@@ -31,6 +31,7 @@ def test_stacks(learner):
                 stacks.diagnose(learner, cause, rule='own-call')
     with about('all'):
         stacks.diagnose(learner, 'idle', *stacks.CAUSES, 'spinning', rule='all')
+        stacks.diagnose(learner, 'idle', 'busy', 'same', 'spinning', rule='all')
 
 
 @pytest.mark.rules('answer')

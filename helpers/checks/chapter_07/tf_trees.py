@@ -17,7 +17,8 @@ WHY = {
     "nor anybody's child.",
     'not connected': 'Go from the source to its parent, and on, until there is none: there the way must end at the '
     'target. The evidence is a frame of another tree, so of none that is below the top frame.',
-    'old': 'The newest stamp of each moving transform on the way counts; static ones do not age. More than 1 s is old.',
+    'old': 'The newest stamp of each moving transform on the way counts; static ones do not age. More than 1 s is old; '
+    'what is ahead of now is not.',
 }
 _ROOTS, _SENSORS = ('map', 'odom', 'world'), ('laser', 'camera', 'gripper', 'sonar', 'antenna')
 _FIXED = ('mast', 'plate', 'bracket', 'housing')
@@ -96,7 +97,9 @@ class Tree:
         self.moving, self.static = [], []
         for parent, child, moving in edges:
             published = faults.published(parent, child)
-            age = faults.ages.get(child, random.choice([1.0, random.randint(0, 970) / 1000]))
+            # What is not old is at most 1 s old, or comes from a machine whose clock is fast.
+            young = random.choice([1.0, random.randint(0, 970) / 1000, -random.randint(1100, 2500) / 1000])
+            age = faults.ages.get(child, young)
             # What has come on /tf, the newest one last but for a late one; on /tf_static it came once.
             for back in (4.0, 2.0, 0.6, 0.3, 0.0) if moving else [0.0]:
                 stamp = self.now - age - back if moving else 0.0

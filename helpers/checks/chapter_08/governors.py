@@ -183,6 +183,43 @@ def judge_changes(governed: Governed, limit: float, rate: float) -> None:
     _judge_refused(governed, limit, rate)
     rate = _judge_new_rate(governed, rate)
     _judge_new_modes(governed, rate)
+    _judge_zero(governed, 1 / rate)
+    _judge_two(governed)
+
+
+def _judge_zero(governed: Governed, period: float) -> None:
+    """The rules `limit` and `modes`, where the limit is changed to 0.0; changes act."""
+    for change, name, rule in (
+        ({'slow_linear': 0.0, 'mode': 'slow'}, 'slow_linear', 'modes'),
+        ({'max_linear': 0.0, 'mode': 'normal'}, 'max_linear', 'limit'),
+    ):
+        governed.accepts(rule, **change)
+        for speed in (0.4, -0.4):
+            governed.send(command(speed))
+            got = governed.newest(period, 'rhythm').linear.x
+            expect(
+                got == 0,
+                f'After the request {shown(change)}, linear.x {speed:g} came out as {got:g}, expected 0. A limit of '
+                f'{name} = 0.0 is a limit, too; in Python, 0.0 counts as false.',
+                rule,
+            )
+
+
+def _judge_two(governed: Governed) -> None:
+    """The rule `before`, of another governor in the same program, to which no command comes: this one stands."""
+    governed.send(command(0.3, 0.5))
+    governed.accepts('at-once', mode='stop')
+    governed.learner.start('Governor', beside=governed.node)
+    governed.learner.settle()
+    wrong = [one for one in governed.after(0.25) if one != Twist()]
+    speed = wrong[0].linear.x if wrong else 0.0
+    expect(
+        not wrong,
+        'A governor has got the command 0.3 m/s, and stands in the mode stop. A second one was made in the same '
+        f'program, no command has come to it, and it says {speed:g} m/s: the command belongs to the object (self), not '
+        'to the class.',
+        'before',
+    )
 
 
 def _judge_new_limits(governed: Governed, limit: float, rate: float) -> float:
@@ -245,19 +282,24 @@ def _judge_refused(governed: Governed, limit: float, rate: float) -> None:
 
 
 def _judge_new_rate(governed: Governed, rate: float) -> float:
-    """Another rate, which begins with a new period; returns it."""
-    new = governed.learner.random.choice([one for one in (4.0, 5.0, 8.0, 20.0, 25.0) if one != rate])
-    governed.accepts('new-rate', rate=new)
-    begin = governed.learner.now / 1e9
-    governed.after(3.5 / new)
-    at = [round(stamp - begin, 4) for stamp in governed.heard.stamps]
-    expect(
-        at == pytest.approx([1 / new, 2 / new, 3 / new], abs=1e-4),
-        f'The rate was changed from {rate:g} to {new:g}. After that, messages came after {at} s, expected one every '
-        f'{1 / new:g} s.' + (' Does the old timer still run?' if len(at) > 3 else ''),
-        'new-rate',
-    )
-    return new
+    """Other rates, alone and with another value, which begin with a new period; returns the last one."""
+    news = governed.learner.random.sample([one for one in (4.0, 5.0, 8.0, 20.0, 25.0) if one != rate], 3)
+    for new, before, behind in zip(news, ({}, {'mode': 'normal'}, {}), ({}, {}, {'mode': 'normal'}), strict=True):
+        request = {**before, 'rate': new, **behind}
+        governed.accepts('new-rate', **request)
+        begin = governed.learner.now / 1e9
+        governed.after(3.5 / new)
+        at = [round(stamp - begin, 4) for stamp in governed.heard.stamps]
+        expect(
+            at == pytest.approx([1 / new, 2 / new, 3 / new], abs=1e-4),
+            f'The rate was {rate:g}, and the request {shown(request)} was accepted. After that, messages came after '
+            f'{at} s, expected one every {1 / new:g} s.'
+            + (' Does the old timer still run?' if len(at) > 3 else '')
+            + (' Look at all parameters of a request.' if len(request) > 1 else ''),
+            'new-rate',
+        )
+        rate = new
+    return rate
 
 
 def _judge_new_modes(governed: Governed, rate: float) -> None:

@@ -32,6 +32,13 @@ def story(learner) -> dict:
         'file is a copy in another folder: FindPackageShare finds the installed folder by the name of the package.',
         'robot',
     )
+    refused = 'Valid options are' in told['log']
+    expect(
+        not refused,
+        f'Launched with scene:={told["scene"]}, your launch file ended: {told["last"]} The world says what a scene is: '
+        'a name, or the path of a YAML file. Pass the value on.',
+        'world',
+    )
     expect('/delivery_robot' in told, f'The node /delivery_robot did not start: {told["last"]}', 'robot')
     expect(
         told.get('executable', True),
@@ -88,7 +95,7 @@ def test_arguments(learner):
         expect(f"default: '{default}'" in told, f'The default of {name} is not {default}.')
 
 
-@pytest.mark.rules('values', 'types', 'robot', 'sim-time')
+@pytest.mark.rules('values', 'types', 'robot', 'sim-time', 'world')
 def test_values(learner):
     """The node has the values of delivery.yaml, and simulated time.
 
@@ -123,8 +130,9 @@ def test_world(learner):
     told = story(learner)
     values = told.get('/world')
     expect(values, 'The node /world did not start: the launch file must include world.launch.py.')
-    wanted = {'scene': 'empty', 'real_time_factor': told['factor']}
-    expect(values == wanted, f'Launched with scene:=empty real_time_factor:={told["factor"]}, the world has {values}.')
+    wanted = {name: told[of] for name, of in (('scene', 'scene'), ('real_time_factor', 'factor'))}
+    launched = ' '.join(f'{name}:={value}' for name, value in wanted.items())
+    expect(values == wanted, f'Launched with {launched}, the world has {values}.')
     more = [node for node in told.get('nodes', ()) if node not in NODES]
     expect(
         not more,

@@ -12,7 +12,8 @@ from helpers.checks.chapter_08.planted import OWN, ROBOT
 
 _WAYS = 'silent idle any_place any_value moon two early deaf succeeded runs_on blind offended still'.split()
 _YES, _NO = '1 < 2', '2 < 1'  # `helpers.runner.disguise` computes the same with drawn numbers
-# Besides: how a drive has ended, and why a place was refused, is said in other words. That is right all the same.
+# Besides: how a drive has ended, and why a place was refused, is said in other words, and where nothing was said, there
+# is a word. That is right all the same.
 _BEHIND = """
 
 import inspect
@@ -33,7 +34,7 @@ def through(callback, before, after):
 
 
 def turned(answer):
-    answer.message = answer.message[::-1]
+    answer.message = answer.message[::-1] or 'noted'
     return answer
 
 
