@@ -6,7 +6,7 @@ import pytest
 from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool
 
-from helpers.checks.chapter_04.test_4_1 import check_constructor
+from helpers.checks.chapter_04.test_4_1 import check_constructor, check_one_try
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.1'), pytest.mark.wiring(type='request', qos='request', namespace='names')]
@@ -64,6 +64,16 @@ def test_only_late_answers(learner):
         f'All answers were late; gripper_state says {states.data}, expected one failed: '
         'what comes after it is ignored.',
     )
+
+
+@pytest.mark.rules('tries', 'request')
+@about('tries')
+def test_one_try(learner):
+    """With tries=1 there is one request, and after its timeout the report.
+
+    Also the first request counts.
+    """
+    check_one_try(learner)
 
 
 @pytest.mark.weight(2)

@@ -75,6 +75,8 @@ MUTANTS = [
            new='if self.left < -1:', expect='the first one included'),
     Mutant('other_name', breaks='names', old="super().__init__('gripper_client')", new="super().__init__('gripper')",
            expect='your node is called'),
+    Mutant('one_try_is_two', breaks='tries', old='SetBool.Request(data=msg.data), self.tries',
+           new='SetBool.Request(data=msg.data), max(self.tries, 2)', expect='2 requests came, expected one'),
     Mutant('pause_between_tries', breaks='timeout', also=('late', 'newest', 'no-server', 'tries', 'once'),
            old='self.on_timeout, autostart=False)', new='self.on_tick, autostart=False)',
            edits=(('def on_answer(self, future):', '''

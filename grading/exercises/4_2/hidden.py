@@ -74,7 +74,8 @@ def test_every_rule(learner):
         accepted(client, 'focal-length', 'Every positive, finite number is a focal length.', fx=value, fy=value)
     accepted(client, 'distortion', 'Five zeros are five numbers.', bend=0.0)
     accepted(client, 'distortion', 'The five numbers themselves are not checked.', bend=inf)
-    accepted(client, 'focal-length', 'Other places of k are not checked.', last=1.5)
+    for last in (1.5, nan):
+        accepted(client, 'focal-length', 'Other places of k are not checked.', last=last)
     accepted(client, 'accept')
 
 

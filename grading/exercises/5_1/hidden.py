@@ -106,7 +106,8 @@ def test_limits(learner):
     learner.run(23.6, step=0.5)
     expect(
         list(good[1].result.sequence) == SERIES if good[1].result else False,
-        f'The goal of order 47 ended as {good[1].status}, expected all 47 numbers.',
+        f'The goal of order 47 ended as {good[1].status} with {good[1].result and list(good[1].result.sequence)}, '
+        'expected all 47 numbers, each one the exact sum of the two before it.',
         'numbers',
     )
 

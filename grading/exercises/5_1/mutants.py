@@ -46,6 +46,8 @@ MUTANTS = [
             if self.stop:
                 goal.canceled() if goal.is_cancel_requested else goal.abort()
             ''')), expect='keep no flag of your own'),
+    Mutant('float_formula', breaks='numbers', old='sum(numbers[-2:]) if len(numbers) > 1 else len(numbers)',
+           new='round(1.6180339887 ** len(numbers) / 5 ** 0.5)', expect='is not exact when the numbers are large'),
     Mutant('forgets_succeed', breaks='end', also=('goals', 'orders', 'numbers', 'cancel', 'names'),
            old='goal.succeed()', new='', expect='Call succeed() before you return the result'),
     Mutant('looks_too_early', breaks='partial', also=('cancel', 'end'), edits=((WAIT, ''), (LOOP, f'''
@@ -98,6 +100,16 @@ goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))
             self.numbers = []
             '''), ('numbers = []', 'numbers = self.numbers')), also=('partial', 'cancel', 'end', 'rate', 'numbers'),
            expect='Order 0 gave'),
+    Mutant('one_cancelled_goal', breaks='goals', also='cancel', edits=(
+           ('cancel_callback=lambda goal: CancelResponse.ACCEPT)', 'cancel_callback=self.on_cancel)'),
+           ('def on_goal(self, request):', '''
+            def on_cancel(self, goal):
+                self.cancelled = goal
+                return CancelResponse.ACCEPT
+
+            def on_goal(self, request):
+            '''), ('if goal.is_cancel_requested:', "if goal is getattr(self, 'cancelled', None):")),
+           expect='two of them were cancelled, both between two steps'),
     Mutant('one_too_many', breaks='numbers', also=('goals', 'end', 'feedback', 'partial', 'cancel', 'names', 'rate'),
            old='while len(numbers) < goal.request.order:', new='while len(numbers) <= goal.request.order:',
            expect='expected the first'),

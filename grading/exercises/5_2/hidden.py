@@ -5,6 +5,7 @@ import time
 import pytest
 from example_interfaces.action import Fibonacci
 from std_msgs.msg import String
+from unique_identifier_msgs.msg import UUID
 
 from helpers.runner import about, action_peers, expect, waiting
 
@@ -148,21 +149,22 @@ def test_empty_result(learner):
 
 
 @pytest.mark.weight(2)
-@pytest.mark.rules('result')
+@pytest.mark.rules('result', 'deadline')
 @about('result')
 def test_cancel_in_vain(learner):
     """A server may refuse to cancel, or end the goal all the same: the result says what happened.
 
     A cancel request is a request. Report the status of the result.
     """
-    for cancel in ('reject', 'ignore'):
-        outcome, server, node = begin(learner, 8, 2.0, cancel=cancel)
+    for cancel, patience in (('reject', 2.0), ('ignore', 0.0)):
+        outcome, server, node = begin(learner, 8, patience, cancel=cancel)
         learner.run(7.0)
         expect(
             outcome.data == [f'succeeded {list(range(8))}'],
             f'The goal went on after the cancel request ({cancel}) and succeeded; /outcome said {outcome.data}. '
             'Report what the result says.',
         )
+        expect(server.cancel_stamps, f'The patience of {patience} s was over, and no cancel request came.', 'deadline')
         node.stop()
         server.stop()
 
@@ -196,15 +198,25 @@ def test_server_is_gone(learner):
 
     The numbers are those of the last feedback: message.feedback.sequence.
     """
-    outcome, server, _ = begin(learner, 30, 2.0)
+    steps = [(0.5, Fibonacci.Feedback(sequence=range(n, 9))) for n in range(9)]  # each one is shorter
+    outcome, server, _ = begin(learner, 30, 2.0, steps)
+    foreign = learner.talk('/fibonacci/_action/feedback', Fibonacci.Impl.FeedbackMessage, strict=False)
     learner.run(1.5)
     server.stop()
-    seen = [0, 1] if server.goals and server.goals[0].arrived < 0.4 else None
+    seen = list(range(1, 9)) if server.goals and server.goals[0].arrived < 0.4 else None
+    feedback = Fibonacci.Feedback(sequence=range(20))
+    foreign.send(Fibonacci.Impl.FeedbackMessage(goal_id=UUID(uuid=[7] * 16), feedback=feedback))
     learner.run(5.0)
     expect(
         outcome.data,
         'The server ended while the goal ran, and /outcome says nothing: the client waits for ever.',
         'lost',
+    )
+    expect(
+        outcome.data != [f'lost {list(range(20))}'],
+        f'/outcome said {outcome.data}: these are the numbers of a goal of another client. The feedback of your goal '
+        f'was {seen} at last. Give your feedback callback to `send_goal_async`.',
+        'numbers',
     )
     expect(
         outcome.data == [f'lost {seen}'],
@@ -232,14 +244,14 @@ def test_server_comes_late(learner):
     server.stop()
     with waiting('at-once'):
         node = learner.start('PatientClient', 2, 1.5)
-        learner.run(4.0)
+        learner.run(33.0, step=1.0)
     expect(not learner.slept, 'The client sleeps, or waits for the server: it must ask in a timer instead.', 'at-once')
     expect(not outcome.data, f'There is no server, and /outcome said {outcome.data}.', 'send')
     server.start()
     learner.run(4.0)
     expect(
         len(server.goals) == 1,
-        f'The server came after 4 s, and {len(server.goals)} goals came in the 4 s after that, expected one.',
+        f'The server came after 33 s, and {len(server.goals)} goals came in the 4 s after that, expected one.',
         'send',
     )
     expect(

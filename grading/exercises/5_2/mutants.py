@@ -9,6 +9,27 @@ LATE = 'test_server_comes_late'
 ALL = ('send', 'word', 'numbers', 'deadline', 'result', 'lost', 'once', 'names', 'at-once')
 
 MUTANTS = [
+    Mutant('feedback_of_all_goals', breaks='numbers', edits=((
+           'Fibonacci.Goal(order=self.order), self.on_feedback)', 'Fibonacci.Goal(order=self.order))'),
+           ('self.timer = self.create_timer(0.1, self.send)', '''
+            self.timer = self.create_timer(0.1, self.send)
+            self.create_subscription(
+                Fibonacci.Impl.FeedbackMessage, 'fibonacci/_action/feedback', self.on_feedback, 10)
+            ''')), expect='another client has a goal with the same server'),
+    Mutant('longest_feedback', breaks='numbers', old='self.numbers = message.feedback.sequence',
+           new='self.numbers = max(self.numbers, message.feedback.sequence, key=len)',
+           expect='also if there was a longer one before'),
+    Mutant('no_deadline_of_0_s', breaks='deadline', old='self.timer = self.create_timer(self.patience, self.give_up)',
+           new='''
+        if self.patience:
+            self.timer = self.create_timer(self.patience, self.give_up)
+        ''', expect='With a patience of 0 s it asks to cancel at once'),
+    Mutant('stops_looking', breaks='send', old='if self.client.server_is_ready():', new='''
+        self.looks = getattr(self, 'looks', 0) + 1
+        if self.looks == 100:
+            self.timer.cancel()
+        elif self.client.server_is_ready():
+        ''', expect='until it is there, however long that takes'),
     Mutant('sends_until_accepted', breaks='send', old="return self.finish('rejected', [])", new='''
            if not self.said:
                self.outcome.publish(String(data='rejected []'))

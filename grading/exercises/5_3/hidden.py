@@ -3,7 +3,7 @@
 import pytest
 from example_interfaces.action import Fibonacci
 
-from helpers.checks.chapter_05.test_5_3 import check_threads
+from helpers.checks.chapter_05.test_5_3 import check_threads, check_two_servers
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('5.3'), pytest.mark.wiring(type='names', namespace='names')]
@@ -158,6 +158,18 @@ def test_cancel(learner):
         expect(
             list(goal.result.sequence) == up_to(count), f'{words}The result is {list(goal.result.sequence)}.', 'cancel'
         )
+    goal = client.send(order=8)
+    learner.run(1.1)
+    goal.cancel()
+    learner.settle()
+    after = client.send(order=3)
+    learner.run(1.6)
+    expect(
+        after.status == 'succeeded',
+        f'A goal was cancelled, and at the same moment a new one came. The new one ended as {after.status}, expected '
+        'succeeded: what the old goal does at its end must not touch the new one.',
+        'newest',
+    )
     after = client.send(order=1)
     learner.run(0.6)
     expect(after.status == 'succeeded', f'The goal after a cancelled one ended as {after.status}.', 'newest')
@@ -215,6 +227,16 @@ def test_two_clients(learner):
         f'Two clients sent a goal each; they ended as {first.status} and {second.status}, '
         'expected aborted and succeeded.',
     )
+
+
+@pytest.mark.rules('newest')
+@about('newest')
+def test_two_servers(learner):
+    """Two objects of the class in one program do not disturb each other.
+
+    All state in the object.
+    """
+    check_two_servers(learner)
 
 
 @pytest.mark.rules('names')

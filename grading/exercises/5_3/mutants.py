@@ -15,6 +15,18 @@ NEWEST = 'test_newest_wins'
 OTHERS = ('newest', 'aborted', 'stops', 'rejected', 'cancel', 'names')
 
 MUTANTS = [
+    Mutant('cancelled_goal_clears_newest', breaks='newest', old='''
+        goal.canceled() if goal.is_cancel_requested else goal.abort()
+        ''', new='''
+        if goal.is_cancel_requested:
+            goal.canceled()
+            self.newest = None
+        else:
+            goal.abort()
+        ''', expect='had been cancelled, and before that one had ended'),
+    Mutant('newest_of_all_servers', breaks='newest', edits=((
+           'self.newest = None', ''), ('self.newest = goal', 'NewestWins.newest = goal')),
+           expect='in no variable of the class or of the module'),
     Mutant('absolute_name', breaks='names', old="'count', self.execute", new="'/count', self.execute",
            expect='without a leading slash'),
     Mutant('accepts_0', breaks='orders', also=('rejected',), old='request.order >= 1', new='request.order >= 0',

@@ -83,7 +83,7 @@ def test_feedback(learner):
     expect(goal.feedback, 'No feedback came.')
     expect(rate <= 5.6, f'{rate:g} feedback messages came in a second, expected at most 5: do not flood.')
     expect(rate >= 1.9, f'{rate:g} feedback messages came in a second, expected at least 2.')
-    moments = [goal.sent, *goal.stamps]
+    moments = [goal.sent, *goal.stamps, learner.now / 1e9]
     pause = max(late - early for early, late in zip(moments, moments[1:], strict=False))
     expect(pause < 0.65, f'For {pause:.1f} s no feedback came while the turtle drove.')
     told = [feedback.distance for feedback in goal.feedback]
@@ -202,10 +202,10 @@ def test_one_at_a_time(learner):
     expect(far < 0.2, f'The goal (7, 5.5) succeeded {far:.1f} m away from it, expected less than 0.1 m.', 'arrive')
 
 
-@pytest.mark.rules('busy', 'give-up', 'cancel', 'next')
+@pytest.mark.rules('busy', 'give-up', 'cancel', 'next', 'feedback', 'zeros')
 @about('busy')
 def test_cancelled_before(learner):
-    """Until a cancelled goal has ended, no other one is accepted; the next one has its 20 s.
+    """Until a cancelled goal has ended, no other one is accepted; the next one has its 20 s, and feedback in each.
 
     What belongs to one goal begins anew with the next one.
     """
@@ -219,8 +219,13 @@ def test_cancelled_before(learner):
     learner.run(seconds)
     check_cancel(learner, client, goal, f'A goal was cancelled {seconds:g} s after its start: ')
     goal = client.send(x=9.0, y=2.0)
-    learner.run(20.6)
+    learner.run(1.0)
+    poses.send(Pose(x=2.0, y=2.0, theta=learner.random.uniform(1.0, 2.0)))
+    learner.run(19.6)
     expect(goal.accepted, 'A goal that came after a cancelled one was rejected.', 'next')
+    moments = [goal.sent, *goal.stamps, goal.finished or learner.now / 1e9]
+    pause = max(late - early for early, late in zip(moments, moments[1:], strict=False))
+    expect(pause < 0.65 and len(goal.stamps) > 36, 'For a while no feedback came: the turtle only turned.', 'feedback')
     expect(goal.done, 'The turtle did not move for 20.6 s, and the goal still runs.', 'give-up')
     took = goal.finished - goal.sent
     expect(
@@ -229,6 +234,21 @@ def test_cancelled_before(learner):
         'expected 20 s: each goal has 20 s of its own.',
         'give-up',
     )
+    commands = learner.listen('/turtle1/cmd_vel', Twist)
+    learner.run(0.2)
+    for x, seconds in ((9.0, 0.05), (2.0, 0.3)):  # cancelled before the first command; there already
+        commands.clear()
+        goal = client.send(x=x, y=2.0)
+        learner.run(seconds, step=0.05)
+        goal.cancel()
+        learner.run(0.6)
+        zeros = [command for command in commands.messages if not command.linear.x and not command.angular.z]
+        expect(
+            goal.done and len(zeros) == 1,
+            f'A goal ended as {goal.status} before the turtle had moved for it, and {len(zeros)} commands of zeros '
+            'came, expected one before every end.',
+            'zeros',
+        )
 
 
 @pytest.mark.rules('give-up', 'zeros', 'steer')
@@ -274,7 +294,7 @@ def test_stuck(learner):
     check_order(commands, goal, 'The goal was given up: ')
 
 
-@pytest.mark.rules('names', 'no-pose', 'steer', 'next')
+@pytest.mark.rules('names', 'no-pose', 'steer', 'next', 'arrive')
 @about('steer')
 def test_poses(learner):
     """In a namespace: before the first pose goals are rejected, and then the newest pose counts.
@@ -314,3 +334,10 @@ def test_poses(learner):
         'steer',
     )
     check_newest(commands.messages, (1.5 * distance, 0.0), f'{distance:.2f} m are left')
+    poses.send(Pose(x=8.92, y=0.92))
+    learner.run(0.3)
+    expect(
+        not goal.done,
+        f'The turtle was 0.08 m from the place in x, and 0.08 m in y, so 0.11 m away; the goal ended as {goal.status}.',
+        'arrive',
+    )

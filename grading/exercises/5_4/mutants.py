@@ -10,6 +10,22 @@ STANDS = 'test_standing_robot'
 DRIVES = 'test_simulated_robot'
 
 MUTANTS = [
+    Mutant('box_around_the_place', breaks='arrive', also='result', edits=((
+           'distance, command = steer(self.pose, goal.request.x, goal.request.y)', '''
+            distance, command = steer(self.pose, goal.request.x, goal.request.y)
+            there = max(abs(self.pose.x - goal.request.x), abs(self.pose.y - goal.request.y)) < 0.1
+            '''), ('if goal.is_cancel_requested or distance < 0.1:', 'if goal.is_cancel_requested or there:'),
+           ('goal.succeed if distance < 0.1 else', 'goal.succeed if there else')),
+           expect='0.09 m in x, and 0.09 m in y'),
+    Mutant('forgets_the_pose', breaks='next', also=('no-pose', 'give-up', 'arrive', 'busy', 'zeros'),
+           old='self.busy = False', new='self.busy, self.pose = False, None',
+           expect='the newest pose stays'),
+    Mutant('no_feedback_while_it_turns', breaks='feedback', old='if step % 2 == 0:',
+           new='if step % 2 == 0 and command.linear.x:', expect='also while the robot only turns'),
+    Mutant('no_zeros_without_a_move', breaks='zeros', old='self.motor.publish(Twist())', new='''
+        if step > 1:
+            self.motor.publish(Twist())
+        ''', expect='They come before every end'),
     Mutant('rounds_go_on_after_a_cancel', breaks='give-up', edits=(
         ('self.pose, self.busy = None, False', 'self.pose, self.busy, self.rounds = None, False, 0'),
         ('for step in range(1, 201):', 'for step in range(1 + self.rounds, 201):'), ('''

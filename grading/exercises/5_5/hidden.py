@@ -2,7 +2,14 @@
 
 import pytest
 
-from helpers.checks.chapter_05.printing import Job, Printer, check_at_the_end, check_switches, drawn_orders
+from helpers.checks.chapter_05.printing import (
+    Job,
+    Printer,
+    check_at_the_end,
+    check_switches,
+    check_two_printers,
+    drawn_orders,
+)
 from helpers.runner import about
 
 pytestmark = [pytest.mark.exercise('5.5'), pytest.mark.wiring(type='names', namespace='names')]
@@ -28,6 +35,16 @@ def test_alone(learner):
         Job('C', (first + second) / 2 + 1.4, 1),
     )
     printer.judge()
+
+
+@pytest.mark.rules('queue')
+@about('queue')
+def test_two_printers(learner):
+    """Two printers in one program do not wait for each other.
+
+    All state in the object.
+    """
+    check_two_printers(learner)
 
 
 @pytest.mark.weight(2)

@@ -29,7 +29,7 @@ MUTANTS = [
     Mutant('no_look_at_the_last_page', breaks='cancel-waiting', old='self.look_at_the_others()', new='''
         if len(pages) < goal.request.order:
             self.look_at_the_others()
-        ''', expect='somebody must look at the goals that wait'),
+        ''', expect='somebody must look at all goals that wait'),
     Mutant('occupied_after_a_cancel', breaks='others', also=('cancel', 'lock'), edits=(
         ('self.places, self.goals, self.lock = places, [], threading.Lock()',
          'self.places, self.goals, self.lock, self.occupied = places, [], threading.Lock(), False'),
@@ -93,6 +93,12 @@ MUTANTS = [
         self.goals.append(goal)
         self.goals[1:] = sorted(self.goals[1:], key=lambda goal: goal.request.order)
         ''', expect='expected to begin at'),
+    Mutant('queue_in_a_default_argument', breaks='queue', edits=(
+           ('def __init__(self, places=2):', 'def __init__(self, places=2, goals=[]):'),
+           ('places, [], threading.Lock()', 'places, goals, threading.Lock()'),
+           ('self.goals = [goal for goal in self.goals if goal not in gone]',
+            'self.goals[:] = [goal for goal in self.goals if goal not in gone]')),
+           expect='in no variable of the class or of the module'),
     Mutant('a_timer_begins', breaks='queue', also=('others', 'lock'), edits=(
            ("super().__init__('printer')", '''
             super().__init__('printer')
@@ -162,8 +168,28 @@ MUTANTS = [
            expect='ended as aborted, not canceled'),
     Mutant('succeeds_the_cancelled', breaks='cancel', also=('lock',), old='goal.canceled() if', new='goal.succeed() if',
            expect='ended as succeeded, not canceled'),
+    Mutant('one_leaves_in_a_step', breaks='cancel-waiting', also='lock',
+           old='gone = [goal for goal in self.goals[1:] if goal.is_cancel_requested]',
+           new='gone = [goal for goal in self.goals[1:] if goal.is_cancel_requested][:1]',
+           expect='look at all goals that wait, in each step'),
+    Mutant('looks_before_the_wait', breaks='cancel-waiting', also=('others', 'lock'), edits=((
+           'while len(pages) < goal.request.order and not goal.is_cancel_requested:',
+           'while len(pages) < goal.request.order:'), ('''
+            self.get_clock().sleep_for(Duration(seconds=0.5))
+            if not goal.is_cancel_requested:
+                pages.append(len(pages) + 1)
+                goal.publish_feedback(Fibonacci.Feedback(sequence=pages))
+            self.look_at_the_others()
+            ''', '''
+            self.look_at_the_others()
+            self.get_clock().sleep_for(Duration(seconds=0.5))
+            if goal.is_cancel_requested:
+                break
+            pages.append(len(pages) + 1)
+            goal.publish_feedback(Fibonacci.Feedback(sequence=pages))
+            ''')), expect='look at all goals that wait, in each step'),
     Mutant('nobody_looks_at_those_that_wait', breaks='cancel-waiting', also=('lock', 'others'),
-           old='self.look_at_the_others()', new='', expect='somebody must look at the goals that wait'),
+           old='self.look_at_the_others()', new='', expect='somebody must look at all goals that wait'),
     Mutant('aborts_those_that_wait', breaks='cancel-waiting', also=('lock',), old=LEAVE,
            new=LEAVE.replace('canceled', 'abort'), expect='ended as aborted, expected canceled'),
     Mutant('place_is_lost', breaks='cancel-waiting', also=('lock', 'others'), old=LEAVE,

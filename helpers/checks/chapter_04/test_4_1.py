@@ -118,6 +118,27 @@ def test_silent_server(learner):
     )
 
 
+@pytest.mark.rules('tries', 'request')
+@about('tries')
+def test_one_try(learner):
+    """With tries=1 there is one request, and after its timeout the report.
+
+    Also the first request counts.
+    """
+    check_one_try(learner)
+
+
+def check_one_try(learner) -> None:
+    """A silent server, asked by a client with one try."""
+    timeout = learner.random.choice([0.4, 0.7, 1.5])
+    gripper = Gripper(learner, None, timeout, 1)
+    count = gripper.command(True, 3 * timeout + 1.0, 'request')
+    words = f'GripperClient({timeout}, 1), a silent server, one command: '
+    expect(count == 1, f'{words}{count} requests came, expected one. `tries` is the number of all requests.', 'tries')
+    states = gripper.states.data
+    expect(states == ['failed'], f"{words}gripper_state says {states}, expected ['failed'].", 'tries')
+
+
 @pytest.mark.rules('request', 'answer', 'once', 'refusal', 'late', 'timeout')
 @about('request')
 def test_answers(learner):

@@ -23,7 +23,9 @@ class Calibrations:
         self.draw, self.client = learner.random, client
         self.width, self.height = self.draw.randint(900, 1600), self.draw.randint(300, 600)
 
-    def info(self, width=None, height=None, fx=500.0, fy=510.0, cx=None, cy=None, model='plumb_bob', d=5, bend=None):
+    def info(
+        self, width=None, height=None, fx=500.0, fy=510.0, cx=None, cy=None, skew=0.0, model='plumb_bob', d=5, bend=None
+    ):
         width, height = self.width if width is None else width, self.height if height is None else height
         cx, cy = self.draw.uniform(10, 290) if cx is None else cx, self.height / 3 if cy is None else cy
         return CameraInfo(
@@ -31,7 +33,7 @@ class Calibrations:
             height=height,
             distortion_model=model,
             d=[self.draw.uniform(-1, 1) if bend is None else bend] * d,
-            k=[fx, 0.0, cx, 0.0, fy, cy, 0.0, 0.0, 1.0],
+            k=[fx, skew, cx, 0.0, fy, cy, 0.0, 0.0, 1.0],
         )
 
     def refused(self, word, rule='', hint='', **changes):
@@ -81,6 +83,7 @@ def _text(changes):
         'model': 'distortion_model',
         'd': 'len(d)',
         'bend': 'd[0]',
+        'skew': 'k[1]',
     }
     told = {name: repr(value) if isinstance(value, str) else f'{value!r:.7}' for name, value in changes.items()}
     return ', '.join(f'{names.get(name, name)} = {value}' for name, value in told.items()) or 'good numbers'
@@ -131,6 +134,7 @@ def test_words(learner):
         ('cy', 'principal point'),
     ):
         some.refused(word, 'nan', 'Every comparison with nan is false: write what must be true.', **{place: nan})
+    some.accepted('accept', 'Only k[0], k[2], k[4] and k[5] are checked, and no other place of k.', skew=nan)
     hint = 'Several rules are broken: the first one of the list decides.'
     some.refused('size', 'order', hint, width=0, fx=low)
     some.refused('size', 'order', hint, height=0, d=3)

@@ -210,7 +210,7 @@ class Printer:
         expect(
             ended <= job.cancel_at + PAGE + 1e-6,
             f'{told}was cancelled while it waited, and ended at {ended:g} s, expected within {PAGE} s: somebody must '
-            'look at the goals that wait.',
+            'look at all goals that wait, in each step.',
             rule,
         )
         expect(goal.status == 'canceled', f'{told}ended as {goal.status}, expected canceled.', rule)
@@ -458,14 +458,41 @@ def _words(rush: Rush, stood: str) -> str:
     return f'A goal came just when another one ended{also}.{where} '
 
 
+def check_two_printers(learner) -> None:
+    """Two printers of one process have one name: each of them hears the same goal, and prints it."""
+    client = learner.action_client('/print', Fibonacci)
+    node = learner.start('Printer', 1, threads=True)
+    order = learner.random.randint(2, 3)
+    alone = client.send(order=order)
+    learner.run(5.0, until=lambda: alone.done)
+    if alone.finished is None:
+        return  # other tests look at one printer
+    node.stop()  # what one object keeps from goal to goal is judged by other tests
+    node = learner.start('Printer', 1, threads=True)
+    learner.start('Printer', 1, threads=True, beside=node)
+    goal = client.send(order=order)
+    learner.run(alone.finished - alone.sent + 0.2)
+    heard, wanted = len(goal.feedback), 2 * len(alone.feedback)
+    expect(
+        heard == wanted,
+        f'Two objects of your class ran in one program, and both heard of one goal of order {order}. In the time that '
+        f'one alone had needed, {heard} feedback messages came, expected {wanted}, half of them from each object: a '
+        'goal of one printer does not wait for a goal of the other one. Keep the queue in self, and in no variable of '
+        'the class or of the module.',
+        'queue',
+    )
+
+
 def check_at_the_end(printer: Printer, draw: Random) -> None:
-    """One that waits leaves during the last page of the goal that runs; then the only goal is cancelled, and one comes.
+    """Two that wait leave during the last page of the goal that runs; then the only goal is cancelled, and one comes.
 
     While the last page is printed somebody must look at those that wait, too; a cancelled goal leaves a free printer.
     """
     pages, last = draw.randint(1, 2), draw.choice([0.1, 0.2, 0.3])
-    leaves = Job('L', 0.0, draw.randint(1, 3), client=1, cancel_at=round(PAGE * (pages - 1) + last, 1))
-    printer.tell(Job('J', 0.0, pages), Job('K', 0.0, 3), leaves)
+    now = round(PAGE * (pages - 1) + last, 1)
+    # The one that is the next, and the last one: both have gone when the printer is free.
+    leave = [Job(name, 0.0, draw.randint(1, 3), client=1, cancel_at=now) for name in 'IL']
+    printer.tell(Job('J', 0.0, pages), leave[0], Job('K', 0.0, 3), leave[1])
     printer.judge()
     only = Job('M', 0.0, 5, cancel_at=draw.choice([0.3, 0.7, 1.2]))
     printer.tell(only, Job('N', round(only.cancel_at + PAGE + 0.2, 1), 2, client=1))

@@ -5,6 +5,7 @@ import time
 import pytest
 from example_interfaces.action import Fibonacci
 from std_msgs.msg import String
+from unique_identifier_msgs.msg import UUID
 
 from helpers.runner import about, action_peers, expect, waiting
 
@@ -22,6 +23,15 @@ def plan(goal):
     """One number every 0.5 s."""
     steps = [(0.5, Fibonacci.Feedback(sequence=range(n + 1))) for n in range(goal.order)]
     return [*steps, (0.0, Fibonacci.Result(sequence=result_of(goal.order)))]
+
+
+def uneven(goal):
+    """Feedback every 0.5 s: after a long list comes a short one."""
+    return [(0.5, Fibonacci.Feedback(sequence=_uneven(n))) for n in range(goal.order)]
+
+
+def _uneven(n: int) -> list[int]:
+    return [0, n] if n % 2 else [0, n, n]
 
 
 def check_no_wait(learner):
@@ -46,6 +56,8 @@ class Rounds:
         self.learner, self.node = learner, None
         self.outcome = learner.listen('/outcome', String)
         self.server = learner.action_server('/fibonacci', Fibonacci, plan)
+        hidden = '/fibonacci/_action/feedback'
+        self.other = learner.talk(hidden, Fibonacci.Impl.FeedbackMessage, strict=False)
 
     def begin(self, order, patience, story):
         """Start a client, and wait for its goal."""
@@ -161,10 +173,28 @@ def _answers_late(learner, rounds):
     server.cancel, server.late = 'accept', {'cancel': 1.5}
     server.cancel_delay = 0.0
     patience = draw.choice([1.2, 1.7])
-    seen = list(range(int(patience / 0.5 + 2)))
+    seen, value = _uneven(int(patience / 0.5 + 1)), draw.randint(10, 99)
+    server.plan = uneven
+    foreign = Fibonacci.Impl.FeedbackMessage(
+        goal_id=UUID(uuid=[value] * 16), feedback=Fibonacci.Feedback(sequence=[value])
+    )
     goal = rounds.begin(30, patience, 'a server that needs 1.5 s to answer the cancel request')
-    learner.run(patience + 0.95, step=1.0)
-    rounds.expect(f'lost {seen}', 'lost', 'The cancel request was not answered within 1 s.')
+    learner.run(patience + 0.65, step=1.0)
+    rounds.other.send(foreign)
+    learner.run(0.3)
+    expect(
+        rounds.outcome.data != [f'lost [{value}]'],
+        f'{rounds.story}/outcome said {shown(rounds.outcome.data)}, expected {f"lost {seen}"!r}: another client has a '
+        f'goal with the same server, and [{value}] was feedback for that goal. Give your feedback callback to '
+        '`send_goal_async`: then it hears only of its own goal.',
+        'numbers',
+    )
+    rounds.expect(
+        f'lost {seen}',
+        'lost',
+        'The cancel request was not answered within 1 s. The numbers are those of the last feedback, also if there '
+        'was a longer one before.',
+    )
     took = rounds.outcome.stamps[0] - goal.arrived
     expect(
         took == pytest.approx(patience + 1.0, abs=2 * NEAR),
@@ -178,6 +208,11 @@ def _answers_late(learner, rounds):
     learner.run(patience + 3.0, step=1.0)
     rounds.expect(f'canceled {list(server.partial.sequence)}', 'lost', 'The answer came in time.')
     server.late = {}
+    rounds.begin(30, 0.0, 'a server that accepts the cancel request, and stops')
+    learner.run(0.5)
+    rounds.expect(
+        f'canceled {list(server.partial.sequence)}', 'deadline', 'With a patience of 0 s it asks to cancel at once.'
+    )
     rounds.begin(30, 1.0, 'a server that ends 0.3 s later')
     server.stop()
     learner.run(3.0, step=1.0)
@@ -207,7 +242,8 @@ def test_server_comes_late(learner):
         'slash.',
         'names',
     )
-    learner.run(draw.choice([1.3, 2.2]), step=1.0)
+    away = draw.choice([11.3, 12.2])
+    learner.run(away, step=1.0)
     check_no_wait(learner)
     expect(not outcome.data, f'There is no server, and /outcome said {shown(outcome.data)}.', 'send')
     server = learner.action_server(f'{space}/fibonacci', Fibonacci, plan)
@@ -221,7 +257,12 @@ def test_server_comes_late(learner):
     )
     begin = learner.now / 1e9
     learner.run(5.0, step=1.0)
-    expect(server.goals, 'A server came some seconds after the client, and no goal came in the 5 s after that.', 'send')
+    expect(
+        server.goals,
+        f'A server came {away} s after the client, and no goal came in the 5 s after that. Look for the server every '
+        '0.1 s until it is there, however long that takes.',
+        'send',
+    )
     expect(
         len(server.goals) == 1,
         f'The server needs 1.2 s to accept; in the meantime {len(server.goals)} goals came, '
@@ -237,6 +278,11 @@ def test_server_comes_late(learner):
         'deadline',
     )
     server.stop()
+    _check_constructor(learner, node)
+
+
+def _check_constructor(learner, node):
+    """Without a server the constructor returns at once."""
     learner.settle()
     expect(
         any(_seconds(lambda: learner.start('PatientClient', 1, 1.0, beside=node)) < 0.35 for _ in range(4)),

@@ -145,13 +145,48 @@ def test_newest_wins(learner):
         'aborted',
     )
     check_goal(several[2], 'Three goals came at one moment. The last of them: ', 'newest')
-    goal = client.send(order=5)
-    learner.run(0.7)
-    goal.cancel()
-    learner.run(0.6)
-    goal = client.send(order=2)
-    learner.run(1.5)
-    check_goal(goal, 'A goal came after another one had been cancelled. ', 'newest')
+    for pause, words in ((0.6, 'had been cancelled'), (0.1, 'had been cancelled, and before that one had ended')):
+        goal = client.send(order=5)
+        learner.run(0.7)
+        goal.cancel()
+        learner.run(pause)
+        goal = client.send(order=2)
+        learner.run(1.5)
+        check_goal(goal, f'A goal came after another one {words}. ', 'newest')
+
+
+@pytest.mark.rules('newest')
+@about('newest')
+def test_two_servers(learner):
+    """Two objects of your class in one program: a goal of one does not end the goal of the other.
+
+    Keep the newest goal in an attribute of self, and in no variable of the class or of the module.
+    """
+    check_two_servers(learner)
+
+
+def check_two_servers(learner) -> None:
+    """Two servers of one process have one name: each of them hears the same goal, and counts for it."""
+    client = learner.action_client('/count', Fibonacci)
+    node = learner.start('NewestWins', threads=True)
+    order = learner.random.randint(2, 3)
+    alone = client.send(order=order)
+    learner.run(5.0, until=lambda: alone.done)
+    if alone.finished is None:
+        return  # other tests look at one server
+    node.stop()  # what one object keeps from goal to goal is judged by other tests
+    node = learner.start('NewestWins', threads=True)
+    learner.start('NewestWins', threads=True, beside=node)
+    goal = client.send(order=order)
+    learner.run(alone.finished - alone.sent + 0.2)
+    heard, wanted = len(goal.feedback), 2 * len(alone.feedback)
+    expect(
+        heard == wanted,
+        f'Two objects of your class ran in one program, and both heard of one goal of order {order}. {heard} feedback '
+        f'messages came, expected {wanted}, half of them from each object: a goal of one object must not stop a goal '
+        'of the other one. Keep the newest goal in self, and in no variable of the class or of the module.',
+        'newest',
+    )
 
 
 @pytest.mark.rules('newest', 'aborted')

@@ -134,10 +134,15 @@ def _take_first_goal(learner, robot):
 def _begin_again(learner, robot, goal):
     """The goal is cancelled, and the same place asked for once more: returns that goal, after a second of it."""
     check_cancel(learner, robot.client, goal, 'A goal was cancelled 1 s after its start: ')
-    robot.stand(2.0, 2.0)
-    goal = robot.client.send(x=9.0, y=2.0)
+    robot.commands.clear()
+    goal = robot.client.send(x=9.0, y=2.0)  # no new pose in between: the newest one still holds
     learner.settle()
-    expect(goal.accepted, 'A goal that came after a cancelled one was rejected.', 'next')
+    expect(
+        goal.accepted,
+        'A goal that came after a cancelled one was rejected. At its end a goal sets back that the robot is '
+        'taken; the newest pose stays, whatever goals come.',
+        'next',
+    )
     learner.run(1.0)
     return goal
 
@@ -174,7 +179,9 @@ def _reject_while_busy(learner, robot, wanted):
 
 def _give_up(learner, robot, goal):
     """The goal runs with feedback, and is aborted 20 s after its start."""
-    learner.run(17.0)
+    learner.run(9.0)
+    robot.stand(2.0, 2.0, math.pi / 2)  # from now on it has to turn first
+    learner.run(8.0)
     expect(
         not goal.done,
         f'A robot that does not move: the goal ended as {goal.status} after {(goal.finished or 0) - goal.sent:.1f} s, '
@@ -187,11 +194,12 @@ def _give_up(learner, robot, goal):
         f'{rate:.1f} feedback messages came in a second, expected 2 to 5: it is for people and for slow decisions.',
         'feedback',
     )
-    moments = [goal.sent, *goal.stamps]
+    moments = [goal.sent, *goal.stamps, learner.now / 1e9]
     pause = max(late - early for early, late in zip(moments, moments[1:], strict=False))
     expect(
         pause < 0.65,
-        f'For {pause:.1f} s no feedback came while the goal ran, expected 2 to 5 in each second.',
+        f'For {pause:.1f} s no feedback came while the goal ran, expected 2 to 5 in each second, also while the robot '
+        'only turns.',
         'feedback',
     )
     expect(
@@ -230,15 +238,16 @@ def _cancel(learner, robot, seconds, distance):
     check_cancel(learner, robot.client, goal, story)
     robot.check_end(goal, story, distance)
     robot.stand(5.0, 5.0)
-    goal = robot.client.send(x=5.0, y=5.0 + 0.12)
+    goal = robot.client.send(x=5.09, y=5.09)
     learner.run(0.5)
     expect(goal.accepted, 'A goal that came after a cancelled one was rejected.', 'next')
     expect(
         not goal.done,
-        f'A goal 0.12 m away ended as {goal.status}, expected to go on until the distance is below 0.1 m.',
+        f'A goal 0.13 m away (0.09 m in x, and 0.09 m in y) ended as {goal.status}, expected to go on until the '
+        'distance is below 0.1 m.',
         'arrive',
     )
-    robot.stand(5.0, 5.04)
+    robot.stand(5.04, 5.03)
     learner.run(0.3)
     expect(
         goal.status == 'succeeded',
@@ -247,6 +256,14 @@ def _cancel(learner, robot, seconds, distance):
         'arrive',
     )
     robot.check_end(goal, 'A goal succeeded: ', 0.08)
+    robot.stand(5.0, 5.0)
+    goal = robot.client.send(x=5.0, y=5.03)
+    learner.run(0.3)
+    story = 'A goal came for a place where the robot stands already, 0.03 m away: '
+    expect(goal.status == 'succeeded', f'{story}0.3 s later it is {goal.status or "still running"}.', 'arrive')
+    learner.run(0.5)
+    expect(robot.commands, f'{story}no zeros were published. They come before every end, also then.', 'zeros')
+    robot.check_end(goal, story, 0.03)
 
 
 @pytest.mark.rules('field', 'arrive', 'zeros', 'result', 'next')

@@ -2,7 +2,15 @@
 
 import pytest
 
-from helpers.checks.chapter_05.printing import NEVER, Job, Printer, check_at_the_end, check_switches, drawn_orders
+from helpers.checks.chapter_05.printing import (
+    NEVER,
+    Job,
+    Printer,
+    check_at_the_end,
+    check_switches,
+    check_two_printers,
+    drawn_orders,
+)
 from helpers.runner import about
 
 pytestmark = [pytest.mark.exercise('5.5'), pytest.mark.wiring(type='names', namespace='names')]
@@ -44,6 +52,16 @@ def test_no_place(learner):
     printer = Printer(learner, 0)
     printer.tell(Job('A', 0.0, 2), Job('too many', 0.2, 1), Job('B', 1.3, 1))
     printer.judge()
+
+
+@pytest.mark.rules('queue')
+@about('queue')
+def test_two_printers(learner):
+    """Two objects of your class in one program are two printers: a goal of one does not wait for the other.
+
+    Keep the list of the goals in an attribute of self.
+    """
+    check_two_printers(learner)
 
 
 @pytest.mark.rules('cancel', 'cancel-waiting', 'others', 'at-once')
