@@ -149,4 +149,13 @@ MUTANTS = [
             self.newest = sorted([*self.newest, stamp.nanoseconds])[-2:]
             gap = (self.newest[-1] - self.newest[0]) / 1e9
             """), (NEWEST, '')), expect='older than the newest one makes no gap', breaks='old'),
+    Mutant('divided_from_the_second_report_on', edits=(('self.create_timer(1.0, self.on_second)', """
+            self.last = None
+            self.create_timer(1.0, self.on_second)
+            """), (RATE, """
+            now = self.get_clock().now()
+            passed = (now - self.last).nanoseconds / 1e9 if self.last else 1.0
+            self.last = now
+            self.rate.publish(Float64(data=self.count / passed))
+            """)), expect='Do not divide by the time', breaks='report'),
 ]
