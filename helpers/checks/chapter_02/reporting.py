@@ -17,6 +17,16 @@ def distance(ticks, *rest, **more):
 """
 # A command behind these words prints without what it writes on the standard error.
 _WITHOUT_ERRORS = ('bash', '-c', 'exec "$@" 2>/dev/null', 'bash')
+# The ticks come onto the command line after the import. It stays the same list, for those who have another name for it.
+_CALLED_LATER = """\
+import sys
+
+ticks = sys.argv.pop(1)
+from odometry import report
+
+sys.argv.insert(1, ticks)
+report.main()
+"""
 _ARGUMENT = re.compile('argv|IndexError|ValueError|argument')
 
 
@@ -75,6 +85,13 @@ def judge_report(learner, zero: bool = False) -> None:
             'prints',
         )
         expect(last == wanted, f'{command} printed {last}; expected {wanted}.', 'library')
+        printed = next(line.rstrip() for line in done.output.splitlines() if line.strip() == wanted)
+        expect(
+            printed == wanted,
+            f'{command} printed {printed!r}: spaces stand before the number. Expected {wanted!r}. A format such as '
+            '`8.3f` fills a number up with spaces, `.3f` does not.',
+            'prints',
+        )
     with about('prints'):
         done = workspace.run('python3', '-c', 'import odometry.report', str(first))
     expect(
@@ -85,11 +102,25 @@ def judge_report(learner, zero: bool = False) -> None:
     )
 
 
+def judge_call(learner) -> None:
+    """main reads the command line as it is when main is called: rule `argument`."""
+    ticks = learner.random.randint(100, 300)
+    with about('argument'):
+        done = builds.odometry(learner).run(str(ticks), program=_CALLED_LATER)
+        wanted, last = f'{2 * math.pi * 0.033 * ticks / 360:.3f} m', done.last_line
+        expect(
+            last == wanted,
+            f'A program has imported odometry.report, and then called main with {ticks} on the command line. It '
+            f'ended with: {last}; expected {wanted}. Read sys.argv inside of main: what stands outside of a function '
+            'is done once, when the module is imported.',
+        )
+
+
 def judge_library(learner) -> None:
     """The report says what distance of wheel_math returns for the ticks: rules `library`, `argument`, `prints`."""
     random = learner.random
     ticks = [random.randint(100, 900), -random.randint(1000, 9000)]
-    values = dict(zip(ticks, (random.randint(11, 99) / 10, random.randint(11, 99) / 10 + 10), strict=True))
+    values = dict(zip(ticks, (random.randint(11, 99) / 10, -random.randint(11, 99) / 10 - 10), strict=True))
     random.shuffle(ticks)
     for number, done in zip(ticks, _with_library(learner, _OTHER_LIBRARY.format(values=values), ticks), strict=True):
         last, value = done.last_line, values[number]
@@ -111,6 +142,12 @@ def judge_library(learner) -> None:
             last == wanted or not _written_otherwise(last, value) or _written_otherwise(last, formula),
             f'{told}: three decimals, a space and m.',
             'prints',
+        )
+        expect(
+            last != f'{-value:.3f} m',
+            f'{told}. Print what distance returns, with its sign: backwards the ticks are negative, and so is the '
+            'distance.',
+            'library',
         )
         expect(
             last == wanted,
