@@ -42,7 +42,7 @@ MUTANTS = [
 
         def main():
             pass
-        ''', expect='`import odometry.report` already does something', breaks='prints'),
+        ''', expect='`import odometry.report` already does something', breaks='prints', also='argument'),
     Mutant('rounded', old='{distance(int(sys.argv[1])):.3f}', new='{round(distance(int(sys.argv[1])), 3)}',
            expect='three decimals, a space and m', breaks='prints'),
     Mutant('no_unit', old=':.3f} m', new=':.3f}', expect='without the unit', breaks='prints'),
