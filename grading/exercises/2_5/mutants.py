@@ -142,4 +142,6 @@ MUTANTS = [
             return list(stations)
         return [*stations, stations[0]]
         """, expect='the first name must come once more at the end', breaks='round-trip'),
+    Mutant('empty_name', old=NAMES, new=r"cycle(file.read_text().split('\\n'))", expect='publishes an empty name',
+           breaks='announce'),
 ]

@@ -336,6 +336,11 @@ def _judge_names(names: list[str], stations: list[str]) -> None:
     file = ', '.join(stations)
     strange = [name for name in names if name not in stations]
     if strange:
+        expect(
+            any(name.strip() for name in strange),
+            'The node publishes an empty name: nothing stands behind the end of the last line, and that is no name. '
+            'Use .split() or .splitlines() on the whole text.',
+        )
         bare = [name for name in strange if name.strip() in stations]
         expect(
             not bare,
