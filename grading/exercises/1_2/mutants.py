@@ -90,4 +90,7 @@ MUTANTS = [
     Mutant('distro_by_its_beginning', old=MIXED, new='''
         elif len(distros) > 1 or not all(name.startswith(environ.get('ROS_DISTRO', '')) for name in distros):
         ''', expect='These are two names', breaks='ros-distro'),
+    Mutant('version_as_a_number', old=PYTHON,
+           new=PYTHON.replace("part != f'python{python}'", 'float(part[6:]) != float(python)'),
+           expect='Compare texts', breaks='python'),
 ]

@@ -45,4 +45,7 @@ MUTANTS = [
     Mutant('programs_with_a_window', old="'console_scripts'", new="'gui_scripts'", expect='in gui_scripts', breaks='rest'),
     Mutant('more_is_installed', old="['package.xml']", new="['package.xml', 'setup.py']", expect='installs share/greeter/setup.py, too',
            breaks='rest'),
+    Mutant('modules_among_the_programs', old="('share/greeter', ['package.xml']),",
+           new="('share/greeter', ['package.xml']), ('lib/greeter', ['greeter/hello.py', 'greeter/farewell.py']),",
+           expect='makes the programs there from the entry points', breaks='rest'),
 ]

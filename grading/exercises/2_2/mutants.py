@@ -54,4 +54,9 @@ MUTANTS = [
            expect='must name line_follower itself, too', breaks='packages', also='builds'),
     Mutant('built_with_another_package', old=GEOMETRY, new=f'{GEOMETRY} <build_depend>std_msgs</build_depend>',
            expect='package.xml declares std_msgs', breaks='dependencies'),
+    Mutant('one_more_licence', old='<license>Apache-2.0</license>', new='<license>Apache-2.0</license> <license>MIT</license>',
+           expect='has 2 lines license, Apache-2.0 and MIT', breaks='rest'),
+    Mutant('data_beside_the_code', old="entry_points={'console",
+           new="package_data={'line_follower': ['../config/*.yaml']}, entry_points={'console",
+           expect='config/gains.yaml, which nobody looks for there', breaks='rest'),
 ]

@@ -50,4 +50,17 @@ DOCK_XML = package_xml(
     '<member_of_group>rosidl_interface_packages</member_of_group>',
 )
 """),
+    Alternative('service_in_another_order', edits=(("""
+            string station
+            float32 speed 0.2
+            """, """
+            float32 speed 2e-1
+            string station
+            """), ("""
+            bool docked
+            string message
+            """, """
+            string message
+            bool docked
+            """))),
 ]

@@ -29,4 +29,16 @@ ODOMETRY_XML = package_xml(
     '<exec_depend>wheel_math</exec_depend>',
 )
 """),
+    Alternative('build_type_for_ros_1_and_2', edits=(
+        ('import sys', 'from sys import argv'), ('sys.argv[1]', 'argv[-1]'),
+        ("""
+        <exec_depend>wheel_math</exec_depend>
+        <export><build_type>ament_python</build_type></export>
+        """, """
+        <depend>wheel_math</depend>
+        <export>
+          <build_type condition="$ROS_VERSION == 1">catkin</build_type>
+          <build_type condition="$ROS_VERSION == 2">ament_python</build_type>
+        </export>
+        """))),
 ]

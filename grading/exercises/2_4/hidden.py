@@ -45,6 +45,15 @@ def test_other_numbers(learner):
     reporting.judge_report(learner, zero=True)
 
 
+@pytest.mark.rules('argument')
+def test_called_later(learner):
+    """main takes the ticks from the command line when it is called, and not when its module is imported.
+
+    Read sys.argv inside of main.
+    """
+    reporting.judge_call(learner)
+
+
 @pytest.mark.rules('library', 'argument', 'prints')
 def test_comes_from_library(learner):
     """The report says what distance of wheel_math returns for the ticks.

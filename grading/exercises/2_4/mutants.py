@@ -42,7 +42,7 @@ MUTANTS = [
 
         def main():
             pass
-        ''', expect='`import odometry.report` already does something', breaks='prints'),
+        ''', expect='`import odometry.report` already does something', breaks='prints', also='argument'),
     Mutant('rounded', old='{distance(int(sys.argv[1])):.3f}', new='{round(distance(int(sys.argv[1])), 3)}',
            expect='three decimals, a space and m', breaks='prints'),
     Mutant('no_unit', old=':.3f} m', new=':.3f}', expect='without the unit', breaks='prints'),
@@ -72,4 +72,14 @@ MUTANTS = [
     Mutant('tool_of_another_build_type', old=WHEEL_MATH,
            new=f'{WHEEL_MATH} <buildtool_depend>ament_cmake</buildtool_depend>',
            expect='wheel_math declares ament_cmake', breaks='nothing-else'),
+    Mutant('read_with_the_module', edits=(('def main():', """
+            ticks = int(sys.argv[1]) if len(sys.argv) > 1 else 0
+
+
+            def main():
+            """), ('distance(int(sys.argv[1]))', 'distance(ticks)')),
+           expect='Read sys.argv inside of main', breaks='argument'),
+    Mutant('filled_up_with_spaces', old=':.3f', new=':12.3f', expect='spaces stand before the number', breaks='prints'),
+    Mutant('distance_without_sign', old='distance(int(sys.argv[1]))', new='abs(distance(int(sys.argv[1])))',
+           expect='and so is the distance', breaks='library', also='argument'),
 ]

@@ -137,4 +137,11 @@ MUTANTS = [
     Mutant('only_the_beginning', old=COMPARED,
            new="trip = round_trip(['dock', 'door', 'lab'])\nassert trip[:2] == ['dock', 'door'] and trip[-1] == 'dock'",
            expect='pass with a round_trip that leaves the last station out', breaks='notices'),
+    Mutant('home_by_chance', old='return [*stations, stations[0]]', new="""
+        if len(stations) > 1 and stations[0] == stations[-1]:
+            return list(stations)
+        return [*stations, stations[0]]
+        """, expect='the first name must come once more at the end', breaks='round-trip'),
+    Mutant('empty_name', old=NAMES, new=r"cycle(file.read_text().split('\\n'))", expect='publishes an empty name',
+           breaks='announce'),
 ]

@@ -110,14 +110,15 @@ def test_reader_every_map(learner):
     with about('walls'):
         learner.run(2.0)
     expect(not answers.messages, f'The reader said {answers.data} before there was a map.', 'walls')
-    maps = [['#..'], ['###'], ['...', '?#.'], ['?'], ['##', '#.'], ['###'], ['+#', '#+', '++']]
+    maps = [['#..'], ['###'], ['...', '?#.'], ['?'], ['##', '#.'], ['###'], ['+#', '#+', '++'], ['*#', '..', '#*']]
     learner.random.shuffle(maps)
     maps.append(maps[-1])
-    for rows in maps:
-        server.send(grid_of(rows))
+    frames = [learner.random.choice(('map', 'world', '')) for _ in maps[2:]] + ['world', 'map']  # both of them
+    for rows, frame in zip(maps, frames, strict=True):
+        server.send(grid_of(rows, frame))
         with about('walls'):
             learner.run(1.0)
-    check_answers(answers.data, maps)
+    check_answers(answers.data, maps, ' Some of them have another frame_id than map.')
     learner.run(61.0, step=10.0)
     check_answers(answers.data, maps)
     check_nothing_else(learner, {'/walls'}, 'walls')

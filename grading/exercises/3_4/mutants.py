@@ -96,4 +96,11 @@ MUTANTS = [
         self.publisher = self.create_publisher(Int32, 'walls', LATCHED)
         self.free = self.create_publisher(Int32, 'free', LATCHED)
         """, expect='one topic too many'),
+    Mutant('counts_from_100_on', old=COUNT, new='=sum(cell >= 100 for cell in grid.data)', expect='only 100 is a wall',
+           breaks='walls'),
+    Mutant('only_in_the_frame_map', old='def on_map(self, grid):', new="""
+        def on_map(self, grid):
+            if grid.header.frame_id != 'map':
+                return
+        """, expect='each map gets one', breaks='walls'),
 ]

@@ -131,7 +131,8 @@ MUTANTS = [
         ''', expect='silence alone makes no gap', breaks='gap', also=('at-once', 'own-state', 'limit')),
     Mutant('as_the_first_publisher', old="(LaserScan, 'scan', self.on_scan, sensor)",
            new="(LaserScan, 'scan', self.on_scan, qos_profile_best_available)",
-           imports='from rclpy.qos import qos_profile_best_available', expect='requests RELIABLE', breaks='any-lidar'),
+           imports='from rclpy.qos import qos_profile_best_available', expect='requests RELIABLE', breaks='any-lidar',
+           also='limit'),
     Mutant('without_the_scan_itself', breaks='gap', also=('limit', 'own-state', 'first', 'old'), old='.nanoseconds / 1e9', new='.nanoseconds / 1e9 - scan.scan_time',
            expect='scan_gap'),
     Mutant('zero_means_default', old='self.max_gap, self.count, self.newest = max_gap, 0, None',
@@ -149,4 +150,13 @@ MUTANTS = [
             self.newest = sorted([*self.newest, stamp.nanoseconds])[-2:]
             gap = (self.newest[-1] - self.newest[0]) / 1e9
             """), (NEWEST, '')), expect='older than the newest one makes no gap', breaks='old'),
+    Mutant('divided_from_the_second_report_on', edits=(('self.create_timer(1.0, self.on_second)', """
+            self.last = None
+            self.create_timer(1.0, self.on_second)
+            """), (RATE, """
+            now = self.get_clock().now()
+            passed = (now - self.last).nanoseconds / 1e9 if self.last else 1.0
+            self.last = now
+            self.rate.publish(Float64(data=self.count / passed))
+            """)), expect='Do not divide by the time', breaks='report'),
 ]

@@ -159,8 +159,16 @@ def _pythons(random: Random, distro: str) -> list[Case]:
         **good,
         PYTHON: f'{good[PYTHON]}:/home/{random.choice(PEOPLE)}/mypython{random.choice(("2.7", "3.10"))}/lib',
     }
+    one, ten = random.sample(('3.1', '3.10'), 2)
     return [
         *made,
+        Case(
+            'python',
+            {PREFIX: good[PREFIX], PYTHON: f'{elsewhere}/python{ten}/site-packages'},
+            {PYTHON: 'other Python'},
+            '3.1 and 3.10 are two versions. Compare texts: as numbers the two are equal.',
+            one,
+        ),
         Case('python', tools, {}, 'PYTHONPATH has no part pythonX.Y.'),
         Case('python', within, {}, 'No part is pythonX.Y and nothing more, as it stands between two slashes.'),
     ]

@@ -135,7 +135,18 @@ def odometry(learner) -> ExerciseWorkspace:
 
 def build_type(learner, name: str) -> str:
     """The build type in the package.xml that is the learner's text `name`; '' if there is none."""
-    return (_manifest(learner, name).findtext('export/build_type') or '').strip()
+    return type_in(_manifest(learner, name))
+
+
+def type_in(manifest: ElementTree.Element) -> str:
+    """The build type in a package.xml, '' if there is none. One whose condition is false in jazzy does not count."""
+    for element in manifest.findall('export/build_type'):
+        try:
+            if evaluate_condition(element.get('condition'), DISTRO):
+                return (element.text or '').strip()
+        except ValueError:
+            raise broken(f'The condition of a build type, {element.get("condition")!r}, has a mistake.') from None
+    return ''
 
 
 def dependencies(learner, name: str) -> dict[str, set[str]]:

@@ -15,6 +15,12 @@ FILES = {
     'share/ament_index/resource_index/packages/greeter': 'the marker resource/greeter, by which ROS finds the package',
     'share/greeter/package.xml': 'package.xml',
 }
+# What is installed of the package: the programs, the Python package with what says its name, and the two files. Some
+# more stands in greeter.egg-info.
+KEPT = re.compile(
+    rf'lib/greeter/({"|".join(PROGRAMS)})|lib/python[\d.]+/\w+-packages/(greeter/|greeter-[^/]*-info/).*'
+    rf'|{"|".join(map(re.escape, FILES))}'
+)
 PACKAGES = ('greeter/__init__.py', 'greeter/power/__init__.py', 'greeter/farewell.py')
 
 
@@ -112,7 +118,20 @@ def judge_rest(learner) -> None:
     )
     expect(name == 'greeter', f'The name of the package in setup.py is {name or "nothing"}, and was greeter.', 'rest')
     expect(version == '0.1.0', f'setup.py says greeter {version}, and said greeter 0.1.0 before.', 'rest')
+    programs = workspace.once('ros2', 'pkg', 'executables', 'greeter').output.split()  # the subject of another rule
     more = sorted(
-        name for name in there if name.startswith('share/') and name not in FILES and not builds.COLCON.match(name)
+        name
+        for path in workspace.installed()
+        if (name := path.removeprefix('greeter/')) != path
+        and not KEPT.match(name)
+        and not builds.COLCON.match(name)
+        and not (name.startswith('lib/greeter/') and name.rpartition('/')[2] in programs)
     )
-    expect(not more, f'setup.py installs {more and more[0]}, too: leave data_files as it was.', 'rest')
+    expect(not more, f'setup.py installs {more and more[0]}, too. {_advice(more)}', 'rest')
+
+
+def _advice(more: list[str]) -> str:
+    """What to do about files that are installed besides."""
+    if more and more[0].startswith('lib/greeter/'):
+        return 'The build makes the programs there from the entry points: leave data_files as it was.'
+    return 'Leave data_files and the other arguments as they were: only the list of programs is new.'

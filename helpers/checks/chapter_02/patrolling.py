@@ -168,6 +168,11 @@ def judge_round_trip(learner, *cases: list[str]) -> None:
             expect(found is not None or kind != 'NoneType', f'{call} returned None: write `return`.')
             expect(kind == 'list', f'{call} returned a {kind}, expected a list.')
             expect(
+                found != stations or len(stations) < 2 or stations[0] != stations[-1],
+                f'{call} returned {found}: the first name must come once more at the end, also after a list that ends '
+                'with it.',
+            )
+            expect(
                 found != stations,
                 f'{call} returned {found}: it does not come back to the first station, {stations[0]}.',
             )
@@ -245,7 +250,10 @@ def judge_announce(learner, stations: list[str]) -> None:
         names = [line.strip() for line in own[DATA].splitlines() if line.strip()]
         expect(len(names) >= 2, f'{DATA} has {len(names)} names, expected at least two, one in each line.')
         both = [name for name in names if len(name.split()) > 1]
-        expect(not both, f'{DATA} has the line {both and both[0]!r}: write one name in each line.')
+        expect(
+            not both,
+            f'{DATA} has the line {both and both[0]!r}: write one name in each line, and each name as one word.',
+        )
     workspace = built(learner, {DATA: '\n'.join(stations) + '\n'})
     with about('stations'):
         installed = workspace.installed()
@@ -328,6 +336,11 @@ def _judge_names(names: list[str], stations: list[str]) -> None:
     file = ', '.join(stations)
     strange = [name for name in names if name not in stations]
     if strange:
+        expect(
+            any(name.strip() for name in strange),
+            'The node publishes an empty name: nothing stands behind the end of the last line, and that is no name. '
+            'Use .split() or .splitlines() on the whole text.',
+        )
         bare = [name for name in strange if name.strip() in stations]
         expect(
             not bare,

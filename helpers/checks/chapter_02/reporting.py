@@ -17,6 +17,18 @@ def distance(ticks, *rest, **more):
 """
 # A command behind these words prints without what it writes on the standard error.
 _WITHOUT_ERRORS = ('bash', '-c', 'exec "$@" 2>/dev/null', 'bash')
+# The ticks stand on the command line before the import, or come onto it later. It stays the same list, for those who
+# have another name for it.
+_CALLED = """\
+import sys
+
+later = sys.argv.pop() == 'later'
+ticks = [sys.argv.pop()] if later else []
+from odometry import report
+
+sys.argv.extend(ticks)
+report.main()
+"""
 _ARGUMENT = re.compile('argv|IndexError|ValueError|argument')
 
 
@@ -70,11 +82,18 @@ def judge_report(learner, zero: bool = False) -> None:
         )
         expect(last != wanted.split()[0], f'{command} printed {last}, without the unit; expected {wanted}.', 'prints')
         expect(
-            last == wanted or not _written_otherwise(last, length),
+            last == wanted or not _written_otherwise(last, length) or re.fullmatch(r'-?\d+\.\d{3} m', last),
             f'{command} printed {last}; expected {wanted}: three decimals, a space and m.',
             'prints',
         )
-        expect(last == wanted, f'{command} printed {last}; expected {wanted}.', 'library')
+        expect(last == wanted, f'{command} printed {last}; expected {wanted}, as distance returns it.', 'library')
+        printed = next(line.rstrip() for line in done.output.splitlines() if line.strip() == wanted)
+        expect(
+            printed == wanted,
+            f'{command} printed {printed!r}: spaces stand before the number. Expected {wanted!r}. A format such as '
+            '`8.3f` fills a number up with spaces, `.3f` does not.',
+            'prints',
+        )
     with about('prints'):
         done = workspace.run('python3', '-c', 'import odometry.report', str(first))
     expect(
@@ -85,11 +104,25 @@ def judge_report(learner, zero: bool = False) -> None:
     )
 
 
+def judge_call(learner) -> None:
+    """main reads the command line as it is when main is called: rule `argument`."""
+    workspace, ticks = builds.odometry(learner), learner.random.randint(100, 300)
+    with about('argument'):
+        before, later = (workspace.run(str(ticks), when, program=_CALLED) for when in ('before', 'later'))
+        expect(
+            before.status != 0 or before.lines == later.lines,  # what is wrong in both is the subject of other tests
+            f'A program has imported odometry.report, and then called main with {ticks} on the command line. It '
+            f'ended with: {later.last_line}; expected {before.last_line}, as when the number is there before the '
+            'import. Read sys.argv inside of main: what stands outside of a function is done once, when the module '
+            'is imported.',
+        )
+
+
 def judge_library(learner) -> None:
     """The report says what distance of wheel_math returns for the ticks: rules `library`, `argument`, `prints`."""
     random = learner.random
     ticks = [random.randint(100, 900), -random.randint(1000, 9000)]
-    values = dict(zip(ticks, (random.randint(11, 99) / 10, random.randint(11, 99) / 10 + 10), strict=True))
+    values = dict(zip(ticks, (random.randint(11, 99) / 10, -random.randint(11, 99) / 10 - 10), strict=True))
     random.shuffle(ticks)
     for number, done in zip(ticks, _with_library(learner, _OTHER_LIBRARY.format(values=values), ticks), strict=True):
         last, value = done.last_line, values[number]
@@ -111,6 +144,12 @@ def judge_library(learner) -> None:
             last == wanted or not _written_otherwise(last, value) or _written_otherwise(last, formula),
             f'{told}: three decimals, a space and m.',
             'prints',
+        )
+        expect(
+            last != f'{-value:.3f} m',
+            f'{told}. Print what distance returns, with its sign: backwards the ticks are negative, and so is the '
+            'distance.',
+            'library',
         )
         expect(
             last == wanted,

@@ -9,7 +9,8 @@ from helpers.runner import expect
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 ALL_KEPT = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 VALUES = {'#': 100, '.': 0, '?': -1}
-OTHERS = {**VALUES, '+': 99}  # in the maps of other servers: probably a wall
+# In the maps of other servers: probably a wall, and a number that other programs give a meaning of their own
+OTHERS = {**VALUES, '+': 99, '*': 120}
 
 
 def random_rows(random) -> list[str]:
@@ -45,10 +46,10 @@ def walls(rows: list[str]) -> int:
     return ''.join(rows).count('#')
 
 
-def grid_of(rows: list[str]) -> OccupancyGrid:
+def grid_of(rows: list[str], frame: str = 'map') -> OccupancyGrid:
     """The map as a server publishes it."""
     grid = OccupancyGrid(data=values(rows))
-    grid.header.frame_id = 'map'
+    grid.header.frame_id = frame
     grid.info.width, grid.info.height, grid.info.resolution = len(rows[0]), len(rows), 0.1
     return grid
 
@@ -92,8 +93,8 @@ def check_grid(grid: OccupancyGrid, rows: list[str]) -> None:
         )
 
 
-def check_answers(answers: list[int], sent: list[list[str]]) -> None:
-    """The reader's answers to these maps."""
+def check_answers(answers: list[int], sent: list[list[str]], note: str = '') -> None:
+    """The reader's answers to these maps. `note`: what is said of a map that has none."""
     for rows, answer in zip(sent, answers, strict=False):
         cells = ''.join(rows)
         expect(
@@ -101,11 +102,14 @@ def check_answers(answers: list[int], sent: list[list[str]]) -> None:
             f'MapReader counts {answer} walls in {rows}: unknown (-1) is no wall.',
             'walls',
         )
-        expect(
-            answer == walls(rows) or answer != walls(rows) + cells.count('+'),
-            f'MapReader counts {answer} walls in a map in which {walls(rows)} cells are 100 and {cells.count("+")} are '
-            f'{OTHERS["+"]}: only 100 is a wall.',
-            'walls',
-        )
+        for kind in '+*':
+            expect(
+                answer == walls(rows) or answer != walls(rows) + cells.count(kind),
+                f'MapReader counts {answer} walls in a map in which {walls(rows)} cells are 100 and '
+                f'{cells.count(kind)} are {OTHERS[kind]}: only 100 is a wall.',
+                'walls',
+            )
         expect(answer == walls(rows), f'MapReader says {answer} for {rows}, expected {walls(rows)}.', 'walls')
-    expect(len(answers) == len(sent), f'{len(sent)} maps gave {len(answers)} answers; each map gets one.', 'walls')
+    expect(
+        len(answers) == len(sent), f'{len(sent)} maps gave {len(answers)} answers; each map gets one.{note}', 'walls'
+    )

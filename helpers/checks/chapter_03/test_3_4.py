@@ -89,12 +89,13 @@ def test_reader(learner):
     check_answers(answers.data, maps)
     same = list(maps[0])
     random.shuffle(same)  # another map with as many walls
-    maps += [same, ['.?.', '...'], ['#+.', '+?+'], random_rows(random)]
+    maps += [same, ['.?.', '...'], ['#+.', '+?+'], ['*.#', '#?*'], random_rows(random)]
     for number, rows in enumerate(maps[1:], start=2):
-        server.send(grid_of(rows))
+        frame = 'map' if number < len(maps) else f'floor_{random.randint(1, 9)}'
+        server.send(grid_of(rows, frame))
         with about('walls'):
             learner.settle()
-        check_answers(answers.data, maps[:number])
+        check_answers(answers.data, maps[:number], f' The last one has the frame_id {frame!r}.')
     learner.run(61.0, step=10.0)
     check_answers(answers.data, maps)
     check_nothing_else(learner, {f'{space}/walls'}, 'walls')
