@@ -32,68 +32,73 @@ report.main()
 _ARGUMENT = re.compile('argv|IndexError|ValueError|argument')
 
 
+def _judge_distance(workspace, ticks: int, silent: tuple[str, ...]) -> None:
+    """What `ros2 run` prints for this number of ticks; `silent`: before its command, a command that hides errors."""
+    length = 2 * math.pi * 0.033 * ticks / 360
+    with about('prints'):
+        done = workspace.run(*silent, 'ros2', 'run', 'odometry', 'report', str(ticks))
+    command, last = f'`ros2 run odometry report {ticks}`', done.last_line
+    expect("No module named 'wheel_math'" not in last, f'{command} ended with: {last}', 'needs')
+    expect(
+        'No module named' not in last and 'cannot import name' not in last,
+        f'{command} ended with: {last}. The function distance is in the module wheel_math.geometry.',
+        'library',
+    )
+    expect(
+        done.lines,
+        f'{command} printed nothing{" on the standard output, where print() writes" if silent else ""}.',
+        'prints',
+    )
+    expect(
+        "can't multiply sequence" not in last and 'must be real number' not in last,
+        f'{command} ended with: {last}. What stands in sys.argv is text: make a number of it with int().',
+        'argument',
+    )
+    expect(
+        done.status == 0 or last != f'{length:.3f} m',
+        f'{command} ended with an error, and the error is your text: main returns it. Use print.',
+        'prints',
+    )
+    expect(done.status == 0, f'{command} ended with: {last}', 'argument' if _ARGUMENT.search(last) else 'prints')
+    expect(
+        len(done.lines) == 1,
+        f'{command} printed {len(done.lines)} lines; expected the distance only. The last one is: {last}',
+        'prints',
+    )
+    wanted = f'{length:.3f} m'
+    expect(
+        last != f'{2 * math.pi * 0.033:.3f} m' or ticks == 360,
+        f'{command} printed {last}, as for 360 ticks: the number must come from the command line.',
+        'argument',
+    )
+    expect(
+        ticks >= 0 or last != f'{-length:.3f} m',
+        f'{command} printed {last}; expected {wanted}. Backwards the ticks are negative, and so is the distance.',
+        'argument',
+    )
+    expect(last != wanted.split()[0], f'{command} printed {last}, without the unit; expected {wanted}.', 'prints')
+    expect(
+        last == wanted or not _written_otherwise(last, length) or re.fullmatch(r'-?\d+\.\d{3} m', last),
+        f'{command} printed {last}; expected {wanted}: three decimals, a space and m.',
+        'prints',
+    )
+    expect(last == wanted, f'{command} printed {last}; expected {wanted}, as distance returns it.', 'library')
+    printed = next(line.rstrip() for line in done.output.splitlines() if line.strip() == wanted)
+    expect(
+        printed == wanted,
+        f'{command} printed {printed!r}: spaces stand before the number. Expected {wanted!r}. A format such as '
+        '`8.3f` fills a number up with spaces, `.3f` does not.',
+        'prints',
+    )
+
+
 def judge_report(learner, zero: bool = False) -> None:
     """What `ros2 run` prints for some numbers of ticks: rules `argument` and `prints`."""
     workspace = builds.odometry(learner)
     first = learner.random.choice((0, -learner.random.randint(100, 900))) if zero else 360
     # So far a wheel has turned after a day; a thousand metres may be written as 1,000.
     for ticks, silent in ((first, ()), (learner.random.randint(5_000_000, 9_000_000), _WITHOUT_ERRORS)):
-        length = 2 * math.pi * 0.033 * ticks / 360
-        with about('prints'):
-            done = workspace.run(*silent, 'ros2', 'run', 'odometry', 'report', str(ticks))
-        command, last = f'`ros2 run odometry report {ticks}`', done.last_line
-        expect("No module named 'wheel_math'" not in last, f'{command} ended with: {last}', 'needs')
-        expect(
-            'No module named' not in last and 'cannot import name' not in last,
-            f'{command} ended with: {last}. The function distance is in the module wheel_math.geometry.',
-            'library',
-        )
-        expect(
-            done.lines,
-            f'{command} printed nothing{" on the standard output, where print() writes" if silent else ""}.',
-            'prints',
-        )
-        expect(
-            "can't multiply sequence" not in last and 'must be real number' not in last,
-            f'{command} ended with: {last}. What stands in sys.argv is text: make a number of it with int().',
-            'argument',
-        )
-        expect(
-            done.status == 0 or last != f'{length:.3f} m',
-            f'{command} ended with an error, and the error is your text: main returns it. Use print.',
-            'prints',
-        )
-        expect(done.status == 0, f'{command} ended with: {last}', 'argument' if _ARGUMENT.search(last) else 'prints')
-        expect(
-            len(done.lines) == 1,
-            f'{command} printed {len(done.lines)} lines; expected the distance only. The last one is: {last}',
-            'prints',
-        )
-        wanted = f'{length:.3f} m'
-        expect(
-            last != f'{2 * math.pi * 0.033:.3f} m' or ticks == 360,
-            f'{command} printed {last}, as for 360 ticks: the number must come from the command line.',
-            'argument',
-        )
-        expect(
-            ticks >= 0 or last != f'{-length:.3f} m',
-            f'{command} printed {last}; expected {wanted}. Backwards the ticks are negative, and so is the distance.',
-            'argument',
-        )
-        expect(last != wanted.split()[0], f'{command} printed {last}, without the unit; expected {wanted}.', 'prints')
-        expect(
-            last == wanted or not _written_otherwise(last, length) or re.fullmatch(r'-?\d+\.\d{3} m', last),
-            f'{command} printed {last}; expected {wanted}: three decimals, a space and m.',
-            'prints',
-        )
-        expect(last == wanted, f'{command} printed {last}; expected {wanted}, as distance returns it.', 'library')
-        printed = next(line.rstrip() for line in done.output.splitlines() if line.strip() == wanted)
-        expect(
-            printed == wanted,
-            f'{command} printed {printed!r}: spaces stand before the number. Expected {wanted!r}. A format such as '
-            '`8.3f` fills a number up with spaces, `.3f` does not.',
-            'prints',
-        )
+        _judge_distance(workspace, ticks, silent)
     with about('prints'):
         done = workspace.run('python3', '-c', 'import odometry.report', str(first))
     expect(

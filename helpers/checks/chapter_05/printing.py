@@ -245,23 +245,7 @@ class Printer:
             self._judge_cancelled(job, len(due))
             due = due[: len(stamps)]
         else:
-            expect(
-                goal.status in (None, 'succeeded'),
-                f'{told}ended as {goal.status}, expected succeeded.',
-                self._disturbed(job, 'end'),
-            )
-            pages = list(goal.result.sequence) if goal.result else None
-            expect(
-                pages is not None,
-                f'{told}did not end; its pages came at {seconds(stamps)} s, expected {seconds(due)} s.',
-                'pages',
-            )
-            expect(
-                pages == up_to(job.order),
-                f'{told}has the result {pages}, expected {up_to(job.order)}.',
-                'end' if not pages else 'pages',
-            )
-            job.end = goal.finished - self.begin
+            self._judge_completed(job, stamps, due)
         expect(
             len(stamps) == len(due),
             f'{told}had {len(stamps)} feedback messages, expected one for each page, {len(due)}.',
@@ -284,6 +268,27 @@ class Printer:
             f'{told}ended at {job.end:g} s, expected at {job.begin + PAGE * job.order:g} s.',
             'pages',
         )
+
+    def _judge_completed(self, job: Job, stamps: list[float], due: list[float]) -> None:
+        """A goal that nobody cancels: its pages came at `stamps`, and were to come when `due`, in s."""
+        goal, told = job.goal, self._told(job)
+        expect(
+            goal.status in (None, 'succeeded'),
+            f'{told}ended as {goal.status}, expected succeeded.',
+            self._disturbed(job, 'end'),
+        )
+        pages = list(goal.result.sequence) if goal.result else None
+        expect(
+            pages is not None,
+            f'{told}did not end; its pages came at {seconds(stamps)} s, expected {seconds(due)} s.',
+            'pages',
+        )
+        expect(
+            pages == up_to(job.order),
+            f'{told}has the result {pages}, expected {up_to(job.order)}.',
+            'end' if not pages else 'pages',
+        )
+        job.end = goal.finished - self.begin
 
     def _judge_cancelled(self, job: Job, count: int) -> None:
         """A goal that was cancelled while it ran, when it had so many pages."""

@@ -93,6 +93,11 @@ class Tree:
             if not causes:
                 self._found(self.source, 'not connected', '')
         edges += self._more_edges(middle, decoy, third)
+        self._draw_transforms(edges, numbers, faults, other)
+
+    def _draw_transforms(self, edges: list, numbers: dict, faults: _Faults, other: str) -> None:
+        """Draw when each transform was published: `moving` and `static`. `other` is the sensor that is not asked."""
+        random = self._random
         self._names: dict[int, tuple[str, str]] = {}  # the right names of each transform, by its id
         self.moving, self.static = [], []
         for parent, child, moving in edges:

@@ -118,6 +118,12 @@ def judge_rhythm(governed: Governed, rate: float) -> None:
         'Zeros are expected.',
         'before',
     )
+    _judge_newest(governed, rate)
+
+
+def _judge_newest(governed: Governed, rate: float) -> None:
+    """What goes out after commands: the newest one, in the rhythm of before."""
+    period = 1 / rate
     governed.heard.clear()
     draw = governed.learner.random
     speeds = draw.sample([0.1, 0.2, 0.3, 0.4], 3)

@@ -171,6 +171,12 @@ def judge_age(lost: Lost) -> None:
         f'where() says {found and shown(found)}.',
         'old',
     )
+    _judge_stamps(lost)
+    _judge_long_silence(lost)
+
+
+def _judge_stamps(lost: Lost) -> None:
+    """The rule `old`: the stamps count, not the moments at which the transforms came."""
     late = lost.learner.now / SECOND - 0.6
     lost.localizer.tell(*lost.somewhere(), late - 0.02)
     lost.localizer.tell(*lost.somewhere(), late)
@@ -190,7 +196,6 @@ def judge_age(lost: Lost) -> None:
         'than 0.5 s.',
         'old',
     )
-    _judge_long_silence(lost)
 
 
 def _judge_long_silence(lost: Lost) -> None:
