@@ -74,7 +74,7 @@ MUTANTS = [
             lambda one: self.get_parameter('mode').value == 'stop' or setattr(self, 'command', one), 10)
 """, breaks='newest', expect='it came during the mode stop'),
     Mutant('rate_counts_at_the_start', old="if 'rate' in [parameter.name for parameter in parameters]:",
-           new='if not self.timer and self.has_parameter("rate"):', expect='The rate was changed from',
+           new='if not self.timer and self.has_parameter("rate"):', expect='messages came after',
            breaks='new-rate'),
     Mutant('new_timer_at_each_change', old="if 'rate' in [parameter.name for parameter in parameters]:",
            new='if self.has_parameter("rate"):', expect='Only a new rate begins with a new period', breaks='new-rate'),

@@ -13,8 +13,8 @@ DATA = 'share/line_follower/config/gains.yaml'
 MARKER = 'share/ament_index/resource_index/packages/line_follower'
 PLACES = PROGRAM, DATA, MARKER, 'share/line_follower/package.xml'
 ONCE = 'install the marker, package.xml and the data file, each to one place, and no other file.'
-# The Python code, compiled or not, and what says the name of the package
-_PYTHON = re.compile(r'-packages/line_follower(/.*\.pyc?$|-[^/]*-info/)')
+# Python code, compiled or not (where it goes is the subject of another rule), and what says the name of the package
+_PYTHON = re.compile(r'-packages/(.*\.pyc?$|line_follower-[^/]*-info/)')
 IMPORTED = ('geometry_msgs', 'ament_index_python', 'python3-yaml')
 SAID = 'forward 0.20 m/s, turn -0.08 rad/s'
 # tag -> text in package.xml
@@ -161,14 +161,14 @@ def judge_rest(learner) -> None:
         f'setup.py says {name} {version}, and said line_follower 0.1.0 before.',
         'rest',
     )
-    installed = [name for name in builds.line_follower(learner).installed() if name.startswith('line_follower/')]
-    _judge_files([name.removeprefix('line_follower/') for name in installed])  # what is beside it, colcon has written
     others = [other for other in programs if other != 'follow']
     expect(
         not others or len(programs) == 1,
         f'setup.py has a further program, {others and others[0]}. Only `follow` is asked for.',
         'rest',
     )
+    installed = [name for name in builds.line_follower(learner).installed() if name.startswith('line_follower/')]
+    _judge_files([name.removeprefix('line_follower/') for name in installed])  # what is beside it, colcon has written
     root = ElementTree.fromstring(learner.text('FOLLOWER_XML'))
     for tag, wanted in KEPT.items():
         word = tag.rpartition('/')[2]

@@ -194,12 +194,12 @@ def judge_changes(governed: Governed, limit: float, rate: float) -> None:
 
 
 def _judge_zero(governed: Governed, period: float) -> None:
-    """The rules `limit` and `modes`, where the limit is changed to 0.0; changes act."""
-    for change, name, rule in (
-        ({'slow_linear': 0.0, 'mode': 'slow'}, 'slow_linear', 'modes'),
-        ({'max_linear': 0.0, 'mode': 'normal'}, 'max_linear', 'limit'),
+    """The rules `limit` and `modes`, where the limit is changed to 0.0, and `pair`, where both are."""
+    for change, name, rule, refused in (
+        ({'slow_linear': 0.0, 'mode': 'slow'}, 'slow_linear', 'modes', 'modes'),
+        ({'max_linear': 0.0, 'mode': 'normal'}, 'max_linear', 'limit', 'pair'),  # both are 0.0: none is above the other
     ):
-        governed.accepts(rule, **change)
+        governed.accepts(refused, **change)
         for speed in (0.4, -0.4):
             governed.send(command(speed))
             got = governed.newest(period, 'rhythm').linear.x

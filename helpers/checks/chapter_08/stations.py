@@ -205,13 +205,14 @@ def _judge_new_stations(keeper: Keeper, names: list[str]) -> dict[str, list[floa
         if len(wanted) in (2, len(names)):
             _judge_places(keeper, wanted, f'After {name!r} was set', 'new-place')
     far = [draw.choice([-1, 1]) * draw.uniform(1.2, 1.7) * 1e308 for _ in range(2)]  # the largest is about 1.8e308
+    name = f'{names[-1]} 2'
     expect(
-        keeper.set(names[-1], *far).success,
-        f'{names[-1]!r} at ({far[0]:g}, {far[1]:g}) was refused. Both are finite numbers: judge each one by itself, '
+        keeper.set(name, *far).success,
+        f'{name!r} at ({far[0]:g}, {far[1]:g}) was refused. Both are finite numbers: judge each one by itself, '
         'because what is computed from them may be too large.',
         'station',
     )
-    wanted[names[-1]] = far
+    wanted[name] = far
     wanted[names[0]] = [0.0, draw.randint(-40, 40) / 10]
     expect(
         keeper.set(names[0], *wanted[names[0]], 'new-place').success,

@@ -33,7 +33,7 @@ def test_commands(learner):
     governors.judge_limit(governed, limit, 1 / rate)
 
 
-@pytest.mark.rules('at-once', 'newest', 'new-rate', 'refused', 'limit', 'modes', 'before')
+@pytest.mark.rules('at-once', 'newest', 'new-rate', 'refused', 'limit', 'pair', 'modes', 'before')
 def test_changes(learner):
     """A change acts from the next message on, and a refused one not at all.
 
