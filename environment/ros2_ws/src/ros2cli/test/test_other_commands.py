@@ -99,6 +99,8 @@ def test_a_signal_that_interrupts_no_wait_ends_one(ros2):
 import os, signal, threading
 from ros2multicast.api import receive
 
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a program started in the background ignores it
+
 def interrupt():
     while open(f'/proc/self/task/{os.getpid()}/syscall').read().split()[0] not in ('7', '45', '73', '207'):
         pass  # until the main thread is in poll or recvfrom (their numbers on x86-64 and arm64)
