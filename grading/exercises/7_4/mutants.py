@@ -16,7 +16,7 @@ MUTANTS = [
     Mutant('no_call', old=CAUSE, new="cause = 'spin' if spins else 'busy'", breaks='call',
            expect='waits for an answer that the same thread', **STACKS),
     Mutant('newest_call_decides', old=CAUSE, new="cause = 'call' if newer else 'busy'", breaks='spin',
-           expect='A callback that spins', **STACKS),
+           also=('busy', 'all'), expect='A callback that spins'),
     Mutant('no_busy', old=CAUSE, new="cause = 'call' if ('client.py', 'call') in newer else 'spin' if spins else ''",
            breaks='busy', expect='does not return', **STACKS),
     Mutant('main_thread_too', old=CALLBACK, new='if not cause:', expect='there is no such fault',

@@ -5,6 +5,7 @@ import signal
 import time
 from dataclasses import dataclass
 
+from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.task import Future
 from std_srvs.srv import Trigger
 
@@ -367,7 +368,9 @@ class _LateServer:
         """Come, and answer, if it is time; `begun`: when the client was made, 0.0 if that is to come."""
         now = time.monotonic()
         if begun and not self._there and now > begun + self._delay:
-            self._there = bool(self._node.create_service(Trigger, self._name, self._answer))
+            # Two servers of one node: while the answer of one is awaited, the other one must be asked all the same.
+            group = ReentrantCallbackGroup()
+            self._there = bool(self._node.create_service(Trigger, self._name, self._answer, callback_group=group))
         for when, future in self._asked:
             if now > when + self._delay and not future.done() and self._node.count_clients(self._name):
                 future.set_result(self._word)  # to somebody who is not known yet it would be lost
