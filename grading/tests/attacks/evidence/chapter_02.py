@@ -600,19 +600,3 @@ GREETER_SETUP = 'raise SystemExit(1)\n"a=' + ' ' * 60_000
 # aims at: 2.1
 # stopped by: patterns take time in proportion to the text
 GREETER_SETUP = "raise SystemExit(1)\nx=x.y:z'" + '\n' * 60_000 + 'z'
-
-
-# %% package_in_no_encoding
-# attack: says in package.xml that it is written in an encoding that nobody knows
-# aims at: 2.5
-# stopped by: what cannot be read is the package's fault
-# expect points: 7.5
-PACKAGE = {
-    'package.xml': '<?xml version="1.0" encoding="rot13"?><package format="3"><name>patrol</name></package>',
-    'setup.py': 'from setuptools import setup\nsetup(name="patrol")\n',
-    'patrol/route.py': 'def round_trip(stations):\n    return [*stations, stations[0]]\n',
-    'test/test_route.py': (
-        'from patrol.route import round_trip\n\n\n'
-        'def test_it():\n    assert round_trip(["a", "b", "c"]) == ["a", "b", "c", "a"]\n'
-    ),
-}

@@ -104,29 +104,3 @@ except KeyboardInterrupt:
     pass
 sys.exit(1)
 '''
-
-
-# %% entry_of_blanks
-# attack: repairs packages and machines with lines of a million letters and blanks, of which patterns try each
-# aims at: 7.2
-# stopped by: patterns take time in proportion to the text
-def diagnose_package(files):
-    return []
-
-
-def repair_package(files):
-    setup = files['setup.py'].replace("'console_scripts': [", "'console_scripts': [\n            'a=" + ' ' * 10**6 + "x',")
-    return {**files, 'setup.py': setup}
-
-
-# %% bashrc_of_one_word
-# attack: puts a word of a million letters into a .bashrc
-# aims at: 7.1
-# stopped by: patterns take time in proportion to the text
-def diagnose_machine(files, want):
-    return []
-
-
-def repair_machine(files, want):
-    deb = f'deb [signed-by=/x] http://packages.ros.org/ros2/ubuntu {want["codename"]} main'
-    return {'.bashrc': files['.bashrc'] + '# ' + 'a' * 10**6 + '\n', 'ros2.list': files['ros2.list'] + deb + '\n'}
