@@ -160,8 +160,7 @@ class _Run:
             own, record = self._own(submission), self._record(submission.learner)
             plain, other = identity(submission.own), apart(submission.own)
             earlier = self._record(plain)
-            if submission.learner == plain and self._lent(record):
-                assert record is not None
+            if record is not None and submission.learner == plain and self._lent(record):
                 note = (
                     f'the earlier record of {plain} is of {record.own}, which only had this id in its zip: it is '
                     f"{self._give_back(record)}'s now"
@@ -181,13 +180,13 @@ class _Run:
             told.append(submission)
         return list({submission.learner: submission for submission in told}.values())
 
-    def _lent(self, record: Record | None) -> bool:
+    def _lent(self, record: Record) -> bool:
         """Whether a record has its id from a zip, and not from the name under which it was handed in.
 
         With `--anonymous` nobody knows: that name is sealed.
         """
-        known = record is not None and record.own and not self.settings.anonymous
-        return bool(known and record.learner not in (identity(record.own), apart(record.own)))
+        known = bool(record.own) and not self.settings.anonymous
+        return known and record.learner not in (identity(record.own), apart(record.own))
 
     def _give_back(self, record: Record) -> str:
         """Let a record have the id of the name under which it was handed in; returns that."""
