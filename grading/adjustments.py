@@ -16,6 +16,8 @@ from pathlib import Path
 
 import yaml
 
+from grading import plain_yaml
+
 FIELDS = ('learner', 'exercise', 'points', 'delta', 'reason')
 
 
@@ -49,7 +51,7 @@ def load(path: Path, points: dict[str, float]) -> list[Adjustment]:
     """
     try:
         text = path.read_text(encoding='utf-8-sig')
-        rows = yaml.safe_load(text) if path.suffix in ('.yaml', '.yml') else _csv(text)
+        rows = plain_yaml.read(text) if path.suffix in ('.yaml', '.yml') else _csv(text)
     except (OSError, UnicodeDecodeError, yaml.YAMLError, csv.Error) as error:
         raise AdjustmentError(f'{path} cannot be read: {getattr(error, "strerror", None) or error}') from None
     if rows is None:
@@ -99,7 +101,7 @@ def _number(where: str, row: dict, name: str) -> float | None:
     if name not in row:
         return None
     try:
-        value = float(row[name])
+        value = math.nan if isinstance(row[name], bool) else float(row[name])  # YAML takes yes for True
     except (TypeError, ValueError):
         value = math.nan
     if not math.isfinite(value):

@@ -151,7 +151,7 @@ class _Run:
         """Submissions of which none takes the place of another learner's record.
 
         An id that a zip says, or that two names give, is not enough for that: the record knows under which name it was
-        handed in.
+        handed in. If that one had the id from its zip only, the name of a file or folder comes before it.
         """
         if self.settings.anonymous:
             self._ids(submissions)  # makes the salt
@@ -160,7 +160,13 @@ class _Run:
             own, record = self._own(submission), self._record(submission.learner)
             plain, other = identity(submission.own), apart(submission.own)
             earlier = self._record(plain)
-            if record is None and submission.learner == other and earlier is not None and earlier.own == own:
+            if record is not None and submission.learner == plain and self._lent(record):
+                note = (
+                    f'the earlier record of {plain} is of {record.own}, which only had this id in its zip: it is '
+                    f"{self._give_back(record)}'s now"
+                )
+                submission = replace(submission, notes=[*submission.notes, note])
+            elif record is None and submission.learner == other and earlier is not None and earlier.own == own:
                 submission = replace(submission, learner=plain)  # it had the id before somebody else gave the same one
             elif record is not None and record.own not in ('', own):
                 free = plain not in taken and (earlier is None or earlier.own in ('', own))
@@ -173,6 +179,22 @@ class _Run:
             taken.add(submission.learner)
             told.append(submission)
         return list({submission.learner: submission for submission in told}.values())
+
+    def _lent(self, record: Record) -> bool:
+        """Whether a record has its id from a zip, and not from the name under which it was handed in.
+
+        With `--anonymous` nobody knows: that name is sealed.
+        """
+        known = bool(record.own) and not self.settings.anonymous
+        return known and record.learner not in (identity(record.own), apart(record.own))
+
+    def _give_back(self, record: Record) -> str:
+        """Let a record have the id of the name under which it was handed in; returns that."""
+        del self.records[record.learner]
+        there = self.records.get(identity(record.own))
+        learner = identity(record.own) if there is None or there.own in ('', record.own) else apart(record.own)
+        self.records.setdefault(learner, replace(record, learner=learner))
+        return learner
 
     def everybody(self) -> list[Record]:
         """All records, sorted."""

@@ -17,7 +17,11 @@ from pathlib import Path
 
 import yaml
 
+from grading import plain_yaml
+
 DAY = timedelta(days=1)
+EARLIEST = 1970  # year
+LONGEST_GRACE = 366 * 24 * 60  # minutes
 
 
 class PolicyError(Exception):
@@ -60,7 +64,7 @@ class Policy:
         came = self.handed_in.get(learner) or datetime.fromisoformat(known.replace('Z', '+00:00'))
         due = self.extensions.get(learner, self.due)
         days = 0
-        if came > due + timedelta(minutes=self.grace_minutes):
+        if came - due > timedelta(minutes=self.grace_minutes):  # due + grace may be no date any more
             days = math.ceil((came - due) / DAY)
         return Late(stamp(due), stamp(came), days, min(self.cap, days * self.per_day))
 
@@ -85,7 +89,7 @@ def load(path: Path) -> Policy:
     :raises PolicyError: it cannot be read, or something in it is unknown or unusable.
     """
     try:
-        data = yaml.safe_load(path.read_text(encoding='utf-8'))
+        data = plain_yaml.read(path.read_text(encoding='utf-8-sig'))
     except (OSError, UnicodeDecodeError, yaml.YAMLError) as error:
         raise PolicyError(f'{path} cannot be read: {getattr(error, "strerror", None) or error}') from None
     if not isinstance(data, dict) or 'due' not in data:
@@ -97,7 +101,7 @@ def load(path: Path) -> Policy:
         )
     return Policy(
         _time(path, 'due', data['due']),
-        _number(path, data, 'grace_minutes', 0.0),
+        _number(path, data, 'grace_minutes', 0.0, LONGEST_GRACE),
         _number(path, data, 'per_day', 0.0, 100.0),
         _number(path, data, 'cap', 100.0, 100.0),
         *(
@@ -123,11 +127,17 @@ def _time(path: Path, name: str, value: object) -> datetime:
     # YAML itself reads a time with a zone; without one nobody knows when it is.
     if not isinstance(value, datetime) or value.tzinfo is None:
         raise PolicyError(f'{path}: {name} must be a time with its zone, such as 2026-11-20T23:59:00+01:00')
+    try:
+        value = value.astimezone(timezone.utc)
+    except OverflowError:  # on the first or the last day of all
+        value = datetime.min.replace(tzinfo=timezone.utc)
+    if value.year < EARLIEST:
+        raise PolicyError(f'{path}: {name} must be a time of the years {EARLIEST} to 9999')
     return value
 
 
-def _number(path: Path, data: dict, name: str, default: float, largest: float = math.inf) -> float:
+def _number(path: Path, data: dict, name: str, default: float, largest: float) -> float:
     value = data.get(name, default)
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0 <= value <= largest:
-        raise PolicyError(f'{path}: {name} must be a number from 0' + (f' to {largest:g}' if largest < 1e9 else ''))
+        raise PolicyError(f'{path}: {name} must be a number from 0 to {largest:g}')
     return float(value)

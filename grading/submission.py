@@ -352,24 +352,29 @@ def is_notebook(name: str) -> bool:
 
 def own_name(path: Path) -> str:
     """The name of a file or folder, without what `submit`, browsers and desktops add to a learner's."""
-    name = path.name if path.is_dir() else path.stem
-    return normalize('NFC', _COPY.sub('', name.removeprefix('submission-')))
+    name = written(path.name if path.is_dir() else path.stem)
+    return _COPY.sub('', name.removeprefix('submission-'))
+
+
+def written(name: str) -> str:
+    """A file's name as a text that any file can hold: what is no UTF-8 in it stands there as its code."""
+    return normalize('NFC', name.encode('utf-8', 'backslashreplace').decode())
 
 
 def apart(own: str) -> str:
     """An id for a name whose plain id is another learner's: so long that nobody finds a name which gives it, too."""
-    digest = hashlib.sha256(own.encode(errors='replace')).hexdigest()[:20]
+    digest = hashlib.sha256(own.encode()).hexdigest()[:20]
     return f'{identity(own)[:43]}-{digest}'
 
 
 def identity(name: str) -> str:
     """A learner's id from a file's name: also a name for the files of their results."""
-    name = normalize('NFC', _COPY.sub('', name.removeprefix('submission-')))
+    name = _COPY.sub('', written(name).removeprefix('submission-'))
     plain = normalize('NFKD', name).encode('ascii', 'ignore').decode()
     plain = re.sub(r'[^A-Za-z0-9._@-]+', '_', plain).lstrip('._@-')
     if len(plain) > 64 or any(ord(sign) > 127 and not normalize('NFKD', sign)[0].isascii() for sign in name):
         # What is left out told two learners apart.
-        plain = f'{plain[:57].rstrip("_") or "x"}-{hashlib.sha256(name.encode(errors="replace")).hexdigest()[:6]}'
+        plain = f'{plain[:57].rstrip("_") or "x"}-{hashlib.sha256(name.encode()).hexdigest()[:6]}'
     return plain or 'unnamed'
 
 

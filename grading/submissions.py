@@ -16,11 +16,10 @@ import zipfile
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from unicodedata import normalize
 
 from grading import reader
 from grading.record import Attempt
-from grading.submission import Submission, Unusable, apart, changed, identity, is_notebook, own_name, read
+from grading.submission import Submission, Unusable, apart, changed, identity, is_notebook, own_name, read, written
 
 _CHAPTER = re.compile(r'\d\d_.*\.ipynb')  # a file name; downloads add words such as " (1)" behind the number
 _MOODLE = re.compile(r'(?P<who>.+_\d+)_assignsubmission_(file|onlinetext)(_(?P<file>.*))?')
@@ -31,15 +30,23 @@ _DEEPEST = 4  # folders below the one that was given
 def find(paths: Iterable[Path], skipped: list[Path] | None = None) -> list[Submission]:
     """Read the submissions at `paths`: the latest of each learner, sorted by learner, with the earlier ones on record.
 
-    :param skipped: is given the files and folders that hold no submission.
-    :raises Unusable: a path does not exist or holds no submission.
+    :param skipped: is given the files and folders that hold no submission. One of several paths stops no other: which
+        files there are, and what is in them, may be up to learners.
+    :raises Unusable: a path does not exist, or none holds a submission.
     """
     found: dict[Path, Submission] = {}
+    skipped, why = [] if skipped is None else skipped, []
     for path in paths:
-        if not path.exists():
+        if not path.exists() and not path.is_symlink():
             raise Unusable(f'{path} does not exist')
-        for submission in _at(path, skipped if skipped is not None else []):
-            found.setdefault(submission.source.resolve(), submission)
+        try:
+            for submission in _at(path, skipped):
+                found.setdefault(submission.source.resolve(), submission)
+        except (Unusable, OSError) as error:
+            skipped[:] = [one for one in skipped if one != path] + [path]
+            why.append(error if isinstance(error, Unusable) else Unusable(f'{path} cannot be read: {error.strerror}'))
+    if why and not found:
+        raise why[0]
     _name(list(found.values()))
     _note_copies(list(found.values()))
     learners: dict[str, list[Submission]] = defaultdict(list)
@@ -153,12 +160,12 @@ def _archives(folder: Path) -> bool:
 def _owner(path: Path) -> str:
     """The learner whom a learning platform names in the name of a file or folder, as written; empty if none does."""
     if match := _MOODLE.fullmatch(path.name):
-        return normalize('NFC', match['who'])
+        return written(match['who'])
     if (match := _CANVAS.fullmatch(path.name)) and not path.is_dir():
-        return normalize('NFC', f'{match["name"]}_{match["number"]}')
+        return written(f'{match["name"]}_{match["number"]}')
     task = path.parent.name.removesuffix('-submissions')
     if path.is_dir() and task != path.parent.name and path.name.startswith(f'{task}-'):
-        return normalize('NFC', path.name[len(task) + 1 :])
+        return written(path.name[len(task) + 1 :])
     return ''
 
 

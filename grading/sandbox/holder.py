@@ -48,6 +48,8 @@ class Holder:
                 stdout=subprocess.PIPE,
                 stderr=subprocess.PIPE,
                 pass_fds=passed,
+                # Not the environment's LD_LIBRARY_PATH: bubblewrap would look for its libraries in each folder of that.
+                env={'PATH': os.environ.get('PATH', os.defpath)},
                 preexec_fn=enter,
                 start_new_session=True,
             )

@@ -17,6 +17,8 @@ handed_in:
   bob: 2026-11-20T21:14:00+01:00
 """
 
+DUE = 'due: 2026-11-20T23:59:00Z\n'
+
 
 def written(tmp_path, text, name='file.yaml'):
     path = tmp_path / name
@@ -44,6 +46,11 @@ def test_lateness(tmp_path, learner, handed_in, days, percent):
     assert found.applied(7.77) == round(7.77 * (100 - percent) / 100, 2)
 
 
+def test_a_grace_that_ends_after_all_times(tmp_path):
+    policy = late.load(written(tmp_path, 'due: 9999-12-31T23:00:00Z\ngrace_minutes: 600'))
+    assert policy.judge('ada', '9999-12-31T23:59:59Z').days == 0
+
+
 def test_times_are_told_in_utc(tmp_path):
     policy = late.load(written(tmp_path, 'due: "2026-11-20T23:59:00-05:00"'))
     assert policy.judge('ada', '').days == 0  # nobody knows when
@@ -64,6 +71,19 @@ def test_times_are_told_in_utc(tmp_path):
         ('due: 2026-11-20T23:59:00Z\nextensions: [ada]', 'extensions must be lines'),
         ('due: 2026-11-20T23:59:00Z\nextensions: {ada: 5}', 'extensions of ada must be a time'),
         ('due: [', 'cannot be read'),
+        ('due: 2026-13-45T23:59:00Z', 'cannot be read'),
+        ('due: 2026-11-20T24:00:00Z', 'cannot be read'),
+        ('due: 2026-11-20T23:59:00+99:99', 'cannot be read'),
+        (f'{DUE}extensions: {{ada: 2026-02-30T00:00:00Z}}', 'cannot be read'),
+        (f'{DUE}per_day: {"9" * 5000}', 'cannot be read'),
+        (f'{DUE}per_day: !!int ""', 'cannot be read'),
+        (f'{DUE}per_day: !!timestamp x', 'cannot be read'),
+        (f'{DUE}extensions: {"[" * 3000}', 'nested too deeply'),
+        (f'{DUE}grace_minutes: .inf', 'grace_minutes must be a number from 0 to 527040'),
+        (f'{DUE}grace_minutes: 1.0e+308', 'grace_minutes must be a number from 0 to 527040'),
+        ('due: 0001-01-01T00:00:00+14:00', 'due must be a time of the years 1970 to 9999'),
+        ('due: 9999-12-31T23:59:59-12:00', 'due must be a time of the years 1970 to 9999'),
+        (f'{DUE}handed_in: {{ada: 0001-01-01T00:00:00Z}}', 'handed_in of ada must be a time of the years'),
     ],
 )
 def test_a_policy_that_cannot_be_used(tmp_path, text, problem):
@@ -98,6 +118,11 @@ def test_adjustments(tmp_path):
         ("{exercise: '3.1', delta: 1, reason: x}", 'learner is missing'),
         ("{learner: ada, exercise: '3.1', delta: 1, reason: x, by: me}", "'by' is unknown"),
         ('ada', 'expected a list'),
+        ("{learner: ada, exercise: '3.1', points: yes, reason: x}", 'points must be a number, not True'),
+        (f"{{learner: ada, exercise: '3.1', points: {'9' * 5000}, reason: x}}", 'cannot be read'),
+        ("{learner: ada, exercise: '3.1', points: 1, reason: 2026-13-45}", 'cannot be read'),
+        ('[' * 3000, 'nested too deeply'),
+        ('&a [*a]', 'expected a list'),
     ],
 )
 def test_adjustments_that_cannot_be_used(tmp_path, row, problem):

@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 MAGIC = '%%answer'
 USAGE = f'{MAGIC} NAME FILE'
-_LINE = re.compile(rf'{MAGIC}(?!\w)[ \t]*(.*?)[ \t\r]*')
+_LINE = re.compile(rf'{MAGIC}(?!\w)(.*)')
 _ARGUMENTS = re.compile(r'([^\W\d]\w*)[ \t]+(\S.*)')
 
 
@@ -56,7 +56,7 @@ def rewritten(source: str, statement: Callable[[str, str, int], str | None]) -> 
     for start, end in zip(starts, [*starts[1:], len(lines)], strict=True):
         match = _LINE.fullmatch(lines[start])
         begin, text = _text(lines, start + 1, end)
-        made = statement(match[1] if match else '', text, begin + 1)
+        made = statement(match[1].strip(' \t\r') if match else '', text, begin + 1)
         if made is not None:
             lines[start:end] = [made, *[''] * (end - start - 1)]
     return '\n'.join(lines)

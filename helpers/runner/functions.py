@@ -80,8 +80,8 @@ class Served:
                 while line := end.readline(MAX_LINE):
                     end.write(json.dumps(self._answer(line)).encode() + b'\n')
                     end.flush()
-        except (OSError, ValueError, RecursionError):
-            pass  # it has gone, or sends what is no call
+        except (OSError, ValueError, TypeError, RecursionError):
+            pass  # it has gone, or sends what is no call, such as a list as a key
         finally:
             with suppress(OSError):
                 self._ours.shutdown(socket.SHUT_RDWR)  # who still waits for an answer gets none

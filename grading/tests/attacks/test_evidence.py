@@ -4,11 +4,14 @@ Each row of `evidence/` is an exercise's cell. It gains nothing: what it may hav
 answers to the same exercises get full marks: see `grading/tests/test_validity.py`.
 """
 
+from types import SimpleNamespace
+
 import pytest
 
 from grading import reference, sandbox
 from grading.course import HIDDEN
 from grading.tests.attacks import arena
+from helpers.checks.chapter_02 import patrolling
 from helpers.exercises import manifest, notebooks, program
 from helpers.runner import session, verdicts
 
@@ -38,3 +41,11 @@ def test_no_evidence_can_be_made(attack):
     story = [(test.test, test.verdict, test.message[:300], test.fault[-600:]) for test in result.tests], report.log
     assert result.verdict != verdicts.GRADER_ERROR, story
     assert result.score <= attack.points, story
+
+
+@pytest.mark.parametrize('encoding', ['no-such', 'utf-7', 'rot13', 'gb2312', 'utf-16', 'cp037'])
+def test_a_package_in_an_encoding_that_cannot_be_read_is_its_own_fault(encoding):
+    text = f'<?xml version="1.0" encoding="{encoding}"?><package><name>patrol</name></package>'
+    learner = SimpleNamespace(files=lambda: {'package.xml': text, 'setup.py': ''})
+    with pytest.raises(verdicts.ExpectationFailed, match='is not XML'):
+        patrolling.files(learner)

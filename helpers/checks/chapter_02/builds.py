@@ -31,14 +31,14 @@ def greeter(learner) -> ExerciseWorkspace:
     workspace = learner.workspace(files)  # tests of the package's own, which setup.py leaves out
     with about('builds'):
         if workspace.build(check=False).status != 0:
-            for _, value in re.findall(r"""(['"])\s*[\w.-]+\s*=\s*([^'"=]*)\1""", text):
+            for _, value in re.findall(r"""(['"])\s*[\w.-]+\s*=([^'"=]*)\1""", text):
                 expect(
                     '/' not in value and '-' not in value,
                     f'The entry point `{value.strip()}` names a file. An entry point names a module as import does: '
                     'with dots, and without .py.',
                 )
             expect(
-                not re.search(r"""=\s*[\w.]+:\w+(['"])\s*\n\s*['"]""", text),
+                not re.search(r"""=\s*[\w.]+:\w+(['"])[^\S\n]*\n\s*['"]""", text),
                 'A comma is missing between two entry points. Python joins two texts that follow each other to one.',
             )
         workspace.build()

@@ -84,7 +84,7 @@ def files(learner) -> dict[str, str]:
             declared = '<!DOCTYPE' in found['package.xml'] or '<!ENTITY' in found['package.xml']
             expect(not declared, 'package.xml needs no DOCTYPE.')
             manifest = ElementTree.fromstring(found['package.xml'].encode())
-        except ElementTree.ParseError as error:
+        except (ElementTree.ParseError, LookupError, ValueError) as error:  # also an encoding that nobody knows
             raise broken(f'package.xml is not XML: {error}.', 'package') from None
         name = (manifest.findtext('name') or '').strip()
         expect(name == NAME, f'The package is called {name or "nothing"} in package.xml, expected {NAME}.')

@@ -182,7 +182,8 @@ def try_out(learner, before: dict, after, want: dict) -> None:
         for distro, mark in marks.items()
         for shell in ('bash', 'sh')
     }
-    bashrc = re.sub(r'[^\s"\'=:]*/opt/ros/', '$HOME/opt/ros/', after['.bashrc'])
+    # From the beginning of a word only: else each of its letters would be tried as one.
+    bashrc = re.sub(r'(?<![^\s"\'=:])[^\s"\'=:]*/opt/ros/', '$HOME/opt/ros/', after['.bashrc'])
     workspace = learner.workspace({'home/.bashrc': bashrc, **setups})
     # What counts is what comes after a word that is not in the file: nobody else prints that.
     end = f'end{learner.random.getrandbits(64):x}'

@@ -16,7 +16,7 @@ WHY = {
     'function': 'A function that can be started stands at the left margin of its module, after `def`, and is named '
     'after a colon; a method, a class, an `async def`, or a longer name that only begins so, is none.',
 }
-_ENTRY = re.compile(r'([\w-]+)\s*=\s*(.*?)\s*')
+_ENTRY = re.compile(r'([\w-]+)\s*=(.*)')
 _SETUP = """\
 from setuptools import find_packages, setup
 
@@ -192,7 +192,7 @@ class Package:
             )
             expect(
                 ''.join(there[program].split()) == value,
-                f'After your repair, {program} leads to `{there[program]}`, expected `{value}`.',
+                f'After your repair, {program} leads to `{there[program].strip()}`, expected `{value}`.',
                 rule,
             )
         expect(

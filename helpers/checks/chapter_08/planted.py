@@ -129,7 +129,7 @@ def _run(learner, functions, subject: Subject, tests: str) -> dict[str, Outcome]
     return run(learner, {name: functions[name] for name in names}, subject, tests)
 
 
-_NOT_THERE = re.compile(r"import of (\w+)[\w.]* halted|No module named '(\w+)")
+_NOT_THERE = re.compile(r"import of (\w+)(?:\.[\w.]*)? halted|No module named '(\w+)")
 
 
 @cache

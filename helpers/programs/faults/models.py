@@ -198,4 +198,4 @@ def _links(urdf: str) -> list[str]:
 
 def _without(urdf: str, element: str) -> str:
     """The text without all elements of a name, each with the spaces before it."""
-    return re.sub(rf'\s*<{element}>.*?</{element}>', '', urdf, flags=re.DOTALL)
+    return re.sub(rf'(?<!\s)\s*<{element}>.*?</{element}>', '', urdf, flags=re.DOTALL)

@@ -156,7 +156,7 @@ _ASK = '            self.client.call_async(Trigger.Request()).add_done_callback(
 _BLOCK = '            self.answer = self.client.call(Trigger.Request()).message'
 _SOURCE = f'source ~/{SETUP.format(distro="jazzy")}'
 _STEADY = 'Clock(clock_type=ClockType.STEADY_TIME)'
-_SHOWN = re.compile(r'\w+: (\S+), (\S+) a second, \w+: (.+), base_link: (.+)$')
+_SHOWN = re.compile(r'(?<!\w)\w+: (\S+), (\S+) a second, \w+: (.+), base_link: (.+)$')
 _LINES = 8  # of the panel, in which something must have changed: more than two seconds
 
 

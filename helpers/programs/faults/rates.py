@@ -68,7 +68,7 @@ except (KeyboardInterrupt, ExternalShutdownException):
     pass
 '''
 ENOUGH = 8.0  # messages a second; with a timer of 0.1 s there are ten
-_RATE = re.compile(r'([\d.]+) messages a second')
+_RATE = re.compile(r'(?<![\d.])([\d.]+) messages a second')
 
 
 class TooSlow(Fault):

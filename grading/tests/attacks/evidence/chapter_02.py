@@ -586,3 +586,17 @@ for place in places:
         os.mkfifo(place + '/evil-1.0.dist-info/entry_points.txt')
         os.mkfifo(place + '/evil-1.0.dist-info/METADATA')
 '''
+
+
+# %% greeter_blanks
+# attack: does not build, and has tens of thousands of blanks where an entry point may be, so that nobody finds its end
+# aims at: 2.1
+# stopped by: patterns take time in proportion to the text
+GREETER_SETUP = 'raise SystemExit(1)\n"a=' + ' ' * 60_000
+
+
+# %% greeter_lines
+# attack: does not build, and has tens of thousands of empty lines behind an entry point
+# aims at: 2.1
+# stopped by: patterns take time in proportion to the text
+GREETER_SETUP = "raise SystemExit(1)\nx=x.y:z'" + '\n' * 60_000 + 'z'
