@@ -6,7 +6,8 @@ import pytest
 from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool
 
-from helpers.checks.chapter_04.test_4_1 import check_constructor, check_one_try
+from helpers.checks.chapter_04.gripping import check_script
+from helpers.checks.chapter_04.test_4_1 import check_constructor, check_one_try, check_two_clients
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.1'), pytest.mark.wiring(type='request', qos='request', namespace='names')]
@@ -49,6 +50,13 @@ def test_late_answers(learner):
     )
 
 
+@pytest.mark.rules('request', 'answer', 'once', 'timeout', 'tries', 'refusal', 'late', 'newest')
+@about('request')
+def test_many_commands(learner):
+    """Whenever commands and answers come, the rules say what is sent and what is reported."""
+    check_script(learner, 16)
+
+
 @pytest.mark.rules('late')
 def test_only_late_answers(learner):
     """If every answer is late, the command has failed, once.
@@ -66,14 +74,14 @@ def test_only_late_answers(learner):
     )
 
 
-@pytest.mark.rules('tries', 'request')
+@pytest.mark.rules('tries', 'request', 'answer')
 @about('tries')
 def test_one_try(learner):
     """With tries=1 there is one request, and after its timeout the report.
 
     Also the first request counts.
     """
-    check_one_try(learner)
+    check_two_clients(check_one_try(learner))
 
 
 @pytest.mark.weight(2)

@@ -1,6 +1,25 @@
 from grading.variants import Mutant
 
 MUTANTS = [
+    Mutant('refused_later_asks_again', breaks='refusal', old="self.report('ok' if future.result().success else 'refused')",
+           new='''
+           if not future.result().success and 0 < self.left < self.tries - 1:
+               return self.on_timeout()
+           self.report('ok' if future.result().success else 'refused')
+           ''', expect='also that of a second request'),
+    Mutant('timer_runs_on_after_a_second_try', breaks='once', also=('no-server', 'late', 'timeout'), old='self.timer.cancel()',
+           new='''
+           if self.left == self.tries - 1 or text == 'failed':
+               self.timer.cancel()
+           ''', expect='after the report nothing more is sent'),
+    Mutant('one_future_for_all_clients', breaks='answer', edits=(
+           ('self.tries, self.left, self.future = tries, 0, None', '''
+            self.tries, self.left = tries, 0
+            GripperClient.future = None
+            '''),
+           ('self.future = self.client.call_async(self.request)', 'GripperClient.future = self.client.call_async(self.request)'),
+           ('self.future = None', 'GripperClient.future = None')),
+           expect='in no variable of the class'),
     Mutant('constructor_waits_a_moment', breaks='no-server', old="self.client = self.create_client(SetBool, 'set_gripper')",
            new='''
            self.client = self.create_client(SetBool, 'set_gripper')
@@ -39,7 +58,7 @@ MUTANTS = [
            edits=(('self.future = self.client.call_async(self.request)', 'answer = self.client.call(self.request)'),
             ('self.future.add_done_callback(self.on_answer)', "self.report('ok' if answer.success else 'refused')")),
            expect='A callback waits for an answer'),
-    Mutant('counter_runs_on', breaks='newest',
+    Mutant('counter_runs_on', breaks='newest', also='tries',
            old='self.request, self.left = SetBool.Request(data=msg.data), self.tries', new='''
            self.request = SetBool.Request(data=msg.data)
            self.left = self.left if self.left > 0 else self.tries

@@ -7,7 +7,8 @@ from rclpy.qos import DurabilityPolicy, QoSProfile
 from sensor_msgs.msg import CameraInfo
 from sensor_msgs.srv import SetCameraInfo
 
-from helpers.checks.chapter_04.test_4_2 import OTHER_MODELS, check_lifespan
+from helpers.checks.chapter_04.cameras import OTHER_MODELS, check_drawn
+from helpers.checks.chapter_04.test_4_2 import check_lifespan
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.2'), pytest.mark.wiring(type='publish', qos='latched', namespace='names')]
@@ -202,6 +203,13 @@ def test_as_it_came(learner):
         heard.messages[2:] == [plain],
         'A calibration with an empty header came, and what was published is not the calibration as it came.',
     )
+
+
+@pytest.mark.rules('always', 'size', 'focal-length', 'principal-point', 'distortion', 'nan', 'order', 'accept')
+def test_any_numbers(learner):
+    """Whatever the numbers are, the rules decide, in their order."""
+    heard, client = camera(learner)
+    check_drawn(learner, client, heard, 100)
 
 
 @pytest.mark.rules('names')

@@ -6,6 +6,20 @@ WORDS = 'test_words'
 PUBLISHED = 'test_published'
 
 MUTANTS = [
+    Mutant('no_nan_in_d', breaks='distortion', old='len(info.d) == 5',
+           new='len(info.d) == 5 and all(number == number for number in info.d)',
+           expect='The five numbers themselves are not checked'),
+    Mutant('another_known_model', breaks='distortion', also=('order', 'unchanged'), old="info.distortion_model == 'plumb_bob'",
+           new="info.distortion_model in ('plumb_bob', 'rational_polynomial')",
+           expect="distortion_model = 'rational_polynomial' was accepted"),
+    Mutant('signed_size', breaks='size', also='accept', old="'size': info.width > 0", new="'size': 0 < info.width < 2**31",
+           expect="was refused with 'size'"),
+    Mutant('trusts_the_next_one', breaks='distortion', also=('unchanged', 'order'),
+           old='response.success = not response.status_message', new='''
+           response.success = not response.status_message or (
+               response.status_message == 'distortion' and getattr(self, 'calibrated', False))
+           self.calibrated = response.success
+           ''', expect='was accepted'),
     Mutant('one_direction_first', breaks='order', old="next((word for word in fine if not fine[word]), '')",
            new="('principal point' if fine['size'] and 0 < k[0] < inf and not 0 <= k[2] <= info.width else '') or "
                "next((word for word in fine if not fine[word]), '')", expect='the first one of the list decides'),

@@ -3,6 +3,7 @@
 import pytest
 from example_interfaces.action import Fibonacci
 
+from helpers.checks.chapter_05.counting import check_script, up_to
 from helpers.checks.chapter_05.test_5_3 import check_threads, check_two_servers
 from helpers.runner import about, expect
 
@@ -12,10 +13,6 @@ pytestmark = [pytest.mark.exercise('5.3'), pytest.mark.wiring(type='names', name
 def serve(learner):
     client = learner.action_client('/count', Fibonacci)
     return client, learner.start('NewestWins', threads=True)
-
-
-def up_to(count):
-    return list(range(1, count + 1))
 
 
 @pytest.mark.weight(3)
@@ -34,6 +31,17 @@ def test_newest_wins(learner):
     draw.shuffle(cases)
     for case in cases:
         check_replaced(learner, client, *case)
+
+
+@pytest.mark.weight(2)
+@pytest.mark.rules('orders', 'count', 'newest', 'stops', 'aborted', 'rejected', 'cancel')
+@about('newest')
+def test_goals_at_any_time(learner):
+    """Whenever goals come, replace each other and are cancelled: each ends as the card says.
+
+    Each goal looks for itself, after each wait, whether it was cancelled and whether it is still the newest.
+    """
+    check_script(learner, 20)
 
 
 def check_replaced(learner, client, order, count, newer):

@@ -15,6 +15,19 @@ NEWEST = 'test_newest_wins'
 OTHERS = ('newest', 'aborted', 'stops', 'rejected', 'cancel', 'names')
 
 MUTANTS = [
+    Mutant('cancel_request_clears_newest', breaks='newest', also='cancel', edits=(
+           ('cancel_callback=lambda goal: CancelResponse.ACCEPT)', 'cancel_callback=self.on_cancel)'),
+           ('def on_accepted(self, goal):', '''
+            def on_cancel(self, goal):
+                self.newest = None
+                return CancelResponse.ACCEPT
+
+            def on_accepted(self, goal):
+            ''')), expect='it had ended before'),
+    Mutant('ends_only_while_a_newer_one_runs', breaks='aborted', also=('newest', 'stops'),
+           old='if goal.is_cancel_requested or goal is not self.newest:',
+           new='if goal.is_cancel_requested or (goal is not self.newest and self.newest.is_active):',
+           expect='expected aborted and succeeded'),
     Mutant('cancelled_goal_clears_newest', breaks='newest', old='''
         goal.canceled() if goal.is_cancel_requested else goal.abort()
         ''', new='''

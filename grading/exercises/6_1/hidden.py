@@ -46,6 +46,15 @@ def test_upwards(learner):
     mast.judge_upwards(learner)
 
 
+@pytest.mark.rules('places', 'tilt', 'lidar', 'optical')
+def test_numbers(learner):
+    """Each mast has its own height and tilt, whatever they are: 0, large, or with others in the same program.
+
+    No number needs a case of its own.
+    """
+    mast.judge_numbers(learner)
+
+
 @pytest.mark.rules('lidar')
 def test_lidar(learner):
     """The lidar hangs upside down: it looks ahead, its left is the robot's right, and its z points to the floor.

@@ -1,6 +1,17 @@
 from grading.variants import Mutant
 
 MUTANTS = [
+    Mutant('a_tilt_of_0_is_none', breaks='tilt', old='math.radians(tilt)', new='math.radians(tilt or 20.0)',
+           expect='made in a program that has others'),
+    Mutant('a_height_of_0_is_none', breaks='places', old='self.broadcaster = StaticTransformBroadcaster(self)', new='''
+           height = height or 1.0
+           self.broadcaster = StaticTransformBroadcaster(self)
+           ''', expect='made in a program that has others'),
+    Mutant('one_height_for_all', breaks='places', old='self.broadcaster = StaticTransformBroadcaster(self)', new='''
+           SensorMast.height = getattr(SensorMast, 'height', height)
+           height = SensorMast.height
+           self.broadcaster = StaticTransformBroadcaster(self)
+           ''', expect='made in a program that has others'),
     Mutant('a_moment_later', breaks='late', edits=(
            ('self.broadcaster = StaticTransformBroadcaster(self)', '''
             self.broadcaster = StaticTransformBroadcaster(self)

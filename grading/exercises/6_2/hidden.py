@@ -14,7 +14,9 @@ def test_circle(learner):
 
     The angle comes from the clock: 2 pi times the time by the period. Not from a counter, and not from the start.
     """
-    moons.judge_circle(moons.Watched(learner, 2.0, rounds=True))
+    moon = moons.Watched(learner, 2.0, rounds=True)
+    moons.judge_circle(moon)
+    moons.judge_two(learner, moon)
 
 
 @pytest.mark.rules('face')

@@ -1,6 +1,11 @@
 from grading.variants import Mutant
 
 MUTANTS = [
+    Mutant('seconds_of_seven_digits', breaks='time', also='face', old='(now.nanoseconds / 1e9)',
+           new="float(np.float32(now.nanoseconds / 1e9))", imports='import numpy as np', expect='the moon is at'),
+    Mutant('stamp_of_milliseconds', breaks='stamp', old='message.header.stamp = now.to_msg()', new='''
+           message.header.stamp = Time(nanoseconds=now.nanoseconds // 1_000_000 * 1_000_000).to_msg()
+           ''', expect='the stamp is'),
     Mutant('adds_up_the_period', breaks='time', also='face', edits=(
            ('period = radius, period', 'period, self.seconds = radius, period, None'),
            ('angle = 2 * math.pi * (now.nanoseconds / 1e9) / self.period', '''

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from helpers.checks.chapter_06.scans import Laser, check_no_hits, check_topics, points
+from helpers.checks.chapter_06.scans import Laser, check_long_wait, check_no_hits, check_topics, check_zero, points
 from helpers.runner import about, expect
 from helpers.runner.frames import pose
 
@@ -111,6 +111,7 @@ def test_transform_comes_later(learner):
             0.14: 'This is the newest transform, and not that of the time of the scan.',
         },
     )
+    check_long_wait(there)
 
 
 @pytest.mark.rules('range', 'one-cloud', 'place')
@@ -136,6 +137,7 @@ def test_no_hits(learner):
     )
     there.check(scan, cloud)
     check_no_hits(there, 0.0)
+    check_zero(there, 0.0)
 
 
 @pytest.mark.weight(2)

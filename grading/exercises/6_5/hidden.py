@@ -5,7 +5,7 @@ import math
 import pytest
 
 from helpers.checks.chapter_06.geometry import explain, words
-from helpers.checks.chapter_06.pursuit import Pursuit, check_limit, check_topic, zeros
+from helpers.checks.chapter_06.pursuit import Pursuit, check_limit, check_long_silence, check_places, check_topic, zeros
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('6.5'), pytest.mark.wiring(type='topic', qos='topic')]
@@ -86,6 +86,7 @@ def test_command(learner):
         ),
         rule='place',
     )
+    check_places(there)
 
 
 @pytest.mark.weight(2)
@@ -167,10 +168,11 @@ def test_silence(learner):
     )
     there.run(0.896)
     expect(not there.stands, 'The transforms come again, and the follower still stands.', 'again')
+    check_long_silence(there)
 
 
 @pytest.mark.weight(2)
-@pytest.mark.rules('old')
+@pytest.mark.rules('old', 'rate')
 @about('old')
 def test_age(learner):
     """A transform of 0.45 s is good, one of 0.55 s is too old, whichever second they are in, and whoever is late.

@@ -6,6 +6,15 @@ LOOKUP = '(self.me, self.leader, Time())'
 TIMER = 'self.create_timer(0.1, self.tick)'
 
 MUTANTS = [
+    Mutant('one_more_when_old', breaks='rate', old='''
+        if age <= Duration(seconds=0.5):
+            command = chase(found.transform.translation.x, found.transform.translation.y)
+        ''', new='''
+        if age <= Duration(seconds=0.5):
+            command = chase(found.transform.translation.x, found.transform.translation.y)
+        else:
+            self.motor.publish(Twist())
+        ''', expect='and no others'),
     Mutant('two_trees', breaks='unknown', also=ALL, old='except TransformException:',
            new='except (tf2_ros.LookupException, tf2_ros.ExtrapolationException):', imports='import tf2_ros',
            expect='ConnectivityException'),

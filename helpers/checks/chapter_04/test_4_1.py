@@ -6,6 +6,7 @@ import pytest
 from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool
 
+from helpers.checks.chapter_04.gripping import check_script
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.1'), pytest.mark.wiring(type='request', qos='request', namespace='names')]
@@ -25,7 +26,7 @@ class Gripper:
         self.states, self.close = learner.listen('/gripper_state', String), learner.talk('/close', Bool, 100)
         self.server = learner.serve('/set_gripper', SetBool, answer, delay)
         self.commands = 0  # so many have been given by `command`
-        learner.start('GripperClient', *args)
+        self.node = learner.start('GripperClient', *args)
         self._before = learner.slept  # by the constructor, which another test judges
 
     def judge_sleep(self):
@@ -118,18 +119,18 @@ def test_silent_server(learner):
     )
 
 
-@pytest.mark.rules('tries', 'request')
+@pytest.mark.rules('tries', 'request', 'answer')
 @about('tries')
 def test_one_try(learner):
     """With tries=1 there is one request, and after its timeout the report.
 
     Also the first request counts.
     """
-    check_one_try(learner)
+    check_two_clients(check_one_try(learner))
 
 
-def check_one_try(learner) -> None:
-    """A silent server, asked by a client with one try."""
+def check_one_try(learner) -> Gripper:
+    """A silent server, asked by a client with one try; returns it."""
     timeout = learner.random.choice([0.4, 0.7, 1.5])
     gripper = Gripper(learner, None, timeout, 1)
     count = gripper.command(True, 3 * timeout + 1.0, 'request')
@@ -137,6 +138,22 @@ def check_one_try(learner) -> None:
     expect(count == 1, f'{words}{count} requests came, expected one. `tries` is the number of all requests.', 'tries')
     states = gripper.states.data
     expect(states == ['failed'], f"{words}gripper_state says {states}, expected ['failed'].", 'tries')
+    return gripper
+
+
+def check_two_clients(gripper) -> None:
+    """Two clients in one program hear one command: each of them sends its request, and reports its answer."""
+    learner, server, data = gripper.learner, gripper.server, gripper.learner.random.choice([False, True])
+    learner.start('GripperClient', beside=gripper.node)
+    server.answer, server.delay = {'success': True}, 0.2
+    count = gripper.command(data, 0.35, 'answer')
+    expect(
+        (count, gripper.states.data) == (2, ['ok', 'ok']),
+        f'Two objects of your class in one program heard the same command, and the server said yes to both. {count} '
+        f'requests came, expected 2; gripper_state says {gripper.states.data}, expected ok twice. Keep what belongs to '
+        'one object in self, and in no variable of the class or of the module.',
+        'answer',
+    )
 
 
 @pytest.mark.rules('request', 'answer', 'once', 'refusal', 'late', 'timeout')
@@ -201,8 +218,21 @@ def _late(gripper, late):
     """A command whose first answer takes `late` seconds, one whose answers all come late, and one after these."""
     states, server = gripper.states, gripper.server
     server.answer, delays = iter([{'success': True}, {'success': False}]), iter([late, 0.8])
-    server.delay = lambda request: next(delays)
-    gripper.command(False, 4.5, 'late')
+    server.delay = lambda request: next(delays, 0.0)
+    count = gripper.command(False, 4.5, 'late')
+    expect(
+        count <= 2 or 'refused' in states.data or 'ok' in states.data,
+        f'The answer to the first request came after {late} s, too late, and the second request was refused in time; '
+        f'{count} requests came, and gripper_state says {states.data}, expected 2 requests and refused: a refusal is '
+        'an answer, also that of a second request.',
+        'refusal',
+    )
+    expect(
+        count <= 2 or states.data[:1] != ['refused'],
+        f'The second request was answered in time, and {count} requests came: after the report nothing more is sent. '
+        'Stop the timer.',
+        'once',
+    )
     expect(
         states.data == ['refused'],
         f'With the timeout 1 s, the first answer (success=True) came after {late} s, the second (success=False) in '
@@ -224,6 +254,13 @@ def _late(gripper, late):
         f"A command that came after a failed one was answered; gripper_state says {states.data}, expected ['ok'].",
         'answer',
     )
+
+
+@pytest.mark.rules('request', 'answer', 'once', 'timeout', 'tries', 'refusal', 'late', 'newest')
+@about('request')
+def test_many_commands(learner):
+    """Whenever commands and answers come, the rules say what is sent and what is reported."""
+    check_script(learner, 8)
 
 
 @pytest.mark.rules('newest', 'queue')

@@ -7,11 +7,11 @@ from rclpy.qos import DurabilityPolicy, QoSProfile
 from sensor_msgs.msg import CameraInfo
 from sensor_msgs.srv import SetCameraInfo
 
+from helpers.checks.chapter_04.cameras import OTHER_MODELS, check_drawn
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.2'), pytest.mark.wiring(type='publish', qos='latched', namespace='names')]
 
-OTHER_MODELS = 'equidistant', '', 'Plumb_Bob', 'plumb_bob ', 'plumb_bob2', 'plumb'
 WORDS = 'size', 'focal length', 'principal point', 'distortion'
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
@@ -89,13 +89,16 @@ def _text(changes):
     return ', '.join(f'{names.get(name, name)} = {value}' for name, value in told.items()) or 'good numbers'
 
 
-@pytest.mark.rules('always', 'size', 'focal-length', 'principal-point', 'distortion', 'nan', 'order', 'accept')
+@pytest.mark.rules(
+    'always', 'size', 'focal-length', 'principal-point', 'distortion', 'nan', 'order', 'accept', 'publish', 'unchanged'
+)
 @about('always')
 def test_words(learner):
     """Each broken rule gives its word; what breaks none is accepted.
 
     Set success to False and status_message to the word, and return the response, on every path.
     """
+    heard = learner.listen('/camera_info', CameraInfo)
     learner.start('Camera')
     some = Calibrations(learner, learner.client('/set_camera_info', SetCameraInfo))
     width, height, low = some.width, some.height, -learner.random.uniform(0.1, 9.0)
@@ -124,7 +127,7 @@ def test_words(learner):
     some.accepted(
         'size', 'A picture may be higher than it is wide.', width=height, height=width, cx=0.5, cy=height + 0.5
     )
-    for bend in (inf, -1e9):
+    for bend in (inf, nan, -1e9):
         some.accepted('distortion', 'The five numbers themselves are not checked.', bend=bend)
     some.accepted('distortion', 'Five zeros are five numbers: a camera that does not distort.', bend=0.0)
     for place, word in (
@@ -144,6 +147,7 @@ def test_words(learner):
     some.accepted('accept', 'It came after some that were refused.')
     large = learner.random.randint(20_000, 2**32 - 1)
     some.accepted('accept', 'A size has no upper limit.', width=large, height=large)
+    check_drawn(learner, some.client, heard, 60)
 
 
 @pytest.mark.rules('names', 'publish', 'unchanged', 'latched')

@@ -499,6 +499,7 @@ def check_at_the_end(printer: Printer, draw: Random) -> None:
     leave = [Job(name, 0.0, draw.randint(1, 3), client=1, cancel_at=now) for name in 'IL']
     printer.tell(Job('J', 0.0, pages), leave[0], Job('K', 0.0, 3), leave[1])
     printer.judge()
-    only = Job('M', 0.0, 5, cancel_at=draw.choice([0.3, 0.7, 1.2]))
+    pages = draw.randint(1, 3)
+    only = Job('M', 0.0, pages, cancel_at=round(PAGE * (pages - 1) + last, 1))  # during its last page
     printer.tell(only, Job('N', round(only.cancel_at + PAGE + 0.2, 1), 2, client=1))
     printer.judge()

@@ -150,6 +150,12 @@ def test_cancel(learner):
     for order, step in [*steps, (5, 4), (1, 0)]:  # at last, in the last step
         goal = client.send(order=order)
         learner.run(step / 2 + draw.choice([0.1, 0.2, 0.4]))
+        expect(
+            goal.accepted,
+            f'A goal of order {order} came after others, which had ended, and was rejected. Several goals may run, '
+            'also one after the other.',
+            'goals',
+        )
         begin = learner.now / 1e9 - goal.sent
         words = f'A goal of order {order} was cancelled {begin:.1f} s after its start, with {SERIES[:step]} there. '
         cancel = goal.cancel()

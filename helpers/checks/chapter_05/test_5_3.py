@@ -3,15 +3,12 @@
 import pytest
 from example_interfaces.action import Fibonacci
 
+from helpers.checks.chapter_05.counting import check_script, up_to
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('5.3'), pytest.mark.wiring(type='names', namespace='names')]
 
 MOST_PLACES = 80  # in the learner's lines, to which threads come when two goals begin
-
-
-def up_to(count) -> list[int]:
-    return list(range(1, count + 1))
 
 
 def numbers(goal) -> list[int]:
@@ -153,6 +150,16 @@ def test_newest_wins(learner):
         goal = client.send(order=2)
         learner.run(1.5)
         check_goal(goal, f'A goal came after another one {words}. ', 'newest')
+
+
+@pytest.mark.rules('orders', 'count', 'newest', 'stops', 'aborted', 'rejected', 'cancel')
+@about('newest')
+def test_goals_at_any_time(learner):
+    """Whenever goals come, replace each other and are cancelled: each counts until its end, and ends as the card says.
+
+    Each goal looks for itself, after each wait, whether it was cancelled and whether it is still the newest.
+    """
+    check_script(learner, 12)
 
 
 @pytest.mark.rules('newest')

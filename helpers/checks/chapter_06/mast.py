@@ -8,8 +8,10 @@ import numpy as np
 from helpers.checks.chapter_06.geometry import axis, check_rotation, explain, origin, same, words
 from helpers.runner import about, expect
 from helpers.runner.frames import Listener, pose, to_matrix
+from helpers.runner.started_nodes import StartedNodes
 
 PARENTS = {'mast': 'base_link', 'lidar': 'mast', 'camera': 'mast', 'camera_optical': 'camera'}
+RULES = {'mast': 'places', 'lidar': 'lidar', 'camera': 'tilt', 'camera_optical': 'optical'}  # how each is turned
 NOT_TURNED = '"Not turned" is x=0, y=0, z=0, w=1.'
 ORDER = 'In which order does a Quaternion have x, y, z and w?'
 
@@ -31,7 +33,7 @@ class Mast:
         """Fails if not all frames are heard, with their parents. `numbers`: height in m, tilt in degrees."""
         self.height, self.tilt = numbers or _drawn(learner.random)
         with about('late'):
-            self.late = _late_joiner(learner, self.height, self.tilt)
+            self.late, self.node = _late_joiner(learner, self.height, self.tilt)
         self.called = f'SensorMast({self.height}, {self.tilt})'
 
     def in_base(self, child: str):
@@ -53,8 +55,8 @@ def _drawn(draw) -> tuple[float, float]:
     return height, tilt
 
 
-def _late_joiner(learner, height: float, tilt: float) -> Listener:
-    """Start the mast, and listen when all has been said."""
+def _late_joiner(learner, height: float, tilt: float) -> tuple[Listener, StartedNodes]:
+    """Start the mast, and listen when all has been said; returns the listener and the mast's node."""
     early = learner.tf_listener()
     node = learner.start('SensorMast', height, tilt)
     learner.settle()
@@ -94,7 +96,7 @@ def _late_joiner(learner, height: float, tilt: float) -> Listener:
         'another callback.',
         'late',
     )
-    return late
+    return late, node
 
 
 def _why(heard, lost: list[str]) -> str:
@@ -161,6 +163,39 @@ def judge_upwards(learner) -> None:
         'negative tilt it looks up.',
         'tilt',
     )
+
+
+def judge_numbers(learner) -> None:
+    """The rules `places`, `tilt`, `lidar` and `optical`, for other masts in the program of the first one."""
+    draw = learner.random
+    mast = Mast(learner)
+    live = learner.tf_listener()
+    numbers = [
+        (round(draw.uniform(0.6, 2.5), 2), 0.0),
+        (0.0, round(draw.uniform(5.0, 40.0), 1)),
+        (round(draw.uniform(3.0, 30.0), 3), 90.0),
+        (round(draw.uniform(0.6, 2.5), 3), round(draw.uniform(100.0, 170.0), 2)),
+        (round(draw.uniform(0.6, 2.5), 2), -round(draw.uniform(0.1, 3.0), 2)),
+    ]
+    draw.shuffle(numbers)
+    for height, tilt in numbers:
+        learner.start('SensorMast', height, tilt, beside=mast.node)
+        learner.settle()
+        told = f'SensorMast({height}, {tilt}), made in a program that has others, too: '
+        for child, expected in truth(height, tilt).items():
+            found = to_matrix(live.static_transforms[child])
+            expect(
+                same(origin(found), origin(expected)),
+                f'{told}`{child}` is at {words(origin(found))} in its parent, expected {words(origin(expected))}.',
+                'places',
+            )
+            expect(
+                same(found[:3, :3], expected[:3, :3]),
+                f'{told}the x axis of `{child}` points along {words(axis(found, "x"))} in its parent and the z axis '
+                f'along {words(axis(found, "z"))}, expected {words(axis(expected, "x"))} and '
+                f'{words(axis(expected, "z"))}.',
+                RULES[child],
+            )
 
 
 def judge_lidar(mast: Mast) -> None:

@@ -7,6 +7,7 @@ import numpy as np
 from helpers.checks.chapter_06.geometry import axis, check_rotation, explain, origin, same, words
 from helpers.runner import about, expect
 from helpers.runner.frames import to_matrix
+from helpers.runner.peers import SECOND
 
 STEP = 0.05  # s
 
@@ -17,15 +18,17 @@ class Watched:
     def __init__(self, learner, seconds: float, rounds: bool = False):
         """Watch it for so many seconds; `rounds`: then at times in two rounds, and most calls of its timer are lost."""
         draw = learner.random
-        self.radius, self.period = round(draw.uniform(1.5, 9.0), 1), round(draw.uniform(5.0, 15.0), 1)
+        self.radius, self.period = round(draw.uniform(1.5, 9.0), 3), round(draw.uniform(5.0, 15.0), 2)
         self.called, self.seconds = f'Moon({self.radius}, {self.period})', seconds
+        if rounds:  # of these days, in seconds since 1970: what counts with too few digits is elsewhere
+            learner.now = draw.randint(1_700_000_000, 1_790_000_000) * SECOND
         turns = draw.randint(1, 3) + draw.uniform(0.2, 0.4)  # it starts some turns later, when the moon is elsewhere
-        learner.run(round(turns * self.period, 2))
+        learner.run(round(turns * self.period, 9))  # no round number: nanoseconds count
         heard = learner.tf_listener()
-        node = learner.start('Moon', self.radius, self.period)
+        self.node = learner.start('Moon', self.radius, self.period)
         with about('rate'):
             learner.run(seconds)
-        expect(node.name == '/moon', f'Your node is called {node.name}, expected /moon.', 'name')
+        expect(self.node.name == '/moon', f'Your node is called {self.node.name}, expected /moon.', 'name')
         expect(
             not heard.static_transforms,
             'Transforms came on /tf_static. That is for frames that never move: use a TransformBroadcaster.',
@@ -92,7 +95,7 @@ def judge_stamp(moon: Watched) -> None:
                 'The stamp of a transform is 0: it was not filled in. So tf2 cannot tell when the moon was there.',
             )
             expect(stamp < 1e9, f'The stamp is {stamp:.0f} s: the time of the wall. Use the clock of the node.')
-            expect(same(stamp, time), f'At time {time:g} s the stamp is {stamp:g} s.')
+            expect(abs(stamp - time) < 1e-6, f'At time {time:.13g} s the stamp is {stamp:.13g} s.')
 
 
 def judge_circle(moon: Watched) -> None:
@@ -100,7 +103,7 @@ def judge_circle(moon: Watched) -> None:
     start = moon.pairs[0][0]
     for number, (time, transform) in enumerate(moon.pairs):
         angle, there = moon.angle(time), origin(to_matrix(transform))
-        told = f'{moon.called}: at time {time:g} s the moon is at {words(there)}'
+        told = f'{moon.called}: at time {time:.13g} s the moon is at {words(there)}'
         expect(
             same(math.hypot(*there[:2]), moon.radius, 1e-3) and same(there[2], 0.0),
             f'{told}, expected {moon.radius:g} m from the planet, in the x-y plane.',
@@ -113,7 +116,7 @@ def judge_circle(moon: Watched) -> None:
             f'{told}, expected {words(moon.place(angle))}.',
             (
                 same(there, moon.place(moon.angle(start + number * STEP)), 1e-3),
-                f'This is the place for {start + number * STEP:g} s: 0.05 s more for each call of the timer. The '
+                f'This is the place for {start + number * STEP:.13g} s: 0.05 s more for each call of the timer. The '
                 'machine was busy, and some calls were left out. Take the time from the clock in each call.',
             ),
             (late, 'It started on the x axis when the node was made. Its place depends on the time of the clock only.'),
@@ -129,7 +132,7 @@ def judge_face(moon: Watched) -> None:
         view, expected = axis(there, 'x'), -origin(there) / np.linalg.norm(origin(there))
         with about('face'):
             check_rotation(transform, 'An angle is not a part of a quaternion. Use quaternion_from_euler.')
-            told = f'{moon.called}: at time {time:g} s the x axis of the moon points along {words(view)}'
+            told = f'{moon.called}: at time {time:.13g} s the x axis of the moon points along {words(view)}'
             expect(
                 same(axis(there, 'z'), (0, 0, 1)),
                 f'{told}, and its z axis along {words(axis(there, "z"))}, expected '
@@ -142,3 +145,20 @@ def judge_face(moon: Watched) -> None:
                 (same(view, -expected, 1e-3), 'It looks away from the planet: half a turn is missing.'),
                 (True, 'Is an angle in degrees, or is half an angle missing?'),
             )
+
+
+def judge_two(learner, moon: Watched) -> None:
+    """Another moon in the same program leaves this one its circle: rule `circle`."""
+    other = round(moon.radius + learner.random.uniform(2.0, 5.0), 3)
+    heard = learner.tf_listener()
+    learner.start('Moon', other, moon.period, beside=moon.node)
+    learner.run(10 * STEP)
+    away = [math.hypot(*origin(to_matrix(transform))[:2]) for transform in heard.transforms]
+    for radius in (moon.radius, other):
+        expect(
+            any(same(one, radius, 1e-3) for one in away),
+            f'Two moons in one program, {moon.called} and Moon({other}, {moon.period}): none of their transforms is '
+            f'{radius:g} m from the planet. Keep the numbers of each moon in self, and in no variable of the class or '
+            'of the module.',
+            'circle',
+        )

@@ -2,6 +2,7 @@
 
 import math
 import random
+from itertools import pairwise
 
 import numpy as np
 from geometry_msgs.msg import Twist
@@ -13,6 +14,7 @@ from helpers.runner.peers import SECOND
 from helpers.show.turtle_view import STEP, World
 
 STEPS = 8  # of the simulation between two transforms: 0.128 s
+NEAR = 0.011  # s: how exactly a command keeps its time
 HEIGHT = 0.7  # m, of the leader's frame above the follower's: chase does not ask for it
 
 
@@ -34,6 +36,12 @@ class Pursuit:
         self._tf = learner.tf_broadcaster()
         self.stamps = {leader: 0.0, me: 0.0}  # simulated seconds: the newest that each has sent
         self.node = learner.start('Follower', leader, me, **start)
+        expect(
+            learner.slept == 0.0,
+            f'Your constructor waits ({learner.slept:.2g} s). A transform comes when it comes: make the listener, and '
+            'look it up in the timer.',
+            'no-wait',
+        )
 
     @property
     def distance(self) -> float:
@@ -104,6 +112,76 @@ class Pursuit:
                 self._world.step(now + step * STEP)
 
 
+def gaps(there: Pursuit, begin: int = 0, end: int | None = None) -> list[float]:
+    """The seconds from each of these commands to the next."""
+    return [later - earlier for earlier, later in pairwise(there.commands.stamps[begin:end])]
+
+
+def check_gaps(there: Pursuit, begin: int, story: str) -> None:
+    """From the command with this number on, none came less than 0.1 s after the one before it: rule `rate`."""
+    odd = [gap for gap in gaps(there, max(0, begin - 1)) if gap < 0.1 - NEAR]
+    expect(
+        not odd,
+        f'{story}, and two commands came {min(odd, default=0.0):.2f} s one after the other; expected one every 0.1 s, '
+        'and no others.',
+        'rate',
+    )
+
+
+def check_places(there: Pursuit) -> None:
+    """The command is what `chase` says, wherever the leader is: near and far, on all sides. Rule `place`."""
+    draw = there.learner.random
+    places = [
+        (draw.uniform(0.2, 0.9), draw.uniform(-3.0, 3.0)),  # so near that it stands
+        (draw.uniform(1.05, 1.3), draw.uniform(-0.9, 0.9)),
+        (draw.uniform(3.5, 9.0), draw.uniform(-0.9, 0.9)),
+        (draw.uniform(1.5, 4.0), draw.uniform(1.2, 3.1)),
+        (draw.uniform(1.5, 4.0), draw.uniform(-3.1, -1.2)),
+    ]
+    draw.shuffle(places)
+    for distance, angle in [*places, (2.0, 0.6)]:  # there it drives again
+        there.me.theta = draw.uniform(-3.0, 3.0)
+        direction = there.me.theta + angle
+        there.leader.x = there.me.x + distance * math.cos(direction)
+        there.leader.y = there.me.y + distance * math.sin(direction)
+        there.tell()
+        there.learner.run(0.1)
+        command, (x, y, _) = there.commands.messages[-1], there.place()
+        wanted = there.learner.call('chase', float(x), float(y))
+        expect(
+            there.is_for(command, x, y) and _other_parts(command) == _other_parts(wanted),
+            f'The leader is {distance:.2f} m away, {angle:.2f} rad to the left, at ({x:.2f}, {y:.2f}) in the frame '
+            f'`{there.names[1]}`. The command is {_told(command)}, and chase says {_told(wanted)}.',
+            'place',
+        )
+
+
+def _other_parts(command: Twist) -> tuple[float, ...]:
+    """All speeds but those that `chase` sets."""
+    linear, angular = command.linear, command.angular
+    return linear.y, linear.z, angular.x, angular.y
+
+
+def _told(command: Twist) -> str:
+    return f'linear.x {command.linear.x:.2f}, angular.z {command.angular.z:.2f}'
+
+
+def check_long_silence(there: Pursuit) -> None:
+    """Both turtles say nothing any more, for longer than a buffer keeps: every command is zeros. Rule `old`."""
+    begin = there.learner.now / SECOND
+    there.learner.run(0.7)  # so that what they said last is too old
+    count = len(there.commands)
+    there.learner.run(11.0, step=1.0)
+    commands = zip(there.commands.stamps[count:], there.commands.messages[count:], strict=True)
+    drives = [stamp - begin for stamp, command in commands if not zeros(command)]
+    expect(
+        not drives,
+        f'Both turtles said nothing for {min(drives, default=0.0):.1f} s, and the command drives: the older transforms '
+        'are, the less they are worth.',
+        'old',
+    )
+
+
 def check_limit(there: Pursuit) -> None:
     """A transform that is 0.5 s old to the nanosecond is not older than that: rule `old`.
 
@@ -114,6 +192,7 @@ def check_limit(there: Pursuit) -> None:
     tick = (learner.now // half + 1) * half
     there.tell(seconds=(tick - half) / SECOND)
     learner.run((tick - learner.now) / SECOND)
+    check_gaps(there, 1, 'Transforms were some tenths of a second old')
     for stamp, command in zip(there.commands.stamps, there.commands.messages, strict=True):
         expect(
             stamp != tick / SECOND or not zeros(command),

@@ -1,5 +1,6 @@
 """What the tests of exercise 6.4 show the learner's node: a robot that drives and turns, with a laser on it."""
 
+import itertools
 import math
 
 import numpy as np
@@ -29,6 +30,7 @@ class Laser:
         self._mounts = {frame: self.mount}
         self._tf = learner.tf_broadcaster()
         self._scans = learner.talk('/scan', LaserScan)
+        self._last = itertools.cycle([0, -1, None])  # see _angle_max
         self.clouds = learner.listen('/points', PointCloud2)
         self.node = learner.start('ScanToMap')
         self._tf.fix('base_link', frame, self.mount)
@@ -60,8 +62,10 @@ class Laser:
         """
         scan = LaserScan(
             angle_min=first,
-            angle_max=first + step * len(ranges),  # some drivers say so: the last direction is one step before it
+            angle_max=self._angle_max(first, step, len(ranges)),
             angle_increment=step,
+            time_increment=0.02,  # of what a scan says of time, only the header counts
+            scan_time=0.16,
             range_min=limits[0],
             range_max=limits[1],
             ranges=list(map(float, ranges)),
@@ -71,6 +75,11 @@ class Laser:
         self._scans.send(scan)
         self.learner.settle()
         return scan
+
+    def _angle_max(self, first: float, step: float, count: int) -> float:
+        """What drivers say: one step after the last direction, the last direction itself, or nothing (0.0)."""
+        more = next(self._last)
+        return 0.0 if more is None else first + step * (count + more)
 
     def hits(self, scan: LaserScan) -> np.ndarray:
         """The hits of a scan in the frame of the laser, Nx3, in metres."""
@@ -174,16 +183,43 @@ def check_no_hits(there: Laser, seconds: float) -> None:
 def check_zero(there: Laser, seconds: float) -> None:
     """Fail unless a distance of 0.0 is a hit if range_min is 0; the transforms of this time are there."""
     there.clouds.clear()
-    distances = there.learner.random.sample([0.0, 2.0, 3.0], 3)
+    distances = there.learner.random.sample([0.0, 0.0, 2.0, 3.0], 4)
     there.scan(distances, seconds, limits=(0.0, 12.0))
     there.learner.run(0.1)
     found = [len(points(cloud)) for cloud in there.clouds.messages]
     expect(
-        found == [3],
+        found,
+        'Two scans came, one after the other, with the same time in their headers, and the second one gave no cloud: '
+        'one cloud for each scan.',
+        'one-cloud',
+    )
+    expect(
+        found == [4],
         f'A scan with range_min 0.0 and the distances {distances} gave clouds with {found} points, expected one with '
-        '3: what is equal to range_min is a hit, also if it is 0.0, which counts as false in Python.',
+        '4: what is equal to range_min is a hit, also if it is 0.0, which counts as false in Python, and each hit is a '
+        'point, also where there is one already.',
         'range',
     )
+
+
+def check_long_wait(there: Laser) -> None:
+    """Fail unless a scan gets its cloud although its transform comes most of a second after it."""
+    draw, begin = there.learner.random, there.now
+    there.clouds.clear()
+    there.tell(begin)
+    scan = there.scan([draw.uniform(0.5, 9.0) for _ in range(3)], begin + 0.05)
+    silence = round(draw.uniform(0.7, 0.9), 2)
+    there.learner.run(silence, step=1.0)
+    expect(not there.clouds.messages, 'A cloud came before the transforms of its time were known.', 'time')
+    there.tell(begin + 0.1)
+    there.learner.run(0.1)
+    expect(
+        len(there.clouds) == 1,
+        f'The transform of a scan came {silence} s after it, and {len(there.clouds)} clouds, expected one. The cloud '
+        'is published when the transform comes: do not give up so soon.',
+        'later',
+    )
+    there.check(scan, there.clouds.messages[0], {begin + 0.1: 'This is the transform of another time.'})
 
 
 def points(cloud: PointCloud2) -> np.ndarray:

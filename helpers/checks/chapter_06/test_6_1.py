@@ -36,6 +36,15 @@ def test_upwards(learner):
     mast.judge_upwards(learner)
 
 
+@pytest.mark.rules('places', 'tilt', 'lidar', 'optical')
+def test_numbers(learner):
+    """Each mast has its own height and tilt, whatever they are: 0, large, or with others in the same program.
+
+    No number needs a case of its own.
+    """
+    mast.judge_numbers(learner)
+
+
 @pytest.mark.rules('lidar', 'optical')
 def test_turned(learner):
     """Both frames of SensorMast(1.0, 20.0) that are turned by halves and quarters look where the table says.

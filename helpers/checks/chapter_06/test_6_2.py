@@ -28,3 +28,4 @@ def test_circle(learner):
     moon = moons.Watched(learner, 2.0, rounds=True)
     moons.judge_circle(moon)
     moons.judge_face(moon)
+    moons.judge_two(learner, moon)

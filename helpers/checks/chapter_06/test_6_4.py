@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from helpers.checks.chapter_06.scans import Laser, check_no_hits, check_topics, check_zero, points
+from helpers.checks.chapter_06.scans import Laser, check_long_wait, check_no_hits, check_topics, check_zero, points
 from helpers.runner import about, expect
 from helpers.runner.frames import pose
 
@@ -51,6 +51,7 @@ def test_scans(learner):
     check_zero(there, 0.25)
     _check_later(there, other)
     _check_hopeless(there)
+    check_long_wait(there)
 
 
 def _distances(there, limits):
@@ -75,7 +76,7 @@ def _distances(there, limits):
 def _check_scan(there, frame, rule, turn, when):
     """The transforms of the time of the scan are there already. `turn`: 1 for a laser that turns to the left."""
     draw = there.learner.random
-    limits = draw.choice([0.25, 0.375, 0.5]), draw.choice([6.5, 8.25, 10.75])
+    limits = draw.choice([0.25, 0.375, 0.5]), draw.choice([6.5, 10.75, 64.5])
     then = round(draw.uniform(*when), 9)
     there.clouds.clear()
     step = turn * draw.uniform(0.1, 0.3)

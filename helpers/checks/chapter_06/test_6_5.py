@@ -5,11 +5,20 @@ import math
 import pytest
 
 from helpers.checks.chapter_06.geometry import explain, words
-from helpers.checks.chapter_06.pursuit import Pursuit, check_limit, check_topic, zeros
+from helpers.checks.chapter_06.pursuit import (
+    NEAR,
+    Pursuit,
+    check_gaps,
+    check_limit,
+    check_long_silence,
+    check_places,
+    check_topic,
+    gaps,
+    zeros,
+)
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('6.5'), pytest.mark.wiring(type='topic', qos='topic')]
-NEAR = 0.011  # s
 LEADER = 5.5, 5.5  # m, where it is at first
 GOOD = 'Up to 0.5 s a transform is good enough.'
 
@@ -38,6 +47,7 @@ def test_life(learner):
         before = _check_command(there)
     _check_unknown(there, unknown)
     _check_place(there, before)
+    check_places(there)
     _check_silence(there)
     for quiet in draw.sample(there.names, 2):
         _check_age(there, quiet)
@@ -53,12 +63,6 @@ def _tell_two_trees(there, known, other):
         there.learner.run(0.3)
 
 
-def _gaps(there, begin=0, end=None) -> list[float]:
-    """The seconds from each of these commands to the next."""
-    stamps = there.commands.stamps[begin:end]
-    return [later - earlier for earlier, later in zip(stamps, stamps[1:], strict=False)]
-
-
 def _check_command(there):
     """Both are known: commands come every 0.1 s. In the end the leader moves; returns where it was before."""
     there.tell()
@@ -72,12 +76,12 @@ def _check_command(there):
     there.leader.x, there.leader.y = there.me.x + 2.2 * math.cos(turn), there.me.y + 2.2 * math.sin(turn)
     there.tell()
     there.learner.run(0.1)
-    count, gaps = len(there.commands) - begin, _gaps(there, begin)
+    count, apart = len(there.commands) - begin, gaps(there, begin)
     expect(count, f'Both turtles said where they are for 0.5 s, and no command came on /{there.names[1]}/cmd_vel.')
     expect(
-        abs(count - 5) <= 1 and all(gap == pytest.approx(0.1, abs=NEAR) for gap in gaps),
+        abs(count - 5) <= 1 and all(gap == pytest.approx(0.1, abs=NEAR) for gap in apart),
         f'Both turtles said where they are every 0.1 s, for 0.5 s. {count} commands came, after '
-        f'{", ".join(f"{gap:.2f}" for gap in gaps)} s each; expected one every 0.1 s.',
+        f'{", ".join(f"{gap:.2f}" for gap in apart)} s each; expected one every 0.1 s.',
     )
     return before
 
@@ -96,14 +100,14 @@ def _check_unknown(there, count):
         'The place of one turtle or of both was unknown, and a command drives.'
         + (' It is for where the leader is in the world.' if in_the_world else ''),
     )
-    longest = max([there.commands.stamps[0] - there.begin, *_gaps(there, 0, count + 1)])
+    longest = max([there.commands.stamps[0] - there.begin, *gaps(there, 0, count + 1)])
     expect(
         longest < 0.1 + NEAR,
         f'While tf2 did not know the transform, {longest:.2f} s passed without a command. '
         'Does your look-up have a timeout? It must not wait.',
         'no-wait',
     )
-    shortest = min(_gaps(there, 0, count), default=0.1)
+    shortest = min(gaps(there, 0, count), default=0.1)
     expect(
         shortest > 0.1 - NEAR,
         f'While tf2 did not know the transform, two commands came {shortest:.2f} s one after the other; expected one '
@@ -165,9 +169,13 @@ def _check_silence(there):
         'Time() gives the newest transform, however old it is: look at its stamp.',
         'old',
     )
+    check_gaps(there, count, 'Both turtles said nothing for 0.8 s')
+    check_long_silence(there)
+    count = len(there.commands)
     for _ in range(3):
         there.tell()
         there.learner.run(0.1)
+    check_gaps(there, count, 'Transforms came again after 0.8 s of silence')
     expect(not there.stands, 'Transforms come again after 0.8 s of silence, and the follower still stands.', 'again')
 
 

@@ -1,0 +1,182 @@
+"""Exercise 4.1: what a patient client sends and reports, for commands and answers that are drawn."""
+
+from dataclasses import dataclass, field
+
+from std_msgs.msg import Bool, String
+from std_srvs.srv import SetBool
+
+from helpers.runner import about, expect
+
+MS = 0.001  # times are counted in milliseconds, and all of them differ: nothing happens at the same moment
+
+
+@dataclass
+class Answer:
+    """What the server does with one request: it answers after `delay` ms, or never (None)."""
+
+    delay: int | None
+    success: bool = True
+
+
+@dataclass
+class Story:
+    """What the card says for a client: `requests` as (ms, data), and `reports` as (ms, word, why it is so)."""
+
+    timeout: int
+    tries: int
+    commands: list[tuple[int, bool]]
+    answers: list[Answer]
+    requests: list[tuple[int, bool]] = field(default_factory=list)
+    reports: list[tuple[int, str, str]] = field(default_factory=list)
+
+    def __post_init__(self):
+        ends = [time for time, _ in self.commands[1:]] + [None]
+        for (begin, data), end in zip(self.commands, ends, strict=True):
+            self._follow(begin, data, end)
+
+    def _follow(self, begin: int, data: bool, end: int | None) -> None:
+        """One command, which the next one drops at `end`."""
+        for number in range(self.tries):
+            time = begin + number * self.timeout
+            if end is not None and time >= end:
+                return
+            answer = self.answers[len(self.requests) % len(self.answers)]
+            self.requests.append((time, data))
+            if answer.delay is not None and answer.delay < self.timeout:
+                if end is None or time + answer.delay < end:
+                    rule = 'answer' if answer.success else 'refusal'
+                    self.reports.append((time + answer.delay, 'ok' if answer.success else 'refused', rule))
+                return
+        time = begin + self.tries * self.timeout
+        if end is None or time < end:
+            self.reports.append((time, 'failed', 'tries'))
+
+
+def drawn(draw, count: int) -> Story:
+    """A story of `count` commands."""
+    timeout, tries = draw.choice([400, 700, 1100]), draw.choice([3, 3, 4, 5])
+    commands, time = [], 0
+    for number in range(count):
+        # Off the raster of the timeouts, so that no command comes just when a request is sent.
+        pause = 4 * tries + 2 if number == 1 else draw.randrange(2, 4 * tries + 3)
+        time += pause * (timeout // 4) + draw.randrange(7, timeout // 9)
+        commands.append((time, draw.choice([False, True])))
+    answers = [Answer(_delay(draw, timeout), draw.random() < 0.5) for _ in range(draw.randint(5, 9))]
+    first = [Answer(timeout + draw.randrange(11, timeout // 2)), Answer(draw.randrange(3, timeout // 2), False)]
+    return Story(timeout, tries, commands, [*first, *answers])
+
+
+def _delay(draw, timeout: int) -> int | None:
+    """In time, too late, or never."""
+    in_time, late = draw.randrange(3, timeout - 10), draw.randrange(timeout + 11, 3 * timeout)
+    return draw.choice([in_time, in_time, late, None])
+
+
+def check_script(learner, count: int) -> None:
+    """Expect that a client sends and reports what the card says, while `count` commands come."""
+    story = drawn(learner.random, count)
+    states, close = learner.listen('/gripper_state', String), learner.talk('/close', Bool)
+    answers = iter(story.answers * (8 * count))
+    now: list[Answer] = []
+
+    def answer(_):
+        return {'success': now[-1].success} if now[-1].delay is not None else None
+
+    def delay(_):
+        now.append(next(answers))
+        return (now[-1].delay or 0) * MS
+
+    server = learner.serve('/set_gripper', SetBool, answer, delay)
+    learner.start('GripperClient', story.timeout * MS, story.tries)
+    before, time = learner.slept, 0
+    with about('request'):
+        for at, data in story.commands:
+            learner.run((at - time) * MS, step=1.0)
+            close.send(Bool(data=data))
+            learner.settle()
+            time = at
+        learner.run((story.tries + 1) * story.timeout * MS, step=1.0)
+    expect(learner.slept <= before, 'A callback sleeps, and the whole node stands still meanwhile.', 'timeout')
+    requests = [(round(at / MS), request.data) for at, request in zip(server.stamps, server.requests, strict=True)]
+    reports = [(round(at / MS), word) for at, word in zip(states.stamps, states.data, strict=True)]
+    _compare(story, requests, reports)
+
+
+def _compare(story: Story, requests, reports) -> None:
+    """Say what was the first thing that was not as the card says."""
+    wanted = [(at, word) for at, word, _ in story.reports]
+    seen = _first_difference(requests, story.requests)
+    told = _first_difference(reports, wanted)
+    if seen is None and told is None:
+        return
+    at = min(time for time in (seen, told) if time is not None)
+    begin, data = max((command for command in story.commands if command[0] <= at), default=story.commands[0])
+    words = (
+        f'GripperClient({story.timeout * MS:g}, {story.tries}), the command {data} at {begin * MS:.3f} s'
+        f'{_before(story, begin)}; {_answers(story, begin)}. '
+    )
+    end = min((time for time, _ in story.commands if time > begin), default=10**9)
+    sent, due = _between(requests, begin, end), _between(story.requests, begin, end)
+    if seen == at:
+        expect(
+            False,
+            f'{words}Until the next command requests came {_listed(sent)}, expected {_listed(due)}.',
+            _rule_of_requests(story, sent, due, _between(reports, begin, end)),
+        )
+    said, right = _between(reports, begin, end), _between(wanted, begin, end)
+    rule = next((rule for time, _, rule in story.reports if time == at), _rule_of_report(story, at, begin))
+    expect(False, f'{words}Until the next command gripper_state said {_listed(said)}, expected {_listed(right)}.', rule)
+
+
+def _rule_of_report(story: Story, at: int, begin: int) -> str:
+    """Which rule is broken by a report at this time that should not be; `begin`: of the command that was the newest."""
+    for number, (time, _) in enumerate(story.requests):
+        delay = story.answers[number % len(story.answers)].delay
+        if delay is not None and time + delay == at:  # the answer to this request came just then
+            return 'newest' if time < begin else 'late'
+    return 'once'
+
+
+def _first_difference(one: list, other: list) -> int | None:
+    """The time of the first entry that is not in both lists."""
+    return min((entry[0] for entry in set(one) ^ set(other)), default=None)
+
+
+def _before(story: Story, begin: int) -> str:
+    earlier = [time for time, _ in story.commands if time < begin]
+    if not earlier:
+        return ''
+    last = max(earlier)
+    ended = any(last <= time < begin for time, _, _ in story.reports)
+    return f' (the one before it, at {last * MS:.3f} s, {"had been reported" if ended else "was open still"})'
+
+
+def _answers(story: Story, begin: int) -> str:
+    """What the server does with the requests of a command, as far as the card lets them come."""
+    end = min((time for time, _ in story.commands if time > begin), default=10**9)
+    numbers = [number for number, (time, _) in enumerate(story.requests) if begin <= time < end]
+    told = []
+    for number in numbers:
+        answer = story.answers[number % len(story.answers)]
+        yes = f'{"yes" if answer.success else "no"} after {(answer.delay or 0) * MS:.3f} s'
+        told.append('nothing' if answer.delay is None else yes)
+    return f'the server says to its requests: {", then ".join(told)}'
+
+
+def _between(entries, begin: int, end: int) -> list:
+    return [entry for entry in entries if begin <= entry[0] < end]
+
+
+def _listed(entries) -> str:
+    return ', '.join(f'{what} at {time * MS:.3f} s' for time, what in entries) or 'nothing'
+
+
+def _rule_of_requests(story, sent, due, reports) -> str:
+    """Which rule is broken by these requests of one command; `reports`: what was reported of it."""
+    if not sent or sent[0] != due[0]:
+        return 'request'
+    if any(data is not due[0][1] for _, data in sent):
+        return 'request'
+    if story.tries >= len(sent) > len(due):  # one more after the answer, which is reported or not
+        return 'once' if any(time <= sent[len(due)][0] for time, _ in reports) else 'refusal'
+    return 'tries' if len(sent) != len(due) else 'timeout'
