@@ -88,6 +88,18 @@ def test_what_is_wrong_is_told_with_the_line_of_the_cell(source, message):
         program.build([NotebookCell(f'# Exercise 90.1: files\n{source}', 1)], _exercise('CONFIG'))
 
 
+@pytest.mark.parametrize('text', [PYTHON, YAML])
+def test_a_line_that_was_deleted_is_told(text):
+    with pytest.raises(
+        program.InvalidExercise, match='stands below a line `%%answer CONFIG FILE`. If you have deleted'
+    ):
+        program.build([NotebookCell(f'# Exercise 90.1: files\n{text}', 1)], _exercise('CONFIG'))
+    for cell, name in (('CONFIG = [', 'CONFIG'), ('def f(:', 'find'), ('%%answer OTHER a.py\n1', 'CONFIG')):
+        with pytest.raises(program.InvalidExercise) as found:
+            program.build([NotebookCell(f'# Exercise 90.1: files\n{cell}', 1)], _exercise(name))
+        assert 'stands below a line' not in str(found.value)
+
+
 def _exercise(*names):
     return manifest.Exercise('90.1', 90, small.NOTEBOOK, 'files', 10, names, 'ex-90-1', '')
 
