@@ -123,6 +123,24 @@ def test_without_the_workspace_the_text_is_kept(kernel, tmp_path):
     assert kernel.ok('%%answer CODE b.py\n1').stdout == 'Not written: b.py (Is a directory)\n'
 
 
+@pytest.mark.parametrize('line', ['%%answer A a_ws/src/p/a.py', '%%writefile a_ws/src/p/a.py'])
+def test_what_somebody_has_changed_in_an_editor_is_kept(kernel, tmp_path, line):
+    """A cell overwrites its file; what it has itself written before is no change."""
+    kernel.ok('import helpers')
+    file = tmp_path / 'a_ws/src/p/a.py'
+    file.parent.mkdir(parents=True)
+    for text in ('x = 1\n', 'x = 2\n'):
+        assert 'kept' not in kernel.ok(f'{line}\n{text}').stdout
+    kernel.restart()
+    kernel.ok('import helpers')
+    assert 'kept' not in kernel.ok(f'{line}\nx = 3\n').stdout
+    file.write_text('x = "my idea"\n')
+    said = kernel.ok(f'{line}\nx = 4\n').stdout
+    assert f'That version is kept in {tmp_path}/a_ws_kept/1' in said
+    assert file.read_text() == 'x = 4\n'
+    assert (tmp_path / 'a_ws_kept/1/p/a.py').read_text() == 'x = "my idea"\n'
+
+
 def test_a_mistake_is_shown_and_nothing_is_lost(kernel, tmp_path):
     kernel.ok('import helpers')
     wrong = 'import re\n\ndef f()\n    pass\n'
