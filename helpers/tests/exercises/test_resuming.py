@@ -6,7 +6,7 @@ import pytest
 CELLS = [
     'import math\nprint("a demonstration")',
     'class Talker:\n    """Speaks."""\n    words = "hello"\n\n\ntalker = Talker()\nraise RuntimeError("demonstration")',
-    'HALF = 0.5\nunknown = nobody_knows',
+    'HALF = 0.5\nunknown = nobody_knows\nwords = talker.words',
     'place = open("made", "w")\nprint("a long output")',
     '# Exercise 90.1: a talker\ndef answer():\n    return HALF',
     'from helpers import resume; resume()',
@@ -42,6 +42,7 @@ def test_what_the_cells_above_define_comes_back(folder, kernel):
     assert (folder / 'made').exists()
     assert kernel.value('__import__("helpers").cell_text("90.1")') == CELLS[4]
     kernel.ok('talker = Talker()')
+    assert kernel.ok(CONTINUE).stdout.startswith('Back from the 5 cells above: words.'), 'now there is a talker'
     assert kernel.ok(CONTINUE).stdout.startswith('Nothing was missing: all that the 5 cells above define is there.')
 
 
