@@ -69,12 +69,8 @@ def served(folder: Path, private: Path, file: str = start_page.FILE) -> Iterator
     log = private / 'lab.log'
     failure_traces.also(log)
     folders = {f'JUPYTER_{name}_DIR': str(private / name) for name in ('RUNTIME', 'CONFIG', 'DATA')}
-    environment = {
-        **os.environ,
-        **folders,
-        'JUPYTERLAB_WORKSPACES_DIR': str(private / 'workspaces'),
-        'JUPYTER_PREFER_ENV_PATH': '1',
-    }
+    environment = {**os.environ, **folders, 'JUPYTERLAB_WORKSPACES_DIR': str(private / 'workspaces')}
+    lab.use_own_kernel(environment)
     with socket.socket() as probe:
         probe.bind(('127.0.0.1', 0))
         port = probe.getsockname()[1]

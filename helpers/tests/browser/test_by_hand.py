@@ -263,6 +263,9 @@ def test_the_capstone_goes_on_after_a_restart_of_the_kernel(newcomer, address, f
     cells = [cell for cell, source in sources.items() if source]
     learner.run(next(cell for cell in cells if 'helpers.ros.start()' in sources[cell]))
     learner.restart()
+    show = next(cell for cell in cells if 'ros2 interface show delivery_interfaces' in sources[cell])
+    learner.run(show)
+    learner.sees(show, 'from helpers import resume; resume()')
     begin = next(cell for cell in cells if 'resume()' in sources[cell])
     learner.run(begin)
     learner.sees(begin, re.compile(r'Back from the \d+ cells above: '))
