@@ -64,6 +64,9 @@ class Planned(Mystery):
         begin = sum(sizes[: self.number - 1])
         self.plan_system(faults[begin : begin + sizes[self.number - 1]])
 
+    def _again(self) -> str:
+        return f'faults.live({self.who!r}, {self.number})'
+
     def questions(self) -> list[tuple[int, str]]:
         """For each fault: the question that shows it, and the command with which it is asked."""
         topic, service, node = (self._values[name] for name in ('topic', 'service', 'node'))

@@ -213,6 +213,8 @@ def test_changes_that_stand_in_no_cell_yet_are_told_and_kept(domain, here, noted
         faults.live('ada', 1, [change])
         faults.stop()
         assert capsys.readouterr().out == '', 'these stand in a cell'
+        with pytest.raises(RuntimeError, match=r"stage it again, faults.live\('ada', 1\)"):
+            system.run('ls')
     finally:
         faults.stop()
     assert noted.of('ada', 1)['last'] == [change] and noted.of('ada', 2)['last'] == []
