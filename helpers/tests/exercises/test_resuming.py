@@ -67,3 +67,12 @@ def test_a_missing_name_says_where_it_comes_from(folder, kernel):
     assert kernel.run('undefined_anywhere').stdout == ''
     kernel.ok(CONTINUE)
     kernel.ok('Talker()')
+
+
+def test_a_node_that_was_destroyed_is_told(kernel):
+    """Cells that are run out of order meet it; rclpy's own message names no node."""
+    kernel.ok('%load_ext helpers.exercises.missing_names\nimport helpers, rclpy\nhelpers.ros.start()')
+    kernel.ok('node = rclpy.create_node("gone")\nnode.destroy_node()')
+    missed = kernel.run('node.get_topic_names_and_types()')
+    assert missed.error == 'InvalidHandle' and 'Run the cell that makes it again' in missed.stdout
+    assert kernel.run('1 / 0').stdout == ''
