@@ -5,6 +5,7 @@ import os
 import socket
 import sys
 import tempfile
+from collections.abc import MutableMapping
 from pathlib import Path
 from typing import Annotated
 
@@ -16,6 +17,9 @@ from helpers.exercises import manifest, start_page
 
 DEFAULT_PORT = 8888
 EXTENSIONS = paths.ROOT / 'helpers' / 'cli' / 'labextensions'  # the course's own
+# Where JupyterLab finds the kernel of the notebooks, `python3`, as the course wants it: after a restart it says where
+# a missing name comes from, and knows `%%answer`, before any cell has imported `helpers`.
+KERNELS = paths.ROOT / 'helpers' / 'cli' / 'jupyter'
 TRIES = 50  # ports from DEFAULT_PORT on, if no port is asked for
 
 
@@ -39,11 +43,16 @@ def lab(
         say(f'port {DEFAULT_PORT} is in use; taking {chosen}')
     start = f'/lab/tree/{start_page.FILE}' if make_start_page() else '/lab'
     say('JupyterLab is starting; it tells its address below. To end it: Ctrl+C, twice')
-    # The environment's own kernel, whatever kernels the user has elsewhere under the same name.
-    os.environ.setdefault('JUPYTER_PREFER_ENV_PATH', '1')
+    use_own_kernel(os.environ)
     command = [*arguments(chosen, no_browser, os.geteuid() == 0, start), f'--ServerApp.ip={host}']
     os.chdir(paths.ROOT)
     os.execv(sys.executable, [sys.executable, *command])  # JupyterLab takes over this process: its signals, its exit
+
+
+def use_own_kernel(environ: MutableMapping[str, str]) -> None:
+    """Let Jupyter take the course's kernel, whatever kernels the user has elsewhere under the same name."""
+    environ.setdefault('JUPYTER_PREFER_ENV_PATH', '1')
+    environ['JUPYTER_PATH'] = os.pathsep.join(filter(None, [str(KERNELS), environ.get('JUPYTER_PATH')]))
 
 
 def say(text: str) -> None:

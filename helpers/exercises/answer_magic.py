@@ -56,9 +56,12 @@ def _write(place: PurePosixPath, text: str) -> str:
     file, top = Path(place), Path(place.parts[0])
     if len(place.parts) > 1 and not top.is_dir():
         return f'Not written, as there is no folder {top} beside this notebook yet: {place}'
+    from helpers.programs import belongings
+
     try:
         file.parent.mkdir(parents=True, exist_ok=True)
+        kept = belongings.hand_over(file, text)
         file.write_text(text, encoding='utf-8')
     except (OSError, ValueError) as error:
         return f'Not written: {place} ({getattr(error, "strerror", None) or error})'
-    return f'Written: {place}'
+    return '\n'.join(filter(None, [f'Written: {place}', kept]))

@@ -42,7 +42,12 @@ def run_tests(exercise_id: str):
 
     exercises = manifest.load()
     if exercise_id not in exercises:
-        raise LookupError(f'there is no exercise {exercise_id!r}; there are {", ".join(exercises)}.')
+        chapter = exercise_id.partition('.')[0]
+        there = [one for one in exercises if one.partition('.')[0] == chapter] or exercises
+        raise LookupError(
+            f'there is no exercise {exercise_id!r}; there are {", ".join(there)}. '
+            '(Sections have numbers of their own: the number of an exercise stands in the heading of its card.)'
+        )
     exercise = exercises[exercise_id]
     if exercise.folder:  # its answer is a folder beside the notebook
         seeds = progress_file.seeds([exercise.id])

@@ -19,7 +19,10 @@ def register() -> None:
 
     def writefile(line: str, cell: str) -> None:
         if not _replaced(line, cell):
+            said = _kept(line, cell)
             plain(line, cell)
+            if said:
+                print(said)
 
     writefile.__doc__ = plain.__doc__
     writefile.knows_parts = True  # type: ignore[attr-defined]
@@ -63,6 +66,16 @@ def _replaced(line: str, part: str) -> bool:
         file.write_text(new, encoding='utf-8')
         print(f'Changed in {file}: what this cell appended before')
     return True
+
+
+def _kept(line: str, text: str) -> str:
+    """Before a cell writes all of a file: where the version is kept that the learner has made of it, in words."""
+    from helpers.programs import belongings
+
+    words = line.split()
+    if not words or {'-a', '--append'} & set(words[:-1]):
+        return ''
+    return belongings.hand_over(Path(words[-1].strip('\'"')), text, written().values())
 
 
 def _before(file: str) -> str | None:

@@ -1,4 +1,5 @@
-"""After a NameError: which cell above would have defined the name, and how to get it back.
+"""After a NameError: which cell above would have defined the name, and how to get it back. After an InvalidHandle: what
+has become of the node.
 
 The kernel `course` loads this as an IPython extension when it starts, as a person who goes on in the middle of a
 notebook after a restart has not imported `helpers` yet.
@@ -8,11 +9,13 @@ from helpers.kernel import journal
 
 ADVICE = """To bring back what the cells above define, without their demonstrations, run in a cell here:
     from helpers import resume; resume()"""
+DESTROYED = """This cell uses a node, or a part of one, that has been destroyed: by a cell that ran since, or by
+the end of its spinning. Run the cell that makes it again, then this one."""
 AGAIN = 'It is part of a demonstration: run that cell again.'
 
 
 def load_ipython_extension(shell) -> None:
-    """Explain each NameError of a cell from now on; idempotent."""
+    """Explain each NameError and InvalidHandle of a cell from now on; idempotent."""
     unload_ipython_extension(shell)
     shell.events.register('post_run_cell', explain)
 
@@ -26,6 +29,8 @@ def unload_ipython_extension(shell) -> None:
 def explain(result) -> None:
     """Say where the name is defined that a cell has missed, if that is in a cell above which has not run."""
     error = result.error_in_exec
+    if type(error).__name__ == 'InvalidHandle':  # rclpy's; cells run out of order, or one is run again alone
+        print(DESTROYED)
     if not isinstance(error, NameError) or not error.name:
         return
     from helpers.exercises import program, resuming

@@ -163,6 +163,12 @@ def of_folder(exercise: Exercise, notebooks: Path) -> program.Program:
             f'There is no package in {exercise.folder}, but there is one in {elsewhere}. Move it, with `mv`, then '
             'build again.'
         )
+    if not package.files and (others := _others(notebooks, exercise)):
+        top, name = Path(exercise.folder).parent, Path(exercise.folder).name
+        raise NotAttempted(
+            f'There is no package {name} in {top}; there is: {", ".join(others)}. This exercise asks for one that is '
+            f'called {name}.'
+        )
     return of_files(exercise, package.files)
 
 
@@ -241,8 +247,15 @@ def _elsewhere(notebooks: Path, exercise: Exercise) -> str:
         name,
         f'src/{name}',
         *sorted(found.relative_to(notebooks).as_posix() for found in notebooks.glob(f'*_ws_kept/*/{name}')),
+        *(f'../{inside}' for inside in (exercise.folder, f'{workspace}/{name}', f'src/{name}', name)),
     ]
     for candidate in candidates:
         if candidate != exercise.folder and (notebooks / candidate / 'package.xml').is_file():
             return candidate
     return ''
+
+
+def _others(notebooks: Path, exercise: Exercise) -> list[str]:
+    """The folders of other packages beside the right one; a few of them."""
+    top = notebooks / Path(exercise.folder).parent
+    return sorted(found.parent.name for found in top.glob('*/package.xml'))[:5]

@@ -105,6 +105,7 @@ def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[Note
         raise InvalidExercise(
             f'The cell of exercise {exercise.id} must define `{missing[0]}`'
             + (f'; it defines {", ".join(f"`{name}`" for name in there[:5])}.' if there else '.')
+            + _on_lost_line(cell, exercise)
         )
     program = Program(exercise)
     for other in cells[: cells.index(cell)]:
@@ -178,6 +179,18 @@ def _on_left_out(exercise: Exercise, number: int, line: str) -> str:
     )
 
 
+def _on_lost_line(cell: NotebookCell, exercise: Exercise) -> str:
+    """What to say where the names are those of files, and no line of the cell begins one."""
+    if file_answers.MAGIC in cell.source or not all(name.isupper() for name in exercise.names):
+        return ''
+    if any(re.search(rf'^{name}\b', cell.source, re.MULTILINE) for name in exercise.names):
+        return ''
+    return (
+        f' An answer that is a file stands below a line `{file_answers.MAGIC} {exercise.names[0]} FILE`. If you have '
+        'deleted that line, bring it back with Ctrl+Z.'
+    )
+
+
 def names_in(text: str) -> set[str]:
     """The names that a text binds; none if it is not Python."""
     tree = syntax_tree(text)
@@ -211,6 +224,7 @@ def _parse_exercise(cell: NotebookCell, exercise: Exercise, commands: list[tuple
         text = lines[error.lineno - 1].strip()[:80] if error.lineno and error.lineno <= len(lines) else ''
         raise InvalidExercise(
             f'Exercise {exercise.id}, line {error.lineno}: Python cannot read `{text}` ({error.msg}).'
+            + _on_lost_line(cell, exercise)
         ) from None
     except (ValueError, RecursionError, MemoryError):  # null bytes, very deep nesting
         raise InvalidExercise(f'Exercise {exercise.id}: Python cannot read the cell.') from None

@@ -33,7 +33,7 @@ _TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).f
 <div style="border-left: 4px solid {{ colour(exercise) }}; padding: 0.2em 0 0.2em 0.9em; margin: 0.3em 0">
 <div style="font-weight: 600">{{ heading(exercise) }}</div>
 {% set again = repeated(exercise) %}
-{% for test in exercise.tests if not test.passed %}
+{% for test in failed(exercise) %}
 {% if test.test not in again %}
 {% for line in happened(test) %}
 <div{% if loop.first %} style="margin-top: 0.4em; font-weight: 600"{% endif %}>{{ code(line) }}</div>
@@ -140,6 +140,18 @@ def happened(test: TestResult) -> list[str]:
     return test.message.splitlines()
 
 
+def failed(exercise: ExerciseResult) -> list[TestResult]:
+    """The tests to tell of: one that failed as an earlier one did, and broke the same rule, has no news."""
+    again = repeated(exercise)
+    told: set[str | None] = set()
+    found = []
+    for test in exercise.tests:
+        if not test.passed and not (test.test in again and test.rule and test.rule in told):
+            told.add(test.rule)
+            found.append(test)
+    return found
+
+
 def repeated(exercise: ExerciseResult) -> set[str]:
     """The tests that failed in the same way as an earlier one: what happened is told once."""
     seen, found = set(), set()
@@ -180,6 +192,7 @@ def html(exercises: list[ExerciseResult]) -> str:
         hint=hint,
         broken=broken,
         happened=happened,
+        failed=failed,
         repeated=repeated,
         mark=mark,
         code=code,
@@ -193,7 +206,7 @@ def lines(exercises: list[ExerciseResult]) -> list[tuple[str, str]]:
         style = _STYLES[colour(exercise)]
         found.append((f'bold {style}', heading(exercise)))
         again = repeated(exercise)
-        for test in (test for test in exercise.tests if not test.passed):
+        for test in failed(exercise):
             sign, shade = mark(test)
             same = test.test in again
             found += [('', f'  {line}') for line in happened(test) if not same]

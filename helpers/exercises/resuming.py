@@ -44,6 +44,8 @@ def resume() -> None:
         journal.cells.append(running)
     print(_summary(len(above), sorted(set(shell.user_ns) - before)))
     for cell, error in problems:
+        if isinstance(error, NameError) and _demonstrated(error.name, above):
+            continue  # made of what a demonstration has made, and so a part of it
         print(f'Not brought back: a part of {cell.label} ({type(error).__name__}: {error}).')
 
 
@@ -71,6 +73,13 @@ def brought_back(cell: NotebookCell) -> set[str]:
     if WHOLE in cell.tags:
         return program.names_in(cell.source)
     return {name for _, text in program.definitions(cell) for name in program.names_in(text)}
+
+
+def _demonstrated(name: str | None, cells: list[NotebookCell]) -> bool:
+    """Whether these cells define a name, and only in demonstrations."""
+    return any(name in program.names_in(cell.source) for cell in cells) and not any(
+        name in brought_back(cell) for cell in cells
+    )
 
 
 def _notebooks() -> Iterator[Path]:

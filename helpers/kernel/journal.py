@@ -5,6 +5,7 @@ from it whether a node was made in an earlier cell. IPython's ``pre_run_cell`` e
 with ``store_history=False`` and then IPython's own history stays empty.
 """
 
+import re
 import sys
 from typing import NamedTuple
 
@@ -15,6 +16,8 @@ class ExecutedCell(NamedTuple):
     id: str | None  #: the notebook's cell id; None if the front end does not send it (nbval, nbclient)
     source: str
 
+
+_ADDED = re.compile(r'[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}')
 
 cells: list[ExecutedCell] = []
 _noting = None  # the IPython shell whose cells are noted
@@ -39,6 +42,11 @@ def number() -> int:
 def latest(cell_id: str) -> ExecutedCell | None:
     """Return the latest execution of the cell with this id, or None."""
     return next((cell for cell in reversed(cells) if cell.id == cell_id), None)
+
+
+def in_own_cell() -> bool:
+    """Tell whether the learner has added the running cell: JupyterLab gives such a cell a UUID, the course does not."""
+    return bool(cells and _ADDED.fullmatch(cells[-1].id or ''))
 
 
 def start() -> None:

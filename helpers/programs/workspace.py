@@ -1,6 +1,7 @@
 """A workspace of the notebook's own: a folder in which colcon and ros2 run, one new terminal after the other."""
 
 import os
+import re
 import shlex
 import shutil
 import time
@@ -15,6 +16,8 @@ from helpers.programs.processes import BackgroundProcess, background
 
 _PATIENCE = 1.5  # seconds until a build shows how far it is
 _LOG_LINES = 20  # of a failed package
+# Commands of the lesson that write files. During others, which may take long, somebody may work in an editor.
+_WRITES = re.compile(r'pkg create|\b(mkdir|touch|cp|mv|rm|ln|sed|tee)\b|--fix|(?<![0-9&])>')
 
 
 class BuildError(RuntimeError):
@@ -42,7 +45,8 @@ class Workspace:
     def reset(self) -> None:
         """Make it new: an empty ``src``, no ``build``, ``install`` and ``log``.
 
-        Packages that you made or changed yourself, in a terminal or an editor, are moved into a folder beside it.
+        What you made or changed yourself, in a terminal, an editor or a cell of your own, is moved into a folder
+        beside it: packages, and files and folders beside ``src``, such as a recording.
 
         :raises FileExistsError: the folder was not made by a `Workspace`; nothing is touched.
         """
@@ -57,7 +61,7 @@ class Workspace:
         (self.path / 'src').mkdir(parents=True)
         defaults.write_text(terminals.colcon_defaults())
 
-    def write(self, path: str, text: str) -> None:
+    def write(self, path: str | Path, text: str) -> None:
         """Write a file; ``path`` begins at the workspace's folder. A first empty line of the text is left out.
 
         :raises ValueError: ``path`` leads out of the workspace.
@@ -65,12 +69,14 @@ class Workspace:
         file = (self.path / path).resolve()
         if self.path.resolve() not in file.parents:
             raise ValueError(f'{path} is not inside of {self.path.name}')
+        text = text.removeprefix('\n')
+        self._keep_files({str(file.relative_to(self.path.resolve())): text.encode()})
         with self._lesson():
             file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_text(text.removeprefix('\n'))
+            file.write_text(text)
 
     def add(self, package) -> None:
-        """Copy a package's folder into ``src``, in place of one of the same name.
+        """Copy the files of a package's folder into a package of its name in ``src``; other files in there stay.
 
         :raises FileNotFoundError: there is no such folder.
         """
@@ -78,9 +84,10 @@ class Workspace:
         if not package.is_dir():
             raise FileNotFoundError(f'there is no package {package}')
         target = self.path / 'src' / package.name
+        files = [path for path in package.rglob('*') if path.is_file() and '__pycache__' not in path.parts]
+        self._keep_files({f'src/{package.name}/{path.relative_to(package)}': path.read_bytes() for path in files})
         with self._lesson():
-            shutil.rmtree(target, ignore_errors=True)
-            shutil.copytree(package, target, ignore=shutil.ignore_patterns('__pycache__'))
+            shutil.copytree(package, target, ignore=shutil.ignore_patterns('__pycache__'), dirs_exist_ok=True)
 
     def start(self, script: str) -> BackgroundProcess:
         """Start commands in a new terminal and return at once; the handle is that of `helpers.background`."""
@@ -88,7 +95,7 @@ class Workspace:
 
     def run(self, script: str) -> None:
         """Run commands, one a line, in a new terminal whose folder is the workspace; shows them and their output."""
-        with self._lesson():
+        with self._lesson(bool(_WRITES.search(script))):
             status = self._finish(self._start(script), lambda: None)
         if status:
             print(f'[exit status {status}]')
@@ -111,14 +118,22 @@ class Workspace:
         print(f'{top.name}/')
         _tree(top, '', depth)
 
+    def _keep_files(self, new: dict[str, bytes]) -> None:
+        """Before the lesson writes these files: copies of those which the learner has changed."""
+        if kept := self._belongings.keep_files(new, _texts_of_cells()):
+            names = ', '.join(sorted(str(path.relative_to(kept)) for path in kept.rglob('*') if path.is_file()))
+            print(f'What you had changed in {self.path.name} is kept: {names}, a copy is now in {kept}')
+
     @contextmanager
-    def _lesson(self):
-        """What is made meanwhile is the lesson's."""
+    def _lesson(self, writes: bool = True):
+        """What is made meanwhile is the lesson's, unless the cell that runs is the learner's own."""
         before = self._belongings.now()
         try:
             yield
         finally:
             if self.path.is_dir():
+                if not writes or journal.in_own_cell():
+                    before = self._belongings.now()
                 self._belongings.note(before, _texts_of_cells())
 
     def _start(self, script: str, shown: bool = True) -> BackgroundProcess:

@@ -27,6 +27,7 @@ STATIONS = ('attic', 'bench', 'cellar', 'garage', 'hall', 'kitchen', 'office', '
 TIMEOUT = 20.0  # s, until a node is there, and for tests
 MATCHED = 4.0  # s, until all that belongs to the node is seen
 HEARD = 10.0  # s, until the names have come
+_NO_TESTS = 5  # the status of pytest if it finds none
 SLOW, FAST = 1.2, 0.2  # s between two names: the shortest pause must be below the one, the mean above the other
 _ALWAYS = 'ament_index_python', 'rclpy', 'std_msgs'
 
@@ -205,6 +206,11 @@ def judge_route(learner, *cases: list[str]) -> None:
             )
             expect(done.lines, f'`{command}` printed nothing: use print.')
             expect(len(done.lines) == 1, f'`{command}` printed {len(done.lines)} lines, expected one: {wanted}')
+            expect(
+                '/patrol/route ' not in f'{last} ',
+                f'`{command}` printed the path of the program, too: sys.argv[0] is the program itself, and the names '
+                'are sys.argv[1:].',
+            )
             expect(
                 last != ' '.join(stations), f'`{command}` printed {last}, and does not come back to the first station.'
             )
@@ -504,7 +510,8 @@ def judge_notices(learner, wrong: Mapping[str, str], rights: Iterable[str], told
         expect(ROUTE in own, _no_file(learner, ROUTE))
     with about('notices'):
         for what, body in wrong.items():
-            status, _ = _pytest(learner, {ROUTE: _with(own[ROUTE], body, learner)})
+            status, said = _pytest(learner, {ROUTE: _with(own[ROUTE], body, learner)})
+            expect(status != _NO_TESTS, f'{TESTS} notices nothing: {said}.')
             expect(
                 status != 0,
                 f'Your tests pass with a round_trip that {what}: call it with two stations or more, and compare the '
@@ -532,7 +539,8 @@ def _pytest(learner, changed: dict[str, str]) -> tuple[int | None, str]:
         status = task.wait(TIMEOUT)
     task.end()
     errors = [line.strip()[1:].strip() for line in task.output.splitlines() if line.startswith('E ')]
-    return status, (errors[0] if errors else 'they do not end')[:300]
+    without = {None: 'they do not end', _NO_TESTS: 'pytest finds no test, as no name of a function begins with test_'}
+    return status, (errors[0] if errors else without.get(status, f'pytest ended with status {status}'))[:300]
 
 
 def _no_file(learner, wanted: str) -> str:

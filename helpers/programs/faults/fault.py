@@ -408,10 +408,11 @@ class Fault:
 
     def _alive(self) -> None:
         if not (self.path / _MARK).is_file():
-            raise RuntimeError(
-                f'this system is stopped, and its folder is gone: stage it again, '
-                f'faults.stage({self.name!r}, seed={self.seed!r})'
-            )
+            raise RuntimeError(f'this system is stopped, and its folder is gone: stage it again, {self._again()}')
+
+    def _again(self) -> str:
+        """The call that stages this system."""
+        return f'faults.stage({self.name!r}, seed={self.seed!r})'
 
     def _read(self, name: str) -> str:
         if not self._file(name).is_file():

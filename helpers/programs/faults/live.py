@@ -64,6 +64,9 @@ class Planned(Mystery):
         begin = sum(sizes[: self.number - 1])
         self.plan_system(faults[begin : begin + sizes[self.number - 1]])
 
+    def _again(self) -> str:
+        return f'faults.live({self.who!r}, {self.number})'
+
     def questions(self) -> list[tuple[int, str]]:
         """For each fault: the question that shows it, and the command with which it is asked."""
         topic, service, node = (self._values[name] for name in ('topic', 'service', 'node'))
@@ -173,8 +176,33 @@ class LiveSystem(Planned):
     def stage(self) -> 'LiveSystem':
         self._staged = False
         super().stage()
-        self._staged = True
+        self._staged, self._begun = True, _digest(self.files)
         return self
+
+    def begin_with(self, texts: Mapping[str, str]) -> None:
+        """Write the files as an answer to the exercise has them; no change is counted."""
+        self._begun = _digest(texts)
+        for file, text in texts.items():
+            if text != self.files[file]:
+                Planned.write(self, file, text)
+
+    def stop(self) -> None:
+        """End the programs and remove the folder; what was changed since the start is told, and kept; idempotent."""
+        self._tell_changes()
+        super().stop()
+
+    def _tell_changes(self) -> None:
+        staged, self._staged = getattr(self, '_staged', False), False
+        if not staged or not all(self._file(file).is_file() for file in self.files):
+            return
+        changes = self.changes()
+        noted = records.of(self.who, self.number)
+        if changes and _digest({file: self._read(file) for file in self.files}) != self._begun:
+            print(f'System {self.number} is stopped. What you have changed in it, for CHANGES[{self.number}]:')
+            print(f'    {changes!r}')
+        if changes or noted['last']:
+            noted['last'] = changes
+            records.keep()
 
     def _look(self, asked: int) -> None:
         records.of(self.who, self.number)['looks'].append(asked)
@@ -193,9 +221,12 @@ def live(name: str, number: int, changes: Iterable[Change] = ()) -> LiveSystem:
     texts = changed(system.files, changes)
     stop_all()
     system.stage()
-    for file, text in texts.items():
-        if text != system.files[file]:
-            Planned.write(system, file, text)
+    system.begin_with(texts)
+    if texts == system.files and (last := records.of(system.who, number)['last']):
+        print(
+            f'When you stopped this system, you had changed something. To go on from there: faults.live(NAME, {number},'
+        )
+        print(f'    {last!r})')
     return system
 
 
@@ -254,6 +285,10 @@ def _pieces(before: str, after: str) -> Iterable[tuple[str, str]]:
         yield was, becomes
 
 
+def _digest(texts: Mapping[str, str]) -> int:
+    return hash(tuple(sorted(texts.items())))
+
+
 def _known(files: Mapping[str, str], file: str) -> None:
     if file not in files:
         raise ValueError(f'{file!r} is no file to change: there are {", ".join(files)}')
@@ -269,11 +304,11 @@ class Records:
         self._names: dict[str, dict[str, Any]] | None = None
 
     def of(self, who: str, number: int = 0) -> dict[str, Any]:
-        """What is noted of a name: ``passed``, ``systems``; or of one of its systems: ``looks``, ``changes``."""
+        """What is noted of a name: ``passed``, ``systems``; of one of its systems: ``looks``, ``changes``, ``last``."""
         if self._names is None:
             self._names = _load()
         mine = self._names.setdefault(who, {'passed': False, 'systems': {}})
-        return mine['systems'].setdefault(str(number), {'looks': [], 'changes': 0}) if number else mine
+        return mine['systems'].setdefault(str(number), {'looks': [], 'changes': 0, 'last': []}) if number else mine
 
     def passed(self, who: str) -> bool:
         """Whether a check has passed with this name, here or by `./course check`."""
@@ -299,7 +334,11 @@ def _load() -> dict[str, dict[str, Any]]:
             str(who): {
                 'passed': bool(row['passed']),
                 'systems': {
-                    str(int(number)): {'looks': [int(one) for one in noted['looks']], 'changes': int(noted['changes'])}
+                    str(int(number)): {
+                        'looks': [int(one) for one in noted['looks']],
+                        'changes': int(noted['changes']),
+                        'last': [(str(file), str(old), str(new)) for file, old, new in noted.get('last', [])],
+                    }
                     for number, noted in row['systems'].items()
                 },
             }

@@ -69,12 +69,8 @@ def served(folder: Path, private: Path, file: str = start_page.FILE) -> Iterator
     log = private / 'lab.log'
     failure_traces.also(log)
     folders = {f'JUPYTER_{name}_DIR': str(private / name) for name in ('RUNTIME', 'CONFIG', 'DATA')}
-    environment = {
-        **os.environ,
-        **folders,
-        'JUPYTERLAB_WORKSPACES_DIR': str(private / 'workspaces'),
-        'JUPYTER_PREFER_ENV_PATH': '1',
-    }
+    environment = {**os.environ, **folders, 'JUPYTERLAB_WORKSPACES_DIR': str(private / 'workspaces')}
+    lab.use_own_kernel(environment)
     with socket.socket() as probe:
         probe.bind(('127.0.0.1', 0))
         port = probe.getsockname()[1]
@@ -271,6 +267,7 @@ class Learner:
         index = self.page.evaluate(_ACTIVATE, cell)
         if index < 0:
             raise LookupError(f'the notebook has no cell {cell!r}')
+        self.page.wait_for_function(_DRAWN, arg=index, polling=200)
         self._active.scroll_into_view_if_needed()
         return index
 
@@ -314,6 +311,13 @@ _SAVED = '() => !window.jupyterapp.shell.currentWidget.context.model.dirty'
 _SOURCES = f'() => {_NOTEBOOK}.widgets.map(cell => [cell.model.id, cell.model.sharedModel.getSource()])'
 _OUTPUTS = f"""() => {_NOTEBOOK}.widgets.filter(cell => cell.model.type === "code")
     .map(cell => [cell.model.id, cell.model.outputs.toJSON()])"""
+# On a busy machine JupyterLab may forget to scroll to a cell that is far away, and then does not draw it.
+_DRAWN = f"""(index) => {{
+    const notebook = {_NOTEBOOK};
+    if (notebook.widgets[index].node.isConnected) return true;
+    notebook.scrollToItem(index, "center");
+    return false;
+}}"""
 _ACTIVATE = f"""(id) => {{
     const notebook = {_NOTEBOOK};
     const index = notebook.widgets.findIndex(cell => cell.model.id === id);

@@ -125,7 +125,7 @@ def test_an_arrow_button_drives_the_turtle_while_a_cell_runs_and_a_key_when_the_
 
 
 @pytest.mark.one_of(4, group=1)
-def test_a_slider_calls_its_function_and_a_view_can_be_turned_after_its_block_until_the_next(learner):
+def test_a_slider_calls_its_function_and_a_view_can_be_turned_after_its_block_until_the_next_view(learner):
     page = learner.page
     learner.run('sliders')
     learner.sees('sliders', 'the cup is at 0, 0')
@@ -137,6 +137,8 @@ def test_a_slider_calls_its_function_and_a_view_can_be_turned_after_its_block_un
     drawing.wait_for()
     frame = drawing.element_handle().owner_frame()
     frame.wait_for_function('document.body.classList.contains("ended")')  # the page came after the end of the block
+    learner.run('plot')  # a cell in between changes nothing
+    learner.output('block')
     before = frame.evaluate(DRAWN)
     box = drawing.bounding_box()
     page.mouse.move(box['x'] + box['width'] / 2, box['y'] + box['height'] / 2)
@@ -261,6 +263,9 @@ def test_the_capstone_goes_on_after_a_restart_of_the_kernel(newcomer, address, f
     cells = [cell for cell, source in sources.items() if source]
     learner.run(next(cell for cell in cells if 'helpers.ros.start()' in sources[cell]))
     learner.restart()
+    show = next(cell for cell in cells if 'ros2 interface show delivery_interfaces' in sources[cell])
+    learner.run(show)
+    learner.sees(show, 'from helpers import resume; resume()')
     begin = next(cell for cell in cells if 'resume()' in sources[cell])
     learner.run(begin)
     learner.sees(begin, re.compile(r'Back from the \d+ cells above: '))

@@ -11,10 +11,12 @@ import time
 import urllib.error
 import urllib.request
 
+import nbformat
 import pytest
 
 from helpers import paths
 from helpers.cli import Refusal, lab
+from helpers.tests.kernels import Kernel
 
 
 @pytest.fixture
@@ -113,3 +115,16 @@ def test_the_notebooks_are_served(tmp_path):
             server.stderr.read()
     names = {entry['name'] for entry in contents['content']}
     assert {path.name for path in paths.NOTEBOOKS.glob('*.ipynb')} <= names
+
+
+def test_the_notebooks_kernel_helps_after_a_restart_before_a_cell_has_imported_helpers(domain, tmp_path, monkeypatch):
+    """The notebooks name the kernel `python3`, as that is what other front ends have."""
+    environ: dict[str, str] = {}
+    lab.use_own_kernel(environ)
+    for name, value in environ.items():
+        monkeypatch.setenv(name, value)
+    cells = [nbformat.v4.new_code_cell(source) for source in ('class Talker:\n    pass', 'talker = Talker()')]
+    nbformat.write(nbformat.v4.new_notebook(cells=cells), tmp_path / '90_small.ipynb')
+    with Kernel(tmp_path) as kernel:
+        assert 'from helpers import resume; resume()' in kernel.run('talker = Talker()').stdout
+        assert kernel.ok('# Exercise 90.1: a file\n%%answer TEXT note.txt\nto do').stdout == 'Written: note.txt\n'

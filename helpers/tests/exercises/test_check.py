@@ -97,6 +97,13 @@ def test_the_same_error_is_told_once():
         assert 'there.' not in text  # what to look at for another reason
 
 
+def test_what_broke_the_same_rule_in_the_same_way_is_told_once():
+    test = dataclasses.replace(result(rules=rules('kept', 'broken', 'kept')).tests[1], rule='text')
+    work = result(rules=rules('kept', 'broken', 'kept'), tests=[dataclasses.replace(test, test=name) for name in 'abc'])
+    for text in (result_display.plain([work]), result_display.html([work])):
+        assert text.count('Really.') == text.count('The text is right.') == 1 and 'The same as above.' not in text
+
+
 @pytest.mark.parametrize(
     ('exercise', 'text'),
     [

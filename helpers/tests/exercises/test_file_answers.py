@@ -88,6 +88,18 @@ def test_what_is_wrong_is_told_with_the_line_of_the_cell(source, message):
         program.build([NotebookCell(f'# Exercise 90.1: files\n{source}', 1)], _exercise('CONFIG'))
 
 
+@pytest.mark.parametrize('text', [PYTHON, YAML])
+def test_a_line_that_was_deleted_is_told(text):
+    with pytest.raises(
+        program.InvalidExercise, match='stands below a line `%%answer CONFIG FILE`. If you have deleted'
+    ):
+        program.build([NotebookCell(f'# Exercise 90.1: files\n{text}', 1)], _exercise('CONFIG'))
+    for cell, name in (('CONFIG = [', 'CONFIG'), ('def f(:', 'find'), ('%%answer OTHER a.py\n1', 'CONFIG')):
+        with pytest.raises(program.InvalidExercise) as found:
+            program.build([NotebookCell(f'# Exercise 90.1: files\n{cell}', 1)], _exercise(name))
+        assert 'stands below a line' not in str(found.value)
+
+
 def _exercise(*names):
     return manifest.Exercise('90.1', 90, small.NOTEBOOK, 'files', 10, names, 'ex-90-1', '')
 
@@ -109,6 +121,24 @@ def test_without_the_workspace_the_text_is_kept(kernel, tmp_path):
     assert kernel.value('CODE') == PYTHON and not (tmp_path / 'ws').exists()
     (tmp_path / 'b.py').mkdir()
     assert kernel.ok('%%answer CODE b.py\n1').stdout == 'Not written: b.py (Is a directory)\n'
+
+
+@pytest.mark.parametrize('line', ['%%answer A a_ws/src/p/a.py', '%%writefile a_ws/src/p/a.py'])
+def test_what_somebody_has_changed_in_an_editor_is_kept(kernel, tmp_path, line):
+    """A cell overwrites its file; what it has itself written before is no change."""
+    kernel.ok('import helpers')
+    file = tmp_path / 'a_ws/src/p/a.py'
+    file.parent.mkdir(parents=True)
+    for text in ('x = 1\n', 'x = 2\n'):
+        assert 'kept' not in kernel.ok(f'{line}\n{text}').stdout
+    kernel.restart()
+    kernel.ok('import helpers')
+    assert 'kept' not in kernel.ok(f'{line}\nx = 3\n').stdout
+    file.write_text('x = "my idea"\n')
+    said = kernel.ok(f'{line}\nx = 4\n').stdout
+    assert f'That version is kept in {tmp_path}/a_ws_kept/1' in said
+    assert file.read_text() == 'x = 4\n'
+    assert (tmp_path / 'a_ws_kept/1/p/a.py').read_text() == 'x = "my idea"\n'
 
 
 def test_a_mistake_is_shown_and_nothing_is_lost(kernel, tmp_path):

@@ -160,6 +160,19 @@ def test_a_package_in_the_wrong_place_is_named(tmp_path, place):
     assert f'but there is one in {place}. Move it' in said
 
 
+@pytest.mark.parametrize('place', ['my_ws/src/patrol', 'my_ws/patrol', 'patrol'])
+def test_a_package_in_the_courses_folder_instead_of_the_notebooks_is_named(tmp_path, place):
+    make(tmp_path, folder=place)
+    (tmp_path / 'notebooks').mkdir()
+    assert f'but there is one in ../{place}. Move it' in why(tmp_path / 'notebooks')
+
+
+def test_packages_of_other_names_are_named(tmp_path):
+    make(tmp_path, folder='my_ws/src/first_steps')
+    make(tmp_path, folder='my_ws/src/Patrol')
+    assert 'There is no package patrol in my_ws/src; there is: Patrol, first_steps. This exercise' in why(tmp_path)
+
+
 def test_a_reset_never_touches_it(tmp_path):
     """A workspace that a learner has made is refused; what is in one of the lesson's is moved, and found there."""
     make(tmp_path)

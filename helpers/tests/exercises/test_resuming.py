@@ -6,7 +6,7 @@ import pytest
 CELLS = [
     'import math\nprint("a demonstration")',
     'class Talker:\n    """Speaks."""\n    words = "hello"\n\n\ntalker = Talker()\nraise RuntimeError("demonstration")',
-    'HALF = 0.5\nunknown = nobody_knows',
+    'HALF = 0.5\nunknown = nobody_knows\nwords = talker.words',
     'place = open("made", "w")\nprint("a long output")',
     '# Exercise 90.1: a talker\ndef answer():\n    return HALF',
     'from helpers import resume; resume()',
@@ -42,6 +42,7 @@ def test_what_the_cells_above_define_comes_back(folder, kernel):
     assert (folder / 'made').exists()
     assert kernel.value('__import__("helpers").cell_text("90.1")') == CELLS[4]
     kernel.ok('talker = Talker()')
+    assert kernel.ok(CONTINUE).stdout.startswith('Back from the 5 cells above: words.'), 'now there is a talker'
     assert kernel.ok(CONTINUE).stdout.startswith('Nothing was missing: all that the 5 cells above define is there.')
 
 
@@ -66,3 +67,12 @@ def test_a_missing_name_says_where_it_comes_from(folder, kernel):
     assert kernel.run('undefined_anywhere').stdout == ''
     kernel.ok(CONTINUE)
     kernel.ok('Talker()')
+
+
+def test_a_node_that_was_destroyed_is_told(kernel):
+    """Cells that are run out of order meet it; rclpy's own message names no node."""
+    kernel.ok('%load_ext helpers.exercises.missing_names\nimport helpers, rclpy\nhelpers.ros.start()')
+    kernel.ok('node = rclpy.create_node("gone")\nnode.destroy_node()')
+    missed = kernel.run('node.get_topic_names_and_types()')
+    assert missed.error == 'InvalidHandle' and 'Run the cell that makes it again' in missed.stdout
+    assert kernel.run('1 / 0').stdout == ''

@@ -65,6 +65,68 @@ def test_reset_keeps_what_the_learner_made(ws, capsys):
     assert (kept.with_name('2') / 'note.txt').read_text() == 'to do'
 
 
+def test_reset_keeps_what_stands_beside_src(ws, capsys):
+    ws.write('params.yaml', 'a: 1')
+    for folder in ('build/p', 'install/p', 'log/latest_build', 'src/p/build', 'src/log'):
+        (ws.path / folder).mkdir(parents=True)
+        (ws.path / folder / 'made_by_a_tool').touch()
+    ws.reset()
+    assert capsys.readouterr().out == '' and not ws.path.with_name('ros2_ws_kept').exists()
+    for recording in ('drive', 'src/drive'):
+        (ws.path / recording).mkdir()
+        (ws.path / recording / 'metadata.yaml').write_text(recording)
+    (ws.path / 'drive' / 'drive_0.mcap').write_bytes(bytes(2**20 + 1))
+    (ws.path / 'src/p/p/log').mkdir(parents=True)
+    (ws.path / 'src/p/p/log/notes.txt').write_text('only at the top this is a name of the tools')
+    (ws.path / 'src/linked').symlink_to(ws.path)
+    ws.reset()
+    kept = ws.path.with_name('ros2_ws_kept') / '1'
+    assert sorted(path.name for path in kept.iterdir()) == ['drive', 'drive_beside_src', 'linked', 'p']
+    assert {path.read_text() for path in kept.glob('*/metadata.yaml')} == {'drive', 'src/drive'}
+    assert len(list(kept.glob('*/drive_0.mcap'))) == 1 and (kept / 'linked').is_symlink()
+    assert (kept / 'p/p/log/notes.txt').is_file()
+    assert [path.name for path in ws.path.iterdir() if path.is_dir()] == ['src']
+
+
+def test_what_comes_while_a_command_runs_that_writes_nothing_is_the_learners(ws, capsys):
+    """Somebody saves a file in an editor while colcon builds."""
+    ws.write('src/p/a.py', '')
+    ws.run("python3 -c \"from pathlib import Path; Path('src/p/a.py').write_text('my idea')\"")
+    ws.reset()
+    assert 'is kept: p,' in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ('cell', 'mine'), [('ex-2-1', False), (None, False), ('0f8fad5b-d9cb-469f-a165-70867728950e', True)]
+)
+def test_what_a_cell_of_the_learners_own_has_made_is_kept(ws, capsys, monkeypatch, cell, mine):
+    monkeypatch.setattr(journal, 'cells', [journal.ExecutedCell(cell, "ws.run('cd src\nros2 pkg create mine')")])
+    ws.run('mkdir src/mine; touch src/mine/package.xml')
+    ws.write('note.txt', 'to do')
+    capsys.readouterr()
+    ws.reset()
+    assert ('is kept: mine, note.txt,' in capsys.readouterr().out) is mine
+
+
+def test_before_the_lesson_overwrites_a_changed_file_a_copy_is_kept(ws, tmp_path, capsys):
+    (tmp_path / 'p').mkdir()
+    for name in ('a.py', 'b.py', 'c.py'):
+        (tmp_path / 'p' / name).write_text('given')
+    ws.add(tmp_path / 'p')
+    ws.write('src/p/a.py', 'the lesson, later')
+    (ws.path / 'src/p/b.py').write_text('my idea')
+    (ws.path / 'src/p/mine.py').write_text('mine')
+    assert capsys.readouterr().out == ''
+    ws.add(tmp_path / 'p')
+    kept = ws.path.with_name('ros2_ws_kept') / '1'
+    assert capsys.readouterr().out == f'What you had changed in ros2_ws is kept: p/b.py, a copy is now in {kept}\n'
+    assert (kept / 'p/b.py').read_text() == 'my idea' and (ws.path / 'src/p/b.py').read_text() == 'given'
+    assert (ws.path / 'src/p/mine.py').read_text() == 'mine'
+    (ws.path / 'src/p/c.py').write_text('another idea')
+    ws.write('src/p/c.py', 'the lesson')
+    assert (kept.with_name('2') / 'p/c.py').read_text() == 'another idea'
+
+
 @pytest.mark.parametrize('line', ['%%writefile ros2_ws/src/p/a.py', '# Exercise 2.9: a\n%%answer A ros2_ws/src/p/a.py'])
 def test_what_a_cell_has_written_is_the_lessons(ws, capsys, monkeypatch, line):
     cells = [journal.ExecutedCell(None, f'{line}\nprint(1)\n')]
@@ -105,12 +167,12 @@ def test_without_reset_there_is_one_clear_line(tmp_path):
         Workspace(tmp_path / 'none').run('ls')
 
 
-def test_a_package_is_copied_in_place_of_an_older_one(ws, tmp_path):
+def test_a_package_is_copied_into_one_of_its_name(ws, tmp_path):
     (tmp_path / 'p' / '__pycache__').mkdir(parents=True)
     (tmp_path / 'p' / 'new').touch()
     ws.write('src/p/old', '')
     ws.add(tmp_path / 'p')
-    assert [path.name for path in (ws.path / 'src/p').iterdir()] == ['new']
+    assert sorted(path.name for path in (ws.path / 'src/p').iterdir()) == ['new', 'old']
     with pytest.raises(FileNotFoundError, match='no package'):
         ws.add(tmp_path / 'q')
 

@@ -175,7 +175,7 @@ def test_looks_and_changes_are_noted_and_the_truth_waits_for_the_check(domain, h
         system.run('echo $ROS_DOMAIN_ID', on='robot')
         system.show('panel/panel.py')
         system.stacks()
-        assert noted.of('ada', 1) == {'looks': [4, 0, 4, 0, STACKS], 'changes': 0}
+        assert noted.of('ada', 1) == {'looks': [4, 0, 4, 0, STACKS], 'changes': 0, 'last': []}
         system.edit('panel/panel.py', "super().__init__('panel')", "super().__init__('other')")
         system.write('start.txt', 'panel: python3 panel.py\n')
         with pytest.raises(ValueError, match="'robot/sensor.py' is no file to change"):
@@ -194,6 +194,30 @@ def test_looks_and_changes_are_noted_and_the_truth_waits_for_the_check(domain, h
     lines = way('ada', passed=True)
     assert len(lines) == 1 and lines[0].count('shows a fault') == len(Planned('ada', 1).drawn)
     assert system.diagnosis == Planned('ada', 1).diagnosis
+
+
+def test_changes_that_stand_in_no_cell_yet_are_told_and_kept(domain, here, noted, capsys):
+    """Also those that somebody has made in an editor."""
+    change = 'panel/panel.py', "super().__init__('panel')", "super().__init__('other')"
+    try:
+        system = faults.live('ada', 1)
+        file = system.path / change[0]
+        file.write_text(file.read_text().replace(*change[1:]))
+        faults.live('ada', 2)
+        said = capsys.readouterr().out
+        assert said.startswith('System 1 is stopped. What you have changed in it, for CHANGES[1]:\n')
+        assert repr([change]) in said
+        faults.live('ada', 1)
+        said = capsys.readouterr().out
+        assert 'To go on from there: faults.live(NAME, 1,' in said and repr([change]) in said
+        faults.live('ada', 1, [change])
+        faults.stop()
+        assert capsys.readouterr().out == '', 'these stand in a cell'
+        with pytest.raises(RuntimeError, match=r"stage it again, faults.live\('ada', 1\)"):
+            system.run('ls')
+    finally:
+        faults.stop()
+    assert noted.of('ada', 1)['last'] == [change] and noted.of('ada', 2)['last'] == []
 
 
 def test_a_question_that_was_asked_late_would_have_been_shorter(noted):
@@ -229,14 +253,14 @@ def test_the_record_lasts_and_a_broken_one_is_no_harm(tmp_path, monkeypatch):
     first, other = Records(), Records()
     first.of('ada', 1)['looks'].append(2)
     first.keep()
-    assert other.of('ada', 1) == {'looks': [2], 'changes': 0}
+    assert other.of('ada', 1) == {'looks': [2], 'changes': 0, 'last': []}
     other.of('ada')['passed'] = True
     other.keep()
     first.keep()
     assert first.passed('ada') and json.loads((tmp_path / FILE).read_text())['ada']['passed'], 'nothing is forgotten'
     for text in ('{', '[]', '{"ada": 1}', '{"ada": {"passed": 1, "systems": {"x": {}}}}'):
         (tmp_path / FILE).write_text(text)
-        assert Records().of('ada', 1) == {'looks': [], 'changes': 0}
+        assert Records().of('ada', 1) == {'looks': [], 'changes': 0, 'last': []}
 
 
 def test_what_the_panel_lacks_is_said():
