@@ -9,6 +9,8 @@ from html import escape
 from turtlesim_nodes.svg import draw_svg
 from turtlesim_nodes.world import METER, PIXELS, World, to_pixels
 
+from helpers.show import dark_page
+
 _LEFT, _TOP, _RIGHT, _BOTTOM = 44, 12, 12, 44  # the margins, in pixels of turtlesim's picture
 _LINE = 28  # the height of a line of text
 _TEXTS = 3  # turtles whose pose is written below
@@ -17,6 +19,9 @@ _LAST = 11  # m, the last line of the grid
 _NAMES = 9  # m, where the axes have their names: between two numbers
 _INK, _PAPER, _GOAL = '#20262e', '#fcfcfa', '#ffd54a'
 _GRID = 'stroke="#ffffff" stroke-opacity="0.3" stroke-width="1"'
+_DARK_RULES = dark_page.rules(
+    f'fill="{_INK}" fill="{_PAPER}"', {_INK: '#e6e9ee', _PAPER: '#181b20'}, within='.turtle-world'
+)
 
 
 def describe(turtle) -> str:
@@ -37,8 +42,10 @@ def draw(world: World, size: int, goal: tuple[float, float] | None = None) -> st
     return '\n'.join(
         [
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{size}" height="{size * height / width:.0f}" '
-            f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="22" fill="{_INK}">',
+            f'viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="22" class="turtle-world">',
+            f'<style>{_DARK_RULES}</style>',
             f'<rect width="{width}" height="{height}" rx="8" fill="{_PAPER}"/>',
+            f'<g fill="{_INK}">',
             f'<g transform="translate({_LEFT},{_TOP})">',
             draw_svg(world),
             *_grid(),
@@ -49,6 +56,7 @@ def draw(world: World, size: int, goal: tuple[float, float] | None = None) -> st
                 f'<text x="{_LEFT}" y="{_TOP + PIXELS + _BOTTOM + _LINE * number + 12}">{escape(line)}</text>'
                 for number, line in enumerate(lines)
             ),
+            '</g>',
             '</svg>',
         ]
     )

@@ -21,5 +21,5 @@ def draw():
     callback = sheet.box(560, 85, 108, 40, 'callback', colour='violet', plain=True)
     sheet.arrow(cells.right, callback, 'spin', colour='green')
     sheet.text(614, 143, 'called with `1`', size=NOTE, colour='muted')
-    sheet.text(487, 186, 'no spin, no callback: then the message stays where it is', size=NOTE, colour='green')
+    sheet.text(487, 186, 'no spin, no callback: the message stays in the queue', size=NOTE, colour='green')
     return sheet

@@ -7,6 +7,7 @@ from xml.sax.saxutils import escape, quoteattr
 
 from grading.authoring.drawing import metrics, style
 from grading.authoring.drawing.geometry import Box, Point, Text, along, shortened
+from helpers.show import dark_page
 
 WIDTH = 700
 GAP = 5  # between a line and its label
@@ -200,6 +201,11 @@ class Sheet:
 
     def svg(self, name: str, alt: str) -> str:
         """Return the text of an SVG file; `name` keeps its ids apart from those of other figures on a page."""
+        ground = (
+            f'<rect x="0.75" y="0.75" width="{_n(self.width - 1.5)}" height="{_n(self.height - 1.5)}" rx="8" '
+            f'fill="{style.GROUND}" stroke="{style.EDGE}" stroke-width="1.5"/>'
+        )
+        drawing = '\n'.join([ground, *self._written])
         return '\n'.join(
             [
                 f'<svg xmlns="http://www.w3.org/2000/svg" width="{_n(self.width)}" height="{_n(self.height)}" '
@@ -208,9 +214,8 @@ class Sheet:
                 f'font-family={quoteattr(style.SANS)}>',
                 f'<title id="{name}-title">{escape(self.title)}</title>',
                 f'<desc id="{name}-desc">{escape(alt)}</desc>',
-                f'<rect x="0.75" y="0.75" width="{_n(self.width - 1.5)}" height="{_n(self.height - 1.5)}" rx="8" '
-                f'fill="{style.GROUND}" stroke="{style.EDGE}" stroke-width="1.5"/>',
-                *self._written,
+                f'<style>\n{dark_page.rules(drawing, style.DARK)}\n</style>',
+                drawing,
                 '</svg>',
                 '',
             ]

@@ -1,7 +1,9 @@
 """The one hand in which all figures are drawn: colours and fonts.
 
-A sheet brings its own light ground, so that it reads the same on a light page, on a dark one and on paper. Colour is
-never alone in saying something: what is wrong is dashed and says so, what is code is set as code.
+A sheet brings its own ground, so that it can be read on every page and on paper. The ground is light; where the page
+says that its colour scheme is dark, as JupyterLab with the course's extension and the web edition do, it is dark, and
+the other colours change with it. Colour is never alone in saying something: what is wrong is dashed and says so, and
+what is code is set as code.
 """
 
 SANS = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif"
@@ -28,3 +30,25 @@ FILL = {
     'red': '#fce5e3',
     'violet': '#ede6fa',
 }
+# The same on a dark page, with the same contrast.
+DARK_GROUND, DARK_EDGE = '#181b20', '#4a515c'
+DARK_INK = {
+    'ink': '#e6e9ee',
+    'muted': '#aab3bf',
+    'blue': '#8fbaf3',
+    'green': '#82d3a2',
+    'orange': '#f2b36f',
+    'red': '#ff9d93',
+    'violet': '#cbb6f7',
+}
+DARK_FILL = {
+    'ink': '#22272e',
+    'muted': '#2b3038',
+    'blue': '#1b2e4b',
+    'green': '#173626',
+    'orange': '#432f10',
+    'red': '#492321',
+    'violet': '#33294e',
+}
+DARK = {GROUND: DARK_GROUND, EDGE: DARK_EDGE}
+DARK |= {INK[name]: DARK_INK[name] for name in INK} | {FILL[name]: DARK_FILL[name] for name in FILL}

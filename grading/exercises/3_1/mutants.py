@@ -61,7 +61,7 @@ class Beacon(Node):
     Mutant('publishes_at_once', old="self.publisher = self.create_publisher(String, 'beacon', 10)", new='''
         self.publisher = self.create_publisher(String, 'beacon', 10)
         self.on_timer()
-        ''', expect='what the constructor publishes, nobody can hear yet', breaks='first'),
+        ''', expect='Publish in the timer only', breaks='first'),
     Mutant('publishes_str', old=TEXT, new="f'alive {self.count}'", expect='Expected <class', breaks='texts'),
     Mutant('rate_as_period', old='.create_timer(0.25, self', new='.create_timer(4, self',
            expect='wants the period, not the rate', breaks='rate', also=('own-count',)),

@@ -31,7 +31,7 @@ def test_name(learner):
     judge_name(learner)
 
 
-@pytest.mark.rules('succeeds', 'stands', 'result', 'next', 'state')
+@pytest.mark.rules('succeeds', 'stands', 'result', 'next', 'state', 'rhythm')
 @pytest.mark.weight(3)
 def test_arrives(learner):
     """The robot reaches stations in any direction, stands there, and says how near it is.

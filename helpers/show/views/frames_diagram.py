@@ -10,6 +10,7 @@ from html import escape
 
 import yaml
 
+from helpers.show import dark_page
 from helpers.show.views.frame_tree import FrameLink, FrameListener, Tree
 from helpers.show.views.tf_display import MOVES, STATIC
 
@@ -18,6 +19,17 @@ _COLUMNS = (('', 60), ('rate', 68), ('age', 72), ('history', 68), ('broadcaster'
 _STATIC_RATE = 10_000.0  # what a buffer says of the single sample of a static transform
 _LONGEST_AGE = 86_400.0  # s; more means that the stamps are of another clock
 _PATIENCE = 1.0  # s, the longest wait for /clock, and for the names of nodes
+_DARK = {  # on a dark page
+    '#21252f': '#e6e9ee',
+    '#fbfcfd': '#181b20',
+    '#cfd3da': '#4a515c',
+    '#f1f4f7': '#22272e',
+    '#fff': '#22272e',
+    '#394150': '#cdd3db',
+    '#59606e': '#aab3bf',
+    '#6b7280': '#aab3bf',
+    '#b3261e': '#ff9d93',
+}
 _WIDEST = 900  # px, as much as a cell on a laptop has; JupyterLab cuts off the rest
 
 
@@ -119,13 +131,15 @@ class FramesDiagram:
             parts.append(
                 f'<text x="14" y="{top + 18}" fill="#59606e">no frame: nothing came on /tf and /tf_static</text>'
             )
+        ground = f'<rect width="{width:.0f}" height="{height:.0f}" rx="6" fill="#fbfcfd" stroke="#cfd3da"/>'
+        drawing = '\n'.join(('<g fill="#21252f">', ground, *parts, '</g>'))
         return '\n'.join(
             (
                 f'<svg xmlns="http://www.w3.org/2000/svg" width="{width * scale:.0f}" height="{height * scale:.0f}" '
-                f'viewBox="0 0 {width:.0f} {height:.0f}" style="max-width:100%;height:auto" '
-                f'font-family=\'{_FONT}\' font-size="13" fill="#21252f">',
-                f'<rect width="{width:.0f}" height="{height:.0f}" rx="6" fill="#fbfcfd" stroke="#cfd3da"/>',
-                *parts,
+                f'viewBox="0 0 {width:.0f} {height:.0f}" style="max-width:100%;height:auto" class="frames-diagram" '
+                f'font-family=\'{_FONT}\' font-size="13">',
+                f'<style>{dark_page.rules(drawing, _DARK, ".frames-diagram")}</style>',
+                drawing,
                 '</svg>',
             )
         )

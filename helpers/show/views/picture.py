@@ -38,6 +38,7 @@ _MARGIN = (34, 46, 40, 70)  # pixels at the top, the left, the bottom and the ri
 _BUDGET = 3000  # points of clouds, and faces of meshes
 _SEEN, _ON_TOP = 1, 2  # layers of the picture: points in front of all faces, and shapes that are `on_top`
 _SIDES = 20  # of a cylinder
+_HALO = '<g stroke="#fff" stroke-width="3" paint-order="stroke">'  # of texts, which may lie over anything
 _FONT = 'system-ui, -apple-system, "Segoe UI", sans-serif'
 
 
@@ -113,7 +114,7 @@ class _ScenePicture:
                         part.layer = _ON_TOP
         body += order(self.parts, VIEW_FROM)
         named = [item for item in self.items if isinstance(item.shape, Label) and item.shape.text]
-        body += ['<g stroke="#fff" stroke-width="3" paint-order="stroke">', *map(self._name, named), '</g>']
+        body += [_HALO, *map(self._name, named), '</g>']
         lines = [
             f'<text x="12" y="{22 + 17 * number}" fill="#b3261e">{escape(line)}</text>'
             for number, line in enumerate(
@@ -136,7 +137,9 @@ class _ScenePicture:
                 f'stroke-linecap="round" stroke-linejoin="round" font-family=\'{_FONT}\' font-size="13">',
                 f'<rect width="{self.width}" height="{self.height}" rx="6" fill="#f6f8fa" stroke="#cfd3da"/>',
                 *(part for part in body if part),
+                _HALO,
                 *lines,
+                '</g>',
                 '</svg>',
             )
         )
