@@ -30,8 +30,11 @@ LINES = [
     (
         'nodes',
         'node info /turtlesim',
-        r'/turtlesim\n  Subscribers:\n(    /\S+: \S+\n)+  Publishers:\n(    /\S+: \S+\n)+'
-        r'  Service Servers:\n(    /\S+: \S+\n)+  Service Clients:\n\n  Action Servers:\n'
+        r'/turtlesim\n  Subscribers:\n    /parameter_events: rcl_interfaces/msg/ParameterEvent\n'
+        r'    /turtle1/cmd_vel: geometry_msgs/msg/Twist\n  Publishers:\n'
+        r'    /parameter_events: rcl_interfaces/msg/ParameterEvent\n    /rosout: rcl_interfaces/msg/Log\n'
+        r'    /turtle1/color_sensor: turtlesim/msg/Color\n    /turtle1/pose: turtlesim/msg/Pose\n'
+        r'  Service Servers:\n(    /\S+: \S+\n){14}  Service Clients:\n\n  Action Servers:\n'
         r'    /turtle1/rotate_absolute: turtlesim/action/RotateAbsolute\n  Action Clients:\n\n',
     ),
     ('topics', 'topic list', r'/parameter_events\n/rosout\n/turtle1/cmd_vel\n/turtle1/color_sensor\n/turtle1/pose\n'),
@@ -97,8 +100,10 @@ LINES = [
     (
         'parameters',
         'param dump /turtlesim',
-        r'/turtlesim:\n  ros__parameters:\n    background_b: 255\n'
-        r'    background_g: 86\n    background_r: \d+\n(    .+\n)+\n?',
+        r'/turtlesim:\n  ros__parameters:\n    background_b: 255\n    background_g: 86\n    background_r: \d+\n'
+        r'    holonomic: false\n    qos_overrides:\n      /parameter_events:\n        publisher:\n'
+        r'          depth: 1000\n          durability: volatile\n          history: keep_last\n'
+        r'          reliability: reliable\n    start_type_description_service: true\n    use_sim_time: false\n\n',
     ),
     ('actions', 'action list', r'/turtle1/rotate_absolute\n'),
     ('actions', 'action list -t', r'/turtle1/rotate_absolute \[turtlesim/action/RotateAbsolute\]\n'),
@@ -218,7 +223,13 @@ def test_parameters_are_saved_and_loaded(ros2, turtlesim):  # noqa: F811
     saved = ros2.output('param', 'dump', '/turtlesim')
     (ros2.directory / 'turtlesim.yaml').write_text(saved.replace('background_b: 255', 'background_b: 30'))
     loaded = ros2.run('param', 'load', '/turtlesim', 'turtlesim.yaml')
-    assert 'Set parameter background_b successful' in loaded.stdout.splitlines()
+    changed = ['background_b', 'background_g', 'background_r', 'holonomic', 'use_sim_time']
+    assert loaded.stdout.splitlines() == [f'Set parameter {name} successful' for name in changed]
+    fixed = [f'qos_overrides./parameter_events.publisher.{each}' for each in ('depth', 'durability', 'history')]
+    fixed += ['qos_overrides./parameter_events.publisher.reliability', 'start_type_description_service']
+    assert loaded.stderr.splitlines() == [
+        f"Set parameter {name} failed: parameter '{name}' cannot be set because it is read-only" for name in fixed
+    ]
     assert ros2.output('param', 'get', '/turtlesim', 'background_b') == 'Integer value is: 30\n'
 
 

@@ -14,8 +14,10 @@ from environment.tests.running import PATIENCE
 from environment.tests.test_tutorials import NUMBER, run_line, turtlesim, with_programs  # noqa: F401
 from helpers.programs.processes import background
 
-PARAMETERS = ['background_b', 'background_g', 'background_r', 'holonomic', 'start_type_description_service']
-TYPES = ['integer', 'integer', 'integer', 'boolean', 'boolean']
+OVERRIDES = [f'qos_overrides./parameter_events.publisher.{each}'
+             for each in ('depth', 'durability', 'history', 'reliability')]  # fmt: skip
+PARAMETERS = ['background_b', 'background_g', 'background_r', 'holonomic', *OVERRIDES, 'start_type_description_service']
+TYPES = ['integer', 'integer', 'integer', 'boolean', 'integer', 'string', 'string', 'string', 'boolean']
 WAITING = r'(waiting for service to become available\.\.\.\n)?'
 
 # While `ros2 run turtlesim turtlesim_node` runs.
@@ -94,7 +96,14 @@ LINES = [
 # What is refused: the line, its status, and the last line that it says.
 REFUSED = [
     ('param set /turtlesim background_r red', 0,
-     "Setting parameter failed: Wrong parameter type, expected 'Type.INTEGER' got 'Type.STRING'"),
+     'Setting parameter failed: Wrong parameter type, parameter {background_r} is of type {integer}, '
+     'setting it to {string} is not allowed.'),
+    ('param set /turtlesim background_r 256', 0,
+     "Setting parameter failed: Parameter {background_r} doesn't comply with integer range."),
+    ('param set /turtlesim nothing 1', 0,
+     "Setting parameter failed: parameter 'nothing' cannot be set because it was not declared"),
+    ('param set /turtlesim start_type_description_service false', 0,
+     "Setting parameter failed: parameter 'start_type_description_service' cannot be set because it is read-only"),
     ('topic info /nothing', 1, "Unknown topic '/nothing'"),
     ('topic pub --once /x std_msgs/msg/Strin', 1, 'The passed message type is invalid'),
     ('topic pub --once -w 0 /x std_msgs/msg/String "{dat: 1}"', 1,

@@ -26,7 +26,8 @@ from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.launch_description_source import LaunchDescriptionSource
 from launch.launch_introspector import LaunchIntrospector
 from launch.launch_service import LaunchService
-from launch.some_substitutions_type import SomeSubstitutionsType
+from launch.some_entities_type import SomeEntitiesType, SomeEntitiesType_types_tuple
+from launch.some_substitutions_type import SomeSubstitutionsType, SomeSubstitutionsType_types_tuple
 from launch.substitution import Substitution
 
 __all__ = [
@@ -41,7 +42,10 @@ __all__ = [
     'LaunchDescriptionSource',
     'LaunchIntrospector',
     'LaunchService',
+    'SomeEntitiesType',
+    'SomeEntitiesType_types_tuple',
     'SomeSubstitutionsType',
+    'SomeSubstitutionsType_types_tuple',
     'Substitution',
     'actions',
     'conditions',

@@ -11,7 +11,18 @@ from pathlib import Path
 
 import launch.logging
 import pytest
-from launch import Action, LaunchContext, LaunchDescription, LaunchDescriptionSource, LaunchIntrospector, LaunchService
+from launch import (
+    Action,
+    EventHandler,
+    LaunchContext,
+    LaunchDescription,
+    LaunchDescriptionSource,
+    LaunchIntrospector,
+    LaunchService,
+    SomeEntitiesType,
+    SomeEntitiesType_types_tuple,
+    SomeSubstitutionsType_types_tuple,
+)
 from launch.actions import (
     AppendEnvironmentVariable,
     DeclareLaunchArgument,
@@ -32,7 +43,14 @@ from launch.conditions import IfCondition, LaunchConfigurationEquals, LaunchConf
 from launch.event_handlers import OnExecutionComplete, OnProcessExit, OnProcessIO, OnProcessStart, OnShutdown
 from launch.events import ExecutionComplete, matches_action
 from launch.events import Shutdown as ShutdownEvent
-from launch.events.process import ProcessIO, ShutdownProcess, matches_executable, matches_name, matches_pid
+from launch.events.process import (
+    ProcessExited,
+    ProcessIO,
+    ShutdownProcess,
+    matches_executable,
+    matches_name,
+    matches_pid,
+)
 from launch.launch_description_sources import PythonLaunchDescriptionSource
 from launch.substitutions import (
     AllSubstitution,
@@ -398,6 +416,28 @@ def test_one_process_can_be_ended_alone(go):
         long,
     )  # fmt: skip
     assert (status, said) == (0, ['gone'])
+
+
+class OnAnyExit(EventHandler):
+    """As packages of others write event handlers: annotated, and with one entity or several for an answer."""
+
+    def __init__(self, answer: SomeEntitiesType):
+        assert isinstance(answer, SomeEntitiesType_types_tuple)
+        super().__init__(matcher=lambda event: isinstance(event, ProcessExited), entities=answer)
+
+
+def test_an_event_handler_of_another_package_answers_with_one_entity_or_several(go):
+    for answer in (LogInfo(msg='gone'), [LogInfo(msg='gone')]):
+        _, said, _ = go(RegisterEventHandler(OnAnyExit(answer)), python('pass'))
+        assert said == ['gone']
+
+
+def test_what_is_an_entity_and_what_is_a_text_can_be_asked():
+    assert isinstance(LaunchDescription(), SomeEntitiesType_types_tuple)
+    assert not isinstance(1, SomeEntitiesType_types_tuple)
+    for text in ('a', Path('a'), LaunchConfiguration('a'), ['a', LaunchConfiguration('b')]):
+        assert isinstance(text, SomeSubstitutionsType_types_tuple)
+    assert not isinstance(1.5, SomeSubstitutionsType_types_tuple)
 
 
 def test_respawn_starts_again_up_to_the_limit(go):

@@ -37,7 +37,8 @@ OTHERS = {
     'RosTimer SetParameter SetParametersFromFile SetRemap SetROSLogDir SetUseSimTime',
     'launch files of earlier distributions': 'LaunchConfigurationEquals LaunchConfigurationNotEquals '
     'AnyLaunchDescriptionSource FrontendLaunchDescriptionSource',
-    'extensions of launch, and annotations': 'SomeSubstitutionsType SubstitutionFailure parameter_descriptions '
+    'extensions of launch, and annotations': 'SomeEntitiesType SomeEntitiesType_types_tuple SomeSubstitutionsType '
+    'SomeSubstitutionsType_types_tuple SubstitutionFailure parameter_descriptions '
     'descriptions OnActionEventBase ExecutionComplete ProcessTargetedEvent RunningProcessEvent FindPackage '
     'evaluate_condition_expression InvalidConditionExpressionError',
     'packages with tags of their own': 'Entity Parser expose expose_action expose_substitution type_utils '

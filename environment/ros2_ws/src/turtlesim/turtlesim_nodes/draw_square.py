@@ -4,10 +4,10 @@ import math
 from dataclasses import dataclass
 
 from geometry_msgs.msg import Twist
-from rclpy.node import Node
 from std_srvs.srv import Empty
 from turtlesim.msg import Pose
 
+from turtlesim_nodes.node import TurtlesimNode
 from turtlesim_nodes.qos import TOPIC_QOS
 from turtlesim_nodes.running import run
 from turtlesim_nodes.world import STEP, normalize
@@ -85,7 +85,7 @@ class SquareDriver:
         return pose.angular_velocity < STILL and pose.linear_velocity < STILL
 
 
-class DrawSquare(Node):
+class DrawSquare(TurtlesimNode):
     """The node ``draw_square``: resets the simulator, then drives."""
 
     def __init__(self):

@@ -1,14 +1,14 @@
 """``mimic``: let one turtle do what another does. Remap input/pose and output/cmd_vel to the two."""
 
 from geometry_msgs.msg import Twist
-from rclpy.node import Node
 from turtlesim.msg import Pose
 
+from turtlesim_nodes.node import TurtlesimNode
 from turtlesim_nodes.qos import TOPIC_QOS
 from turtlesim_nodes.running import run
 
 
-class Mimic(Node):
+class Mimic(TurtlesimNode):
     """The node ``turtle_mimic``: the pose of one turtle becomes the velocity of another."""
 
     def __init__(self):

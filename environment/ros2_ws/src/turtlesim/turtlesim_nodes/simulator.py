@@ -8,13 +8,13 @@ from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
 from rclpy.action import ActionServer, CancelResponse
 from rclpy.clock import Clock, ClockType
 from rclpy.exceptions import InvalidTopicNameException
-from rclpy.node import Node
 from rclpy.validate_topic_name import validate_topic_name
 from std_srvs.srv import Empty
 from turtlesim.action import RotateAbsolute
 from turtlesim.msg import Color, Pose
 from turtlesim.srv import Kill, SetPen, Spawn, TeleportAbsolute, TeleportRelative
 
+from turtlesim_nodes.node import TurtlesimNode
 from turtlesim_nodes.qos import TOPIC_QOS
 from turtlesim_nodes.running import run
 from turtlesim_nodes.window import NoWindowError, Window
@@ -142,7 +142,7 @@ class TurtleInterface:
         return RotateAbsolute.Result()
 
 
-class Simulator(Node):
+class Simulator(TurtlesimNode):
     """The node ``turtlesim``. It opens a window if it can."""
 
     def __init__(self):

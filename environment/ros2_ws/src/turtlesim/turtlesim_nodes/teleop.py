@@ -12,10 +12,10 @@ import rclpy
 from geometry_msgs.msg import Twist
 from rclpy.action import ActionClient
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
-from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 from turtlesim.action import RotateAbsolute
 
+from turtlesim_nodes.node import TurtlesimNode
 from turtlesim_nodes.qos import TOPIC_QOS
 
 HELP = """\
@@ -70,7 +70,7 @@ def raw_terminal(descriptor: int):
         termios.tcsetattr(descriptor, termios.TCSANOW, cooked)
 
 
-class Teleop(Node):
+class Teleop(TurtlesimNode):
     """The node ``teleop_turtle``; ``press`` does what a key says."""
 
     def __init__(self):
