@@ -46,7 +46,7 @@ def test_each_fault_of_a_shell(learner):
                 check(learner, cause, **form)
 
 
-@pytest.mark.rules('comments', 'sources', 'variables')
+@pytest.mark.rules('comments', 'sources', 'variables', 'release', 'path', 'domain')
 def test_lines(learner):
     """Lines are read as a shell reads them: comments, prefixes, with and without `export`.
 
@@ -75,6 +75,7 @@ def test_lines(learner):
             files['ros2.list'] += f'  # deb http://old.example {older} main\n'
         with about(rule):
             machines.diagnose(learner, files, want, expected, rule)
+    machines.judge_rare_lines(learner)
 
 
 @pytest.mark.rules('all')
@@ -114,6 +115,7 @@ def test_repaired_shell(learner):
     for causes in (SHELL, learner.random.sample(SHELL, 2)):
         repair(learner, causes)
     repair(learner, ['domain'], way='both')
+    machines.judge_rare_repairs(learner)
 
 
 @pytest.mark.rules('repaired', 'kept')

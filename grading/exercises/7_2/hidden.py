@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.packages import CAUSES, Package
+from helpers.checks.chapter_07.packages import CAUSES, Package, judge_rare_entries
 from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('7.2')
@@ -34,7 +34,7 @@ def test_one_program(learner, cause):
             Package(learner.random, cause, form=form).diagnose(learner)
 
 
-@pytest.mark.rules('all')
+@pytest.mark.rules('all', 'file', 'module', 'function')
 def test_several_programs(learner):
     """Each program is judged by itself.
 
@@ -42,6 +42,7 @@ def test_several_programs(learner):
     """
     for _ in range(5):
         Package(learner.random, *learner.random.choices(CAUSES, k=3)).diagnose(learner, 'all')
+    judge_rare_entries(learner)
 
 
 @pytest.mark.rules('repaired', 'kept')

@@ -77,4 +77,10 @@ MUTANTS = [
 ''', breaks='kept', expect='After your repair'),
     Mutant('py_anywhere', old="module.endswith('.py')", new="'.py' in value", expect='there is no such fault',
            breaks='file', also=('module', 'function', 'all', 'kept', 'repaired')),
+    Mutant('capitals_do_not_matter', old="module.replace('.', '/') + '.py')",
+           new="module.replace('.', '/').lower() + '.py')", breaks='module', also='all', expect='cause `module`'),
+    Mutant('another_name_is_a_function', old="rf'^def {function}\\('", new="rf'^(?:def {function}\\(|{function} = )'",
+           breaks='function', also='all', expect='stands at the left margin'),
+    Mutant('slash_only_before_the_colon', old="'/' in value or", new="'/' in module or", breaks='file', also='all',
+           expect='no `/`, no `.py`'),
 ]

@@ -45,7 +45,7 @@ def test_healthy_graph(learner):
     check(learner, 'healthy', 'healthy', 'healthy', rule='fits')
 
 
-@pytest.mark.rules('name', 'nobody')
+@pytest.mark.rules('name', 'nobody', 'type', 'fits')
 def test_names(learner):
     """A misspelt name and a name in another namespace are found; a name that nobody has is `nobody`.
 
@@ -55,6 +55,7 @@ def test_names(learner):
     check(learner, 'nobody')
     graphs.other_type(learner)
     graphs.two_deaf(learner)
+    graphs.neighbours(learner)
 
 
 @pytest.mark.rules('type')

@@ -96,4 +96,9 @@ MUTANTS = [
                 print('no answer', flush=True)
                 os._exit(1)
         """, breaks='interrupt', expect='also for those of a pool'),
+    Mutant('line_without_its_comment', old='[int(line) - 1].strip()', new="[int(line) - 1].split('#')[0].strip()",
+           breaks='own-call', also=('spin', 'busy', 'all'), expect='your evidence is'),
+    Mutant('empty_lines_are_no_lines', old='files[Path(file).name].splitlines()',
+           new="(files[Path(file).name].replace('\\n\\n', '\\n') + '\\n' * 99).splitlines()", breaks='own-call',
+           also=('server', 'call', 'spin', 'busy', 'all'), expect='your evidence is'),
 ]

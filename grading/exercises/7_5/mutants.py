@@ -113,4 +113,11 @@ MUTANTS = [
            breaks='inertia'),
     Mutant('no_moment_is_right', old='if low <= 0 or high', new='if low < 0 or high',
            expect='You did not find `falls`, cause `inertia`', breaks='inertia', also=('all', 'weight', 'kept')),
+    Mutant('only_izz_is_a_sum', old='low, middle, high = sorted(map(float, values', breaks='inertia', also='all',
+           new='low, middle, high = (lambda a, b, c: (min(a, b, c), a + b - min(a, b, c), c))(*map(float, values',
+           expect='none is more than the sum'),
+    Mutant('only_far_above_the_sum', old='high > low + middle', new='high > 1.5 * (low + middle)', breaks='inertia',
+           also='all', expect='none is more than the sum'),
+    Mutant('moments_in_order', old="map(str, moments))", new='map(str, sorted(moments)))', breaks='weight',
+           expect='The moments of'),
 ]

@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.tf_trees import ASIDE, CAUSES, Tree, judge_other_places
+from helpers.checks.chapter_07.tf_trees import ASIDE, CAUSES, Tree, judge_other_places, judge_rare_trees
 from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('7.6')
@@ -36,7 +36,7 @@ def test_one_fault(learner, cause):
             Tree(learner.random, cause, moves=number % 2 == 0, decoy=number > 5).in_order().diagnose(learner)
 
 
-@pytest.mark.rules('unknown', 'two-parents', 'not-connected', 'old')
+@pytest.mark.rules('unknown', 'two-parents', 'not-connected', 'old', 'newest')
 def test_other_places(learner):
     """A cause is found wherever in the trees it is.
 
@@ -44,6 +44,7 @@ def test_other_places(learner):
     """
     for _ in range(2):
         judge_other_places(learner)
+        judge_rare_trees(learner)
         for aged in ('both', 'sensor'):
             Tree(learner.random, 'old', aged=aged).in_order().diagnose(learner)
 

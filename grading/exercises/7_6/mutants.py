@@ -104,4 +104,16 @@ def above(parents, frame, other):
 ''', breaks='nothing', expect='cannot be repaired here'),
     Mutant('ahead_of_now', old='now - newest[frame] > 1.0]', new='abs(now - newest[frame]) > 1.0]', breaks='old',
            also=('newest', 'order'), expect='what is ahead of now is not'),
+    Mutant('four_levels_down', old='for _ in parents:', new='for _ in range(4):', breaks='not-connected',
+           expect='none that is below the top frame'),
+    Mutant('a_target_that_is_unknown', old='if source not in frames:', breaks='not-connected', also='unknown',
+           new="""
+    if target not in frames:
+        return [Finding('no_transform', target, 'unknown', nearest(target, frames))]
+    if source not in frames:
+""", expect='cause `not connected`'),
+    Mutant('a_little_more_is_not_old', old='now - newest[frame] > 1.0]', new='round(now - newest[frame], 1) > 1.0]',
+           breaks='old', expect="evidence '1.0'"),
+    Mutant('two_digits_of_age', old="f'{now - newest[frame]:.1f}'", new="f'{now - newest[frame]:.2g}'", breaks='old',
+           also=('newest', 'order'), expect='your evidence is'),
 ]

@@ -41,7 +41,7 @@ MUTANTS = [
     Mutant('lower_case_is_enough', old=WORDS, new='return all(word and word == word.lower() for word in words)',
            expect='It has a hyphen', breaks='word', also=('topic', 'service', 'package', 'once')),
     Mutant('the_empty_name_is_no_name', old='if isinstance(name, str):', new='if name and isinstance(name, str):',
-           expect='It is empty', breaks='word'),
+           expect='It is empty', breaks='word', also=('topic', 'service')),
     Mutant('every_super', old=BASES, new='if function in PLACES:', expect='are neither Node nor LifecycleNode',
            breaks='super'),
     Mutant('only_first_base', old="{'Node', 'LifecycleNode'} & set(bases",
@@ -107,4 +107,13 @@ MUTANTS = [
                 result += sorted([path, kind, name] for path, kind, name in found if not is_good(kind, name))
             return result
             ''')), expect='The list is not sorted', breaks='sorted'),
+    Mutant('other_methods_of_super', old="'__init__': ('node', 0, 'node_name'),",
+           new="'__init__': ('node', 0, 'node_name'), 'start': ('node', 0, 'node_name'),", breaks='super',
+           expect='Only super().__init__ names a node'),
+    Mutant('actions_count', old="'create_client': ('service', 1, 'srv_name')}",
+           new="'create_client': ('service', 1, 'srv_name'), 'ActionClient': ('service', 2, 'action_name')}",
+           breaks='no-text', also='service', expect='nothing is wrong with it'),
+    Mutant('an_empty_topic', old="name.removeprefix('~/').split('/')",
+           new="name.removeprefix('~/').split('/') if name else []", breaks='topic', also='service',
+           expect='There is no word in it'),
 ]

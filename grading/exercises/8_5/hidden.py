@@ -26,7 +26,7 @@ def test_turns(learner):
     steerings.judge_angle(learner)
 
 
-@pytest.mark.rules('linear', 'on-the-spot')
+@pytest.mark.rules('distance', 'angle', 'max-angular', 'linear', 'on-the-spot')
 @pytest.mark.weight(3)
 def test_drives(learner):
     """The speed is the distance, at most max_linear, and 0 if the angle is more than 0.5 rad to either side.
@@ -34,6 +34,7 @@ def test_drives(learner):
     abs(angle).
     """
     steerings.judge_speed(learner)
+    steerings.judge_anywhere(learner)
 
 
 @pytest.mark.rules('at-the-goal')

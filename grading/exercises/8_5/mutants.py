@@ -33,7 +33,8 @@ MUTANTS = [
     Mutant('one_turn_only', old=ANGLE, new='''
         angle = math.atan2(dy, dx) - yaw if distance else 0.0
         angle += math.tau if angle < -math.pi else -math.tau if angle > math.pi else 0.0
-        ''', expect='Bring the angle into the range', breaks='short-way'),
+        ''', expect='Bring the angle into the range', breaks='short-way',
+           also=('linear', 'on-the-spot')),
     Mutant('no_limit_to_the_right', old=RETURN, new='return distance, linear, min(max_angular, 2 * angle)',
            expect='to the right, and max_angular is', breaks='max-angular'),
     Mutant('no_limit_to_the_left', old=RETURN, new='return distance, linear, max(-max_angular, 2 * angle)',
@@ -81,4 +82,11 @@ MUTANTS = [
            expect='and max_linear is', breaks='linear', also='on-the-spot'),
     Mutant('ten_metres_at_most', old='math.hypot(dx, dy)', new='min(10.0, math.hypot(dx, dy))',
            expect='the distance is', breaks='distance'),
+    Mutant('six_and_a_bit', old='math.tau) if distance', new='6.283) if distance', breaks='short-way',
+           also=('angle', 'linear', 'on-the-spot', 'max-angular'), expect='expected'),
+    Mutant('a_tenth_of_a_millimetre_is_there', old='math.tau) if distance else 0.0',
+           new='math.tau) if distance > 1e-4 else 0.0', breaks='angle', also=('max-angular', 'on-the-spot'),
+           expect=', expected'),
+    Mutant('a_small_angle_is_none', old='2 * angle))', new='2 * angle * (abs(angle) > 0.01)))', breaks='angle',
+           also='max-angular', expect='angular is'),
 ]

@@ -187,6 +187,39 @@ def two_deaf(learner) -> None:
     )
 
 
+def neighbours(learner) -> None:
+    """Rules `name`, `type` and `fits` where names, types or nodes are shared; fails with words if one is broken.
+
+    Meant is also a name that another one hears, that the node itself publishes, or whose policies do not fit either.
+    Two types may have the same last word, and a node may hear itself.
+    """
+    random = learner.random
+    one, two, three, four = random.sample(TOPICS, 4)
+    kind, other = random.choice(['String', 'Int32', 'Float32']), 'example_interfaces'
+    ends = [
+        ('publisher', '/sender', f'/{one}', f'std_msgs/msg/{kind}', STRONG),
+        ('subscription', '/hears', f'/{one}', f'std_msgs/msg/{kind}', STRONG),
+        ('subscription', '/deaf', f'/robot/{one}', f'std_msgs/msg/{kind}', WEAK),
+        ('publisher', '/both', f'/robot/{two}', MESSAGES[3], WEAK),
+        ('subscription', '/both', f'/{two}', MESSAGES[3], STRONG),
+        ('publisher', '/echo', f'/{three}', MESSAGES[3], STRONG),
+        ('subscription', '/echo', f'/{three}', MESSAGES[3], STRONG),
+        ('publisher', '/sender', f'/{four}', f'{other}/msg/{kind}', STRONG),
+        ('subscription', '/typed', f'/{four}', f'std_msgs/msg/{kind}', STRONG),
+    ]
+    endpoints = [{'role': role, 'node': node, 'name': name, 'type': of, **qos} for role, node, name, of, qos in ends]
+    expected = [
+        ('no_data', f'/deaf /robot/{one}', 'name', f'/{one}'),
+        ('no_data', f'/both /{two}', 'name', f'/robot/{two}'),
+        ('no_data', f'/typed /{four}', 'type', f'{other}/msg/{kind}'),
+    ]
+    random.shuffle(endpoints)
+    healthy = [end for end in endpoints if end['name'] == f'/{three}']
+    with about('fits'):
+        compare(learner.call('diagnose_graph', healthy), [], WHY, 'fits', '\n'.join(map(str, healthy)))
+    compare(learner.call('diagnose_graph', endpoints), expected, WHY, given='\n'.join(map(str, endpoints)))
+
+
 def topic_and_service(learner) -> None:
     """Topics and services have names of their own; fails with words if diagnose_graph takes one for the other."""
     topic, service = learner.random.choice(TOPICS), learner.random.choice(SERVICES)

@@ -3,7 +3,7 @@
 import re
 
 from helpers.checks.chapter_07 import findings
-from helpers.runner import expect
+from helpers.runner import about, expect
 
 RELEASES = (('jazzy', 'noble'), ('humble', 'jammy'), ('foxy', 'focal'))
 CAUSES = ('missing', 'release', 'key', 'not sourced', 'PATH', 'other', 'domain', 'range')
@@ -24,6 +24,8 @@ WHY = {
     'range': 'With OFF nobody is found, with LOCALHOST nobody on another machine.',
 }
 _URL = 'http://packages.ros.org/ros2/ubuntu'
+_SETUP = re.compile(r'(?:source|\.)\s+\S*/opt/ros/(\w+)/setup\.(?:ba)?sh')
+_VALUE = re.compile(r'(?:export\s+)?(\w+)=(.*)')
 
 
 def draw(random, *causes: str, plain: bool = False, way: str = '', reach: str = '') -> tuple[dict, dict, list[tuple]]:
@@ -53,6 +55,104 @@ def twice(random) -> tuple[dict, dict, list[tuple]]:
     expected = [('no_source', 'ros2.list', 'key', line) for line in debs]
     expected += [('no_colcon', '.bashrc', 'PATH', line) for line in paths]
     return files, want, expected + [('unseen', '.bashrc', 'range', line) for line in ranges]
+
+
+def expected_of(files: dict, want: dict) -> list[tuple]:
+    """The findings on a machine's files, read from their lines as the card says."""
+    debs, lines = (
+        [line.strip() for line in files[name].splitlines() if line.strip()[:1] not in ('', '#')]
+        for name in ('ros2.list', '.bashrc')
+    )
+    debs = [line for line in debs if line.split()[0] == 'deb']
+    found = [] if debs else [('no_source', 'ros2.list', 'missing', '')]
+    found += [('no_source', 'ros2.list', 'release', line) for line in debs if line.split()[-2] != want['codename']]
+    found += [('no_source', 'ros2.list', 'key', line) for line in debs if 'signed-by=' not in line]
+    sourced = [(match[1], line) for line in lines if (match := _SETUP.match(line))]
+    if want['distro'] not in dict(sourced):
+        found.append(('no_ros2', '.bashrc', 'not sourced', ''))
+    found += [('mixed_distros', '.bashrc', 'other', line) for distro, line in sourced if distro != want['distro']]
+    values = [(match[1], match[2], line) for line in lines if (match := _VALUE.match(line))]
+    found += [('no_colcon', '.bashrc', 'PATH', line) for name, value, line in values if _drops(name, value)]
+    found += [
+        ('unseen', '.bashrc', 'range', line)
+        for name, value, line in values
+        if name == 'ROS_AUTOMATIC_DISCOVERY_RANGE' and value in ('OFF', 'LOCALHOST')
+    ]
+    domains = [('', '0'), *((line, value) for name, value, line in values if name == 'ROS_DOMAIN_ID')]
+    if int(domains[-1][1]) != want['domain']:
+        found.append(('unseen', '.bashrc', 'domain', domains[-1][0]))
+    return found
+
+
+def _drops(name: str, value: str) -> bool:
+    """Whether this value of a variable drops what was on the PATH."""
+    return name == 'PATH' and not re.search(r'\$PATH\b|\$\{PATH\}', value)
+
+
+def judge_rare_lines(learner) -> None:
+    """Lines that look like others, each beside a healthy machine's: what do they do?
+
+    Rule by rule: a release whose name begins with the wanted one, PATH as a part of a folder, a number in another
+    number, and commands that only hold the words of a line that does something.
+    """
+    random = learner.random
+    (distro, codename), (older, _) = random.sample(RELEASES, 2)
+    domain, number = random.randint(1, 9), random.randint(10, 99)
+    deb, source = f'deb [signed-by=/key.gpg] {_URL}', f'source /opt/ros/{distro}/setup.bash'
+    folder = f'/opt/tool{number}/bin'
+    cases = [
+        ('release', f'{deb} {codename}-{random.choice(["updates", "testing"])} main', [source], 0),
+        ('path', '', [source, f'PATH=/usr/bin:{folder}', f'export PATH=/opt/PATH/bin:{folder}'], 0),
+        ('path', '', [source, f'PATH={folder}:$PATH:/bin', f'export PATH=$PATH:{folder}', f'export XPATH={folder}'], 0),
+        ('domain', '', [source, f'export ROS_DOMAIN_ID={domain}{number % 10}'], domain),
+        ('domain', '', [source, f'export ROS_DOMAIN_ID={domain}'], domain * 10 + number % 10),
+        ('domain', '', [source, f'ROS_DOMAIN_ID={domain}', 'ROS_DOMAIN_ID=0'], 0),
+        ('domain', '', [source, f'ROS_DOMAIN_ID={domain}', f'export OLD_ROS_DOMAIN_ID={number}'], domain),
+        ('sources', '', [f"alias {distro}='{source}'", f'echo {source}'], 0),
+        ('sources', '', [source, f"alias {older}='source /opt/ros/{older}/setup.bash'"], 0),
+        ('variables', '', [source, f"alias far='export ROS_DOMAIN_ID={number}'", f'echo PATH={folder}'], 0),
+    ]
+    for rule, first, lines, wanted in cases:
+        files = {'ros2.list': f'{first or deb + " " + codename + " main"}\n', '.bashrc': '\n'.join(lines) + '\n'}
+        want = {'distro': distro, 'codename': codename, 'domain': wanted}
+        with about(rule):
+            diagnose(learner, files, want, expected_of(files, want), rule)
+
+
+def rare_repairs(random) -> list[tuple[dict, dict]]:
+    """Machines, with what the team wants, whose wrong lines are many, or are also a part of lines that are right."""
+    (distro, codename), (older, other) = random.sample(RELEASES, 2)
+    domain, number = random.randint(10, 99), random.randint(10, 99)
+    source, wrong = (f'source /opt/ros/{name}/setup.bash' for name in (distro, older))
+    right, old = (f'deb [signed-by=/key.gpg] {_URL} {name} main' for name in (codename, other))
+    paths = [f'export PATH=/opt/tool{number}/{name}:/opt/tool{number}/{name}2' for name in ('bin', 'sbin')]
+    lines = [f"alias {older}='{wrong}'", f'# {wrong}', f'export ROBOT=robot{number}', source, wrong]
+    lines += [f'export ROBOT_PATH=/srv/{number}', *paths, f'echo "{wrong} is for the old robot"']
+    several = {
+        'ros2.list': f'# ROS 2\n# {old}\n{right}\n{old}\n{old.replace("deb", "deb-src", 1)}\n',
+        '.bashrc': '\n'.join([*lines, f'export ROS_DOMAIN_ID={domain}']) + '\n',
+    }
+    zero = {
+        'ros2.list': f'# ROS 2\n{right}\n{right.replace("deb", "deb-src", 1)}\n',
+        '.bashrc': '\n'.join([source, f'ROS_DOMAIN_ID={domain}', f'export ROS_DOMAIN_ID={domain + 1}']) + '\n',
+    }
+    kept = {
+        'ros2.list': f'# ROS 2\n{right}\n',
+        '.bashrc': '\n'.join(
+            ['export ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET', f'export ROS_DOMAIN_ID={domain + 1}', source, wrong]
+            + [f'export PATH=/opt/tool{number}/bin:$PATH', f'export ROS_DOMAIN_ID={domain}']
+        ),
+    }
+    want = {'distro': distro, 'codename': codename}
+    return [(several, {**want, 'domain': domain}), (zero, {**want, 'domain': 0}), (kept, {**want, 'domain': domain})]
+
+
+def judge_rare_repairs(learner) -> None:
+    """Repair the machines of `rare_repairs`, and try them out."""
+    for files, want in rare_repairs(learner.random):
+        with about('repaired'):
+            repaired = learner.call('repair_machine', files, want)
+        try_out(learner, files, repaired, want)
 
 
 class _Machine:
@@ -175,7 +275,7 @@ def try_out(learner, before: dict, after, want: dict) -> None:
         'repaired',
     )
     _sources(before['ros2.list'], after['ros2.list'], want)
-    _others(before['.bashrc'], after['.bashrc'], want)
+    _others(before, after, want)
     marks = {distro: f'{distro}{learner.random.getrandbits(40):x}' for distro, _ in RELEASES}
     setups = {
         f'home/opt/ros/{distro}/setup.{shell}': f'export SOURCED="$SOURCED {mark}"\n'
@@ -216,14 +316,15 @@ def _shell(seen: dict[str, str], before: str, want: dict) -> None:
     )
     tool = [
         folder
-        for line in before.splitlines()
-        if 'PATH=' in line and not line.startswith('#')
-        for folder in line.split('=', 1)[1].split(':')
+        for line in map(str.strip, before.splitlines())
+        if (value := _VALUE.match(line)) and value[1] == 'PATH'
+        for folder in value[2].split(':')
         if folder.startswith('/opt/tool')
     ]
+    lost = [folder for folder in tool if folder not in folders]
     expect(
-        set(tool) <= set(folders),
-        f'{tool and tool[0]} was on the PATH, and is not any more. Repair the line, do not drop it.',
+        not lost,
+        f'{lost and lost[0]} was on the PATH, and is not any more. Repair the line, do not drop it.',
         'folders',
     )
     domain = seen.get('ROS_DOMAIN_ID') or '0'
@@ -240,21 +341,28 @@ def _shell(seen: dict[str, str], before: str, want: dict) -> None:
     )
 
 
-def _others(before: str, after: str, want: dict) -> None:
+def _others(before: dict, after: dict, want: dict) -> None:
     """Fail with words if a line has gone that had nothing to do with a fault."""
-    there = {line.strip() for line in after.splitlines()}
-    for line in map(str.strip, before.splitlines()):
-        of_a_fault = (
-            any(word in line for word in ('ROS_DOMAIN_ID', 'DISCOVERY_RANGE', 'PATH='))
-            or re.match(r'(source|\.) ', line)
-            or line.startswith('#')
-            and want['distro'] in line
-        )
-        expect(
-            not line or of_a_fault or line in there,
-            f'The line `{line}` of .bashrc is gone: keep all other lines.',
-            'kept',
-        )
+    found = expected_of(before, want)
+    causes = {cause for _, _, cause, _ in found}
+    for name, text in before.items():
+        there = {line.strip() for line in after[name].splitlines()}
+        for line in map(str.strip, text.splitlines()):
+            value = _VALUE.match(line)
+            of_a_fault = (
+                any(line == evidence for _, _, _, evidence in found)
+                or 'domain' in causes
+                and value
+                and value[1] == 'ROS_DOMAIN_ID'  # whoever writes a new one may drop the earlier ones
+                or causes & {'not sourced', 'missing'}
+                and line.startswith('#')
+                and (want['distro'] in line or 'deb' in line)  # it may have been made to do something again
+            )
+            expect(
+                not line or of_a_fault or line in there,
+                f'The line `{line}` of {name} is gone: keep all other lines.',
+                'kept',
+            )
 
 
 def _sources(before: str, after: str, want: dict) -> None:
@@ -268,10 +376,3 @@ def _sources(before: str, after: str, want: dict) -> None:
             'repaired',
         )
         expect('signed-by=/' in line, f'In your ros2.list, `{line}` names no key.', 'repaired')
-    expect('# ROS 2' in after.splitlines(), 'A comment of ros2.list is gone: keep all other lines.', 'kept')
-    good = [
-        line
-        for line in before.splitlines()
-        if line.startswith('deb ') and 'signed-by=' in line and line.split()[-2] == want['codename']
-    ]
-    expect(set(good) <= set(lines), f'`{good and good[0]}` was right, and is gone.', 'kept')

@@ -105,7 +105,7 @@ class Robot:
                 ]
             )
             if not box
-            else ('box', {'size': '0.4 0.3 0.1'})
+            else ('box', {'size': '0.3 0.4 0.1'})
         )
         mass = random.uniform(0.3, 3.0)
         origin = {'xyz': f'0 0 {float(numbers[2]) / 10:.4f}', 'rpy': '0 0 0'}
@@ -134,13 +134,16 @@ class Robot:
             ElementTree.SubElement(inertial, 'mass', value=value)
             moments = ['0.0005', '0.0005', '0.001'] if self._flat else [f'{one:.6f}' for one in solid(*shape, mass)]
             if 'inertia' in faults:
-                place, low = random.randrange(3), min(map(float, moments))
-                wrong = self._one_of(random, ['0', f'-{low:.5f}', f'{2 * sum(map(float, moments)):.5f}'])
+                place = random.randrange(3) if self._form is None else self._form // 3 % 3
+                # Other ones than those of the solid body, of which one is wrong, and a sum that is wrong by a little.
+                moments = [f'{1.3 * one:.6f}' for one in solid(*shape, mass)]
+                others = [float(one) for number, one in enumerate(moments) if number != place]
+                wrong = self._one_of(random, ['0', f'-{min(others):.5f}', f'{1.02 * sum(others):.7f}'])
                 moments = moments[:1] * 3 if wrong == '0' else moments  # then 0 is the only thing that is wrong
                 moments[place] = wrong
                 self.expected.append(('falls', name, 'inertia', ' '.join(moments)))
             ElementTree.SubElement(
-                inertial, 'inertia', dict(zip(_MOMENTS, moments, strict=True)), ixy='1e-9', ixz='0', iyz='0'
+                inertial, 'inertia', dict(zip(_MOMENTS, moments, strict=True)), ixy='1e-9', ixz='-1e-9', iyz='0'
             )
             if 'mass' in faults:
                 self.expected.append(('falls', name, 'mass', value))

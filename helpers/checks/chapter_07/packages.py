@@ -4,7 +4,7 @@ import ast
 import re
 
 from helpers.checks.chapter_07.findings import compare
-from helpers.runner import expect
+from helpers.runner import about, expect
 
 PACKAGES = ('greeter', 'porter', 'gardener', 'courier', 'patrol')
 PROGRAMS = ('hello', 'status', 'sweep', 'fetch', 'charge', 'lift', 'report', 'dock')
@@ -99,7 +99,8 @@ class Package:
         self.words = {program: f'word{random.randint(100, 999)}' for program in programs}
         self.right, self.expected, entries = {}, [], []
         self.files = {f'{self.name}/__init__.py': '', 'README.md': f'The robot {self.name}\n'}
-        faulty = dict(zip([programs[0], *random.sample(programs[1:3], 2), 'pylon'], causes, strict=False))
+        likely = [programs[0], programs[-1], *random.sample(programs[1:3], 2), 'pylon']
+        faulty = dict(zip(likely, causes, strict=False))
         first = programs[0]
         random.shuffle(programs)
         lost = f'{self.name}.{random.choice(["main", "program", "node"])}:main'  # programs may share a wrong one
@@ -219,6 +220,43 @@ class Package:
                 f'`ros2 run {self.name} {program}` did not print `{program} says {word}`.',
                 'repaired',
             )
+
+
+def judge_rare_entries(learner) -> None:
+    """Entry points whose programs have other names than their modules, in a package with a folder in it.
+
+    One name is written in capitals, one module stands in another folder, one right side names a file after the colon;
+    a function is only another name of one, one is inside of another, and one module begins with its only `def`.
+    """
+    random = learner.random
+    package, (inner, first, last) = random.choice(PACKAGES), random.sample(PROGRAMS, 3)
+    go, other = random.sample(FUNCTIONS, 2)
+    files = {
+        f'{package}/__init__.py': '',
+        f'{package}/tools/__init__.py': '',
+        f'{package}/tools/{inner}.py': f'def {go}():\n    pass\n',
+        f'{package}/{first}.py': f'def {go}():\n    def {other}():\n        pass\n\n    {other}()\n',
+        f'{package}/{last}.py': f'import math\n\n\ndef {go}():\n    print(math.pi)\n\n\n{other} = {go}\n',
+    }
+    entries = [
+        (f'{package}.tools.{inner}:{go}', ''),
+        (f'{package}.{inner}:{go}', 'module'),
+        (f'{package}.{first.capitalize()}:{go}', 'module'),
+        (f'{package}:scripts/{first}', 'file'),
+        (f'{package}.{first}:{other}', 'function'),
+        (f'{package}.{last}:{other}', 'function'),
+        (f'{package}.{last}:{go}', ''),
+    ]
+    for value, cause in entries:
+        program = f'tool{random.randint(10, 99)}'
+        text = _SETUP.format(
+            package=package, program=program, description='Tools', entries=f"            '{program} = {value}',"
+        )
+        expected = [('no_program', program, cause, value)] if cause else []
+        given = f'The entry point is: {program} = {value}\nThe files are: {", ".join(files)}'
+        with about(cause or 'module'):
+            got = learner.call('diagnose_package', {**files, 'setup.py': text})
+            compare(got, expected, WHY, cause or 'module', given)
 
 
 def _console_scripts(setup: str) -> tuple[list[str], str]:

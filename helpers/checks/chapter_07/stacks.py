@@ -57,8 +57,8 @@ _OF_OTHERS = (
 _LINES = {
     'server': 'client.wait_for_service()',
     'call': 'answer = self.client.call(request)',
-    'spin': 'rclpy.spin_until_future_complete(self, future)',
-    'busy': 'time.sleep(0.2)',
+    'spin': 'rclpy.spin_until_future_complete(self, future)  # until the answer is there',
+    'busy': 'time.sleep(0.2)  # a while',
 }
 
 
@@ -104,7 +104,9 @@ class _Program:
             f'/home/{random.choice(["ada", "linus"])}/{"" if plain else "rclpy_"}{random.choice(words.ROBOTS)}'
         )
         self._last: list[str] = []
-        self._lines = {name: [f'# line {number} of {name}' for number in range(1, 60)] for name in names}
+        self._lines = {
+            name: [f'# line {number} of {name}' if number % 3 else '' for number in range(1, 60)] for name in names
+        }
         self.expected: list[tuple] = []
 
     @property
@@ -415,6 +417,7 @@ class Client:
             what: (next(names), round(random.uniform(low, low + 0.3), 2))
             for what, low in (('late', 30.0), ('twice', patience), ('nobody', 3.0), ('silent', 3.0))
         }
+        asked['nobody'] = asked['nobody'][0].lstrip('/'), asked['nobody'][1]  # a name is printed as it was given
         with Observer(self._learner) as observer, Observer(self._learner) as silent:
             delays = {'late': delay, 'twice': 0.62 * patience}
             servers = {what: _LateServer(observer, asked[what][0], delays[what], word) for what in delays}

@@ -23,7 +23,7 @@ def test_each_cause(learner):
     machines.diagnose(learner, *machines.draw(learner.random, plain=True))
 
 
-@pytest.mark.rules('comments', 'sources', 'variables', 'all')
+@pytest.mark.rules('comments', 'sources', 'variables', 'all', 'release', 'path', 'domain')
 def test_lines(learner):
     """What a line does is read as a shell reads it, and each wrong line is a finding.
 
@@ -77,6 +77,7 @@ def test_lines(learner):
         )
     lines = [f'source /opt/ros/{older}/setup.bash', f'. /opt/ros/{older}/setup.sh']
     look('all', lines, lost, *[('mixed_distros', '.bashrc', 'other', line) for line in lines])
+    machines.judge_rare_lines(learner)
     machines.diagnose(learner, *machines.twice(random), 'all')
     machines.diagnose(learner, *machines.draw(random, *machines.CAUSES[1:]), 'all')
 
@@ -94,3 +95,4 @@ def test_repair(learner):
             repaired = learner.call('repair_machine', files, want)
         expect(not causes or repaired != files, 'repair_machine changed nothing.', 'repaired')
         machines.try_out(learner, files, repaired, want)
+    machines.judge_rare_repairs(learner)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.packages import CAUSES, Package
+from helpers.checks.chapter_07.packages import CAUSES, Package, judge_rare_entries
 from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('7.2')
@@ -19,6 +19,7 @@ def test_causes(learner):
             with about(cause):
                 Package(learner.random, cause, form=form).diagnose(learner)
     Package(learner.random).diagnose(learner)
+    judge_rare_entries(learner)
     with about('all'):
         Package(learner.random, *CAUSES).diagnose(learner, 'all')
         Package(learner.random, 'module', 'module', form=0).diagnose(learner, 'all')

@@ -45,6 +45,7 @@ def test_diagnose(learner):
     graphs.other_type(learner)
     graphs.two_deaf(learner)
     graphs.same_name(learner)
+    graphs.neighbours(learner)
     for _ in range(4):
         with about('fits'):
             graphs.diagnose(learner, 'healthy', 'healthy', 'healthy', rule='fits')

@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.tf_trees import ASIDE, CAUSES, Tree, judge_other_places
+from helpers.checks.chapter_07.tf_trees import ASIDE, CAUSES, Tree, judge_other_places, judge_rare_trees
 from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('7.6')
@@ -19,6 +19,7 @@ def test_causes(learner):
             with about(cause.replace(' ', '-')):
                 Tree(learner.random, cause, moves=moves).diagnose(learner)
     judge_other_places(learner)
+    judge_rare_trees(learner)
     for near in (True, False):
         Tree(learner.random, 'not connected', near=near, moves=True, decoy=True).diagnose(learner)
     for aged in ('upper', 'lower', 'both', 'sensor'):

@@ -274,6 +274,45 @@ def judge_other_places(learner) -> None:
     Tree(learner.random, 'not connected', near=False, third=True).diagnose(learner)
 
 
+def judge_rare_trees(learner) -> None:
+    """Trees that are deep, have no target, or times that do not begin at a second: the rules of the last three causes.
+
+    An age is just more than 1 s, exactly 1 s, or long; the newest stamp has few nanoseconds.
+    """
+    random = learner.random
+    chain = [f'part{number}' for number in range(random.randint(7, 12))]
+    source = chain[random.randint(1, 2)]
+    static = [_transform(*pair, [0.1, 0.0, 0.0], 0.0) for pair in zip(chain, chain[1:], strict=False)]
+    static.append(_transform(chain[-1], 'boot2', [0.1, 0.0, 0.0], 0.0))
+    static.append(_transform('boot', chain[0], [0.1, 0.0, 0.0], 0.0))
+    random.shuffle(static)
+    for target, more, meant in (('map', [], ''), ('map', [_transform('map', 'boat', [0.1, 0.0, 0.0], 0.0)], 'boat')):
+        with about('not-connected'):
+            compare(
+                learner.call('diagnose_tf', [], static + more, target, source, 100.0),
+                [('no_transform', 'boot', 'not connected', meant)],
+                WHY,
+                'not-connected',
+                f'static: {", ".join(" → ".join(_names_of(one)) for one in static + more)}',
+            )
+    begin = random.randint(1000, 9000)
+    for age, rule in ((1.03, 'old'), (1.0, 'old'), (random.randint(120, 99990) / 10, 'old'), (1.52, 'newest')):
+        stamp, back = begin + random.choice([0.05, 0.0625]), random.choice([0.25, 0.5])  # which are exact, or nearly
+        now = stamp + age
+        moving = [_transform('map', source, [0.1, 0.0, 0.0], one) for one in (stamp - back, stamp, stamp - 2 * back)]
+        expected = [('no_transform', source, 'old', f'{now - stamp:.1f}')] if age != 1.0 else []
+        if age == 1.0:  # a moment younger: nobody is judged by the last digit of a number
+            now -= 1e-4
+        with about(rule):
+            compare(
+                learner.call('diagnose_tf', moving, [], 'map', source, now),
+                expected,
+                WHY,
+                rule,
+                f'now = {now}, the stamps of map → {source}: {", ".join(str(one) for one in (stamp - back, stamp))}',
+            )
+
+
 def _transform(parent: str, child: str, numbers, stamp: float) -> TransformStamped:
     made = TransformStamped()
     made.header.frame_id, made.child_frame_id = parent, child

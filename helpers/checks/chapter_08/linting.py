@@ -109,6 +109,7 @@ def judge_topics(learner, kind: str, functions: tuple[str, str]) -> None:
         f'{one}/~/{two}': 'Only at its beginning can ~/ stand.',
         '~': 'There is no word in it.',
         '~/': 'There is no word in it.',
+        '': 'There is no word in it.',
     }
     good = [one, f'{one}/{two}', f'~/{one}', f'~/{one}/{two}', f'{one}/{two}/{one}']
     for function in functions:
@@ -152,6 +153,26 @@ def judge_super(learner) -> None:
         'super',
         why_not='The bases of its class are neither Node nor LifecycleNode.',
     )
+    judge(
+        learner,
+        f"""
+class Outer(Node):
+    def start(self):
+        super().start('{bad}J')
+
+    class Inner:
+        def __init__(self):
+            super().__init__('{bad}K')
+
+    class Helper(Node):
+        def __init__(self):
+            super().__init__('{bad}L')
+""",
+        [('node', f'{bad}L')],
+        'super',
+        'A class in a class has bases of its own.',
+        'Only super().__init__ names a node, and a class in a class has bases of its own.',
+    )
 
 
 def judge_no_text(learner) -> None:
@@ -172,6 +193,11 @@ node.create_subscription('{bad}', topic, print, 10)
 node.create_publisher(String)
 create_node(name)
 create_node(7)
+create_node('{bad}' + suffix)
+NAME = '{bad}'
+node.create_publisher(String, NAME, 10)
+ActionClient(node, Fibonacci, '{bad}')
+node.declare_parameter('topic', '{bad}')
 Node()
 LifecycleNode('{bad}')
 launched = Node(package='x', executable='{bad}', name='{bad}')

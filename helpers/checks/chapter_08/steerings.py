@@ -183,6 +183,35 @@ def _just_at_the_limit(draw, side: int, limit: float) -> tuple[float, ...]:
     return x, y, -side * 0.5, x + draw.choice([1, 2, 4]), y, limit, draw.uniform(0.2, 0.8)
 
 
+def judge_anywhere(learner) -> None:
+    """All rules but `at-the-goal`, with calls from a wide range: the way and the limits are short, long or between.
+
+    The robot may have turned many times, and the goal may lie along an axis. An angle is never at a border.
+    """
+    draw = learner.random
+    for number in range(40):
+        size = 10 ** draw.uniform(-4, -0.31) if number % 2 else draw.uniform(0.52, 3.1)
+        far, limit, turn = (10 ** draw.uniform(low, high) for low, high in ((-4.6, 4), (-3, 3), (-3, 2)))
+        arguments = case(draw, draw.choice([-1, 1]) * size, far, draw.uniform(-120, 120), limit, turn)
+        if number % 5 == 0:  # along an axis, to one of its four sides
+            x, y = arguments[:2]
+            ahead, across = draw.choice([(far, 0.0), (-far, 0.0), (0.0, far), (0.0, -far)])
+            yaw = math.atan2(across, ahead) - draw.choice([-1, 1]) * size
+            arguments = x, y, yaw, x + ahead, y + across, limit, turn
+        direction = math.atan2(arguments[4] - arguments[1], arguments[3] - arguments[0])
+        angle = math.remainder(direction - arguments[2], math.tau)
+        found, wanted = steer(learner, 'angle', *arguments), right(*arguments)
+        limited = 2 * size > turn and found[2] * angle > 0
+        rules = 'distance', 'linear' if size < 0.5 else 'on-the-spot', 'max-angular' if limited else 'angle'
+        for rule, name, one, other in zip(rules, ('distance', 'linear', 'angular'), found, wanted, strict=True):
+            expect(
+                one == pytest.approx(other, rel=1e-6, abs=1e-9),
+                f'{words(arguments)}: {name} is {one:.6g}, expected {other:.6g}. The goal is {far:.3g} m away and '
+                f'{side_of(angle)}, max_linear is {limit:.3g}, max_angular is {turn:.3g}.',
+                rule,
+            )
+
+
 def judge_goal(learner) -> None:
     """The rule `at-the-goal`."""
     draw = learner.random

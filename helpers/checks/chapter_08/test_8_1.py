@@ -16,8 +16,9 @@ def test_nodes(learner):
     bad = linting.word(learner.random).capitalize()
     linting.judge(
         learner,
-        f"n = create_node('{bad}A')\nm = rclpy.create_node(\n    '{bad}B')\nk = Node('{bad}C')\n",
-        [('node', f'{bad}{letter}') for letter in 'ABC'],
+        f"n = create_node('{bad}A')\nm = rclpy.create_node(\n    '{bad}B')\nk = Node('{bad}C')\n"
+        f"j = rclpy.node.Node('{bad}D')\n",
+        [('node', f'{bad}{letter}') for letter in 'ABCD'],
         'node',
         'Its name begins with a capital letter.',
     )

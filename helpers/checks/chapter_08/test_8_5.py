@@ -24,7 +24,7 @@ def test_turns(learner):
     steerings.judge_angle(learner)
 
 
-@pytest.mark.rules('linear', 'on-the-spot', 'at-the-goal')
+@pytest.mark.rules('distance', 'angle', 'max-angular', 'linear', 'on-the-spot', 'at-the-goal')
 def test_drives(learner):
     """The robot drives with the distance, at most max_linear; turns on the spot beyond 0.5 rad; stands at the goal.
 
@@ -32,3 +32,4 @@ def test_drives(learner):
     """
     steerings.judge_speed(learner)
     steerings.judge_goal(learner)
+    steerings.judge_anywhere(learner)
