@@ -96,4 +96,10 @@ MUTANTS = [
     Mutant('scan_best_available', old="self.on_scan, sensor)",
            new="self.on_scan, QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_AVAILABLE))",
            expect='BEST_AVAILABLE', breaks='scan'),
+    Mutant('reasons_of_earlier_calls', edits=(
+                                                  ('def why_no_data(offered, requested):',
+                                                   'def why_no_data(offered, requested, reasons=[]):'),
+                                                  ("reasons = [key for key in ('topic', 'type')",
+                                                   "reasons += [key for key in ('topic', 'type')")),
+           expect='remembers earlier calls', breaks='list'),
 ]

@@ -22,7 +22,7 @@ def test_changing_rate(learner):
     Count in the callback; report and set back in a timer of 1 s on the node's own clock.
     """
     rates, _, lidar = monitor(learner)
-    counts = [learner.random.randint(1, 9) for _ in range(5)] + [0]
+    counts = [*(learner.random.randint(1, 9) for _ in range(4)), learner.random.randint(25, 45), 0]
     stamp = 50.0
     for count in counts:
         learner.run(0.5)
