@@ -102,4 +102,9 @@ MUTANTS = [
                                                   ("reasons = [key for key in ('topic', 'type')",
                                                    "reasons += [key for key in ('topic', 'type')")),
            expect='remembers earlier calls', breaks='list'),
+    Mutant('stops_for_ever', old='self.publisher.publish(Bool(data=any(distance < 0.5 for distance in scan.ranges)))', new="""
+            self.near = getattr(self, 'near', False) or any(distance < 0.5 for distance in scan.ranges)
+            self.publisher.publish(Bool(data=self.near))
+            """, expect='The callback was right', breaks='rest'),
+    Mutant('front_only', old='in scan.ranges)', new='in list(scan.ranges)[:360])', expect='callback was right', breaks='rest'),
 ]

@@ -181,4 +181,9 @@ MUTANTS = [
            imports='from rclpy.duration import Duration', expect='asks for the policy deadline', breaks='any-lidar'),
     Mutant('long_gaps_do_not_count', old='if gap > self.max_gap:', new='if 10 > gap > self.max_gap:', expect='however long it is',
            breaks='gap'),
+    Mutant('tolerant_limit', old='if gap > self.max_gap:', new='if gap > self.max_gap + 1e-6:', expect='if only by nanoseconds',
+           breaks='limit'),
+    Mutant('limits_up_to_one', old='self.max_gap, self.count, self.newest = max_gap, 0, None',
+           new='self.max_gap, self.count, self.newest = min(max_gap, 1.0), 0, None', expect='Only a difference of more than max_gap',
+           breaks='limit', also=('old', 'gap')),
 ]

@@ -64,7 +64,7 @@ def check_exact(learner, **start) -> None:
         learner.settle()
     expect(
         gaps.data == pytest.approx([more / SECOND]),
-        f'With max_gap {max_gap:g} s, a stamp {more} ns after the newest gave {gaps.data} on scan_gap. That is '
+        f'With max_gap {max_gap:g} s, a stamp {more} ns after the newest gave {gaps.data} on scan_gap. It is '
         'more than max_gap, if only by nanoseconds: compare without rounding.',
         'limit',
     )
@@ -96,7 +96,7 @@ def check_zero(learner) -> None:
     counts = [count for count in rates.data if count]
     expect(
         counts[:1] != [2.0],
-        f'Three scans came in a second, with the stamps {stamp}, {stamp} and {stamp + step:g} s, and the report says 2. '
+        f'Three scans came in a second, with the stamps {stamp}, {stamp} and {stamp + step:g} s; the report says 2. '
         'Each scan counts, also with a stamp that was there before.',
         'report',
     )
