@@ -75,8 +75,6 @@ MUTANTS = [
             self.goal = Point(x=x, y=y)
             """), ('self.x - pose.x, self.y - pose.y', 'self.goal.x - pose.x, self.goal.y - pose.y')),
            expect="must be of type 'float'", breaks='reach'),
-    Mutant('one_coordinate', old='if distance > 0.05:', new='if abs(dx) > 0.05:', expect='after 20 s the turtle is',
-           breaks='reach', also=('stop', 'short-way', 'walls')),
     Mutant('slides_sideways', old='command.angular.z = 3.0 * error', new="""
             command.angular.z = 3.0 * error
             command.linear.y = 0.2 * math.sin(error)
