@@ -90,4 +90,39 @@ def choose_distribution(ubuntu, today, releases=RELEASES):
                                          ('if first <= month <= last]', 'if first[2:] <= month <= last[2:]]'),
                                          ('any(first > month', 'any(first[2:] > month')),
            expect='expected', breaks='months', also=('ends-last', 'ended', 'to-come', 'table')),
+    Mutant('months_as_a_fraction', edits=(('month = today[:7]', "month = number(today[:7])"),
+                                          ('first <= month <= last]', 'number(first) <= month <= number(last)]'),
+                                          ('any(first > month', 'any(number(first) > month')),
+           imports="""
+    def number(month):
+        return float(month.replace('-0', '.').replace('-', '.'))
+    """, expect='supported from', breaks='months', also=('ends-last', 'to-come', 'ended')),
+    Mutant('remembers_days', source="""
+KNOWN = {}
+
+
+def choose_distribution(ubuntu, today, releases=RELEASES):
+    if (ubuntu, today) not in KNOWN:
+        KNOWN[ubuntu, today] = _choose(ubuntu, today[:7], [(name, *row) for name, row in releases.items()])
+    return KNOWN[ubuntu, today]
+
+
+def _choose(ubuntu, month, rows):
+    mine = [row for row in rows if row[1] == ubuntu]
+    supported = [row for row in mine if row[2] <= month <= row[3]]
+    if supported:
+        return max(supported, key=lambda row: row[3])[0], 'supported'
+    if not mine:
+        return None, 'unknown Ubuntu'
+    return None, 'not released yet' if max(row[2] for row in mine) > month else 'end of life'
+""", expect='right for another table', breaks='table'),
+    Mutant('small_letters', old='mine[name][2]),', new='mine[name][2]).lower(),', expect='letter by letter', breaks='table'),
+    Mutant('rows_are_taken_out', old='mine = {name: row for name, row in releases.items() if row[0] == ubuntu}',
+           new='mine = {name: releases.pop(name) for name in list(releases) if releases[name][0] == ubuntu}',
+           expect='remembers earlier calls', breaks='table'),
+    Mutant('names_of_all', old='max(supported, key=lambda name: mine[name][2]),', new='supported,', expect='is one name',
+           breaks='pair'),
+    Mutant('ends_last_of_all_rows', old='last) in mine.items() if first <= month <= last]',
+           new='last) in mine.items() if first <= month <= last == max(row[2] for row in mine.values())]',
+           expect='supported', breaks='months', also=('ends-last',)),
 ]

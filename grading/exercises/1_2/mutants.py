@@ -93,4 +93,43 @@ MUTANTS = [
     Mutant('version_as_a_number', old=PYTHON,
            new=PYTHON.replace("part != f'python{python}'", 'float(part[6:]) != float(python)'),
            expect='Compare texts', breaks='python'),
+    Mutant('first_and_last_folder', old=DISTROS, new=DISTROS.replace('in parts if', 'in (parts[0], parts[-1]) if'),
+           expect='with other folders between them', breaks='mixed'),
+    Mutant('neighbours', old=MIXED, new="""
+        elif any(one[3:4] != other[3:4] for one, other in zip(parts, parts[1:])
+                 if one[:3] == other[:3] == ['', 'opt', 'ros']) or len(distros) == 1 and len(
+                     distros | {environ.get('ROS_DISTRO') or min(distros)}) > 1:
+        """, expect='with other folders between them', breaks='mixed'),
+    Mutant('ros_distro_is_the_last_folder', old=MIXED, new="""
+        elif len(distros) > 1 or environ.get('ROS_DISTRO') and parts[-1][:3] == ['', 'opt', 'ros'] and (
+                parts[-1][3] != environ['ROS_DISTRO']):
+        """, expect='Path and ROS_DISTRO name two', breaks='ros-distro'),
+    Mutant('folder_begins_with_opt_ros', old=DISTROS,
+           new="distros = {part[3] for part in parts if '/'.join(part).startswith('/opt/ros') and len(part) > 3}",
+           expect='the other folders are elsewhere', breaks='workspace'),
+    Mutant('anything_in_opt', old=DISTROS, new="distros = {part[3] for part in parts if part[1:2] == ['opt'] and len(part) > 3}",
+           expect='the other folders are elsewhere', breaks='workspace'),
+    Mutant('any_folder_ros', old=DISTROS, new="distros = {part[3] for part in parts if part[2:3] == ['ros'] and len(part) > 3}",
+           expect='the other folders are elsewhere', breaks='workspace'),
+    Mutant('last_python_folder', old="folders = environ.get('PYTHONPATH', '').replace(':', '/').split('/')",
+           new="folders = environ.get('PYTHONPATH', '').split(':')[-1].split('/')", expect='folder', breaks='python'),
+    Mutant('minor_version', old=PYTHON, new=PYTHON.replace("part != f'python{python}'",
+                                                           "part.split('.')[1] != python.split('.')[1]"),
+           expect='One of its three folders', breaks='python'),
+    Mutant('part_before_the_last', old="folders = environ.get('PYTHONPATH', '').replace(':', '/').split('/')",
+           new="folders = [part for folder in environ.get('PYTHONPATH', '').split(':') for part in folder.split('/')[-2:-1]]",
+           expect='One of its three folders', breaks='python'),
+    Mutant('digits', old='domain.isdecimal()', new='domain.isdigit()', expect='invalid literal for int', breaks='domain'),
+    Mutant('begins_with_off', old=REACH, new="""
+        reach = environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE') or 'SUBNET'
+        reach = 'OFF' if reach.startswith('OFF') else reach
+        """, expect='letter by letter', breaks='unknown'),
+    Mutant('spaces_around_it', old=REACH, new="""
+        reach = environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE') or 'SUBNET'
+        reach = reach.strip()
+        """, expect='letter by letter', breaks='unknown'),
+    Mutant('faults_of_earlier_calls', edits=(("python='3.12'):", "python='3.12', faults={}):"), ('faults = {}', '')),
+           expect='remembers earlier calls', breaks='dictionary'),
+    Mutant('faults_name_variables', old='return faults', new='return {fault: name for name, fault in faults.items()}',
+           expect='Its keys are the names of variables', breaks='dictionary'),
 ]

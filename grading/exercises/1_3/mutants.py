@@ -134,4 +134,12 @@ class Bridge(Node):
     Mutant('one_far_side', edits=(('self.publisher = self.other_side', 'Bridge.out = self.other_side'),
                                   ('self.publisher.publish, 10', 'lambda msg: Bridge.out.publish(msg), 10')),
            expect='a publisher of its own', breaks='carries'),
+    Mutant('long_texts_are_cut', old="(String, 'chatter', self.publisher.publish, 10)",
+           new="(String, 'chatter', lambda msg: self.publisher.publish(String(data=msg.data[:100])), 10)",
+           expect='unchanged, once and in order', breaks='carries'),
+    Mutant('says_so_itself', old="self.create_subscription(String, 'chatter', self.publisher.publish, 10)", new="""
+            self.create_subscription(String, 'chatter', self.publisher.publish, 10)
+            self.status = self.create_publisher(String, 'chatter', 10)
+            self.create_timer(0.5, lambda: self.status.publish(String(data='bridge')))
+            """, expect='by itself', breaks='carries', also=('one-way',)),
 ]

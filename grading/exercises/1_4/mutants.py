@@ -75,4 +75,8 @@ MUTANTS = [
             self.goal = Point(x=x, y=y)
             """), ('self.x - pose.x, self.y - pose.y', 'self.goal.x - pose.x, self.goal.y - pose.y')),
            expect="must be of type 'float'", breaks='reach'),
+    Mutant('slides_sideways', old='command.angular.z = 3.0 * error', new="""
+            command.angular.z = 3.0 * error
+            command.linear.y = 0.2 * math.sin(error)
+            """, expect='slide sideways', breaks='short-way'),
 ]

@@ -3,7 +3,7 @@
 import pytest
 from std_msgs.msg import String
 
-from helpers.checks.chapter_03.beacons import check_own_publishers, check_unheard
+from helpers.checks.chapter_03.beacons import check_awake, check_own_publishers, check_unheard
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic, robot
 from helpers.runner import about, expect, waiting
 
@@ -21,12 +21,7 @@ def test_first_message(learner):
     begin = learner.now / 1e9
     with waiting('at-once'):
         learner.start('Beacon')
-    expect(
-        not learner.slept,
-        'The constructor sleeps or spins, or a thread that it starts sleeps. A timer does the waiting: the constructor '
-        'only prepares.',
-        'at-once',
-    )
+    check_awake(learner)
     learner.settle()
     with about('texts'):
         learner.run(0.2)

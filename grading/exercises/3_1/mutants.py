@@ -111,4 +111,18 @@ class Beacon(Node):
             if not hasattr(Beacon, 'publisher'):
                 Beacon.publisher = self.create_publisher(String, 'beacon', 10)
             """, expect='Each constructor makes its own', breaks='topic'),
+    Mutant('hundred_numbers', old='self.count += 1', new='self.count = self.count % 100 + 1', expect='without end',
+           breaks='texts'),
+    Mutant('number_of_a_byte', old='self.count += 1', new='self.count = (self.count + 1) % 256', expect='without end',
+           breaks='texts'),
+    Mutant('waits_for_a_listener', old='self.timer = self.create_timer(0.25, self.on_timer)', new="""
+            self.timer = self.create_timer(0.25, self.on_timer)
+            end = time.monotonic() + 1.0
+            while not self.publisher.get_subscription_count() and time.monotonic() < end:
+                time.sleep(0.02)
+            """, imports='import time', expect='The constructor sleeps', breaks='at-once'),
+    Mutant('callback_sleeps', edits=(('0.25', '0.01'), ('self.count += 1', """
+            time.sleep(0.25)
+            self.count += 1
+            """)), imports='import time', expect='A callback sleeps', breaks='rate', also=('first',)),
 ]

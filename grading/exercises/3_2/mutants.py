@@ -205,4 +205,8 @@ class RangeToMetres(Node):
     Mutant('short_life', old="'sonar', 10)", new="'sonar', QoSProfile(depth=10, lifespan=Duration(seconds=1)))",
            imports='from rclpy.duration import Duration\nfrom rclpy.qos import QoSProfile', expect='policy lifespan 1 s',
            breaks='qos'),
+    Mutant('one_kind_of_radiation', old='msg.variance /= 100**2', new="""
+        msg.variance /= 100**2
+        msg.radiation_type = Range.INFRARED
+        """, expect='radiation_type was', breaks='others'),
 ]

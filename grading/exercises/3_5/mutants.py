@@ -96,4 +96,15 @@ MUTANTS = [
     Mutant('scan_best_available', old="self.on_scan, sensor)",
            new="self.on_scan, QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_AVAILABLE))",
            expect='BEST_AVAILABLE', breaks='scan'),
+    Mutant('reasons_of_earlier_calls', edits=(
+                                                  ('def why_no_data(offered, requested):',
+                                                   'def why_no_data(offered, requested, reasons=[]):'),
+                                                  ("reasons = [key for key in ('topic', 'type')",
+                                                   "reasons += [key for key in ('topic', 'type')")),
+           expect='remembers earlier calls', breaks='list'),
+    Mutant('stops_for_ever', old='self.publisher.publish(Bool(data=any(distance < 0.5 for distance in scan.ranges)))', new="""
+            self.near = getattr(self, 'near', False) or any(distance < 0.5 for distance in scan.ranges)
+            self.publisher.publish(Bool(data=self.near))
+            """, expect='The callback was right', breaks='rest'),
+    Mutant('front_only', old='in scan.ranges)', new='in list(scan.ranges)[:360])', expect='callback was right', breaks='rest'),
 ]

@@ -22,7 +22,7 @@ def test_changing_rate(learner):
     Count in the callback; report and set back in a timer of 1 s on the node's own clock.
     """
     rates, _, lidar = monitor(learner)
-    counts = [learner.random.randint(1, 9) for _ in range(5)] + [0]
+    counts = [*(learner.random.randint(1, 9) for _ in range(4)), learner.random.randint(25, 45), 0]
     stamp = 50.0
     for count in counts:
         learner.run(0.5)
@@ -67,6 +67,14 @@ def test_silent_sensor(learner):
         f'Silence, 5 scans, silence gave {rates.data}, expected [0, 0, 5, 0, 0].',
         'silent' if rates.data[:3] == [0.0, 0.0, 5.0] and not any(rates.data[3:]) else 'report',
     )
+    minutes = learner.random.randint(1, 3)
+    learner.run(60 * minutes, step=10.0)
+    expect(
+        len(rates) == 5 + 60 * minutes,
+        f'A sensor was silent for {minutes} min, and {len(rates) - 5} reports came in this time, expected '
+        f'{60 * minutes}.',
+        'silent',
+    )
     expect(
         not gaps.messages, 'Silence alone makes no message on scan_gap: it takes the next scan to know the gap.', 'gap'
     )
@@ -80,19 +88,28 @@ def test_gaps_from_stamps(learner):
     """
     _, gaps, lidar = monitor(learner)
     first = learner.random.randint(1000, 2000)
-    for stamp, pause in ((0.9, 0.1), (1.3, 3.0), (1.75, 0.1), (2.55, 0.0), (2.75, 2.0), (3.9, 0.1)):
+    for stamp, pause in (
+        (0.9, 0.1),
+        (1.3, 3.0),
+        (1.75, 0.1),
+        (2.55, 0.0),
+        (2.75, 2.0),
+        (3.9, 0.1),
+        (5.05, 0.0),
+        (65.05, 0.1),
+    ):
         lidar.send(scan(first + stamp))
         learner.settle()
         learner.run(pause) if pause else None
-    expect(gaps.data, 'Two gaps in the stamps gave nothing on /scan_gap.', 'gap')
+    expect(gaps.data, 'Four gaps in the stamps gave nothing on /scan_gap.', 'gap')
     expect(
-        gaps.data != pytest.approx([1.15], abs=1e-6),
+        gaps.data != pytest.approx([1.15, 1.15, 60.0], abs=1e-6),
         'RateMonitor() told the gap of 1.15 s, and not the one of 0.8 s: max_gap is 0.5 if nobody gives it.',
         'limit',
     )
     expect(
-        gaps.data == pytest.approx([0.8, 1.15], abs=1e-6),
-        f'The gaps are {gaps.data}, expected [0.8, 1.15]. Use the stamps, with nanoseconds, '
+        gaps.data == pytest.approx([0.8, 1.15, 1.15, 60.0], abs=1e-6),
+        f'The gaps are {gaps.data}, expected [0.8, 1.15, 1.15, 60.0]. Use the stamps, with nanoseconds, '
         'and not the time of arrival.',
         'gap',
     )

@@ -159,4 +159,31 @@ MUTANTS = [
             self.last = now
             self.rate.publish(Float64(data=self.count / passed))
             """)), expect='Do not divide by the time', breaks='report'),
+    Mutant('at_most_twenty', old='data=float(self.count)', new='data=float(min(self.count, 20))', expect='scans came in these seconds',
+           breaks='report'),
+    Mutant('tires_of_silence', edits=(('self.max_gap, self.count, self.newest = max_gap, 0, None', """
+            self.max_gap, self.count, self.newest = max_gap, 0, None
+            self.quiet = 0
+            """), (RATE, """
+            self.quiet = 0 if self.count else self.quiet + 1
+            if self.quiet < 6:
+                self.rate.publish(Float64(data=float(self.count)))
+            """)), expect='also without scans', breaks='silent'),
+    Mutant('same_gap_once', edits=(('self.max_gap, self.count, self.newest = max_gap, 0, None', """
+            self.max_gap, self.count, self.newest = max_gap, 0, None
+            self.told = None
+            """), ('if gap > self.max_gap:', """
+            if gap > self.max_gap and gap != self.told:
+                self.told = gap
+            """)), expect='nothing came on scan_gap', breaks='gap'),
+    Mutant('requests_a_deadline', old='self.on_scan, sensor)',
+           new='self.on_scan, QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT, deadline=Duration(seconds=0.5)))',
+           imports='from rclpy.duration import Duration', expect='asks for the policy deadline', breaks='any-lidar'),
+    Mutant('long_gaps_do_not_count', old='if gap > self.max_gap:', new='if 10 > gap > self.max_gap:', expect='however long it is',
+           breaks='gap'),
+    Mutant('tolerant_limit', old='if gap > self.max_gap:', new='if gap > self.max_gap + 1e-6:', expect='if only by nanoseconds',
+           breaks='limit'),
+    Mutant('limits_up_to_one', old='self.max_gap, self.count, self.newest = max_gap, 0, None',
+           new='self.max_gap, self.count, self.newest = min(max_gap, 1.0), 0, None', expect='Only a difference of more than max_gap',
+           breaks='limit', also=('old', 'gap')),
 ]

@@ -4,7 +4,8 @@ from calendar import monthrange
 from dataclasses import dataclass
 from random import Random
 
-from helpers.runner import expect
+from helpers.runner import about, expect
+from helpers.runner.first_call import FirstCall
 
 RELEASES = {
     'foxy': ['20.04', '2020-06', '2023-06'],
@@ -15,6 +16,7 @@ RELEASES = {
     'kilted': ['24.04', '2025-05', '2026-12'],
     'lyrical': ['26.04', '2026-05', '2031-05'],
 }
+_LETTERS = ('Cedar', 'black gum', 'Elm_2', 'fir.1', 'GINKGO', 'holly-b')  # names of other kinds
 _NAMES = ('maple', 'nettle', 'oak', 'pine', 'quince', 'rowan', 'spruce', 'thuja', 'umber', 'viburnum')
 _WHY = {
     'ends-last': 'Of several supported ones, choose the one whose support ends last, not the newest.',
@@ -34,6 +36,7 @@ class Case:
     ubuntu: str
     month: str
     table: dict | None = None  # None: the course's own
+    before: dict | None = None  # a table for which the same was asked before
 
 
 def chosen(ubuntu: str, today: str, table: dict) -> list:
@@ -110,19 +113,62 @@ def drawn_cases(random: Random) -> list[Case]:
     ]
 
 
+def border_cases(random: Random) -> list[Case]:
+    """The months on both sides of each border in a drawn table, and the same with other names in the same rows."""
+    systems = random.sample(['27.04', '29.10', '31.04', '33.10'], 3)
+    rows: list[list[str]] = []
+    asked: list[tuple[str, str]] = []
+    for number, system in enumerate(2 * systems):
+        first = 12 * random.randint(2091, 2098) + (9 if number in (0, 5) else random.randrange(12))  # 9: October
+        last = first + random.randint(2, 70)
+        while any(row[0] == system and row[2] == _month(last) for row in rows):
+            last += 1
+        rows.append([system, _month(first), _month(last)])
+        asked += [(system, _month(month)) for month in (first - 1, first, last, last + 1)]
+    names = random.sample((*_NAMES, *_LETTERS), len(rows))
+    table, renamed = (dict(zip(names[turn:] + names[:turn], rows, strict=True)) for turn in (0, 1))
+    return [
+        Case(_rule(system, month, table), system, month, now, before)
+        for system, month in asked
+        for now, before in ((table, None), (renamed, table))
+    ]
+
+
+def _month(number: int) -> str:
+    return f'{number // 12}-{number % 12 + 1:02}'
+
+
+def _rule(system: str, month: str, table: dict) -> str:
+    """The rule that a wrong answer to this question breaks."""
+    name, reason = chosen(system, month + '-01', table)
+    if name:
+        return 'months' if month in table[name][1:] else 'ends-last'
+    return {'not released yet': 'to-come', 'end of life': 'ended'}[reason]
+
+
 def check(learner, asked: list[Case]) -> None:
     """`choose_distribution` answers these questions rightly."""
+    first = FirstCall(learner, 'choose_distribution', 'table')
     for case in asked:
         last = monthrange(*map(int, case.month.split('-')))[1]
         for day in (1, last) if case.rule == 'months' else (learner.random.randint(1, last),):
-            _check_day(learner, case, f'{case.month}-{day:02}')
+            _check_day(learner, case, f'{case.month}-{day:02}', first)
 
 
-def _check_day(learner, case: Case, today: str) -> None:
+def _check_day(learner, case: Case, today: str, first: FirstCall) -> None:
     given = [] if case.table is None else [case.table]
-    got = learner.call('choose_distribution', case.ubuntu, today, *given)
+    with about(case.rule if case.before is None else 'table'):
+        got = learner.call('choose_distribution', case.ubuntu, today, *given)
+    if got != chosen(case.ubuntu, today, RELEASES if case.table is None else case.table):
+        first.check_again()
+    first.note(got, case.ubuntu, today, *given)
     where = f'Ubuntu {case.ubuntu!r} on {today}' + (f' with the table {case.table}' if given else '')
     expect(isinstance(got, list) and len(got) == 2, f'{where} gives {got!r}; expected a pair (name, reason).', 'pair')
+    expect(
+        isinstance(got[0], str | None),
+        f'{where} gives {tuple(got)!r}: the first of the pair is one name, or None.',
+        'pair',
+    )
     table = RELEASES if case.table is None else case.table
     wanted = chosen(case.ubuntu, today, table)
     expect(
@@ -139,12 +185,26 @@ def _check_day(learner, case: Case, today: str) -> None:
 
 def _explained(case: Case, got: list, wanted: list, table: dict) -> tuple[str, str]:
     """The rule that a wrong answer breaks, and a sentence on it."""
+    name, right = got[0] or '', wanted[0] or ''
+    if right and name != right and name.lower() == right.lower():
+        return 'table', f'The name is {right!r}, letter by letter, as in the table.'
+    if case.before is not None and got == chosen(case.ubuntu, f'{case.month}-01', case.before):
+        return 'table', 'This was right for another table, in a call before. Only the table that is given counts.'
+    if name in table and table[name][0] != case.ubuntu:
+        return case.rule, f'{name} is for Ubuntu {table[name][0]!r}. {_WHY[case.rule]}'
     supported = [
         name
         for name, (made_for, first, last) in table.items()
         if made_for == case.ubuntu and first <= case.month <= last
     ]
-    if not wanted[0] or case.rule == 'table' or got[0] in supported:
+    if name in table and name not in supported:
+        _, first, last = table[name]
+        why = '' if right else ' ' + _WHY[case.rule]
+        rule = 'ends-last' if right and case.month not in table[right][1:] else case.rule
+        return rule, f'{name} is supported from {first} to {last}, and not then.{why}'
+    if not right or case.rule == 'table' or name in supported:
         return case.rule, _WHY[case.rule]
-    _, first, last = table[wanted[0]]
+    _, first, last = table[right]
+    if first < case.month < last:
+        return 'ends-last', f'{right} is supported from {first} to {last}, whatever the other rows say.'
     return 'months', f'Its support goes from {first} to {last}. {_WHY["months"]}'

@@ -6,7 +6,7 @@ from contextlib import ExitStack, contextmanager
 from std_msgs.msg import String
 
 from helpers.kernel.domains import claim
-from helpers.runner import about, expect
+from helpers.runner import about, expect, waiting
 from helpers.runner.elsewhere import Elsewhere
 from helpers.runner.load import busy
 from helpers.runner.values import SetAsList, TupleAsList
@@ -39,7 +39,7 @@ def check_kind(got, call: str) -> None:
 
 def _who_hears(learner, ours: int, asked: list[int], seconds: float, wanted: list[int]):
     """What `who_hears` returns; a wrong answer of a busy machine is asked for once more, with four times as long."""
-    with about('measures'):
+    with about('measures'), waiting('in-time'):
         got = learner.call('who_hears', ours, asked, seconds)
         if got != wanted and busy():
             got = learner.call('who_hears', ours, asked, 4 * seconds)
@@ -61,6 +61,12 @@ def check_roll_call(learner) -> None:
             'measures',
         )
         check_kind(got, f'who_hears({ours}, {asked})')
+        expect(
+            len(set(got)) == len(got),
+            f'who_hears({ours}, {asked}) names a domain more than once, in a list of {len(got)}: once for each message '
+            'that came? It returns each domain once.',
+            'sorted',
+        )
         expect(
             heard and got,
             f'A speaker was in domain {ours}, and who_hears({ours}, {asked}) gives {got!r}. '
@@ -84,12 +90,20 @@ def check_bridged(learner) -> None:
         if numbers:
             second, ours = learner.random.choice(numbers)
             third = next(domain for domain in claimed if domain not in (second, ours))
-        with Elsewhere(second) as there, Elsewhere(ours) as here:
+        with Elsewhere(second) as there, Elsewhere(ours) as here, Elsewhere(third) as silent:
             here.relay('/roll_call', String, to=there)
+            mute = silent.node.create_publisher(String, '/roll_call', 10)  # it is there, and says nothing
             asked = learner.random.sample([ours, third], 2) + [second]
             wanted = [second, ours]
             got = _who_hears(learner, ours, asked, 2.0, wanted)
+            silent.node.destroy_publisher(mute)
         check_kind(got, f'who_hears({ours}, {asked})')
+        expect(
+            third not in got,
+            f'A publisher of roll_call was in domain {third}, and silent. who_hears({ours}, {asked}) gives {got}: '
+            'a listener has heard the speaker when its message comes, not when somebody could speak.',
+            'measures',
+        )
         expect(
             got != [ours],
             f'The tests have a bridge for roll_call from domain {ours} to {second}. Your function '
@@ -148,16 +162,32 @@ def _time(learner, ours: int, others: list[int], seconds: float) -> float:
 
 def check_left(learner) -> None:
     """After the call, no node and no context of it is left in the domains."""
+    with domains(1) as (ours,):
+        contexts = learner.contexts
+        with about('in-time'):
+            got = learner.call('who_hears', ours, [], 60.0)
+        expect(got == [], f'who_hears({ours}, [], 60.0) gives {got!r}: without a listener the list is empty.', 'sorted')
+        expect(
+            learner.contexts == contexts,
+            f'After who_hears({ours}, []) a context of it is not shut down, also if there was nothing to do.',
+            'leaves',
+        )
     for _ in range(3):  # a goodbye may get lost on a busy machine; three in a row do not
         with domains(2) as (ours, other), Elsewhere(ours) as here, Elsewhere(other) as there:
             heard = here.listen('/roll_call', String)
-            before = learner.contexts
-            with about('measures'):
+            before, begin = learner.contexts, time.monotonic()
+            with about('measures'), waiting('in-time'):
                 got = learner.call('who_hears', ours, [ours, other], 1.0)
-            alive = learner.contexts - before
+            took, alive = time.monotonic() - begin, learner.contexts - before
             check_kind(got, f'who_hears({ours}, {[ours, other]}, 1.0)')
             expect(
                 got == [ours], f'who_hears({ours}, {[ours, other]}, 1.0) gives {got!r}, expected {[ours]}.', 'measures'
+            )
+            expect(
+                took > 0.9,
+                f'who_hears({ours}, {[ours, other]}, 1.0) ended after {took:.1f} s, and {other} had not heard. It is '
+                'done when all have heard, or after `seconds`.',
+                'in-time',
             )
             expect(
                 here.wait_until(lambda: heard, timeout=2),  # noqa: B023 - used at once
@@ -221,19 +251,47 @@ def check_bridge(learner, count: int) -> None:
             'slash there, either.',
             'carries',
         )
-        texts = [f'  {random.choice(["north", "Süd", "EAST"])} {random.randint(0, 999)} \n' for _ in range(count)]
+        texts = [f'  {word} {random.randint(0, 999)} \n' for word in ('north', 'Süd', '東', *(count - 3) * ['EAST'])]
         texts += ['', texts[0], texts[0]]  # what was said before is said again, and twice in a row
-        talker.send(*[String(data=text) for text in texts])
-        learner.settle()
+        texts += [f'{random.random()} ' * random.randint(20, 200), *map(str, range(random.randint(20, 40)))]
+        for begin in range(0, len(texts), 5):  # half of what the queue holds
+            talker.send(*[String(data=text) for text in texts[begin : begin + 5]])
+            learner.settle()
 
         def came():
             return [message.data for message in heard if message.data != 'first']
 
         there.wait_until(lambda: len(came()) >= len(texts), timeout=3)
         got = came()
-        expect(got == texts, f'{texts} was said here; in the other domain came {got}.', 'carries')
+        for number, (said, heard_there) in enumerate(zip(texts, got, strict=False), start=1):
+            expect(
+                heard_there == said,
+                f'Text {number} of those that were said here was {said[:60]!r}, of {len(said)} characters, and in the '
+                f'other domain came {heard_there[:60]!r}, of {len(heard_there)}: unchanged, once and in order.',
+                'carries',
+            )
+        expect(
+            len(got) == len(texts),
+            f'{len(texts)} texts were said here; in the other domain came {len(got)}: each one, once.',
+            'carries',
+        )
+        _check_quiet(learner, here, at_home, heard, ['first', *texts])
         _check_one_way(learner, there, here, spoken, at_home)
         _check_two(learner, there, heard, talker, node, space)
+
+
+def _check_quiet(learner, here: Elsewhere, at_home: list, heard: list, said: list[str]) -> None:
+    """As long as nobody says anything, a bridge says nothing either: on both sides came only what was `said`."""
+    for _ in range(2):
+        with about('carries'):
+            learner.run(2.5, step=1.0)
+        here.wait_until(lambda: False, timeout=0.05)
+    own = [message.data for message in (*at_home, *heard) if message.data not in said]
+    expect(
+        not own,
+        f'Nobody spoke for 5 s, and your bridge said {own[:1]} on chatter by itself. It only carries what it hears.',
+        'carries',
+    )
 
 
 def _check_two(learner, there: Elsewhere, heard: list, talker, node, space: str) -> None:

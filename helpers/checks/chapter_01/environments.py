@@ -4,14 +4,15 @@ from dataclasses import dataclass
 from random import Random
 
 from helpers.runner import about, expect
+from helpers.runner.first_call import FirstCall
 
 DISTROS = ('foxy', 'humble', 'iron', 'jazzy', 'kilted', 'lyrical')
 INVENTED = ('meadow', 'nimbus', 'orchard')  # nobody knows what a distribution will be called
 PEOPLE = ('ada', 'linus', 'grace', 'alan')
 PYTHONS = ('3.8', '3.10', '3.11', '3.12', '3.13')
 RANGES = ('SUBNET', 'LOCALHOST', 'SYSTEM_DEFAULT')
-BAD_DOMAINS = ('-1', '102', '232', '233', '1000', '5.0', 'seven', 'domain 3', '0x10')
-BAD_RANGES = ('LOCAL', 'localhost', 'off', 'ON', 'SUBNETS', 'SUB')
+BAD_DOMAINS = ('-1', '102', '232', '233', '1000', '5.0', 'seven', 'domain 3', '0x10', '7th', '²')
+BAD_RANGES = ('LOCAL', 'localhost', 'off', 'ON', 'SUBNETS', 'SUB', 'OFFLINE', ' LOCALHOST')
 ANY_NAME = 'Two distributions are in the path: whatever stands behind /opt/ros/ is the name of one.'
 PREFIX, PYTHON, DOMAIN, RANGE = 'AMENT_PREFIX_PATH', 'PYTHONPATH', 'ROS_DOMAIN_ID', 'ROS_AUTOMATIC_DISCOVERY_RANGE'
 # The rules of each variable; the first one is broken if a good value is called a fault
@@ -69,6 +70,8 @@ def cases(random: Random) -> list[Case]:
         *_pythons(random, distro),
         *_domains(random, good),
         *_ranges(random, good),
+        *_long_prefixes(random),
+        *_long_pythons(random),
     ]
 
 
@@ -121,6 +124,46 @@ def _prefixes(random: Random, distro: str, good: dict) -> list[Case]:
             for one, two in ((distro, longer), (longer, distro))
         ],
     ]
+
+
+def _long_prefixes(random: Random) -> list[Case]:
+    """Paths of up to seven folders: of one distribution or of two, with workspaces in any place between them."""
+    first, second, third = random.sample(DISTROS, 3)
+    mine = [f'/opt/ros/{first}', f'/opt/ros/{first}/opt/extra', f'/opt/ros/{first}/']
+    places = ('/opt/ros2', '/opt', '/srv/ros', '/opt/rosbots', f'/home/{random.choice(PEOPLE)}/ros')
+    elsewhere = [f'{place}/{other(random, DISTROS, first)}' for place in random.sample(places, 4)]
+    two = [elsewhere[0], *mine[:2], elsewhere[1], f'/opt/ros/{second}', elsewhere[2]]
+    within = [mine[0], elsewhere[0], f'/opt/ros/{second}/lib', elsewhere[1], mine[1]]
+    one = [elsewhere[0], *random.sample([*mine, *elsewhere[1:3]], 5), elsewhere[3]]
+    mixed, alone = {PREFIX: 'mixed'}, 'All that is in /opt/ros is of one distribution; the other folders are elsewhere.'
+    both = f'There is {first}, and there is {second}, with other folders between them.'
+    return [
+        *[Case('workspace', {PREFIX: f'{folder}:{mine[0]}'}, {}, alone) for folder in elsewhere],
+        Case('workspace', {PREFIX: ':'.join(one), 'ROS_DISTRO': first}, {}, alone),
+        *[
+            Case('mixed', {PREFIX: ':'.join(folders), **said}, mixed, both)
+            for folders in (two, two[::-1], within)
+            for said in ({}, {'ROS_DISTRO': random.choice((first, second))})
+        ],
+        Case('ros-distro', {PREFIX: ':'.join(one), 'ROS_DISTRO': third}, mixed, 'Path and ROS_DISTRO name two.'),
+    ]
+
+
+def _long_pythons(random: Random) -> list[Case]:
+    """Three folders of which one is for another Python, in each place, and at each depth."""
+    python, wrong = random.sample(('3.9', '3.10', '3.11', '3.13'), 2)
+    same_minor = f'{random.choice((2, 4))}.{python.partition(".")[2]}'
+    good = [f'/home/{random.choice(PEOPLE)}/{name}/python{python}' for name in ('tools', 'lib')]
+    made = []
+    for place, (version, rest) in enumerate(
+        ((wrong, ''), (same_minor, '/site-packages'), (wrong, '/dist-packages/deep/in/it'))
+    ):
+        folders = list(good)
+        folders.insert(place, f'/usr/lib/python{version}{rest}')
+        environ = {PREFIX: f'/opt/ros/{random.choice(DISTROS)}', PYTHON: ':'.join(folders)}
+        why = f'One of its three folders is for Python {version}.'
+        made.append(Case('python', environ, {PYTHON: 'other Python'}, why, python))
+    return made
 
 
 def _pythons(random: Random, distro: str) -> list[Case]:
@@ -252,11 +295,15 @@ def _spoil(random: Random, environ: dict, variable: str, fault: str, python: str
 
 def check(learner, asked: list[Case]) -> None:
     """`diagnose` says what is wrong with these environments, and nothing else."""
+    first = FirstCall(learner, 'diagnose', 'dictionary')
     for case in asked:
         # The version is left out where it is the default: that must be 3.12.
         given = [] if case.python == '3.12' else [case.python]
         with about(case.rule):
             got = learner.call('diagnose', case.environ, *given)
+        if got != case.wanted:
+            first.check_again()
+        first.note(got, case.environ, *given)
         shown = ', '.join(f'{name}={value}' for name, value in case.environ.items()) or 'no variable at all'
         expect(
             isinstance(got, dict),
@@ -267,6 +314,13 @@ def check(learner, asked: list[Case]) -> None:
         expect(
             not right,
             f'With {shown}, diagnose gives {got}: {right and right[0]} is no fault, and must not be in the dictionary.',
+            'dictionary',
+        )
+        names = set(got) - set(_RULES)
+        expect(
+            not names,
+            f'With {shown}, diagnose gives {got}. Its keys are the names of variables, and {min(names, default="")!r} '
+            'is none of the four that can be wrong.',
             'dictionary',
         )
         rule, why = _explained(case, got)

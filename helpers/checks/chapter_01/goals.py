@@ -71,6 +71,12 @@ class Drive:
             'forwards.',
             'short-way',
         )
+        aside = max((abs(command.linear.y) for command in sim.commands.messages), default=0.0)
+        expect(
+            aside < 1e-3,
+            f'{self.way}your node told the turtle to slide sideways, linear.y {aside:.2f}. It drives forwards only.',
+            'short-way',
+        )
         place = f'({sim.turtle.x:.1f}, {sim.turtle.y:.1f}), heading {math.degrees(sim.turtle.theta):.0f}°'
         expect(sim.commands.messages, f'The simulator told its pose, and no command came on {COMMAND}.', 'reach')
         passed = (
@@ -144,9 +150,14 @@ def far_places(random: Random):
             return start, goal
 
 
-def any_goal(learner, space: str = '') -> Drive:
-    """From a drawn place and heading to a drawn goal."""
+def any_goal(learner, space: str = '', straight: bool = False) -> Drive:
+    """From a drawn place and heading to a drawn goal; `straight`: which lies along y, as it does seldom by chance.
+
+    There x is right from the beginning: who looks at one coordinate only is there at once.
+    """
     start, goal = far_places(learner.random)
+    if straight:
+        start, goal = (goal[0], learner.random.uniform(2.5, 3.5)), (goal[0], learner.random.uniform(7.5, 8.5))
     return Drive(learner, (*start, learner.random.uniform(-3.1, 3.1)), goal, space)
 
 
@@ -167,7 +178,7 @@ def across_pi(learner, side: int) -> None:
 def goal_behind(learner) -> Drive:
     """The turtle looks askew at a wall that is 0.02 m away, and the goal is behind it: an arc has no room."""
     y = learner.random.uniform(4.0, 7.0)
-    goal = (6.5, y + learner.random.uniform(-0.5, 0.5))
+    goal = (6.5, y + learner.random.uniform(-0.02, 0.02))  # along x, where the other coordinate is right at once
     heading = learner.random.choice([1, -1]) * learner.random.uniform(0.9, 1.1)
     return Drive(learner, (11.07, y, heading), goal)
 

@@ -13,7 +13,7 @@ def test_any_goal(learner):
 
     math.atan2(dy, dx) is the direction to the goal; subtract the heading, and turn by the rest.
     """
-    drive = goals.any_goal(learner, f'/sim{learner.random.randint(2, 9)}')
+    drive = goals.any_goal(learner, f'/sim{learner.random.randint(2, 9)}', straight=True)
     drive.check_ends()
     drive.to_the_goal()
     drive.stays(2.0)

@@ -8,7 +8,7 @@ from std_msgs.msg import String
 from helpers.checks.chapter_03.endpoints import check_topic
 from helpers.runner import about, expect, waiting
 
-MANY = 30.0  # s: more texts than anybody writes down beforehand
+MANY = 65.0  # s: more texts than anybody writes down beforehand, and than fit into a byte
 
 
 def check_unheard(learner, quarters: int) -> None:
@@ -16,6 +16,7 @@ def check_unheard(learner, quarters: int) -> None:
     learner.run(learner.random.uniform(1.0, 9.0))  # its count does not depend on the clock
     with waiting('at-once'):
         learner.start('Beacon')
+    check_awake(learner)  # here, too: who waits for a listener has none
     check_topic(learner, 'publisher', '', 'beacon', 'topic')
     with about('texts'):
         learner.run(quarters / 4 + 0.1)
@@ -32,14 +33,37 @@ def check_unheard(learner, quarters: int) -> None:
         'rate',
     )
     _check_late_call(learner, heard)
+    count = len(heard)
     with about('texts'):
         learner.run(MANY, step=1.0)
+    _check_numbers(heard.data[count - 1 :])
     expect(
         heard.stamps[-1] > learner.now / 1e9 - 1,
         f'After {heard.data[-1]!r} nothing more was published, for more than a second. A beacon goes on without end, '
         'and so do its numbers.',
         'texts',
     )
+
+
+def check_awake(learner) -> None:
+    """The constructor has returned at once: what it does itself takes no time."""
+    expect(
+        not learner.slept,
+        'The constructor sleeps or spins, or a thread that it starts sleeps. A timer does the waiting: the constructor '
+        'only prepares.',
+        'at-once',
+    )
+
+
+def _check_numbers(texts: list[str]) -> None:
+    """The number of each text is that of the one before and 1, however large it is."""
+    found = re.fullmatch(r'alive (\d+)', texts[0])
+    for number, text in enumerate(texts, start=int(found[1])) if found else ():  # else another test says so
+        expect(
+            text == f'alive {number}',
+            f"After 'alive {number - 1}' came {text!r}, expected 'alive {number}': the numbers go on without end.",
+            'texts',
+        )
 
 
 def _check_late_call(learner, heard) -> None:

@@ -3,6 +3,7 @@
 from itertools import product
 
 from helpers.runner import expect
+from helpers.runner.first_call import FirstCall
 from helpers.runner.values import SetAsList, TupleAsList
 
 KEYS = ('topic', 'type', 'reliability', 'durability', 'deadline')
@@ -88,9 +89,13 @@ def reasons(offered: dict, requested: dict) -> list[str]:
 
 def check_pairs(learner, pairs: list[tuple[dict, dict]]) -> None:
     """`why_no_data` is right for these pairs; single reasons should come first."""
+    first = FirstCall(learner, 'why_no_data', 'list')
     for offered, requested in pairs:
         got = learner.call('why_no_data', offered, requested)
         wanted = reasons(offered, requested)
+        if got != wanted:
+            first.check_again()
+        first.note(got, offered, requested)
         different = (
             ', '.join(
                 f'{key} {offered[key]} → {requested[key]}' for key in (*KEYS, 'depth') if offered[key] != requested[key]

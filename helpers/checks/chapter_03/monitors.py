@@ -10,6 +10,7 @@ from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_t
 from helpers.runner import about, expect
 from helpers.runner.peers import SECOND
 
+HARDLY = 400  # ns
 # How a stamp (ns) may be made a float
 AS_FLOATS = (
     lambda stamp: stamp / 1e9,
@@ -31,9 +32,9 @@ def _scan(nanoseconds: int) -> LaserScan:
 
 
 def check_exact(learner, **start) -> None:
-    """Of a third monitor: two stamps of today that differ by exactly its max_gap make no gap.
+    """Of a third monitor: stamps of today that differ by exactly its max_gap make no gap; hardly more makes one.
 
-    The seconds of the two stamps as floats differ by more, as they have not digits enough.
+    The seconds of the first two stamps as floats differ by more, as they have not digits enough.
     """
     random = learner.random
     exact = [ms / 1000 for ms in range(50, 450) if ms * 1_000_000 * 1e-9 == ms / 1000 == ms * 1_000_000 / 1e9]
@@ -57,6 +58,16 @@ def check_exact(learner, **start) -> None:
         'scan_gap. A float has too few digits for them: subtract whole nanoseconds, or Time objects, then divide.',
         'limit',
     )
+    more = round(max_gap * SECOND) + HARDLY
+    lidar.send(_scan(early + round(max_gap * SECOND) + more))
+    with about('limit'):
+        learner.settle()
+    expect(
+        gaps.data == pytest.approx([more / SECOND]),
+        f'With max_gap {max_gap:g} s, a stamp {more} ns after the newest gave {gaps.data} on scan_gap. It is '
+        'more than max_gap, if only by nanoseconds: compare without rounding.',
+        'limit',
+    )
 
 
 def check_zero(learner) -> None:
@@ -64,7 +75,7 @@ def check_zero(learner) -> None:
     rates, gaps = (learner.listen(f'/zero/{topic}', Float64) for topic in ('scan_rate', 'scan_gap'))
     lidar = learner.talk('/zero/scan', LaserScan, qos_profile_sensor_data, strict=False)
     learner.start('RateMonitor', 0.0, remap={'__ns': '/zero'})
-    stamp, step = learner.random.randint(5, 90), learner.random.choice([0.125, 0.25, 0.375])
+    stamp, step = learner.random.randint(5, 90), learner.random.choice([0.015625, 0.03125, 0.0625])
     for seconds in (stamp, stamp, stamp + step):
         with about('limit'):
             learner.settle()
@@ -83,6 +94,12 @@ def check_zero(learner) -> None:
         learner.jump(2.0)
         learner.run(1.1, step=1.0)
     counts = [count for count in rates.data if count]
+    expect(
+        counts[:1] != [2.0],
+        f'Three scans came in a second, with the stamps {stamp}, {stamp} and {stamp + step:g} s; the report says 2. '
+        'Each scan counts, also with a stamp that was there before.',
+        'report',
+    )
     late = f'{counts[1]:g}' if len(counts) > 1 else 'nothing'
     expect(
         counts in ([], [3.0], [3.0, 2.0]),  # none at all is the subject of other tests
@@ -124,6 +141,13 @@ def start(learner, space: str, *args, qos=qos_profile_sensor_data, **kwargs):
     expect(
         not there.latched,
         'Your subscription to scan requests TRANSIENT_LOCAL, which most lidars do not offer.',
+        'any-lidar',
+    )
+    limits = ', '.join(f'{policy} {value}' for policy, value in there.limits.items())
+    expect(
+        not limits,
+        f'Your subscription to scan asks for the policy {limits}: a lidar that does not offer this is not heard. Ask '
+        'for less.',
         'any-lidar',
     )
     for topic in ('scan_rate', 'scan_gap'):

@@ -3,7 +3,7 @@
 import pytest
 from std_msgs.msg import String
 
-from helpers.checks.chapter_03.beacons import check_own_publishers, check_unheard
+from helpers.checks.chapter_03.beacons import check_awake, check_own_publishers, check_unheard
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic, robot
 from helpers.runner import about, expect, waiting
 
@@ -22,18 +22,21 @@ def test_beacon(learner):
     heard = learner.listen(f'{space}/beacon', String)
     with waiting('at-once'):
         beacon = learner.start('Beacon', remap={'__ns': space})
-    expect(
-        not learner.slept,
-        'The constructor sleeps or spins, or a thread that it starts sleeps. A timer does the waiting: the constructor '
-        'only prepares.',
-        'at-once',
-    )
+    check_awake(learner)
     check_name(beacon, 'beacon', 'node')
     check_topic(learner, 'publisher', space, 'beacon', 'topic')
     check_queue(learner, 'publisher', f'{space}/beacon', 10, 'qos')
     learner.settle()
     with about('texts'):
-        learner.run(quarters / 4 + 0.1, step=1.0)
+        learner.run(0.1)
+    expect(
+        not learner.slept,
+        'A callback sleeps or waits, and this before the first period has passed. A timer with the period 0.25 s does '
+        'the waiting.',
+        'rate',
+    )
+    with about('texts'):
+        learner.run(quarters / 4, step=1.0)
     check_texts(heard.data, heard.stamps)
     check_times(heard.stamps, quarters)
     check_topic(learner, 'publisher', space, 'beacon', 'topic')  # no callback has made another one

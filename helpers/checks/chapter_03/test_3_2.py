@@ -27,6 +27,7 @@ def test_relay(learner):
     check_topic(learner, 'publisher', space, 'sonar', 'topics')
     for kind, topic in (('subscription', 'sonar_cm'), ('publisher', 'sonar')):
         check_queue(learner, kind, f'{space}/{topic}', 10, 'qos')
+    slept = learner.slept  # a constructor may
     with about('one-each'):
         learner.run(61.0, step=10.0)
     expect(not heard.messages, 'Your node publishes before it has received anything: use no timer.', 'one-each')
@@ -44,12 +45,22 @@ def test_relay(learner):
             learner.settle()
         check_number(learner, heard, number + 1, 'inf' if number == silent else 'one-each')
         check_reading(heard.messages[number], message)
+        expect(
+            learner.slept == slept,
+            'Your callback sleeps, or waits in a loop, before the message goes out. Publish at once.',
+            'at-once',
+        )
     sent = burst(random)
     sensor.send(*sent)
     learner.settle()
     count = len(echoes) + len(sent)
     check_number(learner, heard, count, 'one-each')
     check_burst(heard.messages[len(echoes) :], sent)
+    for _ in range(10):  # more than a hundred in all
+        sensor.send(*10 * [sent[0]])
+        learner.settle()
+        count += 10
+        check_number(learner, heard, count, 'one-each')
     learner.run(61.0, step=10.0)
     check_number(learner, heard, count, 'one-each')
     check_nothing_else(learner, {f'{space}/sonar'}, 'one-each')

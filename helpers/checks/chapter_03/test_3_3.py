@@ -45,7 +45,7 @@ def test_heartbeat(learner):
     check_uptime(uptime, seconds)
     check_minute(learner, led, uptime)
     check_resets(learner, led, uptime, button)
-    check_second(learner, led, uptime, node)
+    check_second(learner, led, uptime, button, node)
 
 
 @pytest.mark.rules('led', 'uptime')
@@ -156,7 +156,7 @@ def check_resets(learner, led, uptime, button):
     expect(not learner.slept, 'A callback sleeps, or waits in a loop. The timers do the waiting.', 'no-wait')
 
 
-def check_second(learner, led, uptime, node):
+def check_second(learner, led, uptime, button, node):
     """A second heartbeat in the same process, which begins between two beats of the first one."""
     begin = learner.now / 1e9
     counts = len(led), len(uptime)
@@ -191,11 +191,23 @@ def check_second(learner, led, uptime, node):
         'own-state',
     )
     first = [number for stamp, number in later if stamp % 1 <= 1e-6]
-    wanted = list(range(4, 4 + len(first)))  # after three seconds since the last reset
+    wanted = list(range(4, 4 + len(first)))  # after the seconds since the last reset
     expect(
         first == wanted,
         f'When a second heartbeat starts, the first one says the uptimes {told(first)}, expected '
         f'{told(wanted)}: they share state. It belongs to the object (self).',
+        'own-state',
+    )
+    count = len(uptime)
+    button.send(Empty())
+    with about('own-state'):
+        learner.settle()
+        learner.run(2.0, step=0.5)
+    both = sorted(uptime.data[count:])
+    expect(
+        both == [1, 1, 2, 2],
+        f'Two heartbeats in the same process heard one reset, and in the next two seconds their uptimes are '
+        f'{", ".join(map(str, both))}, expected 1 and 2 from each. What a reset changes belongs to the object (self).',
         'own-state',
     )
 

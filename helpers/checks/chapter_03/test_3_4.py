@@ -12,6 +12,7 @@ from helpers.checks.chapter_03.maps import (
     check_grid,
     check_once,
     grid_of,
+    large_rows,
     random_rows,
 )
 from helpers.runner import about, expect
@@ -89,13 +90,16 @@ def test_reader(learner):
     check_answers(answers.data, maps)
     same = list(maps[0])
     random.shuffle(same)  # another map with as many walls
-    maps += [same, ['.?.', '...'], ['#+.', '+?+'], ['*.#', '#?*'], random_rows(random)]
+    # One map comes twice: each time it is a map.
+    maps += [same, same, ['.?.', '...'], ['#+.', '+?+'], ['*.#', '#?*'], large_rows(random), random_rows(random)]
     for number, rows in enumerate(maps[1:], start=2):
-        frame = 'map' if number < len(maps) else f'floor_{random.randint(1, 9)}'
-        server.send(grid_of(rows, frame))
+        frame, resolution = ('map', 0.1) if number < len(maps) - 1 else (f'floor_{random.randint(1, 9)}', 0.05)
+        server.send(grid_of(rows, frame, resolution))
         with about('walls'):
             learner.settle()
-        check_answers(answers.data, maps[:number], f' The last one has the frame_id {frame!r}.')
+        note = f' The last one has the frame_id {frame!r} and the resolution {resolution:g}.'
+        note = ' The last one is equal to the one before.' if rows == maps[number - 2] else note
+        check_answers(answers.data, maps[:number], note)
     learner.run(61.0, step=10.0)
     check_answers(answers.data, maps)
     check_nothing_else(learner, {f'{space}/walls'}, 'walls')

@@ -1,0 +1,38 @@
+"""The first right call of a learner's function, which must have the same result after all others.
+
+A default argument that is a list or a dictionary, a variable outside of the function, or a table that the function
+itself changes: then the first calls are right, and later ones are wrong, each in another way. What is said of such a
+call alone leads astray. So a test asks again what was answered rightly before.
+"""
+
+from helpers.runner.verdicts import about, expect
+
+
+class FirstCall:
+    """Notes a function's first result, and asks for it once more when a later one is wrong."""
+
+    def __init__(self, learner, function: str, rule: str):
+        """`rule`: the one that is broken where the function remembers its calls."""
+        self._learner, self._function, self._rule = learner, function, rule
+        self._call: tuple | None = None
+
+    def note(self, result, *args) -> None:
+        """A right result, with the arguments."""
+        if self._call is None:
+            self._call = result, args
+
+    def check_again(self) -> None:
+        """The first call has the same result as before, if there was one."""
+        if self._call is None:
+            return
+        result, args = self._call
+        with about(self._rule):
+            again = self._learner.call(self._function, *args)
+        shown = ', '.join(map(repr, args))
+        expect(
+            again == result,
+            f'{self._function} remembers earlier calls: {self._function}({shown}) first gave {result!r}, and later, '
+            f'asked the same, {again!r}. Make lists and dictionaries inside of the function, not as a default argument '
+            'or outside of it, and do not change what is given.',
+            self._rule,
+        )
