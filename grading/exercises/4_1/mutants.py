@@ -74,7 +74,7 @@ MUTANTS = [
             if self.left == 0:
                 self.report('failed')
             ''')), also=('late', 'newest', 'once'), expect='s, too'),
-    Mutant('ignores_new_command', breaks='newest', also='queue', old='def on_close(self, msg):', new='''
+    Mutant('ignores_new_command', breaks='newest', also=('queue', 'request'), old='def on_close(self, msg):', new='''
         def on_close(self, msg):
             if self.future:
                 return
@@ -106,7 +106,7 @@ MUTANTS = [
 
         def on_answer(self, future):
             '''),), expect='expected at'),
-    Mutant('queues_commands', breaks='newest', also='queue', old='def on_close(self, msg):', new='''
+    Mutant('queues_commands', breaks='newest', also=('queue', 'request'), old='def on_close(self, msg):', new='''
         def on_close(self, msg):
             if self.future:
                 self.waiting = msg
@@ -117,9 +117,9 @@ MUTANTS = [
                 msg, self.waiting = self.waiting, None
                 self.on_close(msg)
             '''),), expect='Send a new command at once, also if an old one is open'),
-    Mutant('refused_is_failed', breaks='answer', also=('late', 'newest'), old="else 'refused')", new="else 'failed')",
+    Mutant('refused_is_failed', breaks='answer', also=('late', 'newest', 'refusal'), old="else 'refused')", new="else 'failed')",
            expect="expected ['refused']"),
-    Mutant('reports_dropped', breaks='newest', also='queue', old='def on_close(self, msg):', new='''
+    Mutant('reports_dropped', breaks='newest', also=('queue', 'once'), old='def on_close(self, msg):', new='''
         def on_close(self, msg):
             if self.future:
                 self.report('failed')
@@ -147,11 +147,11 @@ MUTANTS = [
                 return
             self.last = msg.data
         ''', expect='the next one made no request'),
-    Mutant('second_is_constant', breaks='timeout', old='self.create_timer(timeout, self.on_timeout,',
+    Mutant('second_is_constant', breaks='timeout', also='tries', old='self.create_timer(timeout, self.on_timeout,',
            new='self.create_timer(1.0, self.on_timeout,', expect='expected at'),
-    Mutant('success_is_text', breaks='answer', also=('late', 'newest'), old="'ok' if future.result().success else",
+    Mutant('success_is_text', breaks='answer', also=('late', 'newest', 'refusal'), old="'ok' if future.result().success else",
            new="'ok' if future.result() else", expect="expected ['refused']"),
-    Mutant('timer_runs_on', breaks='newest', also=('timeout', 'once', 'tries', 'late'), old='self.timer.reset()',
+    Mutant('timer_runs_on', breaks='newest', also=('refusal', 'timeout', 'once', 'tries', 'late'), old='self.timer.reset()',
            new='''
         if self.timer.is_canceled():
             self.timer.reset()

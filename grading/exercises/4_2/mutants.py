@@ -125,7 +125,7 @@ MUTANTS = [
     Mutant('not_too_large', breaks='focal-length', old="0 < k[0] < inf and 0 < k[4] < inf",
            new='0 < k[0] < 1e6 and 0 < k[4] < 1e6', expect='A focal length has no upper limit'),
     Mutant('any_case', breaks='distortion', old='info.distortion_model ==', new='info.distortion_model.lower().strip() ==',
-           expect="distortion_model = 'Plumb_"),
+           expect="distortion_model = '"),
     Mutant('begins_like_it', breaks='distortion', old="info.distortion_model == 'plumb_bob'",
            new="info.distortion_model.startswith('plumb_bob')", expect="distortion_model = 'plumb_b"),
     Mutant('short_life', breaks='latched', old='depth=1, durability', new='depth=1, lifespan=Duration(seconds=10), durability',
