@@ -3,7 +3,12 @@
 import pytest
 from std_msgs.msg import String
 
-from helpers.checks.chapter_03.beacons import check_awake, check_own_publishers, check_unheard
+from helpers.checks.chapter_03.beacons import (
+    check_awake,
+    check_callbacks_do_not_sleep,
+    check_own_publishers,
+    check_unheard,
+)
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic, robot
 from helpers.runner import about, expect, waiting
 
@@ -68,8 +73,9 @@ def test_long_run(learner):
     with waiting('at-once'):
         learner.start('Beacon')
     learner.settle()
+    check_callbacks_do_not_sleep(learner)
     with about('texts'):
-        learner.run(quarters / 4 + 0.1)
+        learner.run(quarters / 4)
     seconds = quarters / 4 + 0.1
     wanted = [f'alive {number}' for number in range(1, len(heard) + 1)]
     first = next((pair for pair in zip(heard.data, wanted, strict=False) if pair[0] != pair[1]), ('', ''))
@@ -106,8 +112,9 @@ def test_three_beacons(learner):
     learner.settle()
     check_own_publishers(learner, '/beacon', 3)
     expect(not heard.messages, 'A beacon publishes when it starts: publish in the timer only.', 'first')
+    check_callbacks_do_not_sleep(learner)
     with about('texts'):
-        learner.run(1.1)
+        learner.run(1.0)
     expect(heard.messages, 'From three beacons nothing came on /beacon in 1.1 s.', 'rate')
     expect(
         len(heard) <= 4 or heard.data != [f'alive {number}' for number in range(1, len(heard) + 1)],

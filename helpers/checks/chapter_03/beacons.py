@@ -18,8 +18,9 @@ def check_unheard(learner, quarters: int) -> None:
         learner.start('Beacon')
     check_awake(learner)  # here, too: who waits for a listener has none
     check_topic(learner, 'publisher', '', 'beacon', 'topic')
+    check_callbacks_do_not_sleep(learner)
     with about('texts'):
-        learner.run(quarters / 4 + 0.1)
+        learner.run(quarters / 4)
     heard = learner.listen('/beacon', String)
     learner.settle()
     with about('texts'):
@@ -52,6 +53,19 @@ def check_awake(learner) -> None:
         'The constructor sleeps or spins, or a thread that it starts sleeps. A timer does the waiting: the constructor '
         'only prepares.',
         'at-once',
+    )
+
+
+def check_callbacks_do_not_sleep(learner) -> None:
+    """Let 0.1 s pass, in which a beacon has nothing to do: who sleeps in callbacks would take minutes for a minute."""
+    before = learner.slept  # by the constructor
+    with about('texts'):
+        learner.run(0.1)
+    expect(
+        learner.slept <= before,
+        'A callback sleeps or waits, and this before the first period has passed. A timer with the period 0.25 s does '
+        'the waiting.',
+        'rate',
     )
 
 

@@ -3,7 +3,12 @@
 import pytest
 from std_msgs.msg import String
 
-from helpers.checks.chapter_03.beacons import check_awake, check_own_publishers, check_unheard
+from helpers.checks.chapter_03.beacons import (
+    check_awake,
+    check_callbacks_do_not_sleep,
+    check_own_publishers,
+    check_unheard,
+)
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic, robot
 from helpers.runner import about, expect, waiting
 
@@ -27,14 +32,7 @@ def test_beacon(learner):
     check_topic(learner, 'publisher', space, 'beacon', 'topic')
     check_queue(learner, 'publisher', f'{space}/beacon', 10, 'qos')
     learner.settle()
-    with about('texts'):
-        learner.run(0.1)
-    expect(
-        not learner.slept,
-        'A callback sleeps or waits, and this before the first period has passed. A timer with the period 0.25 s does '
-        'the waiting.',
-        'rate',
-    )
+    check_callbacks_do_not_sleep(learner)
     with about('texts'):
         learner.run(quarters / 4, step=1.0)
     check_texts(heard.data, heard.stamps)
