@@ -109,7 +109,6 @@ def judge_topics(learner, kind: str, functions: tuple[str, str]) -> None:
         f'{one}/~/{two}': 'Only at its beginning can ~/ stand.',
         '~': 'There is no word in it.',
         '~/': 'There is no word in it.',
-        '': 'There is no word in it.',
     }
     good = [one, f'{one}/{two}', f'~/{one}', f'~/{one}/{two}', f'{one}/{two}/{one}']
     for function in functions:
