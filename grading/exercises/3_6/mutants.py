@@ -121,8 +121,8 @@ MUTANTS = [
             '''),
             (STAMP, 'stamp = Time(seconds=scan.header.stamp.sec, clock_type=ClockType.ROS_TIME)')), expect='scan_gap',
            breaks='gap', also=('limit', 'own-state', 'old')),
-    Mutant('stamp_zero_is_none', edits=((STAMP, 'stamp = scan.header.stamp.sec + scan.header.stamp.nanosec / 1e9'),
-           ('gap = (stamp - (self.newest or stamp)).nanoseconds / 1e9', 'gap = stamp - (self.newest or stamp)')),
+    Mutant('stamp_zero_is_none', edits=((STAMP, 'stamp = scan.header.stamp.sec * 10**9 + scan.header.stamp.nanosec'),
+           ('gap = (stamp - (self.newest or stamp)).nanoseconds / 1e9', 'gap = (stamp - (self.newest or stamp)) / 1e9')),
            expect='nothing came on scan_gap', breaks='gap', also=('limit',)),
     Mutant('silence_is_a_gap', old='def on_second(self):', new='''
         def on_second(self):
