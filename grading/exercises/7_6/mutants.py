@@ -37,7 +37,7 @@ MUTANTS = [
     Mutant('stamp_instead_of_age', old="f'{now - newest[frame]:.1f}'", new="f'{newest[frame]:.1f}'", also='newest',
            expect='your evidence is', **OLD),
     Mutant('latest_message_only', old=NEWEST, new='newest[child] = stamp.sec + stamp.nanosec / 1e9', breaks='newest',
-           expect='The newest stamp of each moving transform'),
+           also='old', expect='The newest stamp of each moving transform'),
     Mutant('first_message_only', old=NEWEST, new='newest.setdefault(child, stamp.sec + stamp.nanosec / 1e9)',
            breaks='newest', also='old', expect='The newest stamp of each moving transform'),
     Mutant('whole_seconds', old='stamp.sec + stamp.nanosec / 1e9)', new='stamp.sec)', breaks='newest', also='old',
