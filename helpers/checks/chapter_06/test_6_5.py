@@ -47,10 +47,10 @@ def test_life(learner):
         before = _check_command(there)
     _check_unknown(there, unknown)
     _check_place(there, before)
-    check_places(there)
     _check_silence(there)
     for quiet in draw.sample(there.names, 2):
         _check_age(there, quiet)
+    check_places(there)
     check_limit(there)
 
 
