@@ -65,7 +65,7 @@ def scans(random, near: list[bool]) -> list[LaserScan]:
     The given callback has no special case: not for what is nearer than range_min, nor for an empty scan.
     """
     far = [random.uniform(0.6, 9.0) for _ in range(random.randint(700, 1500))]  # as many as a real lidar has
-    odd = {True: [[0.3, *far], [*far, 0.3], [-0.25, 2.0], [math.nan, 3.0, 0.0]], False: [[], [0.5, math.nan, math.inf]]}
+    odd = {True: [[0.3, *far], [*far, 0.3], [-0.25, 2.0], [0.0, 3.0, math.nan]], False: [[], [0.5, math.nan, math.inf]]}
     made = []
     for is_near in near:
         ranges = [random.uniform(0.6, 9.0) for _ in range(random.randint(1, 6))]
