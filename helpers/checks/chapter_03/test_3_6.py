@@ -32,8 +32,9 @@ def test_monitor(learner):
     check_reports(rates, sent, begin)
     stamp = 0.0  # a simulated sensor begins so: it is a stamp like any other
     watched = monitors.Watched(learner, lidar, gaps, max_gap)
-    # A gap comes after the stamp 0. An older scan comes in the same second as the newest, and max_gap follows; two gaps are equal; one scan is late,
-    # and after it comes one that is no gap from the newest. Another late one follows a gap directly, and then a gap.
+    # A gap comes after the stamp 0. An older scan comes in the same second as the newest, and max_gap follows; two
+    # gaps are equal; one scan is late, and after it comes one that is no gap from the newest. Another late one follows
+    # a gap directly, and then a gap.
     late = -max_gap - random.choice([0.25, 0.5, 1.5])
     steps = [
         0,
