@@ -39,7 +39,7 @@ def test_one_thread(learner, cause):
         with about(cause):
             stacks.diagnose(learner, cause, plain=True)
     for state in [state for state, of in stacks.OTHERS if of == cause]:
-        for _ in range(4):
+        for _ in range(stacks.OFTEN):
             with about(cause):
                 stacks.diagnose(learner, state, plain=True)
     check(learner, cause, rule='own-call')

@@ -48,6 +48,7 @@ _OTHER_FORMS = {
     'looking': ('server', (('client.py service_is_ready', 'client.py wait_for_service'),)),
 }
 OTHERS = tuple((state, cause) for state, (cause, _) in _OTHER_FORMS.items())
+OFTEN = 16  # times that such a state is drawn, so that hardly any draw leaves one of its three forms out
 # Calls of other libraries, whose files and functions are called as those of rclpy.
 _OF_OTHERS = (
     ('/usr/lib/python3/dist-packages/roslibpy/client.py', 214, 'call'),

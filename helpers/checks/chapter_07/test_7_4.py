@@ -19,7 +19,7 @@ def test_stacks(learner):
             with about(cause):
                 stacks.diagnose(learner, cause, plain=True)
     for state, cause in stacks.OTHERS:
-        for _ in range(4):
+        for _ in range(stacks.OFTEN):
             with about(cause):
                 stacks.diagnose(learner, state, plain=True)
     for state in ('spinning', 'idle', 'waits in main', 'serving'):
