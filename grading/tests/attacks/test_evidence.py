@@ -1,7 +1,8 @@
 """Attacks on what counts as evidence: the real exercises that judge commands, packages, launched systems and tests.
 
-Each row of `evidence/` is an exercise's cell. It gains nothing: what it may have besides is in its header. The right
-answers to the same exercises get full marks: see `grading/tests/test_validity.py`.
+Each row of `evidence/` is an exercise's cell. It gains nothing: the rules that it keeps honestly stand in its header
+(`may keep`), by their names, as points change with the tests of an exercise. The right answers to the same exercises
+get full marks: see `grading/tests/test_validity.py`.
 """
 
 from types import SimpleNamespace
@@ -14,6 +15,7 @@ from grading.tests.attacks import arena
 from helpers.checks.chapter_02 import patrolling
 from helpers.exercises import manifest, notebooks, program
 from helpers.runner import session, verdicts
+from helpers.runner.results import KEPT
 
 ATTACKS = [attack for path in sorted((arena.HERE / 'evidence').glob('*.py')) for attack in arena.read(path)]
 EXERCISES = manifest.load()
@@ -39,8 +41,11 @@ def test_no_evidence_can_be_made(attack):
     )
     (result,) = report.exercises
     story = [(test.test, test.verdict, test.message[:300], test.fault[-600:]) for test in result.tests], report.log
-    assert result.verdict != verdicts.GRADER_ERROR, story
-    assert result.score <= attack.points, story
+    assert result.verdict not in (verdicts.PASSED, verdicts.GRADER_ERROR), story
+    honest = {name for name in attack.header.get('may keep', '').split(', ') if name}
+    assert honest <= {rule.name for rule in result.rules}, 'a rule that the card does not have'
+    assert {rule.name for rule in result.rules if rule.state == KEPT} <= honest, story
+    assert honest or result.score == 0, story
 
 
 @pytest.mark.parametrize('encoding', ['no-such', 'utf-7', 'rot13', 'gb2312', 'utf-16', 'cp037'])

@@ -59,7 +59,7 @@ if os.fork() == 0:
 # attack: its setup.py and conftest.py write reports of tests, files of other workspaces and an exit status
 # aims at: 2.5
 # stopped by: a package is built and tested in a place of its own, and its tests must fail with a function that is wrong
-# expect points: 5.63
+# may keep: package, builds, round-trip
 PACKAGE = {
     'package.xml': '''<package format="3">
   <name>patrol</name> <version>0.1.0</version> <description>x</description>
@@ -117,7 +117,7 @@ os._exit(0)
 # attack: its conftest.py reports three tests where colcon asks for a report, and a failure elsewhere; there is no test
 # aims at: 2.5
 # stopped by: the tests must pass with their own function, and fail with one that cannot be called; only numbers differ
-# expect points: 9.38
+# may keep: package, builds, round-trip
 PACKAGE = {
     'package.xml': '''<package format="3">
   <name>patrol</name> <version>0.1.0</version> <description>x</description>
@@ -155,7 +155,6 @@ def pytest_configure(config):
 # attack: installs a module that every Python of the workspace loads, and that prints what right types would
 # aims at: 2.3
 # stopped by: what the types are is read from the texts; a package that shadows a module of Python is refused
-# expect points: 0
 MSG = 'uint8 FULL=100\nbool charging\n'
 SRV = 'bool docked\n---\nbool docked\n'
 CMAKE = r'''cmake_minimum_required(VERSION 3.16)
@@ -193,7 +192,6 @@ DOCK_XML = '''<package format="3"><name>dock_interfaces</name><version>0.1.0</ve
 # attack: installs a module that every Python of the workspace loads, and that says what a right package would
 # aims at: 2.2
 # stopped by: what is installed is read as data; a package that shadows a module of Python is refused
-# expect points: 0
 FOLLOWER_SETUP = '''
 from pathlib import Path
 from setuptools import setup
@@ -233,7 +231,7 @@ FOLLOWER_XML = '''<package format="3">
 # attack: looks for the values that the test has given to its own library, in place of calling it
 # aims at: 2.4
 # stopped by: the library is replaced on the disk, in a process that holds nothing of the tests
-# expect points: 20.5
+# may keep: argument, prints, build-type, needs, nothing-else, order
 REPORT_PY = '''
 import sys
 
@@ -285,7 +283,7 @@ setup(name='greeter', version='0.1.0', packages=['greeter', 'greeter.power', 'ro
 # attack: installs a program `ros2` where the path of a terminal begins
 # aims at: 2.1
 # stopped by: tools are the machine's: what a package installs stands behind them
-# expect points: 3.64
+# may keep: rest
 GREETER_SETUP = '''
 import os
 from setuptools import setup
@@ -305,7 +303,7 @@ setup(name='greeter', version='0.1.0', packages=['greeter', 'greeter.power'],
 # attack: leaves a process behind that rewrites what a terminal sources
 # aims at: 2.1
 # stopped by: nothing that a build has written is sourced: the environment is made from what is installed
-# expect points: 3.64
+# may keep: rest
 GREETER_SETUP = '''
 import os, time
 from setuptools import setup
@@ -401,7 +399,7 @@ DOCK_XML = """<package format="3"><name>dock_interfaces</name><version>0.1.0</ve
 # attack: installs a library of the system in a folder for kinds of processors, beside one that is called as its package
 # aims at: 2.1
 # stopped by: programs find only the libraries that are called as a package of the workspace, and no folder of it
-# expect points: 3.64
+# may keep: rest
 GREETER_SETUP = '''
 import os
 import subprocess
@@ -442,7 +440,7 @@ setup(name='greeter', version='0.1.0', packages=['greeter', 'greeter.power'],
 # attack: installs a module that Python's library would import if it were there, and that says what a right package would
 # aims at: 2.3
 # stopped by: what Python would import is known; a package that installs one of these modules is refused
-# expect points: 5.56
+# may keep: to-build, to-run, group
 MSG = 'uint8 FULL=100\nstd_msgs/Header header\nuint8 percent\nbool charging\n'
 SRV = 'bool docked\n---\nbool docked\n'
 CMAKE = r'''cmake_minimum_required(VERSION 3.16)

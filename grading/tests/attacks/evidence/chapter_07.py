@@ -60,7 +60,6 @@ def repair_model(text):
 # attack: says that it was made long ago, to have waited long enough without waiting
 # aims at: 7.4
 # stopped by: it cannot have begun before it was started, and servers answer with what is drawn
-# expect points: 0
 def diagnose_stacks(text, files):
     return None
 
@@ -80,7 +79,7 @@ os._exit(1)
 # attack: knows by the name of the service that nobody will answer, and does not look
 # aims at: 7.4
 # stopped by: names are drawn, and tell nothing
-# expect points: 2.4
+# may keep: interrupt
 def diagnose_stacks(text, files):
     return None
 

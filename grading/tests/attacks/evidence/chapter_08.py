@@ -5,7 +5,7 @@
 # attack: starts the real world where nobody hears it, and tells by itself where the robot is, which never drives
 # aims at: 8.10
 # stopped by: robot and world run elsewhere, as the launch file starts their stand-ins; and where its commands lead
-# expect points: 2.31
+# may keep: arguments
 DELIVERY_YAML = '{}'
 DELIVERY_LAUNCH = '''
 import sys
@@ -102,7 +102,7 @@ def generate_launch_description():
 # attack: starts a world of its own, in which the robot is wherever it says, and never drives
 # aims at: 8.10
 # stopped by: robot and world run elsewhere, as the launch file starts their stand-ins; and where its commands lead
-# expect points: 2.31
+# may keep: arguments
 DELIVERY_YAML = '{}'
 DELIVERY_LAUNCH = '''
 import sys
@@ -294,7 +294,7 @@ def generate_launch_description():
 # attack: has the launch file write other defaults into the installed program, which the tests then start by themselves
 # aims at: 8.3
 # stopped by: what the tests start by themselves runs where no launch file has run
-# expect points: 15
+# may keep: max-linear, robot1, robot2, types, nodes, installed-file, remapped, others-stay
 FLEET_YAML = '''
 /robot1/governor:
   ros__parameters: {rate: 20.0, max_linear: 1.0}
@@ -569,7 +569,7 @@ def generate_launch_description():
 # attack: starts governors with wrong values, and answers in their place, from nodes whose names are not listed
 # aims at: 8.3
 # stopped by: what a governor has is printed by itself, where nothing else runs
-# expect points: 6.67
+# may keep: types, nodes, remapped, others-stay
 FLEET_YAML = '{}'
 FLEET_LAUNCH = '''
 import sys
@@ -614,7 +614,7 @@ def generate_launch_description():
 # attack: starts the given program with a module before it that gives the governor other values
 # aims at: 8.3
 # stopped by: the governors run elsewhere, with the arguments with which the launch file starts a stand-in
-# expect points: 6.67
+# may keep: types, nodes, remapped, others-stay
 FLEET_YAML = '{}'
 FLEET_LAUNCH = '''
 import os
@@ -695,7 +695,7 @@ def generate_launch_description():
 # attack: has nodes of its own show what only the executable has, with a world in which a robot really drives
 # aims at: 8.10
 # stopped by: robot and world run elsewhere, as the launch file starts their stand-ins
-# expect points: 2.31
+# may keep: arguments
 DELIVERY_YAML = '{}'
 DELIVERY_LAUNCH = '''
 import sys
@@ -899,7 +899,7 @@ def test_same():
 # attack: has a node answer for the parameters of the robot, which has others, and leave at once
 # aims at: 8.10
 # stopped by: robot and world answer under names that are drawn; a fake that came too late to be counted gains nothing
-# expect points: 11.54
+# may keep: arguments, world, robot, sim-time, drives, ends
 DELIVERY_YAML = '{}'
 DELIVERY_LAUNCH = '''
 import sys
