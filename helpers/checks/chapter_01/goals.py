@@ -64,19 +64,7 @@ class Drive:
 
         with about('reach'):
             sim.run(AT_MOST, until=arrived)
-        back = min((command.linear.x for command in sim.commands.messages), default=0.0)
-        expect(
-            back > -1e-3,
-            f'{self.way}your node told the turtle to drive backwards, linear.x {back:.2f}. Turn to the goal, and drive '
-            'forwards.',
-            'short-way',
-        )
-        aside = max((abs(command.linear.y) for command in sim.commands.messages), default=0.0)
-        expect(
-            aside < 1e-3,
-            f'{self.way}your node told the turtle to slide sideways, linear.y {aside:.2f}. It drives forwards only.',
-            'short-way',
-        )
+        self.drives_forwards_only()
         place = f'({sim.turtle.x:.1f}, {sim.turtle.y:.1f}), heading {math.degrees(sim.turtle.theta):.0f}°'
         expect(sim.commands.messages, f'The simulator told its pose, and no command came on {COMMAND}.', 'reach')
         passed = (
@@ -119,6 +107,23 @@ class Drive:
             f'{self.way}after {AT_MOST:g} s the turtle is '
             f'{sim.distance(*self.goal):.2f} m away, at {place}. It came to {nearest:.2f} m of the goal.',
             'reach',
+        )
+
+    def drives_forwards_only(self) -> None:
+        """No command so far drives the turtle backwards or sideways."""
+        commands = self.sim.commands.messages
+        back = min((command.linear.x for command in commands), default=0.0)
+        expect(
+            back > -1e-3,
+            f'{self.way}your node told the turtle to drive backwards, linear.x {back:.2f}. Turn to the goal, and drive '
+            'forwards.',
+            'short-way',
+        )
+        aside = max((abs(command.linear.y) for command in commands), default=0.0)
+        expect(
+            aside < 1e-3,
+            f'{self.way}your node told the turtle to slide sideways, linear.y {aside:.2f}. It drives forwards only.',
+            'short-way',
         )
 
     def stays(self, seconds: float) -> None:

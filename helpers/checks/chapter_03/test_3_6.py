@@ -32,24 +32,7 @@ def test_monitor(learner):
     check_reports(rates, sent, begin)
     stamp = 0.0  # a simulated sensor begins so: it is a stamp like any other
     watched = monitors.Watched(learner, lidar, gaps, max_gap)
-    # A gap comes after the stamp 0. An older scan comes in the same second as the newest, and max_gap follows; two
-    # gaps are equal; one scan is late, and after it comes one that is no gap from the newest. Another late one follows
-    # a gap directly, and then a gap.
-    late = -max_gap - random.choice([0.25, 0.5, 1.5])
-    steps = [
-        0,
-        max_gap + 0.125,
-        max_gap,
-        -0.125,
-        max_gap,
-        *2 * [max_gap + 0.625],
-        0.125,
-        late,
-        max_gap,
-        max_gap + 0.25,
-        late,
-    ]
-    steps.append(max_gap + 0.375)
+    steps = draw_steps(random, max_gap)
     for count in (5, 8):
         for _ in range(count):
             stamp += steps.pop(0)
@@ -79,6 +62,18 @@ def test_monitor(learner):
     check_second(learner, rates, gaps, lidar, node, stamp)
     monitors.check_exact(learner)
     monitors.check_zero(learner)
+
+
+def draw_steps(random, max_gap):
+    """By how many seconds each of 13 stamps is later than the newest one before it; an older scan has a negative step.
+
+    A gap comes after the first stamp. An older scan comes in the same second as the newest, and max_gap follows; two
+    gaps are equal; one scan is late, and after it comes one that is no gap from the newest. Another late one follows a
+    gap directly, and then a gap.
+    """
+    late = -max_gap - random.choice([0.25, 0.5, 1.5])
+    fresh = [0, max_gap + 0.125, max_gap, -0.125, max_gap]
+    return [*fresh, *2 * [max_gap + 0.625], 0.125, late, max_gap, max_gap + 0.25, late, max_gap + 0.375]
 
 
 def check_reports(rates, sent, begin):
