@@ -57,6 +57,18 @@ MUTANTS = [
 
            def place(self, name):
            ''')), expect='the value at the start counts', breaks='status-period'),
+    Mutant('origin_is_no_place', old=GOOD, new=f'{GOOD} and bool(request.x or request.y)', expect='at (0.0, 0.0) was refused',
+           breaks='station'),
+    Mutant('not_while_it_drives', old=GOOD, new=f"{GOOD} and self.state == 'idle'",
+           expect='a station may be set at any time', breaks='station'),
+    Mutant('one_name_a_place', old=KEPT, new="""
+            place = request.x, request.y
+            self.stations = {name: other for name, other in self.stations.items() if other != place}
+            self.stations[request.name] = place
+            """, expect='is None, expected', breaks='new-place'),
+    Mutant('blanks_around_are_nothing', old='return self.stations.get(name)',
+           new='return self.stations.get(name, self.stations.get(name.strip()))', expect='nobody has set this station',
+           breaks='unknown'),
     Mutant('blanks_are_no_name', old='bool(request.name) and', new='bool(request.name.strip()) and', breaks='station',
            expect='was refused: success is false'),
     Mutant('names_without_blanks', old='self.stations[request.name] =', new='self.stations[request.name.strip()] =',

@@ -71,6 +71,7 @@ MUTANTS = [
         if getattr(self, 'lost', False):
             return None
         """, expect='After a pause the transforms came again', breaks='again'),
+    Mutant('a_little_more', old='seconds=0.5', new='seconds=0.516', expect='compare without rounding', breaks='old'),
     Mutant('not_quite_half_a_second', old=AGE, new=AGE.replace('>', '>='), expect='Up to 0.5 s they are good',
            breaks='old'),
     Mutant('future_is_old', old=AGE,

@@ -159,7 +159,7 @@ def judge_stations(keeper: Keeper) -> None:
     nobody = names.pop()
     names += [f' {names[0]}', f'{names[1]} ', '  ']  # other names than those without blanks
     wanted = _judge_new_stations(keeper, names)
-    for name in (nobody, names[0] + 's', names[0].upper()):
+    for name in (nobody, names[0] + 's', names[0].upper(), f' {names[2]} ', '', nobody):
         found = keeper.place(name, 'unknown')
         expect(found is None, f'place({name!r}) is {found}, and nobody has set this station: expected None.', 'unknown')
     _judge_bad_stations(keeper, wanted, names[1], nobody)
@@ -188,12 +188,22 @@ def _judge_new_stations(keeper: Keeper, names: list[str]) -> dict[str, list[floa
     """Set these stations, and the first one again; returns where they are."""
     draw = keeper.learner.random
     wanted: dict[str, list[float]] = {}
-    for name in names:
+    busy = f'driving to {names[0]}'
+    # The origin of the map is a place, and two names may have the same one.
+    origin, twin = draw.sample(range(1, len(names)), 2)
+    for number, name in enumerate(names):
         wanted[name] = [round(draw.uniform(-size, size), 4) for size in (3, 2000)]
+        if number == origin:
+            wanted[name] = [0.0, 0.0]
+        elif number == twin:
+            wanted[name] = wanted[names[0]]
+        if number == len(names) // 2:
+            keeper.node.call('__setattr__', 'state', busy)
         response = keeper.set(name, *wanted[name])
         expect(
             response.success,
-            f'{name!r} at {tuple(wanted[name])} was refused: success is false. The message: {response.message!r}.',
+            f'{name!r} at {tuple(wanted[name])} was refused: success is false. The message: {response.message!r}.'
+            + (f' (self.state is {busy!r}: a station may be set at any time.)' if number >= len(names) // 2 else ''),
             'station',
         )
         found = keeper.place(name, 'station')

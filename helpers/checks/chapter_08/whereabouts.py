@@ -141,6 +141,15 @@ def judge_age(lost: Lost) -> None:
         'The transforms are exactly 0.5 s old, and where() is None. Up to 0.5 s they are good.',
         'old',
     )
+    hardly = lost.draw.randint(1, 15)  # ms
+    lost.learner.run(hardly / 1000)
+    found = lost.where('old')
+    expect(
+        found is None,
+        f'The transforms are {0.5 + hardly / 1000:.3f} s old, and where() still says {found and shown(found)}. They '
+        'are older than 0.5 s: compare without rounding.',
+        'old',
+    )
     lost.localizer.tell(*place)
     lost.learner.run(0.45)
     age = lost.draw.uniform(0.08, 0.3)
