@@ -3,6 +3,7 @@
 import pytest
 
 from helpers.checks.chapter_08.governors import (
+    RATES,
     Governed,
     command,
     judge_bad_start,
@@ -38,7 +39,7 @@ def test_rhythm(learner):
 
     Note the command in the callback of the subscription, and publish in the timer.
     """
-    rate = learner.random.choice([2.0, 12.5, 25.0, 40.0])
+    rate = learner.random.choice(RATES)
     with about('rhythm'):
         governed = Governed(learner, '/here', rate=rate)
     judge_rhythm(governed, rate)
@@ -51,7 +52,7 @@ def test_changes(learner):
 
     Read the parameters in the timer. While checking, change nothing. Make a new timer when the rate has been set.
     """
-    limit, rate = learner.random.randint(60, 160) / 100, learner.random.choice([5.0, 20.0])
+    limit, rate = learner.random.randint(60, 160) / 100, learner.random.choice([6.4, 16.0])
     with about('at-once'):
         governed = Governed(learner, '/there', max_linear=limit, rate=rate)
     judge_changes(governed, limit, rate)

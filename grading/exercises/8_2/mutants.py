@@ -125,6 +125,19 @@ MUTANTS = [
     Mutant('each_command_once', old='self.publisher.publish(command)',
            new='self.publisher.publish(command)\nself.command = Twist()\n', expect='The newest one is',
            breaks='newest', also='refused'),
+    Mutant('zeros_are_no_command', old=LISTENS, new=LISTENS.replace(
+           "lambda command: setattr(self, 'command', command)",
+           "lambda command: command == Twist() or setattr(self, 'command', command)"),
+           expect='else the robot never stands', breaks='newest', also=('modes', 'limit')),
+    Mutant('zeros_at_once', old=LISTENS, new=LISTENS.replace(
+           "lambda command: setattr(self, 'command', command)",
+           "lambda command: setattr(self, 'command', command) or command == Twist() and self.on_timer()"),
+           expect='when the command 0 m/s came', breaks='rhythm'),
+    Mutant('period_in_hundredths', old="1 / self.get_parameter('rate').value",
+           new="round(1 / self.get_parameter('rate').value, 2)", expect='expected one every', breaks='rhythm',
+           also=('new-rate', 'refused')),
+    Mutant('two_of_a_request', old='for parameter in parameters})', new='for parameter in parameters[:2]})',
+           expect='was accepted', breaks='pair'),
     Mutant('first_command_for_ever', old=LISTENS, new=LISTENS.replace(
         "setattr(self, 'command', command)", "self.command == Twist() and setattr(self, 'command', command)"),
            expect='The newest one is', breaks='newest', also=('limit', 'modes')),

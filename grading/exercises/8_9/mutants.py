@@ -29,6 +29,18 @@ DRIVE, BOTH = 'test_drive', 'test_lost_and_late'
 MUTANTS = [
     Mutant('goes_to_the_moon', old='.place(request.station) is None or self.where', new='.where',
            expect='The goal moon was accepted', breaks='rejects-unknown', alone=True),
+    Mutant('a_part_of_the_name', edits=(
+           ('self.place(request.station) is None', 'not any(name.startswith(request.station) for name in self.stations)'),
+           ('self.place(goal.request.station),',
+            'next(it for name, it in self.stations.items() if name.startswith(goal.request.station)),')),
+           expect='Nobody has set this station', breaks='rejects-unknown', alone=True),
+    Mutant('origin_is_no_station', old='self.place(request.station) is None', new='not any(self.place(request.station) or ())',
+           expect='to the station at (0, 0)', breaks='next', alone=True),
+    Mutant('idle_after_each_rejection', old='            return GoalResponse.REJECT', new="""
+            if self.place(request.station) is None:
+                self.state = 'idle'
+            return GoalResponse.REJECT
+            """, expect='was accepted', breaks='single', also='state', alone=True),
     Mutant('accepts_while_lost', old=' or self.where() is None:', new=':', expect='does not know where it is',
            breaks='rejects-lost', alone=True),
     Mutant('two_at_a_time', old=".state != 'idle' or self.place", new='.place', expect='both were accepted',

@@ -157,7 +157,8 @@ def judge_rejections(drives: Drives) -> str:
     name = drives.learner.random.choice(['kitchen', 'office', 'lab'])
     drives.delivery.station(name, 3.5, 0.0)
     drives.delivery.station('other', 1.0, 0.5)
-    drives.rejected('moon', 'rejects-unknown', 'Nobody has set this station.')
+    for unknown in ('moon', name[:-1], name.upper()):
+        drives.rejected(unknown, 'rejects-unknown', 'Nobody has set this station.')
     with about('single'):
         both = [drives.delivery.client.send(station=name) for _ in range(2)]
         drives.learner.settle()
@@ -175,7 +176,8 @@ def judge_rejections(drives: Drives) -> str:
     )
     (drives.goal,) = accepted
     drives.status(f'driving to {name}', f'While the robot drives to {name}')
-    drives.rejected('other', 'single', f'The robot is still driving to {name}.')
+    for station in ('moon', 'other'):  # whatever the reason: the first goal goes on
+        drives.rejected(station, 'single', f'The robot is still driving to {name}.')
     drives.run(0.2)
     expect(
         not drives.goal.done,
@@ -285,12 +287,13 @@ def judge_cancel(drives: Drives, name: str) -> None:
     again = drives.go('near', 'next', 'A goal was cancelled, and this is the next one')
     drives.run(8.0, again)
     judge_arrived(drives, again, 'near', TOLERANCE)
-    _judge_quick_cancel(drives, name)
+    _judge_quick_cancel(drives)
 
 
-def _judge_quick_cancel(drives: Drives, name: str) -> None:
+def _judge_quick_cancel(drives: Drives) -> None:
     """The rules `next`, after an arrival, and `cancel`, directly after the start of a goal."""
-    goal = drives.go(name, 'next', 'A goal has succeeded, and this is the next one')
+    drives.delivery.station('home', 0.0, 0.0)  # the origin of the map is a place like any other
+    goal = drives.go('home', 'next', 'A goal has succeeded, and this is the next one, to the station at (0, 0)')
     drives.run(0.15)
     begin = drives.learner.now / SECOND
     with about('cancel'):

@@ -15,6 +15,9 @@ TABLE = (
     ('mode', 'normal', None),
 )
 
+# Their periods have more than two decimals, and are whole nanoseconds.
+RATES = (3.2, 6.4, 8.0, 16.0, 40.0)
+
 
 def command(linear: float, angular: float = 0.0) -> Twist:
     """A command, in m/s and rad/s."""
@@ -152,6 +155,25 @@ def _judge_newest(governed: Governed, rate: float) -> None:
             'newest' if {0.0, *sent} & set(got) else 'limit',
         )
         governed.send(command(speeds[2]))
+    _judge_halt(governed, speeds[2], period)
+
+
+def _judge_halt(governed: Governed, speed: float, period: float) -> None:
+    """A planner that says zero after this speed: it is a command like any other."""
+    governed.heard.clear()
+    governed.send(Twist())
+    expect(
+        not governed.heard.messages,
+        'A message went out at once when the command 0 m/s came. It waits for the timer, like any other.',
+        'rhythm',
+    )
+    got = governed.newest(period, 'rhythm')
+    expect(
+        got == Twist(),
+        f'The planner said {speed:g} m/s, and then 0 m/s; linear.x came out as {got.linear.x:g}. A command of zeros is '
+        'the newest one, too: else the robot never stands.',
+        'newest',
+    )
 
 
 def judge_limit(governed: Governed, limit: float, period: float) -> None:
@@ -289,7 +311,7 @@ def _judge_refused(governed: Governed, limit: float, rate: float) -> None:
 
 def _judge_new_rate(governed: Governed, rate: float) -> float:
     """Other rates, alone and with another value, which begin with a new period; returns the last one."""
-    news = governed.learner.random.sample([one for one in (4.0, 5.0, 8.0, 20.0, 25.0) if one != rate], 3)
+    news = governed.learner.random.sample([one for one in RATES if one != rate], 3)
     for new, before, behind in zip(news, ({}, {'mode': 'normal'}, {}), ({}, {}, {'mode': 'normal'}), strict=True):
         request = {**before, 'rate': new, **behind}
         governed.accepts('new-rate', **request)
@@ -425,6 +447,7 @@ def judge_rules(governed: Governed) -> None:
         ({'slow_linear': low / 2, 'max_linear': low}, True),
         ({'slow_linear': high}, False),
         ({'max_linear': low, 'slow_linear': high}, False),
+        ({'mode': 'slow', 'max_linear': low, 'slow_linear': high}, False),
         ({'slow_linear': low}, True),
         ({'mode': draw.choice(['fast', 'Slow'])}, False),
         ({'mode': ''}, False),
@@ -434,17 +457,18 @@ def judge_rules(governed: Governed) -> None:
         ({'mode': 'normal '}, False),
         ({'mode': 'normal'}, True),
     ):
-        rule = 'unknown-mode' if 'mode' in values else 'pair'
+        pair = bool({'max_linear', 'slow_linear'} & values.keys())
+        rule = 'pair' if pair else 'unknown-mode'
         now = {name: parameters.get(name) for name in ('max_linear', 'slow_linear', 'mode')}
         answer = parameters.set(**values)
         expect(
             answer.successful == good,
             f'With {shown(now)}, the request {shown(values)} was {"refused" if good else "accepted"}. '
-            + ('' if 'mode' in values else 'Judge the values as they would be after the request.'),
+            + ('Judge the values as they would be after the request.' if pair else ''),
             rule,
         )
         if not good:
-            names = ['mode'] if 'mode' in values else ['slow_linear', 'max_linear']
+            names = ['slow_linear', 'max_linear'] if pair else ['mode']
             expect(
                 any(name in answer.reason for name in names),
                 f'The request {shown(values)} was refused with the reason {answer.reason!r}, which does not name '
