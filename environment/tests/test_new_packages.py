@@ -179,11 +179,8 @@ def test_the_linters_of_a_new_package_find_what_is_wrong(workspace):
     assert 'Found errors' in told and 'Found code style errors / warnings' in told  # copyright, pep257
 
 
-@pytest.mark.early
-@pytest.mark.one_of(5)
-@pytest.mark.timeout(400)
-def test_an_interface_package_as_upstream_writes_it_builds(workspace):
-    root = workspace / 'src' / 'survey_msgs'
+def write_survey_msgs(root: Path) -> None:
+    """Write an interface package as upstream's are: its own types in others, bounds, an action, and linter tests."""
     texts = {
         'msg/Hypothesis.msg': '# What was seen.\nstring class_id "none"\nfloat64 score\n',
         'msg/Survey.msg': 'uint8 OPEN=1\nstd_msgs/Header header\nHypothesis[] results\n'
@@ -228,6 +225,13 @@ def test_an_interface_package_as_upstream_writes_it_builds(workspace):
         ament_package()
         """)
     )
+
+
+@pytest.mark.early
+@pytest.mark.one_of(5)
+@pytest.mark.timeout(400)
+def test_an_interface_package_as_upstream_writes_it_builds(workspace):
+    write_survey_msgs(workspace / 'src' / 'survey_msgs')
     built = colcon(workspace, 'build')
     assert (built.returncode, built.stderr) == (0, '')
     program = (

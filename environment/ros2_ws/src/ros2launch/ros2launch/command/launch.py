@@ -41,69 +41,9 @@ class LaunchCommand(CommandExtension):
 
     def add_arguments(self, parser, cli_name):
         """Add the arguments of ``ros2 launch``."""
-        parser.add_argument(
-            '-n',
-            '--noninteractive',
-            default=not sys.stdin.isatty(),
-            action='store_true',
-            help='Run the launch system non-interactively, with no terminal associated',
-        )
-        parser.add_argument(
-            '-d',
-            '--debug',
-            default=False,
-            action='store_true',
-            help='Put the launch system in debug mode, provides more verbose output.',
-        )
-        group = parser.add_mutually_exclusive_group()
-        group.add_argument(
-            '-p',
-            '--print',
-            '--print-description',
-            default=False,
-            action='store_true',
-            help='Print the launch description to the console without launching it.',
-        )
-        group.add_argument(
-            '-s',
-            '--show-args',
-            '--show-arguments',
-            default=False,
-            action='store_true',
-            help='Show arguments that may be given to the launch file.',
-        )
-        parser.add_argument(
-            '-a',
-            '--show-all-subprocesses-output',
-            default=False,
-            action='store_true',
-            help="Show all launched subprocesses' output by overriding their output"
-            ' configuration using the OVERRIDE_LAUNCH_PROCESS_OUTPUT envvar.',
-        )
-        parser.add_argument(
-            '--launch-prefix',
-            default=None,
-            help='Prefix command, which should go before all executables. '
-            'Command must be wrapped in quotes if it contains spaces '
-            "(e.g. --launch-prefix 'xterm -e gdb -ex run --args').",
-        )
-        parser.add_argument(
-            '--launch-prefix-filter',
-            default=None,
-            help='Regex pattern for filtering which executables the --launch-prefix is applied to '
-            'by matching the executable name.',
-        )
-        parser.add_argument(
-            'package_name', help='Name of the ROS package which contains the launch file'
-        ).completer = package_name_or_launch_file_completer
-        parser.add_argument(
-            'launch_file_name', nargs='?', help='Name of the launch file'
-        ).completer = _complete_launch_file_name
-        parser.add_argument(
-            'launch_arguments',
-            nargs='*',
-            help="Arguments to the launch file; '<name>:=<value>' (for duplicates, last one wins)",
-        ).completer = _no_completion
+        _add_options_of_the_run(parser)
+        _add_options_of_the_processes(parser)
+        _add_what_is_launched(parser)
 
     def main(self, *, parser, args):
         """Run ``ros2 launch``; return the exit status, or the text of an error."""
@@ -131,6 +71,78 @@ class LaunchCommand(CommandExtension):
             if args.debug:
                 raise
             return str(error)
+
+
+def _add_options_of_the_run(parser) -> None:
+    parser.add_argument(
+        '-n',
+        '--noninteractive',
+        default=not sys.stdin.isatty(),
+        action='store_true',
+        help='Run the launch system non-interactively, with no terminal associated',
+    )
+    parser.add_argument(
+        '-d',
+        '--debug',
+        default=False,
+        action='store_true',
+        help='Put the launch system in debug mode, provides more verbose output.',
+    )
+    group = parser.add_mutually_exclusive_group()
+    group.add_argument(
+        '-p',
+        '--print',
+        '--print-description',
+        default=False,
+        action='store_true',
+        help='Print the launch description to the console without launching it.',
+    )
+    group.add_argument(
+        '-s',
+        '--show-args',
+        '--show-arguments',
+        default=False,
+        action='store_true',
+        help='Show arguments that may be given to the launch file.',
+    )
+
+
+def _add_options_of_the_processes(parser) -> None:
+    parser.add_argument(
+        '-a',
+        '--show-all-subprocesses-output',
+        default=False,
+        action='store_true',
+        help="Show all launched subprocesses' output by overriding their output"
+        ' configuration using the OVERRIDE_LAUNCH_PROCESS_OUTPUT envvar.',
+    )
+    parser.add_argument(
+        '--launch-prefix',
+        default=None,
+        help='Prefix command, which should go before all executables. '
+        'Command must be wrapped in quotes if it contains spaces '
+        "(e.g. --launch-prefix 'xterm -e gdb -ex run --args').",
+    )
+    parser.add_argument(
+        '--launch-prefix-filter',
+        default=None,
+        help='Regex pattern for filtering which executables the --launch-prefix is applied to '
+        'by matching the executable name.',
+    )
+
+
+def _add_what_is_launched(parser) -> None:
+    parser.add_argument(
+        'package_name', help='Name of the ROS package which contains the launch file'
+    ).completer = package_name_or_launch_file_completer
+    parser.add_argument(
+        'launch_file_name', nargs='?', help='Name of the launch file'
+    ).completer = _complete_launch_file_name
+    parser.add_argument(
+        'launch_arguments',
+        nargs='*',
+        help="Arguments to the launch file; '<name>:=<value>' (for duplicates, last one wins)",
+    ).completer = _no_completion
 
 
 def _find_launch_file(args, api) -> tuple[str, list[str]]:
