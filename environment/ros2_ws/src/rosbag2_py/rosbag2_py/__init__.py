@@ -12,6 +12,7 @@ from rosbag2_py.compression import (
     compression_mode_from_string,
     compression_mode_to_string,
 )
+from rosbag2_py.message_definitions import LocalMessageDefinitionSource, MessageDefinition
 from rosbag2_py.metadata import BagError, MetadataIo
 from rosbag2_py.options import (
     BagMetadata,
@@ -40,6 +41,8 @@ __all__ = [
     'ConverterOptions',
     'FileInformation',
     'Info',
+    'LocalMessageDefinitionSource',
+    'MessageDefinition',
     'MetadataIo',
     'PlayOptions',
     'Player',

@@ -1,13 +1,16 @@
 """What a bag says of a message type, so that it can be read where the package is not installed: definition and hash."""
 
 import json
+import re
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from ament_index_python.packages import PackageNotFoundError, get_package_share_directory
+from ament_index_python.resources import get_resource
 
 _SEPARATOR = '=' * 80
+_INCLUDED = re.compile(r'^#include\s+["<]([A-Za-z0-9_/]+)\.idl[">]', re.MULTILINE)
 
 
 @cache
@@ -17,38 +20,85 @@ def definition(name: str) -> str:
 
     '' where there is none, as for the events of a service, which are generated from the service's definition.
     """
-    text = _source(name)
-    if text is None:
+    try:
+        return _with_held(name, 'MSG', set())
+    except LookupError:
         return ''
-    parts, done, waiting = [text], {name}, _held(name, text)
-    while waiting:
-        each = waiting.pop(0)
+
+
+def message_text(name: str) -> tuple[str, str]:
+    """
+    Return in which language a message is defined, `ros2msg` or `ros2idl`, and the text with those that it holds.
+
+    :raises LookupError: if there is no such definition.
+    """
+    try:
+        return 'ros2msg', _with_held(name, 'MSG', set())
+    except LookupError:
+        return 'ros2idl', _mark(name, 'IDL') + _with_held(name, 'IDL', set())
+
+
+def service_text(name: str) -> tuple[str, str]:
+    """
+    Return the text of a service with the messages that it holds, and the language of these: as `message_text`.
+
+    As in stock's texts, the mark of a `.msg` that is missing stays above that of the `.idl`.
+
+    :raises LookupError: if there is no such definition.
+    """
+    text = _source(name, 'SRV')
+    language, parts, done = 'ros2msg', [_mark(name, 'SRV') + text], {name}
+    for each in _held(name, 'SRV', text):
+        if each in done:
+            continue
+        done.add(each)
+        parts.append(_mark(each, 'MSG'))
+        try:
+            parts[-1] += _with_held(each, 'MSG', done)
+        except LookupError:
+            language = 'ros2idl'
+            parts.append(_mark(each, 'IDL') + _with_held(each, 'IDL', done))
+    return language, '\n'.join(parts)
+
+
+def _with_held(name: str, form: str, done: set[str]) -> str:
+    """Return the text of a definition in one form and, deeper ones first, of those that it holds and are not done."""
+    text = _source(name, form)
+    parts = [text]
+    for each in _held(name, form, text):
         if each not in done:
             done.add(each)
-            held = _source(each)
-            if held is None:
-                return ''
-            package, _, short = each.split('/')
-            parts.append(f'{_SEPARATOR}\nMSG: {package}/{short}\n{held}')
-            waiting += _held(each, held)
+            parts.append(_mark(each, form) + _with_held(each, form, done))
     return '\n'.join(parts)
 
 
-def _source(name: str) -> str | None:
-    package, kind, short = name.split('/')
+def _mark(name: str, form: str) -> str:
+    return f'{_SEPARATOR}\n{form}: {name}\n'
+
+
+def _source(name: str, form: str) -> str:
+    package, *_, short = name.split('/')
     try:
-        file = Path(get_package_share_directory(package), kind, f'{short}.msg')
-    except (PackageNotFoundError, ValueError):
-        return None
-    return file.read_text(encoding='utf-8') if file.is_file() else None
+        listed, prefix = get_resource('rosidl_interfaces', package)
+    except (LookupError, ValueError, OSError):
+        raise LookupError(name) from None
+    files = (Path(prefix, 'share', package, line) for line in listed.splitlines())
+    file = next((each for each in files if each.name == f'{short}.{form.lower()}' and each.is_file()), None)
+    if file is None:
+        raise LookupError(name)
+    return file.read_text(encoding='utf-8')
 
 
-def _held(name: str, text: str) -> list[str]:
+def _held(name: str, form: str, text: str) -> list[str]:
+    """Return the names of the messages that a definition holds, as stock writes them into a bag."""
+    if form == 'IDL':
+        return sorted(set(_INCLUDED.findall(text)))
     from rosidl_adapter.parser import parse_message_string
 
-    package, _, short = name.split('/')
-    fields = parse_message_string(package, short, text).fields
-    return [f'{each.type.pkg_name}/msg/{each.type.type}' for each in fields if each.type.pkg_name]
+    package, *_, short = name.split('/')
+    parts = re.split(r'^---\s*$', text, flags=re.MULTILINE) if form == 'SRV' else [text]
+    types = [field.type for part in parts for field in parse_message_string(package, short, part).fields]
+    return sorted({f'{each.pkg_name}/{each.type}' for each in types if each.pkg_name})
 
 
 @cache

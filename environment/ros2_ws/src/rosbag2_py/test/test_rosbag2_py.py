@@ -21,6 +21,7 @@ from rosbag2_py import (
     CompressionOptions,
     ConverterOptions,
     Info,
+    LocalMessageDefinitionSource,
     MetadataIo,
     Player,
     PlayOptions,
@@ -163,6 +164,74 @@ def test_the_names_of_the_tutorials_need_no_import_of_their_own():
         rosbag2_py._storage.TopicMetadata(id=0, name='a', type='std_msgs/msg/String', serialization_format='cdr')
     """
     subprocess.run([sys.executable, '-c', textwrap.dedent(code)], check=True)
+
+
+LINE = '=' * 80 + '\n'
+
+
+@pytest.fixture
+def sonar_msgs(tmp_path, monkeypatch):
+    """A package of definitions that is installed, as far as the texts of its files go."""
+    share = tmp_path / 'share' / 'sonar_msgs'
+    files = {
+        'msg/Ping.msg': 'Echo[<=4] echoes\nbuiltin_interfaces/Time stamp\nAngle angle\n',
+        'msg/Echo.msg': 'Angle angle\nfloat32 range\n',
+        'msg/Angle.msg': 'float32 radians\n',
+        'msg/Depth.idl': 'module sonar_msgs { module msg { struct Depth { float metres; }; }; };\n',
+        'msg/Dive.idl': '#include "sonar_msgs/msg/Depth.idl"\nmodule sonar_msgs {};\n',
+        'srv/Aim.srv': 'Angle angle\n---\nEcho echo\n',
+        'srv/Sink.srv': 'Depth depth\n---\n',
+    }
+    for name, text in files.items():
+        (share / name).parent.mkdir(parents=True, exist_ok=True)
+        (share / name).write_text(text)
+    index = tmp_path / 'share' / 'ament_index' / 'resource_index' / 'rosidl_interfaces'
+    index.mkdir(parents=True)
+    (index / 'sonar_msgs').write_text('\n'.join(files))
+    monkeypatch.setenv('AMENT_PREFIX_PATH', str(tmp_path), prepend=os.pathsep)
+    return files
+
+
+def test_a_message_definition_has_those_that_it_holds_each_once(sonar_msgs):
+    found = LocalMessageDefinitionSource().get_full_text('sonar_msgs/msg/Ping')
+    assert (found.topic_type, found.encoding) == ('sonar_msgs/msg/Ping', 'ros2msg')
+    time = '# This message communicates ROS Time'
+    begin, _, rest = found.encoded_message_definition.partition(time)
+    assert begin.startswith(f'{sonar_msgs["msg/Ping.msg"]}\n{LINE}MSG: builtin_interfaces/Time\n')
+    echo = f'{LINE}MSG: sonar_msgs/Echo\n{sonar_msgs["msg/Echo.msg"]}'
+    angle = f'{LINE}MSG: sonar_msgs/Angle\n{sonar_msgs["msg/Angle.msg"]}'
+    assert rest.endswith(f'\n{angle}\n{echo}')
+    assert (
+        LocalMessageDefinitionSource().get_full_text('sonar_msgs/Angle').encoded_message_definition
+        == (sonar_msgs['msg/Angle.msg'])
+    )
+
+
+def test_definitions_in_idl_and_of_services_are_found(sonar_msgs):
+    source = LocalMessageDefinitionSource()
+    dive = source.get_full_text('sonar_msgs/msg/Dive')
+    depth = f'IDL: sonar_msgs/msg/Depth\n{sonar_msgs["msg/Depth.idl"]}'
+    assert (dive.encoding, dive.encoded_message_definition) == (
+        'ros2idl',
+        f'{LINE}IDL: sonar_msgs/msg/Dive\n{sonar_msgs["msg/Dive.idl"]}\n{LINE}{depth}',
+    )
+    aim = source.get_full_text('sonar_msgs/srv/Aim_Event')
+    assert aim.encoding == 'ros2msg'
+    assert aim.encoded_message_definition.startswith(f'{LINE}SRV: sonar_msgs/srv/Aim\n{sonar_msgs["srv/Aim.srv"]}\n')
+    assert aim.encoded_message_definition.count('MSG: sonar_msgs/Angle\n') == 1
+    sink = source.get_full_text('sonar_msgs/srv/Sink')
+    assert sink.encoding == 'ros2idl'
+    assert sink.encoded_message_definition.endswith(f'IDL: sonar_msgs/Depth\n{sonar_msgs["msg/Depth.idl"]}')
+
+
+def test_what_has_no_definition_is_unknown_or_an_error():
+    source = LocalMessageDefinitionSource()
+    for name in ('std_msgs', 'example_interfaces/action/Fibonacci_FeedbackMessage', 'action_msgs/msg/GoalStatusArray'):
+        found = source.get_full_text(name)
+        assert (found.topic_type, found.encoding, found.encoded_message_definition) == (name, 'unknown', '')
+    for name in ('std_msgs/msg/Nothing', 'no_such_package/msg/Nothing', 'std_msgs/srv/Nothing'):
+        with pytest.raises(RuntimeError, match=name):
+            source.get_full_text(name)
 
 
 def test_metadata_is_that_of_jazzy(tmp_path):
