@@ -15,6 +15,7 @@ from launch.actions import LogInfo
 from launch.frontend import Parser, parse_substitution
 from launch.substitutions import LaunchConfiguration, SubstitutionFailure, TextSubstitution
 from launch.utilities import perform_substitutions
+from launch_ros import utilities
 from launch_ros.actions import Node, PushRosNamespace, RosTimer, SetParameter, SetRemap, SetROSLogDir, SetUseSimTime
 from launch_ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue
 from launch_ros.parameters import evaluate_parameters
@@ -315,3 +316,45 @@ def test_a_ros_timer_waits_in_the_time_of_the_clock(peer, capsys):
     thread.join()
     assert 'ten seconds later' in capsys.readouterr().out and now >= 10
     launch.logging.reset()
+
+
+@pytest.mark.parametrize('module', ['actions', 'descriptions'])
+def test_who_imports_a_container_is_told_that_there_is_none(module):
+    with pytest.raises(ImportError, match='which is C\\+\\+'):
+        exec(f'from launch_ros.{module} import ComposableNodeContainer, ComposableNode')
+    with pytest.raises(ImportError, match="cannot import name 'Nothing'"):
+        exec(f'from launch_ros.{module} import Nothing')
+
+
+@pytest.mark.parametrize('tag', ['node_container', 'load_composable_node'])
+def test_a_container_in_a_file_is_told_what_there_is(tag):
+    root, parser = Parser.load(io.StringIO(f'<launch><{tag} pkg="p" exec="e"/></launch>'))
+    with pytest.raises(RuntimeError, match=f'^<{tag}> is not available'):
+        parser.parse_description(root)
+
+
+@pytest.mark.parametrize(
+    ('base', 'namespace', 'absolute', 'relative'),
+    [
+        (None, None, None, None),
+        (None, 'arm', '/arm', 'arm'),
+        (None, '/', '/', '/'),
+        ('', None, '/', ''),
+        ('robot', None, '/robot', 'robot'),
+        ('robot', 'arm', '/robot/arm', 'robot/arm'),
+        ('robot', '/arm', '/arm', '/arm'),
+        ('/robot', 'arm/', '/robot/arm', '/robot/arm'),
+        ('/', 'arm', '/arm', '/arm'),
+        ('', 'arm', '/arm', 'arm'),
+        ('robot', '', '/robot', 'robot'),
+    ],
+)
+def test_a_namespace_is_put_below_another(base, namespace, absolute, relative):
+    assert utilities.prefix_namespace(base, namespace) == absolute
+    assert utilities.prefix_namespace(base, namespace, return_absolute_ns=False) == relative
+
+
+def test_a_namespace_begins_at_the_root_or_is_made_to():
+    assert utilities.is_root_namespace('/') and not utilities.is_root_namespace('/arm')
+    assert utilities.is_namespace_absolute('/arm') and not utilities.is_namespace_absolute('arm')
+    assert [utilities.make_namespace_absolute(each) for each in ('', 'arm', '/arm')] == ['/', '/arm', '/arm']

@@ -1,5 +1,6 @@
 """Actions for ROS."""
 
+from launch_ros import components
 from launch_ros.actions.lifecycle_node import LifecycleNode
 from launch_ros.actions.lifecycle_transition import LifecycleTransition
 from launch_ros.actions.node import Node
@@ -24,3 +25,7 @@ __all__ = [
     'SetRemap',
     'SetUseSimTime',
 ]
+
+
+def __getattr__(name: str):
+    raise components.error(name, __name__)
