@@ -93,6 +93,16 @@ def test_a_parameter_of_a_wrong_type_is_told(start):
     assert 'Traceback' not in process.output
 
 
+@pytest.mark.parametrize('override', ['reliability:=nonsense', 'depth:=-4'])
+def test_a_quality_of_service_that_does_not_exist_is_told(start, override):
+    name = 'qos_overrides./parameter_events.publisher'
+    process = start(program('turtlesim', 'turtlesim_node'), '--ros-args', '-p', f'{name}.{override}')
+    assert process._popen.wait(30) == 1
+    process.wait_for_output(override.replace(':=', ': '), timeout=30)
+    process.wait_for_output(name, timeout=30)
+    assert 'Traceback' not in process.output
+
+
 def test_it_is_on_the_graph_as_stock_is(simulator, peer):
     node = peer.node
     services = {
