@@ -10,7 +10,7 @@ from jupytext.myst import MystMetadataParsingError, myst_to_notebook
 from nbformat import ValidationError
 
 from grading.authoring import book as books
-from grading.authoring import cards, checked, figures, indexes, quizzes, references, regions
+from grading.authoring import cards, checked, figures, indexes, quizzes, references, regions, table_names
 from grading.authoring.book import FILE_NAME, Book, sources
 from grading.authoring.cards import Card
 from grading.authoring.chapter_errors import AuthoringError, CellError
@@ -173,7 +173,7 @@ class _Reader:
         text, self._quizzes = quizzes.render(part.text, self._quizzes + 1)
         if words := indexes.new_words(self.book, self.number):
             text = re.sub(f'(?m)^{QUESTIONS}$', f'### New words\n\n{words}\n\n{QUESTIONS}', text)
-        placed = figures.place(source, text, self.path.parent / figures.FOLDER)
+        placed = figures.place(source, table_names.marked(text), self.path.parent / figures.FOLDER)
         split = regions.Split(placed.solved, placed.learner, (), 0)
         self.cells.append(SourceCell('markdown', source, metadata, line, split, figures=placed.names))
 

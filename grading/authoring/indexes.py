@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from grading.authoring import glossary, references
+from grading.authoring import glossary, references, table_names
 from grading.authoring.book import Book, Place, prose
 
 SYMPTOMS = 'SYMPTOMS.md'
@@ -19,7 +19,7 @@ def pages(folder: Path, book: Book) -> dict[str, str]:
     :raises CellError: a role in a table of symptoms is wrong.
     """
     made = {glossary.PAGE: _glossary(book), SYMPTOMS: _symptoms(folder, book)}
-    return {name: text for name, text in made.items() if text}
+    return {name: table_names.marked(text) for name, text in made.items() if text}
 
 
 def new_words(book: Book, chapter: int) -> str:

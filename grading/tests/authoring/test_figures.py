@@ -12,6 +12,7 @@ from grading.tests.authoring.conftest import make_without_kernel, write
 from grading.tests.authoring.sources import EXERCISE, TINY, line_of
 from helpers import paths
 from helpers.exercises import cell_ids
+from helpers.tests.show.contrast import contrast
 
 COURSE = build.Tree(paths.ROOT)
 DRAWING = """from grading.authoring.drawing import Sheet
@@ -162,25 +163,13 @@ def test_a_figure_of_the_course_can_be_read(path):
     assert 40 <= len(figure.alt) <= 600
 
 
-def _luminance(colour):
-    parts = [int(colour[place : place + 2], 16) / 255 for place in (1, 3, 5)]
-    red, green, blue = (part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts)
-    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
-
-
-def _contrast(one, other):
-    """As WCAG 2 defines it."""
-    low, high = sorted((_luminance(one), _luminance(other)))
-    return (high + 0.05) / (low + 0.05)
-
-
 @pytest.mark.parametrize(
     ('ink', 'fill', 'ground'),
     [(style.INK, style.FILL, style.GROUND), (style.DARK_INK, style.DARK_FILL, style.DARK_GROUND)],
     ids=['light', 'dark'],
 )
 def test_texts_stand_out_from_each_ground(ink, fill, ground):
-    assert min(_contrast(text, below) for text in ink.values() for below in (ground, *fill.values())) > 4.5
+    assert min(contrast(text, below) for text in ink.values() for below in (ground, *fill.values())) > 4.5
 
 
 @pytest.mark.parametrize('path', figures.drawn(COURSE.figures), ids=lambda path: path.stem)

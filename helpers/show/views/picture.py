@@ -11,10 +11,12 @@ from html import escape
 
 import numpy as np
 
+from helpers.show import dark_page
 from helpers.show.views.painter import Part, order
 from helpers.show.views.scene import Item, Scene
 from helpers.show.views.shapes import (
     BLUE,
+    DARK,
     GREEN,
     RED,
     Arrow,
@@ -40,6 +42,26 @@ _SEEN, _ON_TOP = 1, 2  # layers of the picture: points in front of all faces, an
 _SIDES = 20  # of a cylinder
 _HALO = '<g stroke="#fff" stroke-width="3" paint-order="stroke">'  # of texts, which may lie over anything
 _FONT = 'system-ui, -apple-system, "Segoe UI", sans-serif'
+_PAPER, _BORDER, _GRID, _GREY_TEXT, _PROBLEM = '#f6f8fa', '#cfd3da', '#d5dae1', '#59606e', '#b3261e'
+
+
+def _hex(colour) -> str:
+    return '#' + ''.join(f'{round(255 * min(1.0, max(0.0, float(value)))):02x}' for value in colour)
+
+
+# On a dark page. The ground is not black, so that dark wheels can be seen on it.
+DARK_COLOURS = {
+    _PAPER: '#2a3038',
+    _BORDER: '#4a515c',
+    _GRID: '#434b56',
+    '#fff': '#2a3038',  # around texts
+    _GREY_TEXT: '#b6bec9',
+    _PROBLEM: '#ff9d93',
+    _hex(DARK): '#e6e9ee',
+    _hex(RED): '#ff7478',
+    _hex(GREEN): '#4cc766',
+    _hex(BLUE): '#7ea6ff',
+}
 
 
 def svg(
@@ -116,30 +138,36 @@ class _ScenePicture:
         named = [item for item in self.items if isinstance(item.shape, Label) and item.shape.text]
         body += [_HALO, *map(self._name, named), '</g>']
         lines = [
-            f'<text x="12" y="{22 + 17 * number}" fill="#b3261e">{escape(line)}</text>'
+            f'<text x="12" y="{22 + 17 * number}" fill="{_PROBLEM}">{escape(line)}</text>'
             for number, line in enumerate(
                 line for problem in problems for line in textwrap.wrap(problem, int(self.width / 7.2))
             )
         ]
         if self.empty:
             lines.append(
-                f'<text x="{self.width / 2:g}" y="{self.height / 2:g}" text-anchor="middle" fill="#59606e">'
+                f'<text x="{self.width / 2:g}" y="{self.height / 2:g}" text-anchor="middle" fill="{_GREY_TEXT}">'
                 'no frame so far</text>'
             )
         if not self.empty:
             caption = f'{caption} · grid {self.step:g} m' if caption else f'grid {self.step:g} m'
-            lines.append(f'<text x="12" y="{self.height - 12}" fill="#59606e">{escape(caption)}</text>')
+            lines.append(f'<text x="12" y="{self.height - 12}" fill="{_GREY_TEXT}">{escape(caption)}</text>')
             lines += self._legend(legend)
-        return '\n'.join(
+        drawing = '\n'.join(
             (
-                f'<svg xmlns="http://www.w3.org/2000/svg" width="{self.width}" height="{self.height}" '
-                f'viewBox="0 0 {self.width} {self.height}" style="max-width:100%;height:auto" fill="none" '
-                f'stroke-linecap="round" stroke-linejoin="round" font-family=\'{_FONT}\' font-size="13">',
-                f'<rect width="{self.width}" height="{self.height}" rx="6" fill="#f6f8fa" stroke="#cfd3da"/>',
+                f'<rect width="{self.width}" height="{self.height}" rx="6" fill="{_PAPER}" stroke="{_BORDER}"/>',
                 *(part for part in body if part),
                 _HALO,
                 *lines,
                 '</g>',
+            )
+        )
+        return '\n'.join(
+            (
+                f'<svg xmlns="http://www.w3.org/2000/svg" width="{self.width}" height="{self.height}" '
+                f'viewBox="0 0 {self.width} {self.height}" style="max-width:100%;height:auto" class="scene-picture" '
+                f'fill="none" stroke-linecap="round" stroke-linejoin="round" font-family=\'{_FONT}\' font-size="13">',
+                f'<style>{dark_page.rules(drawing, DARK_COLOURS, ".scene-picture")}</style>',
+                drawing,
                 '</svg>',
             )
         )
@@ -151,7 +179,7 @@ class _ScenePicture:
             dash = ' stroke-dasharray="5 4" stroke-linecap="butt"' if dashed else ''
             parts.append(
                 f'<path d="M{x:.0f} {self.height - 16}h20" stroke="{_hex(colour)}" stroke-width="2.5"{dash}/>'
-                f'<text x="{x + 26:.0f}" y="{self.height - 12}" fill="#59606e">{escape(what)}</text>'
+                f'<text x="{x + 26:.0f}" y="{self.height - 12}" fill="{_GREY_TEXT}">{escape(what)}</text>'
             )
         return parts
 
@@ -166,7 +194,7 @@ class _ScenePicture:
         ends += [(x, y, 0) for y in range(y0, y1 + 1) for x in (x0, x1)]
         flat = self.flat(np.array(ends, dtype=float) * step)
         path = ''.join(f'M{_pair(a)}L{_pair(b)}' for a, b in zip(flat[::2], flat[1::2], strict=True))
-        return f'<path d="{path}" stroke="#d5dae1"/>'
+        return f'<path d="{path}" stroke="{_GRID}"/>'
 
     def _add(self, element: str, opacity: float, points: np.ndarray, normal=None, layer: int = 0) -> None:
         if not len(points):
@@ -453,7 +481,3 @@ def _overlap(a, b) -> float:
 
 def _pair(place) -> str:
     return f'{place[0]:.1f},{place[1]:.1f}'
-
-
-def _hex(colour) -> str:
-    return '#' + ''.join(f'{round(255 * min(1.0, max(0.0, float(value)))):02x}' for value in colour)

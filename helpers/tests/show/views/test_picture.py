@@ -8,7 +8,8 @@ import pytest
 
 from helpers.show.views import picture, poses
 from helpers.show.views.scene import Scene
-from helpers.show.views.shapes import Arrow, Axes, Box, Cylinder, Label, Line, Mesh, Points, Sphere
+from helpers.show.views.shapes import BLUE, GREEN, RED, Arrow, Axes, Box, Cylinder, Label, Line, Mesh, Points, Sphere
+from helpers.tests.show.contrast import contrast
 
 SVG = '{http://www.w3.org/2000/svg}'
 RNG = np.random.default_rng(0)
@@ -117,7 +118,7 @@ def test_what_is_on_top_is_painted_last_and_a_point_can_be_in_the_middle():
     scene.set('inside', Axes(0.3, on_top=True))
     scene.set('far', Axes(1.0))
     scene.pose('far', poses.matrix((50.0, 50.0, 0.0)))
-    text = picture.svg(scene, around=(np.zeros(3), 2.0))
+    text = picture.svg(scene, around=(np.zeros(3), 2.0)).split('</style>')[1]
     assert text.rfind('<polygon') < text.find('#db262e') and text.count('#db262e') == 1, 'the far one is left out'
 
 
@@ -189,3 +190,19 @@ def test_a_large_cloud_is_thinned_out_without_a_pattern():
     some = picture._some(10_000, 2_500)
     assert len(set(some.tolist())) == 2_500
     assert set((some % 100).tolist()) == set(range(100))  # every column of a camera's 100 x 100 points
+
+
+def test_on_a_dark_page_texts_and_axes_stand_out_from_the_ground():
+    scene = Scene()
+    for name, shape in (('axes', Axes()), ('name', Label('name')), ('box', Box())):
+        scene.set(name, shape)
+    text = picture.svg(scene, 'a caption', problems=['a problem'])
+    for element in elements(text, 'style'):
+        changed = dict(re.findall(r'="(#[0-9a-f]+)"\] { (?:fill|stroke): (#[0-9a-f]+) }', element.text))
+    ground = changed[elements(text, 'rect')[0].get('fill')]
+    words = {changed[element.get('fill')] for element in elements(text, 'text')}
+    axes = {changed[picture._hex(colour)] for colour in (RED, GREEN, BLUE)}
+    assert len(words) == 3 and len(axes) == 3
+    assert min(contrast(colour, ground) for colour in words) > 4.5
+    assert min(contrast(colour, ground) for colour in axes) > 3
+    assert changed['#fff'] == ground  # around the names
