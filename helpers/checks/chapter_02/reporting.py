@@ -88,9 +88,14 @@ def _judge_distance(workspace, ticks: int, silent: tuple[str, ...]) -> None:
         'prints',
     )
     expect(last == wanted, f'{command} printed {last}; expected {wanted}, as distance returns it.', 'library')
+    _judge_line(command, done, wanted)
+
+
+def _judge_line(command: str, done: Done, wanted: str) -> None:
+    """What stands before the right text, and behind it: nothing, and the end of the line."""
     expect(
         done.output.endswith('\n'),
-        f'{command} printed {last} without the end of the line, so what comes next stands behind it: leave out '
+        f'{command} printed {wanted} without the end of the line, so what comes next stands behind it: leave out '
         "`end=''` of print, or write '\\n' at the end.",
         'prints',
     )
