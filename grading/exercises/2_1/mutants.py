@@ -48,4 +48,6 @@ MUTANTS = [
     Mutant('modules_among_the_programs', old="('share/greeter', ['package.xml']),",
            new="('share/greeter', ['package.xml']), ('lib/greeter', ['greeter/hello.py', 'greeter/farewell.py']),",
            expect='makes the programs there from the entry points', breaks='rest'),
+    Mutant('requires_another_package', old='    entry_points={', new="    install_requires=['numpy'],\n    entry_points={",
+           expect='says that greeter requires numpy', breaks='rest'),
 ]

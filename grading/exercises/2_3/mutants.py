@@ -68,4 +68,8 @@ MUTANTS = [
            expect='`percent` of Charge has a default value', breaks='charge'),
     Mutant('one_more_constant', old='uint8 FULL=100', new='uint8 FULL=100\nuint8 EMPTY=0',
            expect='another constant, EMPTY', breaks='full'),
+    Mutant('constant_of_the_request', old='string station', new='uint8 RETRIES=3\nstring station',
+           expect='The request of Dock has a constant, RETRIES', breaks='request'),
+    Mutant('constant_of_the_response', old='bool docked', new='bool docked\nuint8 BUSY=1',
+           expect='The response of Dock has a constant, BUSY', breaks='response'),
 ]

@@ -82,4 +82,12 @@ MUTANTS = [
     Mutant('filled_up_with_spaces', old=':.3f', new=':12.3f', expect='spaces stand before the number', breaks='prints'),
     Mutant('distance_without_sign', old='distance(int(sys.argv[1]))', new='abs(distance(int(sys.argv[1])))',
            expect='and so is the distance', breaks='library', also='argument'),
+    Mutant('line_without_an_end', old=":.3f} m')", new=":.3f} m', end='')", expect='without the end of the line',
+           breaks='prints'),
+    Mutant('cut_off', old='{distance(int(sys.argv[1])):.3f}', new='{int(distance(int(sys.argv[1])) * 1000) / 1000:.3f}',
+           expect='expected', breaks='library'),
+    Mutant('needed_for_documents', old=NEEDS, new=f'{NEEDS} <doc_depend>doxygen</doc_depend>',
+           expect='odometry declares doxygen', breaks='nothing-else'),
+    Mutant('needed_in_humble', old=NEEDS, new=f'{NEEDS} <exec_depend condition="$ROS_DISTRO == humble">rclpy</exec_depend>',
+           expect='odometry declares rclpy', breaks='nothing-else'),
 ]

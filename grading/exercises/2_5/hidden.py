@@ -11,6 +11,7 @@ WRONG = {
     'leaves the second station out': 'there = list(stations)\n    del there[1:2]\n    return there + [stations[0]]',
     'leaves the last station out': 'there = list(stations)\n    return there[: max(1, len(there) - 1)] + there[:1]',
     'gives the stations in reverse order': 'there = list(stations)[::-1]\n    there.append(there[0])\n    return there',
+    'gives the stations in reverse order, and then the first one': 'return stations[::-1] + stations[:1]',
 }
 RIGHT = (
     'from itertools import chain, islice\n    return [*chain(stations, islice(stations, 1))]',
@@ -36,7 +37,8 @@ def test_round_trip(learner):
     Also for other numbers of stations, and whatever their order is.
     """
     drawn = learner.random.sample(patrolling.STATIONS, 8)
-    cases = [sorted(drawn[:5], reverse=True), sorted(drawn[5:7], reverse=True), drawn[7:], [*drawn[:2], drawn[0]]]
+    many = learner.random.choices(patrolling.STATIONS, k=learner.random.randint(100, 900))
+    cases = [sorted(drawn[:5], reverse=True), sorted(drawn[5:7], reverse=True), drawn[7:], [*drawn[:2], drawn[0]], many]
     patrolling.judge_round_trip(learner, *cases)
 
 

@@ -144,4 +144,13 @@ MUTANTS = [
         """, expect='the first name must come once more at the end', breaks='round-trip'),
     Mutant('empty_name', old=NAMES, new=r"cycle(file.read_text().split('\\n'))", expect='publishes an empty name',
            breaks='announce'),
+    Mutant('changes_the_given_list', old=TRIP, new='stations.append(stations[0])\nreturn stations',
+           expect='make a new list, and leave that one as it is', breaks='round-trip'),
+    Mutant('no_more_than_ten', old=TRIP, new='return [*stations[:10], stations[0]]', expect='all of them, and the first',
+           breaks='round-trip'),
+    Mutant('small_letters', old=TRIP, new='return [name.lower() for name in [*stations, stations[0]]]', expect='expected',
+           breaks='round-trip', also='route'),
+    Mutant('only_what_is_in_it', old=COMPARED,
+           new="assert sorted(round_trip(['dock', 'door', 'lab'])) == ['dock', 'dock', 'door', 'lab']",
+           expect='gives the stations in reverse order, and then the first one', breaks='notices'),
 ]

@@ -163,4 +163,14 @@ MUTANTS = [
            expect='the first goal goes on beside the second one'),
     Mutant('slow', breaks='count', also=(*OTHERS, 'feedback', 'succeeds'), old=WAIT,
            new='self.get_clock().sleep_for(Duration(seconds=1.0))', expect='The goal of order'),
+    Mutant('old_one_goes_on_after_a_cancel', breaks='newest', old=LOOK, new='''
+        if goal.is_cancel_requested:
+            if goal is self.newest:
+                self.newest = None
+            goal.canceled()
+            return Fibonacci.Result(sequence=numbers)
+        if self.newest is not None and goal is not self.newest:
+            goal.abort()
+            return Fibonacci.Result(sequence=numbers)
+        ''', expect='whatever becomes of the newer one'),
 ]

@@ -152,11 +152,13 @@ def test_outside(learner):
     Both x and y, on both sides.
     """
     client, _, _ = begin(learner)
+    near = learner.random.uniform(0.001, 0.05)
     for x, y in (
-        (-0.1, 5.0),
+        (-near, 5.0),
+        (5.0, -near),
         (5.0, -learner.random.uniform(0.1, 9)),
-        (11.2, 5.0),
-        (5.0, 11.1),
+        (11 + near, 5.0),
+        (5.0, 11 + near),
         (5.0, math.nan),
         (math.nan, 5.0),
     ):
@@ -220,12 +222,19 @@ def test_cancelled_before(learner):
     check_cancel(learner, client, goal, f'A goal was cancelled {seconds:g} s after its start: ')
     goal = client.send(x=9.0, y=2.0)
     learner.run(1.0)
-    poses.send(Pose(x=2.0, y=2.0, theta=learner.random.uniform(1.0, 2.0)))
+    y = learner.random.uniform(3.0, 5.0)
+    poses.send(Pose(x=2.0, y=y, theta=learner.random.uniform(1.0, 2.0), linear_velocity=1.0))
     learner.run(19.6)
     expect(goal.accepted, 'A goal that came after a cancelled one was rejected.', 'next')
     moments = [goal.sent, *goal.stamps, goal.finished or learner.now / 1e9]
     pause = max(late - early for early, late in zip(moments, moments[1:], strict=False))
     expect(pause < 0.65 and len(goal.stamps) > 36, 'For a while no feedback came: the turtle only turned.', 'feedback')
+    told, left = goal.feedback[-1].distance, math.hypot(7.0, y - 2.0)
+    expect(
+        told == pytest.approx(left, abs=0.01),
+        f'The turtle is {left:.2f} m away from the place, and the feedback says {told:.2f}.',
+        'feedback',
+    )
     expect(goal.done, 'The turtle did not move for 20.6 s, and the goal still runs.', 'give-up')
     took = goal.finished - goal.sent
     expect(

@@ -184,6 +184,7 @@ class Metadata(NamedTuple):
     version: str
     programs: dict[str, str]  # name -> right side
     lists: list[str]  # of entry points: console_scripts, and others
+    requires: list[str]  # other Python packages that must be there, with what is asked of their version
 
 
 def metadata(workspace: ExerciseWorkspace, package_name: str) -> Metadata | None:
@@ -191,7 +192,9 @@ def metadata(workspace: ExerciseWorkspace, package_name: str) -> Metadata | None
 
     They are read from the files that the build has installed: nothing of the learner's runs for this.
     """
-    pattern = rf'{package_name}/.*-packages/[^/]*\.(?:egg|dist)-info/(PKG-INFO|METADATA|entry_points\.txt)'
+    pattern = (
+        rf'{package_name}/.*-packages/[^/]*\.(?:egg|dist)-info/(PKG-INFO|METADATA|entry_points\.txt|requires\.txt)'
+    )
     found = {match[1]: name for name in workspace.installed() if (match := re.fullmatch(pattern, name))}
     about_it = found.get('PKG-INFO') or found.get('METADATA')
     if not about_it:
@@ -204,7 +207,10 @@ def metadata(workspace: ExerciseWorkspace, package_name: str) -> Metadata | None
     except configparser.Error:
         programs.clear()  # what nobody can read has no programs
     scripts = dict(programs['console_scripts']) if programs.has_section('console_scripts') else {}
-    return Metadata(str(said['Name']), str(said['Version']), scripts, programs.sections())
+    requires = [line for line in said.get_all('Requires-Dist', []) if 'extra ==' not in line]
+    if not requires and 'requires.txt' in found:  # where setuptools before 68 writes it; extras have a title
+        requires = workspace.read(found['requires.txt']).partition('[')[0].split()
+    return Metadata(str(said['Name']), str(said['Version']), scripts, programs.sections(), requires)
 
 
 def to_run(found: dict[str, set[str]]) -> set[str]:
@@ -217,15 +223,20 @@ def to_build(found: dict[str, set[str]]) -> set[str]:
     return found.get('depend', set()) | found.get('build_depend', set()) | found.get('buildtool_depend', set())
 
 
-def needed(found: dict[str, set[str]]) -> set[str]:
-    """All that is declared, except for tests, for documents, and as the tool that builds Python packages."""
+def needed(found: dict[str, set[str]], elsewhere: bool = False) -> set[str]:
+    """All that is declared, except for tests, and as the tool that builds Python packages.
+
+    :param elsewhere: count also what is declared for another distribution only, except for its tool to build.
+    """
+    kinds = [(tag.partition(' ')[0], ' ' in tag, names) for tag, names in found.items()]
     return {
         name
-        for tag, names in found.items()
+        for tag, conditional, names in kinds
         for name in names
         if tag.endswith('depend')
-        and tag not in ('test_depend', 'doc_depend')
-        and not (tag == 'buildtool_depend' and name in _PYTHON_TOOLS)
+        and tag != 'test_depend'
+        and not (tag == 'buildtool_depend' and (conditional or name in _PYTHON_TOOLS))
+        and (elsewhere or not conditional)
     }
 
 

@@ -44,6 +44,8 @@ def _written_in(learner) -> dict:
         'response': fields(response),
         'FULL': next((one.value for one in message.constants if one.name == 'FULL'), None),
         'constants': [one.name for one in message.constants if one.name != 'FULL'],
+        'request constants': [one.name for one in request.constants],
+        'response constants': [one.name for one in response.constants],
         'begins': [field.name for field in message.fields if field.default_value is not None],
         'speed': defaults.pop('speed', None) or 0.0,
         'defaults': [name for name, value in defaults.items() if value is not None],
@@ -111,6 +113,12 @@ def _judge_dock(found: dict) -> None:
         expect(
             sorted(fields) == sorted(wanted),  # in any order: the specification gives one for Charge only
             f'The fields of the {rule} of Dock are {_written(fields)}; expected {_written(wanted)}.',
+            rule,
+        )
+        constants = found.get(f'{rule} constants', [])
+        expect(
+            not constants,
+            f'The {rule} of Dock has a constant, {constants and constants[0]}. Only Charge has one, FULL.',
             rule,
         )
     expect(

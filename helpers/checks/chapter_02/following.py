@@ -155,7 +155,7 @@ def judge_dependencies(learner) -> None:
 
 def judge_rest(learner) -> None:
     """Names, versions, licence and the one program are as before: rule `rest`."""
-    name, version, programs, _ = _metadata(learner)
+    name, version, programs = _metadata(learner)[:3]
     expect(
         (name, version) == ('line_follower', '0.1.0'),
         f'setup.py says {name} {version}, and said line_follower 0.1.0 before.',

@@ -23,7 +23,8 @@ from helpers.runner.workspaces import ExerciseWorkspace, reason
 NAME = 'patrol'
 DATA, ROUTE, TESTS = 'config/stations.txt', 'patrol/route.py', 'test/test_route.py'
 SHARED = f'{NAME}/share/{NAME}/{DATA}'
-STATIONS = ('attic', 'bench', 'cellar', 'garage', 'hall', 'kitchen', 'office', 'stairs', 'tower', 'yard')
+STATIONS = ('attic', 'Bench', 'cellar_2', 'GARAGE', 'hall', 'Kitchen', 'office', 'stairs', 'tower7', 'yard')
+LONG = 12  # so many stations are no longer shown in a message
 TIMEOUT = 20.0  # s, until a node is there, and for tests
 MATCHED = 4.0  # s, until all that belongs to the node is seen
 HEARD = 10.0  # s, until the names have come
@@ -34,10 +35,11 @@ _ALWAYS = 'ament_index_python', 'rclpy', 'std_msgs'
 _CALL = """\
 import json, sys
 from patrol.route import round_trip
-found = [round_trip(list(stations)) for stations in json.loads(sys.argv[1])]
+given = json.loads(sys.argv[1])
+found = [round_trip(stations) for stations in given]
 print()  # the function may have printed, too
-for one in found:
-    print(json.dumps([type(one).__name__, one], default=str))
+for stations, one in zip(given, found):
+    print(json.dumps([type(one).__name__, one, stations], default=str))
 """
 
 # What a function does that is wrong -> its body
@@ -46,6 +48,7 @@ WRONG = {
     'leaves the second station out': 'return [*stations[:1], *stations[2:], stations[0]]',
     'leaves the last station out': 'return [*stations[: max(1, len(stations) - 1)], stations[0]]',
     'gives the stations in reverse order': 'return [*reversed(stations), stations[-1]]',
+    'gives the stations in reverse order, and then the first one': 'return [*reversed(stations), stations[0]]',
 }
 # The learner's own function, as it is, and one that cannot be called: who only reads the text cannot tell them apart.
 _OWN = """
@@ -164,8 +167,11 @@ def judge_round_trip(learner, *cases: list[str]) -> None:
         )
         expect(done.status == 0 and len(done.lines) >= len(cases), f'round_trip({cases[0]}) ended with: {last}')
         for stations, line in zip(cases, done.lines[-len(cases) :], strict=True):
-            kind, found = _answer(line)
+            kind, found, after = _answer(line)
             call = f'round_trip({stations})'
+            if len(stations) > LONG:
+                _judge_long(stations, found)
+                continue
             expect(found is not None or kind != 'NoneType', f'{call} returned None: write `return`.')
             expect(kind == 'list', f'{call} returned a {kind}, expected a list.')
             expect(
@@ -178,14 +184,32 @@ def judge_round_trip(learner, *cases: list[str]) -> None:
                 f'{call} returned {found}: it does not come back to the first station, {stations[0]}.',
             )
             expect(found == [*stations, stations[0]], f'{call} returned {found}, expected {[*stations, stations[0]]}.')
+            expect(
+                after == stations,
+                f'After {call} the list that was given to it is {after}: make a new list, and leave that one as it is.',
+            )
 
 
-def _answer(line: str) -> tuple[str, object]:
+def _judge_long(stations: list[str], found: object) -> None:
+    """What round_trip returns for more stations than a message can show."""
+    wanted = [*stations, stations[0]]
+    told = f'round_trip of a list of {len(stations)} stations, some of them several times, returned'
+    if not isinstance(found, list):
+        raise broken(f'{told} {str(found)[:80]}, expected a list.')
+    expect(len(found) == len(wanted), f'{told} {len(found)} names, expected {len(wanted)}: all of them, and the first.')
+    place = next((place for place, name in enumerate(wanted) if found[place] != name), 0)
+    expect(
+        found == wanted, f'{told} {found[place]!r} at the place {place}, expected {wanted[place]!r}: keep their order.'
+    )
+
+
+def _answer(line: str) -> tuple[str, object, object]:
+    """The type of what came back, that itself, and what the given list is afterwards."""
     try:
-        kind, found = json.loads(line)
-        return str(kind), found
+        kind, found, after = json.loads(line)
+        return str(kind), found, after
     except (ValueError, TypeError):
-        return 'something else', line[:80]
+        return 'something else', line[:80], None
 
 
 def judge_route(learner, *cases: list[str]) -> None:

@@ -32,9 +32,14 @@ report.main()
 _ARGUMENT = re.compile('argv|IndexError|ValueError|argument')
 
 
+def _distance(ticks: int) -> float:
+    """What the given library returns (m)."""
+    return 2 * math.pi * 0.033 * ticks / 360
+
+
 def _judge_distance(workspace, ticks: int, silent: tuple[str, ...]) -> None:
     """What `ros2 run` prints for this number of ticks; `silent`: before its command, a command that hides errors."""
-    length = 2 * math.pi * 0.033 * ticks / 360
+    length = _distance(ticks)
     with about('prints'):
         done = workspace.run(*silent, 'ros2', 'run', 'odometry', 'report', str(ticks))
     command, last = f'`ros2 run odometry report {ticks}`', done.last_line
@@ -83,6 +88,17 @@ def _judge_distance(workspace, ticks: int, silent: tuple[str, ...]) -> None:
         'prints',
     )
     expect(last == wanted, f'{command} printed {last}; expected {wanted}, as distance returns it.', 'library')
+    _judge_line(command, done, wanted)
+
+
+def _judge_line(command: str, done: Done, wanted: str) -> None:
+    """What stands before the right text, and behind it: nothing, and the end of the line."""
+    expect(
+        done.output.endswith('\n'),
+        f'{command} printed {wanted} without the end of the line, so what comes next stands behind it: leave out '
+        "`end=''` of print, or write '\\n' at the end.",
+        'prints',
+    )
     printed = next(line.rstrip() for line in done.output.splitlines() if line.strip() == wanted)
     expect(
         printed == wanted,
@@ -92,12 +108,23 @@ def _judge_distance(workspace, ticks: int, silent: tuple[str, ...]) -> None:
     )
 
 
+def _rounded_away(random, least: int, most: int) -> int:
+    """A number of ticks whose distance has more behind its third decimal than half a millimetre.
+
+    Who cuts the other decimals off gets another one.
+    """
+    while True:
+        ticks = random.randint(least, most)
+        if 0.55 < _distance(ticks) * 1000 % 1 < 0.95:
+            return ticks
+
+
 def judge_report(learner, zero: bool = False) -> None:
     """What `ros2 run` prints for some numbers of ticks: rules `argument` and `prints`."""
     workspace = builds.odometry(learner)
-    first = learner.random.choice((0, -learner.random.randint(100, 900))) if zero else 360
+    first = learner.random.choice((0, -_rounded_away(learner.random, 100, 900))) if zero else 360
     # So far a wheel has turned after a day; a thousand metres may be written as 1,000.
-    for ticks, silent in ((first, ()), (learner.random.randint(5_000_000, 9_000_000), _WITHOUT_ERRORS)):
+    for ticks, silent in ((first, ()), (_rounded_away(learner.random, 5_000_000, 9_000_000), _WITHOUT_ERRORS)):
         _judge_distance(workspace, ticks, silent)
     with about('prints'):
         done = workspace.run('python3', '-c', 'import odometry.report', str(first))
@@ -143,7 +170,7 @@ def judge_library(learner) -> None:
         expect(done.status == 0, f'The program ended with: {last}', 'argument' if _ARGUMENT.search(last) else 'library')
         expect(len(done.lines) < 2, f'main prints {len(done.lines)} lines; expected the distance only.', 'prints')
         expect(done.lines, 'The function main printed nothing: use print.', 'prints')
-        formula = 2 * math.pi * 0.033 * number / 360
+        formula = _distance(number)
         told = f'{told} and where distance returns {value}, your program prints {last}; expected {wanted}'
         expect(
             last == wanted or not _written_otherwise(last, value) or _written_otherwise(last, formula),
@@ -202,7 +229,7 @@ def judge_needs(learner) -> None:
     with about('needs'):
         declared = builds.dependencies(learner, 'ODOMETRY_XML')
     mine = {tag for tag, names in declared.items() if 'wheel_math' in names}
-    names = builds.needed(declared)
+    names = builds.needed(declared, elsewhere=True)
     module = [name for name in names if name.startswith('wheel_math.')]
     expect(
         not module,
@@ -224,7 +251,7 @@ def judge_needs(learner) -> None:
 def judge_alone(learner) -> None:
     """wheel_math declares nothing: rule `nothing-else`."""
     with about('nothing-else'):
-        needed = builds.needed(builds.dependencies(learner, 'WHEEL_MATH_XML'))
+        needed = builds.needed(builds.dependencies(learner, 'WHEEL_MATH_XML'), elsewhere=True)
     expect(
         'odometry' not in needed,
         'wheel_math declares odometry, and needs nothing of it. If each needs the other '

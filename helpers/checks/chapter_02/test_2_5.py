@@ -34,7 +34,8 @@ def test_round_trip(learner):
     drawn = learner.random.sample(patrolling.STATIONS, 5)
     twice = [drawn[4], drawn[0], drawn[4], drawn[1]]  # a station may be passed several times
     home = [*drawn[1:3], drawn[1]]  # the last one may be the first one, too
-    cases = sorted(drawn[:4], reverse=True), drawn[4:], twice, home
+    many = learner.random.choices(patrolling.STATIONS, k=learner.random.randint(30, 300))
+    cases = sorted(drawn[:4], reverse=True), drawn[4:], twice, home, many
     patrolling.judge_round_trip(learner, ['dock', 'door', 'lab'], *cases)
 
 

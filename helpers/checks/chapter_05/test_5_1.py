@@ -66,8 +66,8 @@ def test_numbers(learner):
     Wait 0.5 s on the node's clock, add one number, publish the feedback; at the end succeed() and return the result.
     """
     draw = learner.random
-    space, order = draw.choice(['', '/arm', '/left/arm']), draw.choice([5, 6])
-    node = learner.start('FibonacciServer', threads=True, remap={'__ns': space} if space else None)
+    space, order = draw.choice(['/arm', '/left/arm']), draw.choice([5, 6])
+    node = learner.start('FibonacciServer', threads=True, remap={'__ns': space})
     expect(
         node.name == f'{space}/fibonacci_server',
         f'Your node is called {node.name}, expected {space}/fibonacci_server.',

@@ -27,7 +27,8 @@ def plan(goal):
 
 def uneven(goal):
     """Feedback every 0.5 s: after a long list comes a short one."""
-    return [(0.5, Fibonacci.Feedback(sequence=_uneven(n))) for n in range(goal.order)]
+    steps = [(0.5, Fibonacci.Feedback(sequence=_uneven(n))) for n in range(goal.order)]
+    return [*steps, (0.0, Fibonacci.Result(sequence=result_of(goal.order)))]
 
 
 def _uneven(n: int) -> list[int]:
@@ -106,9 +107,15 @@ def test_outcomes(learner):
     expect(
         not server.cancel_stamps, f'{rounds.story}a cancel request came for a goal that had ended in time.', 'deadline'
     )
-    server.accept = False
-    rounds.begin(order, 1.0, 'a server that rejects the goal')
+    server.accept, odd = False, draw.choice([0, -1, -draw.randint(2, 99)])
+    rejected = rounds.begin(odd, 1.0, 'a server that rejects the goal')
     learner.run(2.5, step=1.0)
+    expect(
+        rejected.request.order == odd,
+        f'{rounds.story}a goal of the order {rejected.request.order} came. Send the order that was given; whether it '
+        'can be done is for the server to say.',
+        'send',
+    )
     rounds.expect('rejected []', 'word', 'Look at accepted first.')
     sent = len(server.goals) - 1  # without that of the first client
     expect(
@@ -132,14 +139,16 @@ def test_outcomes(learner):
         rounds.begin(5, 1.2, f'a server that {does}, goes on, and succeeds 1.3 s later')
         learner.run(3.5, step=1.0)
         rounds.expect(f'succeeded {result_of(5)}', 'result', 'A cancel request is only a request.')
+        _asked_once(rounds)
     _answers_late(learner, rounds)
 
 
 def _stops_late(learner, rounds, patience, value):
-    """A server accepts the cancel request, and ends the goal 1.8 s later."""
-    server = rounds.server
-    server.cancel_delay, server.partial = 1.8, Fibonacci.Result(sequence=[value])
-    goal = rounds.begin(30, patience, 'a server that is slow, and stops 1.8 s after the cancel request')
+    """A server accepts the cancel request, and ends the goal much later."""
+    server, delay = rounds.server, learner.random.choice([11.8, 47.3, 62.6])
+    server.cancel_delay, server.partial = delay, Fibonacci.Result(sequence=[value])
+    server.plan = [(1000.0, Fibonacci.Result())]
+    goal = rounds.begin(30, patience, f'a server that is slow, and stops {delay} s after the cancel request')
     learner.run(patience + 0.5, step=1.0)
     expect(
         goal.cancelled is not None,
@@ -152,6 +161,7 @@ def _stops_late(learner, rounds, patience, value):
         'deadline',
     )
     learner.run(0.8)
+    learner.run(delay - 1.9, step=5.0)
     expect(
         not rounds.outcome.data,
         f'{rounds.story}/outcome said {shown(rounds.outcome.data)} before the result was there: '
@@ -160,17 +170,20 @@ def _stops_late(learner, rounds, patience, value):
     )
     learner.run(1.5, step=1.0)
     rounds.expect(f'canceled [{value}]', 'result', 'The result also comes for a cancelled goal.')
-    expect(
-        len(server.cancel_stamps) == 1,
-        f'{rounds.story}{len(server.cancel_stamps)} cancel requests came, expected one.',
-        'deadline',
-    )
+    _asked_once(rounds)
+    server.plan = plan
+
+
+def _asked_once(rounds):
+    """One cancel request came."""
+    asked = len(rounds.server.cancel_stamps)
+    expect(asked == 1, f'{rounds.story}{asked} cancel requests came, expected one.', 'deadline')
 
 
 def _answers_late(learner, rounds):
     """A server answers the cancel request later than 1 s, and then another one is gone."""
     draw, server = learner.random, rounds.server
-    server.cancel, server.late = 'accept', {'cancel': 1.5}
+    server.cancel, server.late = 'ignore', {'cancel': 1.5}
     server.cancel_delay = 0.0
     patience = draw.choice([1.2, 1.7])
     seen, value = _uneven(int(patience / 0.5 + 1)), draw.randint(10, 99)
@@ -178,7 +191,8 @@ def _answers_late(learner, rounds):
     foreign = Fibonacci.Impl.FeedbackMessage(
         goal_id=UUID(uuid=[value] * 16), feedback=Fibonacci.Feedback(sequence=[value])
     )
-    goal = rounds.begin(30, patience, 'a server that needs 1.5 s to answer the cancel request')
+    order = int(patience / 0.5) + 4  # it ends when the client has said that it is lost
+    goal = rounds.begin(order, patience, 'a server that needs 1.5 s to answer the cancel request, and then succeeds')
     learner.run(patience + 0.65, step=1.0)
     rounds.other.send(foreign)
     learner.run(0.3)
@@ -203,7 +217,7 @@ def _answers_late(learner, rounds):
     )
     learner.run(2.0, step=1.0)
     rounds.expect(f'lost {seen}', 'once')
-    server.late = {'cancel': 0.8}
+    server.cancel, server.late = 'accept', {'cancel': 0.8}
     rounds.begin(30, patience, 'a server that needs 0.8 s to answer the cancel request')
     learner.run(patience + 3.0, step=1.0)
     rounds.expect(f'canceled {list(server.partial.sequence)}', 'lost', 'The answer came in time.')

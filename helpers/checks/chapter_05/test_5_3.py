@@ -9,6 +9,7 @@ from helpers.runner import about, expect
 pytestmark = [pytest.mark.exercise('5.3'), pytest.mark.wiring(type='names', namespace='names')]
 
 MOST_PLACES = 80  # in the learner's lines, to which threads come when two goals begin
+PLACES_AT_LOOK = 4  # of those to which they come after their wait, the first ones
 
 
 def numbers(goal) -> list[int]:
@@ -62,8 +63,8 @@ def test_one_goal(learner):
     This part is like exercise 5.1.
     """
     draw = learner.random
-    space, order = draw.choice(['', '/left', '/shop/door']), draw.randint(3, 5)
-    node = learner.start('NewestWins', threads=True, remap={'__ns': space} if space else None)
+    space, order = draw.choice(['/left', '/shop/door']), draw.randint(3, 5)
+    node = learner.start('NewestWins', threads=True, remap={'__ns': space})
     expect(
         node.name == f'{space}/newest_wins', f'Your node is called {node.name}, expected {space}/newest_wins.', 'names'
     )
@@ -196,7 +197,7 @@ def check_two_servers(learner) -> None:
     )
 
 
-@pytest.mark.rules('newest', 'aborted')
+@pytest.mark.rules('newest', 'aborted', 'cancel')
 @about('newest')
 def test_threads(learner):
     """Of two goals that come at one moment the second is the newest, whichever thread is the first to go on.
@@ -226,8 +227,40 @@ def check_threads(learner) -> None:
             'newest',
         )
         expect(first.status == 'aborted', words, 'aborted')
+        expect(
+            (numbers(first), numbers(second)) == ([], [1]),
+            f'{words}Their results are {numbers(first)} and {numbers(second)}, expected [] and [1]: keep the numbers '
+            'of a goal in a variable of its execute.',
+            'newest',
+        )
         if places < place:
             break
+    _check_cancelled(learner, client, node)
+
+
+def _check_cancelled(learner, client, node) -> None:
+    """Of two goals of one moment the newer one is cancelled, and ends while the thread of the other stands aside."""
+    for place in range(1, PLACES_AT_LOOK):
+        first, second = client.send(order=3), client.send(order=3)
+        learner.run(0.2)
+        second.cancel()
+        learner.settle()
+        node.switch(place)
+        learner.run(0.5, step=0.5)
+        _, stood = node.switch(0)
+        learner.run(1.5, step=0.5)
+        words = (
+            'Two goals of order 3 came at one moment, and 0.2 s later the second one was cancelled'
+            f'{stood and f", while a thread stood before {stood}"}; they ended as {first.status or "nothing yet"} with '
+            f'{numbers(first)} and {second.status or "nothing yet"} with {numbers(second)}, expected aborted and '
+            'canceled, both with []. '
+        )
+        expect(
+            (first.status, numbers(first)) == ('aborted', []),
+            f'{words}A goal that a newer one has replaced ends, whatever becomes of the newer one.',
+            'newest',
+        )
+        expect((second.status, numbers(second)) == ('canceled', []), words, 'cancel')
 
 
 def check_replaced(learner, client, order, count, newer) -> None:

@@ -24,7 +24,7 @@ def test_queue(learner):
     Keep a list of all goals that have not ended. The first one runs, the others wait.
     """
     draw = learner.random
-    places, space = draw.randint(2, 3), draw.choice(['', '/left', '/shop/door'])
+    places, space = draw.randint(2, 3), draw.choice(['/left', '/shop/door'])
     printer = Printer(learner, places, space)
     printer.check_names()
     orders = drawn_orders(draw, places + 1)
@@ -37,7 +37,7 @@ def test_queue(learner):
         Job('bad', last + 0.1, -draw.randint(1, 2**31), client=1),  # now that places are free
         Job('none', last + 0.2, 0),
         Job('last', last + 0.3, 2),
-        Job('later', sum(orders) / 2 + 2.2, draw.randint(1, 3)),
+        Job('later', sum(orders) / 2 + 2.2, draw.randint(10, 14)),
     )
     printer.judge()
 
@@ -74,16 +74,18 @@ def test_cancel(learner):
     draw = learner.random
     printer = Printer(learner, 3)
     now = round(draw.choice([0.6, 0.7, 1.2]), 1)
-    leaves = draw.choice('BC')
+    # One that leaves is the first that waits, and one is not: behind it others wait, or before it.
+    leaves = dict(zip(draw.choice(['BD', 'CB']), (now, round(now + 0.2, 1)), strict=True))
     printer.tell(
         Job('A', 0.0, 4),
-        *(Job(name, 0.0, order, cancel_at=now if name == leaves else NEVER) for name, order in (('B', 3), ('C', 2))),
-        Job('D', 0.1, 1, client=1),
+        *(Job(name, 0.0, order, cancel_at=leaves.get(name, NEVER)) for name, order in (('B', 3), ('C', 2))),
+        Job('D', 0.1, 1, client=1, cancel_at=leaves.get('D', NEVER)),
         Job('E', now + 0.6, 2, client=1),
     )
     printer.judge()
     now = draw.choice([0.3, 0.7, 1.3])
-    printer.tell(Job('F', 0.0, 9, cancel_at=now), Job('G', 0.1, 2, client=1), Job('H', 0.1, 1))
+    many = draw.randint(101, 5000)
+    printer.tell(Job('F', 0.0, many, cancel_at=now), Job('G', 0.1, 2, client=1), Job('H', 0.1, 1))
     printer.judge()
     check_at_the_end(printer, draw)
 
