@@ -8,7 +8,6 @@ from helpers.checks.chapter_08.drives import (
     TOLERANCE,
     Drives,
     judge_arrived,
-    judge_border,
     judge_cancel,
     judge_driving,
     judge_lost,
@@ -17,6 +16,7 @@ from helpers.checks.chapter_08.drives import (
     judge_timeout,
     judge_turning,
 )
+from helpers.checks.chapter_08.held_robot import judge_held
 from helpers.runner import about
 
 pytestmark = [pytest.mark.exercise('8.9'), pytest.mark.wiring(type='rhythm', qos='rhythm', namespace='action')]
@@ -81,10 +81,10 @@ def test_cancel(learner):
         judge_cancel(drives, 'far')
 
 
-@pytest.mark.rules('succeeds')
-def test_border(learner):
-    """The robot has arrived when the distance is below the tolerance, and not before."""
-    judge_border(learner)
+@pytest.mark.rules('succeeds', 'rhythm', 'timeout', 'result')
+def test_held(learner):
+    """A robot that is held drives with what steer says, gives up in time, and has arrived below the tolerance."""
+    judge_held(learner)
 
 
 @pytest.mark.rules('rejects-lost', 'lost', 'timeout', 'next', 'succeeds', 'result')

@@ -4,11 +4,10 @@ import math
 
 import pytest
 from delivery_interfaces.action import GoToStation
-from delivery_interfaces.srv import SetStation
 from std_msgs.msg import String
 
 from helpers.checks.chapter_05.driving import check_order
-from helpers.checks.chapter_08.deliveries import Delivery, Localizer
+from helpers.checks.chapter_08.deliveries import Delivery
 from helpers.checks.chapter_08.parameters import Parameters
 from helpers.runner import about, expect
 from helpers.runner.peers import SECOND
@@ -121,35 +120,6 @@ def judge_name(learner) -> None:
         'It was not rejected. A relative name has no slash at its beginning.',
         'action',
     )
-
-
-def judge_border(learner) -> None:
-    """The rule `succeeds`, of a robot that is exactly as far away as the tolerance, and then a bit nearer."""
-    place, client = Localizer(learner), learner.action_client('/go_to_station', GoToStation)
-    stations = learner.client('/set_station', SetStation)
-
-    def stand(x: float) -> None:
-        for _ in range(5):
-            place.tell(x, 0.0, 0.0)
-            learner.run(0.1)
-
-    with about('succeeds'):
-        learner.start('DeliveryRobot', threads=True, parameters={'tolerance': 0.5})
-        stand(0.0)
-        stations.call(name='gate', x=0.5, y=0.0)
-        goal = client.send(station='gate')
-        stand(0.0)
-        expect(
-            not goal.done or goal.status != 'succeeded',
-            'The tolerance is 0.5 m, the robot is exactly 0.5 m away from the station, and the goal has succeeded. It '
-            'succeeds when the distance is below the tolerance.',
-        )
-        stand(0.02)
-        expect(
-            goal.status == 'succeeded',
-            f'The tolerance is 0.5 m, the robot is 0.48 m away from the station, and the goal is '
-            f'{goal.status or "still running"}.',
-        )
 
 
 def judge_rejections(drives: Drives) -> str:

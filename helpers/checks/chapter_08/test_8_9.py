@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_08 import drives
+from helpers.checks.chapter_08 import drives, held_robot
 from helpers.runner import about
 
 pytestmark = [pytest.mark.exercise('8.9'), pytest.mark.wiring(type='rhythm', qos='rhythm', namespace='action')]
@@ -35,13 +35,13 @@ def test_name(learner):
     drives.judge_name(learner)
 
 
-@pytest.mark.rules('succeeds')
-def test_border(learner):
-    """The robot has arrived when the distance is below the tolerance, and not before.
+@pytest.mark.rules('succeeds', 'rhythm', 'timeout', 'result')
+def test_held(learner):
+    """A robot that is held drives with what steer says, gives up in time, and has arrived below the tolerance.
 
-    distance < tolerance.
+    steer(*where(), ...), drive(...); distance < tolerance, wherever the robot looks.
     """
-    drives.judge_border(learner)
+    held_robot.judge_held(learner)
 
 
 @pytest.mark.rules('rejects-lost', 'lost', 'timeout', 'next', 'succeeds', 'result')

@@ -63,6 +63,7 @@ class Fault:
     machine = ''  #: the machine on which commands run; '' is this one
     program = ''  #: the program that `stacks` looks at
     patience = 10.0  # s; the longest time in which a system that works shows it
+    grace = 5.0  # s; the longest time in which a program ends that is to be started again; then it is killed
 
     def __init__(self, seed: int | str = 0, kind: str | None = None, folder=None, domain: int | None = None):
         if kind is not None and kind not in self.kinds:
@@ -207,7 +208,7 @@ class Fault:
             for name, program in self.programs.items()
             if not program.running or self._version(wanted.get(name)) != self._versions[name]
         ]:
-            self.programs.pop(name).stop()
+            self.programs.pop(name).stop(timeout=self.grace)
         started = [name for name in wanted if name not in self.programs]
         for name in started:
             self._versions[name], self._asked[name] = self._version(wanted[name]), set()

@@ -100,6 +100,7 @@ class Hang(Fault):
 
     name, title = 'hang', 'the program hangs, and Ctrl+C does not end it'
     kinds = ('call', 'poll', 'loop')
+    grace = 1.0  # it does not end by itself
 
     def plan(self) -> None:
         draw = self.random

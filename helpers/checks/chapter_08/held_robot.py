@@ -1,0 +1,128 @@
+"""Tests of exercise 8.9 with a robot that is held: whatever it is told, it stands where the test says it is."""
+
+import math
+
+import pytest
+from delivery_interfaces.action import GoToStation
+from delivery_interfaces.srv import SetStation
+from geometry_msgs.msg import Twist
+
+from helpers.checks.chapter_08.deliveries import Localizer
+from helpers.runner import about, expect
+
+TOLERANCE, TIMEOUT, FASTEST, TURN = 0.5, 3.0, 0.5, 2.0  # the parameters of the node: m, s, m/s, rad/s
+GATE = 0.5, 0.0  # the station, in metres
+
+
+class Held:
+    """The learner's node, which is told a place, and the station gate."""
+
+    def __init__(self, learner):
+        self.learner, self._place = learner, Localizer(learner)
+        self._client = learner.action_client('/go_to_station', GoToStation)
+        stations = learner.client('/set_station', SetStation)
+        self.commands = learner.listen('/cmd_vel', Twist)
+        learner.start(
+            'DeliveryRobot',
+            threads=True,
+            parameters={'tolerance': TOLERANCE, 'timeout': TIMEOUT, 'max_linear': FASTEST, 'max_angular': TURN},
+        )
+        self.stand(0.0, 0.0)
+        stations.call(name='gate', x=GATE[0], y=GATE[1])
+
+    def go(self, rule: str):
+        """Send the goal gate, which must be accepted."""
+        with about(rule):
+            goal = self._client.send(station='gate')
+            self.learner.settle()
+        expect(goal.accepted, 'The goal gate was rejected. The station is known, and no other goal runs.', 'next')
+        return goal
+
+    def stand(self, x: float, yaw: float, seconds: float = 0.5, y: float = 0.0) -> None:
+        """The robot stands there (metres, radians) for so long, in steps of 0.1 s."""
+        for _ in range(round(10 * seconds)):
+            self._place.tell(x, y, yaw)
+            self.learner.run(0.1)
+
+
+def judge_held(learner) -> None:
+    """The rules `rhythm`, `timeout`, `succeeds` and `result`."""
+    with about('succeeds'):
+        held = Held(learner)
+    goal = held.go('rhythm')
+    _judge_commands(held, goal)
+    _judge_timeout(held, goal)
+    _judge_border(held, goal.result.message)
+
+
+def _judge_commands(held: Held, goal) -> None:
+    """The rule `rhythm`: the robot drives with what steer says to the answer of where."""
+    draw = held.learner.random
+    for low, high in ((0.12, 0.4), (0.6, 0.9)):  # it drives while it turns; it turns on the spot
+        angle = draw.choice([-1, 1]) * round(draw.uniform(low, high), 3)
+        x, y = -round(draw.uniform(0.4, 0.9), 3), round(draw.uniform(-0.3, 0.3), 3)
+        yaw = math.atan2(GATE[1] - y, GATE[0] - x) - angle
+        held.commands.clear()
+        held.stand(x, yaw, 0.4, y)
+        expect(
+            not goal.done, f'A goal was accepted, and 0.4 s later it is {goal.status}. The station is far.', 'succeeds'
+        )
+        last = held.commands.messages[-1:] or [Twist()]
+        got = last[0].linear.x, last[0].angular.z
+        wanted = FASTEST if high < 0.5 else 0.0, 2 * angle
+        expect(
+            got == pytest.approx(wanted, abs=1e-3),
+            f'The robot is at ({x:g}, {y:g}) and looks to {yaw:.3f} rad, the gate is at {GATE}, max_linear is '
+            f'{FASTEST:g} and max_angular {TURN:g}. The command is linear.x {got[0]:.3f}, angular.z {got[1]:.3f}; '
+            f'steer says {wanted[0]:g} and {wanted[1]:.3f}. Give steer the answer of where(), and drive with the '
+            'result, as they are.',
+            'rhythm',
+        )
+
+
+def _judge_timeout(held: Held, goal) -> None:
+    """The rule `timeout`, of a robot that turns at last."""
+    held.stand(-0.5, 2.0, TIMEOUT - 0.5)
+    expect(
+        goal.done and goal.status == 'aborted',
+        f'With timeout = {TIMEOUT:g}, {TIMEOUT + 0.3:g} s after its start the goal is '
+        f'{goal.status or "still running"}. For the last {TIMEOUT - 0.5:g} s the robot has turned on the spot. The '
+        'time counts from the start of the goal, whatever the robot does.',
+        'timeout',
+    )
+
+
+def _judge_border(held: Held, late: str) -> None:
+    """The rules `succeeds` and `result`, of a robot that is as far away as the tolerance, and then a bit nearer.
+
+    :param late: the message of a goal to the same station that took too long.
+    """
+    held.stand(0.0, 0.0)
+    goal = held.go('next')
+    held.stand(0.0, 0.0)
+    expect(
+        not goal.done or goal.status != 'succeeded',
+        f'The tolerance is {TOLERANCE:g} m, the robot is exactly that far away from the station, and the goal has '
+        'succeeded. It succeeds when the distance is below the tolerance.',
+        'succeeds',
+    )
+    held.stand(0.02, 2.5)  # it looks away: that does not matter
+    left = GATE[0] - 0.02
+    expect(
+        goal.status == 'succeeded',
+        f'The tolerance is {TOLERANCE:g} m, the robot is {left:g} m away from the station, looks to 2.5 rad, and the '
+        f'goal is {goal.status or "still running"}.',
+        'succeeds',
+    )
+    expect(
+        goal.result.distance == pytest.approx(left, abs=1e-3),
+        f'The goal has succeeded {left:g} m away from the station, and the distance in its result is '
+        f'{goal.result.distance:g}.',
+        'result',
+    )
+    expect(
+        goal.result.message != late,
+        f'A goal to the gate took too long, and another one has arrived there; both say {late!r}. The message says how '
+        'the drive ended.',
+        'result',
+    )
