@@ -201,6 +201,98 @@ def test_changes_of_parameters_are_monitored(ros2, turtlesim):  # noqa: F811
             monitor.wait_for_output(f'[monitor]: {name} is {value}', PATIENCE)
 
 
+ACTION_SERVER = """
+import rclpy
+from example_interfaces.action import Fibonacci
+from rclpy.action import ActionServer
+from rclpy.node import Node
+
+
+class Numbers(Node):
+    def __init__(self):
+        super().__init__('fibonacci_action_server')
+        self.declare_parameter('succeeds', True)
+        self.server = ActionServer(self, Fibonacci, 'fibonacci', self.count)
+        self.get_logger().info('offered')
+
+    def count(self, goal_handle):
+        self.get_logger().info('Executing goal...')
+        feedback = Fibonacci.Feedback(sequence=[0, 1])
+        for _ in range(1, goal_handle.request.order):
+            feedback.sequence.append(sum(feedback.sequence[-2:]))
+            goal_handle.publish_feedback(feedback)
+        if self.get_parameter('succeeds').value:
+            goal_handle.succeed()
+        return Fibonacci.Result(sequence=feedback.sequence)
+
+
+rclpy.init()
+rclpy.spin(Numbers())
+"""
+
+ACTION_CLIENT = """
+import rclpy
+from example_interfaces.action import Fibonacci
+from rclpy.action import ActionClient
+from rclpy.node import Node
+
+
+class Asker(Node):
+    def __init__(self):
+        super().__init__('fibonacci_action_client')
+        self.client = ActionClient(self, Fibonacci, 'fibonacci')
+
+    def ask(self, order):
+        self.client.wait_for_server()
+        sent = self.client.send_goal_async(Fibonacci.Goal(order=order), feedback_callback=self.hear)
+        sent.add_done_callback(self.answered)
+
+    def hear(self, message):
+        self.get_logger().info(f'Received feedback: {list(message.feedback.sequence)}')
+
+    def answered(self, future):
+        self.get_logger().info('Goal accepted' if future.result().accepted else 'Goal rejected')
+        future.result().get_result_async().add_done_callback(self.done)
+
+    def done(self, future):
+        self.get_logger().info(f'Result: {list(future.result().result.sequence)}')
+        rclpy.shutdown()
+
+
+rclpy.init()
+asker = Asker()
+asker.ask(10)
+rclpy.spin(asker)
+"""
+
+
+def test_an_action_is_served_and_called(ros2):  # noqa: F811
+    """Writing an action server and client (Python): a goal that nobody ended, one that succeeded, and a client."""
+    (ros2.directory / 'action_server.py').write_text(ACTION_SERVER)
+    (ros2.directory / 'action_client.py').write_text(ACTION_CLIENT)
+    goal = ('action', 'send_goal', 'fibonacci', 'example_interfaces/action/Fibonacci', '{order: 5}')
+    begin = r'Waiting for an action server to become available\.\.\.\nSending goal:\n     order: 5\n\n'
+    begin += r'Goal accepted with ID: [0-9a-f]{32}\n\n'
+    result = r'Result:\n    sequence:\n- 0\n- 1\n- 1\n- 2\n- 3\n- 5\n\nGoal finished with status: '
+    program = {'env': with_programs(ros2), 'cwd': ros2.directory}
+    with background([sys.executable, 'action_server.py'], **program) as server:
+        server.wait_for_output('offered', PATIENCE)
+        assert re.fullmatch(begin + result + 'SUCCEEDED\n', ros2.output(*goal))
+        feedback = r'(Feedback:\n    sequence:\n(- \d\n)+\n){1,4}'
+        assert re.fullmatch(begin + feedback + result + 'SUCCEEDED\n', ros2.output(*goal, '--feedback'))
+        assert ros2.output('action', 'info', '/fibonacci', '-t') == (
+            'Action: /fibonacci\nAction clients: 0\nAction servers: 1\n'
+            '    /fibonacci_action_server [example_interfaces/action/Fibonacci]\n'
+        )
+        with background([sys.executable, 'action_client.py'], **program) as client:
+            client.wait_for_output('[fibonacci_action_client]: Goal accepted', PATIENCE)
+            client.wait_for_output('Received feedback: [0, 1, 1', PATIENCE)
+            client.wait_for_output('Result: [0, 1, 1, 2, 3, 5, 8, 13, 21, 34, 55]', PATIENCE)
+        assert ros2.output('param', 'set', 'fibonacci_action_server', 'succeeds', 'false')
+        assert re.fullmatch(begin + result + 'ABORTED\n', ros2.output(*goal))
+        server.wait_for_output('Goal state not set, assuming aborted. Goal ID:', PATIENCE)
+
+
 @pytest.mark.one_of(2)
 def test_a_turtle_is_recorded_and_played(ros2, turtlesim):  # noqa: F811
     """Recording and playing back data."""
