@@ -64,6 +64,13 @@ DARK_COLOURS = {
 }
 
 
+def dark_colours(named: Sequence[Item]) -> dict[str, str]:
+    """What the colours of a picture with these names become on a dark page: names that are dark there get light."""
+    colours = [np.array(item.shape.colour) for item in named]
+    lighter = {_hex(colour): _hex(0.8 + 0.2 * colour) for colour in colours if colour @ (0.3, 0.59, 0.11) < 0.5}
+    return lighter | DARK_COLOURS
+
+
 def svg(
     scene: Scene,
     caption: str = '',
@@ -166,7 +173,7 @@ class _ScenePicture:
                 f'<svg xmlns="http://www.w3.org/2000/svg" width="{self.width}" height="{self.height}" '
                 f'viewBox="0 0 {self.width} {self.height}" style="max-width:100%;height:auto" class="scene-picture" '
                 f'fill="none" stroke-linecap="round" stroke-linejoin="round" font-family=\'{_FONT}\' font-size="13">',
-                f'<style>{dark_page.rules(drawing, DARK_COLOURS, ".scene-picture")}</style>',
+                f'<style>{dark_page.rules(drawing, dark_colours(named), ".scene-picture")}</style>',
                 drawing,
                 '</svg>',
             )

@@ -194,7 +194,12 @@ def test_a_large_cloud_is_thinned_out_without_a_pattern():
 
 def test_on_a_dark_page_texts_and_axes_stand_out_from_the_ground():
     scene = Scene()
-    for name, shape in (('axes', Axes()), ('name', Label('name')), ('box', Box())):
+    for name, shape in (
+        ('axes', Axes()),
+        ('a', Label('a')),
+        ('b', Label('b', colour=(0.3, 0.4, 0.5))),
+        ('c', Label('c', 0.1, (0, 0, 0))),
+    ):
         scene.set(name, shape)
     text = picture.svg(scene, 'a caption', problems=['a problem'])
     for element in elements(text, 'style'):
@@ -202,7 +207,7 @@ def test_on_a_dark_page_texts_and_axes_stand_out_from_the_ground():
     ground = changed[elements(text, 'rect')[0].get('fill')]
     words = {changed[element.get('fill')] for element in elements(text, 'text')}
     axes = {changed[picture._hex(colour)] for colour in (RED, GREEN, BLUE)}
-    assert len(words) == 3 and len(axes) == 3
+    assert len(words) == 5 and len(axes) == 3
     assert min(contrast(colour, ground) for colour in words) > 4.5
     assert min(contrast(colour, ground) for colour in axes) > 3
     assert changed['#fff'] == ground  # around the names
