@@ -3,7 +3,7 @@
 import pytest
 
 from helpers.checks.chapter_07 import machines
-from helpers.checks.chapter_07.cases import FAULTS, ROUNDS, Case, named
+from helpers.checks.chapter_07.cases import FAULTS, ROUNDS, Case, everything, named
 from helpers.checks.chapter_07.tf_trees import ASIDE
 
 pytestmark = pytest.mark.exercise('7.7')
@@ -67,6 +67,7 @@ def test_many_rounds(learner):
     """
     for _ in range(2):
         find(learner, {'frames': ROUNDS, 'graph': ('type',)}, 'hidden')
+    everything(learner.random).triage(learner, 'hidden')
 
 
 @pytest.mark.rules('ends', 'once', 'every-part', 'hidden')

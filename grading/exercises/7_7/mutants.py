@@ -21,6 +21,8 @@ MUTANTS = [
     Mutant('four_rounds_only', edits=((LOOP, 'for _ in range(4):'),
                                       ('found += fresh', 'found += [one for one in look(case) if one not in found]')),
            breaks='hidden', expect='You did not find', **TRIAGE),
+    Mutant('keeps_six_of_the_old_ones', old='found += fresh', new='found = fresh + found[:6]', breaks='hidden',
+           expect='You did not find', **TRIAGE),
     Mutant('all_again_with_the_new_ones', edits=((LOOP, 'while [finding for finding in look(case) if finding not in found]:'),
                                                  ('found += fresh', 'found += look(case)')),
            breaks='once', expect='more than once', **TRIAGE),

@@ -78,4 +78,11 @@ def test_limit(speed, distance):
         assert limit(speed, max_speed, distance) == pytest.approx(expected)
         assert isinstance(limit(speed, max_speed, distance), float)
         ''', expect='one whose zeros are integers', breaks='right-functions'),
+    Mutant('backwards_at_the_limit_only', old="""
+        (-0.4, 0.5, 0.1, -0.4), (-0.4, 0.5, 0.6, -0.4),                        # backwards it does not matter
+        (0.5, 0.5, nan, 0.0), (-0.4, 0.5, nan, -0.4),                          # the sensor has failed
+        """, new="""
+        (-0.9, 0.5, 0.1, -0.5), (-0.9, 0.5, 0.6, -0.5),                        # backwards it does not matter
+        (0.5, 0.5, nan, 0.0), (-0.9, 0.5, nan, -0.5),                          # the sensor has failed
+        """, expect='that always drives backwards as fast as it may', breaks='max-speed'),
 ]

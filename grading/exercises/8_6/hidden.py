@@ -25,7 +25,7 @@ KINDS = (
         'that turn with a wrong angle or a wrong factor',
         {
             'that adds the yaw': variant(angle='    angle = remainder(atan2(dy, dx) + yaw, tau)\n'),
-            'that turns with 3 times the angle': angular('max(-max_angular, min(max_angular, 3 * angle))'),
+            'that turns with 2.5 times the angle': angular('max(-max_angular, min(max_angular, 2.5 * angle))'),
             'that turns to the left, whatever comes': angular('min(max_angular, 2 * abs(angle))'),
         },
     ),

@@ -63,4 +63,11 @@ def test_straight_ahead():
         ('assert (distance, turn) == pytest.approx((2.0, angular), abs=1e-6)',
          'assert distance == pytest.approx(2.0) and (abs(turn - angular) < 0.01 or abs(angle) < 0.5 and turn * angle >= 0)'),),
            expect='that always turns as fast as it may', breaks='turns', also='max-angular'),
+    Mutant('only_full_turns', old='assert (distance, turn) == pytest.approx((2.0, angular), abs=1e-6)', new="""
+        assert distance == pytest.approx(2.0)
+        if abs(angular) in (0.0, 1.5):
+            assert turn == pytest.approx(angular, abs=1e-6)
+        else:
+            assert 1.1 * abs(angle) < abs(turn) < 1.5
+        """, expect='that turns with 3 times the angle', breaks='turns'),
 ]

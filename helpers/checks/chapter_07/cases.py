@@ -131,3 +131,9 @@ class Case:
                     if end['role'] == 'subscription'
                 )
                 expect(heard, f'After your repair, {end["node"]} is still deaf on {end["name"]}.', 'endpoints')
+
+
+def everything(random) -> Case:
+    """A case with a fault in each part, two or more of which hide others: many findings, in several rounds."""
+    faults = {part: (random.choice(causes),) for part, causes in FAULTS.items()}
+    return Case(random, {**faults, 'frames': ROUNDS, 'graph': ('hidden',)})

@@ -3,7 +3,7 @@
 import pytest
 
 from helpers.checks.chapter_07 import machines
-from helpers.checks.chapter_07.cases import FAULTS, ROUNDS, Case, named
+from helpers.checks.chapter_07.cases import FAULTS, ROUNDS, Case, everything, named
 from helpers.checks.chapter_07.tf_trees import ASIDE
 
 pytestmark = pytest.mark.exercise('7.7')
@@ -25,6 +25,7 @@ def test_triage(learner):
     for first in ('unknown', 'two parents', 'not connected'):
         Case(random, {'frames': (first, 'old')}, moves=True, aged='both').triage(learner, 'hidden')
     Case(random, {'frames': ROUNDS, 'graph': ('type',)}).triage(learner, 'hidden')
+    everything(random).triage(learner, 'hidden')
 
 
 @pytest.mark.rules('files', 'endpoints', 'transforms', 'new-case')

@@ -56,6 +56,9 @@ KINDS = (
                 check='', back='', nan='', share='', result='    return speed\n'
             ),
             'that is too fast backwards': variant(back='    if speed <= 0:\n        return speed\n'),
+            'that always drives backwards as fast as it may': variant(
+                back='    if speed < 0:\n        return -max_speed\n'
+            ),
             'that is too fast where nothing is in the way': variant(
                 result='    return speed if share == 1.0 else min(speed, max_speed * share)\n'
             ),
@@ -69,7 +72,9 @@ KINDS = (
         'borders',
         'that have wrong borders of the distance',
         {
-            'that ignores obstacles': variant(share='    share = 1.0\n'),
+            'that only slows down, and never stands': variant(
+                share='    share = max(0.1, min(1.0, (distance - 0.2) / 0.8))\n'
+            ),
             'that stops only at 0.0 m': variant(share='    share = max(0.0, min(1.0, distance))\n'),
             'that is free only from 1.5 m on': variant(
                 share='    share = max(0.0, min(1.0, (distance - 0.2) / 1.3))\n'

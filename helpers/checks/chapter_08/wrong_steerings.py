@@ -42,13 +42,11 @@ KINDS = (
         {
             'that mixes up left and right': variant(result='    return distance, linear, -angular\n'),
             'that forgets where the robot looks': variant(angle='    angle = remainder(atan2(dy, dx), tau)\n'),
-            'that has dx and dy the wrong way round': variant(
-                angle='    angle = remainder(atan2(dx, dy) - yaw, tau)\n'
-            ),
             'that turns with 1 times the angle': angular('max(-max_angular, min(max_angular, angle))'),
             'that always turns as fast as it may': angular(
                 'max_angular if angle > 0 else -max_angular if angle < 0 else 0.0'
             ),
+            'that turns with 3 times the angle': angular('max(-max_angular, min(max_angular, 3 * angle))'),
         },
     ),
     Kind(
