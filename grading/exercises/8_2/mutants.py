@@ -129,6 +129,13 @@ MUTANTS = [
            "lambda command: setattr(self, 'command', command)",
            "lambda command: command == Twist() or setattr(self, 'command', command)"),
            expect='else the robot never stands', breaks='newest', also=('modes', 'limit')),
+    Mutant('hardly_new', old=LISTENS, new=LISTENS.replace(
+           "lambda command: setattr(self, 'command', command)",
+           "lambda command: abs(command.linear.x - self.command.linear.x) > 1e-3 and setattr(self, 'command', command)"),
+           expect='differs by little', breaks='newest', also=('other-fields', 'limit', 'modes', 'before')),
+    Mutant('begins_again_when_it_refuses', old="if new['mode'] not in ('normal', 'slow', 'stop'):",
+           new="if new['mode'] not in ('normal', 'slow', 'stop') and self.timer:\n    self.timer.reset()\n"
+           "if new['mode'] not in ('normal', 'slow', 'stop'):", expect='leave the timer alone', breaks='refused'),
     Mutant('zeros_at_once', old=LISTENS, new=LISTENS.replace(
            "lambda command: setattr(self, 'command', command)",
            "lambda command: setattr(self, 'command', command) or command == Twist() and self.on_timer()"),

@@ -86,6 +86,10 @@ def generate_launch_description():
     Mutant('beside_the_launch_file', breaks='installed-file', expect='find it by the name of the package',
            old="config = PathJoinSubstitution([FindPackageShare('fleet'), 'config', 'fleet.yaml'])",
            new="config = str(__import__('pathlib').Path(__file__).parents[1] / 'config/fleet.yaml')"),
+    Mutant('beside_the_launch_file_if_it_is_there', breaks='installed-file', expect='find it by the name of the package',
+           old="config = PathJoinSubstitution([FindPackageShare('fleet'), 'config', 'fleet.yaml'])",
+           new="beside = __import__('pathlib').Path(__file__).parents[1] / 'config/fleet.yaml'\n"
+           "config = str(beside) if beside.exists() else PathJoinSubstitution([FindPackageShare('fleet'), 'config', 'fleet.yaml'])"),
     Mutant('values_in_the_launch_file', edits=(('parameters=[config], *', "parameters=[config, {'rate': 20.0}], *"),
             ('parameters=[config], remappings', "parameters=[config, {'rate': 20.0}], remappings")),
            expect='must use the installed file', breaks='installed-file'),

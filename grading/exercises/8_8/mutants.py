@@ -62,6 +62,17 @@ MUTANTS = [
         wheels = self.buffer.lookup_transform('odom', 'base_footprint', Time())
         if self.get_clock().now() - Time.from_msg(wheels.header.stamp) > Duration(seconds=0.5):
         """, expect='base_footprint in odom is new', breaks='old'),
+    Mutant('only_the_localiser', old=AGE, new="""
+        told = self.buffer.lookup_transform('map', 'odom', Time())
+        if self.get_clock().now() - Time.from_msg(told.header.stamp) > Duration(seconds=0.5):
+        """, expect='odom in map is new', breaks='old'),
+    Mutant('forgets_after_a_fifth_of_a_second', old='Buffer()', new='Buffer(cache_time=Duration(seconds=0.2))',
+           expect='so the place is 0.4 s old', breaks='old'),
+    Mutant('each_transform_once', old=AGE, new="""
+        before, self.before = getattr(self, 'before', None), found.header.stamp
+        if before == found.header.stamp:
+            return None
+        """ + AGE, expect='asked once more', breaks='old'),
     Mutant('lost_for_ever', old=f"""
         {AGE}
             return None

@@ -96,7 +96,7 @@ def launched(learner) -> dict[str, dict]:
 def launched_with(learner, values: dict[str, float | str]) -> list[dict]:
     """What is found of the governors when these values stand in the installed parameter file, wherever one stood.
 
-    A copy of the launch file is launched, in a folder where nothing else is.
+    A copy of the launch file is launched, beside a folder with the parameter file as it was.
     """
     share = 'share=$(ros2 pkg prefix --share fleet)'
     workspace = fleet(learner)
@@ -106,8 +106,9 @@ def launched_with(learner, values: dict[str, float | str]) -> list[dict]:
         learner,
         workspace,
         f"{share}; cp $share/config/fleet.yaml kept.yaml; sed -Ei '{changes}' $share/config/fleet.yaml; "
-        'mkdir -p elsewhere; cp $share/launch/fleet.launch.py elsewhere',
-        'elsewhere/fleet.launch.py',
+        'mkdir -p elsewhere/launch elsewhere/config; cp $share/launch/fleet.launch.py elsewhere/launch; '
+        'cp kept.yaml elsewhere/config/fleet.yaml',
+        'elsewhere/launch/fleet.launch.py',
     )
     workspace.run('bash', '-c', f'{share}; cp kept.yaml $share/config/fleet.yaml')
     return reports

@@ -174,6 +174,15 @@ def _judge_halt(governed: Governed, speed: float, period: float) -> None:
         'the newest one, too: else the robot never stands.',
         'newest',
     )
+    little = governed.learner.random.randint(1, 9) / 10_000
+    governed.send(command(little, -little))
+    got = governed.newest(period, 'rhythm')
+    expect(
+        (got.linear.x, got.angular.z) == pytest.approx((little, -little), abs=1e-7),
+        f'The planner said 0 m/s, and then {little:g} m/s and {-little:g} rad/s; {got.linear.x:g} m/s and '
+        f'{got.angular.z:g} rad/s came out. A command that differs by little is the newest one, too.',
+        'newest',
+    )
 
 
 def judge_limit(governed: Governed, limit: float, period: float) -> None:
@@ -274,13 +283,18 @@ def _judge_new_limits(governed: Governed, limit: float, rate: float) -> float:
             f'{got.linear.x:g}. Keep the command as it came, and read the parameter when you publish.',
             'at-once',
         )
-    late = (governed.heard.stamps[-1] * rate) % 1
     expect(
-        min(late, 1 - late) < 0.01,
+        _in_rhythm(governed, rate),
         'After a change of max_linear, the messages come at other moments. Only a new rate begins with a new period.',
         'new-rate',
     )
     return other
+
+
+def _in_rhythm(governed: Governed, rate: float) -> bool:
+    """Whether the last message came a whole number of periods after the start."""
+    late = (governed.heard.stamps[-1] * rate) % 1
+    return min(late, 1 - late) < 0.01
 
 
 def _judge_refused(governed: Governed, limit: float, rate: float) -> None:
@@ -305,6 +319,12 @@ def _judge_refused(governed: Governed, limit: float, rate: float) -> None:
             len(came) == 2 and speeds == pytest.approx([limit]),
             f'The request {shown(bad)} was refused, and yet the node works in another way since then: {len(came)} '
             f'messages in {2 * period:g} s, linear.x {speeds}. While you check, store and change nothing.',
+            'refused',
+        )
+        expect(
+            _in_rhythm(governed, rate),
+            f'The request {shown(bad)} was refused, and since then the messages come at other moments. While you '
+            'check, leave the timer alone.',
             'refused',
         )
 
