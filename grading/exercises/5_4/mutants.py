@@ -127,4 +127,11 @@ MUTANTS = [
         end()
         self.motor.publish(Twist())
         ''')), expect='published only after the goal had ended'),
+    Mutant('taken_in_the_class', breaks='busy', edits=(
+        ('self.pose, self.busy = None, False', 'self.pose, Driver.busy = None, False'),
+        ('self.busy = True', 'Driver.busy = True'), ('self.busy = False', 'Driver.busy = False')),
+           expect='which the second one could take'),
+    Mutant('pose_in_the_class', breaks='no-pose', edits=(
+        ('self.pose, self.busy = None, False', 'self.busy = False'), ('self.pose = pose', 'Driver.pose = pose'),
+        ('def on_pose(self, pose):', 'pose = None\n\ndef on_pose(self, pose):')), expect='only the first one could take a goal'),
 ]

@@ -7,7 +7,7 @@ from geometry_msgs.msg import Twist
 from turtle_interfaces.action import DriveTo
 from turtlesim.msg import Pose
 
-from helpers.checks.chapter_05.driving import check_cancel, check_newest, check_order
+from helpers.checks.chapter_05.driving import check_cancel, check_newest, check_order, check_two_drivers
 from helpers.runner import about, expect
 from helpers.runner.turtlesim import TurtleSim
 
@@ -80,6 +80,7 @@ def test_standing_robot(learner):
     _reject_while_busy(learner, robot, command)
     _give_up(learner, robot, goal)
     _cancel(learner, robot, draw.choice([0.55, 1.15]), draw.uniform(0.3, 1.2))
+    check_two_drivers(learner, robot.node, robot.client, robot.poses, robot.commands)
 
 
 def _check_names(learner, robot):
