@@ -48,7 +48,19 @@ def test_in_time(learner):
         'word',
     )
     expect(not server.cancel_stamps, 'A cancel request came for a goal that ended in time.', 'deadline')
-    expect(server.goals[0].arrived < 0.35, f'The goal came {server.goals[0].arrived:g} s after the start.', 'send')
+    waits = [server.goals[0].arrived]
+    for _ in range(4):  # some parts of a server may be seen late, but not each time
+        started = learner.now / 1e9
+        learner.start('PatientClient', 1, 3.0, beside=node)
+        learner.run(0.8)
+        waits.append(server.goals[-1].arrived - started)
+    expect(waits[0] < 0.35, f'The goal came {waits[0]:g} s after the start.', 'send')
+    expect(
+        0 <= min(waits[1:]) < 0.1 + NEAR,
+        f'The server was there, and goals came {", ".join(f"{wait:.2f}" for wait in waits[1:])} s after the start of '
+        'their clients, expected after 0.1 s: look every 0.1 s.',
+        'send',
+    )
 
 
 @pytest.mark.weight(2)
@@ -60,8 +72,9 @@ def test_deadline(learner):
     The server may need time to stop. Its result tells what really happened.
     """
     patience = learner.random.choice([1.25, 1.7, 2.35])
-    outcome, server, _ = begin(learner, 30, patience, cancel_delay=3.0, partial=Fibonacci.Result(sequence=[6, 5]))
-    learner.run(patience + 1.8)
+    outcome, server, _ = begin(learner, 30, patience, partial=Fibonacci.Result(sequence=[6, 5]))
+    server.cancel_delay = learner.random.uniform(31, 90)
+    learner.run(patience + server.cancel_delay - 0.5, step=5.0)
     expect(server.goals, 'No goal came.', 'deadline')
     goal = server.goals[0]
     expect(
@@ -81,7 +94,7 @@ def test_deadline(learner):
         'cancel request and was still stopping: wait for its result.',
         'result',
     )
-    learner.run(3.0)
+    learner.run(2.0)
     words = [text.partition(' ')[0] for text in outcome.data]
     expect(
         set(words) <= {'succeeded', 'canceled', 'aborted', 'rejected', 'lost'},
@@ -102,14 +115,16 @@ def test_rejected(learner):
 
     Look at accepted first.
     """
-    outcome, server, _ = begin(learner, 3, 1.0, accept=False)
+    order = -learner.random.choice([0, learner.random.randint(1, 2**31)])
+    outcome, server, _ = begin(learner, order, 1.0, accept=False)
     learner.run(4.0)
     expect(
         outcome.data == ['rejected []'],
         f'The goal was rejected, and /outcome said {outcome.data}. Look at accepted first.',
         'word',
     )
-    expect(len(server.goals) == 1, f'{len(server.goals)} goals came, expected one.', 'send')
+    came = [goal.request.order for goal in server.goals]
+    expect(came == [order], f'PatientClient({order}, 1.0) sent goals of the orders {came}, expected {[order]}.', 'send')
 
 
 @pytest.mark.rules('word', 'numbers')
@@ -164,7 +179,12 @@ def test_cancel_in_vain(learner):
             f'The goal went on after the cancel request ({cancel}) and succeeded; /outcome said {outcome.data}. '
             'Report what the result says.',
         )
-        expect(server.cancel_stamps, f'The patience of {patience} s was over, and no cancel request came.', 'deadline')
+        count = len(server.cancel_stamps)
+        expect(
+            count == 1,
+            f'The patience of {patience} s was over, and {count} cancel requests came ({cancel}), expected one.',
+            'deadline',
+        )
         node.stop()
         server.stop()
 
@@ -278,29 +298,35 @@ def test_slow_answers(learner):
 
     The first one from the answer to the goal, the second one from the cancel request.
     """
-    outcome, server, _ = begin(learner, 30, 1.4, partial=Fibonacci.Result(sequence=[3]))
-    server.late = {'goal': learner.random.choice([0.6, 1.1]), 'cancel': 1.3}
-    learner.run(4.5)
-    expect(
-        len(server.goals) == 1,
-        f'The server needs {server.late["goal"]} s to accept; in the meantime {len(server.goals)} goals came, expected '
-        'one.',
-        'send',
-    )
-    expect(outcome.data, 'The cancel request was not answered within 1 s, and nothing came on /outcome.', 'deadline')
-    sent = outcome.stamps[0] - 1.0 - server.goals[0].arrived
-    expect(
-        sent == pytest.approx(1.4, abs=2 * NEAR),
-        f'The goal was accepted {server.late["goal"]} s late; the cancel request came {sent:.2f} s after that, '
-        'expected 1.4 s.',
-        'deadline',
-    )
-    learner.run(2.0)
-    expect(
-        len(outcome) == 1,
-        f'The cancel request was answered after 1.3 s; /outcome said {outcome.data}, expected one outcome.',
-        'once',
-    )
+    result = Fibonacci.Result(sequence=[3])
+    for end in (result, action_peers.Aborted(result), None):  # how it ends after it was lost; None: it is cancelled
+        outcome, server, node = begin(learner, 30, 1.4, plan if end is None else [(2.6, end)], partial=result)
+        server.late = {'goal': learner.random.choice([0.6, 1.1]), 'cancel': 1.3}
+        learner.run(4.5)
+        expect(
+            len(server.goals) == 1,
+            f'The server needs {server.late["goal"]} s to accept; in the meantime {len(server.goals)} goals came, '
+            'expected one.',
+            'send',
+        )
+        expect(
+            outcome.data, 'The cancel request was not answered within 1 s, and nothing came on /outcome.', 'deadline'
+        )
+        sent = outcome.stamps[0] - 1.0 - server.goals[0].arrived
+        expect(
+            sent == pytest.approx(1.4, abs=2 * NEAR),
+            f'The goal was accepted {server.late["goal"]} s late; the cancel request came {sent:.2f} s after that, '
+            'expected 1.4 s.',
+            'deadline',
+        )
+        learner.run(2.0)
+        expect(
+            len(outcome) == 1,
+            f'The cancel request was answered after 1.3 s; /outcome said {outcome.data}, expected one outcome.',
+            'once',
+        )
+        node.stop()
+        server.stop()
 
 
 @pytest.mark.rules('names')

@@ -7,7 +7,7 @@ from geometry_msgs.msg import Twist
 from turtle_interfaces.action import DriveTo
 from turtlesim.msg import Pose
 
-from helpers.checks.chapter_05.driving import check_cancel, check_newest, check_order
+from helpers.checks.chapter_05.driving import check_cancel, check_newest, check_order, check_two_drivers
 from helpers.runner import about, expect
 from helpers.runner.turtlesim import TurtleSim
 
@@ -204,7 +204,7 @@ def test_one_at_a_time(learner):
     expect(far < 0.2, f'The goal (7, 5.5) succeeded {far:.1f} m away from it, expected less than 0.1 m.', 'arrive')
 
 
-@pytest.mark.rules('busy', 'give-up', 'cancel', 'next', 'feedback', 'zeros')
+@pytest.mark.rules('busy', 'give-up', 'cancel', 'next', 'feedback', 'zeros', 'no-pose')
 @about('busy')
 def test_cancelled_before(learner):
     """Until a cancelled goal has ended, no other one is accepted; the next one has its 20 s, and feedback in each.
@@ -213,7 +213,7 @@ def test_cancelled_before(learner):
     """
     client = learner.action_client('/drive_to', DriveTo)
     poses = learner.talk('/turtle1/pose', Pose)
-    learner.start('Driver', threads=True)
+    node = learner.start('Driver', threads=True)
     poses.send(Pose(x=2.0, y=2.0))
     learner.settle()
     goal = client.send(x=9.0, y=2.0)
@@ -258,6 +258,7 @@ def test_cancelled_before(learner):
             'came, expected one before every end.',
             'zeros',
         )
+    check_two_drivers(learner, node, client, poses, commands)
 
 
 @pytest.mark.rules('give-up', 'zeros', 'steer')

@@ -140,4 +140,11 @@ MUTANTS = [
            new='if step % 2 == 0 and distance > 1.3:', expect='also near the place'),
     Mutant('a_little_outside', breaks='field', old='0 <= request.x <= 11', new='0 <= request.x <= 11.08',
            expect='No turtle can get there'),
+    Mutant('taken_in_the_class', breaks='busy', edits=(
+        ('self.pose, self.busy = None, False', 'self.pose, Driver.busy = None, False'),
+        ('self.busy = True', 'Driver.busy = True'), ('self.busy = False', 'Driver.busy = False')),
+           expect='which the second one could take'),
+    Mutant('pose_in_the_class', breaks='no-pose', edits=(
+        ('self.pose, self.busy = None, False', 'self.busy = False'), ('self.pose = pose', 'Driver.pose = pose'),
+        ('def on_pose(self, pose):', 'pose = None\n\ndef on_pose(self, pose):')), expect='only the first one could take a goal'),
 ]

@@ -1,6 +1,7 @@
-"""In which order a driver of exercises 5.4 and 8.9 stops the robot and ends its goal."""
+"""How a driver of exercises 5.4 and 8.9 ends its goal, which pose it uses, and what is its own."""
 
 import pytest
+from turtlesim.msg import Pose
 
 from helpers.runner import about, expect
 from helpers.runner.action_peers import Goal
@@ -57,3 +58,29 @@ def check_cancel(learner, client, goal: Goal, story: str) -> None:
         'is free when the goal has ended, not when somebody has asked for its end.',
         'busy',
     )
+
+
+def check_two_drivers(learner, node, client, poses, commands) -> None:
+    """A second object of the class in the process of `node` knows no pose yet; then it drives while the first one does.
+
+    The first one knows a pose, and has no goal. Both are in one namespace, so both hear of each goal.
+    """
+    learner.start('Driver', threads=True, beside=node)
+    for drivers, rule, story in (
+        (1, 'no-pose', 'A pose had come before the second one was there, so only the first one could take a goal'),
+        (2, 'busy', 'The first one had a goal when another one came, which the second one could take'),
+    ):
+        client.send(x=9.0, y=2.0)
+        learner.settle()
+        commands.clear()
+        learner.run(1.0)
+        count = len(commands)
+        expect(
+            abs(count - 10 * drivers) <= drivers,
+            f'Two objects of your class ran in one program, both for one robot. {story}. {count} commands came in a '
+            f'second, expected {10 * drivers}. Keep the pose, and whether the robot is taken, in attributes of self, '
+            'and in no variable of the class or of the module.',
+            rule,
+        )
+        poses.send(Pose(x=2.0, y=2.0))
+        learner.settle()

@@ -59,6 +59,7 @@ class Rounds:
         self.server = learner.action_server('/fibonacci', Fibonacci, plan)
         hidden = '/fibonacci/_action/feedback'
         self.other = learner.talk(hidden, Fibonacci.Impl.FeedbackMessage, strict=False)
+        self.waits: list[float] = []  # s, from the start of each client until its goal came
 
     def begin(self, order, patience, story):
         """Start a client, and wait for its goal."""
@@ -66,6 +67,7 @@ class Rounds:
         self.story = f'PatientClient({order}, {patience}), {story}: '
         before = len(self.server.goals)
         self.server.cancel_stamps.clear()
+        started = self.learner.now / 1e9
         with waiting('at-once'):
             self.node = self.learner.start('PatientClient', order, patience, beside=self.node)
         self.learner.run(0.3)
@@ -77,6 +79,8 @@ class Rounds:
             'is ready, and send the goal then.',
             'send',
         )
+        if goals:
+            self.waits.append(goals[0].arrived - started)
         return goals[0] if goals else None
 
     def expect(self, wanted, rule, hint=''):
@@ -88,6 +92,16 @@ class Rounds:
         expect(words[0] == wanted.split()[0], f'{told} {hint}', rule)
         expect(said[0] == wanted, f'{told} {hint}', 'numbers' if said[0].startswith(f'{words[0]} [') else 'word')
         expect(len(said) == 1, f'{told} One outcome is enough, whatever comes after it.', 'once')
+
+    def expect_looks(self):
+        """The server was there: of all clients one at least found it at its first look (rule `send`)."""
+        least = min(self.waits)
+        expect(
+            least < 0.1 + NEAR,
+            f'{len(self.waits)} clients began when the server was there; their goals came after {least:.2f} s at the '
+            'earliest, expected after 0.1 s: look every 0.1 s.',
+            'send',
+        )
 
 
 @pytest.mark.rules('send', 'deadline', 'result', 'lost', 'once', 'word', 'numbers')
@@ -227,10 +241,17 @@ def _answers_late(learner, rounds):
     rounds.expect(
         f'canceled {list(server.partial.sequence)}', 'deadline', 'With a patience of 0 s it asks to cancel at once.'
     )
+    server.late = {'cancel': 1.5}
+    server.plan = [(1.4, action_peers.Aborted(Fibonacci.Result(sequence=[value])))]
+    rounds.begin(30, 0.2, 'a server that aborts the goal 1.2 s after the cancel request, and has not answered that')
+    learner.run(1.5, step=1.0)
+    rounds.expect('lost []', 'lost', 'The cancel request was not answered within 1 s.')
+    server.late, server.plan = {}, uneven
     rounds.begin(30, 1.0, 'a server that ends 0.3 s later')
     server.stop()
     learner.run(3.0, step=1.0)
     rounds.expect('lost []', 'lost', 'Nobody answers the cancel request: the client must not wait for ever.')
+    rounds.expect_looks()
 
 
 @pytest.mark.rules('names', 'at-once', 'send', 'deadline')

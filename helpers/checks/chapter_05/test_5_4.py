@@ -7,7 +7,7 @@ from geometry_msgs.msg import Twist
 from turtle_interfaces.action import DriveTo
 from turtlesim.msg import Pose
 
-from helpers.checks.chapter_05.driving import check_cancel, check_newest, check_order
+from helpers.checks.chapter_05.driving import check_cancel, check_newest, check_order, check_two_drivers
 from helpers.runner import about, expect
 from helpers.runner.turtlesim import TurtleSim
 
@@ -83,6 +83,7 @@ def test_standing_robot(learner):
     _give_up(learner, robot, goal)
     # Another goal was cancelled 1 s after its start: who does not look in each round is late in one of the two.
     _cancel(learner, robot, draw.choice([0.75, 1.25]), draw.uniform(0.3, 1.2), draw.uniform(0.0, 0.4))
+    check_two_drivers(learner, robot.node, robot.client, robot.poses, robot.commands)
 
 
 def _check_names(learner, robot):
