@@ -135,23 +135,4 @@ MUTANTS = [
     Mutant('written_in_another_way', old="f'{word} {list(numbers)}'",
            new="f'{word} {list(numbers)}'.replace('canceled', 'cancelled')", breaks='word', also=('result', 'names'),
            expect='`cancelled` is none of the words'),
-    Mutant('result_within_5_s', breaks='result', old=CANCEL, new='''
-        def answered(future):
-            self.timer.cancel()
-            self.timer = self.create_timer(5.0, lambda: self.finish('lost', self.numbers))
-
-        self.goal.cancel_goal_async().add_done_callback(answered)
-        ''', expect='before the result was there'),
-    Mutant('order_of_at_least_1', breaks='send', old='Fibonacci.Goal(order=self.order)',
-           new='Fibonacci.Goal(order=max(1, self.order))', expect='Send the order that was given'),
-    Mutant('asks_again_when_refused', breaks='deadline', old=CANCEL, new='''
-        def answered(future):
-            self.timer.cancel()
-            if not future.result().goals_canceling:
-                self.goal.cancel_goal_async()
-
-        self.goal.cancel_goal_async().add_done_callback(answered)
-        ''', expect='2 cancel requests came, expected one'),
-    Mutant('success_after_lost', breaks='once', old='if not self.said:', new="if not self.said or word == 'succeeded':",
-           expect='One outcome is enough'),
 ]

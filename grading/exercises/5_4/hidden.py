@@ -351,3 +351,10 @@ def test_poses(learner):
         f'The turtle was 0.08 m from the place in x, and 0.08 m in y, so 0.11 m away; the goal ended as {goal.status}.',
         'arrive',
     )
+    poses.send(Pose(x=8.96, y=0.97, linear_velocity=draw.uniform(0.5, 2.0)))  # it still moves
+    learner.run(0.3)
+    expect(
+        goal.status == 'succeeded',
+        f'The turtle is 0.05 m from the place; 0.3 s later the goal is {goal.status or "still running"}.',
+        'arrive',
+    )
