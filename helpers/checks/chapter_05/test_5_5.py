@@ -85,7 +85,12 @@ def test_cancel(learner):
     printer.judge()
     now = draw.choice([0.3, 0.7, 1.3])
     many = draw.randint(101, 5000)
-    printer.tell(Job('F', 0.0, many, cancel_at=now), Job('G', 0.1, 2, client=1), Job('H', 0.1, 1))
+    printer.tell(
+        Job('F', 0.0, many, cancel_at=now),
+        Job('G', 0.1, 2, client=1, cancel_at=round(now - 0.1, 1)),  # behind it two keep their order
+        Job('H', 0.1, 1),
+        Job('I', 0.1, 2),
+    )
     printer.judge()
     check_at_the_end(printer, draw)
 
