@@ -45,6 +45,7 @@ def test_no_evidence_can_be_made(attack):
     honest = {name for name in attack.header.get('may keep', '').split(', ') if name}
     assert honest <= {rule.name for rule in result.rules}, 'a rule that the card does not have'
     assert {rule.name for rule in result.rules if rule.state == KEPT} <= honest, story
+    assert all(honest & set(test.rules) for test in result.tests if test.passed), story  # no point for anything else
     assert honest or result.score == 0, story
 
 
