@@ -12,7 +12,7 @@ import signal
 import subprocess
 import time
 
-from grading.sandbox import namespaces
+from grading.sandbox import mounts, namespaces
 
 PATIENCE = 20.0  # seconds, on a machine under load
 
@@ -35,12 +35,13 @@ class Holder:
                 namespaces.join(inside, namespaces.NEWUSER | namespaces.NEWNET)
 
         read, write = os.pipe()
-        passed, words = [write], [arguments[0], '--info-fd', str(write)]
+        passed = [write, os.open('/usr/bin/cat', os.O_RDONLY)]
+        words = [arguments[0], '--info-fd', str(write), *mounts.keeper(passed[1])]
         if filter_:
             passed.append(os.memfd_create('filter'))
-            os.write(passed[1], filter_)
-            os.lseek(passed[1], 0, os.SEEK_SET)
-            words += ['--seccomp', str(passed[1])]
+            os.write(passed[-1], filter_)
+            os.lseek(passed[-1], 0, os.SEEK_SET)
+            words += ['--seccomp', str(passed[-1])]
         try:
             self.process = subprocess.Popen(
                 [*words, *arguments[1:]],

@@ -29,7 +29,6 @@ def warm_up() -> None:
     """What is the same for the workspaces of all submissions. The server is an ordinary user's."""
     os.umask(0o077)
     sourced_environment.warm_up()
-    mounts.keeper()  # for all that it forks
 
 
 def prepare(request: dict) -> None:

@@ -5,13 +5,10 @@ loopback. The inner one is the learner's: it shares that network and nothing els
 `environment/` and `helpers/`, all read-only. Only the tests' one sees tests.
 """
 
-import atexit
 import os
 import shutil
 import sys
-import tempfile
 from collections.abc import Iterable
-from functools import cache
 from pathlib import Path
 
 from helpers.paths import ROOT
@@ -22,7 +19,7 @@ UID = 1000  # inside; outside it is whoever grades, or an unprivileged user in p
 # Keeps a sandbox alive until its standard input closes. It is the first process, and parent of what others leave
 # behind: as it ignores the end of children, none of them stays as a zombie, which would count as a process of the
 # learner's.
-KEEPER = '/keep'  # a copy of cat that nobody can read: so the kernel lets nobody write into the process that runs it
+KEEPER = '/keep'  # see keeper()
 HOLDER = ('/usr/bin/env', '--ignore-signal=CHLD', KEEPER)
 
 # Of /etc: shared libraries, the compiler's links, fonts and time zone. Nothing that tells about the machine's users.
@@ -45,14 +42,12 @@ def bwrap() -> str | None:
     return shutil.which('bwrap')
 
 
-@cache
-def keeper() -> Path:
-    """The program of process 1, made once for this process's sandboxes."""
-    folder = Path(tempfile.mkdtemp(prefix='course-keep-'))
-    atexit.register(shutil.rmtree, folder, ignore_errors=True)
-    shutil.copyfile('/usr/bin/cat', folder / 'keep')
-    (folder / 'keep').chmod(0o111)
-    return folder / 'keep'
+def keeper(program: int) -> list[str]:
+    """The program of process 1: a copy of what the descriptor `program` reads, in the memory of the sandbox.
+
+    Nobody can read it, so the kernel lets nobody write into the process that runs it.
+    """
+    return ['--perms', '0111', '--ro-bind-data', str(program), KEEPER]
 
 
 def readable() -> list[Path]:
@@ -94,9 +89,6 @@ def _own(*, tmp: int, shared: int) -> list[str]:
         str(tmp),
         '--tmpfs',
         '/tmp',
-        '--ro-bind',
-        str(keeper()),
-        KEEPER,
     ]
 
 

@@ -24,7 +24,6 @@ def warm_up() -> None:
     """Import what tests need. The server is an ordinary user's, and so is all that it forks."""
     os.umask(0o077)
     preloading.warm_up_for_pytest(preloading.TESTS_SIDE)
-    mounts.keeper()
 
 
 def prepare(request: dict) -> None:
