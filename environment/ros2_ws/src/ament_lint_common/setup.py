@@ -28,6 +28,7 @@ setup(
     name='ament_lint_common',
     version='0.17.3',
     packages=find_packages(exclude=['test']),
+    package_data={'ament_copyright': ['texts/*.txt']},
     data_files=list(data_files()),
     install_requires=['setuptools'],
     zip_safe=False,

@@ -6,7 +6,6 @@ setup(
     name=package_name,
     version='0.32.0',
     packages=find_packages(),
-    package_data={'': ['licenses/*.txt']},
     data_files=[
         ('share/ament_index/resource_index/packages', ['resource/' + package_name]),
         ('share/' + package_name, ['package.xml']),

@@ -1,6 +1,7 @@
 """The command `ament_copyright`: has each source file a copyright notice and a licence that is known?"""
 
 import argparse
+import datetime
 import os
 import sys
 import time
@@ -8,15 +9,25 @@ from pathlib import Path
 
 from ament_lint_common.report import Case, find_files, write_xunit
 
-from ament_copyright.licenses import HOLDERS, LICENSES, UNKNOWN, find_copyrights, find_license, leading_comment
+from ament_copyright.licenses import (
+    HOLDERS,
+    LICENSES,
+    UNKNOWN,
+    find_copyrights,
+    find_license,
+    leading_comment,
+    with_notice,
+)
+from ament_copyright.notices import add_missing, add_years
 
 EXTENSIONS = ('.c', '.cc', '.cpp', '.cxx', '.h', '.hh', '.hpp', '.hxx', '.cmake', '.py')
 OF_REPOSITORY = ('CONTRIBUTING.md', 'LICENSE')  # a repository has to have these
 
 
 def main(argv: list[str] | None = None) -> int:
-    """Check the files; return 0 if each has a notice and a known licence, otherwise 1."""
-    args = _parser().parse_args(argv)
+    """Check or change the files; return 1 if one of them has no notice or no known licence, otherwise 0."""
+    parser = _parser()
+    args = parser.parse_args(argv)
     if args.list_copyright_names:
         print('\n'.join(f'{key}: {HOLDERS[key]}' for key in sorted(HOLDERS)))
         return 0
@@ -29,8 +40,30 @@ def main(argv: list[str] | None = None) -> int:
     if not files:
         print('No repository roots and files found', file=sys.stderr)
         return 0
+    files.sort()
+    if args.add_missing:
+        _add_missing(parser, files, *args.add_missing, verbose=args.verbose)
+        return 0
+    if args.add_copyright_year is not None:
+        add_years(files, args.add_copyright_year or [datetime.date.today().year], args.verbose)
+        return 0
+    return _check(files, args, begin)
+
+
+def _add_missing(
+    parser: argparse.ArgumentParser, files: list[str], holder: str, identifier: str, *, verbose: bool
+) -> None:
+    if identifier not in LICENSES:
+        parser.error("'LICENSE' must be the short name of a licence; '--list-licenses' lists them")
+    license_ = LICENSES[identifier]
+    holder = HOLDERS.get(holder, holder)
+    texts = (license_.contributing_files[0], with_notice(license_.license_files[0], holder))
+    add_missing(files, holder, license_, dict(zip(OF_REPOSITORY, texts, strict=True)), verbose)
+
+
+def _check(files: list[str], args: argparse.Namespace, begin: float) -> int:
     cases = []
-    for file in sorted(files):
+    for file in files:
         wrong, finding = examine(file)
         if wrong or args.verbose:
             print(f'{file}: {finding}', file=sys.stderr if wrong else sys.stdout)
@@ -57,6 +90,19 @@ def _parser() -> argparse.ArgumentParser:
         '--exclude', metavar='filename', nargs='*', dest='excludes', default=[], help='Names of files to leave out'
     )
     group = parser.add_mutually_exclusive_group()
+    group.add_argument(
+        '--add-missing',
+        nargs=2,
+        metavar=('COPYRIGHT_NAME', 'LICENSE'),
+        help='Write the notice of this holder and the header of this licence into each file without one',
+    )
+    group.add_argument(
+        '--add-copyright-year',
+        nargs='*',
+        type=int,
+        metavar='YEAR',
+        help='Put these years, or else this year, into the notices that there are',
+    )
     group.add_argument('--list-copyright-names', action='store_true', help='List the holders that have a short name')
     group.add_argument('--list-licenses', action='store_true', help='List the licences that are known')
     group.add_argument('--xunit-file', help='Write a JUnit file')

@@ -1,8 +1,10 @@
 """The linters of this package: what they find, what they print, and their JUnit files."""
 
+import datetime
 from xml.etree import ElementTree
 
 import pytest
+from ament_copyright import get_licenses
 from ament_copyright.licenses import UNKNOWN, find_license, leading_comment
 from ament_copyright.main import main as ament_copyright
 from ament_lint_cmake.main import main as ament_lint_cmake
@@ -61,9 +63,56 @@ def test_copyright_of_a_package_and_of_a_repository(folder, capsys):
     assert capsys.readouterr().err.splitlines()[0] == 'CONTRIBUTING.md: file not found'
 
 
+@pytest.mark.parametrize('identifier', sorted(get_licenses()))
+def test_missing_notices_are_written_below_the_first_lines(folder, capsys, identifier):
+    (folder / '.git').mkdir()
+    (folder / 'program.py').write_text('#!/usr/bin/env python3\n# coding: utf-8\n\n\nx = 1\n')
+    (folder / 'a.hpp').write_text('\n#include <b>\n')
+    (folder / 'good.py').write_text(APACHE)
+    (folder / 'empty.py').touch()
+    assert ament_copyright(['--add-missing', 'Ada', identifier]) == 0
+    assert capsys.readouterr().out.splitlines() == ['+ CONTRIBUTING.md', '+ LICENSE', '* a.hpp', '* program.py']
+    year = datetime.date.today().year
+    assert (folder / 'a.hpp').read_text().endswith('\n\n#include <b>\n')
+    text = (folder / 'program.py').read_text()
+    assert text.startswith('#!/usr/bin/env python3\n# coding: utf-8\n\n# ') and text.endswith('\n\nx = 1\n')
+    assert f'# Copyright {year} Ada\n#\n' in text and 'LICENSE' in (folder / 'CONTRIBUTING.md').read_text()
+    assert (folder / 'good.py').read_text() == APACHE and (folder / 'empty.py').read_text() == ''
+
+    assert ament_copyright(['--add-missing', 'Ada', identifier, '--verbose']) == 0  # there is nothing left to do
+    assert f'+ Copyright {year} Ada' in (printed := capsys.readouterr().out) and '  program.py' in printed
+    assert (folder / 'program.py').read_text() == text
+    assert ament_copyright(['--verbose']) == 0  # and all of it is understood
+    printed = capsys.readouterr().out.splitlines()
+    assert printed[:3] == [f'CONTRIBUTING.md: {identifier}', f'LICENSE: {identifier}', (
+        f'a.hpp: copyright=Ada ({year}), license={identifier}'
+    )]  # fmt: skip
+    with pytest.raises(SystemExit, match='2'):
+        ament_copyright(['--add-missing', 'Ada', 'nobody'])
+    assert "'--list-licenses' lists them" in capsys.readouterr().err
+
+
+def test_years_are_added_to_the_notices(folder, capsys):
+    before = {'a.py': '2019', 'b.cpp': '2019-2021, 2024', 'c.py': '2022-2023'}
+    for name, years in before.items():
+        mark = '#' if name.endswith('.py') else '//'
+        (folder / name).write_text(f'{mark} Copyright {years} Ada\n{mark} Copyright 2001 Bob\n')
+    (folder / 'none.py').write_text('x = "Copyright 2001 Eve"\n')
+    assert ament_copyright(['--add-copyright-year', '2022', '2023', '--verbose']) == 0
+    assert [line for line in capsys.readouterr().out.splitlines() if line] == ['* a.py', '* b.cpp', '  c.py']
+    assert [(folder / name).read_text().split(' Copyright ')[1:] for name in before] == [
+        ['2019, 2022-2023 Ada\n#', '2001 Bob\n'],
+        ['2019-2024 Ada\n//', '2001 Bob\n'],
+        ['2022-2023 Ada\n#', '2001 Bob\n'],
+    ]
+    assert ament_copyright(['--add-copyright-year']) == 0
+    assert f'{datetime.date.today().year} Ada' in (folder / 'a.py').read_text()
+    assert (folder / 'none.py').read_text() == 'x = "Copyright 2001 Eve"\n'
+
+
 def test_which_licence():
     assert find_license(leading_comment(APACHE)) == 'apache2'
-    assert find_license('SPDX-License-Identifier: BSD-3-Clause') == 'bsd'
+    assert find_license('SPDX-License-Identifier: BSD-3-Clause') == 'bsd_3clause'
     assert find_license('/* nothing */') == UNKNOWN
     block = '/*\n * Copyright 2020 Ada\n * Distributed under the Boost Software\n * License, Version 1.0.\n */\n'
     assert find_license(leading_comment(block)) == 'boost1'

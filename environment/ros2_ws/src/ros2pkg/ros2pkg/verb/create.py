@@ -1,5 +1,6 @@
 """The verb `ros2 pkg create`."""
 
+import datetime
 import getpass
 import os
 import re
@@ -51,10 +52,11 @@ class CreateVerb(VerbExtension):
 
     def main(self, *, args):
         """Print what is created, and create it."""
-        from ros2pkg.api.licenses import IDENTIFIERS, get_license_text
+        from ament_copyright import get_licenses
 
+        licenses = {license_.spdx: license_ for license_ in get_licenses().values()}
         if args.license == '?':
-            print('Supported licenses:\n' + '\n'.join(IDENTIFIERS))
+            print('Supported licenses:\n' + '\n'.join(licenses))
             return 0
         error = _problem(args)
         if error:
@@ -72,16 +74,17 @@ class CreateVerb(VerbExtension):
                 _create_ament_python(root, args, email, node_name)
             else:
                 _create_cmake(root, args, email, node_name)
-            text = get_license_text(args.license, args.maintainer_name)
-            if text is not None:
-                root.silent_file('LICENSE', text)
+            if args.license in licenses:
+                notice = f'Copyright {datetime.date.today().year} {args.maintainer_name}'
+                texts = licenses[args.license].license_files
+                root.silent_file('LICENSE', ''.join(texts).replace('{copyright}', notice))
         except OSError as e:
             return f'unable to create {e.filename}: {e.strerror}'
-        if text is None:
+        if args.license not in licenses:
             print(
                 f"\n[WARNING]: Unknown license '{args.license}'.  This has been set in the package.xml, but "
                 'no LICENSE file has been created.\nIt is recommended to use one of the ament '
-                'license identifiers:\n' + '\n'.join(IDENTIFIERS)
+                'license identifiers:\n' + '\n'.join(licenses)
             )
         return None
 
