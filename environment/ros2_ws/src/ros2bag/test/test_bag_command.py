@@ -10,8 +10,9 @@ import pytest
 import rclpy
 import yaml
 from rclpy.executors import SingleThreadedExecutor
-from rclpy.qos import DurabilityPolicy, QoSProfile
+from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.serialization import serialize_message
+from ros2bag.api import convert_yaml_to_qos_profile
 from rosbag2_py import SequentialReader, SequentialWriter, StorageOptions, TopicMetadata
 from rosbags.highlevel import AnyReader
 from rosgraph_msgs.msg import Clock
@@ -379,14 +380,51 @@ def test_wrong_usage_is_said(ros2, numbers, tmp_path):
     for verb in ('info', 'play', 'reindex'):
         assert "Bag path 'nothing' does not exist!" in ros2.error('bag', verb, 'nothing', status=2)
     assert 'no remapping' in ros2.error('bag', 'play', numbers, '--remap', 'x')
-    assert ros2.error('bag', 'play', numbers, '-r', '0', status=2).endswith('Value 0 is less than or equal to zero.')
-    wrong = tmp_path / 'qos.yaml'
-    wrong.write_text('/chatter: {reliability: perhaps}')
-    assert "the QoS of '/chatter', reliability: 'perhaps'" in ros2.error(
-        'bag', 'record', '-a', '--qos-profile-overrides-path', str(wrong)
-    )
+    assert ros2.error('bag', 'play', numbers, '-r', '0', status=2).endswith('0 is not in the valid range (> 0.0)')
     (ros2.directory / 'empty').mkdir(exist_ok=True)
     assert 'has no .mcap or .db3 file' in ros2.run('bag', 'reindex', 'empty').stderr
+
+
+@pytest.mark.parametrize(
+    'policies, said',
+    [
+        ('{reliability: perhaps}', '`perhaps` is no value of `reliability`; possible are system_default, reliable,'),
+        ('{deadline: {sec: 1}}', 'Time overrides must include both seconds (sec) and nanoseconds (nsec).'),
+        ('{depth: 1, lifespan: {sec: -1, nsec: 0}}', 'Time duration may not be a negative value.'),
+        ('{depth: -1}', '`depth` may not be a negative value.'),
+        ('{foo: bar}', 'Unexpected key `foo` for QoS profile.'),
+        ('{durability: volatile}', 'History and/or depth settings are required.'),
+        ('[]', 'a file of QoS overrides is a mapping from each topic to its policies'),
+        ('{', 'is not valid YAML: '),
+    ],
+)
+def test_overrides_that_are_no_profiles_are_refused(ros2, tmp_path, policies, said):
+    wrong = tmp_path / 'qos.yaml'
+    wrong.write_text(f'/chatter: {policies}')
+    error = ros2.error('bag', 'record', '-a', '--qos-profile-overrides-path', str(wrong))
+    assert error.startswith('[ERROR] [ros2bag]: ') and said in error
+
+
+@pytest.mark.parametrize('verb', ['record', 'play'])
+def test_overrides_that_cannot_be_opened_are_a_wrong_argument(ros2, verb):
+    words = ['-a'] if verb == 'record' else ['.']
+    error = ros2.error('bag', verb, '--qos-profile-overrides-path', 'nowhere.yaml', *words, status=2)
+    refused = f"ros2 bag {verb}: error: argument --qos-profile-overrides-path: can't open 'nowhere.yaml'"
+    assert error.splitlines()[-1].startswith(refused)
+
+
+def test_overrides_become_profiles_by_upstreams_names():
+    profiles = convert_yaml_to_qos_profile(
+        {
+            '/a': {'history': 'keep_all', 'reliability': 'best_effort', 'deadline': {'sec': 1, 'nsec': 2}},
+            '/b': {'depth': 3, 'avoid_ros_namespace_conventions': True, 'lifespan': None},
+        }
+    )
+    assert profiles['/a'].history == HistoryPolicy.KEEP_ALL
+    assert profiles['/a'].reliability == ReliabilityPolicy.BEST_EFFORT
+    assert profiles['/a'].deadline.nanoseconds == 1_000_000_002
+    assert (profiles['/b'].depth, profiles['/b'].avoid_ros_namespace_conventions) == (3, True)
+    assert profiles['/b'].lifespan.nanoseconds == 0
 
 
 def test_it_needs_of_ros2cli_only_what_upstreams_has():

@@ -78,39 +78,3 @@ def to_publish(recorded: list[QoSProfile]) -> QoSProfile:
         if len(policies) == 1 and unknown not in policies:
             setattr(profile, name, policies.pop())
     return profile
-
-
-def from_yaml(content: Any) -> dict[str, QoSProfile]:
-    """
-    Return the profiles by topic of a file for `--qos-profile-overrides-path`.
-
-    :raises ValueError: if it is no mapping of topics to policies, or names what there is not.
-    """
-    if not isinstance(content, dict) or not all(isinstance(each, dict) for each in content.values()):
-        raise ValueError('a file of QoS overrides is a mapping from each topic to its policies')
-    return {topic: _profile(topic, dict(policies)) for topic, policies in content.items()}
-
-
-_KINDS = {
-    'history': QoSHistoryPolicy,
-    'reliability': QoSReliabilityPolicy,
-    'durability': QoSDurabilityPolicy,
-    'liveliness': QoSLivelinessPolicy,
-}
-_DURATIONS = ('deadline', 'lifespan', 'liveliness_lease_duration')
-
-
-def _profile(topic: str, policies: dict[str, Any]) -> QoSProfile:
-    arguments: dict[str, Any] = {'depth': 10}
-    for name, value in policies.items():
-        try:
-            if name in _KINDS:
-                value = _KINDS[name].get_from_short_key(value)
-            elif name in _DURATIONS:
-                value = Duration(seconds=value.get('sec', 0), nanoseconds=value.get('nsec', 0))
-            elif name not in ('depth', 'avoid_ros_namespace_conventions'):
-                raise ValueError('there is no such policy')
-        except (KeyError, ValueError, AttributeError, TypeError) as error:
-            raise ValueError(f"the QoS of '{topic}', {name}: {value!r} cannot be used ({error})") from None
-        arguments[name] = value
-    return QoSProfile(**arguments)

@@ -7,6 +7,7 @@ from typing import Any
 from ros2bag.api import (
     NO_SERVICES,
     STORAGES,
+    OpenedFile,
     check_not_negative,
     check_path_exists,
     event_topics,
@@ -33,7 +34,7 @@ def add_bag_arguments(parser: Any) -> None:
     add('--read-ahead-queue-size', type=int, default=1000, help='Accepted; messages are read as they are due')
     add('--topics', nargs='+', default=[], metavar='TOPIC', help='Play only these topics')
     add('--services', nargs='+', default=[], metavar='SERVICE', help='Play the events of these services only')
-    add('--qos-profile-overrides-path', help='YAML file with the quality of service of some topics')
+    add('--qos-profile-overrides-path', type=OpenedFile(), help='YAML file with the quality of service of some topics')
     add('--remap', '-m', nargs='+', default=[], metavar='OLD:=NEW', help='Publish topics under other names')
     add('--storage-config-file', help='Accepted; there is nothing to configure')
     add('--start-offset', type=check_not_negative, default=0.0, help='Begin so many seconds into the bag')

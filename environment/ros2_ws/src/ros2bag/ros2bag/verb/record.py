@@ -7,6 +7,7 @@ import re
 from ros2bag.api import (
     NO_SERVICES,
     STORAGES,
+    OpenedFile,
     check_not_negative_int,
     event_topics,
     full_names,
@@ -40,7 +41,11 @@ class RecordVerb(VerbExtension):
             help='Look for new topics every so many milliseconds (default: 100)',
         )
         add('--ignore-leaf-topics', action='store_true', help='Leave out topics that nobody subscribes to')
-        add('--qos-profile-overrides-path', help='YAML file with the quality of service of some topics')
+        add(
+            '--qos-profile-overrides-path',
+            type=OpenedFile(),
+            help='YAML file with the quality of service of some topics',
+        )
         add('-f', '--serialization-format', default='', choices=('', 'cdr'), help='Form of the messages: cdr')
         add(
             '-b',
