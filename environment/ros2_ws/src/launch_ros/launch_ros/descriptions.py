@@ -1,10 +1,6 @@
-"""Descriptions that actions take, under upstream's second name for them."""
+"""Descriptions that actions take: composable nodes, and parameters under upstream's second name for them."""
 
-from launch_ros import components
+from launch_ros.composable_node import ComposableNode
 from launch_ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue
 
-__all__ = ['Parameter', 'ParameterFile', 'ParameterValue']
-
-
-def __getattr__(name: str):
-    raise components.error(name, __name__)
+__all__ = ['ComposableNode', 'Parameter', 'ParameterFile', 'ParameterValue']

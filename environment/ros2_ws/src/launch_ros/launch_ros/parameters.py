@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from os import PathLike
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import yaml
 from launch.launch_context import LaunchContext
 from launch.substitution import Substitution
 from launch.utilities import to_text
 
+from launch_ros.global_parameters import GlobalParameter
 from launch_ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue, is_one_text
+
+if TYPE_CHECKING:
+    from rcl_interfaces.msg import Parameter as ParameterMessage
 
 _PLAIN = (bool, int, float, str)
 
@@ -116,3 +122,51 @@ def _checked_list(items: list) -> list:
             'float, str.'
         )
     return items
+
+
+def parameter_messages(context: LaunchContext, items: Iterable, node: str) -> list[ParameterMessage]:
+    """
+    Return parameters as a service takes them; later ones win.
+
+    :param items: as ``check_parameters`` takes them, and global parameters
+    :param node: the node's full name, which says what of a parameter file is for it
+    :raises OSError: if a parameter file cannot be read
+    :raises TypeError: for a value that no parameter can have
+    """
+    from rclpy.parameter import Parameter as RclpyParameter
+
+    values = (pair for item in items for pair in _named_values(context, item, node).items())
+    return [RclpyParameter(name, value=value).to_parameter_msg() for name, value in values]
+
+
+def _named_values(context: LaunchContext, item: Any, node: str) -> dict[str, Any]:
+    if isinstance(item, GlobalParameter):
+        return {item.name: item.value}
+    if isinstance(item, Parameter):
+        return dict([item.evaluate(context)])
+    if isinstance(item, Mapping):
+        return evaluate_parameters(context, item)
+    path = item.evaluate(context) if isinstance(item, ParameterFile) else Path(to_text(context, item))
+    return evaluate_parameters(context, _of_node(yaml.safe_load(path.read_text(encoding='utf-8')) or {}, node))
+
+
+def _of_node(content: Mapping, node: str) -> dict[str, Any]:
+    """Return what of a parameter file is for a node, in the file's order; a file without names of nodes is for all."""
+    sections = list(_sections(content, ''))
+    if not sections:
+        return dict(content)
+    found: dict[str, Any] = {}
+    for name, values in sections:
+        pattern = re.escape(name).replace(r'/\*\*', r'(/\w+)*').replace(r'/\*', r'/\w+')
+        if re.fullmatch(pattern, node):
+            found.update(values)
+    return found
+
+
+def _sections(content: Mapping, above: str) -> Iterator[tuple[str, Mapping]]:
+    """Yield each name of a node, as the keys around ``ros__parameters`` spell it, with its parameters."""
+    for key, value in content.items():
+        if key == 'ros__parameters':
+            yield above, value or {}
+        elif isinstance(value, Mapping):
+            yield from _sections(value, f'{above}/{str(key).lstrip("/")}')

@@ -318,21 +318,6 @@ def test_a_ros_timer_waits_in_the_time_of_the_clock(peer, capsys):
     launch.logging.reset()
 
 
-@pytest.mark.parametrize('module', ['actions', 'descriptions'])
-def test_who_imports_a_container_is_told_that_there_is_none(module):
-    with pytest.raises(ImportError, match='which is C\\+\\+'):
-        exec(f'from launch_ros.{module} import ComposableNodeContainer, ComposableNode')
-    with pytest.raises(ImportError, match="cannot import name 'Nothing'"):
-        exec(f'from launch_ros.{module} import Nothing')
-
-
-@pytest.mark.parametrize('tag', ['node_container', 'load_composable_node'])
-def test_a_container_in_a_file_is_told_what_there_is(tag):
-    root, parser = Parser.load(io.StringIO(f'<launch><{tag} pkg="p" exec="e"/></launch>'))
-    with pytest.raises(RuntimeError, match=f'^<{tag}> is not available'):
-        parser.parse_description(root)
-
-
 @pytest.mark.parametrize(
     ('base', 'namespace', 'absolute', 'relative'),
     [

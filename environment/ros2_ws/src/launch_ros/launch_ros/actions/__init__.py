@@ -1,8 +1,9 @@
 """Actions for ROS."""
 
-from launch_ros import components
+from launch_ros.actions.composable_node_container import ComposableNodeContainer
 from launch_ros.actions.lifecycle_node import LifecycleNode
 from launch_ros.actions.lifecycle_transition import LifecycleTransition
+from launch_ros.actions.load_composable_nodes import LoadComposableNodes
 from launch_ros.actions.node import Node
 from launch_ros.actions.push_ros_namespace import PushROSNamespace, PushRosNamespace
 from launch_ros.actions.ros_timer import RosTimer
@@ -13,8 +14,10 @@ from launch_ros.actions.set_ros_log_dir import SetROSLogDir
 from launch_ros.actions.set_use_sim_time import SetUseSimTime
 
 __all__ = [
+    'ComposableNodeContainer',
     'LifecycleNode',
     'LifecycleTransition',
+    'LoadComposableNodes',
     'Node',
     'PushROSNamespace',
     'PushRosNamespace',
@@ -25,7 +28,3 @@ __all__ = [
     'SetRemap',
     'SetUseSimTime',
 ]
-
-
-def __getattr__(name: str):
-    raise components.error(name, __name__)

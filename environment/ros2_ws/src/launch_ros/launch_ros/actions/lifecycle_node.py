@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-from typing import Any
 
 import launch.logging
 from launch.event_handler import EventHandler
@@ -18,8 +17,8 @@ from launch_ros.actions.lifecycle_transition import LifecycleTransition
 from launch_ros.actions.node import Node
 from launch_ros.events.lifecycle import ChangeState, StateTransition
 from launch_ros.ros_adapters import get_ros_node
+from launch_ros.service_call import call_service
 
-_LOOK_AGAIN = 0.05  # seconds between two looks whether a service is there: no one tells of it
 _ASK_AGAIN = 2.0  # seconds for the answer to the first question, which may be lost while the two discover each other
 
 
@@ -97,37 +96,11 @@ class LifecycleNode(Node):
         async with self._reached:
             while not self._is_reached:
                 question = self._get_state.srv_type.Request()
-                self._is_reached = await self._ask(context, self._get_state, question, _ASK_AGAIN) is not None
+                answer = await call_service(context, self._get_state, question, self._logger_of_node, _ASK_AGAIN)
+                self._is_reached = answer is not None
                 if context.is_shutdown:
                     return
-        answer = await self._ask(context, self._change, request)
+        answer = await call_service(context, self._change, request, self._logger_of_node)
         if answer is not None and not answer.success:
             name = ChangeState.valid_transitions[transition_id]
             self._logger_of_node.error(f"Failed to make transition '{name}' for LifecycleNode '{self.node_name}'")
-
-    async def _ask(self, context: LaunchContext, client, request, timeout: float | None = None) -> Any:
-        """Return the answer of a service; None after the timeout, or if the system shuts down."""
-        while not client.service_is_ready():
-            if self._given_up(context, f"Abandoning wait for the '{client.srv_name}' service, due to shutdown."):
-                return None
-            await asyncio.sleep(_LOOK_AGAIN)
-        answered = asyncio.Event()
-        future = client.call_async(request)
-        future.add_done_callback(lambda _: context.asyncio_loop.call_soon_threadsafe(answered.set))
-        waited = 0.0
-        while not future.done():
-            if self._given_up(
-                context, f"Abandoning wait for the '{client.srv_name}' service response, due to shutdown."
-            ) or (timeout is not None and waited >= timeout):
-                client.remove_pending_request(future)
-                return None
-            try:
-                await asyncio.wait_for(answered.wait(), _LOOK_AGAIN)
-            except asyncio.TimeoutError:
-                waited += _LOOK_AGAIN
-        return future.result()
-
-    def _given_up(self, context: LaunchContext, message: str) -> bool:
-        if context.is_shutdown:
-            self._logger_of_node.warning(message)
-        return context.is_shutdown

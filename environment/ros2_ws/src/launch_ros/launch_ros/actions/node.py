@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Mapping
 from pathlib import Path
+from typing import Any
 
 import launch.logging
 import yaml
@@ -22,8 +22,7 @@ from launch_ros.namespaces import join_namespace
 from launch_ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue, write_temporary_file
 from launch_ros.parameters import check_parameters, evaluate_parameters
 from launch_ros.substitutions import ExecutableInPackage
-
-_NODE_NAMES = 'unique_ros_node_names'  # the global variable of the launch that counts them
+from launch_ros.utilities import add_node_name
 
 
 class _NodeName(Substitution):
@@ -109,16 +108,8 @@ class Node(ExecuteProcess):
             value = entity.get_attr(attribute, optional=True)
             if value is not None:
                 kwargs[argument] = cls._parse_cmdline(value, parser)
-        remappings = entity.get_attr('remap', data_type=list[Entity], optional=True)
-        if remappings is not None:
-            kwargs['remappings'] = [
-                tuple(parser.parse_substitution(remap.get_attr(key)) for key in ('from', 'to')) for remap in remappings
-            ]
-            for remap in remappings:
-                remap.assert_entity_completely_parsed()
-        parameters = entity.get_attr('param', data_type=list[Entity], optional=True)
-        if parameters is not None:
-            kwargs['parameters'] = [_parse_parameter(parameter, parser) for parameter in parameters]
+        kwargs.update(parse_remappings(entity, parser))
+        kwargs.update(parse_parameters(entity, parser))
         return cls, kwargs
 
     @property
@@ -146,14 +137,7 @@ class Node(ExecuteProcess):
     def execute(self, context: LaunchContext) -> None:
         super().execute(context)
         if self.is_node_name_fully_specified():
-            names = context.get_locals_as_dict().get(_NODE_NAMES, Counter())
-            names[self.node_name] += 1
-            context.extend_globals({_NODE_NAMES: names})
-            if names[self.node_name] > 1:
-                launch.logging.get_logger(self.process_name).warning(
-                    f'there are now at least {names[self.node_name]} nodes with the name {self.node_name} created '
-                    'within this launch context'
-                )
+            add_node_name(context, self.node_name, logger=self.process_name)
 
     def get_command(self, context: LaunchContext) -> list[str]:
         self._expand_name(context)
@@ -207,6 +191,25 @@ def check_remappings(remappings: Iterable) -> None:
     for remapping in remappings:
         if not isinstance(remapping, (tuple, list)) or len(remapping) != 2:
             raise TypeError(f"'remappings' of Node must be pairs (from, to), got {remapping!r}")
+
+
+def parse_remappings(entity: Entity, parser: Parser) -> dict[str, Any]:
+    """Return the keyword argument ``remappings`` that the ``remap`` in an element stand for; nothing without one."""
+    remappings = entity.get_attr('remap', data_type=list[Entity], optional=True)
+    if remappings is None:
+        return {}
+    pairs = [tuple(parser.parse_substitution(remap.get_attr(key)) for key in ('from', 'to')) for remap in remappings]
+    for remap in remappings:
+        remap.assert_entity_completely_parsed()
+    return {'remappings': pairs}
+
+
+def parse_parameters(
+    entity: Entity, parser: Parser, *, tag: str = 'param', argument: str = 'parameters'
+) -> dict[str, Any]:
+    """Return the keyword argument that the ``param`` in an element stand for; nothing without one."""
+    parameters = entity.get_attr(tag, data_type=list[Entity], optional=True)
+    return {} if parameters is None else {argument: [_parse_parameter(each, parser) for each in parameters]}
 
 
 def _parse_parameter(entity: Entity, parser: Parser) -> ParameterFile | dict:
