@@ -132,10 +132,10 @@ class Learner(Workspaces):
 
         `name` is their class, or a function that returns a node or a list of nodes. `parameters` and `remap` act as
         `-p name:=value` and `-r from:=to` on the command line. `beside` puts the node into the process of an earlier
-        one, with that one's parameters and remappings: two objects of one class must not share state. `threads`: run
-        the callbacks of this process in threads, as a MultiThreadedExecutor does, so that one may wait while others run
-        (`helpers.runner.threads`). `switches`: the same, and `StartedNodes.switch` may let threads change in the middle
-        of a callback.
+        one, with that one's parameters and remappings, unless it gets its own: two objects of one class must not share
+        state. `threads`: run the callbacks of this process in threads, as a MultiThreadedExecutor does, so that one may
+        wait while others run (`helpers.runner.threads`). `switches`: the same, and `StartedNodes.switch` may let
+        threads change in the middle of a callback.
         """
         ros_args = []
         for key, value in (parameters or {}).items():
@@ -147,6 +147,7 @@ class Learner(Workspaces):
             'start',
             self.timeouts.start,
             name=name,
+            ros_args=ros_args if beside else [],
             threads=threads or switches,
             switches=switches,
             args=[values.encode(a) for a in args],

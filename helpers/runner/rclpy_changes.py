@@ -1,7 +1,8 @@
 """What a learner's process changes in rclpy: simulated time from the first moment, actions whose errors are noted."""
 
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import rclpy
@@ -9,6 +10,7 @@ from rclpy.action import ActionServer
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.clock import ClockType
 from rclpy.executors import await_or_execute
+from rclpy.node import Node
 from rclpy.qos import QoSProfile, ReliabilityPolicy
 from rclpy.time import Time
 from rclpy.time_source import CLOCK_TOPIC, TimeSource
@@ -69,6 +71,22 @@ def watch_actions(note: Callable[[Exception], Any], hold: Callable[[Callable[[],
         hold(functools.partial(plain, self, goal_handle, noting))
 
     ActionServer.notify_execute = notify_execute  # type: ignore[method-assign]  # put around it on purpose
+
+
+@contextmanager
+def arguments_of_nodes(ros_args: list) -> Iterator[None]:
+    """Give the nodes that are made meanwhile parameters and remappings of their own, which win over the process's."""
+    plain = Node.__init__
+
+    @functools.wraps(plain)
+    def init(self, *args, cli_args=None, **kwargs):
+        plain(self, *args, cli_args=[*(cli_args or []), '--ros-args', *ros_args], **kwargs)
+
+    Node.__init__ = init  # type: ignore[method-assign]  # put around it on purpose
+    try:
+        yield
+    finally:
+        Node.__init__ = plain  # type: ignore[method-assign]
 
 
 def for_other_contexts(function):

@@ -15,7 +15,7 @@ import sys
 import threading
 import time
 import traceback
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 
 import rclpy
 import rclpy.context
@@ -35,7 +35,7 @@ from helpers.runner.channel import Channel, ChannelClosed, ChannelError, Channel
 from helpers.runner.conductor import Conductor
 from helpers.runner.loaded_program import LoadedProgram, RequestError
 from helpers.runner.mistakes import CONSTRUCTOR_WORK, Watch, watch
-from helpers.runner.rclpy_changes import SimulatedTimeSource, for_other_contexts
+from helpers.runner.rclpy_changes import SimulatedTimeSource, arguments_of_nodes, for_other_contexts
 from helpers.runner.threads import ThreadPool, patch_locks
 
 
@@ -151,15 +151,21 @@ class Worker:
             raise RuntimeError('there is no conductor: `start` or `join` comes before this request')
         return self.conductor
 
-    def do_start(self, name: str, args: list, kwargs: dict, threads: bool = False, switches: bool = False):
-        """Construct the learner's class (or call their function) and take the nodes that it gives."""
+    def do_start(
+        self, name: str, args: list, kwargs: dict, ros_args: list, threads: bool = False, switches: bool = False
+    ):
+        """Construct the learner's class (or call their function) and take the nodes that it gives.
+
+        :param ros_args: for these nodes only.
+        """
         factory = self._loaded().find(name)
         seen = self._loaded().watch
         if seen:
             seen.begins()
         begin = time.thread_time()
         try:
-            made = factory(*map(values.decode, args), **{k: values.decode(v) for k, v in kwargs.items()})
+            with arguments_of_nodes(ros_args) if ros_args else nullcontext():
+                made = factory(*map(values.decode, args), **{k: values.decode(v) for k, v in kwargs.items()})
         except BaseException as error:  # noqa: BLE001 - SystemExit in a constructor, too
             raise self._loaded().error('constructor', error, name=name) from None
         if seen:

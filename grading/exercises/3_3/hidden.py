@@ -176,6 +176,38 @@ def test_two_heartbeats(learner):
     )
 
 
+@pytest.mark.rules('own-state')
+def test_reset_of_one(learner):
+    """Of two heartbeats in one program, in two namespaces, a reset reaches one.
+
+    What a reset changes belongs to the object: self.…, set in __init__.
+    """
+    uptime = learner.listen('/uptime', Int32)
+    other, button = learner.listen('/left/uptime', Int32), learner.talk('/left/reset', Empty)
+    with waiting('no-wait'):
+        first = learner.start('Heartbeat')
+        learner.start('Heartbeat', beside=first, remap={'__ns': '/left'})
+    learner.settle()
+    seconds = learner.random.randint(2, 4)
+    with waiting('no-wait'):
+        learner.run(seconds + 0.4, step=0.5)
+    button.send(Empty())
+    learner.run(2.0, step=0.5)
+    wanted, after = list(range(1, seconds + 3)), [*range(1, seconds + 1), 1, 2]
+    expect(
+        uptime.data[:2] == [1, 2] == other.data[:2],
+        f'Of two heartbeats in one program one says {uptime.data}, the other {other.data}, expected 1, 2 … of both.',
+        'own-state' if 1 in (*uptime.data[:1], *other.data[:1]) else 'uptime',
+    )
+    expect(other.data == after, f'After a reset the uptimes are {other.data}, expected {after}.', 'reset')
+    expect(
+        uptime.data == wanted,
+        f'A heartbeat in another namespace was reset at {seconds + 0.4} s, and the uptimes of this one are '
+        f'{uptime.data}, expected {wanted}. What a reset changes belongs to the object (self).',
+        'own-state',
+    )
+
+
 @pytest.mark.rules('node', 'topics', 'qos')
 def test_namespace(learner):
     """In a namespace all three topics move with the node, and the node is called heartbeat.

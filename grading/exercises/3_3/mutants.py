@@ -57,6 +57,16 @@ MUTANTS = [
            expect='share state', breaks='own-state'),
     Mutant('led_stays_on', old='self.lit = not self.lit', new='self.lit = True', expect='it must change with every',
            breaks='led', also=('reset-only', 'own-state')),
+    Mutant('resets_all', breaks='own-state', old='self.lit = False', new='''
+        self.lit = False
+        self.everyone.append(self)
+        ''', edits=((RESET, '''
+        everyone = []
+
+        def on_reset(self, msg):
+            for heartbeat in self.everyone:
+                heartbeat.seconds = 0
+        '''),), expect='the first one heard a reset'),
     Mutant('no_reset', old=RESET, new='''
         def on_reset(self, msg):
             pass

@@ -78,6 +78,31 @@ learner.run(1.0)
 expect(heard.data == [1.5] and heard.stamps == [1.5], f'{heard.data} {heard.stamps}')
 """,
     ),
+    'a node beside another one, in a namespace of its own and with its own parameter': Case(
+        NODE
+        + """\
+        self.p = self.create_publisher(Float64, 'now', 10)
+        self.create_subscription(Empty, 'ask', self.answer, 10)
+        self.declare_parameter('factor', 1.0)
+
+    def answer(self, message):
+        self.p.publish(Float64(data=self.get_parameter('factor').value))
+""",
+        """
+first, second = learner.listen('/left/now', Float64), learner.listen('/right/now', Float64)
+asked = [learner.talk(f'/{space}/ask', Empty) for space in ('left', 'right')]
+node = learner.start('Talker', parameters={'factor': 2.0}, remap={'__ns': '/left'})
+other = learner.start('Talker', beside=node, parameters={'factor': 3.0}, remap={'__ns': '/right'})
+expect(other.name.startswith('/right/'), other.name)
+for topic in asked:
+    topic.send(Empty())
+    learner.run(0.5)
+expect((first.data, first.stamps) == ([2.0], [0.0]), f'{first.data} {first.stamps}')
+expect((second.data, second.stamps) == ([3.0], [0.5]), f'{second.data} {second.stamps}')
+third = learner.start('Talker', beside=node)
+expect(third.name == node.name, third.name)
+""",
+    ),
     'the depth of a queue': Case(
         NODE
         + """\
