@@ -51,7 +51,6 @@ class Story:
         if end is None or time < end:
             self.reports.append((time, 'failed', 'tries'))
 
-
     def is_definite(self) -> bool:
         """Whether no two of its commands, requests, answers and last timeouts come in the same millisecond.
 

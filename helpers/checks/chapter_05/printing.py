@@ -494,12 +494,17 @@ def check_at_the_end(printer: Printer, draw: Random) -> None:
     While the last page is printed somebody must look at those that wait, too; a cancelled goal leaves a free printer.
     """
     pages, last = draw.randint(1, 2), draw.choice([0.1, 0.2, 0.3])
-    now = round(PAGE * (pages - 1) + last, 1)
-    # The one that is the next, and the last one: both have gone when the printer is free.
-    leave = [Job(name, 0.0, draw.randint(1, 3), client=1, cancel_at=now) for name in 'IL']
-    printer.tell(Job('J', 0.0, pages), leave[0], Job('K', 0.0, 3), leave[1])
+    # The next one leaves so late that a timer of 0.1 s or more, which looks at those that wait, is not due before the
+    # printer is free.
+    printer.learner.run(0.03)
+    printer.tell(
+        Job('K', 0.0, pages),
+        Job('L', 0.0, draw.randint(1, 3), client=1, cancel_at=round(PAGE * pages - 0.02, 2)),
+        Job('M', 0.0, 3),
+        Job('N', 0.0, draw.randint(1, 3), client=1, cancel_at=round(PAGE * (pages - 1) + last, 1)),
+    )
     printer.judge()
     pages = draw.randint(1, 3)
-    only = Job('M', 0.0, pages, cancel_at=round(PAGE * (pages - 1) + last, 1))  # during its last page
-    printer.tell(only, Job('N', round(only.cancel_at + PAGE + 0.2, 1), 2, client=1))
+    only = Job('O', 0.0, pages, cancel_at=round(PAGE * (pages - 1) + last, 1))  # during its last page
+    printer.tell(only, Job('P', round(only.cancel_at + PAGE + 0.2, 1), 2, client=1))
     printer.judge()

@@ -3,7 +3,7 @@
 import pytest
 
 from helpers.checks.chapter_05.printing import (
-    NEVER,
+    PAGE,
     Job,
     Printer,
     check_at_the_end,
@@ -73,23 +73,24 @@ def test_cancel(learner):
     """
     draw = learner.random
     printer = Printer(learner, 3)
-    now = round(draw.choice([0.6, 0.7, 1.2]), 1)
-    # One that leaves is the first that waits, and one is not: behind it others wait, or before it.
-    leaves = dict(zip(draw.choice(['BD', 'CB']), (now, round(now + 0.2, 1)), strict=True))
+    now = round(draw.choice([0.55, 0.7, 1.1]), 2)
+    # Neighbours leave at one moment, behind one that stays; then all their places are free.
     printer.tell(
         Job('A', 0.0, 4),
-        *(Job(name, 0.0, order, cancel_at=leaves.get(name, NEVER)) for name, order in (('B', 3), ('C', 2))),
-        Job('D', 0.1, 1, client=1, cancel_at=leaves.get('D', NEVER)),
-        Job('E', now + 0.6, 2, client=1),
+        Job('B', 0.0, 3),
+        Job('C', 0.0, 2, cancel_at=now),
+        Job('D', 0.1, 1, client=1, cancel_at=now),
+        *(Job(name, round(now + 0.7, 2), 1, client=1) for name in ('E', 'F', 'too many')),
     )
     printer.judge()
-    now = draw.choice([0.3, 0.7, 1.3])
+    # The first one that waits leaves; then the goal that runs is cancelled, just after one of its steps.
+    now = PAGE * draw.randint(2, 4) + 0.05
     many = draw.randint(101, 5000)
     printer.tell(
-        Job('F', 0.0, many, cancel_at=now),
-        Job('G', 0.1, 2, client=1, cancel_at=round(now - 0.1, 1)),  # behind it two keep their order
-        Job('H', 0.1, 1),
-        Job('I', 0.1, 2),
+        Job('G', 0.0, many, cancel_at=now),
+        Job('H', 0.1, 2, client=1, cancel_at=round(now - draw.choice([0.7, 0.8]), 2)),
+        Job('I', 0.1, 1),  # behind it two keep their order
+        Job('J', 0.1, 2),
     )
     printer.judge()
     check_at_the_end(printer, draw)
