@@ -3,12 +3,10 @@
 import pytest
 from example_interfaces.action import Fibonacci
 
+from helpers.checks.chapter_05.fibonacci_numbers import SERIES, check_longest_feedback
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('5.1'), pytest.mark.wiring(type='names', namespace='names')]
-SERIES = [0, 1]
-while len(SERIES) < 47:
-    SERIES.append(SERIES[-1] + SERIES[-2])
 
 
 def serve(learner):
@@ -85,7 +83,7 @@ def test_feedback(learner):
     )
 
 
-@pytest.mark.rules('orders', 'numbers')
+@pytest.mark.rules('orders', 'numbers', 'feedback', 'rate')
 @about('numbers')
 def test_limits(learner):
     """Orders below 0 and above 47 are rejected, at once; 0 and 47 are accepted.
@@ -110,6 +108,7 @@ def test_limits(learner):
         'expected all 47 numbers, each one the exact sum of the two before it.',
         'numbers',
     )
+    check_longest_feedback(good[1])
 
 
 @pytest.mark.weight(3)

@@ -12,6 +12,13 @@ NUMBERS = 'test_numbers'
 CANCEL = 'test_cancel'
 
 MUTANTS = [
+    Mutant('feedback_of_the_last_numbers', breaks='feedback',
+           old='goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))',
+           new='goal.publish_feedback(Fibonacci.Feedback(sequence=numbers[-9:]))', expect='Order 47: when 10 numbers'),
+    Mutant('slower_from_the_tenth_on', breaks='rate', also=('numbers', 'feedback', 'end'),
+           old='self.get_clock().sleep_for(Duration(seconds=0.5))',
+           new='self.get_clock().sleep_for(Duration(seconds=0.5 if len(numbers) < 9 else 0.51))',
+           expect='The goal of order 47 did not end'),
     Mutant('absolute_name', breaks='names', old="'fibonacci', self.execute", new="'/fibonacci', self.execute",
            expect='without a leading slash'),
     Mutant('aborts', breaks='cancel', also='goals', old='goal.canceled()', new='goal.abort()',

@@ -71,7 +71,7 @@ def test_deadline(learner):
 
     The server may need time to stop. Its result tells what really happened.
     """
-    patience = learner.random.choice([1.25, 1.7, 2.35])
+    patience = learner.random.choice([2.35, 3.7, 6.1])
     outcome, server, _ = begin(learner, 30, patience, partial=Fibonacci.Result(sequence=[6, 5]))
     server.cancel_delay = learner.random.uniform(31, 90)
     learner.run(patience + server.cancel_delay - 0.5, step=5.0)

@@ -19,6 +19,12 @@ MUTANTS = [
     Mutant('longest_feedback', breaks='numbers', old='self.numbers = message.feedback.sequence',
            new='self.numbers = max(self.numbers, message.feedback.sequence, key=len)',
            expect='also if there was a longer one before'),
+    Mutant('numbers_of_the_first_three', breaks='numbers', old='self.numbers = message.feedback.sequence',
+           new='self.numbers = message.feedback.sequence[:3]', expect='The numbers are those of the last feedback'),
+    Mutant('at_most_two_seconds', breaks='deadline', also=('result',),
+           old='self.timer = self.create_timer(self.patience, self.give_up)',
+           new='self.timer = self.create_timer(min(self.patience, 2.0), self.give_up)',
+           expect='the cancel request came 2.00 s after the goal was accepted'),
     Mutant('no_deadline_of_0_s', breaks='deadline', old='self.timer = self.create_timer(self.patience, self.give_up)',
            new='''
         if self.patience:

@@ -3,12 +3,10 @@
 import pytest
 from example_interfaces.action import Fibonacci
 
+from helpers.checks.chapter_05.fibonacci_numbers import SERIES, check_longest_feedback
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('5.1'), pytest.mark.wiring(type='names', namespace='names')]
-SERIES = [0, 1]
-while len(SERIES) < 47:
-    SERIES.append(SERIES[-1] + SERIES[-2])
 
 
 def numbers(goal) -> list[int]:
@@ -117,7 +115,7 @@ def test_numbers(learner):
 
 
 def _check_largest(learner, goal):
-    """Expect all 47 numbers, also the large ones."""
+    """Expect all 47 numbers, also the large ones, and all feedback."""
     learner.run(23.6, step=0.5)
     expect(goal.done, 'The goal of order 47 did not end within 23.6 s.', 'rate')
     wrong = [n for n, (mine, right) in enumerate(zip(numbers(goal), SERIES, strict=False)) if mine != right]
@@ -133,6 +131,7 @@ def _check_largest(learner, goal):
         f'The goal of order 47 ended as {goal.status} with {len(numbers(goal))} numbers, expected 47.',
         'numbers',
     )
+    check_longest_feedback(goal)
 
 
 @pytest.mark.rules('cancel', 'partial', 'goals')

@@ -32,7 +32,7 @@ def uneven(goal):
 
 
 def _uneven(n: int) -> list[int]:
-    return [0, n] if n % 2 else [0, n, n]
+    return [0, n, n, n] if n % 2 else [0, n, n, n, n, n]
 
 
 def check_no_wait(learner):
@@ -148,7 +148,7 @@ def test_outcomes(learner):
         learner.run(3.5, step=1.0)
         rounds.expect(wanted, 'word', 'The status stands beside the result.')
     server.plan = plan
-    _stops_late(learner, rounds, draw.choice([1.25, 2.1]), value)
+    _stops_late(learner, rounds, draw.choice([2.25, 5.1]), value)
     for server.cancel, does in (('reject', 'refuses the cancel request'), ('ignore', 'accepts the cancel request')):
         rounds.begin(5, 1.2, f'a server that {does}, goes on, and succeeds 1.3 s later')
         learner.run(3.5, step=1.0)
