@@ -93,6 +93,35 @@ MUTANTS = [
         self.goals.append(goal)
         self.goals[1:] = sorted(self.goals[1:], key=lambda goal: goal.request.order)
         ''', expect='expected to begin at'),
+    Mutant('looks_twice_at_the_request', breaks='lock', old='self.goals = [goal for goal in self.goals if goal not in gone]',
+           new='self.goals = self.goals[:1] + [goal for goal in self.goals[1:] if not goal.is_cancel_requested]',
+           expect='the cancelled goal was still there'),
+    Mutant('waiting_goals_in_the_class', breaks='queue', also=('lock',), edits=(
+           ('self.places, self.goals, self.lock = places, [], threading.Lock()', """
+            self.places, self.lock, self.running = places, threading.Lock(), False
+            """), ('def __init__(self, places=2):', """
+            goals = []
+
+            def __init__(self, places=2):
+            """), ('full = len(self.goals) > self.places  # the first one runs',
+            'full = self.running and len(self.goals) >= self.places'), (ACCEPTED, """
+            with self.lock:
+                alone = not self.running
+                self.running = True
+                if not alone:
+                    self.goals.append(goal)
+            """), (NEXT, """
+            with self.lock:
+                following = self.goals[:1]
+                del self.goals[:1]
+                self.running = bool(following)
+            for other in following:
+                other.execute()
+            """), ('gone = [goal for goal in self.goals[1:] if goal.is_cancel_requested]',
+            'gone = [goal for goal in self.goals if goal.is_cancel_requested]'),
+           ('self.goals = [goal for goal in self.goals if goal not in gone]',
+            'self.goals[:] = [goal for goal in self.goals if goal not in gone]')),
+           expect='in no variable of the class or of the module'),
     Mutant('queue_in_a_default_argument', breaks='queue', edits=(
            ('def __init__(self, places=2):', 'def __init__(self, places=2, goals=[]):'),
            ('places, [], threading.Lock()', 'places, goals, threading.Lock()'),

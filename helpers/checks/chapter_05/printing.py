@@ -362,28 +362,31 @@ class Rush(Peer):
             self.moment = None
             self.printer.node.switch(self.line, self.hold)
             if not self.hold:
+                self.cancel()
                 self.send()
 
-    def send(self) -> None:
-        """Let it all come."""
+    def cancel(self) -> None:
         if self.cancelled:
             self.cancelled.cancel()
+
+    def send(self) -> None:
         self.came = self.printer.ends[-1].send(order=1)
 
 
-def check_switches(printer: Printer, cancel: bool) -> None:
+def check_switches(printer: Printer, cancel: bool, holds=(False, True), every: int = 1) -> None:
     """The rule `lock`: goals come just when another one ends, while a thread stands aside at one line after the other.
 
     :param cancel: a goal waits, too, and is cancelled at the same moment.
+    :param holds: whether the goal comes first, or while the thread of the one that ends stands still; or both.
+    :param every: of the places in the lines only each second one, and so on, is tried.
     """
     learner = printer.learner
     rush = learner.add(Rush(printer))
     goal, words = printer.ends[0].send(order=1), 'Goals came one after the other. '
     learner.settle()
     begin = learner.now
-    # The goal comes first, or while the thread of the one that ends stands still.
-    for hold in (False, True):
-        for line in range(1, MOST_LINES):
+    for hold in holds:
+        for line in range(1, MOST_LINES, every):
             rush.line, rush.hold = line, hold
             rush.cancelled = printer.ends[0].send(order=1) if cancel else None
             rush.moment = begin + round(PAGE * SECOND)
@@ -404,6 +407,9 @@ def _pass(printer: Printer, rush: Rush, words: str) -> tuple[int, str]:
     try:
         learner.run((rush.moment - learner.now) / SECOND, step=PAGE)
         learner.settle()
+        if rush.hold:  # the cancel request is heard first: the answer to the goal may wait for a lock
+            rush.cancel()
+            learner.settle()
         lines, stood = printer.node.switch(0)
         if rush.hold:
             rush.send()
@@ -464,28 +470,55 @@ def _words(rush: Rush, stood: str) -> str:
 
 
 def check_two_printers(learner) -> None:
-    """Two printers of one process have one name: each of them hears the same goal, and prints it."""
-    client = learner.action_client('/print', Fibonacci)
-    node = learner.start('Printer', 1, threads=True)
-    order = learner.random.randint(2, 3)
-    alone = client.send(order=order)
-    learner.run(5.0, until=lambda: alone.done)
-    if alone.finished is None:
-        return  # other tests look at one printer
+    """Two printers of one process, in two namespaces: the goals of one do not wait for those of the other.
+
+    What one printer does is judged by other tests: its goals end here as they do when it is alone.
+    """
+    long, short = learner.random.randint(3, 5), learner.random.randint(1, 2)
+    first = learner.action_client('/left/print', Fibonacci)
+    node = _printer_in(learner, '/left')
+    alone = _ends(learner, [(first, 0.0, long), (first, 0.1, 1)])
     node.stop()  # what one object keeps from goal to goal is judged by other tests
-    node = learner.start('Printer', 1, threads=True)
-    learner.start('Printer', 1, threads=True, beside=node)
-    goal = client.send(order=order)
-    learner.run(alone.finished - alone.sent + 0.2)
-    heard, wanted = len(goal.feedback), 2 * len(alone.feedback)
+    second = learner.action_client('/right/print', Fibonacci)
+    _printer_in(learner, '/right', beside=_printer_in(learner, '/left'))
+    both = _ends(learner, [(first, 0.0, long), (first, 0.1, 1), (second, 0.2, short), (second, 0.3, 1)])
+    told = (
+        f'A printer got goals of the orders {long} at 0 s and 1 at 0.1 s. A second object of your class, in the same '
+        f'program and another namespace, got goals of the orders {short} at 0.2 s and 1 at 0.3 s. '
+    )
+    hint = 'Keep the queue in self, and in no variable of the class or of the module.'
     expect(
-        heard == wanted,
-        f'Two objects of your class ran in one program, and both heard of one goal of order {order}. In the time that '
-        f'one alone had needed, {heard} feedback messages came, expected {wanted}, half of them from each object: a '
-        'goal of one printer does not wait for a goal of the other one. Keep the queue in self, and in no variable of '
-        'the class or of the module.',
+        both[:2] == alone,
+        f'{told}The goals of the first one ended at {_times(both[:2])}, expected at {_times(alone)}, as when it is '
+        f'alone. {hint}',
         'queue',
     )
+    wanted = [round(0.2 + PAGE * order, 6) for order in (short, short + 1)]
+    expect(
+        both[2:] == wanted or alone != [PAGE * long, PAGE * (long + 1)],
+        f'{told}The goals of the second one ended at {_times(both[2:])}, expected at {_times(wanted)}. {hint}',
+        'queue',
+    )
+
+
+def _printer_in(learner, space: str, beside=None):
+    """A printer with one place in this namespace."""
+    return learner.start('Printer', 1, threads=True, beside=beside, remap={'__ns': space})
+
+
+def _ends(learner, jobs: list[tuple]) -> list[float | None]:
+    """When goals end, in seconds after now: each is sent by a client at a time, and has an order."""
+    begin, last, goals = learner.now / SECOND, 0.0, []
+    for client, at, order in jobs:
+        learner.run(at - last, step=PAGE)
+        goals.append(client.send(order=order))
+        last = at
+    learner.run(PAGE * (sum(order for _, _, order in jobs) + 1), step=PAGE)
+    return [goal.finished and round(goal.finished - begin, 6) for goal in goals]
+
+
+def _times(ends: list[float | None]) -> str:
+    return ' and '.join('no time' if end is None else f'{end:g} s' for end in ends)
 
 
 def check_at_the_end(printer: Printer, draw: Random) -> None:

@@ -104,3 +104,13 @@ def test_threads(learner):
     Each look at the list, together with the change that follows, stands in the lock.
     """
     check_switches(Printer(learner, 2, switches=True), cancel=False)
+
+
+@pytest.mark.rules('lock')
+@about('lock')
+def test_threads_and_cancel(learner):
+    """A goal that waits is cancelled just when another one ends, while a thread stands in the middle of a callback.
+
+    Look at is_cancel_requested once, and keep what you have seen: somebody may cancel between two looks.
+    """
+    check_switches(Printer(learner, 2, switches=True), cancel=True, holds=[True], every=2)
