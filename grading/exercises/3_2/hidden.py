@@ -96,11 +96,12 @@ def test_one_out_for_each_in(learner):
     check_topic(learner, 'publisher', '', 'sonar', 'topics')
     learner.run(61.0, step=10.0)
     expect(not heard.messages, 'Your node publishes before it has received anything: use no timer.', 'one-each')
-    sent = burst(learner.random)
+    sent, slept = burst(learner.random), learner.slept  # a constructor may sleep
     sensor.send(*sent)
     learner.settle()
     arrive(learner, heard, len(sent))
     expect(heard.messages, 'Nothing came out at once.', 'at-once')
+    expect(learner.slept == slept, 'Your callback sleeps, or waits in a loop. Publish at once.', 'at-once')
     learner.run(61.0, step=10.0)
     expect(
         len(heard) == len(sent),

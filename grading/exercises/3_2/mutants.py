@@ -15,6 +15,10 @@ COPY = '''
 SUBSCRIPTION = "self.subscription = self.create_subscription(Range, 'sonar_cm', self.on_range, 10)"
 
 MUTANTS = [
+    Mutant('sleeps_before', breaks='at-once', old='self.publisher.publish(msg)', new='''
+        time.sleep(0.05)
+        self.publisher.publish(msg)
+        ''', imports='import time', expect='Your callback sleeps, or waits in a loop'),
     Mutant('absolute_input', old=", 'sonar_cm',", new=", '/sonar_cm',", expect='a relative name has no leading slash',
            breaks='topics'),
     Mutant('absolute_topics', edits=((", 'sonar',", ", '/sonar',"), (", 'sonar_cm',", ", '/sonar_cm',")),
