@@ -373,19 +373,19 @@ class Rush(Peer):
         self.came = self.printer.ends[-1].send(order=1)
 
 
-def check_switches(printer: Printer, cancel: bool, holds=(False, True), every: int = 1) -> None:
+def check_switches(printer: Printer, cancel: bool, every: int = 1) -> None:
     """The rule `lock`: goals come just when another one ends, while a thread stands aside at one line after the other.
 
     :param cancel: a goal waits, too, and is cancelled at the same moment.
-    :param holds: whether the goal comes first, or while the thread of the one that ends stands still; or both.
-    :param every: of the places in the lines only each second one, and so on, is tried.
+    :param every: of the places in the lines only each second one, each third one, and so on, is tried.
     """
     learner = printer.learner
     rush = learner.add(Rush(printer))
     goal, words = printer.ends[0].send(order=1), 'Goals came one after the other. '
     learner.settle()
     begin = learner.now
-    for hold in holds:
+    # The goal comes first, or while the thread of the one that ends stands still.
+    for hold in (False, True):
         for line in range(1, MOST_LINES, every):
             rush.line, rush.hold = line, hold
             rush.cancelled = printer.ends[0].send(order=1) if cancel else None
