@@ -38,6 +38,7 @@ class Room:
         story = f'Capacity {self.capacity}, {story}: '
         if wanted != 'full':
             expect(asked or call.done, f'{story}enter was called, and the lock was not asked.', 'open')
+            expect(len(asked) < 2, f'{story}the lock was asked {len(asked)} times, expected once.', 'open')
             expect(call.done, NEVER, 'one-thread')
         expect(call.done, f'{story}enter was not answered.', rule)
         got = (call.response.success, call.response.message)
