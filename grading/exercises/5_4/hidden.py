@@ -7,7 +7,7 @@ from geometry_msgs.msg import Twist
 from turtle_interfaces.action import DriveTo
 from turtlesim.msg import Pose
 
-from helpers.checks.chapter_05.driving import check_cancel, check_newest, check_order, check_two_drivers
+from helpers.checks.chapter_05.driving import check_cancel, check_corners, check_newest, check_order, check_two_drivers
 from helpers.runner import about, expect
 from helpers.runner.turtlesim import TurtleSim
 
@@ -165,14 +165,7 @@ def test_outside(learner):
         goal = client.send(x=x, y=y)
         learner.settle()
         expect(goal.accepted is False, f'The goal ({x:g}, {y:g}) was accepted.', 'field')
-    goal = client.send(x=0.0, y=11.0)
-    learner.settle()
-    expect(
-        goal.accepted,
-        'The goal (0, 11) was rejected: it is a corner of the field. Do goals that were rejected '
-        'leave something behind?',
-        'field',
-    )
+    check_corners(learner, client)
 
 
 @pytest.mark.rules('busy', 'arrive')

@@ -64,6 +64,8 @@ MUTANTS = [
            self.create_timer(0.1, lambda: self.busy or self.pose and self.motor.publish(Twist()))
            self.server = ActionServer(
            '''),), expect='commands'),
+    Mutant('one_border_is_outside', breaks='field', old='0 <= request.x <= 11 and 0 <= request.y <= 11',
+           new='0 <= request.x <= 11 and 0 <= request.y < 11', expect='The goal (0, 11) was rejected'),
     Mutant('corner_is_outside', breaks='field', old='0 <= request.x <= 11 and 0 <= request.y <= 11',
            new='0 < request.x < 11 and 0 < request.y < 11', expect='The goal (11, 0) was rejected'),
     Mutant('first_pose', breaks='steer', also=('arrive', 'feedback', 'result', 'zeros', 'cancel'),

@@ -84,3 +84,18 @@ def check_two_drivers(learner, node, client, poses, commands) -> None:
         )
         poses.send(Pose(x=2.0, y=2.0))
         learner.settle()
+
+
+def check_corners(learner, client) -> None:
+    """The field goes from 0 to 11, both included: a goal in a corner is accepted (rule `field`)."""
+    for x, y in ((11.0, 0.0), (0.0, 11.0)):
+        goal = client.send(x=x, y=y)
+        learner.settle()
+        expect(
+            goal.accepted,
+            f'The goal ({x:g}, {y:g}) was rejected. It is a corner of the field. Do goals before it leave something '
+            'behind?',
+            'field',
+        )
+        goal.cancel()
+        learner.run(0.3)
