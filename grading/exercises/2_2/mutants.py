@@ -60,4 +60,8 @@ MUTANTS = [
     Mutant('data_beside_the_code', old="entry_points={'console",
            new="package_data={'line_follower': ['../config/*.yaml']}, entry_points={'console",
            expect='config/gains.yaml, which nobody looks for there', breaks='rest'),
+    Mutant('another_address', old='you@example.com', new='me@example.com', expect='The email of the maintainer',
+           breaks='rest'),
+    Mutant('argument_with_a_typing_error', old="entry_points={'console", new="maintaner='You', entry_points={'console",
+           expect='setup() has no argument maintaner', breaks='builds'),
 ]

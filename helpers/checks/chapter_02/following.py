@@ -15,6 +15,8 @@ PLACES = PROGRAM, DATA, MARKER, 'share/line_follower/package.xml'
 ONCE = 'install the marker, package.xml and the data file, each to one place, and no other file.'
 # Python code, compiled or not (where it goes is the subject of another rule), and what says the name of the package
 _PYTHON = re.compile(r'-packages/(.*\.pyc?$|line_follower-[^/]*-info/)')
+# setuptools 72 and later do not know tests_require, which `ros2 pkg create` writes.
+_UNKNOWN_OPTION = re.compile("Unknown distribution option: '(\\w+)'")
 IMPORTED = ('geometry_msgs', 'ament_index_python', 'python3-yaml')
 SAID = 'forward 0.20 m/s, turn -0.08 rad/s'
 # tag -> text in package.xml
@@ -26,6 +28,7 @@ KEPT = {
     'license': 'Apache-2.0',
     'export/build_type': 'ament_python',
 }
+EMAIL = 'you@example.com'
 
 
 def _there(learner) -> list[str]:
@@ -128,6 +131,13 @@ def judge_build(learner) -> None:
         'setup.py no longer installs package.xml into share/line_follower.',
         'builds',
     )
+    unknown = [name for name in _UNKNOWN_OPTION.findall(done.output) if name != 'tests_require']
+    expect(
+        not unknown,
+        f'The build warns: setup() has no argument {unknown and unknown[0]}, so what you wrote there does nothing. '
+        'Is it a typing error?',
+        'builds',
+    )
 
 
 def judge_dependencies(learner) -> None:
@@ -184,6 +194,12 @@ def judge_rest(learner) -> None:
         expect(
             found == wanted, f'The {word} in package.xml is {found}, and was {wanted} before. It was no fault.', 'rest'
         )
+    address = ''.join(element.get('email', '') for element in root.findall('maintainer')) or 'nothing'
+    expect(
+        address == EMAIL,
+        f'The email of the maintainer in package.xml is {address}, and was {EMAIL} before. It was no fault.',
+        'rest',
+    )
 
 
 def _judge_files(there: list[str]) -> None:
