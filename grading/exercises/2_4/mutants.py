@@ -90,4 +90,8 @@ MUTANTS = [
            expect='odometry declares doxygen', breaks='nothing-else'),
     Mutant('needed_in_humble', old=NEEDS, new=f'{NEEDS} <exec_depend condition="$ROS_DISTRO == humble">rclpy</exec_depend>',
            expect='odometry declares rclpy', breaks='nothing-else'),
+    Mutant('an_empty_line_before', old=PRINT, new=f"""
+        print()
+        {PRINT}
+        """, expect='and 1 empty line', breaks='prints'),
 ]

@@ -99,6 +99,13 @@ def _judge_line(command: str, done: Done, wanted: str) -> None:
         "`end=''` of print, or write '\\n' at the end.",
         'prints',
     )
+    empty = len(done.output.splitlines()) - len(done.lines)
+    expect(
+        not empty,
+        f'{command} printed {wanted}, and {empty} empty {"line" if empty == 1 else "lines"}: the distance is the only '
+        "line. Look for a print() with nothing in it, and for a '\\n' too many.",
+        'prints',
+    )
     printed = next(line.rstrip() for line in done.output.splitlines() if line.strip() == wanted)
     expect(
         printed == wanted,
