@@ -110,8 +110,16 @@ class ExerciseWorkspace:
         if shadows := self._cache.get((self.name, 'shadows', *arguments)):
             raise LearnerError(shadows)
         if check and done.status != 0:
-            raise LearnerError(f'colcon build failed: {reason(done.output)}', clean(done.output, 6000))
+            raise LearnerError(f'colcon build failed: {self.why(done)}', clean(done.output, 6000))
         return done
+
+    def why(self, build: Done) -> str:
+        """Why a build failed, in one line. What setup() refuses, colcon does not tell; so setup.py is run by itself."""
+        for package in self._packages if _NEVER_CALLED.search(build.output) else ():
+            said = self.once('bash', '-c', 'cd "src/$1" && python3 setup.py --version', 'bash', package).output
+            if found := _SETUP.search(said):
+                return f'setup() in setup.py cannot read one of its arguments: {found[1].strip()}'[:400]
+        return reason(build.output)
 
     def run(self, *argv: str, timeout: float = RUN_TIMEOUT, program: str = '') -> Done:
         """A command in a new terminal in which the workspace is sourced, if it is built.
@@ -336,6 +344,8 @@ def _constant(cells: list[dict], name: str) -> str | None:
 
 
 _CMAKE = re.compile(r'CMake Error[^\n]*\n((?:[ \t]*\n|  [^\n]*\n){1,40})')
+_NEVER_CALLED = re.compile(r"setup\(\)'? was never called")
+_SETUP = re.compile(r'^error in \S+ setup command: (.+)$', re.MULTILINE)
 _TELLING = re.compile(r'^.*(?:[Ee]rror\b|No such file|not found).*$', re.MULTILINE)
 
 
@@ -344,10 +354,10 @@ def reason(output: str) -> str:
     if found := _CMAKE.search(output):
         paragraph = ' '.join(found[1].split('Call Stack')[0].split())
         return paragraph[:400]
-    if 'setup() was never called' in output or "setup()' was never called" in output:
+    if _NEVER_CALLED.search(output):
         return (
-            'setup.py did not get as far as setup(): one of its arguments cannot be read. Run `python3 setup.py '
-            '--version` in the folder of the package to see which.'
+            'setup.py ends without a call of setup() that works. Run `python3 setup.py --version` in the folder of the '
+            'package to see why.'
         )
     # The tools' own tracebacks and command lines are long and tell nothing.
     telling = [line for line in _TELLING.findall(output) if 'CalledProcessError' not in line and len(line) < 400]

@@ -50,4 +50,9 @@ MUTANTS = [
            expect='makes the programs there from the entry points', breaks='rest'),
     Mutant('requires_another_package', old='    entry_points={', new="    install_requires=['numpy'],\n    entry_points={",
            expect='says that greeter requires numpy', breaks='rest'),
+    Mutant('function_is_called', old='greeter.power.battery:report', new='greeter.power.battery:report()',
+           expect='cannot read one of its arguments: Problems to parse', breaks='builds'),
+    Mutant('one_name_for_two_programs', old='goodbye = greeter', new='hello = greeter',
+           expect="cannot read one of its arguments: Duplicate element EntryPoint(name='hello'", breaks='builds',
+           also='goodbye'),
 ]

@@ -18,7 +18,7 @@ from helpers.kernel.nodes import UNKNOWN
 from helpers.runner import about, broken, disguise, expect
 from helpers.runner.load import busy
 from helpers.runner.observer import Observer
-from helpers.runner.workspaces import ExerciseWorkspace, reason
+from helpers.runner.workspaces import ExerciseWorkspace
 
 NAME = 'patrol'
 DATA, ROUTE, TESTS = 'config/stations.txt', 'patrol/route.py', 'test/test_route.py'
@@ -114,7 +114,7 @@ def built(learner, changed: dict[str, str] | None = None) -> ExerciseWorkspace:
             done.status == 0 or not lacking,
             f'colcon build failed: setup.py names the file {lacking} in data_files, and there is no such file.',
         )
-        expect(done.status == 0, f'colcon build failed: {reason(done.output)}')
+        expect(done.status == 0, f'colcon build failed: {workspace.why(done)}')
     return workspace
 
 
