@@ -14,10 +14,11 @@ def test_any_goal(learner):
 
     Decide anew at each pose: the place and the heading are in the message.
     """
-    drive = goals.any_goal(learner)
-    drive.to_the_goal()
-    drive.stays(2.0)
-    drive.node.stop()  # two drivers would steer one turtle
+    for straight in (True, False):
+        drive = goals.any_goal(learner, straight=straight)
+        drive.to_the_goal()
+        drive.stays(2.0)
+        drive.node.stop()  # two drivers would steer one turtle
     goals.across_the_world(learner).to_the_goal()
 
 

@@ -79,4 +79,22 @@ MUTANTS = [
             command.angular.z = 3.0 * error
             command.linear.y = 0.2 * math.sin(error)
             """, expect='slide sideways', breaks='short-way'),
+    Mutant('one_coordinate', old='if distance > 0.05:', new='if abs(dx) > 0.05:', expect='From (', breaks='reach',
+           also=ALL),
+    Mutant('backwards_if_it_is_behind', old='''
+        command.angular.z = 3.0 * error
+        if abs(error) < 0.3:
+            command.linear.x = min(1.5 * distance, 2.0)
+        ''', new='''
+        behind = abs(error) > math.pi - 0.3
+        command.angular.z = 3.0 * (math.remainder(error, math.pi) if behind else error)
+        if behind or abs(error) < 0.3:
+            command.linear.x = math.copysign(min(1.5 * distance, 2.0), math.cos(error))
+        ''', expect='drive backwards', breaks='short-way', also=ALL),
+    Mutant('slowly_while_it_turns', old='''
+        command.angular.z = 3.0 * error
+        ''', new='''
+        command.angular.z = 3.0 * error
+        command.linear.x = 0.3
+        ''', expect='drove with 0.30 m/s while the goal was behind it', breaks='short-way', also=ALL),
 ]

@@ -9,6 +9,8 @@ from helpers.runner.turtlesim import TurtleSim
 WITHIN = 0.1  # m
 AT_MOST = 20.0  # s
 DIZZY = 4 * math.pi  # who has turned so much does not find the goal
+BEHIND = 1.7  # radians: who looks so far away from the goal, and is farther from it than NEAR, should only turn
+NEAR = 0.5  # m
 NAME, POSE, COMMAND = 'go_to_goal', 'turtle1/pose', 'turtle1/cmd_vel'
 
 
@@ -55,11 +57,13 @@ class Drive:
 
         :param wall_near: it starts beside a wall; where it does not, who runs into one looks in a wrong direction.
         """
-        sim, nearest = self.sim, math.inf
+        sim, nearest, astray = self.sim, math.inf, 0.0
 
         def arrived():
-            nonlocal nearest
+            nonlocal nearest, astray
             nearest = min(nearest, sim.distance(*self.goal))
+            if sim.distance(*self.goal) > NEAR and self.error() > BEHIND:
+                astray = max(astray, sim.turtle.linear)
             return sim.turned > DIZZY or sim.distance(*self.goal) < WITHIN and sim.turtle.linear < 0.01
 
         with about('reach'):
@@ -108,6 +112,18 @@ class Drive:
             f'{sim.distance(*self.goal):.2f} m away, at {place}. It came to {nearest:.2f} m of the goal.',
             'reach',
         )
+        expect(
+            astray < 0.05,
+            f'{self.way}the turtle drove with {astray:.2f} m/s while the goal was behind it, and so away from the '
+            'goal. Turn first, and drive when it looks to the goal.',
+            'short-way',
+        )
+
+    def error(self) -> float:
+        """How far the turtle looks away from the goal, in radians."""
+        turtle = self.sim.turtle
+        direction = math.atan2(self.goal[1] - turtle.y, self.goal[0] - turtle.x)
+        return abs(math.remainder(direction - turtle.theta, 2 * math.pi))
 
     def drives_forwards_only(self) -> None:
         """No command so far drives the turtle backwards or sideways."""
@@ -181,19 +197,23 @@ def across_pi(learner, side: int) -> None:
 
 
 def goal_behind(learner) -> Drive:
-    """The turtle looks askew at a wall that is 0.02 m away, and the goal is behind it: an arc has no room."""
+    """The turtle looks askew at a wall that is 2 mm away, and the goal is behind it: an arc has no room."""
     y = learner.random.uniform(4.0, 7.0)
     goal = (6.5, y + learner.random.uniform(-0.02, 0.02))  # along x, where the other coordinate is right at once
     heading = learner.random.choice([1, -1]) * learner.random.uniform(0.9, 1.1)
-    return Drive(learner, (11.07, y, heading), goal)
+    return Drive(learner, (11.087, y, heading), goal)
 
 
 def across_the_world(learner) -> Drive:
-    """From near one corner to a place near the opposite one, in whole numbers: who is slow needs more than the time."""
+    """From near one corner to a place near the opposite one, in whole numbers: who is slow needs more than the time.
+
+    The goal is straight behind the turtle, as it is seldom by chance: it must turn, and not drive backwards.
+    """
     low, high = (learner.random.uniform(0.9, 1.1) for _ in range(2))
     start, goal = learner.random.sample([(low, low), (11.0 - high, 11.0 - high)], 2)
-    # Whole numbers, as a learner types them: a message takes no int where a float belongs.
-    return Drive(learner, (*start, learner.random.uniform(-3.1, 3.1)), tuple(map(round, goal)))
+    goal = tuple(map(round, goal))  # as a learner types them: a message takes no int where a float belongs
+    away = math.atan2(start[1] - goal[1], start[0] - goal[0]) + learner.random.uniform(-0.15, 0.15)
+    return Drive(learner, (*start, away), goal)
 
 
 def there_already(learner) -> Drive:
