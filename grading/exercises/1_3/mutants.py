@@ -142,4 +142,6 @@ class Bridge(Node):
             self.status = self.create_publisher(String, 'chatter', 10)
             self.create_timer(0.5, lambda: self.status.publish(String(data='bridge')))
             """, expect='by itself', breaks='carries', also=('one-way',)),
+    Mutant('three_listeners_only', old='for domain, node in nodes.items():', new='for domain, node in list(nodes.items())[:3]:',
+           expect='a bridge', breaks='measures'),
 ]

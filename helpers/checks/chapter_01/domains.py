@@ -90,10 +90,11 @@ def check_bridged(learner) -> None:
         if numbers:
             second, ours = learner.random.choice(numbers)
             third = next(domain for domain in claimed if domain not in (second, ours))
+        more = [domain for domain in claimed if domain not in (second, ours, third)][:2]  # the last listener hears, too
         with Elsewhere(second) as there, Elsewhere(ours) as here, Elsewhere(third) as silent:
             here.relay('/roll_call', String, to=there)
             mute = silent.node.create_publisher(String, '/roll_call', 10)  # it is there, and says nothing
-            asked = learner.random.sample([ours, third], 2) + [second]
+            asked = learner.random.sample([ours, third, *more], 4) + [second]
             wanted = [second, ours]
             got = _who_hears(learner, ours, asked, 2.0, wanted)
             silent.node.destroy_publisher(mute)
@@ -107,7 +108,8 @@ def check_bridged(learner) -> None:
         expect(
             got != [ours],
             f'The tests have a bridge for roll_call from domain {ours} to {second}. Your function '
-            f'says that only {ours} hears: does it compare numbers, and not listen?',
+            f'says that only {ours} hears: does it compare numbers, and not listen? Or do only some of '
+            'the listeners listen?',
             'measures',
         )
         said = f'With a bridge from {ours} to {second}, who_hears({ours}, {asked}) gives {got!r}, expected {wanted}.'
