@@ -179,9 +179,9 @@ def test_limits(learner):
     """
     there = laser(learner)
     there.tell(0.0)
-    for limits in ((0.25, 4.5), (1.5, 30.0), (0.0, 6.0)):
+    for limits in ((0.25, 4.5), (1.5, 30.0), (0.0, 6.0), (2.0, 64.5)):
         there.clouds.clear()
-        values = [*limits, limits[0] - 0.001, limits[1] + 0.001, 0.1875, 1.0, 4.0, 4.75, 29.0, 40.0]
+        values = [*limits, limits[0] - 0.001, limits[1] + 0.001, 0.1875, 1.0, 4.0, 4.75, 29.0, 40.0, 63.0]
         learner.random.shuffle(values)
         scan = there.scan(values, 0.0, limits=limits)
         there.check(scan, only(there, 'A scan came'))

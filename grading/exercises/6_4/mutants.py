@@ -155,4 +155,8 @@ MUTANTS = [
         """, expect='no cloud came on /points'),
     Mutant('zero_is_no_distance', old='if scan.range_min <= distance', new='if distance and scan.range_min <= distance',
            breaks='range', expect='also if it is 0.0'),
+    Mutant('nothing_is_beyond_30_m', old='def on_scan(self, scan):', new="""
+        def on_scan(self, scan):
+            scan.range_max = min(scan.range_max, 30.0)
+        """, breaks='range', expect='gave a cloud of'),
 ]

@@ -44,9 +44,10 @@ def test_scans(learner):
         there.tell(there.now)
         learner.run(0.1)
     there.tell(there.now)
-    _check_scan(there, 'laser', 'one-cloud', 1, (0.2, 0.28))
-    _check_scan(there, other, 'frame', -1, (0.28, 0.36))  # this one turns to the right
-    _check_scan(there, 'laser', 'one-cloud', 1, (0.05, 0.15))  # an older one comes after a newer one
+    limits = zip(draw.sample([0.25, 0.375, 0.5], 3), draw.sample([6.5, 10.75, 64.5], 3), strict=True)
+    _check_scan(there, 'laser', 'one-cloud', 1, (0.2, 0.28), next(limits))
+    _check_scan(there, other, 'frame', -1, (0.28, 0.36), next(limits))  # this one turns to the right
+    _check_scan(there, 'laser', 'one-cloud', 1, (0.05, 0.15), next(limits))  # an older one comes after a newer one
     check_no_hits(there, 0.25)
     check_zero(there, 0.25)
     _check_later(there, other)
@@ -73,10 +74,9 @@ def _distances(there, limits):
     return values
 
 
-def _check_scan(there, frame, rule, turn, when):
+def _check_scan(there, frame, rule, turn, when, limits):
     """The transforms of the time of the scan are there already. `turn`: 1 for a laser that turns to the left."""
     draw = there.learner.random
-    limits = draw.choice([0.25, 0.375, 0.5]), draw.choice([6.5, 10.75, 64.5])
     then = round(draw.uniform(*when), 9)
     there.clouds.clear()
     step = turn * draw.uniform(0.1, 0.3)
