@@ -51,7 +51,7 @@ def test_again(learner):
 
 
 @pytest.mark.weight(2)
-@pytest.mark.rules('far', 'then')
+@pytest.mark.rules('far', 'then', 'too-long')
 @about('far')
 def test_long_ago(learner):
     """It can look back for 30 s.

@@ -101,4 +101,11 @@ MUTANTS = [
             return None
         then = self.get_clock().now() - Duration(seconds=seconds)
         """, expect='0 is a number of seconds like any other'),
+    Mutant('error_beyond_thirty', breaks='too-long', old='then = self.get_clock().now() - Duration(seconds=seconds)', new="""
+        if seconds > 30:
+            raise ValueError('too long ago')
+        then = self.get_clock().now() - Duration(seconds=seconds)
+        """, expect='raised ValueError'),
+    Mutant('thirty_for_more', breaks='too-long', old='Duration(seconds=seconds)', new='Duration(seconds=min(seconds, 30.0))',
+           expect='Do not take another time instead'),
 ]

@@ -7,7 +7,7 @@ from geometry_msgs.msg import PointStamped
 from rclpy.time import Time
 
 from helpers.checks.chapter_06.geometry import explain, origin, same, words
-from helpers.runner import expect
+from helpers.runner import about, expect
 from helpers.runner.frames import pose
 from helpers.runner.peers import SECOND
 
@@ -54,11 +54,12 @@ class Scene:
         self._tf.send('map', frame, place(self.learner.now / SECOND))
 
     def ask_long_ago(self, node) -> None:
-        """Half a minute passes; then ask where the cup was some 25 s ago, and exactly 30 s ago."""
+        """Half a minute passes; then ask where the cup was some 25 s ago, exactly 30 s ago, and before that."""
         self.run(33, 1.0)
         self._ask_kept(node, round(self.learner.random.uniform(24.0, 29.5), 1))
         self.run(10, 0.1)  # what is newest is so new now that a buffer of 29.5 s has lost what was 30 s ago
         self._ask_kept(node, 30.0)
+        self._ask_before_all(node)
 
     def ask_first(self, node) -> None:
         """Ask a node that has heard everything, and that nobody has asked before."""
@@ -90,6 +91,19 @@ class Scene:
             'far',
         )
         self.ask(node, seconds)
+
+    def _ask_before_all(self, node) -> None:
+        """Ask for a time, more than half a minute ago, before anything was said: rule `too-long`."""
+        past = self.learner.now / SECOND - self._begin
+        seconds = round(past + self.learner.random.uniform(5, 90), 1)
+        with about('too-long'):
+            found = node.call('where_was', seconds)
+        expect(
+            found is None,
+            f'The first transforms came {past:.0f} s ago, and where_was({seconds:g}) gave {found}, expected None: '
+            'nobody knows. Do not take another time instead.',
+            'too-long',
+        )
 
     def ask(self, node, seconds: float) -> None:
         """Ask the node where the cup was so many seconds ago, and fail with the reason if it is wrong."""
