@@ -5,7 +5,15 @@ import math
 import pytest
 
 from helpers.checks.chapter_06.geometry import explain, words
-from helpers.checks.chapter_06.pursuit import Pursuit, check_limit, check_long_silence, check_places, check_topic, zeros
+from helpers.checks.chapter_06.pursuit import (
+    Pursuit,
+    check_limit,
+    check_long_silence,
+    check_lost_again,
+    check_places,
+    check_topic,
+    zeros,
+)
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('6.5'), pytest.mark.wiring(type='topic', qos='topic')]
@@ -138,7 +146,7 @@ def test_unknown(learner):
 
 
 @pytest.mark.weight(3)
-@pytest.mark.rules('old', 'again')
+@pytest.mark.rules('old', 'again', 'unknown')
 @about('old')
 def test_silence(learner):
     """When the transforms of one of them stop, the follower stands; when they come again, it goes on.
@@ -168,6 +176,7 @@ def test_silence(learner):
     )
     there.run(0.896)
     expect(not there.stands, 'The transforms come again, and the follower still stands.', 'again')
+    check_lost_again(there)
     check_long_silence(there)
 
 

@@ -114,4 +114,17 @@ MUTANTS = [
            share = math.hypot(place.x, place.y, place.z) / max(1e-9, math.hypot(place.x, place.y))
            command = chase(place.x * share, place.y * share)
            """),
+    Mutant('lost_once_is_lost', breaks='again', edits=(
+           ('age = self.get_clock().now() - Time.from_msg(found.header.stamp)', """
+            self.known = True
+            age = self.get_clock().now() - Time.from_msg(found.header.stamp)
+            """), ('pass', "self.lost = getattr(self, 'known', False)"),
+           ('if age <= Duration', "if not getattr(self, 'lost', False) and age <= Duration")),
+           expect='The transforms have come again, and the follower still stands'),
+    Mutant('goes_on_with_the_last', breaks='unknown', edits=(
+           ('pass', "command = getattr(self, 'last', command)"),
+           ('self.motor.publish(command)', """
+            self.last = command
+            self.motor.publish(command)
+            """)), expect='A command drives all the same'),
 ]

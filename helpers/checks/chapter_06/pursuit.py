@@ -182,6 +182,29 @@ def check_long_silence(there: Pursuit) -> None:
     )
 
 
+def check_lost_again(there: Pursuit) -> None:
+    """For a while one turtle is in another tree, so tf2 no longer knows the transform: rules `unknown` and `again`.
+
+    Before, the follower drives.
+    """
+    lost, other = there.learner.random.sample(there.names, 2)
+    there.tell_elsewhere(lost)
+    there.learner.run(0.05)  # so that no command is of the moment in which it is said
+    count = len(there.commands)
+    for _ in range(4):
+        there.tell([other])
+        there.learner.run(0.1)
+    who = 'leader' if lost == there.names[0] else 'follower'
+    story = f'tf2 knew the transform; then the {who} was in another tree for 0.4 s, and no way led to it'
+    commands = there.commands.messages[count:]
+    expect(len(commands) >= 3, f'{story}. In this time only {len(commands)} commands came.', 'unknown')
+    expect(all(map(zeros, commands)), f'{story}. A command drives all the same.', 'unknown')
+    for _ in range(3):
+        there.tell()
+        there.learner.run(0.1)
+    expect(not there.stands, f'{story}. The transforms have come again, and the follower still stands.', 'again')
+
+
 def check_limit(there: Pursuit) -> None:
     """A transform that is 0.5 s old to the nanosecond is not older than that: rule `old`.
 

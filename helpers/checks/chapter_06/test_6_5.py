@@ -11,6 +11,7 @@ from helpers.checks.chapter_06.pursuit import (
     check_gaps,
     check_limit,
     check_long_silence,
+    check_lost_again,
     check_places,
     check_topic,
     gaps,
@@ -51,6 +52,7 @@ def test_life(learner):
     for quiet in draw.sample(there.names, 2):
         _check_age(there, quiet)
     check_places(there)
+    check_lost_again(there)
     check_limit(there)
 
 
@@ -126,7 +128,8 @@ def _check_place(there, before):
     expect(
         not zeros(command),
         f'{told}: it stands. The transforms are 0.1 s old. For the time now() there is never '
-        'a transform yet, and for an earlier time there may be none: ask for the newest.',
+        'a transform yet, and for an earlier time there may be none: ask for the newest, by the names that Follower '
+        'got. Its age is from the clock of the node, and from the whole stamp, with its nanoseconds.',
         'newest',
     )
     expect(
