@@ -125,4 +125,7 @@ def _choose(ubuntu, month, rows):
     Mutant('ends_last_of_all_rows', old='last) in mine.items() if first <= month <= last]',
            new='last) in mine.items() if first <= month <= last == max(row[2] for row in mine.values())]',
            expect='supported', breaks='months', also=('ends-last',)),
+    Mutant('two_rows_of_each', old='mine = {name: row for name, row in releases.items() if row[0] == ubuntu}',
+           new='mine = dict([(name, row) for name, row in releases.items() if row[0] == ubuntu][:2])',
+           expect='choose the one whose support ends last', breaks='ends-last'),
 ]

@@ -76,7 +76,7 @@ def drawn_cases(random: Random) -> list[Case]:
     # A century begins in it: who compares two digits of the years is found out.
     year = random.choice([random.randint(1993, 1998), random.randint(2093, 2098)])
     long, gap, late, far = random.sample(['34.04', '36.04', '38.04', '40.04'], 4)
-    # Of two distributions for one Ubuntu the one that ends sooner comes first in the table, older or newer.
+    # Of several distributions for one Ubuntu those that end sooner come first in the table, older or newer.
     rows = [
         [long, f'{year + 1}-05', f'{year + 2}-11'],
         [
@@ -86,6 +86,7 @@ def drawn_cases(random: Random) -> list[Case]:
         ],  # supported for longer than the other one, which ends in the same year
         [long, f'{year}-05', f'{year + 9}-05'],
         [late, f'{year + 1}-09', f'{year + 8}-10'],
+        [long, f'{year}-09', f'{year + 10}-02'],  # the third one for this Ubuntu
     ]
     rows.insert(random.randint(0, len(rows)), [far, f'{year + 13}-05', f'{year + 18}-05'])  # what is to come for others
     for row in ([gap, f'{year}-05', f'{year + 1}-11'], [gap, f'{year + 4}-05', f'{year + 9}-05']):
