@@ -132,4 +132,11 @@ MUTANTS = [
            expect='remembers earlier calls', breaks='dictionary'),
     Mutant('faults_name_variables', old='return faults', new='return {fault: name for name, fault in faults.items()}',
            expect='Its keys are the names of variables', breaks='dictionary'),
+    Mutant('only_below_lib', old=PYTHON, new="""
+        if any(before == 'lib' and part.startswith('python') and '.' in part and part != f'python{python}'
+               for before, part in zip(folders, folders[1:])):
+        """, expect='whatever the part before it is called', breaks='python'),
+    Mutant('distributions_of_both_paths', old="parts = [folder.split('/') for folder in prefixes.split(':')]",
+           new="parts = [folder.split('/') for folder in (prefixes + ':' + environ.get('PYTHONPATH', '')).split(':')]",
+           expect='what is in PYTHONPATH does not count', breaks='mixed'),
 ]

@@ -96,6 +96,7 @@ def _prefixes(random: Random, distro: str, good: dict) -> list[Case]:
     two = [f'/opt/ros/{distro}', f'/opt/ros/{second}']
     mixed = {PREFIX: 'mixed'}
     sourced = 'Two distributions are in the path; ROS_DISTRO tells only which one was sourced last.'
+    of_another = 'AMENT_PREFIX_PATH names one distribution; what is in PYTHONPATH does not count for it.'
     inside = f'/opt/ros/{distro}/opt/extra:/opt/ros/{distro}'
     thrice = f'/opt/ros/{distro}:{inside}'
     longer = f'{distro}{random.choice(("_old", "-test", "2"))}'  # a name that begins like the other one
@@ -115,6 +116,7 @@ def _prefixes(random: Random, distro: str, good: dict) -> list[Case]:
         Case('mixed', {PREFIX: f'{two[0]}:{two[1]}/opt/extra'}, mixed, 'Two distributions are in the path.'),
         Case('mixed', {PREFIX: inside, 'ROS_DISTRO': distro}, {}, 'Both folders belong to one distribution.'),
         Case('mixed', {PREFIX: thrice, 'ROS_DISTRO': distro}, {}, 'All three folders belong to one distribution.'),
+        Case('mixed', {PREFIX: two[0], PYTHON: f'{two[1]}/lib/python3.12/site-packages'}, {}, of_another),
         *[
             Case('ros-distro', environ, mixed, 'Path and ROS_DISTRO name two distributions.')
             for environ in ({**good, 'ROS_DISTRO': second}, {PREFIX: said, 'ROS_DISTRO': second})
@@ -211,6 +213,12 @@ def _pythons(random: Random, distro: str) -> list[Case]:
             {PYTHON: 'other Python'},
             '3.1 and 3.10 are two versions. Compare texts: as numbers the two are equal.',
             one,
+        ),
+        Case(
+            'python',
+            {PREFIX: good[PREFIX], PYTHON: f'/srv/{random.choice(PEOPLE)}/python3.10/site-packages'},
+            {PYTHON: 'other Python'},
+            'One part of its folder is python3.10, whatever the part before it is called.',
         ),
         Case('python', tools, {}, 'PYTHONPATH has no part pythonX.Y.'),
         Case('python', within, {}, 'No part is pythonX.Y and nothing more, as it stands between two slashes.'),
