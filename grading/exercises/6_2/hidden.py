@@ -36,7 +36,7 @@ def test_stamp(learner):
 
     Without it nobody can look up where the moon was. time.time() is another clock.
     """
-    moons.judge_stamp(moons.Watched(learner, 1.0))
+    moons.judge_stamp(moons.Watched(learner, 1.0, rounds=True))
 
 
 @pytest.mark.rules('rate', 'name', 'frames')

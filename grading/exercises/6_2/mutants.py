@@ -59,4 +59,8 @@ MUTANTS = [
            '''), ('= now.to_msg()', '= self.begin.to_msg()')), expect='the stamp is'),
     Mutant('one_turn_only', old='(now.nanoseconds / 1e9) / self.period',
            new='min(now.nanoseconds / 1e9, self.period) / self.period', expect='expected', breaks='time', also='circle'),
+    Mutant('stamps_are_counted', old='message.header.stamp = now.to_msg()', new="""
+           self.stamp = self.stamp + Duration(seconds=0.05) if hasattr(self, 'stamp') else now
+           message.header.stamp = self.stamp.to_msg()
+           """, expect='the stamp is', breaks='stamp'),
 ]

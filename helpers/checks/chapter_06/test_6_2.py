@@ -18,7 +18,7 @@ def test_rate(learner):
     moons.judge_stamp(moon)
 
 
-@pytest.mark.rules('circle', 'time', 'face')
+@pytest.mark.rules('circle', 'time', 'face', 'stamp')
 def test_circle(learner):
     """At each time the moon is at its place on the circle, and its x axis points to the planet.
 
@@ -28,4 +28,5 @@ def test_circle(learner):
     moon = moons.Watched(learner, 2.0, rounds=True)
     moons.judge_circle(moon)
     moons.judge_face(moon)
+    moons.judge_stamp(moon)
     moons.judge_two(learner, moon)
