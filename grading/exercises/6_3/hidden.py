@@ -47,6 +47,7 @@ def test_again(learner):
     there.ask(node, 1.1)
     there.run(10)
     there.ask(node, round(learner.random.uniform(0.4, 3.0), 2))
+    there.ask(node, 1.1)
     there.ask_now(node)
 
 

@@ -108,4 +108,14 @@ MUTANTS = [
         """, expect='raised ValueError'),
     Mutant('thirty_for_more', breaks='too-long', old='Duration(seconds=seconds)', new='Duration(seconds=min(seconds, 30.0))',
            expect='Do not take another time instead'),
+    Mutant('answers_are_kept', breaks='then', edits=(
+           ('then = self.get_clock().now() - Duration(seconds=seconds)', """
+            self.known = getattr(self, 'known', {})
+            if seconds in self.known:
+                return self.known[seconds]
+            then = self.get_clock().now() - Duration(seconds=seconds)
+            """), ('return point', """
+            self.known[seconds] = point
+            return point
+            """)), expect='expected ('),
 ]

@@ -34,9 +34,11 @@ def test_cup(learner):
     expect(found is None, f'Only `{only}` has said where it is, and where_was(0.3) gave {found}, expected None.')
     with about('then'):
         there.run(10)
-        there.ask(node, round(draw(0.7, 1.8), 2))
+        seconds = round(draw(0.7, 1.8), 2)
+        there.ask(node, seconds)
         there.run(2)
         there.ask(node, round(draw(0.5, 2.1), 2))
+        there.ask(node, seconds)  # the same question has another answer now
         there.ask_first(other)
         there.ask_now(node)
     with about('too-long'):
