@@ -67,4 +67,5 @@ MUTANTS = [
            expect='Do not round'),
     Mutant('visual_at_the_frame', breaks='visual', old='<visual>{middle}{shape}', new='<visual>{shape}',
            expect='is not the one that was given'),
+    Mutant('mass_in_whole_grams', breaks='mass', old='value="{mass}"/', new='value="{mass:.3f}"/', expect='has the mass'),
 ]
