@@ -88,7 +88,7 @@ def _check_not_too_soon(call: str, took: float, seconds: float, missing: str) ->
     expect(
         took > seconds - 0.1,
         f'{call} ended after {took:.1f} s, and {missing} had not heard. It is done when all have heard, or after '
-        '`seconds`.',
+        '`seconds`. Or does it compare numbers, and not listen?',
         'in-time',
     )
 
