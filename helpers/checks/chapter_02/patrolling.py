@@ -29,7 +29,7 @@ TIMEOUT = 20.0  # s, until a node is there, and for tests
 MATCHED = 4.0  # s, until all that belongs to the node is seen
 HEARD = 10.0  # s, until the names have come
 _NO_TESTS = 5  # the status of pytest if it finds none
-SLOW, FAST = 1.2, 0.2  # s between two names: the shortest pause must be below the one, the mean above the other
+SLOW, FAST = 0.9, 0.2  # s between two names: the shortest pause must be below the one, the mean above the other
 _ALWAYS = 'ament_index_python', 'rclpy', 'std_msgs'
 
 _CALL = """\
