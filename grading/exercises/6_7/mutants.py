@@ -140,4 +140,6 @@ MUTANTS = [
     Mutant('own_gravity', breaks='urdf', also=('tree', 'wheels', 'stands'), old='</plugin></gazebo></robot>',
            new='</plugin></gazebo><mujoco><option gravity="0 0 -20"/></mujoco></robot>',
            expect='sets the physics of the whole world'),
+    Mutant('plugin_from_another_file', breaks='drive', old='gz-sim-diff-drive-system', new='gz-sim-velocity-control-system',
+           expect='the filename of the <plugin> is gz-sim-velocity-control-system'),
 ]

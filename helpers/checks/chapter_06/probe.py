@@ -131,7 +131,7 @@ def ride(text: str, given: dict) -> dict:
     from mujoco_world.world import World
 
     world = World(text, scene='empty')
-    found: dict = {'drive': world.robot.drive is not None, 'lidar': None}
+    found: dict = {'drive': world.robot.drive is not None, 'library': _library(text), 'lidar': None}
     world.run(1.0)
     pose = world.pose
     found['stands'] = [pose.z, math.degrees(pose.roll), math.degrees(pose.pitch)]
@@ -188,6 +188,14 @@ def _drive_to(world, places: list, seconds: float) -> dict:
     world.run(0.5)
     pose = world.pose
     return {'there': not places, 'took': took, 'pose': [pose.x, pose.y, pose.z], 'touched': sorted(touched)}
+
+
+def _library(text: str) -> str:
+    """The file from which Gazebo would load the plugin of the differential drive."""
+    from mujoco_world.robot import DRIVE
+
+    plugins = ElementTree.fromstring(text).iter('plugin')
+    return next((plugin.get('filename', '') for plugin in plugins if plugin.get('name') == DRIVE), '')
 
 
 def _foreign(text: str) -> str:

@@ -345,6 +345,12 @@ class Scout:
             f'{self.name} has no <plugin> with the name gz::sim::systems::DiffDrive: nothing drives the wheels.',
             'drive',
         )
+        expect(
+            'diff-drive' in self.found['library'],
+            f'{self.name}: the filename of the <plugin> is {self.found["library"] or "not given"}. Gazebo would not '
+            'find the differential drive in it: it is in gz-sim-diff-drive-system.',
+            'drive',
+        )
         (x, _, _), (_, _, yaw) = self.found['motions']
         explain(
             x > 0.02,
