@@ -129,4 +129,9 @@ def repair_machine(files, want):
     Mutant('domain_0_is_not_set', old="""f"export ROS_DOMAIN_ID={want['domain']}"]""",
            new="""*([f"export ROS_DOMAIN_ID={want['domain']}"] if want['domain'] else [])]""", breaks='repaired',
            expect='is in domain'),
+    Mutant('another_variable_keeps_the_path', old="'$PATH' not in value", new="'$' not in value", breaks='path',
+           expect='You did not find `no_colcon`, cause `PATH`'),
+    Mutant('a_source_only_where_none_was', old="any(finding.fault == 'no_source' for finding in found)",
+           new="any(finding.cause == 'missing' for finding in found)", breaks='repaired',
+           expect='has no line whose first word is `deb`'),
 ]

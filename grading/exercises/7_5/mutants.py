@@ -120,4 +120,6 @@ MUTANTS = [
            also='all', expect='none is more than the sum'),
     Mutant('moments_in_order', old="map(str, moments))", new='map(str, sorted(moments)))', breaks='weight',
            expect='The moments of'),
+    Mutant('three_of_six_values', old="attrib.update(ixy='0', ixz='0', iyz='0')", new='attrib', breaks='weight',
+           expect='An <inertia> has six values'),
 ]

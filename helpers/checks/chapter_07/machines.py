@@ -103,6 +103,7 @@ def judge_rare_lines(learner) -> None:
     cases = [
         ('release', f'{deb} {codename}-{random.choice(["updates", "testing"])} main', [source], 0),
         ('path', '', [source, f'PATH=/usr/bin:{folder}', f'export PATH=/opt/PATH/bin:{folder}'], 0),
+        ('path', '', [source, f'PATH=$HOME/bin:{folder}', f'export PATH={folder}:$MANPATH'], 0),
         ('path', '', [source, f'PATH={folder}:$PATH:/bin', f'export PATH=$PATH:{folder}', f'export XPATH={folder}'], 0),
         ('domain', '', [source, f'export ROS_DOMAIN_ID={domain}{number % 10}'], domain),
         ('domain', '', [source, f'export ROS_DOMAIN_ID={domain}'], domain * 10 + number % 10),

@@ -19,7 +19,7 @@ WHY = {
     'inertia': 'Each of the three moments is more than 0, and none is more than the sum of the two others.',
 }
 DEEPEST = 20
-_MOMENTS = ('ixx', 'iyy', 'izz')
+_MOMENTS, _PRODUCTS = ('ixx', 'iyy', 'izz'), ('ixy', 'ixz', 'iyz')
 _LINKS = ('left_wheel', 'right_wheel', 'caster', 'mast', 'gripper', 'bumper')
 # Runs on the learner's side: drops the robot from one metre, and tells where its parts are after two seconds.
 _DROP = """\
@@ -228,6 +228,13 @@ class Robot:
             f'The moments of {name} are {" ".join(values)}, expected {" ".join(f"{value:.6f}" for value in wanted)}.',
             'weight' if {'inertia', 'inertial'} & set(faults) else 'kept',
         )
+        for key in _PRODUCTS if {'inertia', 'inertial'} & set(faults) else ():
+            expect(
+                _close(moments.get(key), 0.0),
+                f'After your repair, {key} of {name} is {moments.get(key)}. An <inertia> has six values; these three, '
+                'ixy, ixz and iyz, are 0 for such a body.',
+                'weight',
+            )
 
     @staticmethod
     def _check_collision(name: str, visual, collision) -> None:

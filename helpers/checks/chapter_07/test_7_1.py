@@ -88,7 +88,8 @@ def test_repair(learner):
 
     Each finding names the line that goes, or is changed; what is missing is added.
     """
-    for causes, way in ((machines.CAUSES[1:], ''), (['missing', 'other'], ''), (['domain'], 'both'), ([], '')):
+    some = (machines.CAUSES[1:], ''), (['missing', 'other'], ''), (['release'], ''), (['domain'], 'both'), ([], '')
+    for causes, way in some:
         files, want, expected = machines.draw(learner.random, *causes, way=way)
         machines.diagnose(learner, files, want, expected, 'all')
         with about('repaired'):
