@@ -43,4 +43,50 @@ class DeliveryRobot(Courier):
         result.message = 'there' if there else 'not there: cancelled, lost or late'
         return True
 ''', alone=True),
+    Alternative('side_by_side_with_a_lock', source='''
+import threading
+
+from rclpy.callback_groups import ReentrantCallbackGroup
+
+
+class DeliveryRobot(Courier):
+    def __init__(self, **options):
+        super().__init__(**options)
+        self.lock = threading.Lock()
+        ActionServer(self, GoToStation, 'go_to_station', self.execute, callback_group=ReentrantCallbackGroup(),
+                     goal_callback=self.on_goal, cancel_callback=lambda goal: CancelResponse.ACCEPT)
+
+    def on_goal(self, request):
+        with self.lock:
+            free = self.state == 'idle' and self.place(request.station) and self.where()
+            if free:
+                self.state = f'driving to {request.station}'
+            return GoalResponse.ACCEPT if free else GoalResponse.REJECT
+
+    def execute(self, goal):
+        clock, result, told = self.get_clock(), GoToStation.Result(), 0
+        late = clock.now() + Duration(seconds=self.value('timeout'))
+        while not result.message:
+            if goal.is_cancel_requested:
+                end, result.message = goal.canceled, 'called back'
+            elif (here := self.where()) is None:
+                end, result.message = goal.abort, 'where am I?'
+            else:
+                there, limits = self.place(goal.request.station), (self.value('max_linear'), self.value('max_angular'))
+                result.distance, linear, angular = steer(*here, *there, *limits)
+                if result.distance < self.value('tolerance'):
+                    end, result.message = goal.succeed, 'at the station'
+                elif clock.now() >= late:
+                    end, result.message = goal.abort, 'too slow'
+                else:
+                    self.drive(linear, angular)
+                    told += 1
+                    if told % 3 == 1:
+                        goal.publish_feedback(GoToStation.Feedback(distance=result.distance))
+                    clock.sleep_for(Duration(seconds=0.1))
+        self.drive(0.0, 0.0)
+        self.state = 'idle'
+        end()
+        return result
+''', alone=True),
 ]

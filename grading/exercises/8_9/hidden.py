@@ -17,6 +17,7 @@ from helpers.checks.chapter_08.drives import (
     judge_turning,
 )
 from helpers.checks.chapter_08.held_robot import judge_held
+from helpers.checks.chapter_08.two_at_once import judge_two_goals, judge_two_robots
 from helpers.runner import about
 
 pytestmark = [pytest.mark.exercise('8.9'), pytest.mark.wiring(type='rhythm', qos='rhythm', namespace='action')]
@@ -100,3 +101,16 @@ def test_lost_and_late(learner):
         judge_lost(drives)
     with about('timeout'):
         judge_timeout(drives, timeout)
+
+
+@pytest.mark.rules('single', 'next')
+@pytest.mark.weight(2)
+def test_two_goals(learner):
+    """Of two goals of one moment one is accepted, wherever its callback stands just then; again and again."""
+    judge_two_goals(learner)
+
+
+@pytest.mark.rules('state', 'single')
+def test_two_robots(learner):
+    """What one robot does is nothing to another robot in the same program."""
+    judge_two_robots(learner)

@@ -177,4 +177,18 @@ self.state = 'idle'
             ('super().__init__(**options)', 'super().__init__(**options)\nself.arrived = False\n'),
             ('end()', "end()\nself.arrived = why == 'arrived'\n")),
            expect='A goal has succeeded, and this is the next one', breaks='next', alone=True),
+    Mutant('goal_callbacks_side_by_side', old='cancel_callback=lambda goal: CancelResponse.ACCEPT)', new="""
+        cancel_callback=lambda goal: CancelResponse.ACCEPT,
+        callback_group=__import__('rclpy.callback_groups').callback_groups.ReentrantCallbackGroup())
+        """, expect='a lock must hold from the look at self.state', breaks='single', alone=True),
+    Mutant('seven_goals_at_most', edits=(('super().__init__(**options)', 'super().__init__(**options)\nself.left = 7\n'),
+            ("if self.state != 'idle' or", 'if self.left == 0 or self.state != \'idle\' or'),
+            ("self.state = f'driving to {request.station}'", "self.left -= 1\nself.state = f'driving to {request.station}'\n")),
+           expect='7 goals have ended, two came after that', breaks='next', alone=True),
+    Mutant('one_state_for_all_robots', edits=(('super().__init__(**options)', """
+            super().__init__(**options)
+            DeliveryRobot.state = self.__dict__.pop('state')
+            """), ("self.state = f'driving to {request.station}'", "DeliveryRobot.state = f'driving to {request.station}'"),
+            ("self.state = 'idle'", "DeliveryRobot.state = 'idle'")),
+           expect='Two robots are in one program', breaks='state', also='single', alone=True),
 ]

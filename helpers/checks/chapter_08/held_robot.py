@@ -17,14 +17,16 @@ GATE = 0.5, 0.0  # the station, in metres
 class Held:
     """The learner's node, which is told a place, and the station gate."""
 
-    def __init__(self, learner):
+    def __init__(self, learner, **options):
+        """:param options: of `learner.start`."""
         self.learner, self._place = learner, Localizer(learner)
-        self._client = learner.action_client('/go_to_station', GoToStation)
+        self.client = learner.action_client('/go_to_station', GoToStation)
         stations = learner.client('/set_station', SetStation)
         self.commands = learner.listen('/cmd_vel', Twist)
-        learner.start(
+        self.node = learner.start(
             'DeliveryRobot',
             threads=True,
+            **options,
             parameters={'tolerance': TOLERANCE, 'timeout': TIMEOUT, 'max_linear': FASTEST, 'max_angular': TURN},
         )
         self.stand(0.0, 0.0)
@@ -33,10 +35,14 @@ class Held:
     def go(self, rule: str):
         """Send the goal gate, which must be accepted."""
         with about(rule):
-            goal = self._client.send(station='gate')
+            goal = self.send()
             self.learner.settle()
         expect(goal.accepted, 'The goal gate was rejected. The station is known, and no other goal runs.', 'next')
         return goal
+
+    def send(self):
+        """Send the goal gate."""
+        return self.client.send(station='gate')
 
     def stand(self, x: float, yaw: float, seconds: float = 0.5, y: float = 0.0) -> None:
         """The robot stands there (metres, radians) for so long, in steps of 0.1 s."""

@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_08 import drives, held_robot
+from helpers.checks.chapter_08 import drives, held_robot, two_at_once
 from helpers.runner import about
 
 pytestmark = [pytest.mark.exercise('8.9'), pytest.mark.wiring(type='rhythm', qos='rhythm', namespace='action')]
@@ -56,3 +56,21 @@ def test_lost_and_late(learner):
         drives.judge_lost(there)
     with about('timeout'):
         drives.judge_timeout(there, timeout)
+
+
+@pytest.mark.rules('single', 'next')
+def test_two_goals(learner):
+    """Of two goals of one moment one is accepted, wherever its callback stands just then; again and again.
+
+    The look at self.state and its change belong together: in one callback group, or under one lock.
+    """
+    two_at_once.judge_two_goals(learner)
+
+
+@pytest.mark.rules('state', 'single')
+def test_two_robots(learner):
+    """What one robot does is nothing to another robot in the same program.
+
+    self.state = ..., in the object.
+    """
+    two_at_once.judge_two_robots(learner)
