@@ -112,6 +112,10 @@ def test_the_command_of_a_node():
     assert '__ns:=/d' in absolute
     with pytest.raises(TypeError, match="'parameters' of Node must be a list"):
         Node(package='turtlesim', executable='mimic', parameters={'a': 1})
+    pairs = Node(package='turtlesim', executable='mimic', remappings={'in': 'out', 'a': 'b'}.items())
+    assert [word for word in pairs.get_command(LaunchContext()) if ':=' in word] == ['in:=out', 'a:=b']
+    with pytest.raises(TypeError, match="'remappings' of Node must be pairs"):
+        Node(package='turtlesim', executable='mimic', remappings={'in': 'out'})
     with pytest.raises(InvalidNodeNameException):
         Node(package='turtlesim', executable='mimic', name='a b').get_command(context)
 

@@ -70,23 +70,23 @@ class Node(ExecuteProcess):
         namespace: SomeSubstitutionsType | None = None,
         exec_name: SomeSubstitutionsType | None = None,
         parameters: list | None = None,
-        remappings: list[tuple[SomeSubstitutionsType, SomeSubstitutionsType]] | None = None,
+        remappings: Iterable[tuple[SomeSubstitutionsType, SomeSubstitutionsType]] | None = None,
         ros_arguments: Iterable[SomeSubstitutionsType] | None = None,
         arguments: Iterable[SomeSubstitutionsType] | None = None,
         **kwargs,
     ):
-        for label, value in (('parameters', parameters), ('remappings', remappings)):
-            if value is not None and not isinstance(value, (list, tuple)):
-                raise TypeError(f"'{label}' of Node must be a list, got {type(value).__name__}")
+        if parameters is not None and not isinstance(parameters, (list, tuple)):
+            raise TypeError(f"'parameters' of Node must be a list, got {type(parameters).__name__}")
         check_parameters(parameters or [])
-        check_remappings(remappings or [])
+        remappings = list(remappings or [])  # as in stock, any pairs will do: those of a dictionary, too
+        check_remappings(remappings)
         program = executable if package is None else ExecutableInPackage(package=package, executable=executable)
         cmd = [program, *(arguments or []), '--ros-args', *(ros_arguments or [])]
         cmd += [] if name is None else ['-r', _NodeName(name)]
         super().__init__(cmd=cmd, name=exec_name, **kwargs)
         self.node_package, self.node_executable = package, executable
         self._node_name, self._node_namespace = name, namespace
-        self._parameters, self._remappings = list(parameters or []), list(remappings or [])
+        self._parameters, self._remappings = list(parameters or []), remappings
         self._final_name: str | None = None
         self._final_namespace = self.UNSPECIFIED_NODE_NAMESPACE
 
