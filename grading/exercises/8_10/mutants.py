@@ -10,7 +10,7 @@ MUTANTS = [
     Mutant('no_file', old=f"""
         {INSTALLED}
         {{'use_sim_time': True}}]),
-        """, new="{'use_sim_time': True}]),", expect='does the launch file hand the file over', breaks='values',
+        """, new="{'use_sim_time': True}]),", expect='The launch file must hand this file over', breaks='robot',
            alone=True),
     Mutant('integer', old='timeout: 30.0', new='timeout: 30', expect='A value in DELIVERY_YAML has the wrong type',
            breaks='types', alone=True),
@@ -18,7 +18,9 @@ MUTANTS = [
            expect='a parameter file that is not there', breaks='robot', alone=True),
     Mutant('beside_the_launch_file', old=INSTALLED, breaks='robot', alone=True,
            new="str(__import__('pathlib').Path(__file__).parents[1] / 'config/delivery.yaml'),",
-           expect='by the name of the package'),
+           expect='found by the name of the package'),
+    Mutant('the_same_values_twice', old="{'use_sim_time': True}", breaks='robot', alone=True,
+           new="{'use_sim_time': True, 'timeout': 30.0, 'status_period': 0.5}", expect='timeout became'),
     Mutant('values_in_the_launch_file', edits=(("""
             max_linear: 0.4
             tolerance: 0.08
@@ -56,4 +58,12 @@ MUTANTS = [
         """, expect='so it keeps its default', breaks='values'),
     Mutant('two_scenes_only', old="default_value='rooms')", new="default_value='rooms', choices=['rooms', 'empty'])",
            expect='Pass the value on', breaks='world'),
+    Mutant('the_world_without_its_launch_file', old="""
+            IncludeLaunchDescription(
+                PathJoinSubstitution([FindPackageShare('mujoco_world'), 'launch', 'world.launch.py']),
+                launch_arguments=[(name, LaunchConfiguration(name)) for name in ('scene', 'real_time_factor')]),
+        """, new="""
+            Node(package='mujoco_world', executable='world', parameters=[
+                {name: LaunchConfiguration(name) for name in ('scene', 'real_time_factor')}]),
+        """, expect='world.launch.py of the package mujoco_world was not included', breaks='world', alone=True),
 ]

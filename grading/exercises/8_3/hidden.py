@@ -16,7 +16,7 @@ def test_no_values_in_the_launch_file(learner):
     fleets.judge_installed_file(learner)
 
 
-@pytest.mark.rules('nodes', 'types', 'robot1', 'robot2', 'installed-file', 'max-linear')
+@pytest.mark.rules('nodes', 'types', 'robot1', 'robot2', 'installed-file', 'max-linear', 'rest')
 @pytest.mark.weight(2)
 def test_values(learner):
     """robot1 has max_linear 1 and the mode normal; robot2 has max_linear 0.6 and the mode slow; both have the rate 20.
@@ -36,7 +36,7 @@ def test_remapped(learner):
     fleets.judge_names(learner)
 
 
-@pytest.mark.rules('rate', 'max-linear', 'robot2')
+@pytest.mark.rules('rate', 'max-linear', 'robot2', 'rest')
 @pytest.mark.weight(2)
 def test_another_robot(learner):
     """The parameter file is good for other robots, too: in any other namespace, rate 20 and max_linear 0.6.

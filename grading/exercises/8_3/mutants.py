@@ -107,8 +107,7 @@ def generate_launch_description():
            new="parameters=[config, {'max_linear': 0.6}], remappings", breaks='installed-file',
            expect='has max_linear = 0.6. The launch file must use the installed file'),
     Mutant('default_max_linear', old='    max_linear: 0.6', new='', expect='has max_linear = 0.5', breaks='max-linear'),
-    Mutant('half_the_rate', old='rate: 20.0', new='rate: 2.0', expect='has rate = 2.0', breaks='rate',
-           also='installed-file'),
+    Mutant('half_the_rate', old='rate: 20.0', new='rate: 2.0', expect='has rate = 2.0', breaks='rate'),
     Mutant('both_are_remapped', old="Node(namespace='robot1', parameters=[config], **governor),",
            new="Node(namespace='robot1', parameters=[config], remappings=[('cmd_vel', 'base/cmd_vel')], **governor),",
            expect='expected /robot1/cmd_vel', breaks='others-stay'),
@@ -146,4 +145,12 @@ def generate_launch_description():
                 max_linear: 1.0
             """, ''), ("namespace='robot1', parameters=[config]", "namespace='robot1', parameters=[config, {'max_linear': 1.0}]")),
            expect='/robot1/governor has max_linear = 1.0. The launch file must', breaks='installed-file'),
+    Mutant('a_default_in_the_launch_file', old="namespace='robot1', parameters=[config]",
+           new="namespace='robot1', parameters=[config, {'mode': 'normal'}]", breaks='installed-file',
+           expect='/robot1/governor has mode = normal. The launch file must'),
+    Mutant('by_the_folder_of_colcon', breaks='installed-file', expect='find it by the name of the package',
+           old="config = PathJoinSubstitution([FindPackageShare('fleet'), 'config', 'fleet.yaml'])",
+           new="import os\nconfig = os.environ['COLCON_PREFIX_PATH'].split(':')[0] + '/fleet/share/fleet/config/fleet.yaml'"),
+    Mutant('one_value_more', old='    max_linear: 0.6', new='    max_linear: 0.6\n    slow_linear: 0.3\n', breaks='rest',
+           expect='has slow_linear = 0.3'),
 ]

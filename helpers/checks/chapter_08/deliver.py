@@ -17,6 +17,7 @@ from delivery_interfaces.action import GoToStation
 from delivery_interfaces.srv import SetStation
 from rclpy.action import ActionClient
 
+from helpers.checks.chapter_08 import parameter_files
 from helpers.runner import stand_ins
 from helpers.runner.load import busy
 from helpers.runner.observer import Observer
@@ -31,6 +32,13 @@ STATUS = {
     GoalStatus.STATUS_SUCCEEDED: 'succeeded',
     GoalStatus.STATUS_CANCELED: 'canceled',
     GoalStatus.STATUS_ABORTED: 'aborted',
+}
+DRAWN = {  # the robot's parameters: from, to; none of these is a default, or a value of the card
+    'max_linear': (0.42, 0.48),
+    'tolerance': (0.11, 0.14),
+    'timeout': (35.0, 50.0),
+    'max_angular': (1.1, 1.4),
+    'status_period': (0.3, 0.45),
 }
 _ROBOT, _WORLD = '/delivery_robot', '/world'
 VALUES = {
@@ -49,8 +57,16 @@ SERVICES = (
 )
 TOPICS = '/odom', '/cmd_vel'
 MOST = 4  # programs that are started; two are asked for
-# A copy of it is launched, in a folder where nothing else is: what it names it finds by the names of packages.
-LAUNCH = 'install/delivery_robot/share/delivery_robot/launch/delivery.launch.py'
+SHARE = 'install/delivery_robot/share/delivery_robot'
+# A copy of the launch file is launched, beside the parameter file as it was. The sources are away, and in the installed
+# parameter file stand other values: so it shows which file the robot gets, and whether by the name of the package.
+_PREPARE = f"""
+    mv src sources; mkdir -p elsewhere/launch elsewhere/config
+    cp {SHARE}/launch/delivery.launch.py elsewhere/launch; cp {SHARE}/config/delivery.yaml elsewhere/config
+    printf '%s' "$1" > {SHARE}/config/delivery.yaml
+    shift; unset COLCON_PREFIX_PATH; exec "$@"
+"""
+_RESTORE = f'mv sources src; cp elsewhere/config/delivery.yaml {SHARE}/config'
 
 
 class Missing(Exception):
@@ -209,15 +225,17 @@ def _story(customer: Customer, told: dict) -> None:
 
 
 def story(learner, workspace, modules: dict[str, str]) -> dict:
-    """What happened: see above; `stations` and `factor` are what was drawn, `scene` is that of the world, `nodes` the
-    nodes in the end, `log` what the launch has printed.
+    """What happened: see above; `stations`, `factor` and `values` are what was drawn, `scene` is that of the world,
+    `nodes` the nodes in the end, `log` what the launch has printed. `values` stood in the installed parameter file.
 
     :param modules: of the package, path → text.
     """
-    number = learner.random.randint(10, 99)
+    draw = learner.random
+    number = draw.randint(10, 99)
     told = {
-        'stations': {f'far{number}': 6.0, f'near{number}': round(learner.random.uniform(0.9, 1.4), 2)},
-        'factor': round(learner.random.choice(FACTORS) * (SLOWER if busy() else 1), 3),
+        'stations': {f'far{number}': 6.0, f'near{number}': round(draw.uniform(0.9, 1.4), 2)},
+        'values': {name: round(draw.uniform(low, high), 3) for name, (low, high) in DRAWN.items()},
+        'factor': round(draw.choice(FACTORS) * (SLOWER if busy() else 1), 3),
         # The world takes a file, too: a launch file that allows two names only does not pass it on.
         'scene': str(Path(get_package_share_directory('mujoco_world'), 'scenes', 'empty.yaml')),
     }
@@ -225,11 +243,12 @@ def story(learner, workspace, modules: dict[str, str]) -> dict:
     launch = workspace.start(
         'bash',
         '-c',
-        f'mv src sources; mkdir -p elsewhere; cp {LAUNCH} elsewhere; exec "$@"',
+        _PREPARE,
         'bash',
+        parameter_files.with_values(learner.text('DELIVERY_YAML'), told['values']),
         'ros2',
         'launch',
-        'elsewhere/delivery.launch.py',
+        'elsewhere/launch/delivery.launch.py',
         f'scene:={told["scene"]}',
         f'real_time_factor:={told["factor"]}',
     )
@@ -242,5 +261,5 @@ def story(learner, workspace, modules: dict[str, str]) -> dict:
     told['status'] = launch.wait(15.0 * (3 if busy() else 1))
     launch.end()
     told['log'] = f'{launch.output}\n{programs.end()}'
-    workspace.run('mv', 'sources', 'src')
+    workspace.run('bash', '-c', _RESTORE)
     return told

@@ -1,5 +1,6 @@
 """What the tests of exercises 8.7 to 8.11 share: the robot that the learner's node drives, and the package, built."""
 
+import hashlib
 import json
 import secrets
 from pathlib import Path
@@ -8,6 +9,7 @@ from ament_index_python.packages import get_package_share_directory
 from delivery_interfaces.action import GoToStation
 from delivery_interfaces.srv import SetStation
 
+from helpers.checks.chapter_08 import executables
 from helpers.runner import expect, stand_ins
 from helpers.runner.load import busy
 from helpers.runner.stand_ins import Start
@@ -27,6 +29,18 @@ node = rclpy.create_node('delivery_robot')
 found = {{name: node.declare_parameter(name, value).value for name, value in {defaults!r}.items()}}
 print({mark!r} + json.dumps(found), flush=True)
 rclpy.shutdown()
+"""
+# Behind the text of world.launch.py: who includes it has this line in the launch's output.
+_INCLUDED = """
+
+
+plain = generate_launch_description
+
+
+def generate_launch_description() -> LaunchDescription:
+    from launch.actions import LogInfo
+
+    return LaunchDescription([LogInfo(msg={mark!r}), *plain().entities])
 """
 CELLS = {STEERING: ('8.5',), NODE: ('8.7', '8.8', '8.9')}  # the exercises whose cells become a module
 
@@ -138,7 +152,8 @@ def _world(stand_in: str) -> dict[str, str]:
     """An installed package mujoco_world, before the machine's, which has its files and this program."""
     top, name = Path(get_package_share_directory('mujoco_world')), 'mujoco_world'
     share = f'install/{name}/share'
-    return {
+    launch = f'{share}/{name}/launch/world.launch.py'
+    found = {
         f'{share}/colcon-core/packages/{name}': '',
         f'{share}/ament_index/resource_index/packages/{name}': '',
         **{
@@ -147,6 +162,12 @@ def _world(stand_in: str) -> dict[str, str]:
         },
         f'install/{name}/lib/{name}/world': f'#!/usr/bin/env python3\n{stand_in}\n\nmain()\n',
     }
+    return {**found, launch: found[launch] + _INCLUDED.format(mark=_mark(stand_in))}
+
+
+def _mark(stand_in: str) -> str:
+    """The line that tells whether world.launch.py was included; another one in each session."""
+    return f'the world is included: {hashlib.sha256(stand_in.encode()).hexdigest()[:12]}'
 
 
 def workspace(learner) -> ExerciseWorkspace:
@@ -164,26 +185,43 @@ def launched(learner) -> dict:
     key = 'story', place.name
     if key not in known:
         known[key] = deliver.story(learner, place, modules(learner))
-    return {**known[key], 'last': _last(known[key]['log'])}
+    told = known[key]
+    return {
+        **told,
+        'last': executables.telling(told['log']),
+        'included': _mark(stand_ins.of(learner).text('world')) in told['log'],
+    }
 
 
 def by_the_file(learner, defaults: dict[str, float]) -> dict:
-    """The parameters of a node that is started with the learner's DELIVERY_YAML, and without the launch file."""
+    """The parameters of a node that is started with the learner's DELIVERY_YAML, and without the launch file.
+
+    Once for all tests; the rule `types`.
+    """
+    text, known = learner.text('DELIVERY_YAML'), learner.server.workspaces
+    key = 'by the file', text
+    if key not in known:
+        known[key] = _by_the_file(learner, text, defaults)
+    found, output = known[key]
+    for word, why in (
+        (
+            'InvalidParameterTypeException',
+            'A value in DELIVERY_YAML has the wrong type: all are doubles, 30.0, not 30.',
+        ),
+        ("Couldn't parse params file", 'ROS cannot read DELIVERY_YAML.'),
+    ):
+        expect(word not in output, f'With your parameter file, no node starts. {why}', 'types')
+    expect(found, f'A node with your parameter file ended with: {executables.telling(output)}', 'types')
+    return json.loads(found)
+
+
+def _by_the_file(learner, text: str, defaults: dict[str, float]) -> tuple[str, str]:
+    """What a node has said that was started with this file: its parameters as JSON, and all of it."""
     mark = f'found {secrets.token_hex(8)} '
-    start = Start(
-        'robot', ('--ros-args', stand_ins.FILE_OPTION, 'own.yaml'), {'own.yaml': learner.text('DELIVERY_YAML')}
-    )
+    start = Start('robot', ('--ros-args', stand_ins.FILE_OPTION, 'own.yaml'), {'own.yaml': text})
     task = start.begin(learner, _REPORT.format(mark=mark, defaults=defaults))
     if task.wait(PATIENCE) is None and busy():
         task.wait(3 * PATIENCE)
     task.end()
     told = [line.removeprefix(mark) for line in task.output.splitlines() if line.startswith(mark)]
-    expect(told, f'A node with your parameter file ended with: {_last(task.output)}', 'types')
-    return json.loads(told[0])
-
-
-def _last(log: str) -> str:
-    """The line of a launch's output that tells most: an error of the learner's program, or else the last one."""
-    lines = [line.strip() for line in log.splitlines() if line.strip() and 'process has died' not in line]
-    telling = [line for line in lines if 'Error' in line or 'Exception' in line]
-    return (telling or lines or ['nothing'])[-1][:300]
+    return (told or [''])[0], task.output

@@ -9,7 +9,7 @@ import secrets
 import signal
 from pathlib import Path
 
-from helpers.checks.chapter_08 import executables
+from helpers.checks.chapter_08 import executables, parameter_files
 from helpers.runner import about, expect, stand_ins
 from helpers.runner.load import busy
 from helpers.runner.observer import Observer
@@ -30,15 +30,15 @@ names = {{'node': governor.get_fully_qualified_name(), 'publishes': governor.out
 print({mark!r} + json.dumps({{**names, **values}}), flush=True)
 rclpy.shutdown()
 """
-_VALUE = r'(\b%s["\x27]?[[:space:]]*:[[:space:]]*)[^,}#]+'  # a parameter's name and its value, however that is written
 PROGRAM = 'governor'
 MOST = 8  # governors that are started; two are asked for
 ROBOTS = ('/robot1/governor', '/robot2/governor')
-DEFAULTS = {'max_linear': 0.5}  # of the program `governor`
+REST = {'slow_linear': (0.2, 'rest')}  # a default of the program `governor`
 WANTED = {  # name of the node → parameter → (value, rule)
-    ROBOTS[0]: {'rate': (20.0, 'rate'), 'max_linear': (1.0, 'robot1'), 'mode': ('normal', 'robot2')},
-    ROBOTS[1]: {'rate': (20.0, 'rate'), 'max_linear': (0.6, 'max-linear'), 'mode': ('slow', 'robot2')},
+    ROBOTS[0]: {'rate': (20.0, 'rate'), 'max_linear': (1.0, 'robot1'), 'mode': ('normal', 'robot2'), **REST},
+    ROBOTS[1]: {'rate': (20.0, 'rate'), 'max_linear': (0.6, 'max-linear'), 'mode': ('slow', 'robot2'), **REST},
 }
+OTHERS = {'rate': (20.0, 'rate'), 'max_linear': (0.6, 'max-linear'), 'mode': ('normal', 'robot2'), **REST}
 
 
 def fleet(learner) -> ExerciseWorkspace:
@@ -84,7 +84,11 @@ def launched(learner) -> dict[str, dict]:
         'types',
     )
     names = [report['node'] for report in reports]
-    expect(names, f'`ros2 launch fleet fleet.launch.py` started no governor. Its output ends: {_last(log)}', 'nodes')
+    expect(
+        names,
+        f'`ros2 launch fleet fleet.launch.py` started no governor. Its output ends: {executables.telling(log)}',
+        'nodes',
+    )
     expect(
         len(set(names)) == len(names),
         f'Several nodes have one name: {", ".join(sorted(names))}. Two robots need two namespaces.',
@@ -94,21 +98,20 @@ def launched(learner) -> dict[str, dict]:
 
 
 def launched_with(learner, values: dict[str, float | str]) -> list[dict]:
-    """What is found of the governors when these values stand in the installed parameter file, wherever one stood.
+    """What is found of the governors when the installed parameter file gives these values to all nodes.
 
     A copy of the launch file is launched, beside a folder with the parameter file as it was.
     """
     share = 'share=$(ros2 pkg prefix --share fleet)'
     workspace = fleet(learner)
-    # A space behind each value: what begins a comment after it must not become a part of it.
-    changes = '; '.join(rf's/{_VALUE % name}/\1{value} /' for name, value in values.items())
     _, reports = _launch(
         learner,
         workspace,
-        f"{share}; cp $share/config/fleet.yaml kept.yaml; sed -Ei '{changes}' $share/config/fleet.yaml; "
+        f'{share}; cp $share/config/fleet.yaml kept.yaml; printf "%s" "$1" > $share/config/fleet.yaml; '
         'mkdir -p elsewhere/launch elsewhere/config; cp $share/launch/fleet.launch.py elsewhere/launch; '
-        'cp kept.yaml elsewhere/config/fleet.yaml',
+        'cp kept.yaml elsewhere/config/fleet.yaml; unset COLCON_PREFIX_PATH',
         'elsewhere/launch/fleet.launch.py',
+        parameter_files.with_values(learner.text('FLEET_YAML'), values),
     )
     workspace.run('bash', '-c', f'{share}; cp kept.yaml $share/config/fleet.yaml')
     return reports
@@ -120,7 +123,7 @@ def alone(learner, *namespaces: str) -> dict[str, dict]:
     arguments = '--ros-args', stand_ins.FILE_OPTION, 'fleet.yaml', '-r'
     log, reports = _reports(learner, [Start(PROGRAM, (*arguments, f'__ns:={one}'), files) for one in namespaces])
     found = {report['node'].removesuffix('/governor'): report for report in reports}
-    expect({*namespaces} <= found.keys(), f'A governor with your parameter file ended with: {_last(log)}')
+    expect({*namespaces} <= found.keys(), f'A governor with your parameter file ended with: {executables.telling(log)}')
     return found
 
 
@@ -149,7 +152,7 @@ def _judge_program(there: list[dict]) -> None:
 
 
 def judge_values(learner) -> None:
-    """The rules `robot1` and `robot2`, and the values of these two for the others."""
+    """The rules `robot1`, `robot2` and `rest`, and the values of these two for the others."""
     there = robots(learner)
     for name, parameters in WANTED.items():
         for parameter, (wanted, rule) in parameters.items():
@@ -179,16 +182,12 @@ def judge_names(learner) -> None:
 
 
 def judge_others(learner, *namespaces: str) -> None:
-    """The rules `rate` and `max-linear`, for governors in these namespaces."""
+    """The rules `rate`, `max-linear` and `rest`, for governors in these namespaces."""
     robots(learner)
     with about('rate'):
         reports = alone(learner, *namespaces)
     for namespace, report in reports.items():
-        for name, wanted, rule in (
-            ('rate', 20.0, 'rate'),
-            ('max_linear', 0.6, 'max-linear'),
-            ('mode', 'normal', 'robot2'),
-        ):
+        for name, (wanted, rule) in OTHERS.items():
             expect(
                 report[name] == wanted,
                 f'A governor in {namespace} with your file has {name} = {report[name]!r}, expected {wanted!r}.',
@@ -200,20 +199,20 @@ def judge_installed_file(learner) -> None:
     """The rule `installed-file`."""
     there = robots(learner)
     drawn = learner.random.randint(21, 49)
-    values = {'rate': float(drawn), 'max_linear': round(1 + drawn / 100, 2), 'mode': 'stop'}
+    values = {'rate': float(drawn), 'max_linear': round(1 + drawn / 100, 2), 'slow_linear': drawn / 100, 'mode': 'stop'}
     again = launched_with(learner, values)
     _judge_program(again)
     found = {report['node']: report for report in again}
-    for name, parameter in [(one, key) for key in ('rate', 'max_linear') for one in ROBOTS] + [(ROBOTS[1], 'mode')]:
-        got, wanted = found.get(name, {}).get(parameter), values[parameter]
-        # A default is in no file: then the rule `max-linear` is broken, and not this one.
-        expect(
-            got == wanted or there[name][parameter] == got == DEFAULTS.get(parameter),
-            f'In the installed config/fleet.yaml, each {parameter} was changed to {wanted}, and {name} has '
-            f'{parameter} = {got}. The launch file must use the installed file, for both, '
-            'find it by the name of the package, wherever it stands itself, and give no values.',
-            'installed-file',
-        )
+    for parameter, wanted in values.items():
+        for name in ROBOTS:
+            got = found.get(name, {}).get(parameter)
+            expect(
+                got == wanted,
+                f'Before the launch, {parameter} became {wanted} for all nodes in the installed config/fleet.yaml, and '
+                f'{name} has {parameter} = {got}. The launch file must use the installed file, for both, '
+                'find it by the name of the package, wherever it stands itself, and give no values.',
+                'installed-file',
+            )
     with about('installed-file'):
         reports = alone(learner, *(name.removesuffix('/governor') for name in ROBOTS))
     for report in reports.values():
@@ -228,11 +227,14 @@ def judge_installed_file(learner) -> None:
             )
 
 
-def _launch(learner, workspace, before: str, what: str) -> tuple[str, list[dict]]:
-    """`ros2 launch` with the words `what`: what it and the governors have printed, and what is found of each node."""
+def _launch(learner, workspace, before: str, what: str, *texts: str) -> tuple[str, list[dict]]:
+    """`ros2 launch` with the words `what`: what it and the governors have printed, and what is found of each node.
+
+    :param before: what bash does before, with these texts as $1, …
+    """
     heard = stand_ins.of(learner)
     heard.release()
-    task = workspace.start('bash', '-c', f'{before}; exec ros2 launch {what}')
+    task = workspace.start('bash', '-c', f'{before}; exec ros2 launch {what}', 'bash', *texts)
     with Observer(learner) as observer:
         strangers = observer.all_there(task, PATIENCE, lambda: len(heard.starts(PROGRAM)))
     starts = heard.starts(PROGRAM)
@@ -257,8 +259,3 @@ def _reports(learner, starts: list[Start]) -> tuple[str, list[dict]]:
         task.end()
     log = '\n'.join(task.output for task in tasks)
     return log, [json.loads(line.removeprefix(mark)) for line in log.splitlines() if line.startswith(mark)]
-
-
-def _last(log: str) -> str:
-    lines = [line.strip() for line in log.splitlines() if line.strip()]
-    return lines[-1][:300] if lines else 'nothing'

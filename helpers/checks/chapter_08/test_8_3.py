@@ -16,7 +16,7 @@ def test_two_robots(learner):
     fleets.robots(learner)
 
 
-@pytest.mark.rules('robot1', 'robot2')
+@pytest.mark.rules('robot1', 'robot2', 'rest')
 def test_values(learner):
     """robot1 has max_linear 1 and the mode normal; robot2 has max_linear 0.6 and the mode slow; both have the rate 20.
 
@@ -34,7 +34,7 @@ def test_names(learner):
     fleets.judge_names(learner)
 
 
-@pytest.mark.rules('rate', 'max-linear', 'robot2')
+@pytest.mark.rules('rate', 'max-linear', 'robot2', 'rest')
 def test_another_robot(learner):
     """The parameter file is good for a third robot, too: in any other namespace, rate 20 and max_linear 0.6.
 
