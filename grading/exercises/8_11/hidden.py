@@ -144,8 +144,10 @@ RIGHT = {
             '        return response',
             "        response.message = response.message or f'{request.name} is noted'\n        return response",
         ),
-        cancelled=PARTS['cancelled'].replace("'cancelled'", "'called back'"),
-        lost=PARTS['lost'].replace("'lost'", "'nobody tells where I am'"),
+        # How a drive ended that did not arrive, it need not say: only the message of an arrival must differ.
+        cancelled=PARTS['cancelled'].replace("'cancelled'", "'not there'"),
+        lost=PARTS['lost'].replace("'lost'", "'not there'"),
+        rest=PARTS['rest'].replace("'too late'", "'not there'"),
         arrived=PARTS['arrived'].replace("'arrived'", "'here I am'"),
     ),
 }

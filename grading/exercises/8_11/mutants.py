@@ -65,6 +65,18 @@ def test_drive(bench):
         assert done.status == getattr(GoalStatus, f'STATUS_{end}')
         assert end != 'SUCCEEDED' or done.result.message == 'arrived'
         ''', expect='fails with a robot that does what', breaks='right-robots'),
+    Mutant('a_message_for_each_end', edits=(("""
+            @pytest.mark.parametrize('end, place', [
+            """, """
+            words = {}
+
+
+            @pytest.mark.parametrize('end, place', [
+            """), ("assert bench.result(goal).status == getattr(GoalStatus, f'STATUS_{end}')", """
+            done = bench.result(goal)
+            assert done.status == getattr(GoalStatus, f'STATUS_{end}')
+            assert words.setdefault(done.result.message, end) == end
+            """)), expect='fails with a robot that does what', breaks='right-robots'),
     Mutant('no_word_for_a_success', old="bench.set_station('gate', 2.0, 0.0)",
            new="assert bench.set_station('gate', 2.0, 0.0).message == ''", breaks='right-robots',
            expect='ask for nothing that is not in the specification'),

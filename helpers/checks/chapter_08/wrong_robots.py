@@ -13,12 +13,13 @@ from helpers.checks.chapter_08.planted import OWN, ROBOT
 _WAYS = 'silent idle any_place any_value moon two early deaf succeeded runs_on blind offended still'.split()
 _YES, _NO = '1 < 2', '2 < 1'  # `helpers.runner.disguise` computes the same with drawn numbers
 # Besides: how a drive has ended, and why a place was refused, is said in other words, and where nothing was said, there
-# is a word. That is right all the same.
+# is a word. All drives that do not arrive end with the same words. That is right all the same.
 _BEHIND = """
 
 import inspect
 
 import rclpy.action
+from action_msgs.msg import GoalStatus
 
 
 def through(callback, before, after):
@@ -51,7 +52,7 @@ class ActionServer(rclpy.action.ActionServer):
         super().register_cancel_callback(callback and through(callback, self.on_cancel, self.after_cancel))
 
     def register_execute_callback(self, callback):
-        super().register_execute_callback(through(callback, self.on_execute, turned))
+        super().register_execute_callback(through(callback, self.on_execute, self.after_execute))
 
     def on_goal(self, request):
         if {moon}:
@@ -70,8 +71,14 @@ class ActionServer(rclpy.action.ActionServer):
         return answer
 
     def on_execute(self, goal):
+        self.executed = goal
         if {succeeded}:
             goal.canceled = goal.succeed
+
+    def after_execute(self, result):
+        if self.executed.status != GoalStatus.STATUS_SUCCEEDED:
+            result.message = 'not there'
+        return turned(result)
 
 
 _steer, _rounds = steer, []
