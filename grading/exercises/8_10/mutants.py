@@ -44,6 +44,9 @@ MUTANTS = [
     Mutant('nobody_hears', old=ROBOT, new=ROBOT.replace("output='screen'",
                                                         "output='screen', remappings=[('cmd_vel', 'motor')]"),
            expect='This never came', breaks='drives', alone=True),
+    Mutant('status_under_another_name', old=ROBOT,
+           new=ROBOT.replace("output='screen'", "output='screen', remappings=[('status', 'robot_status')]"),
+           expect="on /status", breaks='drives', alone=True),
     Mutant('something_never_ends', old=ROBOT, new="""
         ExecuteProcess(cmd=['bash', '-c', 'trap "" INT TERM; sleep 600 & wait; wait'], sigterm_timeout='60'),
         Node(package='delivery_robot', executable='robot', output='screen', parameters=[

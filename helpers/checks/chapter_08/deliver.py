@@ -16,6 +16,7 @@ from ament_index_python.packages import get_package_share_directory
 from delivery_interfaces.action import GoToStation
 from delivery_interfaces.srv import SetStation
 from rclpy.action import ActionClient
+from std_msgs.msg import String
 
 from helpers.checks.chapter_08 import parameter_files
 from helpers.runner import stand_ins
@@ -119,6 +120,8 @@ class Customer:
         self._most: Counter[str] = Counter()  # who spoke at one moment
         self.stations = self.node.create_client(SetStation, 'set_station')
         self.action = ActionClient(self.node, GoToStation, 'go_to_station')
+        self.status: list[str] = []  # what came on /status
+        self.node.create_subscription(String, 'status', lambda message: self.status.append(message.data), 10)
 
     @property
     def x(self) -> float:
@@ -217,6 +220,9 @@ def _story(customer: Customer, told: dict) -> None:
     told['stopped_at'] = round(customer.x, 3)
     told['arrived'] = customer.drive(near)
     customer.until(customer.stands, 'the robot standing at the station')
+    driving = f'driving to {near}'
+    customer.until(lambda: driving in customer.status, f'{driving!r} on /status')
+    customer.until(lambda: customer.status[-1] == 'idle', "'idle' on /status, after the drive")
     told['ended_at'] = round(customer.x, 3)
     told['retraced'] = round(customer.way.retraced(), 3)
     told['nodes'] = customer.observer.nodes()
