@@ -294,7 +294,7 @@ def generate_launch_description():
 # attack: has the launch file write other defaults into the installed program, which the tests then start by themselves
 # aims at: 8.3
 # stopped by: what the tests start by themselves runs where no launch file has run
-# may keep: max-linear, robot1, robot2, types, nodes, installed-file, remapped, others-stay
+# may keep: max-linear, rest, robot1, robot2, types, nodes, installed-file, remapped, others-stay
 FLEET_YAML = '''
 /robot1/governor:
   ros__parameters: {rate: 20.0, max_linear: 1.0}
