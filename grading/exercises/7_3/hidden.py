@@ -28,6 +28,7 @@ def test_read_topics(learner):
     ]
     strange = next(kind for kind in graphs.MESSAGES if kind != endpoints[0]['type'])  # two types on one topic
     endpoints.append({**endpoints[0], 'node': '/house/hall/stranger', 'role': 'subscription', 'type': strange})
+    endpoints += graphs.publishers_beside(next(end for end in endpoints if end['role'] == 'subscription'), '/house')
     secret = {**endpoints[0], 'node': '/_secret', 'role': 'subscription'}
     with graphs.System(learner.context.get_domain_id()) as system, about('read'):
         for endpoint in [secret, *endpoints]:
@@ -115,6 +116,7 @@ def test_it_hears(learner, fault):
         graphs.started_again(learner, fault, 10.0, rule)
         if fault == 'name':
             graphs.started_again(learner, fault, 10.0, rule, apart=True)
+            graphs.asks_again(learner, 10.0)
 
 
 @pytest.mark.rules('no-repair')

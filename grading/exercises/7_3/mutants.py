@@ -94,4 +94,11 @@ MUTANTS = [
     Mutant('nobody_hears_itself', old="if e['name'] == end['name']]",
            new="if e['name'] == end['name'] and e['node'] != end['node']]", breaks='fits', also=('nobody', 'name'),
            expect='there is no such fault'),
+    Mutant('first_publisher_of_a_topic', old='node.get_publishers_info_by_topic(name))',
+           new='node.get_publishers_info_by_topic(name)[:1])', expect='There is', breaks='read'),
+    Mutant('one_endpoint_for_a_node_and_a_topic', old='return [endpoint for endpoint in found if not usual(endpoint)]',
+           new="return [*{(one['node'], one['name']): one for one in found if not usual(one)}.values()]", expect='There is',
+           breaks='read'),
+    Mutant('clients_are_not_repaired', old="if cause == 'name' else []",
+           new="if cause == 'name' and finding.fault != 'waiting' else []", expect='expected two texts', breaks='remapping'),
 ]

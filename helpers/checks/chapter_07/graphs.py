@@ -273,6 +273,30 @@ def started_again(learner, fault: str, seconds: float, rule: str, apart: bool = 
     )
 
 
+def asks_again(learner, seconds: float) -> None:
+    """Rule `remapping` for a client: started again with the learner's arguments, it finds the server that was meant."""
+    endpoints, expected = draw(learner.random, 'service name')
+    deaf = expected[0][1].split()
+    mine = next(end for end in endpoints if [end['node'], end['name']] == deaf)
+    other = next(end for end in endpoints if end['node'].endswith('/sender_0'))
+    with about('remapping'):
+        arguments = learner.call('repair_finding_of_graph', list(expected[0]))
+    with System(learner.context.get_domain_id()) as system, about('remapping'):
+        system.add(other)
+        client = restart(system, mine, arguments)
+        expect(
+            client.wait_for_service(seconds),
+            f'For {expected[0]} repair_graph gave {arguments}: started again with that, {deaf[0]} finds no server.',
+            'remapping',
+        )
+
+
+def publishers_beside(subscription: dict, space: str) -> list[dict]:
+    """Two publishers on the topic of a subscription: one of the same node, and one of a node in this namespace."""
+    own = {**subscription, 'role': 'publisher'}
+    return [own, {**own, 'node': f'{space}/second_mouth'}]
+
+
 def check_read(seen, there: list[dict]) -> None:
     """Fail with words if `seen`, by the learner's read_topics, is anything else than the endpoints that are there."""
     expect(isinstance(seen, list) and all(isinstance(end, dict) for end in seen), f'You return {seen!r}.', 'read')
