@@ -103,14 +103,14 @@ def test_lost_and_late(learner):
         judge_timeout(drives, timeout)
 
 
-@pytest.mark.rules('single', 'next')
+@pytest.mark.rules('single', 'next', 'succeeds')
 @pytest.mark.weight(2)
 def test_two_goals(learner):
     """Of two goals of one moment one is accepted, wherever its callback stands just then; again and again."""
     judge_two_goals(learner)
 
 
-@pytest.mark.rules('state', 'single')
+@pytest.mark.rules('state', 'single', 'action', 'next')
 def test_two_robots(learner):
     """What one robot does is nothing to another robot in the same program."""
     judge_two_robots(learner)

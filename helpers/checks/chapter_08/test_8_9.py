@@ -58,7 +58,7 @@ def test_lost_and_late(learner):
         drives.judge_timeout(there, timeout)
 
 
-@pytest.mark.rules('single', 'next')
+@pytest.mark.rules('single', 'next', 'succeeds')
 def test_two_goals(learner):
     """Of two goals of one moment one is accepted, wherever its callback stands just then; again and again.
 
@@ -67,7 +67,7 @@ def test_two_goals(learner):
     two_at_once.judge_two_goals(learner)
 
 
-@pytest.mark.rules('state', 'single')
+@pytest.mark.rules('state', 'single', 'action', 'next')
 def test_two_robots(learner):
     """What one robot does is nothing to another robot in the same program.
 

@@ -15,10 +15,13 @@ AWAY, THERE = (GATE[0] - 1.5, 0.0), (GATE[0] - 0.2, 0.0)  # x in metres, yaw in 
 def judge_two_goals(learner) -> None:
     """The rules `single` and `next`: two goals come, and a goal callback stands aside at one place after the other.
 
-    Each time the robot is then put to the station, so that the next two can come soon.
+    Each time the robot is then put to the station, so that the next two can come soon. That a goal which is alone ends
+    there is looked at before: it is the rule `succeeds`.
     """
     with about('single'):
         held = Held(learner, switches=True)
+    held.stand(*AWAY, 0.1)
+    _judge_end(held, held.go('next'), 'A goal came', 'succeeds')
     for place in range(1, MOST_PLACES):
         held.stand(*AWAY, 0.1)
         held.node.switch(place, hold=True)
@@ -45,12 +48,12 @@ def judge_two_goals(learner) -> None:
             "self.state until it is set. In the node's own callback group one runs after the other.",
             'single',
         )
-        _judge_end(held, accepted[0])
+        _judge_end(held, accepted[0], 'Two goals came at one moment, and one was accepted', 'single')
         if done and place >= LEAST_PLACES:
             break
 
 
-def _judge_end(held: Held, goal) -> None:
+def _judge_end(held: Held, goal, told: str, rule: str) -> None:
     """The robot comes to the station: the goal ends."""
     for _ in range(ROUNDS):
         if goal.done:
@@ -58,32 +61,40 @@ def _judge_end(held: Held, goal) -> None:
         held.stand(*THERE, 0.1)
     expect(
         goal.status == 'succeeded',
-        'Two goals came at one moment, and one was accepted. Then the robot was at the station, and '
-        f'{ROUNDS / 10:g} s later the goal is {goal.status or "still running"}, expected succeeded.',
-        'single',
+        f'{told}. Then the robot was at the station, and {ROUNDS / 10:g} s later the goal is '
+        f'{goal.status or "still running"}, expected succeeded.',
+        rule,
     )
 
 
 def judge_two_robots(learner) -> None:
-    """The rules `state` and `single`: what one robot does is nothing to another one in the same program."""
+    """The rules `state` and `single`: what one robot does is nothing to another one in the same program.
+
+    The one in a namespace drives first: so a server without a relative name is told as what it is.
+    """
     with about('state'):
         held = Held(learner)
     name = f'/robot{learner.random.randint(2, 99)}'
-    heard = learner.listen(f'{name}/status', String)
+    heard = learner.listen('/status', String)
     stations = learner.client(f'{name}/set_station', SetStation)
     client = learner.action_client(f'{name}/go_to_station', GoToStation)
     with about('state'):
         learner.start('DeliveryRobot', beside=held.node, threads=True, cli_args=['--ros-args', '-r', f'__ns:={name}'])
     held.stand(*AWAY, 0.1)
     stations.call(name='gate', x=GATE[0], y=GATE[1])
-    goal = held.go('next')
+    with about('action'):
+        goal = client.send(station='gate')
+        learner.settle()
+    expect(
+        goal.accepted, f'The goal gate of {name} was rejected. The station is known, and no other goal runs.', 'next'
+    )
     held.stand(*AWAY, 0.7)
     said = heard.data[-1] if heard.data else 'nothing'
     words = 'Two robots are in one program, and one of them drives. '
     own = 'Keep the state of a robot in the object (self), and nowhere in its class.'
     expect(said == 'idle', f"{words}The status of the other one is {said!r}, expected 'idle'. {own}", 'state')
     with about('single'):
-        other = client.send(station='gate')
+        other = held.send()
         learner.settle()
     expect(other.accepted, f'{words}The other one rejects its goal, and no other goal of its own runs. {own}', 'single')
     held.stand(*AWAY, 0.3)
