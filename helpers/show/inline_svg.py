@@ -12,7 +12,11 @@ import hashlib
 from html import escape
 
 PAGE_COLOUR = 'color: var(--jp-ui-font-color1, currentColor)'  #: in the style of a drawing that is given to `html`
-_CARD = 'color: #20262e; background: #fcfcfa'  # an image does not know the page's colours
+# An image does not know the page's colours, only whether they are dark: by the `color-scheme` of its element.
+_CARD = (
+    '<style>:root {color: #20262e; background: #fcfcfa} '
+    '@media (prefers-color-scheme: dark) {:root {color: #e6e9ee; background: #181b20}}</style>'
+)
 
 
 def html(svg: str, width: float, alternative: str) -> str:
@@ -21,7 +25,8 @@ def html(svg: str, width: float, alternative: str) -> str:
     :param svg: its root has a ``style`` with `PAGE_COLOUR` in it.
     :param width: the greatest one, in px.
     """
-    image = base64.b64encode(svg.replace(PAGE_COLOUR, _CARD).encode()).decode()
+    root, end, rest = svg.replace(PAGE_COLOUR, '').partition('>')
+    image = base64.b64encode(f'{root}{end}{_CARD}{rest}'.encode()).decode()
     name = 'drawing-' + hashlib.sha256(svg.encode()).hexdigest()[:12]  # the style of one output reaches all others
     return (
         f'<div hidden="hidden" class="{name}">{svg}</div>'

@@ -5,9 +5,9 @@ from jinja2 import Environment
 from helpers.show import inline_svg
 
 _COLOURS = ('#3b6fb6', '#b3541e', '#2e7d4f', '#8e4a9e', '#1f7a8c', '#a8324a', '#6b6f2a', '#5c5f66')
-_LEFT, _WIDTH, _LANE, _BAR = 84, 760, 44, 20  # px: begin of the time axis, whole width, height of a lane, of a bar
-_RIGHT = 66  # px; room for the label of the last bar
-_CHARACTER = 6.2  # px; width of a character of the bars' font
+_LEFT, _WIDTH, _LANE, _BAR = 90, 760, 44, 20  # px: begin of the time axis, whole width, height of a lane, of a bar
+_RIGHT = 74  # px; room for the label of the last bar
+_CHARACTER = 6.8  # px; width of a character
 _MOST_LINES = 60  # of text
 _KINDS = {
     'publish': 'publishes on',
@@ -27,7 +27,7 @@ _LINE = '<line x1="-2" y1="12" x2="16" y2="12" stroke="currentColor" stroke-widt
 _TEMPLATE = Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True).from_string("""\
 <svg xmlns="http://www.w3.org/2000/svg" role="img" viewBox="0 0 {{ width }} {{ height }}" \
 style="width: 100%; max-width: {{ width }}px; height: auto; {{ page_colour }}" \
-font-family="system-ui, -apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif" font-size="11" fill="currentColor">
+font-family="system-ui, -apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif" font-size="12" fill="currentColor">
 <title>{{ summary }}</title>
 <desc>{{ description }}</desc>
 {% for entry in legend %}
@@ -65,7 +65,7 @@ rx="{{ [4, part.width / 2] | min }}" fill="{{ bar.colour }}"/>
 {% endfor %}
 {% for bar in bars if bar.text %}
 <text x="{{ bar.text_x }}" y="{{ bar.y + bar.height / 2 + 4 }}" \
-fill="{{ '#ffffff' if bar.inside else 'currentColor' }}" font-size="10.5">{{ bar.text }}</text>
+fill="{{ '#ffffff' if bar.inside else 'currentColor' }}" font-size="12">{{ bar.text }}</text>
 {% endfor %}
 {% for mark in marks %}
 <g><title>{{ mark.title }}</title>{{ mark.sign }}</g>

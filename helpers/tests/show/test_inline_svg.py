@@ -5,6 +5,7 @@ import re
 from xml.etree import ElementTree
 
 from helpers.show import inline_svg
+from helpers.tests.show.contrast import contrast
 
 SVG = f'<svg xmlns="http://www.w3.org/2000/svg" style="{inline_svg.PAGE_COLOUR}"><text>a word</text></svg>'
 
@@ -13,7 +14,13 @@ def test_the_image_is_the_drawing_with_colours_of_its_own():
     shown = ElementTree.fromstring(f'<div>{inline_svg.html(SVG, 300, "a <word>")}</div>')
     image = shown.find('img')
     drawn = base64.b64decode(image.get('src').partition(',')[2]).decode()
-    assert drawn == SVG.replace(inline_svg.PAGE_COLOUR, 'color: #20262e; background: #fcfcfa')
+    svg = ElementTree.fromstring(drawn)
+    style, word = svg
+    assert (inline_svg.PAGE_COLOUR in drawn, word.text) == (False, 'a word')
+    light, dark = (dict(re.findall(r'(color|background): (#\w{6})', part)) for part in style.text.split('@media'))
+    assert '(prefers-color-scheme: dark)' in style.text
+    assert contrast(light['color'], light['background']) > 7 < contrast(dark['color'], dark['background'])
+    assert contrast(light['background'], '#ffffff') < 1.2 > contrast(dark['background'], '#111111')
     assert image.get('alt') == 'a <word>' and 'max-width: 300px' in image.get('style')
 
 
