@@ -16,7 +16,7 @@ MEDIAN_LINES = 6
 METADATA = {'tags', 'editable', 'deletable', 'slideshow', 'jupyter'}
 NBVAL_TAGS = {'nbval-check-output', 'nbval-ignore-output', 'nbval-raises-exception', 'nbval-skip'}
 # Checked statements by chapter, see `checked`. Raise a number when a chapter has got more; never lower it.
-CHECKED_AT_LEAST = {1: 30, 2: 27, 3: 47, 4: 42, 5: 33, 6: 57, 7: 60, 8: 39}
+CHECKED_AT_LEAST = {1: 30, 2: 27, 3: 47, 4: 54, 5: 48, 6: 70, 7: 60, 8: 39}
 OTHER_DISTRIBUTION = re.compile(r'docs\.ros\.org/en/(?!jazzy/)[a-z]+')
 BY_HAND = re.compile(r"""check\(['"]\d+\.\d+['"]\)|# Exercise \d+\.\d+\b.*""")
 
