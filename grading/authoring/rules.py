@@ -18,6 +18,7 @@ NBVAL_TAGS = {'nbval-check-output', 'nbval-ignore-output', 'nbval-raises-excepti
 # Checked statements by chapter, see `checked`. Raise a number when a chapter has got more; never lower it.
 CHECKED_AT_LEAST = {1: 30, 2: 27, 3: 47, 4: 54, 5: 48, 6: 70, 7: 60, 8: 39}
 OTHER_DISTRIBUTION = re.compile(r'docs\.ros\.org/en/(?!jazzy/)[a-z]+')
+BELOW_A_HINT = re.compile(r'</details>\s+(?=[^\s<])')
 BY_HAND = re.compile(r"""check\(['"]\d+\.\d+['"]\)|# Exercise \d+\.\d+\b.*""")
 
 
@@ -99,6 +100,10 @@ def _check_chapter(chapter: Chapter) -> Iterator[AuthoringError]:
             yield AuthoringError(
                 chapter.path, cell.line, f'a link to {other[0]}', 'link to the page of Jazzy, or to a branch "jazzy"'
             )
+        if cell.kind == 'markdown' and (hint := BELOW_A_HINT.search(cell.source)):
+            line = cell.line + cell.source[: hint.end()].count('\n')
+            problem = 'this text has no distance from the folded hint above it'
+            yield AuthoringError(chapter.path, line, problem, "begin a cell of its own for it, by a line '+++'")
         if cell.kind == 'code':
             for problem, remedy in (*_code_cell(cell), *_metadata(cell)):
                 yield AuthoringError(chapter.path, cell.line, problem, remedy)

@@ -93,6 +93,13 @@ def test_the_tiny_chapter_has_no_mistake(tree):
             'a link to docs.ros.org/en/rolling',
             'the page of Jazzy',
         ),
+        (
+            'Some prose.',
+            'Some prose.\n\n<details><summary>Hint</summary>\n\nThink.\n\n</details>\n\nMore prose.',
+            'More prose.',
+            'no distance from the folded hint',
+            "a line '+++'",
+        ),
     ],
 )
 def test_a_mistake_names_file_line_and_mend(tree, old, new, line, problem, remedy):
