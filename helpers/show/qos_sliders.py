@@ -12,7 +12,7 @@ WORK = 0.1  # s that the reader needs for one message
 _WINDOW = 3.0  # s in the picture
 _PERIOD = 0.5  # s from one picture to the next
 _LOOK = 0.05  # s between two looks at what is wanted
-_WIDTH, _SENT, _READ, _BOTTOM = 560, 24, 104, 134  # px of the picture, and where its rows are
+_WIDTH, _SENT, _READ, _BOTTOM = 560, 24, 104, 138  # px of the picture, and where its rows are
 _RELIABILITIES = ['RELIABLE', 'BEST_EFFORT']
 
 
@@ -143,9 +143,9 @@ def _svg(now: float, sent: dict, read: list) -> str:
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_WIDTH}" viewBox="0 0 {_WIDTH} {_BOTTOM}" '
         f'font-family="sans-serif" font-size="13" fill="currentColor" style="{inline_svg.PAGE_COLOUR}">'
-        f'<text x="0" y="{_SENT}">sent</text><text x="0" y="{_READ + 6}">read</text>'
-        f'<text x="60" y="{_BOTTOM - 4}">{_WINDOW:.0f} s ago</text>'
-        f'<text x="{_WIDTH - 10}" y="{_BOTTOM - 4}" text-anchor="end">now</text>'
+        f'<text x="8" y="{_SENT}">sent</text><text x="8" y="{_READ + 6}">read</text>'
+        f'<text x="60" y="{_BOTTOM - 8}">{_WINDOW:.0f} s ago</text>'
+        f'<text x="{_WIDTH - 10}" y="{_BOTTOM - 8}" text-anchor="end">now</text>'
         f'<path d="{" ".join(marks)}" stroke="#777777"/>'
         f'<path d="{" ".join(lines)}" stroke="{GOOD if lines else BAD}" fill="none"/></svg>'
     )
