@@ -142,11 +142,13 @@ class Learner:
         self.wait_until_idle()
 
     def open_terminal(self) -> None:
-        """Menu: File, New, Terminal; it has the keyboard then."""
+        """Menu: File, New, Terminal; it has the keyboard then. Terminals that are open already stay as they are."""
+        before = self.page.evaluate(_TERMINALS)
         self.page.get_by_role('menuitem', name='File', exact=True).click()
         for entry in ('New', 'Terminal'):
             self.page.locator('.lm-Menu-itemLabel').get_by_text(entry, exact=True).click()
-        self.page.locator('.jp-Terminal .xterm-screen').click()
+        opened = self.page.wait_for_function(f'before => ({_TERMINALS})().find(id => !before.includes(id))', arg=before)
+        self.page.locator(f'#{opened.json_value()} .xterm-screen').click()
 
     def type_lines(self, text: str) -> None:
         """Type lines into the terminal, each with Enter."""
@@ -304,6 +306,7 @@ _RAN_AGAIN = f"""([index, before]) => {{
     return count !== null && count !== before;
 }}"""
 _SOURCE = f'(index) => {_NOTEBOOK}.widgets[index].model.sharedModel.getSource()'
+_TERMINALS = '() => [...document.querySelectorAll(".jp-Terminal")].map(terminal => terminal.id)'
 _FOCUSED = '() => document.activeElement?.tagName === "A" ? document.activeElement.textContent : ""'
 _MORE_THAN = f'(count) => {_NOTEBOOK}.widgets.length > count'
 _ACTIVE = f'() => {_NOTEBOOK}.activeCell.model.id'

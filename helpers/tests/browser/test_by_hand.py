@@ -228,6 +228,17 @@ def written(package: dict[str, str]) -> str:
     return '\n'.join(f"cat > 'patrol/{path}' <<'END'\n{text.rstrip()}\nEND" for path, text in package.items())
 
 
+def test_a_second_terminal_is_opened_beside_the_first(newcomer, address, folder):
+    learner, shells = newcomer(), []
+    learner.open_notebook(address)
+    for name in ('first', 'second'):
+        learner.open_terminal()
+        learner.type_lines(f'tty > {name}.tmp && mv {name}.tmp {name}.txt')
+        jupyterlab.wait_for_file(folder / f'{name}.txt')
+        shells.append((folder / f'{name}.txt').read_text())
+    assert len(set(shells)) == 2
+
+
 @needs_solutions
 @pytest.mark.one_of(4, group=2)  # the check itself builds the package several times
 def test_a_package_is_made_in_the_terminal_and_its_check_passes(newcomer, address, folder):
