@@ -88,7 +88,9 @@ class Outcome:
         placed = re.findall(r'test_\w+\.py:(\d+): (.*)$', self.output, re.MULTILINE)
         name, said = named[-1] if named else ('', '')
         line, error = placed[-1] if placed else ('', '')
-        said = (said or error).strip()[:200]
+        if not said or said.endswith('...'):  # cut at the width of a terminal
+            said = error or said
+        said = said.strip()[:200]
         return ', '.join([*([f'your test {name}'] if name else []), *([f'line {line}'] if line else [])]) + (
             f': {said}' if said else ''
         )
