@@ -41,7 +41,7 @@ MUTANTS = [
          if not following and len(pages) == goal.request.order:
              self.occupied = False
          ''')), expect='never began'),
-    Mutant('absolute_name', breaks='names', old="'print', self.execute", new="'/print', self.execute",
+    Mutant('absolute_name', breaks='names', also='queue', old="'print', self.execute", new="'/print', self.execute",
            expect='without a leading slash'),
     Mutant('other_name', breaks='names', old="super().__init__('printer')", new="super().__init__('print')",
            expect='Your node is called'),
@@ -171,7 +171,7 @@ MUTANTS = [
            new='self.places, self.goals, self.lock = places or 2,', expect='was accepted, although one goal ran'),
     Mutant('unbounded', breaks='places', also=('cancel-waiting',), old=FULL, new='full = False',
            expect='was accepted, although one goal ran'),
-    Mutant('counts_the_one_that_runs', breaks='places', also=('cancel-waiting', 'others'), old=FULL,
+    Mutant('counts_the_one_that_runs', breaks='places', also=('cancel-waiting', 'others', 'lock'), old=FULL,
            new='full = len(self.goals) >= max(1, self.places)', expect='was rejected, although one goal ran'),
     Mutant('one_more', breaks='places', also=('cancel-waiting',), old=FULL,
            new='full = len(self.goals) > self.places + 1', expect='was accepted, although one goal ran'),
