@@ -29,7 +29,7 @@ MUTANTS = [
     Mutant('own_namespace', breaks='topics', old="super().__init__('heartbeat')",
            new="super().__init__('heartbeat', namespace='robot')", expect="gives itself the namespace 'robot'"),
     Mutant('absolute_reset', old="'reset'", new="'/reset'", expect='a relative name has no leading slash',
-           breaks='topics'),
+           breaks='topics', also='reset'),
     Mutant('best_effort_led', old="(Bool, 'led', 10)", new="(Bool, 'led', qos_profile_sensor_data)",
            imports='from rclpy.qos import qos_profile_sensor_data', expect='BEST_EFFORT', breaks='qos'),
     Mutant('counts_from_zero', old='''

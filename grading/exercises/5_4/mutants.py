@@ -17,7 +17,7 @@ MUTANTS = [
             '''), ('if goal.is_cancel_requested or distance < 0.1:', 'if goal.is_cancel_requested or there:'),
            ('goal.succeed if distance < 0.1 else', 'goal.succeed if there else')),
            expect='0.09 m in x, and 0.09 m in y'),
-    Mutant('forgets_the_pose', breaks='next', also=('no-pose', 'give-up', 'arrive', 'busy', 'zeros'),
+    Mutant('forgets_the_pose', breaks='next', also=('no-pose', 'give-up', 'arrive', 'busy', 'zeros', 'field'),
            old='self.busy = False', new='self.busy, self.pose = False, None',
            expect='the newest pose stays'),
     Mutant('no_feedback_while_it_turns', breaks='feedback', old='if step % 2 == 0:',
