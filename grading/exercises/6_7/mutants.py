@@ -55,6 +55,9 @@ MUTANTS = [
            new='disc = f\'<cylinder radius="{radius}" length="0.05"/>\'', expect='is 0.05 m wide'),
     Mutant('ball_wheels', breaks='wheels', also=('inertia',), old=DISC,
            new='disc = f\'<sphere radius="{radius}"/>\'', expect='is a sphere, expected a cylinder'),
+    Mutant('a_wheel_that_grips_less', breaks='wheels', also=RIDE, old='<gazebo reference="caster">',
+           new='<gazebo reference="right_wheel"><mu1>0.6</mu1></gazebo><gazebo reference="caster">',
+           expect='`left_wheel` has the friction 1 and `right_wheel` 0.6'),
     Mutant('a_wheel_without_friction', breaks='wheels', also=RIDE, old='<gazebo reference="caster">',
            new='<gazebo reference="left_wheel"><mu1>0</mu1></gazebo><gazebo reference="caster">',
            expect='has the friction 0, expected at least 0.5'),
@@ -132,6 +135,8 @@ MUTANTS = [
            new='<wheel_separation>{separation / 2}<', expect='Do wheel_radius and wheel_separation'),
     Mutant('slow_motors', breaks='arrives', old=AXIS, new=AXIS + '<limit effort="2" velocity="0.5"/>',
            expect='It is too slow'),
+    Mutant('slow_drive', breaks='arrives', old='<wheel_radius>',
+           new='<max_linear_velocity>0.1</max_linear_velocity><wheel_radius>', expect='It is too slow'),
     Mutant('wide_bumpers', breaks='arrives', old="'<link name=\"laser\"/>',", new="""
         '<link name="laser"/>',
         link('bumper', '<box size="0.04 1.6 0.02"/>', ''),

@@ -198,6 +198,13 @@ class Scout:
                 'grip turns, and the robot stays where it is.',
                 'wheels',
             )
+        left, right = (self.found['links'][wheel]['friction'] for wheel in WHEELS)
+        expect(
+            math.isclose(left, right),
+            f'{self.name}: `left_wheel` has the friction {left:g} and `right_wheel` {right:g}, expected the same: the '
+            'one that grips less slips, and the robot leaves its way.',
+            'wheels',
+        )
 
     def check_caster(self) -> None:
         """The rule `caster`."""
@@ -387,7 +394,7 @@ class Scout:
             way['there'] and math.dist((x, y), wanted) < 0.15,
             f'{self.name} was driven to the {station}, at {words(wanted)}. After {way["took"]:.0f} s it is at '
             f'{words((x, y))}.',
-            (not way['there'], 'It is too slow: are the <limit>s of the joints too small?'),
+            (not way['there'], 'It is too slow: are the <limit>s of the joints too small, or those of the <plugin>?'),
             rule='arrives',
         )
         expect(

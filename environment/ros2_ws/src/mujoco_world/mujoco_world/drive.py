@@ -28,7 +28,7 @@ class Odometry:
 
 
 class Controller:
-    """Follows a commanded velocity within the drive's acceleration limits."""
+    """Follows a commanded velocity within the drive's limits of velocity and acceleration."""
 
     def __init__(self, drive: Drive):
         self.drive = drive
@@ -38,9 +38,11 @@ class Controller:
     def step(self, seconds: float) -> tuple[float, float]:
         """Return the speeds of the left and the right wheel, in rad/s, `seconds` later."""
         limits = (self.drive.linear_acceleration, self.drive.angular_acceleration)
+        ranges = (self.drive.linear_velocity, self.drive.angular_velocity)
+        targets = [max(least, min(most, target)) for target, (least, most) in zip(self.target, ranges, strict=True)]
         self._now = tuple(
             now + max(-limit * seconds, min(limit * seconds, target - now)) if limit < inf else target
-            for now, target, limit in zip(self._now, self.target, limits, strict=True)
+            for now, target, limit in zip(self._now, targets, limits, strict=True)
         )
         linear, angular = self._now
         half = angular * self.drive.separation / 2

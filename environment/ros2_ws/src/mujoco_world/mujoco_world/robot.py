@@ -17,7 +17,10 @@ DRIVE = 'gz::sim::systems::DiffDrive'
 
 @dataclass(frozen=True)
 class Drive:
-    """A differential drive: two joints, and what its controller believes about the wheels (metres; m/s², rad/s²)."""
+    """A differential drive: two joints, and what its controller believes about the wheels (metres; m/s², rad/s²).
+
+    `linear_velocity` and `angular_velocity` are the least and the largest velocity that it tries (m/s, rad/s).
+    """
 
     left: str
     right: str
@@ -25,6 +28,8 @@ class Drive:
     radius: float
     linear_acceleration: float = inf
     angular_acceleration: float = inf
+    linear_velocity: tuple[float, float] = (-inf, inf)
+    angular_velocity: tuple[float, float] = (-inf, inf)
     odom_frame: str = 'odom'
     base_frame: str = 'base_footprint'
 
@@ -114,9 +119,22 @@ def _drive(plugin: Element, description: urdf_reader.Robot) -> Drive:
         radius=_number(plugin, 'wheel_radius', at_least=1e-3),
         linear_acceleration=_number(plugin, 'max_linear_acceleration', inf, at_least=1e-3),
         angular_acceleration=_number(plugin, 'max_angular_acceleration', inf, at_least=1e-3),
+        linear_velocity=_velocities(plugin, 'linear'),
+        angular_velocity=_velocities(plugin, 'angular'),
         odom_frame=plugin.findtext('frame_id', 'odom').strip(),
         base_frame=plugin.findtext('child_frame_id', 'base_footprint').strip(),
     )
+
+
+def _velocities(plugin: Element, kind: str) -> tuple[float, float]:
+    """The least and the largest velocity; <min_velocity> and <max_velocity> stand for both kinds, as in Gazebo."""
+    least = _number(plugin, f'min_{kind}_velocity', _number(plugin, 'min_velocity', -inf))
+    most = _number(plugin, f'max_{kind}_velocity', _number(plugin, 'max_velocity', inf))
+    if least > most:
+        raise UrdfError(
+            f'the differential drive: the {kind} velocity has the minimum {least:g} above the maximum {most:g}'
+        )
+    return least, most
 
 
 def _lidar(sensor: Element, link: str) -> Lidar:

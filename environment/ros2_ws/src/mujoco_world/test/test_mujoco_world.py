@@ -46,6 +46,30 @@ def test_drives_straight_within_its_limit_of_acceleration():
     assert (world.pose.x, world.pose.y, world.pose.yaw) == close(1.875, 0, 0, within=0.002)
 
 
+@pytest.mark.parametrize(
+    ('limits', 'forward', 'back', 'turn'),
+    [
+        ('<max_linear_velocity>0.1</max_linear_velocity>', 0.1, -0.4, 1.0),
+        ('<min_linear_velocity>-0.1</min_linear_velocity>', 0.4, -0.1, 1.0),
+        ('<max_angular_velocity>0.2</max_angular_velocity>', 0.4, -0.4, 0.2),
+        ('<max_velocity>0.2</max_velocity>', 0.2, -0.4, 0.2),
+        ('<max_velocity>0.2</max_velocity><max_linear_velocity>0.3</max_linear_velocity>', 0.3, -0.4, 0.2),
+    ],
+)
+def test_the_plugin_may_limit_the_velocity(limits, forward, back, turn):
+    world = World(URDF.replace('<wheel_radius>', f'{limits}<wheel_radius>'), scene='empty')
+    for command, wanted in (((0.4, 0.0), (forward, 0.0)), ((-0.4, 0.0), (back, 0.0)), ((0.0, 1.0), (0.0, turn))):
+        world.drive(*command)
+        world.run(2.0)
+        assert (world.odometry.linear, world.odometry.angular) == close(*wanted, within=0.02)
+
+
+def test_a_least_velocity_above_the_largest_is_refused():
+    limits = '<min_linear_velocity>0.3</min_linear_velocity><max_linear_velocity>0.1</max_linear_velocity>'
+    with pytest.raises(UrdfError, match='linear velocity has the minimum 0.3 above the maximum 0.1'):
+        World(URDF.replace('<wheel_radius>', f'{limits}<wheel_radius>'), scene='empty')
+
+
 def test_turns_by_the_right_angle_on_the_spot_and_on_a_circle():
     world = World(scene='empty')
     world.drive(0.0, math.pi / 4)
