@@ -16,6 +16,7 @@ from nbformat import NotebookNode
 from grading.authoring import checked
 from grading.authoring.chapter import Chapter, SourceCell
 from grading.authoring.chapter_errors import AuthoringError
+from grading.authoring.kernels import AsyncLocalKernelManager
 from helpers.kernel import domains
 
 KERNEL = 'course'  # the kernelspec of the set-up; also what nbval uses
@@ -53,6 +54,7 @@ def execute(
         notebook,
         timeout=timeout,
         kernel_name=kernel_name(),
+        kernel_manager_class=AsyncLocalKernelManager,
         record_timing=False,
         extra_arguments=['--log-level=ERROR'],
         resources={'metadata': {'path': str(folder)}},

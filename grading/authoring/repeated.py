@@ -116,7 +116,7 @@ def nbval_arguments(config: Path, kernel: str, cell_timeout: float = 180.0) -> l
         f'--timeout={cell_timeout + 30:g}',
         '--dist=loadfile',
         '-p',
-        'grading.authoring.nbval_names',
+        'grading.authoring.nbval_plugin',
         '-p',
         'no:cacheprovider',
     ]

@@ -1,7 +1,15 @@
-"""A pytest plugin that names nbval's tests by cell id: the numbers of a repeated notebook mean nothing."""
+"""A pytest plugin for nbval: tests have the names of their cells, and kernels have sockets of their own.
 
+The numbers of the cells of a repeated notebook mean nothing.
+"""
+
+import nbval.kernel
 import pytest
 from nbval.plugin import IPyNbCell, IPyNbFile
+
+from grading.authoring.kernels import LocalKernelManager
+
+nbval.kernel.KernelManager = LocalKernelManager  # nbval has no option for it
 
 
 class NamedCell(IPyNbCell):
