@@ -49,6 +49,7 @@ def activate(environ=os.environ, prefix=sys.prefix):
         underlay = os.path.isdir(os.path.join(prefix, 'share', 'rclpy'))
         environ['AMENT_PREFIX_PATH'] = os.pathsep.join([*prefixes, prefix] if underlay else [prefix, *prefixes])
     drop_foreign_guard(environ, prefix)
+    choose_generator(environ, prefix)
     if 'ipykernel_launcher' in sys.orig_argv:
         complete_kernel(environ, prefix)
 
@@ -97,6 +98,21 @@ def complete_kernel(environ, prefix):
         environ['PATH'] = os.pathsep.join([first, *folders])
     for name, value in OF_ROS.items():
         environ.setdefault(name, value)
+    # A kernel asks the programs of its cells for colours (FORCE_COLOR), and from 3.13 on Python's tracebacks have some:
+    # what a program prints is to be the same text everywhere.
+    environ.setdefault('PYTHON_COLORS', '0')
+
+
+def choose_generator(environ, prefix):
+    """Let CMake, and so `colcon build`, work where the machine has no make: with the Ninja of the environment.
+
+    Its compilers come without make on Debian and Ubuntu. A build folder that exists keeps what made it.
+    """
+    folders = environ.get('PATH', os.defpath).split(os.pathsep)
+    if not any(os.access(os.path.join(folder, 'make'), os.X_OK) for folder in folders if folder) and os.access(
+        os.path.join(prefix, 'bin', 'ninja'), os.X_OK
+    ):
+        environ.setdefault('CMAKE_GENERATOR', 'Ninja')
 
 
 def share_the_machine(environ, user=None):

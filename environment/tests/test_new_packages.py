@@ -39,7 +39,6 @@ def workspace(tmp_path, monkeypatch):
     """An empty workspace, in a terminal as a learner has it."""
     monkeypatch.delenv('PYTHONDONTWRITEBYTECODE', raising=False)
     monkeypatch.setenv('PATH', str(Path(sys.executable).parent), prepend=os.pathsep)
-    monkeypatch.setenv('CMAKE_GENERATOR', 'Ninja')  # as in the course's terminals: not each machine has make
     (tmp_path / 'src').mkdir()
     return tmp_path
 

@@ -246,6 +246,33 @@ def test_start_up_names_the_profile_of_fast_dds_where_it_is_installed(tmp_path):
     assert own['FASTRTPS_DEFAULT_PROFILES_FILE'] == '/home/me/robot.xml'
 
 
+def test_cmake_builds_with_ninja_where_there_is_no_make(tmp_path):
+    tools, prefix = tmp_path / 'tools', tmp_path / 'prefix'
+    for path in (tools / 'make', prefix / 'bin' / 'ninja'):
+        path.parent.mkdir(parents=True)
+        path.touch(0o755)
+    for given, path, generator in (
+        ({}, f'{tmp_path}/none', 'Ninja'),
+        ({}, f'{tmp_path}/none:{tools}', None),
+        ({'CMAKE_GENERATOR': 'Unix Makefiles'}, f'{tmp_path}/none', 'Unix Makefiles'),
+        ({'COURSE_STOCK': '1'}, f'{tmp_path}/none', 'Ninja'),
+    ):
+        env = {'PATH': path, **given}
+        startup.activate(env, str(prefix))
+        assert env.get('CMAKE_GENERATOR') == generator
+    env = {'PATH': f'{tmp_path}/none'}
+    startup.activate(env, str(tmp_path))  # no Ninja, either: CMake says what it misses
+    assert 'CMAKE_GENERATOR' not in env
+
+
+def test_programs_of_a_kernel_print_tracebacks_without_colours(tmp_path):
+    env = {'PATH': os.defpath, 'FORCE_COLOR': '1'}
+    startup.complete_kernel(env, str(tmp_path))
+    program = [sys.executable, '-c', 'import missing']
+    done = subprocess.run(program, env={**os.environ, **env}, capture_output=True, text=True)
+    assert done.stderr.splitlines()[-1] == "ModuleNotFoundError: No module named 'missing'"
+
+
 def test_a_workspace_stays_on_top_of_the_wheels(tmp_path):
     (tmp_path / 'share' / 'rclpy').mkdir(parents=True)
     env = {'AMENT_PREFIX_PATH': '/ws/install'}
