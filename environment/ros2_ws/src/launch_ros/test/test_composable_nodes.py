@@ -2,8 +2,10 @@
 
 import io
 import json
+import os
 import subprocess
 import sys
+from pathlib import Path
 
 import launch_ros.actions
 import pytest
@@ -152,6 +154,7 @@ def workspace(tmp_path_factory):
     built = subprocess.run(
         [sys.executable, '-m', 'colcon', '--log-base', '/dev/null', 'build'],
         cwd=root,
+        env={**os.environ, 'PATH': f'{Path(sys.executable).parent}{os.pathsep}{os.environ["PATH"]}'},  # has CMake
         capture_output=True,
         text=True,
         timeout=240,
