@@ -7,7 +7,7 @@ from rclpy.qos import DurabilityPolicy, QoSProfile
 from sensor_msgs.msg import CameraInfo
 from sensor_msgs.srv import SetCameraInfo
 
-from helpers.checks.chapter_04.cameras import OTHER_MODELS, check_drawn
+from helpers.checks.chapter_04.cameras import OTHER_MODELS, check_drawn, fill_others
 from helpers.checks.chapter_04.test_4_2 import check_lifespan
 from helpers.runner import about, expect
 
@@ -187,12 +187,11 @@ def test_as_it_came(learner):
     """
     heard, client = camera(learner)
     message = info()
-    message.header.frame_id, message.header.stamp.sec, message.binning_x = 'left_eye', 12, 2
-    message.p[3] = learner.random.uniform(-60, 0)
+    fill_others(message, learner.random)
     client.call(camera_info=message)
     expect(
         heard.messages == [message],
-        'What was published is not the calibration as it came: header, binning or p differ.',
+        'What was published is not the calibration as it came: header, binning, roi, k, r or p differ.',
     )
     client.call(camera_info=message)
     expect(len(heard) == 2, f'The same calibration was set twice, and published {len(heard)} times, expected 2.')

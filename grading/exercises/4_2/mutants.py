@@ -47,6 +47,16 @@ MUTANTS = [
     Mutant('copies_some_fields', breaks='publish', old='self.publisher.publish(info)',
            new='self.publisher.publish(CameraInfo(width=info.width, height=info.height, k=info.k, d=info.d, '
                'distortion_model=info.distortion_model, header=info.header))', expect='not the calibration as it came'),
+    Mutant('copies_all_but_r', breaks='publish', old='self.publisher.publish(info)', new='''
+        copy = CameraInfo()
+        for name in info.get_fields_and_field_types():
+            setattr(copy, name, getattr(copy if name == 'r' else info, name))
+        self.publisher.publish(copy)
+        ''', expect='not the calibration as it came: r differs'),
+    Mutant('whole_seconds', breaks='publish', old='self.publisher.publish(info)', new='''
+        info.header.stamp.nanosec = 0
+        self.publisher.publish(info)
+        ''', expect='not the calibration as it came: header differs'),
     Mutant('depth_10', breaks='latched', old='QoSProfile(depth=1,', new='QoSProfile(depth=10,', expect='use depth 1'),
     Mutant('fixed_size', breaks='principal-point', old=POINT,
            new="'principal point': 0 <= k[2] <= 640 and 0 <= k[5] <= 480,", also=('accept', 'nan', 'publish'),

@@ -60,6 +60,19 @@ def drawn(draw) -> tuple[CameraInfo, dict[str, object]]:
     return info, unusual
 
 
+def fill_others(info: CameraInfo, draw) -> None:
+    """Give each field that no rule looks at a value of its own, so that it shows whether all are handed on."""
+    info.header.frame_id = draw.choice(['left_eye', 'lens'])
+    info.header.stamp.sec, info.header.stamp.nanosec = draw.randint(1, 99), draw.randint(1, 10**9 - 1)
+    for place in UNCHECKED:
+        info.k[place] = draw.uniform(1.5, 3.0)
+    info.r = [draw.uniform(0.1, 0.9) for _ in range(9)]
+    info.p = [draw.uniform(-60.0, -1.0) for _ in range(12)]
+    info.binning_x, info.binning_y = draw.sample(range(2, 9), 2)
+    info.roi.x_offset, info.roi.y_offset, info.roi.width, info.roi.height = draw.sample(range(1, 99), 4)
+    info.roi.do_rectify = True
+
+
 def _put(info, name, value):
     if name.startswith('k['):
         info.k[int(name[2:-1])] = value
