@@ -26,31 +26,40 @@ def panel(learner, battery_delay=0.0, lidar_delay=0.0, success=(True, True), nam
 
 
 @pytest.mark.weight(3)
-@pytest.mark.rules('same-time', 'one-thread')
+@pytest.mark.rules('same-time', 'message', 'one-thread')
 @about('message')
 @waiting('one-thread')
 def test_both_at_the_same_time(learner):
     """The two parts are asked at the same time, so the slower one decides.
 
-    First send both requests, then await both futures.
+    First send both requests, then await both futures, however long that takes.
     """
-    slow, quick = learner.random.choice([(0.6, 0.4), (0.4, 0.6), (0.9, 0.2)])
-    battery, lidar, status, _ = panel(learner, slow, quick)
+    draw = learner.random
+    battery, lidar, status, _ = panel(learner)
     learner.run(0.5)
-    call = status.send()
-    learner.run(3.0)
-    expect(call.done, NEVER, 'one-thread')
-    expect(
-        battery.stamps == lidar.stamps == [0.5],
-        f'status was called at 0.5 s; the battery was asked at {battery.stamps} s, the lidar at {lidar.stamps} s. '
-        'Ask both at the same time: first two call_async, then two await.',
-        'same-time',
-    )
-    expect(
-        call.received == pytest.approx(0.5 + max(slow, quick)),
-        f'The parts needed {slow} and {quick} s, the status {call.received - 0.5:g} s, expected {max(slow, quick)} s.',
-        'same-time',
-    )
+    for delays in (draw.choice([(0.6, 0.4), (0.4, 0.6), (0.9, 0.2)]), draw.choice([(12.4, 6.1), (6.1, 12.4)])):
+        battery.delay, lidar.delay = delays
+        begin, words = learner.now / 1e9, f'The parts needed {delays[0]} and {delays[1]} s, '
+        call = status.send()
+        learner.run(max(delays) + 2.0, step=2.0)
+        expect(call.done, NEVER, 'one-thread')
+        asked = [round(part.stamps[-1] - begin, 3) for part in (battery, lidar) if part.stamps]
+        expect(
+            asked == [0.0, 0.0],
+            f'The parts were asked {asked} s after the call of status, expected both at once. Ask both at the same '
+            'time: first two call_async, then two await.',
+            'same-time',
+        )
+        took = call.received - begin
+        expect(
+            call.response.message == WANTED,
+            f'{words}the status came after {took:g} s with the message {call.response.message!r}, expected {WANTED!r} '
+            f'after {max(delays)} s.',
+            'message',
+        )
+        expect(
+            took == pytest.approx(max(delays)), f'{words}the status {took:g} s, expected {max(delays)} s.', 'same-time'
+        )
 
 
 @pytest.mark.weight(2)

@@ -118,6 +118,12 @@ MUTANTS = [
             return response
         lidar = await futures[1]
         ''', expect='The message of the status is'),
+    Mutant('gives_up_slow_parts', breaks='message', old=AWAIT, new='''
+        ends = [self.create_timer(5.0, future.cancel, callback_group=self.lidar.callback_group) for future in futures]
+        battery, lidar = [await future or Trigger.Response(message='no answer') for future in futures]
+        for end in ends:
+            self.destroy_timer(end)
+        ''', expect='Both always answer'),
     Mutant('strips_the_messages', old='{lidar.message}', new='{lidar.message.strip()}', breaks='message',
            edits=(('{battery.message}', '{battery.message.strip()}'),), expect='The message of the status is'),
 ]
