@@ -42,7 +42,16 @@ MUTANTS = [
     Mutant('full_above_capacity', breaks='full', also=('capacity', 'locked', 'leave', 'open'),
            old='if self.inside >= self.capacity:', new='if self.inside > self.capacity:',
            expect="expected (False, 'full')"),
+    Mutant('hands_on_what_the_lock_says', breaks='welcome', also=('locked', 'leave', 'capacity', 'open'),
+           old="'welcome' if answer.success", new="(answer.message or 'welcome') if answer.success",
+           expect="expected (True, 'welcome')"),
     Mutant('leaves_below_zero', breaks='leave', old=LEAVE, new='self.inside -= 1', expect='An empty room stays at 0'),
+    Mutant('gives_up_a_slow_lock', breaks='welcome', old=ASK, new='''
+        future = self.lock.call_async(SetBool.Request(data=False))
+        limit = self.create_timer(5.0, future.cancel, callback_group=self.lock.callback_group)
+        answer = await future or SetBool.Response()
+        self.destroy_timer(limit)
+        ''', expect='the lock answers after'),
     Mutant('leaves_without_success', breaks='leave', old='''
         self.inside = max(0, self.inside - 1)
         response.success = True

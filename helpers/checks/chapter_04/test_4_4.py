@@ -24,7 +24,9 @@ class Room:
     def __init__(self, learner, capacity):
         self.learner, self.capacity, self.inside = learner, capacity, 0
         self.delay = learner.random.choice([0.2, 0.5])
-        self.lock = learner.serve('/lock', SetBool, {'success': True}, self.delay)
+        said = learner.random.choice(['open', 'locked', 'full'])  # whatever it says, enter has words of its own
+        self.opens = {'success': True, 'message': said}
+        self.lock = learner.serve('/lock', SetBool, self.opens, self.delay)
         learner.start('DoorGuard', capacity)
         self.doors = {name: learner.client(f'/{name}', Trigger) for name in ('enter', 'leave')}
 
@@ -33,7 +35,7 @@ class Room:
         before = len(self.lock.requests)
         call = self.doors['enter'].send()
         with about(rule), waiting('one-thread'):
-            self.learner.run(self.delay + 0.3, step=1.0)
+            self.learner.run(self.delay + 0.3, step=max(1.0, self.delay / 4))
         asked = self.lock.requests[before:]
         story = f'Capacity {self.capacity}, {story}: '
         if wanted != 'full':
@@ -67,6 +69,15 @@ class Room:
                 f'{story}the lock answers after {self.delay} s, enter after {call.received - call.sent:g} s.',
                 rule,
             )
+
+    def enter_slowly(self):
+        """From the full room one leaves; the next one waits long for the lock, which opens all the same."""
+        self.leave('one leaves')
+        quick, self.delay = self.delay, self.learner.random.choice([31.5, 47.5, 75.5])
+        self.lock.delay = self.delay
+        story = f'{people(self.capacity - 1)} inside, the lock answers after {self.delay} s'
+        self.enter('welcome', 'welcome', story)
+        self.delay = self.lock.delay = quick
 
     def leave(self, story):
         """One person leaves."""
@@ -119,7 +130,7 @@ def test_one_after_the_other(learner):
             'locked',
             f'{people(capacity - 1)} inside, the lock refuses, and has refused {number} times before',
         )
-    room.lock.answer = {'success': True}
+    room.lock.answer = room.opens
     room.enter(
         'welcome', 'locked', f'{people(capacity - 1)} inside, and some whom the lock refused, who have not come in'
     )
@@ -133,6 +144,7 @@ def test_one_after_the_other(learner):
         'leave',
         f'after more calls of leave than people were inside, {people(capacity)} came in. An empty room stays at 0',
     )
+    room.enter_slowly()
     room.leave_meanwhile()
 
 
