@@ -127,4 +127,16 @@ MUTANTS = [
             self.last = command
             self.motor.publish(command)
             """)), expect='A command drives all the same'),
+    Mutant('stops_saying_zeros_when_unknown', breaks='unknown', edits=(('pass', 'self.misses += 1'),
+           ('age = self.get_clock()', 'self.misses, age = 0, self.get_clock()'),
+           ('self.motor.publish(command)', 'self.misses > 80 or self.motor.publish(command)'),
+           ('self.leader, self.me = leader, me', 'self.leader, self.me, self.misses = leader, me, 0')),
+           expect='however long it takes'),
+    Mutant('stops_saying_zeros_when_old', breaks='old', edits=(('pass', 'self.missed = 0'), (
+           'age = self.get_clock().now() - Time.from_msg(found.header.stamp)', """
+            age = self.get_clock().now() - Time.from_msg(found.header.stamp)
+            self.missed = 0 if age <= Duration(seconds=0.5) else self.missed + 1
+            """), ('self.motor.publish(command)', 'self.missed > 80 or self.motor.publish(command)'),
+           ('self.leader, self.me = leader, me', 'self.leader, self.me, self.missed = leader, me, 0')),
+           expect='however long it takes'),
 ]

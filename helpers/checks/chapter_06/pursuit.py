@@ -14,6 +14,7 @@ from helpers.runner.peers import SECOND
 from helpers.show.turtle_view import STEP, World
 
 STEPS = 8  # of the simulation between two transforms: 0.128 s
+LONG = 11.0  # s: longer than a buffer keeps
 NEAR = 0.011  # s: how exactly a command keeps its time
 HEIGHT = 0.7  # m, of the leader's frame above the follower's: chase does not ask for it
 
@@ -171,7 +172,8 @@ def check_long_silence(there: Pursuit) -> None:
     begin = there.learner.now / SECOND
     there.learner.run(0.7)  # so that what they said last is too old
     count = len(there.commands)
-    there.learner.run(11.0, step=1.0)
+    there.learner.run(LONG, step=1.0)
+    check_steady(there, count, 'Both turtles said nothing', 'old')
     commands = zip(there.commands.stamps[count:], there.commands.messages[count:], strict=True)
     drives = [stamp - begin for stamp, command in commands if not zeros(command)]
     expect(
@@ -179,6 +181,18 @@ def check_long_silence(there: Pursuit) -> None:
         f'Both turtles said nothing for {min(drives, default=0.0):.1f} s, and the command drives: the older transforms '
         'are, the less they are worth.',
         'old',
+    )
+
+
+def check_steady(there: Pursuit, begin: int, story: str, rule: str) -> None:
+    """The commands with this number and later ones came in the last `LONG` seconds: one every 0.1 s, to the end."""
+    count, wanted = len(there.commands) - begin, round(LONG / 0.1)
+    last = LONG - (there.learner.now / SECOND - there.commands.stamps[-1])
+    expect(
+        abs(count - wanted) <= 2,
+        f'{story} for {LONG:g} s, and in this time {count} commands came, the last one after {last:.1f} s; expected '
+        'one every 0.1 s, zeros, too, however long it takes.',
+        rule,
     )
 
 
