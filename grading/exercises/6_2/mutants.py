@@ -1,6 +1,10 @@
 from grading.variants import Mutant
 
 MUTANTS = [
+    Mutant('first_one_at_once', breaks='rate', old='self.create_timer(0.05, self.tick)', new='''
+        self.create_timer(0.05, self.tick)
+        self.tick()
+        ''', expect='went out in the constructor'),
     Mutant('seconds_of_seven_digits', breaks='time', also='face', old='(now.nanoseconds / 1e9)',
            new="float(np.float32(now.nanoseconds / 1e9))", imports='import numpy as np', expect='the moon is at'),
     Mutant('stamp_of_milliseconds', breaks='stamp', old='message.header.stamp = now.to_msg()', new='''

@@ -25,6 +25,7 @@ class Watched:
         turns = draw.randint(1, 3) + draw.uniform(0.2, 0.4)  # it starts some turns later, when the moon is elsewhere
         learner.run(round(turns * self.period, 9))  # no round number: nanoseconds count
         heard = learner.tf_listener()
+        self.begin = learner.now / SECOND
         self.node = learner.start('Moon', self.radius, self.period)
         with about('rate'):
             learner.run(seconds)
@@ -50,6 +51,7 @@ class Watched:
                 f'Your transform says where `{names[1]}` is in `{names[0]}`, expected `moon` in `planet`.',
                 'frames',
             )
+        self.first = heard.moving.numbers[0]  # 2 or more: its publisher has sent others, which nobody could hear yet
         pairs = zip(heard.moving.stamps, heard.moving.messages, strict=True)
         self.pairs = [(time, transform) for time, message in pairs for transform in message.transforms]
 
@@ -71,6 +73,11 @@ class Watched:
 
 def judge_rate(moon: Watched) -> None:
     """The rule `rate`."""
+    expect(
+        moon.first == 1 and moon.pairs[0][0] > moon.begin + 0.01,  # it may be heard, on a busy machine
+        f'A transform went out in the constructor. Send in the timer only, the first time {STEP} s after the start.',
+        'rate',
+    )
     wanted = round(moon.seconds / STEP)
     expect(
         len(moon.pairs) == wanted,
@@ -122,6 +129,10 @@ def judge_circle(moon: Watched) -> None:
                 f'This is the place for {start + number * STEP:.13g} s: 0.05 s more for each call of the timer. The '
                 'machine was busy, and some calls were left out. Take the time from the clock in each call.',
             ),
+            (
+                same(there, moon.place(moon.angle(math.floor(time))), 1e-3),
+                'This is the place at the whole second before: parts of a second count, too.',
+            ),
             (late, 'It started on the x axis when the node was made. Its place depends on the time of the clock only.'),
             (right, 'It goes round to the right, expected to the left: from x to y.'),
             rule='circle' if right and not late else 'time',
@@ -145,6 +156,10 @@ def judge_face(moon: Watched) -> None:
                 same(view, expected, 1e-3),
                 f'{told}, expected to the planet: {words(expected)}.',
                 (same(view, (1, 0, 0)), 'It never turns.'),
+                (
+                    same(abs(np.dot(view, expected)), 0.0, 1e-3) and same(view[2], 0.0),
+                    'It looks along its way: a quarter of a turn is missing, or too much.',
+                ),
                 (same(view, -expected, 1e-3), 'It looks away from the planet: half a turn is missing.'),
                 (True, 'Is an angle in degrees, or is half an angle missing?'),
             )
