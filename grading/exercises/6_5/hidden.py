@@ -8,6 +8,7 @@ from helpers.checks.chapter_06.geometry import explain, words
 from helpers.checks.chapter_06.pursuit import (
     LONG,
     Pursuit,
+    check_first,
     check_limit,
     check_long_silence,
     check_lost_again,
@@ -66,6 +67,7 @@ def test_command(learner):
         there.tell()
         learner.run(0.1)
     heard(there, 3, 'In 0.3 s', 'rate')
+    check_first(there)
     check_topic(there)
     command, place = there.commands.messages[-1], there.place()
     told = (

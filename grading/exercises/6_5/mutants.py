@@ -80,7 +80,7 @@ MUTANTS = [
            expect='Your node is called'),
     Mutant('seconds_only', breaks='old', old='if age <= Duration(seconds=0.5):',
            new='if self.get_clock().now().to_msg().sec - found.header.stamp.sec <= 0.5:',
-           expect='Count the nanoseconds, too'),
+           expect='count the nanoseconds, too'),
     Mutant('second_is_enough', breaks='old', old='(seconds=0.5):', new='(seconds=0.7):',
            expect='and the command drives'),
     Mutant('age_of_the_leader', breaks='old', old='age = self.get_clock().now() - Time.from_msg(found.header.stamp)',
@@ -139,4 +139,8 @@ MUTANTS = [
             """), ('self.motor.publish(command)', 'self.missed > 80 or self.motor.publish(command)'),
            ('self.leader, self.me = leader, me', 'self.leader, self.me, self.missed = leader, me, 0')),
            expect='however long it takes'),
+    Mutant('zeros_in_the_constructor', breaks='rate', old='self.create_timer(0.1, self.tick)', new="""
+        self.create_timer(0.1, self.tick)
+        self.motor.publish(Twist())
+        """, expect='went out in the constructor'),
 ]

@@ -118,6 +118,16 @@ def gaps(there: Pursuit, begin: int = 0, end: int | None = None) -> list[float]:
     return [later - earlier for earlier, later in pairwise(there.commands.stamps[begin:end])]
 
 
+def check_first(there: Pursuit) -> None:
+    """The first command that was heard is the first one of its publisher, and comes from the timer: rule `rate`."""
+    at_once = there.commands.stamps[0] < there.begin + NEAR  # on a busy machine it is heard
+    expect(
+        there.commands.numbers[0] == 1 and not at_once,
+        'A command went out in the constructor. Publish in the timer only: one command every 0.1 s, and no others.',
+        'rate',
+    )
+
+
 def check_gaps(there: Pursuit, begin: int, story: str) -> None:
     """From the command with this number on, none came less than 0.1 s after the one before it: rule `rate`."""
     odd = [gap for gap in gaps(there, max(0, begin - 1)) if gap < 0.1 - NEAR]

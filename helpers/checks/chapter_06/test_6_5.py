@@ -9,6 +9,7 @@ from helpers.checks.chapter_06.pursuit import (
     LONG,
     NEAR,
     Pursuit,
+    check_first,
     check_gaps,
     check_limit,
     check_long_silence,
@@ -84,8 +85,9 @@ def _check_command(there):
     expect(count, f'Both turtles said where they are for 0.5 s, and no command came on /{there.names[1]}/cmd_vel.')
     expect(
         abs(count - 5) <= 1 and all(gap == pytest.approx(0.1, abs=NEAR) for gap in apart),
-        f'Both turtles said where they are every 0.1 s, for 0.5 s. {count} commands came, after '
-        f'{", ".join(f"{gap:.2f}" for gap in apart)} s each; expected one every 0.1 s.',
+        f'Both turtles said where they are every 0.1 s, for 0.5 s. {count} command{"s" * (count > 1)} came'
+        f'{", with these seconds between them: " * bool(apart)}{", ".join(f"{gap:.2f}" for gap in apart)}; expected one '
+        'every 0.1 s.',
     )
     return before
 
@@ -105,6 +107,7 @@ def _check_unknown(there, count):
         + (' It is for where the leader is in the world.' if in_the_world else ''),
     )
     pauses = [there.commands.stamps[0] - there.begin, *gaps(there, 0, count + 1)]
+    check_first(there)
     longest, few = max(pauses), sum(pause > 0.1 + NEAR for pause in pauses) == 1
     expect(
         longest < 1.0 or not few,
@@ -208,11 +211,13 @@ def _check_age(there, quiet):
             )
             expect(
                 age > 0.49 or not zeros(command),
-                f'{told}, and the command is zeros. {GOOD} Count the nanoseconds, too.',
+                f'{told}, and the command is zeros. {GOOD} Ask for the newest one, whatever its time; in its age count '
+                'the nanoseconds, too.',
                 'old',
             )
             expect(
                 age < 0.51 or zeros(command),
-                f'{told}, and the command drives. {GOOD} Count the nanoseconds, too.',
+                f'{told}, and the command drives. {GOOD} The age is counted from its stamp, not from when it came, '
+                'with the nanoseconds.',
                 'old',
             )
