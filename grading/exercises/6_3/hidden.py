@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_06.carrying import Scene
+from helpers.checks.chapter_06.carrying import Scene, told
 from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('6.3')
@@ -78,19 +78,19 @@ def test_unknown(learner):
     node = learner.start('CupFinder')
     learner.run(3.0, step=1.0)
     found = node.call('where_was', 1.0)
-    expect(found is None, f'No transforms have come, and where_was(1) gave {found}, expected None.', 'none')
+    expect(found is None, f'No transforms have come, and where_was(1) gave {told(found)}, expected None.', 'none')
     there = scene(learner)
     there.tell('cup')
     learner.run(0.3)
     found = node.call('where_was', 0.3)
-    expect(found is None, f'Only the cup is known, and where_was(0.3) gave {found}, expected None.', 'none')
+    expect(found is None, f'Only the cup is known, and where_was(0.3) gave {told(found)}, expected None.', 'none')
     there = scene(learner)
     there.run(5)
     seconds = round(learner.random.uniform(2.0, 2.8), 1)
     found = node.call('where_was', seconds)
     expect(
         found is None,
-        f'The first transforms came 1.3 s ago, and where_was({seconds}) gave {found}, expected None: '
+        f'The first transforms came 1.3 s ago, and where_was({seconds}) gave {told(found)}, expected None: '
         'nobody knows. Do not take another time instead.',
         'too-long',
     )

@@ -1,5 +1,6 @@
 """What the tests of exercise 6.3 show the learner's node: a robot that drives, and a cup that is carried."""
 
+import math
 from random import Random
 
 import numpy as np
@@ -12,6 +13,13 @@ from helpers.runner.frames import pose
 from helpers.runner.peers import SECOND
 
 EARLIER = 0.03  # s: nobody says that cup and robot were seen at one moment
+
+
+def told(found: object) -> str:
+    """What `where_was` gave, for a message."""
+    if not isinstance(found, PointStamped):
+        return repr(found)
+    return f'the point {words((found.point.x, found.point.y, found.point.z))} in `{found.header.frame_id}`'
 
 
 class Scene:
@@ -100,8 +108,8 @@ class Scene:
             found = node.call('where_was', seconds)
         expect(
             found is None,
-            f'The first transforms came {past:.0f} s ago, and where_was({seconds:g}) gave {found}, expected None: '
-            'nobody knows. Do not take another time instead.',
+            f'The first transforms came {past:.0f} s ago, and where_was({seconds:g}) gave {told(found)}, expected '
+            'None: nobody knows. Do not take another time instead.',
             'too-long',
         )
 
@@ -125,9 +133,16 @@ class Scene:
         expected = origin(robot @ self.cup(then))
         x, y, yaw = self._robot[0] + (self.newest - self._begin) * self._robot[1]
         level = np.linalg.inv(pose(x, y, 0.3, yaw=yaw)) @ self.cup(then)
+        earlier, flat = np.linalg.inv(self.robot(both)), pose(*expected[:2])
         rules = [
             rule
-            for wrong, rule in ((before @ self.cup(then), 'robot-now'), (self.cup(then), 'point'), (level, 'point'))
+            for wrong, rule in (
+                (before @ self.cup(then), 'robot-now'),
+                (earlier @ self.cup(then), 'robot-now'),
+                (self.cup(then), 'point'),
+                (level, 'point'),
+                (flat, 'point'),
+            )
             if same(place, origin(wrong), 1e-3)
         ]
         explain(
@@ -139,6 +154,20 @@ class Scene:
                     (before @ self.cup(then), 'This is seen from the robot as it stood then. It has moved on.'),
                     (robot @ self.cup(both), 'This is where the cup was just now.'),
                     (np.linalg.inv(self.robot(both)) @ self.cup(both), 'This is where the cup was just now.'),
+                    (
+                        earlier @ self.cup(then),
+                        'This is seen from the robot as it stood at the newest time of which tf2 knows the cup, too. '
+                        'There is a newer transform of the robot.',
+                    ),
+                    (
+                        robot @ self.cup(now - math.floor(seconds)),
+                        f'This is where the cup was {math.floor(seconds)} s ago: parts of a second count, too.',
+                    ),
+                    (
+                        robot @ self.cup(self.newest - seconds),
+                        "The seconds count back from the time of the node's clock, not from the newest transform.",
+                    ),
+                    (flat, 'x and y are right, and z is 0: the cup is higher than the robot.'),
                     (self.cup(then), 'This is in the frame map.'),
                     (level, 'The robot stands on a ramp: it is turned by more than its yaw.'),
                     (

@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_06.carrying import Scene
+from helpers.checks.chapter_06.carrying import Scene, told
 from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('6.3')
@@ -26,15 +26,15 @@ def test_cup(learner):
     expect(node.name == '/cup_finder', f'Your node is called {node.name}, expected /cup_finder.', 'name')
     learner.run(0.2)
     found = node.call('where_was', 0.3)
-    expect(found is None, f'No transforms have come, and where_was(0.3) gave {found}, expected None.')
+    expect(found is None, f'No transforms have come, and where_was(0.3) gave {told(found)}, expected None.')
     only = learner.random.choice(['base_link', 'cup'])
     there.tell(only)
     learner.run(0.3)
     found = node.call('where_was', 0.3)
-    expect(found is None, f'Only `{only}` has said where it is, and where_was(0.3) gave {found}, expected None.')
+    expect(found is None, f'Only `{only}` has said where it is, and where_was(0.3) gave {told(found)}, expected None.')
     with about('then'):
         there.run(10)
-        seconds = round(draw(0.7, 1.8), 2)
+        seconds = round(draw(1.1, 1.8), 2)  # one whole second and a part
         there.ask(node, seconds)
         there.run(2)
         there.ask(node, round(draw(0.5, 2.1), 2))
@@ -46,7 +46,7 @@ def test_cup(learner):
         found = node.call('where_was', seconds)
         expect(
             found is None,
-            f'The first transforms came less than 3 s ago, and where_was({seconds}) gave {found}, '
+            f'The first transforms came less than 3 s ago, and where_was({seconds}) gave {told(found)}, '
             'expected None: nobody knows. Do not take another time instead.',
         )
     with about('far'):
