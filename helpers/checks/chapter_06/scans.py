@@ -115,14 +115,17 @@ class Laser:
             len(found) == len(hits),
             f'A scan with {len(hits)} hits from {scan.range_min:g} to {scan.range_max:g} m '
             f'gave a cloud of {len(found)} points. The distances were '
-            f'{[round(distance, 3) for distance in scan.ranges]}.',
+            f'{[round(distance, 3) for distance in scan.ranges]}. '
+            + ('Both limits are hits.' if len(found) < len(hits) else 'What is beyond a limit is left out.'),
             'range',
         )
         there = self.where(seconds, frame)
-        first, wanted = found[0], moved(hits, there)
+        wanted = moved(hits, there)
+        odd = [number for number in range(len(hits)) if not same(found[number], wanted[number], 1e-3)]
+        number = (*odd, 0)[0]
         told = (
-            f'The first hit of the scan, {words(hits[0])} in `{frame}`, is at {words(first)} in the cloud, '
-            f'expected {words(wanted[0])}.'
+            f'Hit {number + 1} of the scan, {words(hits[number])} in `{frame}`, is at {words(found[number])} in the '
+            f'cloud, expected {words(wanted[number])}.'
         )
         mixed = same(sorted(found.tolist()), sorted(wanted.tolist()), 1e-3) and not same(found, wanted, 1e-3)
         expect(
@@ -145,6 +148,7 @@ class Laser:
             )
         degrees = moved(self.hits(_in_degrees(scan)), there)
         spread = moved(self.hits(_spread(scan)), there)
+        counted = moved(self.hits(_hits_only(scan)), there)
         reasons = [
             (np.eye(4), 'It is still in the frame of the laser: only the name of the frame has changed.'),
             (np.linalg.inv(there), 'The transform goes from map to the laser: target and source are swapped.'),
@@ -158,6 +162,10 @@ class Laser:
                 same(found, spread, 1e-3),
                 'The directions are spread from angle_min to angle_max. Each is one angle_increment farther than the '
                 'one before.',
+            ),
+            (
+                same(found, counted, 1e-3),
+                'The directions are counted from hit to hit. Each distance has its own, also if it is no hit.',
             ),
             rule='place',
         )
@@ -248,6 +256,18 @@ def _spread(scan: LaserScan) -> LaserScan:
         range_min=scan.range_min,
         range_max=scan.range_max,
         ranges=scan.ranges,
+    )
+
+
+def _hits_only(scan: LaserScan) -> LaserScan:
+    """The scan as if there had been nothing but its hits."""
+    low, high = scan.range_min, scan.range_max
+    return LaserScan(
+        angle_min=scan.angle_min,
+        angle_increment=scan.angle_increment,
+        range_min=low,
+        range_max=high,
+        ranges=[distance for distance in scan.ranges if low <= distance <= high],
     )
 
 
