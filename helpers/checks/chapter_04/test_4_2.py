@@ -7,11 +7,12 @@ from rclpy.qos import DurabilityPolicy, QoSProfile
 from sensor_msgs.msg import CameraInfo
 from sensor_msgs.srv import SetCameraInfo
 
-from helpers.checks.chapter_04.cameras import OTHER_MODELS, check_drawn, fill_others
+from helpers.checks.chapter_04.cameras import HINTS, OTHER_MODELS, check_drawn, fill_others
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.2'), pytest.mark.wiring(type='publish', qos='latched', namespace='names')]
 
+LIMITS = 'The limits are allowed: k[2] goes from 0 to the width of the request, k[5] to its height.'
 WORDS = 'size', 'focal length', 'principal point', 'distortion'
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
@@ -60,6 +61,8 @@ class Calibrations:
             answer = self.client.call(camera_info=info)
         if answer.status_message in WORDS:
             rule = answer.status_message.replace(' ', '-')
+        if rule == 'principal-point':
+            hint = LIMITS
         expect(
             answer.success,
             f'A calibration of {self.width} x {self.height} with {_text(changes)} breaks no rule '
@@ -115,15 +118,11 @@ def test_words(learner):
     some.refused('focal length', hint='Both must be positive.', fx=low, fy=low)
     some.accepted('focal-length', 'A focal length has no upper limit.', fx=1e200, fy=1e200)
     for changes in ({'cx': 0.0}, {'cx': float(width)}, {'cy': 0.0}, {'cy': float(height)}):
-        some.accepted(
-            'principal-point',
-            'The limits are allowed: k[2] goes from 0 to the width of the request, k[5] to its height.',
-            **changes,
-        )
+        some.accepted('principal-point', LIMITS, **changes)
     for changes in ({'cx': low}, {'cx': width + 0.5}, {'cx': inf}, {'cy': low}, {'cy': height + 0.5}, {'cy': -inf}):
         some.refused('principal point', **changes)
     for changes in (*({'model': name} for name in OTHER_MODELS), {'d': 0}, {'d': 4}, {'d': 6}, {'d': 8}):
-        some.refused('distortion', **changes)
+        some.refused('distortion', hint=HINTS['distortion'], **changes)
     some.accepted(
         'size', 'A picture may be higher than it is wide.', width=height, height=width, cx=0.5, cy=height + 0.5
     )

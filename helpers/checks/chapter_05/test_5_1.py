@@ -41,11 +41,12 @@ def check_goal(goal, rule='') -> None:
         rule or 'feedback',
     )
     expect(heard == wanted, f'The feedback is {heard}, expected all numbers so far: {wanted}.', rule or 'feedback')
+    hint = 'No goal waits for another one.' if rule == 'goals' else "Wait on the node's clock."
     stamps, due = seconds(goal.stamps, goal.sent), [n / 2 for n in range(1, order + 1)]
     expect(
         stamps == pytest.approx(due),
         f'Feedback came {stamps} s after the goal of order {order}, expected after '
-        f"{due} s: one number every 0.5 s. Wait on the node's clock.",
+        f'{due} s: one number every 0.5 s. {hint}',
         rule or 'rate',
     )
     took = round(goal.finished - goal.sent, 3)

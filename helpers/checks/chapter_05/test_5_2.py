@@ -90,7 +90,9 @@ class Rounds:
         expect(words, f'{self.story}nothing came on /outcome, expected {wanted!r}. {hint}', rule)
         expect(words[0] in WORDS, f'{told} `{words[0]}` is none of the words: {", ".join(WORDS)}.', 'word')
         expect(words[0] == wanted.split()[0], f'{told} {hint}', rule)
-        expect(said[0] == wanted, f'{told} {hint}', 'numbers' if said[0].startswith(f'{words[0]} [') else 'word')
+        numbers = said[0].startswith(f'{words[0]} [')
+        hint = hint if numbers else 'After the word come a space and a plain list: list(sequence) makes one.'
+        expect(said[0] == wanted, f'{told} {hint}', 'numbers' if numbers else 'word')
         expect(len(said) == 1, f'{told} One outcome is enough, whatever comes after it.', 'once')
 
     def expect_looks(self):
@@ -146,7 +148,7 @@ def test_outcomes(learner):
         server.plan = plan_
         rounds.begin(order, 1.5, 'a server that aborts the goal')
         learner.run(3.5, step=1.0)
-        rounds.expect(wanted, 'word', 'The status stands beside the result.')
+        rounds.expect(wanted, 'word', 'The status stands beside the result; the numbers are in the result.')
     server.plan = plan
     _stops_late(learner, rounds, draw.choice([2.25, 5.1]), value)
     for server.cancel, does in (('reject', 'refuses the cancel request'), ('ignore', 'accepts the cancel request')):

@@ -273,6 +273,7 @@ def _cancel(learner, robot, seconds, distance, x):
     goal = robot.client.send(x=x, y=5.03)
     learner.run(0.3)
     story = 'A goal came for a place where the robot stands already, 0.03 m away: '
+    expect(goal.accepted, f'{story}it was rejected. It arrives in its first round.', 'arrive')
     expect(goal.status == 'succeeded', f'{story}0.3 s later it is {goal.status or "still running"}.', 'arrive')
     learner.run(0.5)
     expect(robot.commands, f'{story}no zeros were published. They come before every end, also then.', 'zeros')
