@@ -7,6 +7,7 @@ from example_interfaces.action import Fibonacci
 from std_msgs.msg import String
 from unique_identifier_msgs.msg import UUID
 
+from helpers.checks.chapter_05.test_5_2 import check_first
 from helpers.runner import about, action_peers, expect, waiting
 
 pytestmark = [pytest.mark.exercise('5.2'), pytest.mark.wiring(type='names', qos='once', namespace='names')]
@@ -198,6 +199,7 @@ def test_race(learner):
     """
     outcome, server, _ = begin(learner, 4, 2.0)
     learner.run(6.0)
+    check_first(outcome)
     expect(
         outcome.data in (['succeeded [0, 1, 2, 3]'], ['canceled []']),
         f'The result came at the moment of the deadline, and /outcome said {outcome.data}.',

@@ -141,4 +141,8 @@ MUTANTS = [
     Mutant('written_in_another_way', old="f'{word} {list(numbers)}'",
            new="f'{word} {list(numbers)}'.replace('canceled', 'cancelled')", breaks='word', also=('result', 'names'),
            expect='`cancelled` is none of the words'),
+    Mutant('says_that_it_waits', breaks='once', old="self.outcome = self.create_publisher(String, 'outcome', 10)", new="""
+        self.outcome = self.create_publisher(String, 'outcome', 10)
+        self.outcome.publish(String(data='waiting []'))
+        """, expect='so early that nobody could hear it'),
 ]

@@ -45,6 +45,17 @@ def check_no_wait(learner):
     )
 
 
+def check_first(outcome, story: str = '') -> None:
+    """What came first on /outcome is the first that its publisher has sent: rule `once`."""
+    first = outcome.data[0] if outcome.data else ''
+    expect(
+        outcome.numbers[:1] in ([], [1]),
+        f'{story}/outcome said {first!r}, and something else went out before, so early that nobody could hear it. '
+        'There is one outcome, at the end.',
+        'once',
+    )
+
+
 def shown(outcomes: list[str]) -> str:
     """All of them; of many the first ones, and how many there are."""
     return str(outcomes) if len(outcomes) <= 3 else f'{outcomes[:3]} and so on, {len(outcomes)} times in all'
@@ -93,6 +104,7 @@ class Rounds:
         numbers = said[0].startswith(f'{words[0]} [')
         hint = hint if numbers else 'After the word come a space and a plain list: list(sequence) makes one.'
         expect(said[0] == wanted, f'{told} {hint}', 'numbers' if numbers else 'word')
+        check_first(self.outcome, self.story)
         expect(len(said) == 1, f'{told} One outcome is enough, whatever comes after it.', 'once')
 
     def expect_looks(self):

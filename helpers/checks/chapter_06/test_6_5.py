@@ -86,8 +86,8 @@ def _check_command(there):
     expect(
         abs(count - 5) <= 1 and all(gap == pytest.approx(0.1, abs=NEAR) for gap in apart),
         f'Both turtles said where they are every 0.1 s, for 0.5 s. {count} command{"s" * (count > 1)} came'
-        f'{", with these seconds between them: " * bool(apart)}{", ".join(f"{gap:.2f}" for gap in apart)}; expected one '
-        'every 0.1 s.',
+        f'{", with these seconds between them: " * bool(apart)}{", ".join(f"{gap:.2f}" for gap in apart)}; '
+        'expected one every 0.1 s.',
     )
     return before
 
