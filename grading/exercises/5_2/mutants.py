@@ -32,7 +32,7 @@ MUTANTS = [
         ''', expect='With a patience of 0 s it asks to cancel at once'),
     Mutant('stops_looking', breaks='send', old='if self.client.server_is_ready():', new='''
         self.looks = getattr(self, 'looks', 0) + 1
-        if self.looks == 100:
+        if self.looks == 250:
             self.timer.cancel()
         elif self.client.server_is_ready():
         ''', expect='until it is there, however long that takes'),
