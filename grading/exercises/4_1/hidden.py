@@ -74,7 +74,7 @@ def test_only_late_answers(learner):
     )
 
 
-@pytest.mark.rules('tries', 'request', 'answer')
+@pytest.mark.rules('tries', 'timeout', 'request', 'answer')
 @about('tries')
 def test_one_try(learner):
     """With tries=1 there is one request, and after its timeout the report.

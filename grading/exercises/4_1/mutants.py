@@ -236,4 +236,6 @@ class GripperClient(Node):
                 return
         self.state.publish(String(data='failed'))
 ''', expect='A callback sleeps'),
+    Mutant('ten_seconds_at_most', breaks='timeout', also=('tries', 'request'), old='self.create_timer(timeout, self',
+           new='self.create_timer(min(timeout, 10.0), self', expect='failed came 10 s after the request'),
 ]

@@ -7,7 +7,14 @@ from geometry_msgs.msg import Twist
 from turtle_interfaces.action import DriveTo
 from turtlesim.msg import Pose
 
-from helpers.checks.chapter_05.driving import check_cancel, check_corners, check_newest, check_order, check_two_drivers
+from helpers.checks.chapter_05.driving import (
+    check_cancel,
+    check_corners,
+    check_newest,
+    check_old_pose,
+    check_order,
+    check_two_drivers,
+)
 from helpers.runner import about, expect
 from helpers.runner.turtlesim import TurtleSim
 
@@ -236,6 +243,7 @@ def test_cancelled_before(learner):
         'expected 20 s: each goal has 20 s of its own.',
         'give-up',
     )
+    check_old_pose(learner, client)
     commands = learner.listen('/turtle1/cmd_vel', Twist)
     learner.run(0.2)
     for x, seconds in ((9.0, 0.05), (2.0, 0.3)):  # cancelled before the first command; there already

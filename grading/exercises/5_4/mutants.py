@@ -147,4 +147,8 @@ MUTANTS = [
     Mutant('pose_in_the_class', breaks='no-pose', edits=(
         ('self.pose, self.busy = None, False', 'self.busy = False'), ('self.pose = pose', 'Driver.pose = pose'),
         ('def on_pose(self, pose):', 'pose = None\n\ndef on_pose(self, pose):')), expect='only the first one could take a goal'),
+    Mutant('old_pose_is_no_pose', breaks='next', also=('zeros',), edits=(
+           ('self.pose = pose', 'self.pose, self.came = pose, self.get_clock().now()'),
+           ('self.pose is None or',
+            'self.pose is None or self.get_clock().now() - self.came > Duration(seconds=5.0) or')), expect='however old it is'),
 ]

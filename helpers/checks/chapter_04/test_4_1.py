@@ -119,7 +119,7 @@ def test_silent_server(learner):
     )
 
 
-@pytest.mark.rules('tries', 'request', 'answer')
+@pytest.mark.rules('tries', 'timeout', 'request', 'answer')
 @about('tries')
 def test_one_try(learner):
     """With tries=1 there is one request, and after its timeout the report.
@@ -131,13 +131,18 @@ def test_one_try(learner):
 
 def check_one_try(learner) -> Gripper:
     """A silent server, asked by a client with one try; returns it."""
-    timeout = learner.random.choice([0.4, 0.7, 1.5])
+    timeout = learner.random.choice([10.5, 12.5, 15.5])  # a long one is a number like any other
     gripper = Gripper(learner, None, timeout, 1)
     count = gripper.command(True, 3 * timeout + 1.0, 'request')
     words = f'GripperClient({timeout}, 1), a silent server, one command: '
     expect(count == 1, f'{words}{count} requests came, expected one. `tries` is the number of all requests.', 'tries')
-    states = gripper.states.data
+    states, took = gripper.states.data, [stamp - gripper.server.stamps[0] for stamp in gripper.states.stamps]
     expect(states == ['failed'], f"{words}gripper_state says {states}, expected ['failed'].", 'tries')
+    expect(
+        took == pytest.approx([timeout]),
+        f'{words}failed came {took[0]:g} s after the request, expected after {timeout} s.',
+        'timeout',
+    )
     return gripper
 
 

@@ -60,6 +60,20 @@ def check_cancel(learner, client, goal: Goal, story: str) -> None:
     )
 
 
+def check_old_pose(learner, client) -> None:
+    """A goal was given up, some 10 s after the newest pose, which still says where the robot stands: rule `next`."""
+    goal = client.send(x=9.0, y=2.0)
+    learner.settle()
+    expect(
+        goal.accepted,
+        'A goal that came after one that was given up was rejected. At its end a goal sets back that the robot is '
+        'taken; and the newest pose holds, however old it is.',
+        'next',
+    )
+    goal.cancel()
+    learner.run(0.3)
+
+
 def check_two_drivers(learner, node, client, poses, commands) -> None:
     """A second object of the class in the process of `node` knows no pose yet; then it drives while the first one does.
 

@@ -7,7 +7,14 @@ from geometry_msgs.msg import Twist
 from turtle_interfaces.action import DriveTo
 from turtlesim.msg import Pose
 
-from helpers.checks.chapter_05.driving import check_cancel, check_corners, check_newest, check_order, check_two_drivers
+from helpers.checks.chapter_05.driving import (
+    check_cancel,
+    check_corners,
+    check_newest,
+    check_old_pose,
+    check_order,
+    check_two_drivers,
+)
 from helpers.runner import about, expect
 from helpers.runner.turtlesim import TurtleSim
 
@@ -81,6 +88,7 @@ def test_standing_robot(learner):
     command = _follow_poses(learner, robot)
     _reject_while_busy(learner, robot, command)
     _give_up(learner, robot, goal)
+    check_old_pose(learner, robot.client)
     # Another goal was cancelled 1 s after its start: who does not look in each round is late in one of the two.
     _cancel(learner, robot, draw.choice([0.75, 1.25]), draw.uniform(0.3, 1.2), draw.uniform(0.0, 0.4))
     check_two_drivers(learner, robot.node, robot.client, robot.poses, robot.commands)
