@@ -128,55 +128,13 @@ class Scene:
         )
         expect(isinstance(found, PointStamped), f'{call} gave {found}, expected a PointStamped.', 'point')
         place = (found.point.x, found.point.y, found.point.z)
-        both = self.newest - EARLIER  # the newest time of which all is known
-        robot, before = np.linalg.inv(self.robot(self.newest)), np.linalg.inv(self.robot(then))
-        expected = origin(robot @ self.cup(then))
-        x, y, yaw = self._robot[0] + (self.newest - self._begin) * self._robot[1]
-        level = np.linalg.inv(pose(x, y, 0.3, yaw=yaw)) @ self.cup(then)
-        earlier, flat = np.linalg.inv(self.robot(both)), pose(*expected[:2])
-        rules = [
-            rule
-            for wrong, rule in (
-                (before @ self.cup(then), 'robot-now'),
-                (earlier @ self.cup(then), 'robot-now'),
-                (self.cup(then), 'point'),
-                (level, 'point'),
-                (flat, 'point'),
-            )
-            if same(place, origin(wrong), 1e-3)
-        ]
+        expected = origin(np.linalg.inv(self.robot(self.newest)) @ self.cup(then))
+        wrong = [(rule, reason) for other, rule, reason in self._others(now, seconds) if same(place, other, 1e-3)]
         explain(
             same(place, expected, 1e-3),
             f'{call} gave {words(place)}, expected {words(expected)}.',
-            *[
-                (same(place, origin(wrong), 1e-3), reason)
-                for wrong, reason in (
-                    (before @ self.cup(then), 'This is seen from the robot as it stood then. It has moved on.'),
-                    (robot @ self.cup(both), 'This is where the cup was just now.'),
-                    (np.linalg.inv(self.robot(both)) @ self.cup(both), 'This is where the cup was just now.'),
-                    (
-                        earlier @ self.cup(then),
-                        'This is seen from the robot as it stood at the newest time of which tf2 knows the cup, too. '
-                        'There is a newer transform of the robot.',
-                    ),
-                    (
-                        robot @ self.cup(now - math.floor(seconds)),
-                        f'This is where the cup was {math.floor(seconds)} s ago: parts of a second count, too.',
-                    ),
-                    (
-                        robot @ self.cup(self.newest - seconds),
-                        "The seconds count back from the time of the node's clock, not from the newest transform.",
-                    ),
-                    (flat, 'x and y are right, and z is 0: the cup is higher than the robot.'),
-                    (self.cup(then), 'This is in the frame map.'),
-                    (level, 'The robot stands on a ramp: it is turned by more than its yaw.'),
-                    (
-                        np.linalg.inv(robot @ self.cup(then)),
-                        'This is where the robot is, seen from the cup: target and source are swapped.',
-                    ),
-                )
-            ],
-            rule=(*rules, 'then')[0],
+            *[(True, reason) for _, reason in wrong],
+            rule=(*[rule for rule, _ in wrong], 'then')[0],
         )
         expect(
             found.header.frame_id == 'base_link',
@@ -189,3 +147,51 @@ class Scene:
             f"{call} has the stamp {stamp:g} s, expected {self.newest:g} s: that of the robot's newest transform.",
             'stamp',
         )
+
+    def _others(self, now: float, seconds: float) -> list[tuple[np.ndarray, str, str]]:
+        """Wrong places of the cup that have a reason: each with the rule that is broken, and with the reason."""
+        then, both = now - seconds, self.newest - EARLIER  # the latter is the newest time of which all is known
+        robot, before, earlier = (np.linalg.inv(self.robot(at)) for at in (self.newest, then, both))
+        x, y, yaw = self._robot[0] + (self.newest - self._begin) * self._robot[1]
+        level, whole = np.linalg.inv(pose(x, y, 0.3, yaw=yaw)), math.floor(seconds)
+        there = self.cup(then)
+        places = [
+            (before @ there, 'robot-now', 'This is seen from the robot as it stood then. It has moved on.'),
+            (robot @ self.cup(both), 'then', 'This is where the cup was just now.'),
+            (earlier @ self.cup(both), 'then', 'This is where the cup was just now.'),
+            (
+                earlier @ there,
+                'robot-now',
+                'This is seen from the robot as it stood at the newest time of which tf2 knows the cup, too. There is '
+                'a newer transform of the robot.',
+            ),
+            (
+                robot @ self.cup(now - whole),
+                'then',
+                f'This is where the cup was {whole} s ago: parts of a second count, too.',
+            ),
+            (
+                robot @ self.cup(self.newest - seconds),
+                'then',
+                "The seconds count back from the time of the node's clock, not from the newest transform.",
+            ),
+            (
+                pose(*origin(robot @ there)[:2]),
+                'point',
+                'x and y are right, and z is 0: the cup is higher than the robot.',
+            ),
+            (there, 'point', 'This is in the frame map.'),
+            (
+                np.linalg.inv(pose(x, y, 0.3)) @ there,
+                'point',
+                'This is the way from the robot to the cup along the axes of the map. Seen from the robot, ahead is '
+                'where it looks.',
+            ),
+            (level @ there, 'point', 'The robot stands on a ramp: it is turned by more than its yaw.'),
+            (
+                np.linalg.inv(robot @ there),
+                'then',
+                'This is where the robot is, seen from the cup: target and source are swapped.',
+            ),
+        ]
+        return [(origin(matrix), rule, reason) for matrix, rule, reason in places]

@@ -146,6 +146,12 @@ class Laser:
                 f'{told} This is the transform of `{other}`, not of the frame in the header of the scan.',
                 'frame',
             )
+        self._check_place(scan, found, there, told)
+
+    def _check_place(self, scan: LaserScan, found: np.ndarray, there: np.ndarray, told: str) -> None:
+        """Fail with `told` and the reason if these are not the hits of a scan of a laser whose matrix is `there`."""
+        hits = self.hits(scan)
+        wanted = moved(hits, there)
         degrees = moved(self.hits(_in_degrees(scan)), there)
         spread = moved(self.hits(_spread(scan)), there)
         counted = moved(self.hits(_hits_only(scan)), there)
