@@ -4,7 +4,7 @@ SCANS = 'test_scans'
 
 MUTANTS = [
     Mutant('spread_over_all', breaks='place', old='number * scan.angle_increment',
-           new='number * (scan.angle_max - scan.angle_min) / max(1, len(scan.ranges))', expect='Hit 1 of the scan'),
+           new='number * (scan.angle_max - scan.angle_min) / max(1, len(scan.ranges))', expect='of the scan, ('),
     Mutant('each_place_once', breaks='range', also='one-cloud', old='cloud = create_cloud_xyz32(scan.header, points)',
            new='cloud = create_cloud_xyz32(scan.header, list(dict.fromkeys(points)))', expect='each hit is a point'),
     Mutant('waits_five_seconds', breaks='later', old='''
@@ -30,7 +30,7 @@ MUTANTS = [
             self.get_logger().warning(str(error))
         ''', expect='do not block'),
     Mutant('counts_hits', breaks='place', old='scan.ranges',
-           new='r for r in scan.ranges if scan.range_min <= r <= scan.range_max', expect='Hit 1 of the scan'),
+           new='r for r in scan.ranges if scan.range_min <= r <= scan.range_max', expect='counted from hit to hit'),
     Mutant('gives_up', breaks='later', also=('hopeless',), old='''
         future = self.buffer.wait_for_transform_async('map', scan.header.frame_id, when)
         future.add_done_callback(lambda future: self.publish(cloud, future.result()))
@@ -82,9 +82,9 @@ MUTANTS = [
     Mutant('backwards', breaks='order', also=('range',), old='points.append((', new='points.insert(0, (',
            expect='their order is not that of the scan'),
     Mutant('to_the_right', breaks='place', also=('time', 'later', 'range', 'hopeless'), old='scan.angle_min + number',
-           new='scan.angle_min - number', expect='Hit 1 of the scan'),
+           new='scan.angle_min - number', expect='of the scan, ('),
     Mutant('from_zero', breaks='place', also=('time', 'later', 'range', 'hopeless'), old='scan.angle_min + number',
-           new='number', expect='Hit 1 of the scan'),
+           new='number', expect='of the scan, ('),
     Mutant('one_per_hit', breaks='one-cloud', also=('range', 'time', 'later', 'hopeless'),
            old='self.publisher.publish(do_transform_cloud(cloud, laser_in_map))', new="""
         for _ in range(2):
@@ -112,7 +112,7 @@ MUTANTS = [
     Mutant('rounded_distances', breaks='range', old='scan.range_min <= distance <= scan.range_max',
            new='scan.range_min <= round(distance, 2) <= scan.range_max', expect='gave a cloud of'),
     Mutant('always_to_the_left', breaks='place', also=('frame',), old='number * scan.angle_increment',
-           new='number * abs(scan.angle_increment)', expect='Hit 1 of the scan'),
+           new='number * abs(scan.angle_increment)', expect='of the scan, ('),
     Mutant('stamp_in_microseconds', breaks='stamp', old='self.publisher.publish(do_transform_cloud(cloud, laser_in_map))',
            new="""
         cloud = do_transform_cloud(cloud, laser_in_map)
