@@ -183,7 +183,7 @@ def check_long_silence(there: Pursuit) -> None:
     there.learner.run(0.7)  # so that what they said last is too old
     count = len(there.commands)
     there.learner.run(LONG, step=1.0)
-    check_steady(there, count, 'Both turtles said nothing', 'old')
+    _check_steady(there, count)
     commands = zip(there.commands.stamps[count:], there.commands.messages[count:], strict=True)
     drives = [stamp - begin for stamp, command in commands if not zeros(command)]
     expect(
@@ -194,15 +194,15 @@ def check_long_silence(there: Pursuit) -> None:
     )
 
 
-def check_steady(there: Pursuit, begin: int, story: str, rule: str) -> None:
-    """The commands with this number and later ones came in the last `LONG` seconds: one every 0.1 s, to the end."""
+def _check_steady(there: Pursuit, begin: int) -> None:
+    """In the last `LONG` seconds nobody said anything; commands came all the same, from number `begin` on: rule `old`."""
     count, wanted = len(there.commands) - begin, round(LONG / 0.1)
     last = LONG - (there.learner.now / SECOND - there.commands.stamps[-1])
     expect(
         count >= wanted - 2,  # whether there are too many is for `check_gaps` to say
-        f'{story} for {LONG:g} s, and in this time {count} commands came, the last one after {last:.1f} s; expected '
-        'one every 0.1 s, zeros, too, however long it takes.',
-        rule,
+        f'Both turtles said nothing for {LONG:g} s, and in this time {count} commands came, the last one after '
+        f'{last:.1f} s; expected one every 0.1 s, zeros, too, however long it takes.',
+        'old',
     )
 
 
