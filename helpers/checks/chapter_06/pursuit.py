@@ -195,7 +195,7 @@ def check_long_silence(there: Pursuit) -> None:
 
 
 def _check_steady(there: Pursuit, begin: int) -> None:
-    """In the last `LONG` seconds nobody said anything; commands came all the same, from number `begin` on: rule `old`."""
+    """In the last `LONG` seconds nobody spoke, and commands came to the end, from number `begin` on: rule `old`."""
     count, wanted = len(there.commands) - begin, round(LONG / 0.1)
     last = LONG - (there.learner.now / SECOND - there.commands.stamps[-1])
     expect(
