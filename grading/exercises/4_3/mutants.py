@@ -119,7 +119,7 @@ MUTANTS = [
         lidar = await futures[1]
         ''', expect='The message of the status is'),
     Mutant('gives_up_slow_parts', breaks='message', old=AWAIT, new='''
-        ends = [self.create_timer(5.0, future.cancel, callback_group=self.lidar.callback_group) for future in futures]
+        ends = [self.create_timer(2.0, future.cancel, callback_group=self.lidar.callback_group) for future in futures]
         battery, lidar = [await future or Trigger.Response(message='no answer') for future in futures]
         for end in ends:
             self.destroy_timer(end)

@@ -34,11 +34,11 @@ def test_slow_lock(learner):
 
     The lock's client needs a callback group of its own, because enter awaits.
     """
-    delay = learner.random.choice([11.7, 62.7])
+    delay = learner.random.choice([2.7, 4.1])
     lock, enter, _, _ = guard(learner, {'success': True, 'message': 'unlocked'}, delay=delay)
     learner.run(0.4)
     call = enter.send()
-    learner.run(delay + 1.0, step=5.0)
+    learner.run(delay + 1.0, step=1.0)
     expect(told(call) == (True, 'welcome'), f'The lock opened, and enter says {told(call)}.', 'welcome')
     expect(
         call.received == pytest.approx(0.4 + delay),

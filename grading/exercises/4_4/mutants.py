@@ -48,7 +48,7 @@ MUTANTS = [
     Mutant('leaves_below_zero', breaks='leave', old=LEAVE, new='self.inside -= 1', expect='An empty room stays at 0'),
     Mutant('gives_up_a_slow_lock', breaks='welcome', old=ASK, new='''
         future = self.lock.call_async(SetBool.Request(data=False))
-        limit = self.create_timer(5.0, future.cancel, callback_group=self.lock.callback_group)
+        limit = self.create_timer(2.0, future.cancel, callback_group=self.lock.callback_group)
         answer = await future or SetBool.Response()
         self.destroy_timer(limit)
         ''', expect='the lock answers after'),

@@ -7,13 +7,13 @@ MUTANTS = [
            new='number * (scan.angle_max - scan.angle_min) / max(1, len(scan.ranges))', expect='of the scan, ('),
     Mutant('each_place_once', breaks='range', also='one-cloud', old='cloud = create_cloud_xyz32(scan.header, points)',
            new='cloud = create_cloud_xyz32(scan.header, list(dict.fromkeys(points)))', expect='each hit is a point'),
-    Mutant('waits_five_seconds', breaks='later', old='''
+    Mutant('waits_half_a_second', breaks='later', old='''
         future.add_done_callback(lambda future: self.publish(cloud, future.result()))
         ''', new='''
         begin = self.get_clock().now()
         future.add_done_callback(
-            lambda future: self.get_clock().now() - begin < Duration(seconds=5.0) and self.publish(cloud, future.result()))
-        ''', expect='do not give up before'),
+            lambda future: self.get_clock().now() - begin < Duration(seconds=0.5) and self.publish(cloud, future.result()))
+        ''', expect='do not give up so soon'),
     Mutant('from_min_to_max', breaks='place', old='number * scan.angle_increment',
            new='number * (scan.angle_max - scan.angle_min) / max(1, len(scan.ranges) - 1)',
            expect='spread from angle_min to angle_max'),

@@ -35,7 +35,7 @@ class Room:
         before = len(self.lock.requests)
         call = self.doors['enter'].send()
         with about(rule), waiting('one-thread'):
-            self.learner.run(self.delay + 0.3, step=max(1.0, self.delay / 4))
+            self.learner.run(self.delay + 0.3, step=1.0)
         asked = self.lock.requests[before:]
         story = f'Capacity {self.capacity}, {story}: '
         if wanted != 'full':
@@ -73,7 +73,7 @@ class Room:
     def enter_slowly(self):
         """From the full room one leaves; the next one waits long for the lock, which opens all the same."""
         self.leave('one leaves')
-        quick, self.delay = self.delay, self.learner.random.choice([31.5, 47.5, 75.5])
+        quick, self.delay = self.delay, self.learner.random.choice([2.6, 3.4, 4.2])
         self.lock.delay = self.delay
         story = f'{people(self.capacity - 1)} inside, the lock answers after {self.delay} s'
         self.enter('welcome', 'welcome', story)
