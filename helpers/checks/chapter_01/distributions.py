@@ -1,6 +1,6 @@
 """Tables of distributions, and which one is chosen from them: for exercise 1.1."""
 
-from calendar import monthrange
+from calendar import isleap, monthrange
 from dataclasses import dataclass
 from random import Random
 
@@ -16,6 +16,7 @@ RELEASES = {
     'kilted': ['24.04', '2025-05', '2026-12'],
     'lyrical': ['26.04', '2026-05', '2031-05'],
 }
+BOTH_SUPPORTED = [('24.04', '2026-08'), ('22.04', '2024-03'), ('20.04', '2021-09')]
 _LETTERS = ('Cedar', 'black gum', 'Elm_2', 'fir.1', 'GINKGO', 'holly-b')  # names of other kinds
 _NAMES = ('maple', 'nettle', 'oak', 'pine', 'quince', 'rowan', 'spruce', 'thuja', 'umber', 'viburnum')
 _WHY = {
@@ -54,7 +55,7 @@ def chosen(ubuntu: str, today: str, table: dict) -> list:
 def cases(random: Random) -> list[Case]:
     """Questions about the course's table."""
     asked = {
-        'ends-last': [('24.04', '2026-08'), ('22.04', '2024-03'), ('20.04', '2021-09')],
+        'ends-last': BOTH_SUPPORTED,
         'months': [
             ('20.04', '2023-06'),
             ('22.04', '2027-05'),
@@ -91,6 +92,8 @@ def drawn_cases(random: Random) -> list[Case]:
     rows.insert(random.randint(0, len(rows)), [far, f'{year + 13}-05', f'{year + 18}-05'])  # what is to come for others
     for row in ([gap, f'{year}-05', f'{year + 1}-11'], [gap, f'{year + 4}-05', f'{year + 9}-05']):
         rows.insert(random.randint(0, len(rows)), row)
+    leap = next(one for one in range(year + 2, year + 12) if isleap(one))
+    rows.insert(random.randint(0, len(rows)), ['42.04', f'{year}-08', f'{leap}-02'])  # to the 29th
     table = dict(zip(random.sample(_NAMES, len(rows)), rows, strict=True))
     asked = [
         ('ends-last', long, f'{year + 1}-08'),
@@ -98,6 +101,8 @@ def drawn_cases(random: Random) -> list[Case]:
         ('months', gap, f'{year + 1}-11'),
         ('months', late, f'{year - 6}-03'),
         ('months', gap, f'{year + 4}-05'),
+        ('months', '42.04', f'{leap}-02'),
+        ('ended', '42.04', f'{leap}-03'),
         ('to-come', gap, f'{year + 2}-06'),
         ('to-come', gap, f'{year + 1}-12'),
         ('to-come', late, f'{year - 7}-12'),
@@ -107,10 +112,15 @@ def drawn_cases(random: Random) -> list[Case]:
         ('unknown', long + '.1', f'{year + 1}-08'),
     ]
     turned = dict(reversed(table.items()))  # what comes first in a table means nothing
+    # Names that many know, in rows of others.
+    known = dict(
+        zip(['galactic', 'foxy', 'iron', 'humble', 'kilted', 'jazzy', 'lyrical'], RELEASES.values(), strict=True)
+    )
     return [
         *[Case(rule, ubuntu, month, table) for rule, ubuntu, month in asked],
         *[Case(rule, ubuntu, month, turned) for rule, ubuntu, month in asked if rule == 'to-come'],
         Case('table', '24.04', '2026-11', {}),
+        *[Case('table', ubuntu, month, known) for ubuntu, month in BOTH_SUPPORTED],
     ]
 
 
@@ -152,7 +162,9 @@ def check(learner, asked: list[Case]) -> None:
     first = FirstCall(learner, 'choose_distribution', 'table')
     for case in asked:
         last = monthrange(*map(int, case.month.split('-')))[1]
-        for day in (1, last) if case.rule == 'months' else (learner.random.randint(1, last),):
+        # The last day that counts, and the first one after it: months have 28 to 31 days.
+        days = {'months': (1, last), 'ended': (1, learner.random.randint(2, last))}
+        for day in days.get(case.rule, (learner.random.randint(1, last),)):
             _check_day(learner, case, f'{case.month}-{day:02}', first)
 
 
