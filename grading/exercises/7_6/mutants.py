@@ -8,6 +8,8 @@ NAMES = 't.header.frame_id, t.child_frame_id = (new if name == old else name for
 MUTANTS = [
     Mutant('no_unknown', old='if source not in frames:', new='if not frames:', breaks='unknown', also='order',
            expect='You did not find `no_transform`, cause `unknown`'),
+    Mutant('unknown_only_with_evidence', old='if source not in frames:', expect='You did not find',
+           new='if source not in frames and nearest(source, frames):', breaks='unknown'),
     Mutant('unknown_without_evidence', old="'unknown', nearest(source, frames))", new="'unknown', '')",
            breaks='unknown', also='order', expect='your evidence is'),
     Mutant('no_two_parents', old='        return twice\n', new='        return []\n', breaks='two-parents',

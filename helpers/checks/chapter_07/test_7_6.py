@@ -20,6 +20,8 @@ def test_causes(learner):
                 Tree(learner.random, cause, moves=moves).diagnose(learner)
     judge_other_places(learner)
     judge_rare_trees(learner)
+    with about('unknown'):
+        Tree(learner.random, 'unknown', near=False, moves=True).diagnose(learner)
     for near in (True, False):
         Tree(learner.random, 'not connected', near=near, moves=True, decoy=True).diagnose(learner)
     for aged in ('upper', 'lower', 'both', 'sensor'):
