@@ -113,7 +113,8 @@ class Robot:
             there = ElementTree.SubElement(link, part)
             if part == 'visual' and 'collision' in faults:  # its parts may stand in any order
                 ElementTree.SubElement(there, 'material', name='paint')
-            ElementTree.SubElement(there, 'origin', origin)
+            if part == 'visual' or random.random() < 0.5:  # without an origin, it is where the link is
+                ElementTree.SubElement(there, 'origin', origin)
             geometry = ElementTree.SubElement(there, 'geometry')
             if part == 'visual':
                 ElementTree.SubElement(geometry, *shape)
@@ -125,14 +126,14 @@ class Robot:
             inertial = ElementTree.SubElement(link, 'inertial')
             ElementTree.SubElement(inertial, 'origin', origin)
             value = (
-                self._one_of(random, ['0', '0.0', f'-{mass:.2f}'])
+                self._one_of(random, ['0', random.choice(['0.00', '0.000']), f'-{mass:.2f}'])
                 if 'mass' in faults
                 else '0.004'
                 if self._flat
                 else f'{mass:.2f}'
             )
             ElementTree.SubElement(inertial, 'mass', value=value)
-            moments = ['0.0005', '0.0005', '0.001'] if self._flat else [f'{one:.6f}' for one in solid(*shape, mass)]
+            moments = ['0.00002', '0.00002', '0.00004'] if self._flat else [f'{one:.6f}' for one in solid(*shape, mass)]
             if 'inertia' in faults:
                 place = random.randrange(3) if self._form is None else self._form // 3 % 3
                 # Other ones than those of the solid body, of which one is wrong, and a sum that is wrong by a little.
