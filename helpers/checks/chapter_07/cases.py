@@ -5,6 +5,7 @@ from contextlib import contextmanager
 from helpers.checks.chapter_07 import graphs, machines, models, packages, stacks, tf_trees
 from helpers.checks.chapter_07.findings import compare
 from helpers.runner import about, expect
+from helpers.runner.values import SetAsList
 from helpers.runner.verdicts import LearnerError, LearnerTimeout
 
 WHY = {**machines.WHY, **packages.WHY, **graphs.WHY, **stacks.WHY, **models.WHY, **tf_trees.WHY}
@@ -101,6 +102,9 @@ class Case:
             except LearnerTimeout as error:
                 error.rule = 'ends'
                 raise
+        expect(
+            not isinstance(found, SetAsList), 'triage returned a set, expected a list: it tells what came first.', rule
+        )
         twice = [one for one in found if found.count(one) > 1] if isinstance(found, list) else []
         expect(not twice, f'You found {twice and twice[0]} more than once.', 'once')
         compare(found, self.expected, WHY, rule)
