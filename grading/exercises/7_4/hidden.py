@@ -24,6 +24,7 @@ def test_healthy_threads(learner):
     """
     check(learner, 'idle', 'spinning', rule='healthy')
     check(learner, 'waits in main', rule='healthy')
+    check(learner, 'at work', rule='healthy')
     check(learner, 'serving', rule='healthy', times=2)
 
 
@@ -53,6 +54,7 @@ def test_several_threads(learner):
     A MultiThreadedExecutor can hang in several callbacks.
     """
     check(learner, 'idle', *learner.random.sample(stacks.CAUSES, 3), 'spinning', rule='all')
+    check(learner, 'idle', 'spinning', *learner.random.sample(stacks.CAUSES, 2), rule='all', times=2)
     check(learner, learner.random.choice(stacks.CAUSES), 'same', 'same', 'spinning', rule='all', times=2)
 
 

@@ -67,10 +67,11 @@ def draw(random, *states: str, plain: bool = False) -> tuple[str, dict[str, str]
     """Stacks with a thread in each of these states, the program's files, and the findings that are right.
 
     States: the causes, ``spinning`` (the main thread spins), ``idle`` (a worker without the program's calls),
-    ``waits in main`` (``call`` outside of a callback, which is no finding), ``serving`` (the main thread spins, and a
-    callback of rclpy runs), ``calling`` (busy, with a newer call of rclpy that does not wait), ``ending`` (it ends the
-    executor, which waits in executors.py), ``looking`` (it waits for a server, and just looks whether it is there),
-    ``same`` (another thread in the line of the one before).
+    ``waits in main`` (``call`` outside of a callback, which is no finding), ``at work`` (its own call is the newest,
+    outside of a callback, which is none either), ``serving`` (the main thread spins, and a callback of rclpy runs),
+    ``calling`` (busy, with a newer call of rclpy that does not wait), ``ending`` (it ends the executor, which waits in
+    executors.py), ``looking`` (it waits for a server, and just looks whether it is there), ``same`` (another thread in
+    the line of the one before).
     :param plain: each thread has one own call besides that in main, and no file is called as one of rclpy's.
     """
     program = _Program(random, plain)
@@ -147,6 +148,9 @@ class _Program:
             return [*wait, '  File "/usr/lib/python3.12/concurrent/futures/thread.py", line 90 in _worker']
         if state == 'waits in main':
             return [*wait, *self._library('client.py call'), self._own('client.call(request)', 'main')]
+        if state == 'at work':
+            begin = random.choice([[], ['  File "/usr/lib/python3.12/threading.py", line 1012 in run']])
+            return [*newest['busy'], self._own(_LINES['busy'], 'record' if begin else 'main'), *begin]
         if state in _OTHER_FORMS:
             state, calls = _OTHER_FORMS[state]
             newest[state] = self._library(*random.choice(calls))
@@ -410,18 +414,19 @@ class Client:
 
     def _run(self) -> dict[str, Ended]:
         random = self._learner.random
-        delay, word = random.uniform(2.2, 2.5), f'word {random.randint(100, 999)}'
+        # An answer may also be an empty one.
+        delay, words_of = random.uniform(2.2, 2.5), {'late': f'word {random.randint(100, 999)}', 'twice': ''}
         # No name tells what the server does.
         names = (f'/{service}' for service, _, _ in random.sample(words.SERVICES, 4))
         patience = TWICE * (2 if busy() else 1)
         asked = {
             what: (next(names), round(random.uniform(low, low + 0.3), 2))
-            for what, low in (('late', 30.0), ('twice', patience), ('nobody', 3.0), ('silent', 3.0))
+            for what, low in (('late', 30.0), ('twice', patience), ('nobody', 2.5), ('silent', 2.5))  # no whole seconds
         }
         asked['nobody'] = asked['nobody'][0].lstrip('/'), asked['nobody'][1]  # a name is printed as it was given
         with Observer(self._learner) as observer, Observer(self._learner) as silent:
             delays = {'late': delay, 'twice': 0.62 * patience}
-            servers = {what: _LateServer(observer, asked[what][0], delays[what], word) for what in delays}
+            servers = {what: _LateServer(observer, asked[what][0], delays[what], words_of[what]) for what in delays}
             silent.node.create_service(Trigger, asked['silent'][0], lambda request, response: response)  # never spun
             running = {
                 what: _Running(
@@ -436,7 +441,9 @@ class Client:
                 return not [one for one in running.values() if not one.over()]
 
             observer.until(all_over, 5 * START)
-        return {what: one.outcome(asked[what][1], asked[what][0], word) for what, one in running.items()}
+        return {
+            what: one.outcome(asked[what][1], asked[what][0], words_of.get(what, '')) for what, one in running.items()
+        }
 
     def interrupt(self, silent: bool) -> str:
         """Ctrl+C while it waits: 'True' if it ends, 'False' if not, 'early' if it had ended before.
@@ -475,10 +482,10 @@ def judge_answer(learner, of: str) -> None:
     )
     both = runs['twice']
     expect(
-        (both.printed, both.status) == (f'answer: {both.word}', '0'),
-        f'The server of {both.name} came after about {0.62 * both.seconds:.0f} s, and needed as long for its answer. '
-        f'The client may wait {both.seconds:g} s for each of the two, and printed `{both.printed}` after '
-        f'{both.took:.1f} s.',
+        (both.printed, both.status) == (f'answer: {both.word}'.strip(), '0'),
+        f'The server of {both.name} came after about {0.62 * both.seconds:.0f} s, and needed as long for its answer, '
+        f'whose message is empty. The client may wait {both.seconds:g} s for each of the two, and printed '
+        f'`{both.printed}` after {both.took:.1f} s.',
     )
 
 
