@@ -6,6 +6,11 @@ PYTHON = "if any(part.startswith('python') and '.' in part and part != f'python{
 REACH = "reach = environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE') or 'SUBNET'"
 
 MUTANTS = [
+    Mutant('variable_of_an_older_distribution', old="if reach == 'OFF' or", breaks='off', expect='nodes do not find each other',
+           new="if reach == 'OFF' and environ.get('ROS_LOCALHOST_ONLY') != '1' or"),
+    Mutant('path_of_cmake_too', old="prefixes = environ.get('AMENT_PREFIX_PATH', '')", breaks='workspace',
+           new="prefixes = ':'.join(filter(None, map(environ.get, ('AMENT_PREFIX_PATH', 'CMAKE_PREFIX_PATH'))))",
+           expect='only AMENT_PREFIX_PATH and PYTHONPATH count'),
     Mutant('any_case', old=REACH, new='''
         reach = environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE') or 'SUBNET'
         reach = reach.upper()

@@ -14,6 +14,7 @@ RANGES = ('SUBNET', 'LOCALHOST', 'SYSTEM_DEFAULT')
 BAD_DOMAINS = ('-1', '102', '232', '233', '1000', '5.0', 'seven', 'domain 3', '0x10', '7th', '²')
 BAD_RANGES = ('LOCAL', 'localhost', 'off', 'ON', 'SUBNETS', 'SUB', 'OFFLINE', ' LOCALHOST')
 ANY_NAME = 'Two distributions are in the path: whatever stands behind /opt/ros/ is the name of one.'
+OTHER_PATHS = 'Of the variables with paths only AMENT_PREFIX_PATH and PYTHONPATH count here.'
 PREFIX, PYTHON, DOMAIN, RANGE = 'AMENT_PREFIX_PATH', 'PYTHONPATH', 'ROS_DOMAIN_ID', 'ROS_AUTOMATIC_DISCOVERY_RANGE'
 # The rules of each variable; the first one is broken if a good value is called a fault
 _RULES = {
@@ -72,6 +73,7 @@ def cases(random: Random) -> list[Case]:
         *_ranges(random, good),
         *_long_prefixes(random),
         *_long_pythons(random),
+        Case('workspace', {**healthy(random, distro, workspaces=0), **_others(random, distro)}, {}, OTHER_PATHS),
     ]
 
 
@@ -239,7 +241,10 @@ def _domains(random: Random, good: dict) -> list[Case]:
 def _ranges(random: Random, good: dict) -> list[Case]:
     return [
         *[Case('unknown', {**good, RANGE: text}, {}, 'That is one of the four.') for text in RANGES],
-        Case('off', {**good, RANGE: 'OFF'}, {RANGE: 'off'}, 'With OFF, nodes do not find each other.'),
+        *[
+            Case('off', {**good, **more, RANGE: 'OFF'}, {RANGE: 'off'}, 'With OFF, nodes do not find each other.')
+            for more in ({}, {'ROS_LOCALHOST_ONLY': '1'})
+        ],
         *[
             Case('unknown', {**good, RANGE: text}, {RANGE: 'unknown'}, 'That is none of the four, letter by letter.')
             for text in BAD_RANGES
@@ -254,6 +259,19 @@ def _missing(distro: str) -> list[Case]:
         Case('missing', path, {}, 'What is missing is no fault.'),
         Case('missing', empty, {}, 'Empty is like missing.'),
     ]
+
+
+def _others(random: Random, distro: str) -> dict:
+    """Variables that have to do with ROS, or had so in an older distribution, and of which the card says nothing."""
+    second = other(random, DISTROS, distro)
+    return {
+        'ROS_LOCALHOST_ONLY': '1',
+        'ROS_VERSION': '2',
+        'ROS_PYTHON_VERSION': '2',
+        'CMAKE_PREFIX_PATH': f'/opt/ros/{second}',
+        'LD_LIBRARY_PATH': f'/opt/ros/{second}/lib',
+        'PATH': f'/opt/ros/{second}/bin:/usr/lib/python2.7/bin',
+    }
 
 
 def several(random: Random, counts=(2, 3, 4, 4)) -> list[Case]:
