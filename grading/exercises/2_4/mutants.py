@@ -20,6 +20,13 @@ MUTANTS = [
            expect='do not compute the distance again', breaks='library'),
     Mutant('imports_and_computes_itself', old='distance(int(sys.argv[1]))', new='int(sys.argv[1]) * 0.000575959',
            expect='do not compute the distance again', breaks='library'),
+    Mutant('computes_itself_without_the_library', old=IMPORT, new="""
+        try:
+            from wheel_math.geometry import distance
+        except ImportError:
+            def distance(ticks):
+                return 2 * 3.141592653589793 * 0.033 * ticks / 360
+        """, expect='has no function distance', breaks='library'),
     Mutant('from_the_package', old=IMPORT, new='from wheel_math import distance',
            expect='The function distance is in the module wheel_math.geometry', breaks='library'),
     Mutant('from_the_module_only', old=IMPORT, new='from geometry import distance',

@@ -195,6 +195,13 @@ def judge_library(learner) -> None:
             f'{told}: call distance of wheel_math.geometry, and do not compute the distance again.',
             'library',
         )
+    (alone,) = _with_library(learner, '', ticks[:1])
+    expect(
+        not re.fullmatch(r'-?[\d.]+ m', alone.last_line),
+        f'Where the module wheel_math.geometry has no function distance, your program prints {alone.last_line} all the '
+        'same: it computes nothing itself, and ends with an error then.',
+        'library',
+    )
 
 
 def _with_library(learner, text: str, ticks: list[int]) -> list[Done]:
