@@ -9,6 +9,8 @@ STOP = '''
         '''
 
 MUTANTS = [
+    Mutant('goal_in_front_is_enough', old='if abs(error) < 0.3:', new='if abs(error) < 1.5:', breaks='short-way',
+           expect='nearly as fast as ever'),
     Mutant('absolute_topics', edits=(("Twist, 'turtle1/cmd_vel'", "Twist, '/turtle1/cmd_vel'"),
             ("Pose, 'turtle1/pose'", "Pose, '/turtle1/pose'")), expect='a relative name has no slash', breaks='topics'),
     Mutant('atan_of_the_quotient', old='.atan2(dy, dx)', new='.atan(dy / dx if dx else 1e9)', expect='ran into a wall',

@@ -10,6 +10,7 @@ WITHIN = 0.1  # m
 AT_MOST = 20.0  # s
 DIZZY = 4 * math.pi  # who has turned so much does not find the goal
 BEHIND = 1.7  # radians: who looks so far away from the goal, and is farther from it than NEAR, should only turn
+ASKEW = 1.0  # radians: who looks so far away from the goal does not look to it, and is slower than most of the time
 NEAR = 0.5  # m
 NAME, POSE, COMMAND = 'go_to_goal', 'turtle1/pose', 'turtle1/cmd_vel'
 
@@ -57,13 +58,12 @@ class Drive:
 
         :param wall_near: it starts beside a wall; where it does not, who runs into one looks in a wrong direction.
         """
-        sim, nearest, astray = self.sim, math.inf, 0.0
+        sim, nearest, speeds = self.sim, math.inf, []
 
         def arrived():
-            nonlocal nearest, astray
+            nonlocal nearest
             nearest = min(nearest, sim.distance(*self.goal))
-            if sim.distance(*self.goal) > NEAR and self.error() > BEHIND:
-                astray = max(astray, sim.turtle.linear)
+            speeds.append((sim.turtle.linear, self.error() if sim.distance(*self.goal) > NEAR else 0.0))
             return sim.turned > DIZZY or sim.distance(*self.goal) < WITHIN and sim.turtle.linear < 0.01
 
         with about('reach'):
@@ -112,10 +112,23 @@ class Drive:
             f'{sim.distance(*self.goal):.2f} m away, at {place}. It came to {nearest:.2f} m of the goal.',
             'reach',
         )
+        self._turned_first(speeds)
+
+    def _turned_first(self, speeds: list[tuple[float, float]]) -> None:
+        """`speeds`: how fast the turtle drove (m/s), and how far it looked away from a goal that was not near."""
+        astray = max((speed for speed, error in speeds if error > BEHIND), default=0.0)
         expect(
             astray < 0.05,
             f'{self.way}the turtle drove with {astray:.2f} m/s while the goal was behind it, and so away from the '
             'goal. Turn first, and drive when it looks to the goal.',
+            'short-way',
+        )
+        askew = max((speed for speed, error in speeds if error > ASKEW), default=0.0)
+        fastest = max((speed for speed, _ in speeds), default=0.0)
+        expect(
+            askew < max(0.75 * fastest, 0.05),
+            f'{self.way}the turtle drove with {askew:.2f} m/s, nearly as fast as ever, while it looked more than '
+            f'{math.degrees(ASKEW):.0f}° past the goal. Turn first, and drive when it looks to the goal.',
             'short-way',
         )
 
