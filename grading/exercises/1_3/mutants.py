@@ -1,6 +1,19 @@
 from grading.variants import Mutant
 
 MUTANTS = [
+    Mutant('newest_text_in_a_timer', old="""
+        self.create_subscription(String, 'chatter', self.publisher.publish, 10)
+        """, new="""
+        newest = []
+
+        def carry():
+            if newest:
+                self.publisher.publish(newest.pop())
+            newest.clear()
+
+        self.create_subscription(String, 'chatter', newest.append, 10)
+        self.create_timer(0.1, carry)
+        """, breaks='carries', expect='once and in order'),
     Mutant('both_directions', old='''
         def __init__(self, other_domain):
             super().__init__('bridge')
