@@ -23,4 +23,12 @@ ALTERNATIVES = [
             yaw = euler_from_quaternion((turn.x, turn.y, turn.z, turn.w))[2]
             return found.transform.translation.x, found.transform.translation.y, yaw
             ''')), imports='from tf_transformations import euler_from_quaternion'),
+    Alternative('seconds_in_floats', edits=(('''
+            if self.get_clock().now() - Time.from_msg(found.header.stamp) > Duration(seconds=0.5):
+                return None
+            ''', '''
+            stamp, now = found.header.stamp, self.get_clock().now().nanoseconds * 1e-9
+            if now - (stamp.sec + stamp.nanosec * 1e-9) > 0.5:
+                return None
+            '''),)),
 ]

@@ -54,7 +54,7 @@ MUTANTS = [
     Mutant('five_seconds', old='seconds=0.5', new='seconds=5.0', expect='still says', breaks='old'),
     Mutant('too_strict', old='seconds=0.5', new='seconds=0.3', expect='That is good enough', breaks='old'),
     Mutant('whole_seconds', old=AGE, new='if self.get_clock().now().to_msg().sec - found.header.stamp.sec > 0.5:',
-           expect='0', breaks='old', also=('place', 'again')),
+           expect='0', breaks='old', also=('place', 'again', 'newest', 'yaw')),
     Mutant('parts_of_seconds', old=AGE,
            new='if self.get_clock().now().to_msg().nanosec - found.header.stamp.nanosec > 5e8:', expect='still says',
            breaks='old', also=('again', 'place')),
@@ -98,4 +98,16 @@ MUTANTS = [
            expect='Do not return a place of before', breaks='old'),
     Mutant('no_common_time', old='except TransformException:', new='except (LookupException, ConnectivityException):',
            imports='from tf2_ros import ConnectivityException, LookupException', expect='Exception', breaks='at-once'),
+    Mutant('corrections_only_at_first', old='place, turn = found.transform.translation, found.transform.rotation', new="""
+        self.first = getattr(self, 'first', None) or self.buffer.lookup_transform('map', 'odom', Time())
+        there = self.buffer.lookup_transform('odom', 'base_footprint', Time()).transform
+        point = Point(x=there.translation.x, y=there.translation.y)
+        there = do_transform_pose(Pose(position=point, orientation=there.rotation), self.first)
+        place, turn = there.position, there.orientation
+        """, imports='from geometry_msgs.msg import Point, Pose\nfrom tf2_geometry_msgs import do_transform_pose',
+           expect='The localiser has corrected where odom is in map', breaks='newest', also=('yaw', 'place', 'again')),
+    Mutant('one_turn_to_one_side', old=RETURN, new="""
+        yaw = 2 * math.atan2(turn.z, turn.w)
+        return place.x, place.y, yaw + math.tau if yaw < -math.pi else yaw
+        """, expect='from -π to π', breaks='yaw'),
 ]

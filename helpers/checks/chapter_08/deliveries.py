@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import math
 import secrets
 from pathlib import Path
 
@@ -56,7 +57,21 @@ class Localizer:
         from helpers.runner.frames import pose
 
         self._tf = learner.tf_broadcaster()
-        self._pose, self._drift = pose, pose(drift[0], drift[1], yaw=drift[2])
+        self._pose = pose
+        self._driven = pose()  # where base_footprint is in odom
+        self.drift(*drift)
+
+    def drift(self, x: float, y: float, yaw: float) -> None:
+        """From now on, odom is here in the map. Nobody is told yet."""
+        self._drift = self._pose(x, y, yaw=yaw)
+
+    def correct(self, x: float, y: float, yaw: float) -> tuple[float, float, float]:
+        """Tell that odom is here in the map, and the robot where it was in odom. Returns its x, y, yaw in the map."""
+        self.drift(x, y, yaw)
+        self.localize()
+        self._tf.send('odom', 'base_footprint', self._driven)
+        there = self._drift @ self._driven
+        return float(there[0, 3]), float(there[1, 3]), math.atan2(there[1, 0], there[0, 0])
 
     def tell(self, x: float, y: float, yaw: float, seconds: float | None = None) -> None:
         """Stamped now, or as given (simulated seconds)."""
@@ -71,7 +86,8 @@ class Localizer:
         """Only where base_footprint is in odom, so that it is here in the map."""
         import numpy
 
-        self._tf.send(parent, 'base_footprint', numpy.linalg.inv(self._drift) @ self._pose(x, y, yaw=yaw), seconds)
+        self._driven = numpy.linalg.inv(self._drift) @ self._pose(x, y, yaw=yaw)
+        self._tf.send(parent, 'base_footprint', self._driven, seconds)
 
 
 class Delivery:

@@ -19,10 +19,15 @@ class Lost:
         draw = learner.random
         learner.now = draw.randint(100, 900) * SECOND + draw.randint(5, 9) * SECOND // 10
         self.learner, self.draw = learner, draw
-        self.drift = draw.uniform(0.5, 1), -draw.uniform(0.5, 1), draw.uniform(2.2, 2.9)
-        self.localizer = Localizer(learner, self.drift)
+        self._side = draw.choice([-1, 1])  # to which odom is turned
+        self.localizer = Localizer(learner, self.drift())
         self.node = learner.start('Courier')
         learner.run(0.2)
+
+    def drift(self) -> tuple[float, float, float]:
+        """Where odom is in the map, in metres and radians; each time it is turned to the other side."""
+        draw, self._side = self.draw, -self._side
+        return draw.uniform(0.5, 1), -draw.uniform(0.5, 1), self._side * draw.uniform(1.95, 2.05)
 
     def where(self, rule: str):
         """What the learner's `where` returns: None, or a list of three numbers. `rule`: what another result breaks."""
@@ -112,7 +117,10 @@ def judge_place(lost: Lost) -> None:
             'place',
         )
         expect(same(found[:2], told[:2]), f'{said} In which frame did you ask for which one?', 'place')
-    for low, high in ((0.5, 1.5), (-1.5, -0.5), (2.0, 3.1), (-3.1, -2.0)):
+    _judge_correction(lost)
+    for low, high in 2 * ((0.5, 1.5), (-1.5, -0.5), (2.3, 3.1), (-3.1, -2.3)):
+        if low == 0.5:
+            lost.localizer.drift(*lost.drift())
         yaw = lost.draw.uniform(low, high)
         lost.localizer.tell(1.0, 1.0, yaw)
         lost.learner.run(0.1)
@@ -122,6 +130,33 @@ def judge_place(lost: Lost) -> None:
             f'The robot looks to {yaw:.2f} rad, and where() says {found and round(found[2], 2)}. The yaw is in '
             'radians, from -π to π.',
             'yaw',
+        )
+
+
+def _to_a_good_second(learner) -> None:
+    """Go on to a full second from which half a second is no more than that, also in floats.
+
+    A node may compare seconds that it has computed from nanoseconds with 1e-9, which is not exact.
+    """
+    learner.run((-learner.now % SECOND) / SECOND)
+    while (learner.now + SECOND // 2) * 1e-9 - learner.now // SECOND > 0.5:
+        learner.run(1.0)
+
+
+def _judge_correction(lost: Lost) -> None:
+    """The rule `newest`: the localiser corrects where odom is in the map, and the wheels have nothing to say."""
+    before = lost.where('newest')
+    for _ in range(2):
+        now = lost.localizer.correct(*lost.drift())
+        lost.learner.run(0.1)
+        found = lost.where('newest')
+        expect(
+            same(found and found[:2], now[:2]),
+            'The localiser has corrected where odom is in map; base_footprint in odom is the same as before. So the '
+            f'robot is at {shown(now[:2])}, and where() says {found and shown(found[:2])}. '
+            + ('That is the place without the correction. ' if before and same(found and found[:2], before[:2]) else '')
+            + 'Ask for the transform from map to base_footprint, each time anew.',
+            'newest',
         )
 
 
@@ -136,7 +171,7 @@ def judge_age(lost: Lost) -> None:
             f'The transforms are 0.45 s old, and where(){again}, is None. That is good enough.',
             'old',
         )
-    lost.learner.run((-lost.learner.now % SECOND) / SECOND)
+    _to_a_good_second(lost.learner)
     lost.localizer.tell(*place)
     lost.learner.run(0.5)
     expect(
