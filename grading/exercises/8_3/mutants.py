@@ -153,4 +153,10 @@ def generate_launch_description():
            new="import os\nconfig = os.environ['COLCON_PREFIX_PATH'].split(':')[0] + '/fleet/share/fleet/config/fleet.yaml'"),
     Mutant('one_value_more', old='    max_linear: 0.6', new='    max_linear: 0.6\n    slow_linear: 0.3\n', breaks='rest',
            expect='has slow_linear = 0.3'),
+    Mutant('events_are_remapped', old="('cmd_vel', 'base/cmd_vel')]",
+           new="('cmd_vel', 'base/cmd_vel'), ('/parameter_events', 'parameter_events')]", breaks='others-stay',
+           expect='/robot2/governor has the topic /robot2/parameter_events'),
+    Mutant('log_below_base', old="('cmd_vel', 'base/cmd_vel')]",
+           new="('cmd_vel', 'base/cmd_vel'), ('/rosout', 'base/rosout')]", breaks='others-stay',
+           expect='has the topic /robot2/base/rosout'),
 ]

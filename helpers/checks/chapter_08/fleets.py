@@ -27,12 +27,16 @@ governor = Governor()
 values = {{name: governor.get_parameter(name).value for name in ('max_linear', 'slow_linear', 'rate', 'mode')}}
 names = {{'node': governor.get_fully_qualified_name(), 'publishes': governor.output.topic_name,
          'listens': governor.input.topic_name}}
+place = names['node'].removesuffix('/governor')
+asked = governor.get_publisher_names_and_types_by_node, governor.get_subscriber_names_and_types_by_node
+names['topics'] = sorted({{topic for ask in asked for topic, _ in ask('governor', place)}})
 print({mark!r} + json.dumps({{**names, **values}}), flush=True)
 rclpy.shutdown()
 """
 PROGRAM = 'governor'
 MOST = 8  # governors that are started; two are asked for
 ROBOTS = ('/robot1/governor', '/robot2/governor')
+OF_EACH_NODE = {'/rosout', '/parameter_events'}  # topics that any node has
 REST = {'slow_linear': (0.2, 'rest')}  # a default of the program `governor`
 WANTED = {  # name of the node → parameter → (value, rule)
     ROBOTS[0]: {'rate': (20.0, 'rate'), 'max_linear': (1.0, 'robot1'), 'mode': ('normal', 'robot2'), **REST},
@@ -68,7 +72,7 @@ def launched(learner) -> dict[str, dict]:
     expect(
         'InvalidParameterTypeException' not in log,
         'A governor did not start: a value in FLEET_YAML has the wrong '
-        'type. rate and max_linear are doubles: 1.0, and not 1.',
+        f'type. rate and max_linear are doubles: 1.0, and not 1.{executables.wrong_type(log)}',
         'types',
     )
     expect(
@@ -179,6 +183,13 @@ def judge_names(learner) -> None:
     for name in ROBOTS:
         got, wanted = there[name]['listens'], name.replace('governor', 'cmd_vel_in')
         expect(got == wanted, f'{name} listens to {got}, expected {wanted}.', 'others-stay')
+        more = {*there[name]['topics']} - {there[name]['publishes'], got} - OF_EACH_NODE
+        expect(
+            not more,
+            f'{name} has the topic {", ".join(sorted(more))}, which no governor has without your launch file. Remap '
+            'cmd_vel of robot2, and nothing else.',
+            'others-stay',
+        )
 
 
 def judge_others(learner, *namespaces: str) -> None:
