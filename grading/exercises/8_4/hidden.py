@@ -108,13 +108,14 @@ KINDS = (
     ),
     Kind(
         'bad-max-speed',
-        'that take a bad max_speed, or refuse a good one',
+        'that take a bad max_speed, refuse it with another error, or refuse a good one',
         {
             'that stands if max_speed is negative': variant(
                 check=f'    if max_speed < 0:\n        return 0.0\n    if isnan(max_speed):\n    {BAD}'
             ),
             'that accepts nan as max_speed': variant(check=f'    if max_speed < 0:\n    {BAD}'),
             'that refuses 0 as max_speed': variant(check=f'    if not max_speed > 0:\n    {BAD}'),
+            'that asserts that max_speed is good': variant(check='    assert max_speed >= 0\n'),
         },
     ),
 )

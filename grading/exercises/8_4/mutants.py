@@ -85,4 +85,6 @@ def test_limit(speed, distance):
         (-0.9, 0.5, 0.1, -0.5), (-0.9, 0.5, 0.6, -0.5),                        # backwards it does not matter
         (0.5, 0.5, nan, 0.0), (-0.9, 0.5, nan, -0.5),                          # the sensor has failed
         """, expect='that always drives backwards as fast as it may', breaks='max-speed'),
+    Mutant('any_error', old='pytest.raises(ValueError)', new='pytest.raises(Exception)', breaks='bad-max-speed',
+           expect='that raises TypeError for a bad max_speed'),
 ]

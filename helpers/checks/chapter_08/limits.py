@@ -122,11 +122,12 @@ KINDS = (
     ),
     Kind(
         'bad-max-speed',
-        'that take a bad max_speed, or refuse a good one',
+        'that take a bad max_speed, refuse it with another error, or refuse a good one',
         {
             'that accepts a negative max_speed': variant(check=f'    if isnan(max_speed):\n    {BAD}'),
             'that accepts nan as max_speed': variant(check=f'    if max_speed < 0:\n    {BAD}'),
             'that refuses 0 as max_speed': variant(check=f'    if not max_speed > 0:\n    {BAD}'),
+            'that raises TypeError for a bad max_speed': variant(check=PARTS['check'].replace('Value', 'Type')),
         },
     ),
 )

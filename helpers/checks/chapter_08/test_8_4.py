@@ -48,5 +48,5 @@ def test_sensor(learner):
 
 @pytest.mark.rules('bad-max-speed')
 def test_bad_max_speed(learner):
-    """Your tests notice functions that take a bad max_speed, or refuse a good one."""
+    """Your tests notice functions that take a bad max_speed, refuse it with another error, or refuse a good one."""
     VISIBLE.rejects(learner, 'bad-max-speed')
