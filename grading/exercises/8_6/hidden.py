@@ -68,6 +68,12 @@ KINDS = (
             'that drives only if it looks nearly at the goal': linear(
                 'min(max_linear, distance) if abs(angle) < 0.05 else 0.0'
             ),
+            'that drives only if the goal is less than 0.18 rad aside': linear(
+                'min(max_linear, distance) if abs(angle) < 0.18 else 0.0'
+            ),
+            'that drives unless the goal is behind it': linear(
+                'min(max_linear, distance) if abs(angle) < 1.6 else 0.0'
+            ),
         },
     ),
     Kind(

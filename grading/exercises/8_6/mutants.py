@@ -70,4 +70,19 @@ def test_straight_ahead():
         else:
             assert 1.1 * abs(angle) < abs(turn) < 1.5
         """, expect='that turns with 3 times the angle', breaks='turns'),
+    Mutant('zeros_to_the_letter', old='assert steer(1.0, 2.0, 0.3, 1.0, 2.0, 0.5, 1.0) == pytest.approx((0.0, 0.0, 0.0))',
+           new="assert str(tuple(steer(1.0, 2.0, 0.3, 1.0, 2.0, 0.5, 1.0))) == '(0.0, 0.0, 0.0)'",
+           expect='an int for each whole number', breaks='right-functions'),
+    Mutant('asks_for_floats', old='def test_at_the_goal():', new="""
+        @pytest.mark.parametrize('distance', [0.7, 2.0])
+        def test_floats(distance):
+            assert all(isinstance(one, float) for one in steer(0.0, 1.0, 0.0, distance, 1.0, 0.5, 1.0))
+
+
+        def test_at_the_goal():
+        """, expect='an int for each whole number', breaks='right-functions'),
+    Mutant('only_small_and_great_angles',
+           old='(0.0, 0.0), (0.1, 0.2), (-0.1, -0.2), (0.4, 0.8), (-0.4, -0.8), (0.9, 1.5), (-0.9, -1.5), (3.0, 1.5), (-3.0, -1.5)])',
+           new='(0.0, 0.0), (0.1, 0.2), (-0.1, -0.2), (1.7, 1.5), (-1.7, -1.5), (3.0, 1.5), (-3.0, -1.5)])',
+           expect='that turns on the spot from 0.15 rad on', breaks='on-the-spot'),
 ]

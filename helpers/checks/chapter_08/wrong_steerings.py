@@ -9,9 +9,13 @@ TURNED = (
     '    from math import cos, sin\n    angle = atan2(dy * cos(yaw) - dx * sin(yaw), dx * cos(yaw) + dy * sin(yaw))\n'
 )
 NAMED = variant(
-    linear='    linear = min(max_linear, distance) if abs(angle) <= 0.5 else 0\n',
-    result='    from collections import namedtuple\n'
-    "    return namedtuple('Steering', 'distance linear angular')(distance, linear, angular)\n",
+    goal='    if distance == 0:\n        angle = 0\n',
+    result="""\
+    from collections import namedtuple
+
+    values = [round(one) if abs(one - round(one)) < 1e-9 else one for one in (distance, linear, angular)]
+    return namedtuple('Steering', 'distance linear angular')(*values)
+""",
 )
 RIGHT = {
     "the course's": variant(),
@@ -21,7 +25,7 @@ RIGHT = {
         '    angle = atan2(sin(angle), cos(angle))\n',
     ),
     'one that turns the world instead of the robot': variant(angle=TURNED),
-    'one that returns a named tuple, and a whole number when it stands': NAMED,
+    'one that returns a named tuple, and an int for each whole number': NAMED,
 }
 
 
@@ -83,6 +87,12 @@ KINDS = (
             'that drives when the goal is on its right': linear('min(max_linear, distance) if angle <= 0.5 else 0.0'),
             'that drives only if it looks exactly at the goal': linear(
                 'min(max_linear, distance) if abs(angle) < 0.02 else 0.0'
+            ),
+            'that turns on the spot from 0.15 rad on': linear(
+                'min(max_linear, distance) if abs(angle) < 0.15 else 0.0'
+            ),
+            'that drives if the goal is anywhere in front of it': linear(
+                'min(max_linear, distance) if abs(angle) < 1.58 else 0.0'
             ),
         },
     ),
