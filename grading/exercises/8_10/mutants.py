@@ -69,4 +69,9 @@ MUTANTS = [
             Node(package='mujoco_world', executable='world', parameters=[
                 {name: LaunchConfiguration(name) for name in ('scene', 'real_time_factor')}]),
         """, expect='world.launch.py of the package mujoco_world was not included', breaks='world', alone=True),
+    Mutant('declared_too_late', edits=(("DeclareLaunchArgument('scene', default_value='rooms'),", ''),
+            (ROBOT, "DeclareLaunchArgument('scene', default_value='rooms'),\n" + ROBOT)),
+           expect='Declare each argument before', breaks='arguments', alone=True),
+    Mutant('a_name_of_its_own', old=ROBOT, new=ROBOT.replace("'robot',", "'robot', name='courier',"),
+           expect='but /courier did', breaks='robot', alone=True),
 ]

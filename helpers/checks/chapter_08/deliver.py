@@ -262,7 +262,7 @@ def story(learner, workspace, modules: dict[str, str]) -> dict:
         try:
             _story(Customer(observer, launch, told['factor'], programs), told)
         except Missing as missing:
-            told['missing'] = str(missing)
+            told['missing'], told['nodes'] = str(missing), observer.nodes()
     launch.signal(signal.SIGINT)
     told['status'] = launch.wait(15.0 * (3 if busy() else 1))
     launch.end()

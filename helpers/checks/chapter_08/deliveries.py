@@ -4,6 +4,7 @@ import hashlib
 import json
 import math
 import secrets
+import signal
 from pathlib import Path
 
 from ament_index_python.packages import get_package_share_directory
@@ -13,6 +14,7 @@ from delivery_interfaces.srv import SetStation
 from helpers.checks.chapter_08 import executables
 from helpers.runner import expect, stand_ins
 from helpers.runner.load import busy
+from helpers.runner.observer import Observer
 from helpers.runner.stand_ins import Start
 from helpers.runner.workspaces import ExerciseWorkspace, package
 
@@ -209,6 +211,21 @@ def launched(learner) -> dict:
     }
 
 
+def launched_plainly(learner) -> str:
+    """What the launch has printed, if it ends by itself before the world has started; it gets no arguments."""
+    place, heard = workspace(learner), stand_ins.of(learner)
+    heard.release()
+    launch = place.start('ros2', 'launch', 'delivery_robot', 'delivery.launch.py')
+    with Observer(learner) as observer:
+        observer.until(lambda: heard.starts('world'), PATIENCE, launch)
+    ended = not heard.starts('world') and launch.wait(0) is not None
+    launch.signal(signal.SIGINT)
+    heard.release()
+    launch.wait(5.0)
+    launch.end()
+    return launch.output if ended else ''
+
+
 def by_the_file(learner, defaults: dict[str, float]) -> dict:
     """The parameters of a node that is started with the learner's DELIVERY_YAML, and without the launch file.
 
@@ -222,7 +239,8 @@ def by_the_file(learner, defaults: dict[str, float]) -> dict:
     for word, why in (
         (
             'InvalidParameterTypeException',
-            'A value in DELIVERY_YAML has the wrong type: all are doubles, 30.0, not 30.',
+            'A value in DELIVERY_YAML has the wrong type: all are doubles, 30.0, not 30.'
+            + executables.wrong_type(output),
         ),
         ("Couldn't parse params file", 'ROS cannot read DELIVERY_YAML.'),
     ):

@@ -32,6 +32,12 @@ def story(learner) -> dict:
         'a name, or the path of a YAML file. Pass the value on.',
         'world',
     )
+    others = [node for node in told.get('nodes', ()) if node not in NODES]
+    expect(
+        '/delivery_robot' in told or not others,
+        f'The node /delivery_robot did not start, but {" and ".join(others)} did. Give the robot no other name.',
+        'robot',
+    )
     expect('/delivery_robot' in told, f'The node /delivery_robot did not start: {told["last"]}', 'robot')
     expect(
         told.get('executable', True),
@@ -109,6 +115,12 @@ def test_arguments(learner):
         expect(f"'{name}'" in done.output, f'The launch file has no argument {name}.')
         told = done.output.partition(f"'{name}'")[2].partition("':")[0]
         expect(f"default: '{default}'" in told, f'The default of {name} is not {default}.')
+    log = deliveries.launched_plainly(learner)
+    expect(
+        not log,
+        f'`ros2 launch delivery_robot delivery.launch.py`, without an argument, ended: {executables.telling(log)} '
+        'Declare each argument before the action that needs its value.',
+    )
 
 
 @pytest.mark.rules('values', 'types', 'robot', 'sim-time', 'world')
