@@ -82,7 +82,7 @@ def test_cancel(learner):
         judge_cancel(drives, 'far')
 
 
-@pytest.mark.rules('succeeds', 'rhythm', 'timeout', 'result')
+@pytest.mark.rules('succeeds', 'rhythm', 'timeout', 'result', 'stands', 'lost')
 def test_held(learner):
     """A robot that is held drives with what steer says, gives up in time, and has arrived below the tolerance."""
     judge_held(learner)

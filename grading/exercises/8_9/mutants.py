@@ -191,4 +191,24 @@ self.state = 'idle'
             """), ("self.state = f'driving to {request.station}'", "DeliveryRobot.state = f'driving to {request.station}'"),
             ("self.state = 'idle'", "DeliveryRobot.state = 'idle'")),
            expect='Two robots are in one program', breaks='state', also='single', alone=True),
+    Mutant('arrives_when_it_has_stayed', edits=(("distance < self.value('tolerance')", 'calm == 3'),
+            ('if goal.is_cancel_requested:',
+             "calm = calm + 1 if distance < self.value('tolerance') else 0\nif goal.is_cancel_requested:"),
+            ('step, distance, end = self.place(goal.request.station), 0, -1.0, None',
+             'step, distance, end, calm = self.place(goal.request.station), 0, -1.0, None, 0')),
+           expect='in the round in which the distance is below', breaks='succeeds', alone=True),
+    Mutant('arrives_in_a_square', old="distance < self.value('tolerance')",
+           new="max(abs(pose[0] - place[0]), abs(pose[1] - place[1])) < self.value('tolerance')",
+           expect='What counts is the distance', breaks='succeeds', also='result', alone=True),
+    Mutant('stands_if_it_has_driven', old='self.drive(0.0, 0.0)', new='self.drive(0.0, 0.0) if step > 1 else None',
+           expect='also where the robot has not driven', breaks='stands', alone=True),
+    Mutant('patient_when_lost', edits=((LOST, LOST.replace('pose is None', 'lost == 4') + '''
+elif pose is None:
+    pass
+'''), ('if goal.is_cancel_requested:', 'lost = lost + 1 if pose is None else 0\nif goal.is_cancel_requested:'),
+            ('step, distance, end = self.place(goal.request.station), 0, -1.0, None',
+             'step, distance, end, lost = self.place(goal.request.station), 0, -1.0, None, 0')),
+           expect='it ends in the round in which where() is None', breaks='lost', alone=True),
+    Mutant('small_letters', old="f'driving to {request.station}'", new="f'driving to {request.station.lower()}'",
+           expect='the status is', breaks='state', alone=True),
 ]

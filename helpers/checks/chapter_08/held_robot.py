@@ -12,6 +12,7 @@ from helpers.runner import about, expect
 
 TOLERANCE, TIMEOUT, FASTEST, TURN = 0.5, 3.0, 0.5, 2.0  # the parameters of the node: m, s, m/s, rad/s
 GATE = 0.5, 0.0  # the station, in metres
+AWAY = GATE[0] - 1.5, 0.0  # a place that is far from it: x in metres, yaw in radians
 
 
 class Held:
@@ -52,13 +53,15 @@ class Held:
 
 
 def judge_held(learner) -> None:
-    """The rules `rhythm`, `timeout`, `succeeds` and `result`."""
+    """The rules `rhythm`, `timeout`, `succeeds`, `result`, `stands` and `lost`."""
     with about('succeeds'):
         held = Held(learner)
     goal = held.go('rhythm')
     _judge_commands(held, goal)
     _judge_timeout(held, goal)
     _judge_border(held, goal.result.message)
+    _judge_there_already(held)
+    _judge_short_loss(held)
 
 
 def _judge_commands(held: Held, goal) -> None:
@@ -112,12 +115,23 @@ def _judge_border(held: Held, late: str) -> None:
         'succeeded. It succeeds when the distance is below the tolerance.',
         'succeeds',
     )
-    held.stand(0.02, 2.5)  # it looks away: that does not matter
+    aside = 0.8 * TOLERANCE  # in x and in y: each is less than the tolerance, the straight way is more
+    held.stand(GATE[0] - aside, 0.0, 0.3, GATE[1] + aside)
+    expect(
+        not goal.done or goal.status != 'succeeded',
+        f'The tolerance is {TOLERANCE:g} m, the station is {aside:g} m away in x and as much in y, that is '
+        f'{math.hypot(aside, aside):.2f} m, and the goal has succeeded. What counts is the distance of steer.',
+        'succeeds',
+    )
+    held.stand(0.02, 2.5, 0.2)  # it looks away: that does not matter
+    held.stand(*AWAY, 0.3)  # and it is carried away: then it is too late for whoever waits
     left = GATE[0] - 0.02
+    said = f', and says {goal.result.message!r}' if goal.done and goal.result.message else ''
     expect(
         goal.status == 'succeeded',
-        f'The tolerance is {TOLERANCE:g} m, the robot is {left:g} m away from the station, looks to 2.5 rad, and the '
-        f'goal is {goal.status or "still running"}.',
+        f'The tolerance is {TOLERANCE:g} m, and for 0.2 s the robot was {left:g} m away from the station; it looked to '
+        f'2.5 rad. The goal is {goal.status or "still running"}{said}. It succeeds in the round in which the distance '
+        'is below the tolerance.',
         'succeeds',
     )
     expect(
@@ -131,4 +145,41 @@ def _judge_border(held: Held, late: str) -> None:
         f'A goal to the gate took too long, and another one has arrived there; both say {late!r}. The message says how '
         'the drive ended.',
         'result',
+    )
+
+
+def _judge_there_already(held: Held) -> None:
+    """The rules `succeeds` and `stands`, of a goal to the station at which the robot is."""
+    near = GATE[0] - TOLERANCE / 5
+    held.stand(near, 0.3)
+    held.commands.clear()
+    goal = held.go('next')
+    held.stand(near, 0.3)
+    told = 'The robot was at the station when the goal came.'
+    expect(
+        goal.status == 'succeeded',
+        f'{told} 0.5 s later the goal is {goal.status or "still running"}, expected succeeded.',
+        'succeeds',
+    )
+    stops = [(one.linear.x, one.angular.z) for one in held.commands.messages].count((0.0, 0.0))
+    expect(
+        stops == 1,
+        f'{told} It has succeeded, and drive(0.0, 0.0) was called {stops} times, expected once: before every end, also '
+        'where the robot has not driven.',
+        'stands',
+    )
+
+
+def _judge_short_loss(held: Held) -> None:
+    """The rule `lost`, of a localiser that is silent for 0.7 s: so where() is None for 0.2 s."""
+    held.stand(*AWAY)
+    goal = held.go('next')
+    held.stand(*AWAY, 0.3)
+    held.learner.run(0.6)
+    held.stand(*AWAY, 0.3)
+    expect(
+        goal.status == 'aborted',
+        f'While a goal ran, the localiser was silent for 0.7 s: where() was None for 0.2 s. The goal is '
+        f'{goal.status or "still running"}, expected aborted: it ends in the round in which where() is None.',
+        'lost',
     )

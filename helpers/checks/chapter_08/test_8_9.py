@@ -35,7 +35,7 @@ def test_name(learner):
     drives.judge_name(learner)
 
 
-@pytest.mark.rules('succeeds', 'rhythm', 'timeout', 'result')
+@pytest.mark.rules('succeeds', 'rhythm', 'timeout', 'result', 'stands', 'lost')
 def test_held(learner):
     """A robot that is held drives with what steer says, gives up in time, and has arrived below the tolerance.
 

@@ -4,12 +4,12 @@ from delivery_interfaces.action import GoToStation
 from delivery_interfaces.srv import SetStation
 from std_msgs.msg import String
 
-from helpers.checks.chapter_08.held_robot import GATE, Held
+from helpers.checks.chapter_08.held_robot import AWAY, GATE, Held
 from helpers.runner import about, expect
 
 LEAST_PLACES, MOST_PLACES = 6, 40  # in the learner's lines, to which a thread comes until both goals are answered
 ROUNDS = 5  # of 0.1 s, in which a goal has ended when the robot is at the station
-AWAY, THERE = (GATE[0] - 1.5, 0.0), (GATE[0] - 0.2, 0.0)  # x in metres, yaw in radians
+THERE = GATE[0] - 0.2, 0.0  # x in metres, yaw in radians
 
 
 def judge_two_goals(learner) -> None:
