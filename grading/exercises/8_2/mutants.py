@@ -231,4 +231,11 @@ class Governor(Node):
                command = Twist()
 
            """)), expect='A second one was made'),
+    Mutant('zero_is_no_new_value', old='new.update({parameter.name: parameter.value for parameter in parameters})',
+           new='new.update({parameter.name: parameter.value or new.get(parameter.name) for parameter in parameters})',
+           expect='In Python, 0.0 counts as false', breaks='pair', also='unknown-mode'),
+    Mutant('in_steps', old="bounded('Limit of linear.x in m/s', 0.0, 2.0)",
+           new="ParameterDescriptor(description='m/s', floating_point_range=[FloatingPointRange(to_value=2.0, step=0.1)])",
+           imports='from rcl_interfaces.msg import FloatingPointRange', expect='has the step 0.1', breaks='bounds',
+           also=('pair', 'at-once', 'names', 'at-start', 'limit', 'modes', 'refused', 'rhythm')),
 ]

@@ -72,7 +72,11 @@ class Governed:
     def newest(self, seconds: float, rule: str) -> Twist:
         """The last message of this time; fail if none comes."""
         found = self.after(seconds)
-        expect(found, f'Nothing came on {self.heard.topic} in {seconds:g} s.', rule)
+        expect(
+            found,
+            f'Nothing came on {self.heard.topic} in {seconds:g} s. The timer publishes in every period, in each mode.',
+            rule,
+        )
         return found[-1]
 
     def accepts(self, rule: str, **values) -> None:
@@ -443,6 +447,13 @@ def judge_table(governed: Governed) -> None:
             expect(
                 ranges == [bounds], f'The descriptor of {name} has the bounds {ranges}, expected {[bounds]}.', 'bounds'
             )
+            step = found.floating_point_range[0].step
+            expect(
+                not step,
+                f'The descriptor of {name} has the step {step:g}: then most values between the bounds are refused. '
+                'Leave it out.',
+                'bounds',
+            )
     for name, value in (
         ('max_linear', draw.randint(201, 900) / 100),
         ('slow_linear', -draw.randint(1, 90) / 100),
@@ -462,6 +473,8 @@ def judge_rules(governed: Governed) -> None:
     for values, good in (
         ({'slow_linear': high}, False),
         ({'max_linear': low}, False),
+        ({'max_linear': 0.0}, False),
+        ({'slow_linear': 0.0, 'max_linear': low}, True),
         ({'max_linear': high, 'slow_linear': high}, True),
         ({'max_linear': 0.3}, False),
         ({'slow_linear': low / 2, 'max_linear': low}, True),
@@ -484,7 +497,8 @@ def judge_rules(governed: Governed) -> None:
         expect(
             answer.successful == good,
             f'With {shown(now)}, the request {shown(values)} was {"refused" if good else "accepted"}. '
-            + ('Judge the values as they would be after the request.' if pair else ''),
+            + ('Judge the values as they would be after the request.' if pair else '')
+            + (' In Python, 0.0 counts as false.' if 0.0 in values.values() else ''),
             rule,
         )
         if not good:
