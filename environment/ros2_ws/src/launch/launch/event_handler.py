@@ -24,6 +24,26 @@ class EventHandler:
         self._handle_once = handle_once
         self._locals: dict = {}
 
+    @property
+    def entities(self):
+        """What was given as entities."""
+        return self._entities
+
+    @property
+    def handle_once(self) -> bool:
+        """Whether the handler is forgotten after its first event."""
+        return self._handle_once
+
+    @property
+    def handler_description(self) -> str | None:
+        """What the handler does with an event, in words; None where a subclass says nothing."""
+        return None
+
+    @property
+    def matcher_description(self) -> str | None:
+        """Which events the handler wants, in words; None where a subclass says nothing."""
+        return None
+
     def matches(self, event: Event) -> bool:
         """Return True if the handler wants the event."""
         return self._matcher(event)
@@ -42,7 +62,11 @@ class EventHandler:
 
     def describe(self) -> tuple[str, list[LaunchDescriptionEntity]]:
         """Return a line of text, and the entities as far as they are known."""
-        return f'{type(self).__name__}()', [] if callable(self._entities) else to_entities(self._entities)
+        text = (
+            f"{type(self).__name__}(matcher='{self.matcher_description}', handler='{self.handler_description}', "
+            f'handle_once={self.handle_once})'
+        )
+        return text, [] if callable(self._entities) else to_entities(self._entities)
 
 
 BaseEventHandler = EventHandler

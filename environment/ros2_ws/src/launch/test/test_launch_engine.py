@@ -597,11 +597,45 @@ def test_the_description_is_shown_as_a_tree():
     lines = text.splitlines()
     assert lines[1] == "├── LogInfo('x')"
     # Upstream draws a branch to the next line although that one belongs to the line above.
-    assert lines[3] == "│   ├── OnProcessExit(matcher='ProcessExited', on_exit=<actions>)"
+    assert lines[3] == "│   ├── OnProcessExit(matcher='event == ProcessExited', handler='<actions>', handle_once=False)"
     assert lines[4] == "│       └── LogInfo('y')"
     assert lines[5] == "├── ExecuteProcess(cmd=['ls', LaunchConfig('a')], cwd=None, env=None, shell=False)"
     assert re.fullmatch(r"├── Action\('<launch\.actions\.group_action\.GroupAction object at 0x\w+>'\)", lines[6])
     assert re.fullmatch(r"└── Unknown entity\('<launch\.launch_description\.LaunchDescription .+>'\)", lines[7])
+
+
+def described(handler) -> str:
+    return re.sub(r' at 0x\w+>', ' at N>', handler.describe()[0])
+
+
+def test_event_handlers_describe_themselves_as_upstreams_do():
+    process, entities = ExecuteProcess(cmd=['true']), [LogInfo(msg='x')]
+    ended = OnProcessExit(target_action=process, on_exit=entities, handle_once=True)
+    assert described(ended) == (
+        "OnProcessExit(matcher='event == ProcessExited and ExecuteLocal(event.action)', handler='<actions>', "
+        'handle_once=True)'
+    )
+    assert ended.describe()[1] == entities and (ended.entities, ended.handle_once) == (entities, True)
+    assert described(OnExecutionComplete(target_action=entities[0], on_completion=entities)) == (
+        "OnExecutionComplete(matcher='event == ExecutionComplete and Action(event.action)', handler='<actions>', "
+        'handle_once=False)'
+    )
+    assert described(OnProcessIO(on_stdout=print)) == (
+        "OnProcessIO(matcher='event == ProcessIO', handler='<function OnProcessIO.__init__.<locals>.handle at N>', "
+        'handle_once=False)'
+    )
+    assert described(OnProcessStart(on_start=print)) == (
+        "OnProcessStart(matcher='event == ProcessStarted', handler='<built-in function print>', handle_once=False)"
+    )
+    ending = OnShutdown(on_shutdown=entities)  # its actions are not shown
+    assert described(ending) == (
+        "OnShutdown(matcher='event issubclass of launch.events.Shutdown', "
+        "handler='<function OnShutdown.__init__.<locals>.<lambda> at N>', handle_once=False)"
+    )
+    assert ending.describe()[1] == []
+    own = EventHandler(matcher=lambda event: True, entities=entities)
+    assert own.describe() == ("EventHandler(matcher='None', handler='None', handle_once=False)", entities)
+    assert own.handler_description is own.matcher_description is None
 
 
 # --- events and handlers -----------------------------------------------------------------------------------------

@@ -4,7 +4,7 @@ import sys
 import textwrap
 
 import pytest
-from launch_ros.actions import LifecycleNode, LifecycleTransition
+from launch_ros.actions import LifecycleNode, LifecycleTransition, Node
 from launch_ros.event_handlers import OnStateTransition
 from launch_ros.events import matches_node_name
 from launch_ros.events.lifecycle import ChangeState
@@ -129,8 +129,12 @@ def test_wrong_arguments_are_told():
         LifecycleTransition(lifecycle_node_names=[], transition_ids=[1])
     with pytest.raises(ValueError, match='is not the number of a transition'):
         ChangeState(lifecycle_node_matcher=lambda _: True, transition_id=-5)
-    with pytest.raises(RuntimeError, match='cannot be used together'):
-        OnStateTransition(entities=[], matcher=lambda _: True, goal_state='active')
+    with pytest.raises(RuntimeError, match='requires a "LifecycleNode" action as the target'):
+        OnStateTransition(entities=[], target_lifecycle_node=Node(package='p', executable='e'))
+    assert OnStateTransition(entities=[], matcher=lambda _: True, goal_state='active').matches('any event')
+    assert OnStateTransition(entities=[]).describe()[0] == (
+        "OnStateTransition(matcher='event == StateTransition', handler='<actions>', handle_once=False)"
+    )
     assert ChangeState.valid_transitions[Transition.TRANSITION_CONFIGURE] == 'TRANSITION_CONFIGURE'
     assert ChangeState.valid_states[State.PRIMARY_STATE_ACTIVE] == 'PRIMARY_STATE_ACTIVE'
     node = LifecycleNode(name='n', executable=sys.executable)

@@ -7,6 +7,9 @@ from launch.event_handler import EventHandler
 from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.utilities import to_entities
 
+# Upstream's processes have a base class of their own, and its descriptions name that one.
+_SHOWN = {'ExecuteProcess': 'ExecuteLocal'}
+
 
 class OnActionEventBase(EventHandler):
     """
@@ -18,8 +21,6 @@ class OnActionEventBase(EventHandler):
     :param target_action_cls: the kind of action that it may come from; any, if None
     :raises TypeError: if the action or one of the entities is something else
     """
-
-    _argument = 'on_event'
 
     def __init__(
         self,
@@ -42,6 +43,7 @@ class OnActionEventBase(EventHandler):
                         f"'{type(entity)}'"
                     )
         self._target, self._kind = action_matcher, target_event_cls
+        self._source = _SHOWN.get(kind.__name__, kind.__name__)
         super().__init__(matcher=self._accepts, entities=on_event, **kwargs)
 
     def _accepts(self, event: Event) -> bool:
@@ -53,7 +55,13 @@ class OnActionEventBase(EventHandler):
         is_function = callable(self._target) and not isinstance(self._target, LaunchDescriptionEntity)
         return is_function and bool(self._target(event.action))
 
-    def describe(self) -> tuple[str, list[LaunchDescriptionEntity]]:
-        text, entities = super().describe()
-        shown = '<callable>' if callable(self._entities) else '<actions>'
-        return text.replace('()', f"(matcher='{self._kind.__name__}', {self._argument}={shown})"), entities
+    @property
+    def handler_description(self) -> str:
+        """The function, or a word for the entities, which the description lists."""
+        return str(self.entities) if callable(self.entities) else '<actions>'
+
+    @property
+    def matcher_description(self) -> str:
+        """The kind of event and, if only some actions are meant, of action."""
+        kind = f'event == {self._kind.__name__}'
+        return kind if self._target is None else f'{kind} and {self._source}(event.action)'

@@ -11,9 +11,13 @@ class OnExecutionComplete(OnActionEventBase):
     :param on_completion: actions, or a function of (event, context) that returns some
     """
 
-    _argument = 'on_completion'
-
     def __init__(self, *, target_action=None, on_completion=None, **kwargs):
+        from launch.action import Action
+
         super().__init__(
-            action_matcher=target_action, on_event=on_completion, target_event_cls=ExecutionComplete, **kwargs
+            action_matcher=target_action,
+            on_event=on_completion,
+            target_event_cls=ExecutionComplete,
+            target_action_cls=Action,
+            **kwargs,
         )

@@ -11,8 +11,6 @@ class OnProcessExit(OnActionEventBase):
     :param on_exit: actions, or a function of (event, context) that returns some
     """
 
-    _argument = 'on_exit'
-
     def __init__(self, *, target_action=None, on_exit=None, **kwargs):
         from launch.actions import ExecuteProcess
 

@@ -17,8 +17,6 @@ class OnProcessIO(OnActionEventBase):
     :param on_stdin: accepted as upstream's; nothing is ever written to a process
     """
 
-    _argument = 'on_output'
-
     def __init__(
         self,
         *,
@@ -30,15 +28,16 @@ class OnProcessIO(OnActionEventBase):
     ):
         from launch.actions import ExecuteProcess
 
-        self._functions = {0: on_stdin, 1: on_stdout, 2: on_stderr}
+        functions = {0: on_stdin, 1: on_stdout, 2: on_stderr}
+
+        def handle(event: ProcessIO, _):
+            function = functions[event.fd]
+            return None if function is None else function(event)
+
         super().__init__(
             action_matcher=target_action,
-            on_event=self._pass_on,
+            on_event=handle,
             target_event_cls=ProcessIO,
             target_action_cls=ExecuteProcess,
             **kwargs,
         )
-
-    def _pass_on(self, event: ProcessIO, context):
-        function = self._functions[event.fd]
-        return None if function is None else function(event)

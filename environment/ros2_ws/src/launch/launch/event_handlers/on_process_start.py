@@ -11,8 +11,6 @@ class OnProcessStart(OnActionEventBase):
     :param on_start: actions, or a function of (event, context) that returns some
     """
 
-    _argument = 'on_start'
-
     def __init__(self, *, target_action=None, on_start=None, **kwargs):
         from launch.actions import ExecuteProcess
 

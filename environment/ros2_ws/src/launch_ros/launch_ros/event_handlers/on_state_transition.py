@@ -18,8 +18,8 @@ class OnStateTransition(EventHandler):
     :param transition: the label of the transition, e.g. configure; None for any
     :param start_state: the label of the state before, e.g. configuring; None for any
     :param goal_state: the label of the state after, e.g. inactive; None for any
-    :param matcher: a function of the event, in place of the four
-    :raises RuntimeError: if there is a matcher and one of the four
+    :param matcher: a function of the event, in place of the four, which then do not count
+    :raises RuntimeError: if the node is no lifecycle node
     """
 
     def __init__(
@@ -35,10 +35,10 @@ class OnStateTransition(EventHandler):
     ):
         self._target = target_lifecycle_node
         self._wanted = {'transition': transition, 'start_state': start_state, 'goal_state': goal_state}
-        if matcher is not None and any(value is not None for value in (self._target, *self._wanted.values())):
+        if not (target_lifecycle_node is None or getattr(target_lifecycle_node, 'is_lifecycle_node', False)):
             raise RuntimeError(
-                "'matcher' and one of 'target_lifecycle_node', 'transition', 'start_state' and "
-                "'goal_state' cannot be used together"
+                'OnStateTransition requires a "LifecycleNode" action as the target, '
+                'target_lifecycle_node is not a lifecycle-enabled node.'
             )
         super().__init__(matcher=matcher or self._accepts, entities=entities, **kwargs)
 
@@ -46,3 +46,15 @@ class OnStateTransition(EventHandler):
         if not isinstance(event, StateTransition) or self._target not in (None, event.action):
             return False
         return all(wanted is None or getattr(event, name) == wanted for name, wanted in self._wanted.items())
+
+    @property
+    def handler_description(self) -> str:
+        """A word for the entities, which the description lists."""
+        return '<actions>'
+
+    @property
+    def matcher_description(self) -> str:
+        """The kind of event and, if only one is meant, the node."""
+        if self._target is None:
+            return 'event == StateTransition'
+        return f'event == StateTransition and event.action == LifecycleNode({hex(id(self._target))})'
