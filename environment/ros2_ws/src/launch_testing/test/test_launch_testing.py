@@ -201,6 +201,7 @@ def test_a_case_that_fails_fails_the_test_and_is_named(write, before, after, whe
     result = run(path)
     assert result.returncode == 1
     assert where in result.stdout and message in result.stdout and '1 failed' in result.stdout
+    assert '+  where' not in result.stdout  # the message says it all, and pytest explains nothing of launch_testing
 
 
 def test_launch_test_tells_a_failure_by_its_status_and_in_the_report(write, tmp_path):
@@ -364,6 +365,7 @@ def test_outputs_are_found_as_text_pattern_and_lines():
         checker.assertInStdout('three')
         with pytest.raises(AssertionError, match="'two' not found in sequence"):
             checker.assertInStdout('two')
+        checker.assertInStdout('bad')  # of the standard error, where nodes log
     assert output.waitFor('green', timeout=0.0, stream='stdout') and not output.waitFor('blue', timeout=0.0)
     with pytest.raises(RuntimeError, match="no processes matching 'nobody'"):
         output.waitFor('x', process='nobody', timeout=0.0)

@@ -1,4 +1,8 @@
-"""How processes have ended."""
+"""
+How processes have ended.
+
+A test that fails shows the message alone: PYTEST_DONT_REWRITE.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,8 @@
-"""What processes have written."""
+"""
+What processes have written.
+
+A test that fails shows the message alone: PYTEST_DONT_REWRITE.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,8 @@
-"""The order of what a process has written."""
+"""
+The order of what a process has written.
+
+A test that fails shows the message alone: PYTEST_DONT_REWRITE.
+"""
 
 from __future__ import annotations
 
@@ -41,6 +45,10 @@ class SequentialTextChecker:
 
 @contextmanager
 def assertSequentialStdout(proc_output, process, cmd_args=None) -> Iterator[SequentialTextChecker]:
-    """Give a checker of the standard output of a process, see ``launch_testing.util.resolveProcesses``."""
+    """
+    Give a checker of what a process has written, see ``launch_testing.util.resolveProcesses``.
+
+    Its name is upstream's; as there, the standard error counts, too, where ROS nodes log.
+    """
     (one,) = resolveProcesses(proc_output, process=process, cmd_args=cmd_args)
-    yield SequentialTextChecker([part.text.decode(errors='replace') for part in proc_output[one] if part.from_stdout])
+    yield SequentialTextChecker([part.text.decode(errors='replace') for part in proc_output[one]])
