@@ -29,6 +29,7 @@ from launch_testing.junitxml import unittestResultsToXml
 from launch_testing.loader import TestRun
 from launch_testing.test_result import FailResult, SkipResult, TestResult
 from launch_testing.tools import ProcessProxy, basic_output_filter, expect_output, expected_output_from_file
+from launch_testing.tools.text import normalize_lineseps
 from launch_testing.util import NoMatchingProcessException, resolveProcesses
 from launch_testing_ros.tools import basic_output_filter as ros_output_filter
 
@@ -454,6 +455,7 @@ def test_programs_are_started_by_tests(write):
 
 def test_outputs_are_compared():
     text = 'one\r\ntwo\nthree\n'
+    assert normalize_lineseps(text) == 'one\ntwo\nthree\n'
     assert expect_output(text, expected_text='two\nthree')
     assert not expect_output(text, expected_text='two\nthree', strict=True)
     assert expect_output(text, expected_text=['one', re.compile('t.*e$', re.DOTALL)])

@@ -4,6 +4,7 @@ import ast
 import os
 import signal
 import time
+from argparse import ArgumentParser
 from pathlib import Path
 
 import pytest
@@ -13,6 +14,7 @@ from rclpy.executors import SingleThreadedExecutor
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.serialization import serialize_message
 from ros2bag.api import convert_yaml_to_qos_profile
+from ros2bag.verb.record import add_recorder_arguments, validate_parsed_arguments
 from rosbag2_py import SequentialReader, SequentialWriter, StorageOptions, TopicMetadata
 from rosbags.highlevel import AnyReader
 from rosgraph_msgs.msg import Clock
@@ -425,6 +427,22 @@ def test_overrides_become_profiles_by_upstreams_names():
     assert profiles['/a'].deadline.nanoseconds == 1_000_000_002
     assert (profiles['/b'].depth, profiles['/b'].avoid_ros_namespace_conventions) == (3, True)
     assert profiles['/b'].lifespan.nanoseconds == 0
+
+
+def test_arguments_are_parsed_and_validated_by_upstreams_functions(tmp_path, capsys):
+    parser = ArgumentParser()
+    add_recorder_arguments(parser)
+    args = parser.parse_args(['--services', 's1', 's2', '--topics', '/a', '/b', '--output', 'out'])
+    assert (args.services, args.topics, args.output) == (['s1', 's2'], ['/a', '/b'], 'out')
+    assert validate_parsed_arguments(args, tmp_path / 'new') is None and capsys.readouterr().out == ''
+    args = parser.parse_args(['/a', '/b'])
+    assert validate_parsed_arguments(args, tmp_path / 'new') is None and args.topics == ['/a', '/b']
+    assert 'Positional "topics" argument deprecated.' in capsys.readouterr().out
+    said = validate_parsed_arguments(args, tmp_path)
+    assert said == f"[ERROR] [ros2bag]: Output folder '{tmp_path}' already exists."
+    args = parser.parse_args(['--exclude-services', 's1', '--services', 's1', '--all-topics'])
+    said = '--exclude-services argument requires either --all, --all-services or --regex'
+    assert validate_parsed_arguments(args, tmp_path / 'new') == f'[ERROR] [ros2bag]: {said}'
 
 
 def test_it_needs_of_ros2cli_only_what_upstreams_has():

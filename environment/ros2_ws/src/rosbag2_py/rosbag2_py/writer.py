@@ -8,13 +8,15 @@ from pathlib import Path
 
 from rclpy.duration import Duration
 from rclpy.time import Time
-from rosbags.interfaces import Connection, ConnectionExtRosbag2, MessageDefinition, MessageDefinitionFormat
+from rosbags.interfaces import Connection, ConnectionExtRosbag2, MessageDefinitionFormat
+from rosbags.interfaces import MessageDefinition as StoredDefinition
 
 from rosbag2_py import compression
 from rosbag2_py import metadata as metadata_file
 from rosbag2_py.compression import CompressionMode, CompressionOptions
 from rosbag2_py.definitions import definition, type_hash
 from rosbag2_py.files import SUFFIXES, DataFile
+from rosbag2_py.message_definitions import MessageDefinition
 from rosbag2_py.metadata import BagError
 from rosbag2_py.options import (
     BagMetadata,
@@ -59,9 +61,13 @@ class SequentialWriter:
         # Tutorials leave it to the end of the program.
         self._close = weakref.finalize(self, self._bag.close)
 
-    def create_topic(self, topic: TopicMetadata) -> None:
-        """Add a topic; one that is there already stays as it is."""
-        self._opened().create_topic(topic)
+    def create_topic(self, topic: TopicMetadata, message_definition: MessageDefinition | None = None) -> None:
+        """
+        Add a topic; one that is there already stays as it is.
+
+        :param message_definition: what the bag says of the type; without a text, what the installed package says
+        """
+        self._opened().create_topic(topic, message_definition)
 
     def remove_topic(self, topic: TopicMetadata) -> None:
         """Take no more messages of a topic."""
@@ -147,16 +153,14 @@ class _Bag:
         for connection in self._connections.values():
             self._files[-1].add(connection)
 
-    def create_topic(self, topic: TopicMetadata) -> None:
+    def create_topic(self, topic: TopicMetadata, given: MessageDefinition | None = None) -> None:
         with self._lock:
             if topic.name in self._connections:
                 return
             known = topic.type_description_hash or type_hash(topic.type)
             extension = ConnectionExtRosbag2('cdr', [to_rosbags(each) for each in topic.offered_qos_profiles])
-            text = definition(topic.type)
-            form = MessageDefinitionFormat.MSG if text else MessageDefinitionFormat.NONE
             connection = Connection(
-                len(self._topics) + 1, topic.name, topic.type, MessageDefinition(form, text), known, 0, extension, self
+                len(self._topics) + 1, topic.name, topic.type, _stored(topic.type, given), known, 0, extension, self
             )
             self._connections[topic.name] = connection
             self._topics[topic.name] = TopicMetadata(
@@ -248,3 +252,12 @@ class _Bag:
         with self._lock:
             self._end_file()
             metadata_file.write(self.folder, self._metadata())
+
+
+def _stored(type_name: str, given: MessageDefinition | None) -> StoredDefinition:
+    """Return what the file says of a type: what was given, or the text of the installed package."""
+    if given is not None and given.encoded_message_definition:
+        kind = {'ros2msg': MessageDefinitionFormat.MSG, 'ros2idl': MessageDefinitionFormat.IDL}.get(given.encoding)
+        return StoredDefinition(kind or MessageDefinitionFormat.NONE, given.encoded_message_definition)
+    text = definition(type_name)
+    return StoredDefinition(MessageDefinitionFormat.MSG if text else MessageDefinitionFormat.NONE, text)

@@ -22,6 +22,7 @@ from rosbag2_py import (
     ConverterOptions,
     Info,
     LocalMessageDefinitionSource,
+    MessageDefinition,
     MetadataIo,
     Player,
     PlayOptions,
@@ -44,7 +45,7 @@ from rosbag2_py import (
     running,
 )
 from rosbags.highlevel import AnyReader
-from std_msgs.msg import String
+from std_msgs.msg import Int32, String
 
 from environment.tests.running import PATIENCE
 
@@ -153,6 +154,24 @@ def test_other_tools_read_it_without_the_packages(tmp_path, storage):
         assert 'std_msgs/Header' in connection.msgdef.data and 'MSG: builtin_interfaces/Time' in connection.msgdef.data
         points = [reader.deserialize(raw, each.msgtype).point for each, _, raw in reader.messages([connection])]
         assert [point.x for point in points] == [1.5]
+
+
+@pytest.mark.parametrize('storage', STORAGES)
+def test_a_topic_of_a_type_that_is_not_installed_has_the_definition_given(tmp_path, storage):
+    writer = SequentialWriter()
+    writer.open(StorageOptions(str(tmp_path / 'bag'), storage), ConverterOptions('cdr', 'cdr'))
+    given = MessageDefinition('far_msgs/msg/Depth', 'ros2msg', 'int32 metres')
+    type_hash = 'RIHS01_be868934e60442a8b7dcb1dbba4b69b8ca92bf0f081274f8f4d682d20ad1ca8a'
+    writer.create_topic(TopicMetadata(0, '/depth', 'far_msgs/msg/Depth', 'cdr', [], type_hash), given)
+    writer.create_topic(TopicMetadata(1, '/words', 'std_msgs/msg/String'), MessageDefinition())
+    writer.write('/depth', serialize_message(Int32(data=7)), 1)
+    writer.write('/words', serialize_message(String(data='one')), 2)
+    writer.close()
+    with AnyReader([tmp_path / 'bag']) as reader:
+        texts = {each.topic: each.msgdef.data for each in reader.connections}
+        assert texts['/depth'] == 'int32 metres' and 'string data' in texts['/words']
+        (metres,) = (reader.deserialize(raw, each.msgtype).metres for each, at, raw in reader.messages() if at == 1)
+    assert metres == 7
 
 
 def test_the_names_of_the_tutorials_need_no_import_of_their_own():

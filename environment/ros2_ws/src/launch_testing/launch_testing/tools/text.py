@@ -30,13 +30,15 @@ def expect_output(
     if (text is None) == (lines is None):
         raise ValueError('Either text or lines is needed, and not both')
     if expected_text is not None:
-        return _fits_text(expected_text, _unix('\n'.join(lines or ()) if text is None else text), strict)
-    return _fits_lines(expected_lines, _unix(text).splitlines() if lines is None else list(lines), strict)
+        return _fits_text(expected_text, normalize_lineseps('\n'.join(lines or ()) if text is None else text), strict)
+    return _fits_lines(
+        expected_lines, normalize_lineseps(text or '').splitlines() if lines is None else list(lines), strict
+    )
 
 
-def _unix(text: str | None) -> str:
+def normalize_lineseps(lines: str) -> str:
     """Return a text with the line ends that a terminal has changed put right."""
-    return (text or '').replace('\r\n', '\n')
+    return lines.replace('\r\n', '\n')
 
 
 def _fits_text(expected: Expected, text: str, strict: bool) -> bool:

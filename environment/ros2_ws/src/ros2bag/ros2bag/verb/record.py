@@ -18,123 +18,142 @@ from ros2bag.api import (
 from ros2bag.verb import VerbExtension
 
 
+def add_recorder_arguments(parser):
+    """Add the arguments of `ros2 bag record`."""
+    parser.epilog = NO_SERVICES
+    add = parser.add_argument
+    add('topics_positional', nargs='*', default=[], metavar='Topic', help='Topics to record (outdated: use --topics)')
+    add('-o', '--output', help='Folder of the bag (default: rosbag2_ and the time, in the current folder)')
+    add('-s', '--storage', choices=STORAGES, default='mcap', help='Kind of its files (default: mcap)')
+    _add_selection(parser)
+    add('--include-unpublished-topics', action='store_true', help='Record topics without a publisher as well')
+    add('--include-hidden-topics', action='store_true', help='Record hidden topics as well')
+    add('--no-discovery', action='store_true', help='Record only topics that are there at the beginning')
+    add(
+        '-p',
+        '--polling-interval',
+        type=check_not_negative_int,
+        default=100,
+        metavar='MS',
+        help='Look for new topics every so many milliseconds (default: 100)',
+    )
+    add('--ignore-leaf-topics', action='store_true', help='Leave out topics that nobody subscribes to')
+    add('--qos-profile-overrides-path', type=OpenedFile(), help='YAML file with the quality of service of some topics')
+    add('-f', '--serialization-format', default='', choices=('', 'cdr'), help='Form of the messages: cdr')
+    _add_size(parser)
+    add('--disable-keyboard-controls', action='store_true', help='Do not listen to the keyboard')
+    add('--start-paused', action='store_true', help='Wait for SPACE before recording')
+    add('--use-sim-time', action='store_true', help='Take the time of each message from /clock')
+    add('--node-name', default='rosbag2_recorder', help='Name of the recording node (default: rosbag2_recorder)')
+    add('--custom-data', nargs='*', default=[], metavar='KEY=VALUE', help='Store these pairs in the metadata')
+    add(
+        '--storage-preset-profile',
+        default='',
+        choices=('', 'none', 'fastwrite', 'zstd_fast', 'zstd_small'),
+        help='For mcap: compress with zstd, or not (default)',
+    )
+    add('--storage-config-file', help='Accepted; there is nothing to configure')
+    add('--snapshot-mode', action='store_true', help='Refused: it needs a service of rosbag2_interfaces')
+    _add_compression(parser)
+    add('--log-level', choices=('debug', 'info', 'warn', 'error', 'fatal'), default='info', help='What to log')
+
+
+def _add_size(parser):
+    add = parser.add_argument
+    add(
+        '-b',
+        '--max-bag-size',
+        type=check_not_negative_int,
+        default=0,
+        metavar='BYTES',
+        help='Begin a new file after so many bytes (default: 0, never)',
+    )
+    add(
+        '-d',
+        '--max-bag-duration',
+        type=check_not_negative_int,
+        default=0,
+        metavar='SECONDS',
+        help='Begin a new file after so many seconds (default: 0, never)',
+    )
+    add(
+        '--max-cache-size',
+        type=check_not_negative_int,
+        default=100 * 1024 * 1024,
+        help='Accepted; what comes goes to the file within a second',
+    )
+
+
+def _add_compression(parser):
+    add = parser.add_argument
+    add(
+        '--compression-mode',
+        choices=('none', 'file', 'message'),
+        default='none',
+        help='Compress each file when it is complete, or each message (default: none)',
+    )
+    add('--compression-format', choices=('zstd',), default='', help='How to compress; needed with a mode')
+    add('--compression-queue-size', type=int, default=1, help='Accepted; nothing waits to be compressed')
+    add('--compression-threads', type=int, default=0, help='Accepted; the recorder itself compresses')
+    add('--compression-threads-priority', type=int, default=0, help='Accepted; the recorder itself compresses')
+
+
+def _add_selection(parser):
+    add = parser.add_argument
+    add('--topics', nargs='+', default=[], metavar='Topic', help='Topics to record')
+    add('--services', nargs='+', default=[], metavar='ServiceName', help='Services whose events to record')
+    add('--topic-types', nargs='+', default=[], metavar='TopicType', help='Record all topics of these types')
+    add('-a', '--all', action='store_true', help='Record all topics and services, without hidden topics')
+    add('--all-topics', action='store_true', help='Record all topics, without hidden ones')
+    add('--all-services', action='store_true', help='Record the events of all services')
+    add('-e', '--regex', default='', help='Record topics and services that this regular expression is found in')
+    add('--exclude-regex', '-x', default='', help='Leave out those that this regular expression is found in')
+    add('--exclude-topics', nargs='+', default=[], metavar='Topic', help='Leave out these topics')
+    add('--exclude-topic-types', nargs='+', default=[], metavar='TopicType', help='Leave out these types')
+    add('--exclude-services', nargs='+', default=[], metavar='ServiceName', help='Leave out these services')
+
+
 class RecordVerb(VerbExtension):
     """Record ROS data to a bag."""
 
     def add_arguments(self, parser, cli_name):
         """Add the arguments."""
-        parser.epilog = NO_SERVICES
-        add = parser.add_argument
-        add('topics', nargs='*', default=[], metavar='Topic', help='Topics to record (outdated: use --topics)')
-        add('-o', '--output', help='Folder of the bag (default: rosbag2_ and the time, in the current folder)')
-        add('-s', '--storage', choices=STORAGES, default='mcap', help='Kind of its files (default: mcap)')
-        self._add_selection(parser)
-        add('--include-unpublished-topics', action='store_true', help='Record topics without a publisher as well')
-        add('--include-hidden-topics', action='store_true', help='Record hidden topics as well')
-        add('--no-discovery', action='store_true', help='Record only topics that are there at the beginning')
-        add(
-            '-p',
-            '--polling-interval',
-            type=check_not_negative_int,
-            default=100,
-            metavar='MS',
-            help='Look for new topics every so many milliseconds (default: 100)',
-        )
-        add('--ignore-leaf-topics', action='store_true', help='Leave out topics that nobody subscribes to')
-        add(
-            '--qos-profile-overrides-path',
-            type=OpenedFile(),
-            help='YAML file with the quality of service of some topics',
-        )
-        add('-f', '--serialization-format', default='', choices=('', 'cdr'), help='Form of the messages: cdr')
-        add(
-            '-b',
-            '--max-bag-size',
-            type=check_not_negative_int,
-            default=0,
-            metavar='BYTES',
-            help='Begin a new file after so many bytes (default: 0, never)',
-        )
-        add(
-            '-d',
-            '--max-bag-duration',
-            type=check_not_negative_int,
-            default=0,
-            metavar='SECONDS',
-            help='Begin a new file after so many seconds (default: 0, never)',
-        )
-        add(
-            '--max-cache-size',
-            type=check_not_negative_int,
-            default=100 * 1024 * 1024,
-            help='Accepted; what comes goes to the file within a second',
-        )
-        add('--disable-keyboard-controls', action='store_true', help='Do not listen to the keyboard')
-        add('--start-paused', action='store_true', help='Wait for SPACE before recording')
-        add('--use-sim-time', action='store_true', help='Take the time of each message from /clock')
-        add('--node-name', default='rosbag2_recorder', help='Name of the recording node (default: rosbag2_recorder)')
-        add('--custom-data', nargs='*', default=[], metavar='KEY=VALUE', help='Store these pairs in the metadata')
-        add(
-            '--storage-preset-profile',
-            default='',
-            choices=('', 'none', 'fastwrite', 'zstd_fast', 'zstd_small'),
-            help='For mcap: compress with zstd, or not (default)',
-        )
-        add('--storage-config-file', help='Accepted; there is nothing to configure')
-        add('--snapshot-mode', action='store_true', help='Refused: it needs a service of rosbag2_interfaces')
-        self._add_compression(parser)
-        add('--log-level', choices=('debug', 'info', 'warn', 'error', 'fatal'), default='info', help='What to log')
-
-    def _add_compression(self, parser):
-        add = parser.add_argument
-        add(
-            '--compression-mode',
-            choices=('none', 'file', 'message'),
-            default='none',
-            help='Compress each file when it is complete, or each message (default: none)',
-        )
-        add('--compression-format', choices=('zstd',), default='', help='How to compress; needed with a mode')
-        add('--compression-queue-size', type=int, default=1, help='Accepted; nothing waits to be compressed')
-        add('--compression-threads', type=int, default=0, help='Accepted; the recorder itself compresses')
-        add('--compression-threads-priority', type=int, default=0, help='Accepted; the recorder itself compresses')
-
-    def _add_selection(self, parser):
-        add = parser.add_argument
-        add('--topics', nargs='+', default=[], metavar='Topic', dest='topic_names', help='Topics to record')
-        add('--services', nargs='+', default=[], metavar='ServiceName', help='Services whose events to record')
-        add('--topic-types', nargs='+', default=[], metavar='TopicType', help='Record all topics of these types')
-        add('-a', '--all', action='store_true', help='Record all topics and services, without hidden topics')
-        add('--all-topics', action='store_true', help='Record all topics, without hidden ones')
-        add('--all-services', action='store_true', help='Record the events of all services')
-        add('-e', '--regex', default='', help='Record topics and services that this regular expression is found in')
-        add('--exclude-regex', '-x', default='', help='Leave out those that this regular expression is found in')
-        add('--exclude-topics', nargs='+', default=[], metavar='Topic', help='Leave out these topics')
-        add('--exclude-topic-types', nargs='+', default=[], metavar='TopicType', help='Leave out these types')
-        add('--exclude-services', nargs='+', default=[], metavar='ServiceName', help='Leave out these services')
+        add_recorder_arguments(parser)
 
     def main(self, *, args):
         """Record until Ctrl+C."""
-        if args.topics:
-            print(
-                print_warn('Positional "topics" argument deprecated. Please use optional "--topics" argument instead.')
-            )
-        args.topic_names = [*args.topics, *args.topic_names]
+        output = args.output or datetime.datetime.now().strftime('rosbag2_%Y_%m_%d-%H_%M_%S')
+        wrong = validate_parsed_arguments(args, output)
+        if wrong:
+            return wrong
         try:
-            _check(args)
             overrides = read_qos_overrides(args.qos_profile_overrides_path)
             custom_data = _pairs(args.custom_data)
-            _warn(args)
         except ValueError as error:
             return print_error(str(error))
-        output = args.output or datetime.datetime.now().strftime('rosbag2_%Y_%m_%d-%H_%M_%S')
-        if os.path.exists(output):
-            return print_error(f"Output folder '{output}' already exists.")
         return _record(args, output, overrides, custom_data)
+
+
+def validate_parsed_arguments(args, uri):
+    """
+    Return what is wrong with the arguments, to be printed, or None; put positional topics with the others.
+
+    :param uri: the folder of the bag
+    """
+    if args.topics_positional:
+        print(print_warn('Positional "topics" argument deprecated. Please use optional "--topics" argument instead.'))
+        args.topics = [*args.topics_positional, *args.topics]
+    try:
+        _check(args)
+    except ValueError as error:
+        return print_error(str(error))
+    _warn(args)
+    return print_error(f"Output folder '{uri}' already exists.") if os.path.exists(uri) else None
 
 
 def _check(args):
     """Refuse what contradicts itself; ValueError."""
-    named = args.services or args.topic_names or args.topic_types
+    named = args.services or args.topics or args.topic_types
     if not (args.all or args.all_topics or args.all_services or args.regex or named):
         raise ValueError(
             'Need to specify at least one option out of --all, --all-topics, --all-services, --services, '
@@ -173,7 +192,7 @@ def _warn(args):
         (args.all or args.all_topics, '--all or --all-topics', 'topics'),
         (args.all or args.all_topics or args.all_services, '--all, --all-topics or --all-services', 'regex'),
     ):
-        if some and (args.topic_names if overridden == 'topics' else getattr(args, overridden)):
+        if some and getattr(args, overridden):
             print(print_warn(f'{options} will override --{overridden}'))
 
 
@@ -243,7 +262,7 @@ def _options(args, overrides):
     return RecordOptions(
         all_topics=args.all or args.all_topics,
         all_services=args.all or args.all_services,
-        topics=full_names(args.topic_names),
+        topics=full_names(args.topics),
         topic_types=args.topic_types,
         services=event_topics(args.services),
         regex=args.regex,
