@@ -6,7 +6,7 @@ import asyncio
 import contextlib
 import os
 from collections import deque
-from collections.abc import Callable, Iterable, MutableMapping
+from collections.abc import Callable, Iterable, Mapping, MutableMapping
 from typing import Any
 
 from launch.event import Event
@@ -109,6 +109,17 @@ class LaunchContext:
             yield
         finally:
             del self._locals[depth:]
+
+    @contextlib.contextmanager
+    def configuration_scope(self, configurations: Mapping[str, Any]):
+        """Use other launch configurations, and put those of now back at the end, also after an error."""
+        saved, depth = self.launch_configurations, len(self._configuration_stack)
+        self.launch_configurations = dict(configurations)
+        try:
+            yield
+        finally:
+            del self._configuration_stack[depth:]
+            self.launch_configurations = saved
 
     # --- scopes of GroupAction --------------------------------------------------------------------------------
 

@@ -163,7 +163,8 @@ class LaunchService:
         if isinstance(event, IncludeLaunchDescription):
             self._visit(event.launch_description)
         elif isinstance(event, TimerEvent):
-            with context.local_scope(event.local_variables):
+            scope = context.configuration_scope(event.launch_configurations)
+            with context.local_scope(event.local_variables), scope:
                 self._visit_all(event.timer_action.actions)
         elif isinstance(event, Shutdown):
             context.is_shutdown = True

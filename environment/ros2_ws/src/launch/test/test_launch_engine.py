@@ -68,6 +68,7 @@ from launch.substitutions import (
     NotEqualsSubstitution,
     NotSubstitution,
     PathJoinSubstitution,
+    PathSubstitution,
     PythonExpression,
     SubstitutionFailure,
     TextSubstitution,
@@ -124,6 +125,12 @@ def perform(substitution, **configurations):
         (LaunchConfiguration('none', default=7), '7'),
         (PathJoinSubstitution(['/a', 'b', ['c', LaunchConfiguration('x')]]), '/a/b/c5'),
         (PathJoinSubstitution(['/a']) / 'b', '/a/b'),
+        (
+            PathSubstitution('a') / 'b' / PathJoinSubstitution(['c', 'd']) / [LaunchConfiguration('x'), '.t'],
+            'a/b/c/d/5.t',
+        ),
+        (PathSubstitution(LaunchConfiguration('x')), '5'),
+        (PathSubstitution(Path('/a')) / Path('b/c'), '/a/b/c'),
         (PythonExpression(['2 * ', LaunchConfiguration('x')]), '10'),
         (PythonExpression('cos(0)'), '1.0'),
         (PythonExpression("os.path.basename('/a/b')", python_modules=['os']), 'b'),
@@ -265,6 +272,21 @@ def test_a_timer_waits_and_is_cancelled_by_a_shutdown(go):
     assert time.monotonic() - begin >= 0.3
 
 
+def test_what_a_timer_waits_for_sees_the_configurations_of_its_beginning_and_changes_them_for_itself(go):
+    def say(*names):
+        return LogInfo(msg=[part for name in names for part in (LaunchConfiguration(name, default='none'), ' ')])
+
+    status, said, _ = go(
+        GroupAction([
+            SetLaunchConfiguration('a', 'in the group'),
+            TimerAction(period=0.01, actions=[SetLaunchConfiguration('b', 'in the timer'), say('a', 'b', 'c')]),
+        ]),
+        SetLaunchConfiguration('c', 'after'),
+        TimerAction(period=0.05, actions=[say('a', 'b', 'c')]),
+    )  # fmt: skip
+    assert (status, said) == (0, ['in the group in the timer none ', 'none none after '])
+
+
 def test_included_files_get_arguments_and_know_where_they_are(go, tmp_path):
     (tmp_path / 'sub').mkdir()
     child = tmp_path / 'sub' / 'child.launch.py'
@@ -278,14 +300,14 @@ def test_included_files_get_arguments_and_know_where_they_are(go, tmp_path):
                 return LaunchDescription([
                     DeclareLaunchArgument('who'),
                     LogInfo(msg=[ThisLaunchFileDir(), ' ', LaunchConfiguration('who')]),
-                    TimerAction(period=0.05, actions=[LogInfo(msg=['later in ', ThisLaunchFileDir()])]),
+                    TimerAction(period=0.05, actions=[LogInfo(msg=['later in ', ThisLaunchFileDir() / 'a'])]),
                 ])
         """)
     )
     include = IncludeLaunchDescription(
         PythonLaunchDescriptionSource([str(tmp_path), '/sub/child.launch.py']), launch_arguments={'who': 'me'}.items()
     )
-    assert go(include)[1] == [f'{child.parent} me', f'later in {child.parent}']
+    assert go(include)[1] == [f'{child.parent} me', f'later in {child.parent}/a']
     assert not list(tmp_path.glob('**/__pycache__'))
     bare = IncludeLaunchDescription(str(child))
     for action in (include, bare):
@@ -733,6 +755,7 @@ def test_the_content_of_a_file_and_the_directory_of_the_log(tmp_path):
     with pytest.raises(SubstitutionFailure, match="cannot read the file '/no/such'"):
         perform(FileContent('/no/such'))
     assert perform(LaunchLogDir()) == launch.logging.launch_config.log_dir
+    assert perform(LaunchLogDir() / 'a') == os.path.join(launch.logging.launch_config.log_dir, 'a')
 
 
 def test_a_process_tells_what_it_was_made_of_and_what_became_of_it(go, tmp_path):

@@ -35,6 +35,7 @@ OTHERS = {
     'ResetLaunchConfigurations AllSubstitution AndSubstitution AnonName AnySubstitution EqualsSubstitution FileContent '
     'IfElseSubstitution LaunchLogDir NotEqualsSubstitution NotSubstitution OrSubstitution ThisLaunchFile Parameter '
     'RosTimer SetParameter SetParametersFromFile SetRemap SetROSLogDir SetUseSimTime',
+    'launch files that go on with a directory by /': 'PathSubstitution',
     'launch files of earlier distributions': 'LaunchConfigurationEquals LaunchConfigurationNotEquals '
     'AnyLaunchDescriptionSource FrontendLaunchDescriptionSource',
     'extensions of launch, and annotations': 'SomeEntitiesType SomeEntitiesType_types_tuple SomeSubstitutionsType '

@@ -154,6 +154,7 @@ def test_parameters_are_taken_in_all_forms():
 def test_find_package_share():
     share = FindPackageShare('turtlesim').perform(LaunchContext())
     assert os.path.isfile(os.path.join(share, 'package.xml'))
+    assert (FindPackageShare('turtlesim') / 'a').perform(LaunchContext()) == os.path.join(share, 'a')
 
 
 # --- what XML and YAML files say of nodes -------------------------------------------------------------------------

@@ -137,6 +137,8 @@ def test_wrong_arguments_are_told():
     )
     assert ChangeState.valid_transitions[Transition.TRANSITION_CONFIGURE] == 'TRANSITION_CONFIGURE'
     assert ChangeState.valid_states[State.PRIMARY_STATE_ACTIVE] == 'PRIMARY_STATE_ACTIVE'
-    node = LifecycleNode(name='n', executable=sys.executable)
+    with pytest.raises(TypeError, match="'namespace'"):
+        LifecycleNode(name='n', executable=sys.executable)
+    node = LifecycleNode(name='n', namespace='', executable=sys.executable)
     assert node.is_lifecycle_node and not node.node_autostart
     assert not matches_node_name('n')(type('Other', (), {'node_name': '/m'}))

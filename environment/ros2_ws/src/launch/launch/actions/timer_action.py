@@ -18,7 +18,9 @@ from launch.utilities.type_utils import to_number
 @expose_action('timer')
 class TimerAction(Action):
     """
-    Visits actions after a time. They see the configurations of that moment, as in upstream.
+    Visits actions after a time. They see the launch configurations of the moment at which the time began to run.
+
+    What they change of these is changed for themselves only.
 
     :param period: seconds, as a number or a text
     :param cancel_on_shutdown: do nothing any more once the system shuts down
@@ -71,11 +73,11 @@ class TimerAction(Action):
 
     def execute(self, context: LaunchContext) -> None:
         self._future = future = context.asyncio_loop.create_future()
-        local_variables = context.get_locals_as_dict()
+        local_variables, configurations = context.get_locals_as_dict(), dict(context.launch_configurations)
 
         def fire() -> None:
             if not future.done():
-                context.emit_event_sync(TimerEvent(self, local_variables))
+                context.emit_event_sync(TimerEvent(self, local_variables, configurations))
                 future.set_result(None)
 
         stop_waiting = self._call_later(context, to_number(context, self._period), fire)

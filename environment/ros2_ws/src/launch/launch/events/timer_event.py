@@ -10,5 +10,6 @@ class TimerEvent(Event):
 
     name = 'launch.events.TimerEvent'
 
-    def __init__(self, timer_action, local_variables: dict | None = None):
+    def __init__(self, timer_action, local_variables: dict | None = None, launch_configurations: dict | None = None):
         self.timer_action, self.local_variables = timer_action, local_variables or {}
+        self.launch_configurations = launch_configurations or {}

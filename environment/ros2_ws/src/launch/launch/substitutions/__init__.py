@@ -18,7 +18,7 @@ from launch.substitutions.launch_configuration import LaunchConfiguration
 from launch.substitutions.launch_log_dir import LaunchLogDir
 from launch.substitutions.local_substitution import LocalSubstitution
 from launch.substitutions.not_equals_substitution import NotEqualsSubstitution
-from launch.substitutions.path_join_substitution import PathJoinSubstitution
+from launch.substitutions.path_join_substitution import PathJoinSubstitution, PathSubstitution
 from launch.substitutions.python_expression import PythonExpression
 from launch.substitutions.substitution_failure import SubstitutionFailure
 from launch.substitutions.text_substitution import TextSubstitution
@@ -43,6 +43,7 @@ __all__ = [
     'NotSubstitution',
     'OrSubstitution',
     'PathJoinSubstitution',
+    'PathSubstitution',
     'PythonExpression',
     'SubstitutionFailure',
     'TextSubstitution',

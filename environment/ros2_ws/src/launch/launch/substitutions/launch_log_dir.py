@@ -3,15 +3,18 @@
 import launch.logging
 from launch.frontend.expose import expose_substitution
 from launch.launch_context import LaunchContext
-from launch.substitution import Substitution
 from launch.substitutions.arguments import counted
+from launch.substitutions.path_join_substitution import PathSubstitution
 from launch.substitutions.substitution_failure import SubstitutionFailure
 
 
 @expose_substitution('launch_log_dir')
 @expose_substitution('log_dir')
-class LaunchLogDir(Substitution):
+class LaunchLogDir(PathSubstitution):
     """The directory of the log files of this launch."""
+
+    def __init__(self):
+        super().__init__(self)
 
     @classmethod
     def parse(cls, data):

@@ -1,4 +1,4 @@
-"""A path made of parts."""
+"""Paths, made of parts or going on with the operator /."""
 
 import os
 from collections.abc import Iterable
@@ -23,3 +23,14 @@ class PathJoinSubstitution(Substitution):
 
     def perform(self, context: LaunchContext) -> str:
         return os.path.join(*(perform_substitutions(context, part) for part in self.substitutions))
+
+
+class PathSubstitution(PathJoinSubstitution):
+    """
+    A single path, which the operator ``/`` goes on with: ``PathSubstitution('share') / 'maps' / 'flat.yaml'``.
+
+    Substitutions that are directories derive from it and give themselves as the path.
+    """
+
+    def __init__(self, path: SomeSubstitutionsType):
+        super().__init__([path])

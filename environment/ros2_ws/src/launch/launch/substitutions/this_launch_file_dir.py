@@ -2,14 +2,17 @@
 
 from launch.frontend.expose import expose_substitution
 from launch.launch_context import LaunchContext
-from launch.substitution import Substitution
 from launch.substitutions.arguments import counted
+from launch.substitutions.path_join_substitution import PathSubstitution
 from launch.substitutions.substitution_failure import SubstitutionFailure
 
 
 @expose_substitution('dirname')
-class ThisLaunchFileDir(Substitution):
+class ThisLaunchFileDir(PathSubstitution):
     """The directory of the launch file."""
+
+    def __init__(self):
+        super().__init__(self)
 
     @classmethod
     def parse(cls, data):

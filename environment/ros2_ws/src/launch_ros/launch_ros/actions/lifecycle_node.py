@@ -32,7 +32,7 @@ class LifecycleNode(Node):
     :param autostart: configure and activate the node as soon as it is there
     """
 
-    def __init__(self, *, name, namespace='', autostart: bool = False, **kwargs):
+    def __init__(self, *, name, namespace, autostart: bool = False, **kwargs):
         super().__init__(name=name, namespace=namespace, **kwargs)
         self._autostart = autostart
         self._reached: asyncio.Lock | None = None

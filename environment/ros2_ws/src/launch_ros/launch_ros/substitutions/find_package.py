@@ -6,17 +6,18 @@ from ament_index_python.packages import get_package_prefix, get_package_share_di
 from launch.frontend import expose_substitution
 from launch.launch_context import LaunchContext
 from launch.some_substitutions_type import SomeSubstitutionsType
-from launch.substitution import Substitution
+from launch.substitutions import PathSubstitution
 from launch.utilities import describe_substitutions, to_text
 
 
-class FindPackage(Substitution):
+class FindPackage(PathSubstitution):
     """A directory of a package. An unknown package raises PackageNotFoundError, with the paths searched."""
 
     _find: Callable[[str], str] = staticmethod(get_package_prefix)
     _word = ''
 
     def __init__(self, package: SomeSubstitutionsType):
+        super().__init__(self)
         self.package = package
 
     @classmethod
