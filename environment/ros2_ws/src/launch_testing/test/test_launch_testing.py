@@ -371,6 +371,10 @@ def test_outputs_are_found_as_text_pattern_and_lines():
     with pytest.raises(RuntimeError, match="no processes matching 'nobody'"):
         output.waitFor('x', process='nobody', timeout=0.0)
     assert SequentialTextChecker(['a\nb']).get_nearby_lines() == 'a\nb'
+    for last in ('c', 'c\n'):
+        sequence = SequentialTextChecker(['a\nb\nc\n', 'd\ne\nf\ng\n'])
+        sequence.assertInText(last)
+        assert sequence.get_nearby_lines() == ('a\nb\nc\nd\ne\nf' if last == 'c' else 'a\nb\ncd\ne\nf')
 
 
 def test_processes_are_found_by_name_and_arguments():

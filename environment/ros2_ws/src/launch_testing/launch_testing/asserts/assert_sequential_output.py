@@ -39,7 +39,9 @@ class SequentialTextChecker:
 
     def get_nearby_lines(self) -> str:
         """Return the lines around the text found last."""
-        before, behind = self._text[: self._at].splitlines()[-_CONTEXT:], self._text[self._at :].splitlines()[:_CONTEXT]
+        ended = self._text.startswith('\n', self._at)  # the find ended its line, whose rest is no line of context
+        before = self._text[: self._at].splitlines()[-_CONTEXT:]
+        behind = self._text[self._at :].splitlines()[: _CONTEXT + ended]
         return '\n'.join(before[:-1] + [''.join(before[-1:] + behind[:1])] + behind[1:])
 
 
