@@ -15,7 +15,7 @@ from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPo
 from rclpy.serialization import serialize_message
 from ros2bag.api import convert_yaml_to_qos_profile
 from ros2bag.verb.record import add_recorder_arguments, validate_parsed_arguments
-from rosbag2_py import SequentialReader, SequentialWriter, StorageOptions, TopicMetadata
+from rosbag2_py import Info, SequentialReader, SequentialWriter, StorageOptions, TopicMetadata
 from rosbags.highlevel import AnyReader
 from rosgraph_msgs.msg import Clock
 from service_msgs.msg import ServiceEventInfo
@@ -129,7 +129,7 @@ def test_record_and_info(ros2, storage):
         'End',
         'Messages',
         'Topic information',
-        'Services',
+        'Service',
         'Service information',
     ]
     assert [line.partition(':')[0] for line in lines if line] == names
@@ -139,6 +139,8 @@ def test_record_and_info(ros2, storage):
     assert lines[9] == (
         f'Topic information: Topic: /chatter | Type: std_msgs/msg/String | Count: {count} | Serialization Format: cdr'
     )
+    more = ros2.lines('bag', 'info', '-v', '--sort', 'count', f'talk_{storage}')
+    assert f'| Count: {count} | Size Contribution: ' in more[9] and more[:9] == lines[:9]
 
 
 def test_record_all_but_some(ros2):
@@ -215,6 +217,26 @@ def test_convert(ros2, numbers):
         "[ERROR] [ros2bag]: Bag path 'nothing' does not exist!"
     )
     assert "the storage 'tape' is not known" in ros2.error('bag', 'convert', '-i', numbers, 'tape', '-o', 'out.yaml')
+
+
+def test_several_bags_are_played_as_one(ros2, listener, numbers):
+    path = ros2.directory / 'between'
+    writer = SequentialWriter()
+    writer.open(StorageOptions(str(path), 'sqlite3'))
+    writer.create_topic(TopicMetadata(0, '/number', 'std_msgs/msg/Int32', 'cdr'))
+    begin = Info().read_metadata(str(ros2.directory / numbers)).starting_time.nanoseconds
+    for number in (100, 101):
+        writer.write('/number', serialize_message(Int32(data=number)), begin + (number - 100) * 10**9 + 10**8 // 2)
+    writer.close()
+    heard = listener.hear(Int32, '/number')
+    bags = ('-i', numbers, 'mcap', '-i', 'between')
+    assert ros2.run('bag', 'play', *bags, '-r', '5', '-d', '1', '--disable-keyboard-controls').returncode == 0
+    listener.until(lambda: len(heard) >= 12, 'twelve numbers')
+    assert [message.data for _, message in heard] == [0, 100, *range(1, 10), 101]
+    assert 'do not mix the [bag_path] positional argument and the -i' in ros2.error('bag', 'play', 'between', *bags)
+    assert 'no bag is given' in ros2.error('bag', 'play')
+    assert ros2.error('bag', 'play', '-i', 'nothing') == "[ERROR] [ros2bag]: Bag path 'nothing' does not exist!"
+    assert "the storage 'tape' is not known" in ros2.error('bag', 'play', '-i', 'between', 'tape')
 
 
 def test_play_keeps_the_pace(ros2, listener, numbers):
@@ -309,6 +331,8 @@ def test_requests_of_a_service_are_recorded_and_sent_again(ros2, node, listener)
         assert recorder.stop(PATIENCE) == 0
     told = ros2.output('bag', 'info', 'services')
     assert 'Service: /watched | Type: std_srvs/srv/SetBool | Event Count: 2 | Serialization Format: cdr' in told
+    assert 'Request Count: 1 | Response Count: 1 | Size Contribution: ' in ros2.output('bag', 'info', '-v', 'services')
+    assert not ros2.output('bag', 'info', '-t', 'services')
     events = listener.hear(SetBool.Event, '/watched/_service_event')
     play = ('bag', 'play', 'services', '--disable-keyboard-controls', '--publish-service-requests')
     assert ros2.run(*play, '--service-requests-source', 'client_introspection').returncode == 0  # it was not recorded

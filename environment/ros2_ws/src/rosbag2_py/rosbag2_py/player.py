@@ -15,7 +15,7 @@ from rosbag2_py.definitions import message_class, service_class
 from rosbag2_py.describe import SERVICE_EVENTS, is_service_event
 from rosbag2_py.options import StorageFilter, TopicMetadata
 from rosbag2_py.qos import to_publish
-from rosbag2_py.reader import SequentialReader
+from rosbag2_py.reader import MergedReader, SequentialReader
 from rosbag2_py.service_requests import ServiceRequests
 
 _SECOND = 1_000_000_000
@@ -63,7 +63,9 @@ class PlayOptions:
 class Playback:
     """Publishes the messages of a bag with a node of the caller's, who spins it by way of `wait`."""
 
-    def __init__(self, node: Node, reader: SequentialReader, options: PlayOptions, wait: Callable[[float], Any]):
+    def __init__(
+        self, node: Node, reader: SequentialReader | MergedReader, options: PlayOptions, wait: Callable[[float], Any]
+    ):
         """
         Create the publishers.
 

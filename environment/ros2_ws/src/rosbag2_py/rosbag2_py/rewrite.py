@@ -2,7 +2,6 @@
 
 import dataclasses
 import heapq
-from collections.abc import Iterator
 from contextlib import ExitStack, closing
 from datetime import timedelta
 from pathlib import Path
@@ -13,7 +12,7 @@ import yaml
 from rosbag2_py.compression import CompressionOptions, compression_mode_from_string
 from rosbag2_py.metadata import BagError
 from rosbag2_py.options import StorageOptions
-from rosbag2_py.reader import SequentialReader
+from rosbag2_py.reader import SequentialReader, messages_of
 from rosbag2_py.recorder import RecordOptions, chosen
 from rosbag2_py.writer import SequentialCompressionWriter
 
@@ -49,15 +48,10 @@ def bag_rewrite(input_options: list[StorageOptions], output_config_file: str) ->
                 if topic.name in names:
                     writer.create_topic(topic)
             writers.append((writer, names))
-        for name, data, timestamp in heapq.merge(*map(_messages, readers), key=lambda message: message[2]):
+        for name, data, timestamp in heapq.merge(*map(messages_of, readers), key=lambda message: message[2]):
             for writer, names in writers:
                 if name in names:
                     writer.write(name, data, timestamp)
-
-
-def _messages(reader: SequentialReader) -> Iterator[tuple[str, bytes, int]]:
-    while reader.has_next():
-        yield reader.read_next()
 
 
 def _read(path: str) -> list[tuple[StorageOptions, RecordOptions]]:

@@ -5,6 +5,7 @@ The nodes offer no services such as `~/pause`: those are services of rosbag2_int
 """
 
 import threading
+from collections.abc import Sequence
 from contextlib import closing
 from typing import Any
 
@@ -13,7 +14,7 @@ from rclpy.logging import LoggingSeverity
 from rosbag2_py.compression import CompressionOptions, compression_mode_from_string
 from rosbag2_py.options import StorageOptions
 from rosbag2_py.player import Playback, PlayOptions
-from rosbag2_py.reader import SequentialReader
+from rosbag2_py.reader import MergedReader
 from rosbag2_py.recorder import Recording, RecordOptions
 from rosbag2_py.running import RunningNode
 from rosbag2_py.writer import SequentialCompressionWriter
@@ -45,11 +46,11 @@ class _Transport:
 
 
 class Player(_Transport):
-    """Plays bags."""
+    """Plays a bag, or several as one."""
 
     _cancelled = threading.Event()
 
-    def play(self, storage_options: StorageOptions, play_options: PlayOptions) -> None:
+    def play(self, storage_options: StorageOptions | Sequence[StorageOptions], play_options: PlayOptions) -> None:
         """
         Play a bag to its end, with `loop` again and again.
 
@@ -57,14 +58,15 @@ class Player(_Transport):
         """
         self._run(storage_options, play_options, lambda playback: playback.play())
 
-    def burst(self, storage_options: StorageOptions, play_options: PlayOptions, num_messages: int) -> None:
+    def burst(
+        self, storage_options: StorageOptions | Sequence[StorageOptions], play_options: PlayOptions, num_messages: int
+    ) -> None:
         """Publish so many messages at once (BagError as above)."""
         self._run(storage_options, play_options, lambda playback: playback.burst(num_messages))
 
-    def _run(self, storage_options: StorageOptions, options: PlayOptions, act: Any) -> None:
+    def _run(self, bags: StorageOptions | Sequence[StorageOptions], options: PlayOptions, act: Any) -> None:
         self._cancelled.clear()
-        reader = SequentialReader()
-        reader.open(storage_options)
+        reader = MergedReader([bags] if isinstance(bags, StorageOptions) else bags)
         with closing(reader), RunningNode('rosbag2_player') as running:
             logger = running.node.get_logger()
             logger.set_level(self._level)

@@ -44,8 +44,11 @@ from rosbag2_py import (
     get_registered_compressors,
     running,
 )
+from rosbag2_py.reader import MergedReader
 from rosbags.highlevel import AnyReader
+from service_msgs.msg import ServiceEventInfo
 from std_msgs.msg import Int32, String
+from std_srvs.srv import SetBool
 
 from environment.tests.running import PATIENCE
 
@@ -105,6 +108,71 @@ def test_what_was_written_is_read(tmp_path, storage):
     assert not reader.has_next()
     with pytest.raises(BagError, match='at end'):
         reader.read_next()
+
+
+def test_what_is_known_of_a_bag_is_printed_in_an_order_and_with_sizes_as_asked(tmp_path, capsys):
+    bag, info = tmp_path / 'bag', Info()
+    events = ('/b/_service_event', '/a/_service_event')
+    writer = SequentialWriter()
+    writer.open(StorageOptions(str(bag), 'mcap'))
+    for index, name in enumerate(('/z', '/y', *events)):
+        kind = 'std_srvs/srv/SetBool_Event' if name in events else 'std_msgs/msg/String'
+        writer.create_topic(TopicMetadata(index, name, kind, 'cdr'))
+    for second, name in enumerate('zzy'):
+        writer.write(f'/{name}', serialize_message(String(data='a' * 1000)), second)
+    for second, kind in enumerate((0, 1, 2, 3, 0)):  # as client and service tell them, the last without an answer
+        event = ServiceEventInfo(event_type=kind, sequence_number=second // 4)
+        writer.write(events[0], serialize_message(SetBool.Event(info=event)), second)
+    writer.close()
+    metadata = info.read_metadata(str(bag), '')
+
+    def printed(method, *args):
+        method(*args)
+        return capsys.readouterr().out
+
+    assert info.get_sorting_methods() == {'name', 'type', 'count'}
+    assert printed(info.print_output_topic_name_only, metadata, 'name') == '/y\n/z\n'
+    assert printed(info.print_output, metadata, 'Count').split('\n')[8:] == [
+        'Messages:          3',
+        'Topic information: Topic: /y | Type: std_msgs/msg/String | Count: 1 | Serialization Format: cdr',
+        '                   Topic: /z | Type: std_msgs/msg/String | Count: 2 | Serialization Format: cdr',
+        'Service:           2',
+        'Service information: Service: /a | Type: std_srvs/srv/SetBool | Event Count: 0 | Serialization Format: cdr',
+        '                     Service: /b | Type: std_srvs/srv/SetBool | Event Count: 5 | Serialization Format: cdr',
+        '',
+        '',
+    ]
+    told = printed(info.print_output_verbose, str(bag), metadata, 'name')
+    for counts in ('Count: 1 | Size Contribution: 1009 B', 'Count: 2 | Size Contribution: 2.0 KiB'):
+        assert f'std_msgs/msg/String | {counts} | Serialization Format: cdr' in told
+    assert 'SetBool | Request Count: 2 | Response Count: 1 | Size Contribution: ' in told
+    with pytest.raises(RuntimeError, match='Enum value match for "size" string is not found.'):
+        info.print_output(metadata, 'size')
+
+
+def test_several_bags_are_read_as_one(tmp_path):
+    for name, count in (('a', 3), ('b', 5)):
+        write(tmp_path / name, 'mcap', count)
+    bags = [StorageOptions(str(tmp_path / name)) for name in 'ab']
+    reader, (first, second) = MergedReader(bags), (Info().read_metadata(bag.uri) for bag in bags)
+
+    def rest():
+        return [reader.read_next()[::2] for _ in iter(reader.has_next, False)]
+
+    together, metadata = first.message_count + second.message_count, reader.get_metadata()
+    assert metadata.message_count == together == len(rest())
+    assert (metadata.starting_time, metadata.duration) == (first.starting_time, second.duration)
+    assert sorted(each.name for each in reader.get_all_topics_and_types()) == ['/point', '/words']
+    reader.set_filter(StorageFilter(topics=['/words']))
+    assert reader.passes('/words') and not reader.passes('/point')
+    reader.seek(3 * 10**9)
+    times = [time for _, time in rest()]
+    assert times == sorted(times) and len(times) == 2 + 4
+    with pytest.raises(BagError, match='at end'):
+        reader.read_next()
+    reader.close()
+    with pytest.raises(BagError, match='does not exist'):
+        MergedReader([bags[0], StorageOptions(str(tmp_path / 'none'))])
 
 
 @pytest.mark.parametrize('storage', STORAGES)

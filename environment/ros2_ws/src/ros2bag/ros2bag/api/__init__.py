@@ -28,6 +28,15 @@ def check_path_exists(value: str) -> str:
     return value
 
 
+def input_bag(uri: str, storage_id: str = '', *more: str) -> tuple[str, str]:
+    """Return the arguments of -i: a bag, and the kind of its files; raises ArgumentTypeError if it is none."""
+    if more:
+        raise argparse.ArgumentTypeError(f'-i takes a bag and a storage, not {len(more) + 2} arguments')
+    if storage_id not in ('', *STORAGES):
+        raise argparse.ArgumentTypeError(f"the storage '{storage_id}' is not known; there are {', '.join(STORAGES)}")
+    return uri, storage_id
+
+
 def check_positive_float(value: str) -> float:
     """Convert an argument to a number above 0, for argparse."""
     try:

@@ -1,6 +1,6 @@
 """Play a bag at a terminal, as `play` and `burst` do: its log lines, its keys, and Ctrl+C."""
 
-from argparse import Namespace
+from argparse import ArgumentTypeError, Namespace
 from collections.abc import Callable
 from typing import Any
 
@@ -12,6 +12,7 @@ from ros2bag.api import (
     check_path_exists,
     event_topics,
     full_names,
+    input_bag,
     print_error,
     read_qos_overrides,
 )
@@ -25,11 +26,26 @@ _KEYS = (
 )
 
 
-def add_bag_arguments(parser: Any) -> None:
-    """Add the arguments that both verbs have."""
+def add_bag_arguments(parser: Any, several: bool = False) -> None:
+    """
+    Add the arguments that both verbs have.
+
+    :param several: the verb takes several bags, too, with -i.
+    """
     parser.epilog = NO_SERVICES
     add = parser.add_argument
-    add('bag_path', type=check_path_exists, help='Bag: a folder, or a .mcap or .db3 file')
+    number = {'nargs': '?'} if several else {}
+    add('bag_path', type=check_path_exists, help='Bag: a folder, or a .mcap or .db3 file', **number)
+    if several:
+        add(
+            '-i',
+            '--input',
+            action='append',
+            nargs='+',
+            default=[],
+            metavar=('uri', 'storage_id'),
+            help='Bag, and the kind of its files if it shall be checked; several bags with several -i',
+        )
     add('-s', '--storage', choices=STORAGES, default='', help='Accepted; the bag says it itself')
     add('--read-ahead-queue-size', type=int, default=1000, help='Accepted; messages are read as they are due')
     add('--topics', nargs='+', default=[], metavar='TOPIC', help='Play only these topics')
@@ -48,12 +64,22 @@ def play_bag(args: Namespace, act: Callable[[Any], Any], log_level: str = 'info'
     :param options: fields of `rosbag2_py.PlayOptions` that only one of the verbs has arguments for.
     :returns: an error to print, or None.
     """
-    from rosbag2_py import BagError, PlayOptions, SequentialReader
+    from rosbag2_py import BagError, PlayOptions, StorageOptions
+    from rosbag2_py.reader import MergedReader
     from rosbag2_py.running import RunningNode
 
-    reader = SequentialReader()
+    several = getattr(args, 'input', [])
+    if several and args.bag_path:
+        return print_error(
+            'do not mix the [bag_path] positional argument and the -i,--input option; for multiple input bags, use '
+            '-i,--input multiple times'
+        )
+    reader = None
     try:
-        reader.open_uri(args.bag_path)
+        bags = [input_bag(*each) for each in several] or [(args.bag_path, '')]
+        if bags[0][0] is None:
+            return print_error('no bag is given: ros2 bag play BAG, or -i BAG -i BAG for several')
+        reader = MergedReader([StorageOptions(*each) for each in bags])
         play_options = PlayOptions(
             topics_to_filter=full_names(args.topics),
             services_to_filter=event_topics(args.services),
@@ -64,12 +90,13 @@ def play_bag(args: Namespace, act: Callable[[Any], Any], log_level: str = 'info'
         )
         with RunningNode('rosbag2_player') as running:
             _act(running, reader, play_options, log_level, act)
-    except (BagError, ValueError) as error:
+    except (BagError, ValueError, ArgumentTypeError) as error:
         return print_error(str(error))
     except KeyboardInterrupt:  # how a loop ends
         return None
     finally:
-        reader.close()
+        if reader is not None:
+            reader.close()
     return None
 
 

@@ -2,7 +2,7 @@
 
 import argparse
 
-from ros2bag.api import STORAGES, print_error
+from ros2bag.api import input_bag, print_error
 from ros2bag.verb import VerbExtension
 
 
@@ -34,14 +34,6 @@ class ConvertVerb(VerbExtension):
         from rosbag2_py import BagError, StorageOptions, bag_rewrite
 
         try:
-            bag_rewrite([StorageOptions(*_input(*each)) for each in args.input], args.output_options)
+            bag_rewrite([StorageOptions(*input_bag(*each)) for each in args.input], args.output_options)
         except (BagError, argparse.ArgumentTypeError) as error:
             return print_error(str(error))
-
-
-def _input(uri, storage_id='', *more):
-    if more:
-        raise argparse.ArgumentTypeError(f'-i takes a bag and a storage, not {len(more) + 2} arguments')
-    if storage_id not in ('', *STORAGES):
-        raise argparse.ArgumentTypeError(f"the storage '{storage_id}' is not known; there are {', '.join(STORAGES)}")
-    return uri, storage_id

@@ -10,7 +10,7 @@ class PlayVerb(VerbExtension):
 
     def add_arguments(self, parser, cli_name):
         """Add the arguments."""
-        add_bag_arguments(parser)
+        add_bag_arguments(parser, several=True)
         add = parser.add_argument
         add('-r', '--rate', type=check_positive_float, default=1.0, help='How fast to play (default: 1, as recorded)')
         add('-e', '--regex', default='', help='Play only topics that this regular expression matches')
