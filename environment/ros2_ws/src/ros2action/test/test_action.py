@@ -46,6 +46,20 @@ def test_ctrl_c_cancels_the_goal(ros2):
         assert goal.returncode == 2
 
 
+def test_send_goal_waits_as_long_as_asked(ros2):
+    nothing = ('action', 'send_goal', '/nothing', 'example_interfaces/action/Fibonacci', '{}')
+    done = ros2.run(*nothing, '--timeout', '0.5')
+    assert done.returncode == 1
+    assert done.stdout == 'Waiting for an action server to become available...\n'
+    assert done.stderr == 'Action server is not available after waiting 0.5 seconds.\n'
+    done = ros2.run(*FIBONACCI, '{order: 40}', '--timeout', '0.5')
+    assert done.returncode == 1
+    # A busy machine may need longer to find the server, or to cancel the goal.
+    assert 'after waiting 0.5 seconds.' in done.stderr or 'Failed to cancel goal' in done.stderr
+    assert 'Goal accepted' not in done.stdout or 'Canceling goal...' in done.stdout
+    assert 'Goal finished' not in done.stdout
+
+
 def test_send_goal_refuses_bad_input(ros2):
     assert ros2.lines(*FIBONACCI, '{order: 41}')[-1] == 'Goal was rejected.'
     assert ros2.error(*FIBONACCI[:3], 'example_interfaces/action/Nothing') == 'The passed action type is invalid'

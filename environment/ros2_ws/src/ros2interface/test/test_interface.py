@@ -29,6 +29,8 @@ def test_interface_show_indents_nested_fields(ros2):
     assert ros2.output('interface', 'show', '-', '--no-comments', stdin='std_srvs/srv/SetBool\n') == expected
     assert '\t# ' not in ros2.output('interface', 'show', 'std_msgs/msg/Header')
     assert '\t# ' in ros2.output('interface', 'show', 'std_msgs/msg/Header', '--all-comments')
+    assert '#\n' in ros2.output('interface', 'show', 'sensor_msgs/msg/Imu')
+    assert '#' not in ros2.output('interface', 'show', 'sensor_msgs/msg/Imu', '--no-comments')
 
 
 def test_interface_names_what_is_wrong(ros2):

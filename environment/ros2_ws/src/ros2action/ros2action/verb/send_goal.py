@@ -1,6 +1,6 @@
 """The verb `ros2 action send_goal`."""
 
-from ros2cli.helpers import collect_stdin, parse_yaml_dictionary
+from ros2cli.helpers import collect_stdin, parse_yaml_dictionary, positive_float
 from ros2cli.node import NODE_NAME_PREFIX
 
 from ros2action.api import ActionGoalPrototypeCompleter, ActionTypeCompleter, action_name_completer, load_action_class
@@ -29,6 +29,13 @@ class SendGoalVerb(VerbExtension):
         argument.completer = ActionGoalPrototypeCompleter(action_type_key='action_type')
         source.add_argument('--stdin', action='store_true', help='Read the fields from standard input')
         parser.add_argument('-f', '--feedback', action='store_true', help='Print the feedback as it arrives')
+        parser.add_argument(
+            '-t',
+            '--timeout',
+            type=positive_float,
+            metavar='N',
+            help='Wait N seconds for a server, and as long for each of its answers (default: for ever)',
+        )
 
     def main(self, *, args):
         """Send the goal and print its result; Ctrl+C cancels it."""
@@ -47,9 +54,9 @@ class SendGoalVerb(VerbExtension):
         node_name = f'{NODE_NAME_PREFIX}_send_goal_{args.action_type.replace("/", "_")}'
         # No waiting for the whole graph: the one server is awaited anyway.
         with DirectNode(None, node_name=node_name, discover=False) as node:
-            return self._send(node, action_class, args.action_name, goal, args.feedback)
+            return self._send(node, action_class, args.action_name, goal, args.feedback, args.timeout)
 
-    def _send(self, node, action_class, name, goal, feedback):
+    def _send(self, node, action_class, name, goal, feedback, timeout):
         from rclpy.action import ActionClient
         from rclpy.exceptions import InvalidServiceNameException, InvalidTopicNameException
         from rosidl_runtime_py import message_to_yaml
@@ -64,13 +71,14 @@ class SendGoalVerb(VerbExtension):
         print_feedback = early.append
         try:
             print('Waiting for an action server to become available...')
-            node.spin(until=client.server_is_ready)
+            if not node.spin(until=client.server_is_ready, timeout=timeout):
+                return f'Action server is not available after waiting {timeout:g} seconds.'
             print(f'Sending goal:\n     {message_to_yaml(goal)}')
             try:
                 sent = client.send_goal_async(goal, (lambda each: print_feedback(each)) if feedback else None)
             except (AssertionError, TypeError, ValueError, OverflowError) as e:
                 return f'Failed to send the goal: {e or type(e).__name__}'
-            accepted = node.wait_for(sent)
+            accepted = node.wait_for(sent, timeout)
             sent = None
             if not accepted.accepted:
                 accepted = None
@@ -80,11 +88,13 @@ class SendGoalVerb(VerbExtension):
             for each in early:
                 _print_feedback(each)
             print_feedback = _print_feedback
-            result = node.wait_for(accepted.get_result_async())
+            result = node.wait_for(accepted.get_result_async(), timeout)
             accepted = None
             print(f'Result:\n    {message_to_yaml(result.result)}')
             print(f'Goal finished with status: {_status_name(result.status)}')
             return None
+        except TimeoutError:
+            return f'The action server has not answered after waiting {timeout:g} seconds.'
         finally:
             if sent is not None:  # interrupted before the answer, yet the server may have begun
                 accepted = _answer(node, sent)

@@ -51,10 +51,7 @@ class InterfaceTextLine:
     def __init__(self, pkg_name, msg_name, line_text):
         self.pkg_name, self.msg_name = pkg_name, msg_name
         self.text = line_text.rstrip()
-        # A lone # stays, as with the stock that these commands were compared with: it has no text.
-        self.text_without_comment = (
-            self.text if self.text.strip() == '#' else self.text[: self._comment_position()].rstrip()
-        )
+        self.text_without_comment = self.text[: self._comment_position()].rstrip()
 
     def __str__(self):
         return self.text
