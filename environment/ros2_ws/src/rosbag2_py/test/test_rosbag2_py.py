@@ -331,8 +331,8 @@ def test_metadata_is_that_of_jazzy(tmp_path):
     lines = str(Info().read_metadata(str(tmp_path / 'bag'), '')).splitlines()
     assert lines[1] == 'Files:             bag_0.mcap'
     assert lines[5] == 'Duration:          5.000000000s'
-    assert lines[9].startswith('Topic information: Topic: /words | Type: std_msgs/msg/String | Count: 5 | Serial')
-    assert lines[10].startswith('                   Topic: /point')
+    assert lines[9].startswith('Topic information: Topic: /point')  # sorted by name
+    assert lines[10].startswith('                   Topic: /words | Type: std_msgs/msg/String | Count: 5 | Serial')
 
 
 @pytest.mark.parametrize('storage', STORAGES)
