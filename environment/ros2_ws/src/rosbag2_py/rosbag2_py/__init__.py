@@ -12,6 +12,7 @@ from rosbag2_py.compression import (
     compression_mode_from_string,
     compression_mode_to_string,
 )
+from rosbag2_py.info import Info
 from rosbag2_py.message_definitions import LocalMessageDefinitionSource, MessageDefinition
 from rosbag2_py.metadata import BagError, MetadataIo
 from rosbag2_py.options import (
@@ -26,7 +27,7 @@ from rosbag2_py.options import (
     TopicMetadata,
 )
 from rosbag2_py.player import PlayOptions
-from rosbag2_py.reader import Info, SequentialCompressionReader, SequentialReader
+from rosbag2_py.reader import SequentialCompressionReader, SequentialReader
 from rosbag2_py.recorder import RecordOptions
 from rosbag2_py.reindex import Reindexer
 from rosbag2_py.rewrite import bag_rewrite

@@ -13,9 +13,10 @@ from rclpy.time import Time
 
 from rosbag2_py.definitions import message_class, service_class
 from rosbag2_py.describe import SERVICE_EVENTS, is_service_event
+from rosbag2_py.merged import MergedReader
 from rosbag2_py.options import StorageFilter, TopicMetadata
 from rosbag2_py.qos import to_publish
-from rosbag2_py.reader import MergedReader, SequentialReader
+from rosbag2_py.reader import SequentialReader
 from rosbag2_py.service_requests import ServiceRequests
 
 _SECOND = 1_000_000_000

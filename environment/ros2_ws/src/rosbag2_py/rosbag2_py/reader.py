@@ -1,23 +1,18 @@
 """Reads bags."""
 
-import heapq
 import re
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 from rclpy.duration import Duration
-from rclpy.serialization import deserialize_message
 from rclpy.time import Time
 from rosbags.interfaces import Connection
 from rosbags.rosbag2 import Reader, ReaderError
-from service_msgs.msg import ServiceEventInfo
 
 from rosbag2_py import metadata as metadata_file
 from rosbag2_py.compression import decompress
 from rosbag2_py.definitions import type_hash
-from rosbag2_py.describe import SORTING, describe, in_order, is_service_event
 from rosbag2_py.files import SUFFIXES
 from rosbag2_py.metadata import BagError
 from rosbag2_py.options import (
@@ -185,130 +180,6 @@ class SequentialReader:
 
 class SequentialCompressionReader(SequentialReader):
     """Reads compressed bags, as :class:`SequentialReader` does, too."""
-
-
-class MergedReader:
-    """Reads several bags as one, forwards: what a player asks of a reader."""
-
-    def __init__(self, bags: Sequence[StorageOptions]):
-        """Open the bags; raises BagError as :meth:`SequentialReader.open`."""
-        self._readers: list[SequentialReader] = []
-        try:
-            for bag in bags:
-                self._readers.append(SequentialReader())
-                self._readers[-1].open(bag)
-        except BagError:
-            self.close()
-            raise
-        self.seek(0)
-
-    def close(self) -> None:
-        """Close the bags."""
-        for reader in self._readers:
-            reader.close()
-
-    def get_metadata(self) -> BagMetadata:
-        """Return the times and the topics of all bags; a topic that is in several of them is that of the first."""
-        bags = [reader.get_metadata() for reader in self._readers]
-        filled = [bag for bag in bags if bag.message_count] or bags
-        start = min(bag.starting_time.nanoseconds for bag in filled)
-        end = max(bag.starting_time.nanoseconds + bag.duration.nanoseconds for bag in filled)
-        topics = {each.topic_metadata.name: each for bag in reversed(bags) for each in bag.topics_with_message_count}
-        return BagMetadata(
-            starting_time=Time(nanoseconds=start),
-            duration=Duration(nanoseconds=end - start),
-            message_count=sum(bag.message_count for bag in bags),
-            topics_with_message_count=list(topics.values()),
-        )
-
-    def get_all_topics_and_types(self) -> list[TopicMetadata]:
-        """Return the topics of the bags."""
-        return [each.topic_metadata for each in self.get_metadata().topics_with_message_count]
-
-    def set_filter(self, storage_filter: StorageFilter) -> None:
-        """Read only what the filter lets through, from the time of the last :meth:`seek` on."""
-        for reader in self._readers:
-            reader.set_filter(storage_filter)
-        self.seek(self._start)
-
-    def passes(self, topic: str) -> bool:
-        """Return whether the filter lets a topic through."""
-        return self._readers[0].passes(topic)
-
-    def seek(self, timestamp: int) -> None:
-        """Go on with the first message at or after a time in nanoseconds."""
-        self._start = timestamp
-        for reader in self._readers:
-            reader.seek(timestamp)
-        self._messages = heapq.merge(*map(messages_of, self._readers), key=lambda message: message[2])
-        self._next: tuple[str, bytes, int] | None = None
-
-    def has_next(self) -> bool:
-        """Return whether there is another message."""
-        if self._next is None:
-            self._next = next(self._messages, None)
-        return self._next is not None
-
-    def read_next(self) -> tuple[str, bytes, int]:
-        """Return the next message, as :meth:`SequentialReader.read_next`."""
-        if not self.has_next():
-            raise BagError('Bag is at end. No next message.')
-        message, self._next = self._next, None
-        return message  # type: ignore[return-value]
-
-
-def messages_of(reader: SequentialReader) -> Iterator[tuple[str, bytes, int]]:
-    """Yield the messages that a reader has left."""
-    while reader.has_next():
-        yield reader.read_next()
-
-
-class Info:
-    """What `ros2 bag info` asks."""
-
-    def read_metadata(self, uri: str, storage_id: str = '') -> BagMetadata:
-        """Return what is known of a bag; raises BagError as :meth:`SequentialReader.open`."""
-        path = Path(uri)
-        if path.is_dir():
-            return metadata_file.read(path)
-        reader = open_reader(path)
-        try:
-            return read_metadata(path, reader)
-        finally:
-            reader.close()
-
-    def get_sorting_methods(self) -> set[str]:
-        """Return the names of the orders in which topics can be printed."""
-        return set(SORTING)
-
-    def print_output(self, metadata_info: BagMetadata, sorting_method: str = 'name') -> None:
-        """Print what is known of a bag."""
-        print(describe(metadata_info, sorting_method))
-
-    def print_output_topic_name_only(self, metadata_info: BagMetadata, sorting_method: str = 'name') -> None:
-        """Print the names of a bag's topics, without those of the events of services."""
-        for each in in_order(metadata_info, sorting_method):
-            if not is_service_event(each.topic_metadata.name):
-                print(each.topic_metadata.name)
-
-    def print_output_verbose(self, uri: str, metadata_info: BagMetadata, sorting_method: str = 'name') -> None:
-        """Read all messages, too: print how large those of a topic are, and how many calls a service has had."""
-        sizes: Counter[str] = Counter()
-        calls: dict[str, tuple[set[Any], set[Any]]] = {}
-        reader = SequentialReader()
-        reader.open_uri(uri)
-        try:
-            while reader.has_next():
-                topic, data, _ = reader.read_next()
-                sizes[topic] += len(data)
-                if is_service_event(topic):
-                    event = deserialize_message(data, ServiceEventInfo)
-                    which = event.event_type in (ServiceEventInfo.RESPONSE_SENT, ServiceEventInfo.RESPONSE_RECEIVED)
-                    calls.setdefault(topic, (set(), set()))[which].add((bytes(event.client_gid), event.sequence_number))
-        finally:
-            reader.close()
-        counts = {topic: (len(requests), len(responses)) for topic, (requests, responses) in calls.items()}
-        print(describe(metadata_info, sorting_method, sizes, counts))
 
 
 def open_reader(path: Path) -> Reader:

@@ -10,9 +10,10 @@ from typing import Any
 import yaml
 
 from rosbag2_py.compression import CompressionOptions, compression_mode_from_string
+from rosbag2_py.merged import messages_of
 from rosbag2_py.metadata import BagError
 from rosbag2_py.options import StorageOptions
-from rosbag2_py.reader import SequentialReader, messages_of
+from rosbag2_py.reader import SequentialReader
 from rosbag2_py.recorder import RecordOptions, chosen
 from rosbag2_py.writer import SequentialCompressionWriter
 

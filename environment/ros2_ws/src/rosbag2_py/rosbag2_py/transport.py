@@ -12,9 +12,9 @@ from typing import Any
 from rclpy.logging import LoggingSeverity
 
 from rosbag2_py.compression import CompressionOptions, compression_mode_from_string
+from rosbag2_py.merged import MergedReader
 from rosbag2_py.options import StorageOptions
 from rosbag2_py.player import Playback, PlayOptions
-from rosbag2_py.reader import MergedReader
 from rosbag2_py.recorder import Recording, RecordOptions
 from rosbag2_py.running import RunningNode
 from rosbag2_py.writer import SequentialCompressionWriter

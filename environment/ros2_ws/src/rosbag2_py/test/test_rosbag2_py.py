@@ -44,7 +44,7 @@ from rosbag2_py import (
     get_registered_compressors,
     running,
 )
-from rosbag2_py.reader import MergedReader
+from rosbag2_py.merged import MergedReader
 from rosbags.highlevel import AnyReader
 from service_msgs.msg import ServiceEventInfo
 from std_msgs.msg import Int32, String

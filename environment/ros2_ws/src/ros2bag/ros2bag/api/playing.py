@@ -65,7 +65,7 @@ def play_bag(args: Namespace, act: Callable[[Any], Any], log_level: str = 'info'
     :returns: an error to print, or None.
     """
     from rosbag2_py import BagError, PlayOptions, StorageOptions
-    from rosbag2_py.reader import MergedReader
+    from rosbag2_py.merged import MergedReader
     from rosbag2_py.running import RunningNode
 
     several = getattr(args, 'input', [])
