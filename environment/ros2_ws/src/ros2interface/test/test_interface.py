@@ -63,12 +63,12 @@ def test_interface_lists(ros2):
     assert ros2.output('interface', 'proto', 'geometry_msgs/msg/Point', '--no-quotes') == 'x: 0.0\ny: 0.0\nz: 0.0\n\n'
 
 
-def test_a_lone_hash_is_no_comment(overlay_of_messages):
+def test_a_lone_hash_is_a_comment(overlay_of_messages):
     assert (
         overlay_of_messages('# a comment\n#\nint32 x  # trailing\n').output(
             'interface', 'show', '--no-comments', 'made_up/msg/Thing'
         )
-        == '#\nint32 x\n'
+        == 'int32 x\n'
     )
 
 
