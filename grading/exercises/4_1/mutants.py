@@ -73,7 +73,7 @@ MUTANTS = [
             self.future.add_done_callback(self.on_answer)
             if self.left == 0:
                 self.report('failed')
-            ''')), also=('late', 'newest', 'once'), expect='s, too'),
+            ''')), also=('late', 'newest', 'once', 'timeout'), expect='s, too'),
     Mutant('ignores_new_command', breaks='newest', also=('queue', 'request'), old='def on_close(self, msg):', new='''
         def on_close(self, msg):
             if self.future:
