@@ -74,7 +74,7 @@ MUTANTS = [
             return None
         then = Time(nanoseconds=newest.nanoseconds - round(seconds * 1e9), clock_type=newest.clock_type)
         """, expect='gave ('),
-    Mutant('no_height', breaks='then', also=('far',), old='place.x, place.y, place.z', new='place.x, place.y, 0.0',
+    Mutant('no_height', breaks='point', also=('then', 'far'), old='place.x, place.y, place.z', new='place.x, place.y, 0.0',
            expect='gave ('),
     Mutant('stamp_of_now', breaks='stamp', old='point = PointStamped(header=found.header)', new="""
         point = PointStamped(header=found.header)
