@@ -202,6 +202,8 @@ def test_changes_of_parameters_are_monitored(ros2, turtlesim):  # noqa: F811
 
 
 ACTION_SERVER = """
+import time
+
 import rclpy
 from example_interfaces.action import Fibonacci
 from rclpy.action import ActionServer
@@ -218,9 +220,13 @@ class Numbers(Node):
     def count(self, goal_handle):
         self.get_logger().info('Executing goal...')
         feedback = Fibonacci.Feedback(sequence=[0, 1])
+        end = time.monotonic() + 10.0  # a client may send its goal before its subscription is known here
+        while not self.count_subscribers('fibonacci/_action/feedback') and time.monotonic() < end:
+            time.sleep(0.01)
         for _ in range(1, goal_handle.request.order):
             feedback.sequence.append(sum(feedback.sequence[-2:]))
             goal_handle.publish_feedback(feedback)
+            time.sleep(0.1)  # as long as its work takes; the tutorial's takes a second
         if self.get_parameter('succeeds').value:
             goal_handle.succeed()
         return Fibonacci.Result(sequence=feedback.sequence)
