@@ -138,7 +138,7 @@ class Bridge(Node):
             while domain not in heard and time.monotonic() < end:
                 publisher.publish(String(data='hello'))
                 spin_for(0.02, node)
-        """, expect='who_hears(', breaks='in-time'),
+        """, expect='all of them listen at the same time', breaks='in-time'),
     Mutant('says_nothing_twice', old="(String, 'chatter', self.publisher.publish, 10)",
            new="(String, 'chatter', lambda msg, said=['']: msg.data == said[-1] or said.append(msg.data) or "
                'self.publisher.publish(msg), 10)', expect='in the other domain came', breaks='carries'),

@@ -58,16 +58,8 @@ class Drive:
 
         :param wall_near: it starts beside a wall; where it does not, who runs into one looks in a wrong direction.
         """
-        sim, nearest, speeds = self.sim, math.inf, []
-
-        def arrived():
-            nonlocal nearest
-            nearest = min(nearest, sim.distance(*self.goal))
-            speeds.append((sim.turtle.linear, self.error() if sim.distance(*self.goal) > NEAR else 0.0))
-            return sim.turned > DIZZY or sim.distance(*self.goal) < WITHIN and sim.turtle.linear < 0.01
-
-        with about('reach'):
-            sim.run(AT_MOST, until=arrived)
+        sim = self.sim
+        nearest, speeds = self._drive()
         self.drives_forwards_only()
         place = f'({sim.turtle.x:.1f}, {sim.turtle.y:.1f}), heading {math.degrees(sim.turtle.theta):.0f}°'
         expect(sim.commands.messages, f'The simulator told its pose, and no command came on {COMMAND}.', 'reach')
@@ -113,6 +105,24 @@ class Drive:
             'reach',
         )
         self._turned_first(speeds)
+
+    def _drive(self) -> tuple[float, list[tuple[float, float]]]:
+        """Let it drive until it has arrived, is dizzy or is late.
+
+        Returns how near to its goal it came (m); of each moment its speed (m/s), and how far it looked away from a goal
+        that was not near (radians).
+        """
+        sim, nearest, speeds = self.sim, math.inf, []
+
+        def arrived():
+            nonlocal nearest
+            nearest = min(nearest, sim.distance(*self.goal))
+            speeds.append((sim.turtle.linear, self.error() if sim.distance(*self.goal) > NEAR else 0.0))
+            return sim.turned > DIZZY or sim.distance(*self.goal) < WITHIN and sim.turtle.linear < 0.01
+
+        with about('reach'):
+            sim.run(AT_MOST, until=arrived)
+        return nearest, speeds
 
     def _turned_first(self, speeds: list[tuple[float, float]]) -> None:
         """`speeds`: how fast the turtle drove (m/s), and how far it looked away from a goal that was not near."""
