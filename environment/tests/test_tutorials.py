@@ -142,7 +142,7 @@ LINES = [
     ('packages', 'pkg prefix turtlesim', r'/\S+\n'),
     ('interfaces', 'interface list -m', r'Messages:\n(    \S+/msg/\S+\n)+'),
     ('interfaces', 'interface proto geometry_msgs/msg/Point', r'"x: 0\.0\ny: 0\.0\nz: 0\.0\n"\n'),
-    ('doctor', 'doctor', r'\nAll 5 checks passed\n'),
+    ('doctor', 'doctor', r'\nAll 5 checks passed\n\n'),
 ]
 
 

@@ -325,7 +325,7 @@ def test_doctor_warns_of_publishers_that_nobody_hears(ros2, turtlesim):  # noqa:
 
     def warnings():
         done = run_line(ros2, 'doctor')
-        assert (done.returncode, done.stdout) == (0, '\nAll 5 checks passed\n'), done
+        assert (done.returncode, done.stdout) == (0, '\nAll 5 checks passed\n\n'), done
         return set(re.findall(r'UserWarning: Publisher without subscriber detected on (\S+)\.$', done.stderr, re.M))
 
     assert {'/turtle1/color_sensor', '/turtle1/pose'} <= warnings()

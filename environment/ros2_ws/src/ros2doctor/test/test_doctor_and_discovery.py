@@ -22,7 +22,7 @@ REPORTS = [
 
 def test_doctor_on_an_empty_graph(ros2):
     done = ros2.run('doctor')
-    assert (done.returncode, done.stdout) == (0, '\nAll 5 checks passed\n')
+    assert (done.returncode, done.stdout) == (0, '\nAll 5 checks passed\n\n')
     assert ros2.run('wtf').stdout == done.stdout
 
 
@@ -40,6 +40,13 @@ def test_doctor_report(ros2):
     ):
         assert line in text.splitlines()
     assert re.search(r'^ros2doctor +: latest=N/A, local=\d+\.\d+\.\d+$', text, re.MULTILINE)
+
+
+@pytest.mark.parametrize('option', ['--exclude-packages', '-ep'])
+def test_doctor_leaves_the_packages_out(ros2, option):
+    assert ros2.run('doctor', option).stdout == '\nAll 4 checks passed\n\n'
+    text = ros2.output('doctor', '--report', option)
+    assert re.findall(r'^   (\S.*)$', text, re.MULTILINE) == [each for each in REPORTS if each != 'PACKAGE VERSIONS']
 
 
 def test_doctor_hello_tells_in_a_table_who_is_heard(ros2):

@@ -70,16 +70,19 @@ def _load(group: str, kind: str) -> Iterator[tuple[str, Any]]:
             doctor_warn(f'Fail to load {kind} {name}: {e}')
 
 
-def run_checks(*, include_warnings: bool = False) -> tuple[set[str], int, int]:
+def run_checks(*, include_warnings: bool = False, exclude_packages: bool = False) -> tuple[set[str], int, int]:
     """
     Run all checks.
 
     :param include_warnings: a warning makes a check fail as well.
+    :param exclude_packages: leave out the check of packages.
     :return: the categories that failed, how many checks failed, and how many there were.
     """
     failed_categories: set[str] = set()
     failed = total = 0
     for name, check in _load('ros2doctor.checks', 'check entry point'):
+        if exclude_packages and name == 'PackageCheck':
+            continue
         try:
             result = check.check()
         except Exception as e:  # a check that breaks has found out nothing
@@ -92,10 +95,12 @@ def run_checks(*, include_warnings: bool = False) -> tuple[set[str], int, int]:
     return failed_categories, failed, total
 
 
-def generate_reports(*, categories: Any = None) -> list[Report]:
-    """Return all reports, or those of some categories."""
+def generate_reports(*, categories: Any = None, exclude_packages: bool = False) -> list[Report]:
+    """Return all reports, or those of some categories; with ``exclude_packages`` without that of packages."""
     reports = []
     for name, report in _load('ros2doctor.report', 'report entry point'):
+        if exclude_packages and name == 'PackageReport':
+            continue
         if categories is None or report.category() in categories:
             try:
                 reports.append(report.report())

@@ -14,6 +14,9 @@ class DoctorCommand(CommandExtension):
             '--report-failed', '-rf', action='store_true', help='Print the reports about the checks that failed'
         )
         parser.add_argument(
+            '--exclude-packages', '-ep', action='store_true', help='Leave out the check and the report of packages'
+        )
+        parser.add_argument(
             '--include-warnings', '-iw', action='store_true', help='Let a check fail that has a warning'
         )
         add_subparsers_on_demand(parser, cli_name, '_verb', 'ros2doctor.verb', required=False)
@@ -27,15 +30,17 @@ class DoctorCommand(CommandExtension):
         if verb is not None:
             return verb.main(args=args)
         if args.report:
-            for report in generate_reports():
+            for report in generate_reports(exclude_packages=args.exclude_packages):
                 format_print(report)
             return 0
-        categories, failed, total = run_checks(include_warnings=args.include_warnings)
+        categories, failed, total = run_checks(
+            include_warnings=args.include_warnings, exclude_packages=args.exclude_packages
+        )
         if failed:
             print(f'\n{failed}/{total} check(s) failed')
             print('\nFailed modules:', *sorted(categories))
         else:
-            print(f'\nAll {total} checks passed')
+            print(f'\nAll {total} checks passed\n')
         if args.report_failed and failed:
             for report in generate_reports(categories=categories):
                 format_print(report)
