@@ -8,6 +8,7 @@ and what is left out.
 from launch import (
     actions,
     conditions,
+    descriptions,
     event_handlers,
     events,
     frontend,
@@ -49,6 +50,7 @@ __all__ = [
     'Substitution',
     'actions',
     'conditions',
+    'descriptions',
     'event_handlers',
     'events',
     'frontend',

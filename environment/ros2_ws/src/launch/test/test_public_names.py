@@ -44,6 +44,7 @@ OTHERS = {
     'evaluate_condition_expression InvalidConditionExpressionError',
     'packages with tags of their own': 'Entity Parser expose expose_action expose_substitution type_utils '
     'parse_substitution parse_if_substitutions InvalidFrontendLaunchFileError',
+    'packages with actions of their own that run programs': 'ExecuteLocal Executable',
     'programs that read launch files': 'InvalidLaunchFileError InvalidPythonLaunchFileError '
     'get_launch_description_from_any_launch_file get_launch_description_from_frontend_launch_file '
     'get_launch_description_from_python_launch_file load_python_launch_file_as_module',

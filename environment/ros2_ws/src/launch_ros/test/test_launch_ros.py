@@ -70,12 +70,18 @@ def test_values_with_substitutions_are_lists_texts_or_refused(given, value):
         assert evaluate_parameters(LaunchContext(), {'x': given}) == {'x': value}
 
 
+def words_of(action, context):
+    """The words of the command that an action would run, without a prefix."""
+    action.prepare(context)
+    return [perform_substitutions(context, part) for part in action.process_description.cmd]
+
+
 @pytest.mark.parametrize('name, namespace, node', [
     ('n', '/ns', '/ns/n'), ('n', '', '/n'), ('n', None, '/**'), (None, '/ns', '/**'),
 ])  # fmt: skip
 def test_parameters_name_the_node_only_if_it_is_known(name, namespace, node):
     action, context = Node(executable='x', name=name, namespace=namespace, parameters=[{'p': 1}]), LaunchContext()
-    command = action.get_command(context)
+    command = words_of(action, context)
     file = yaml.safe_load(Path(command[command.index('--params-file') + 1]).read_text())
     assert (list(file), action.is_node_name_fully_specified()) == ([node], node != '/**')
     assert (Node.UNSPECIFIED_NODE_NAMESPACE in action.node_name) is (namespace is None)
@@ -84,7 +90,7 @@ def test_parameters_name_the_node_only_if_it_is_known(name, namespace, node):
 
 def test_a_parameter_has_its_name_with_it():
     node = Node(executable='x', parameters=[Parameter('a.b', [[WORD], 's'], value_type=list[str]), Parameter('c', 2.0)])
-    command = node.get_command(LaunchContext())
+    command = words_of(node, LaunchContext())
     assert [word for word in command if ':=' in word] == ['a.b:=[word, s]', 'c:=2.0']
 
 
@@ -96,7 +102,7 @@ def test_the_command_of_a_node():
         package='turtlesim', executable='mimic', name='n', namespace='c', arguments=['--flag'],
         ros_arguments=['--log-level', 'debug'], remappings=[('input/pose', 'pose')], parameters=[{'q': '5'}],
     )  # fmt: skip
-    command = node.get_command(context)
+    command = words_of(node, context)
     assert command[0].endswith('/lib/turtlesim/mimic')
     file = command[command.index('--params-file') + 1]
     command[command.index(file)] = 'FILE'
@@ -108,16 +114,16 @@ def test_the_command_of_a_node():
     assert node.node_name == '/a/b/c/n'
     context.close()
     assert not Path(file).exists()
-    absolute = Node(package='turtlesim', executable='mimic', namespace='/d').get_command(context)
+    absolute = words_of(Node(package='turtlesim', executable='mimic', namespace='/d'), context)
     assert '__ns:=/d' in absolute
     with pytest.raises(TypeError, match="'parameters' of Node must be a list"):
         Node(package='turtlesim', executable='mimic', parameters={'a': 1})
     pairs = Node(package='turtlesim', executable='mimic', remappings={'in': 'out', 'a': 'b'}.items())
-    assert [word for word in pairs.get_command(LaunchContext()) if ':=' in word] == ['in:=out', 'a:=b']
+    assert [word for word in words_of(pairs, LaunchContext()) if ':=' in word] == ['in:=out', 'a:=b']
     with pytest.raises(TypeError, match="'remappings' of Node must be pairs"):
         Node(package='turtlesim', executable='mimic', remappings={'in': 'out'})
     with pytest.raises(InvalidNodeNameException):
-        Node(package='turtlesim', executable='mimic', name='a b').get_command(context)
+        words_of(Node(package='turtlesim', executable='mimic', name='a b'), context)
 
 
 @pytest.mark.parametrize(
@@ -168,7 +174,7 @@ def node_of(text):
     *before, node = parser.parse_description(entity).entities
     for action in before:
         action.visit(context)
-    words = node.get_command(context)[1:]
+    words = words_of(node, context)[1:]
     files = [
         Path(word).read_text()
         for option, word in zip(words, words[1:], strict=False)
@@ -210,7 +216,7 @@ def test_a_node_of_an_xml_file():
 def test_a_node_of_an_xml_file_without_a_package():
     entity, parser = Parser.load(io.StringIO('<launch><node exec="sleep" args="1"/></launch>'))
     (node,) = parser.parse_description(entity).entities
-    assert node.get_command(LaunchContext())[:2] == ['sleep', '1']
+    assert words_of(node, LaunchContext())[:2] == ['sleep', '1']
 
 
 @pytest.mark.parametrize(
@@ -238,7 +244,7 @@ def test_a_parameter_file_that_is_missing_is_told_and_left_out(capsys):
     launch.logging.reset()
     node = Node(executable='x', parameters=['/no/such.yaml', {'p': 1}])
     context = LaunchContext()
-    assert '/no/such.yaml' not in node.get_command(context)
+    assert '/no/such.yaml' not in words_of(node, context)
     assert 'Parameter file path is not a file: /no/such.yaml' in capsys.readouterr().out
     context.close()
 

@@ -22,6 +22,9 @@ def test_param_list(ros2):
         '  free (type: integer)',
         '  rate (type: integer)',
     ]
+    # As stock: from the beginning of the name, and a node without such a parameter is not named.
+    assert ros2.lines('param', 'list', '--filter', 'arm|oints|ame') == ['/robot:', '  arm.joints']
+    assert ros2.lines('param', 'list', '/robot', '--filter', 'joints') == []
     assert ros2.lines('param', 'list', '/robot', '--param-prefixes', 'arm') == ['  arm.joints']
     assert ros2.error('param', 'list', '/nobody') == 'Node not found'
     assert ros2.error('param', 'list', '--filter', '[').startswith("Invalid regular expression '['")

@@ -3,6 +3,7 @@
 from launch.actions.append_environment_variable import AppendEnvironmentVariable
 from launch.actions.declare_launch_argument import DeclareLaunchArgument
 from launch.actions.emit_event import EmitEvent
+from launch.actions.execute_local import ExecuteLocal
 from launch.actions.execute_process import ExecuteProcess
 from launch.actions.group_action import GroupAction
 from launch.actions.include_launch_description import IncludeLaunchDescription
@@ -28,6 +29,7 @@ __all__ = [
     'AppendEnvironmentVariable',
     'DeclareLaunchArgument',
     'EmitEvent',
+    'ExecuteLocal',
     'ExecuteProcess',
     'GroupAction',
     'IncludeLaunchDescription',

@@ -7,9 +7,6 @@ from launch.event_handler import EventHandler
 from launch.launch_description_entity import LaunchDescriptionEntity
 from launch.utilities import to_entities
 
-# Upstream's processes have a base class of their own, and its descriptions name that one.
-_SHOWN = {'ExecuteProcess': 'ExecuteLocal'}
-
 
 class OnActionEventBase(EventHandler):
     """
@@ -43,7 +40,7 @@ class OnActionEventBase(EventHandler):
                         f"'{type(entity)}'"
                     )
         self._target, self._kind = action_matcher, target_event_cls
-        self._source = _SHOWN.get(kind.__name__, kind.__name__)
+        self._source = kind.__name__
         super().__init__(matcher=self._accepts, entities=on_event, **kwargs)
 
     def _accepts(self, event: Event) -> bool:

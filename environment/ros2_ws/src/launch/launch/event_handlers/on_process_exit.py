@@ -12,12 +12,12 @@ class OnProcessExit(OnActionEventBase):
     """
 
     def __init__(self, *, target_action=None, on_exit=None, **kwargs):
-        from launch.actions import ExecuteProcess
+        from launch.actions import ExecuteLocal
 
         super().__init__(
             action_matcher=target_action,
             on_event=on_exit,
             target_event_cls=ProcessExited,
-            target_action_cls=ExecuteProcess,
+            target_action_cls=ExecuteLocal,
             **kwargs,
         )

@@ -26,7 +26,7 @@ class OnProcessIO(OnActionEventBase):
         on_stderr: Callable | None = None,
         **kwargs,
     ):
-        from launch.actions import ExecuteProcess
+        from launch.actions import ExecuteLocal
 
         functions = {0: on_stdin, 1: on_stdout, 2: on_stderr}
 
@@ -38,6 +38,6 @@ class OnProcessIO(OnActionEventBase):
             action_matcher=target_action,
             on_event=handle,
             target_event_cls=ProcessIO,
-            target_action_cls=ExecuteProcess,
+            target_action_cls=ExecuteLocal,
             **kwargs,
         )

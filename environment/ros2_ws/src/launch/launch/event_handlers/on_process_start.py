@@ -12,12 +12,12 @@ class OnProcessStart(OnActionEventBase):
     """
 
     def __init__(self, *, target_action=None, on_start=None, **kwargs):
-        from launch.actions import ExecuteProcess
+        from launch.actions import ExecuteLocal
 
         super().__init__(
             action_matcher=target_action,
             on_event=on_start,
             target_event_cls=ProcessStarted,
-            target_action_cls=ExecuteProcess,
+            target_action_cls=ExecuteLocal,
             **kwargs,
         )

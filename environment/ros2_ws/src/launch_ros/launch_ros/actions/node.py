@@ -14,7 +14,7 @@ from launch.frontend.type_utils import get_data_type_from_identifier
 from launch.launch_context import LaunchContext
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
-from launch.utilities import to_text
+from launch.utilities import normalize_to_list_of_substitutions, to_text
 
 from launch_ros.actions.set_remap import REMAPPINGS
 from launch_ros.global_parameters import GLOBAL_PARAMETERS, GlobalParameter
@@ -139,9 +139,12 @@ class Node(ExecuteProcess):
         if self.is_node_name_fully_specified():
             add_node_name(context, self.node_name, logger=self.process_name)
 
-    def get_command(self, context: LaunchContext) -> list[str]:
+    def prepare(self, context: LaunchContext) -> None:
+        """Find the texts of name, command, directory and environment; the command gets what ROS reads of it."""
         self._expand_name(context)
-        return [*super().get_command(context), *self._ros_words(context)]
+        program = self.process_description
+        program.cmd.extend(normalize_to_list_of_substitutions(word) for word in self._ros_words(context))
+        super().prepare(context)
 
     def _expand_name(self, context: LaunchContext) -> None:
         """Find out the full name, which may have parts that are known only now."""

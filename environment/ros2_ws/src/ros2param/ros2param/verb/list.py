@@ -25,7 +25,9 @@ class ListVerb(VerbExtension):
             '--param-prefixes', nargs='+', default=[], help='List only parameters that begin with one of these'
         )
         parser.add_argument('--param-type', action='store_true', help='Print the type of each parameter as well')
-        parser.add_argument('--filter', help='List only parameters that this regular expression matches')
+        parser.add_argument(
+            '--filter', help='List only parameters that this regular expression matches from their beginning'
+        )
 
     def main(self, *, args):
         """Print the names of the parameters of each node."""
@@ -54,7 +56,7 @@ class ListVerb(VerbExtension):
             parameters = [
                 each
                 for each in call_list_parameters(node=node, node_name=name, prefixes=args.param_prefixes)
-                if pattern.search(each)
+                if pattern.match(each)
             ]
             types = {}
             if args.param_type and parameters:
@@ -63,7 +65,7 @@ class ListVerb(VerbExtension):
         except RuntimeError as e:
             print(f"Exception while calling service of node '{name}': {e}", file=sys.stderr)
             return
-        if not args.node_name and (parameters or not args.param_prefixes):
+        if parameters and not args.node_name:
             print(f'{name}:')
         for each in parameters:
             print(f'  {each} (type: {types[each]})' if each in types else f'  {each}')
