@@ -51,7 +51,7 @@ def _anything(value) -> bool:
 # By request, what its answer must have; other fields are not looked at.
 _ANSWERS = {
     'start': {'index': _count, 'endpoints': _count, 'nodes': _texts, 'namespaces': _texts},
-    'call': {'result': _anything},
+    'call': {'result': _anything, 'given': _texts, 'defaults': _texts},
     'value': {'result': _anything},
     'switch': {'lines': _count, 'stood': _rows},
     'habits': {'queues': _queues, 'slept': _seconds, 'contexts': _count},

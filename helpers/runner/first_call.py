@@ -29,10 +29,25 @@ class FirstCall:
         with about(self._rule):
             again = self._learner.call(self._function, *args)
         shown = ', '.join(map(repr, args))
+        changed = self._learner.changed(self._function, defaults=True)
+        why = f'changes its argument `{changed[0]}`' if changed else 'remembers earlier calls'
+        remedy = (
+            'work with a copy' if self._learner.changed(self._function) else 'make lists and dictionaries inside of it'
+        )
         expect(
             again == result,
-            f'{self._function} remembers earlier calls: {self._function}({shown}) first gave {result!r}, and later, '
-            f'asked the same, {again!r}. Make lists and dictionaries inside of the function, not as a default argument '
-            'or outside of it, and do not change what is given.',
+            f'{self._function} {why}: {self._function}({shown}) first gave {result!r}, and later, asked the same, '
+            f'{again!r}. A default argument, and what is outside of the function, is the same object in all calls: '
+            f'{remedy}.',
+            self._rule,
+        )
+
+    def check_unchanged(self) -> None:
+        """No call has changed what was given to it."""
+        changed = self._learner.changed(self._function)
+        expect(
+            not changed,
+            f'{self._function} changes `{changed and changed[0]}`, which is given to it and belongs to somebody else: '
+            'nothing may be put into it, taken out or sorted there. Work with a copy.',
             self._rule,
         )

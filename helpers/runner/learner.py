@@ -21,6 +21,7 @@ from std_msgs.msg import UInt64
 
 from helpers.kernel.nodes import UNKNOWN
 from helpers.runner import action_peers, service_peers, spent, values, wiring
+from helpers.runner.arguments import Changed
 from helpers.runner.own_endpoints import Recording, Talker
 from helpers.runner.peers import SECOND, Peer
 from helpers.runner.program_process import ForkServer, ProgramProcess
@@ -167,6 +168,17 @@ class Learner(Workspaces):
         is a `values.Opaque`. All calls of one test share one process.
         """
         return self.command_process().call(name, args, kwargs, self.timeouts.call)
+
+    def changed(self, function: str, *, defaults: bool = False) -> list[str]:
+        """The arguments that calls of this function have changed, by the names of its parameters.
+
+        `defaults`: also those that were not given. It is what the learner's process says.
+        """
+        found = [one.argument for one in self._changed() if one.function == function and (one.given or defaults)]
+        return list(dict.fromkeys(found))
+
+    def _changed(self) -> list[Changed]:
+        return [one for process in self.processes for one in process.changed]
 
     def command_process(self) -> ProgramProcess:
         """The process in which functions are called and commands run: one for a test."""
@@ -619,6 +631,7 @@ class Learner(Workspaces):
                 instead = f'; it has one on {others}' if others else ''
                 found.append(f'Your program has no {kind} on {topic}{instead}.')
         found += [hint for peer in self._peers for hint in peer.hints()]
+        found += [str(one) for one in self._changed()]
         stuck = [line for line in self._waiting if 'sleep' not in line['code']]
         return found + [
             f'A callback of your program was waiting at {line["cell"]}, line {line["line"]}: `{line["code"]}`.'

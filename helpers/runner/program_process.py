@@ -14,6 +14,7 @@ from contextlib import suppress
 from dataclasses import asdict
 
 from helpers.runner import allowed_replies, explanations, preloading, spent, start_processes, values
+from helpers.runner.arguments import Changed
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
 from helpers.runner.load import busy
 from helpers.runner.text import LEFT_OUT
@@ -241,6 +242,7 @@ class ProgramProcess:
         self.output = Output(output, server.limits.output)
         self._ids = itertools.count(1)
         self.ended = False
+        self.changed: list[Changed] = []
         self._early: list[dict] = []  # answers that came while another one was awaited
         try:
             self.ask('load', timeout, cells=program['cells'], ros_args=list(ros_args), token=token, now=now, join=join)
@@ -440,7 +442,10 @@ class ProgramProcess:
         )
 
     def call(self, name: str, args, kwargs, timeout: float, index: int | None = None):
-        """Call the learner's function (or a method of what start number `index` made) and decode what it returns."""
+        """Call the learner's function (or a method of what start number `index` made) and decode what it returns.
+
+        `changed` tells then which of its arguments it has changed.
+        """
         answer = self.ask(
             'call',
             timeout,
@@ -449,6 +454,9 @@ class ProgramProcess:
             kwargs={k: values.encode(v) for k, v in kwargs.items()},
             index=index,
         )
+        for kind in ('given', 'defaults'):
+            new = [Changed(name, argument[:50], kind == 'given') for argument in answer[kind][:10]]
+            self.changed += [one for one in dict.fromkeys(new) if one not in self.changed]
         try:
             return values.decode(answer.get('result'))
         except ValueError as error:

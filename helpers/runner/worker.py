@@ -31,6 +31,7 @@ from std_msgs.msg import UInt64
 
 from helpers.kernel.nodes import destroy_actions
 from helpers.runner import rates, values
+from helpers.runner.arguments import Arguments
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
 from helpers.runner.conductor import Conductor
 from helpers.runner.loaded_program import LoadedProgram, RequestError
@@ -205,12 +206,14 @@ class Worker:
                 raise RequestError('missing', name=f'{type(self.started[index]).__name__}.{name}')
         if not callable(function):
             raise RequestError('not_callable', name=name, got=type(function).__name__)
+        given = [values.decode(value) for value in args]
+        named = {key: values.decode(value) for key, value in kwargs.items()}
+        arguments = Arguments(function, given, named)
         try:
-            result = function(*map(values.decode, args), **{k: values.decode(v) for k, v in kwargs.items()})
-            encoded = values.encode_result(result)
+            encoded = values.encode_result(function(*given, **named))
         except BaseException as error:  # noqa: BLE001 - SystemExit, too
             raise self._loaded().error('call', error, name=name) from None
-        return {'result': encoded}
+        return {'result': encoded, 'given': arguments.changed('given'), 'defaults': arguments.changed('default')}
 
     def do_value(self, name: str):
         """What the learner's program binds to a name."""

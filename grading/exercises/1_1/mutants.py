@@ -130,7 +130,16 @@ def _choose(ubuntu, month, rows):
     Mutant('small_letters', old='mine[name][2]),', new='mine[name][2]).lower(),', expect='letter by letter', breaks='table'),
     Mutant('rows_are_taken_out', old='mine = {name: row for name, row in releases.items() if row[0] == ubuntu}',
            new='mine = {name: releases.pop(name) for name in list(releases) if releases[name][0] == ubuntu}',
-           expect='remembers earlier calls', breaks='table'),
+           expect='choose_distribution changes its argument `releases`', breaks='table'),
+    Mutant('rows_of_a_given_table_are_taken_out', old='mine = {name: row for name, row in releases.items() if row[0] == ubuntu}',
+           new='''
+           releases = dict(RELEASES) if releases is RELEASES else releases
+           mine = {name: releases.pop(name) for name in list(releases) if releases[name][0] == ubuntu}
+           ''', expect='belongs to somebody else', breaks='table'),
+    Mutant('row_is_put_into_the_table', old='month = today[:7]', new='''
+           month = today[:7]
+           releases['today'] = ['none', month, month]
+           ''', expect='belongs to somebody else', breaks='table'),
     Mutant('names_of_all', old='max(supported, key=lambda name: mine[name][2]),', new='supported,', expect='is one name',
            breaks='pair'),
     Mutant('ends_last_of_all_rows', old='last) in mine.items() if first <= month <= last]',

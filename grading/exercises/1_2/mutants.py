@@ -134,7 +134,17 @@ MUTANTS = [
         reach = reach.strip()
         """, expect='letter by letter', breaks='unknown'),
     Mutant('faults_of_earlier_calls', edits=(("python='3.12'):", "python='3.12', faults={}):"), ('faults = {}', '')),
-           expect='remembers earlier calls', breaks='dictionary'),
+           expect='diagnose changes its argument `faults`', breaks='dictionary'),
+    Mutant('faults_outside', edits=(("def diagnose(environ, python='3.12'):", '''
+           FAULTS = {}
+
+
+           def diagnose(environ, python='3.12'):
+           '''), ('faults = {}', 'faults = FAULTS')), expect='remembers earlier calls', breaks='dictionary'),
+    Mutant('variables_are_taken_out', old="domain = environ.get('ROS_DOMAIN_ID', '')", new="domain = environ.pop('ROS_DOMAIN_ID', '')",
+           expect='diagnose changes `environ`', breaks='dictionary'),
+    Mutant('missing_variables_are_put_in', old="domain = environ.get('ROS_DOMAIN_ID', '')",
+           new="domain = environ.setdefault('ROS_DOMAIN_ID', '')", expect='belongs to somebody else', breaks='dictionary'),
     Mutant('faults_name_variables', old='return faults', new='return {fault: name for name, fault in faults.items()}',
            expect='Its keys are the names of variables', breaks='dictionary'),
     Mutant('only_below_lib', old=PYTHON, new="""

@@ -101,7 +101,7 @@ MUTANTS = [
                                                    'def why_no_data(offered, requested, reasons=[]):'),
                                                   ("reasons = [key for key in ('topic', 'type')",
                                                    "reasons += [key for key in ('topic', 'type')")),
-           expect='remembers earlier calls', breaks='list'),
+           expect='why_no_data changes its argument `reasons`', breaks='list'),
     Mutant('stops_for_ever', old='self.publisher.publish(Bool(data=any(distance < 0.5 for distance in scan.ranges)))', new="""
             self.near = getattr(self, 'near', False) or any(distance < 0.5 for distance in scan.ranges)
             self.publisher.publish(Bool(data=self.near))

@@ -7,7 +7,7 @@ from std_msgs.msg import Bool, String
 from std_srvs.srv import SetBool
 
 from helpers.checks.chapter_04.gripping import check_script
-from helpers.checks.chapter_04.test_4_1 import check_constructor, check_one_try, check_two_clients
+from helpers.checks.chapter_04.test_4_1 import check_constructor, check_late_server, check_one_try, check_two_clients
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.1'), pytest.mark.wiring(type='request', qos='request', namespace='names')]
@@ -246,6 +246,22 @@ def test_server_comes_later(learner):
         learner.start('GripperClient', beside=node)
         seconds.append(time.monotonic() - begin)
     expect(min(seconds) < 0.35, 'Without a server, the constructor takes long: it must not wait for the service.')
+
+
+@pytest.mark.rules('no-server', 'tries')
+@about('no-server')
+def test_server_comes_at_last(learner):
+    """With many tries, a server that comes before the last request gets it.
+
+    Count the requests down from `tries`, whatever its number is.
+    """
+    states, close = learner.listen('/gripper_state', String), learner.talk('/close', Bool)
+    begin, tries = learner.random.choice([0.3, 0.8]), learner.random.randint(14, 16)
+    learner.start('GripperClient', 1.0, tries)
+    learner.run(begin)
+    close.send(Bool(data=True))
+    learner.run(0.4)
+    check_late_server(learner, states, begin, tries, '')
 
 
 @pytest.mark.rules('queue')

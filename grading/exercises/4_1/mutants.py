@@ -73,7 +73,7 @@ MUTANTS = [
             self.future.add_done_callback(self.on_answer)
             if self.left == 0:
                 self.report('failed')
-            ''')), also=('late', 'newest', 'once', 'timeout'), expect='s, too'),
+            ''')), also=('late', 'newest', 'once', 'timeout', 'no-server'), expect='s, too'),
     Mutant('ignores_new_command', breaks='newest', also=('queue', 'request'), old='def on_close(self, msg):', new='''
         def on_close(self, msg):
             if self.future:
@@ -236,6 +236,8 @@ class GripperClient(Node):
                 return
         self.state.publish(String(data='failed'))
 ''', expect='A callback sleeps'),
+    Mutant('ten_tries_at_most', breaks='tries', also='no-server', old='self.tries, self.left, self.future = tries, 0, None',
+           new='self.tries, self.left, self.future = min(tries, 10), 0, None', expect='`tries` may be any number'),
     Mutant('ten_seconds_at_most', breaks='timeout', also=('tries', 'request'), old='self.create_timer(timeout, self',
            new='self.create_timer(min(timeout, 10.0), self', expect='failed came 10 s after the request'),
 ]

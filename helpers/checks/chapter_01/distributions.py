@@ -194,6 +194,7 @@ def _check_day(learner, case: Case, today: str, first: FirstCall) -> None:
     if not by_heart:
         rule, why = _explained(case, got, wanted, table)
     expect(got == wanted, f'{why} {where} gives {tuple(got)!r}, expected {tuple(wanted)!r}.', rule)
+    first.check_unchanged()
 
 
 def _explained(case: Case, got: list, wanted: list, table: dict) -> tuple[str, str]:

@@ -355,6 +355,7 @@ def check(learner, asked: list[Case]) -> None:
             f'{why} With {shown} and Python {case.python}, diagnose gives {got}, expected {case.wanted}.'.lstrip(),
             rule,
         )
+        first.check_unchanged()
 
 
 def _explained(case: Case, got: dict) -> tuple[str, str]:

@@ -384,17 +384,18 @@ def _ten_at_once(gripper, first):
     )
 
 
-@pytest.mark.rules('names', 'no-server')
+@pytest.mark.rules('names', 'no-server', 'tries')
 @about('names')
 def test_no_server(learner):
-    """In a namespace all names move; the node starts without a server, and finds one that comes between two tries.
+    """In a namespace all names move; the node starts without a server, and finds one that comes before its last try.
 
     A request to nobody is like one without an answer: do not wait for the service.
     """
     space, begin = learner.random.choice(['/left', '/arm_2', '/cell/north']), learner.random.choice([0.2, 0.6])
+    tries = learner.random.randint(11, 13)
     states, close = learner.listen(f'{space}/gripper_state', String), learner.talk(f'{space}/close', Bool)
     with about('no-server'):
-        node = learner.start('GripperClient', remap={'__ns': space})
+        node = learner.start('GripperClient', 1.0, tries, remap={'__ns': space})
     check_constructor(learner)
     expect(
         node.name == f'{space}/gripper_client',
@@ -418,21 +419,14 @@ def test_no_server(learner):
             f'No server is there; 0.4 s after a command gripper_state says {states.data}. The '
             'request has its timeout all the same.',
         )
-        server = learner.serve(f'{space}/set_gripper', SetBool, {'success': True})
-        learner.run(3.5, step=1.0)
+    server = check_late_server(learner, states, begin, tries, space)
     expect(
         f'{space}/set_gripper' in server.theirs(),
         f'In the namespace {space} your node has no client for {space}/set_gripper: leave out the leading slash.',
         'names',
     )
-    expect(
-        states.data == ['ok'] and states.stamps == pytest.approx([begin + 1.0]),
-        f'A command at {begin} s, a server from {begin + 0.4:.1f} s on: gripper_state says {states.data} at '
-        f'{states.stamps} s, expected ok at {begin + 1.0:.1f} s, with the second request.',
-        'no-server',
-    )
     server.stop()
-    check_nobody(learner, states, close)
+    check_nobody(learner, states, close, tries)
     with about('no-server'):
         expect(
             any(_seconds(lambda: learner.start('GripperClient', beside=node)) < 0.35 for _ in range(4)),
@@ -460,18 +454,46 @@ def check_awake(learner, before: float) -> None:
     )
 
 
-def check_nobody(learner, states, close) -> None:
+def check_late_server(learner, states, begin: float, tries: int, space: str):
+    """A server that comes 0.6 s before the last request of a command gets this request, and the command is ok.
+
+    The client has the timeout 1 s and so many `tries`; the command came at `begin`, 0.4 s ago. Returns the server.
+    """
+    with about('no-server'):
+        learner.run(tries - 2.0, step=1.0)
+        words = f'GripperClient(1.0, {tries}), no server, a command at {begin} s: '
+        expect(
+            not states.messages,
+            f'{words}gripper_state says {states.data} at {states.stamps} s, which is too soon: there are {tries} '
+            'requests, and `tries` may be any number.',
+            'tries',
+        )
+        server = learner.serve(f'{space}/set_gripper', SetBool, {'success': True})
+        learner.run(2.1, step=1.0)
+    last = begin + tries - 1
+    expect(
+        f'{space}/set_gripper' not in server.theirs()
+        or states.data == ['ok']
+        and states.stamps == pytest.approx([last]),
+        f'{words}a server came at {last - 0.6:.1f} s. gripper_state says {states.data} at {states.stamps} s, expected '
+        f'ok at {last:.1f} s, with the last of the {tries} requests.',
+        'no-server',
+    )
+    return server
+
+
+def check_nobody(learner, states, close, tries: int) -> None:
     """Expect that a command to a server that never comes ends as one to a silent server does."""
     states.clear()
     before = learner.slept
     close.send(Bool(data=False))
     with about('no-server'):
-        learner.run(4.5, step=1.0)
+        learner.run(tries + 1.5, step=1.0)
     check_awake(learner, before)
     expect(
         states.data == ['failed'],
-        f'No server is there; 4.5 s after a command gripper_state says {states.data}, expected one failed: a request '
-        'to nobody counts as one without an answer.',
+        f'No server is there; {tries + 1.5} s after a command gripper_state says {states.data}, expected one failed: a '
+        'request to nobody counts as one without an answer.',
         'no-server',
     )
 

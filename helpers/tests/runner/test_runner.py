@@ -413,6 +413,29 @@ assert got[7] == point and got[8].depth == 7 and got[8].reliability == qos.relia
 assert got[10] == {'key': {1: 2}}
 """,
     ),
+    'calls that change their arguments': Case(
+        """\
+def Talker(names, table={}, *, deep=None, number=0):
+    if names:
+        names.sort()
+        table['seen'] = 1
+        deep[0].append(float('nan'))
+def keeps(*values, **named):
+    return sorted(values[0]), named
+""",
+        """
+learner.call('Talker', ['b', 'a'], deep=[[]])
+assert learner.changed('Talker') == ['names', 'deep'], learner.changed('Talker')
+assert learner.changed('Talker', defaults=True) == ['names', 'deep', 'table']
+learner.call('keeps', [3, 1], more={'x': float('nan')})
+assert learner.changed('keeps') == []
+assert '`Talker` changes its argument `deep`: work with a copy.' in learner.hints()
+assert '`Talker` changes its default argument `table`, which is the same object in all calls.' in learner.hints()
+learner.end_calls()
+learner.call('Talker', [], {'x': float('nan')}, deep=[float('nan')])
+assert learner.changed('Talker') == []
+""",
+    ),
     'calls that return what JSON does not know': Case(
         """\
 import numpy, collections
