@@ -26,7 +26,7 @@ from rosbag2_py.options import (
     TopicInformation,
     TopicMetadata,
 )
-from rosbag2_py.player import PlayOptions
+from rosbag2_py.player import PlayOptions, ServiceRequestsSource
 from rosbag2_py.reader import SequentialCompressionReader, SequentialReader
 from rosbag2_py.recorder import RecordOptions
 from rosbag2_py.reindex import Reindexer
@@ -56,6 +56,7 @@ __all__ = [
     'SequentialCompressionWriter',
     'SequentialReader',
     'SequentialWriter',
+    'ServiceRequestsSource',
     'StorageFilter',
     'StorageOptions',
     'TopicInformation',

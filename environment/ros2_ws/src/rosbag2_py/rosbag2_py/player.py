@@ -3,6 +3,7 @@
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from enum import Enum
 from typing import Any
 
 from rclpy.duration import Duration
@@ -22,6 +23,13 @@ from rosbag2_py.service_requests import ServiceRequests
 _SECOND = 1_000_000_000
 _STEP = 0.05  # seconds after which a wait looks at the keyboard
 RATE_STEP = 0.1
+
+
+class ServiceRequestsSource(Enum):
+    """Whose recorded requests to send: as services received them, or as clients sent them."""
+
+    SERVICE_INTROSPECTION = 0
+    CLIENT_INTROSPECTION = 1
 
 
 @dataclass
@@ -53,7 +61,7 @@ class PlayOptions:
     playback_until_timestamp: int = -1  # nanoseconds since 1970
     wait_acked_timeout: int = -1  # milliseconds; 0: for ever
     publish_service_requests: bool = False  # and not the events
-    service_requests_source: str = 'service_introspection'
+    service_requests_source: ServiceRequestsSource | str = ServiceRequestsSource.SERVICE_INTROSPECTION  # or its name
 
     node_prefix: str = ''
     read_ahead_queue_size: int = 1000
@@ -78,12 +86,15 @@ class Playback:
         self._wait = wait
         metadata = reader.get_metadata()
         begin = metadata.starting_time.nanoseconds
+        self.published = 0  #: messages, so far
+        self._sought = False
         self._start = begin + round(options.start_offset * _SECOND)
         self._end = begin + metadata.duration.nanoseconds
         if options.playback_duration >= 0:
             self._end = min(self._end, self._start + round(options.playback_duration * _SECOND))
         if options.playback_until_timestamp >= 0:
             self._end = min(self._end, options.playback_until_timestamp)
+        self.start, self.duration = self._start, self._end - self._start  #: nanoseconds
         self._now, self._since = self._start, time.monotonic()  # the bag's time, and when it was that
         self._clock: Any = None
         self._next_clock = 0.0
@@ -119,7 +130,9 @@ class Playback:
         if options.publish_service_requests and is_service_event(name):
             service = name.removesuffix(SERVICE_EVENTS)
             kind = service_class(topic.type)
-            return ServiceRequests(self.node, kind, service, options.service_requests_source, self._wait)
+            source = options.service_requests_source
+            name_of_source = source if isinstance(source, str) else source.name.lower()
+            return ServiceRequests(self.node, kind, service, name_of_source, self._wait)
         profile = options.topic_qos_profile_overrides.get(name) or to_publish(topic.offered_qos_profiles)
         return self.node.create_publisher(message_class(topic.type), self._remappings.get(name, name), profile)
 
@@ -163,11 +176,11 @@ class Playback:
         return self._play_on()
 
     def _play_on(self) -> int:
-        published = 0
+        before = self.published
         while (message := self._next()) is not None:
-            self._wait_until(message[2])
-            published += self._publish(*message)
-        return published
+            if self._wait_until(message[0], message[2]):
+                self._publish(*message)
+        return self.published - before
 
     def _next(self) -> tuple[str, bytes, int] | None:
         """Return the next message up to the end, if there is one."""
@@ -183,6 +196,7 @@ class Playback:
         if self.options.clock_publish_on_topic_publish and topic in (self.options.clock_topics or (topic,)):
             self._publish_clock(timestamp)  # before the message, which is about this time
         self.publishers[topic].publish(data)
+        self.published += 1
         return 1
 
     def time(self) -> int:
@@ -199,27 +213,37 @@ class Playback:
         self._set_time(self.time())
         self.paused = paused
 
+    def seek(self, timestamp: int) -> None:
+        """Go on with the first message at or after a time in nanoseconds; what is waited for is not played."""
+        timestamp = max(timestamp, self._start)
+        self.reader.seek(timestamp)
+        self._set_time(timestamp)
+        self._sought = True
+
     def set_rate(self, rate: float) -> None:
         """Play at another pace from now on."""
         self._set_time(self.time())
         self.rate = rate
 
-    def _wait_until(self, timestamp: int) -> None:
+    def _wait_until(self, topic: str, timestamp: int) -> bool:
+        """Wait until a message is due; return False if it is not to be played, because of :meth:`seek`."""
+        self._sought = False
         self._wait(0.0)  # keys and Ctrl+C count also while everything is overdue
-        while True:
+        while not self._sought:
             now = self.time()
             self._tell_time(now)
             if self.skip:  # play the next message although it is not due
-                self.skip = False
+                self.skip = topic not in self.publishers  # then the message after it
                 self._set_time(timestamp)
-                return
+                return True
             missing = (timestamp - now) / _SECOND / self.rate
             if not self.paused and missing <= 0:
-                return
+                return True
             longest = _STEP if self.paused else min(_STEP, missing)
             if self.options.clock_publish_frequency:
                 longest = min(longest, max(0.0, self._next_clock - time.monotonic()))
             self._wait(longest)
+        return False
 
     def _tell_time(self, now: int) -> None:
         """Publish /clock, as often as asked."""

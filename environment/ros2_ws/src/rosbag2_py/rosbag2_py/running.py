@@ -22,9 +22,13 @@ class RunningNode:
     Ctrl+C and SIGTERM end :meth:`spin`, never in the middle of a callback, so that a file can be completed.
     """
 
-    def __init__(self, name: str, use_sim_time: bool = False):
-        """Remember the name; the node is made when the context is entered."""
-        self._name, self._use_sim_time = name, use_sim_time
+    def __init__(self, name: str, use_sim_time: bool = False, handle_signals: bool = True):
+        """
+        Remember the name; the node is made when the context is entered.
+
+        :param handle_signals: False leaves Ctrl+C and SIGTERM to the program.
+        """
+        self._name, self._use_sim_time, self._handle_signals = name, use_sim_time, handle_signals
         self._signal = 0
 
     def __enter__(self) -> 'RunningNode':
@@ -33,7 +37,8 @@ class RunningNode:
         # rclpy's own handlers would make the context invalid before the file is complete.
         rclpy.init(args=[], context=self.context, signal_handler_options=SignalHandlerOptions.NO)
         # Python lets only the main thread handle signals. In another one, who started it has to end it.
-        handled = (signal.SIGINT, signal.SIGTERM) if threading.current_thread() is threading.main_thread() else ()
+        can_handle = self._handle_signals and threading.current_thread() is threading.main_thread()
+        handled = (signal.SIGINT, signal.SIGTERM) if can_handle else ()
         self._handlers = {each: signal.signal(each, self._note) for each in handled}
         self.node = rclpy.create_node(
             self._name,
