@@ -76,11 +76,13 @@ def test_a_lone_hash_is_a_comment(overlay_of_messages):
 def overlay_of_messages(ros2, tmp_path):
     """A function that writes a file of the package made_up, and returns the command that sees it."""
 
-    def make(definition, file='Thing.msg'):
-        for folder in ('share/ament_index/resource_index/packages', 'share/made_up/msg'):
-            (tmp_path / folder).mkdir(parents=True)
-        (tmp_path / 'share/ament_index/resource_index/packages/made_up').touch()
-        (tmp_path / 'share/made_up/msg' / file).write_text(definition)
+    def make(definition, file='Thing.msg', folder='msg'):
+        path, index = tmp_path / 'share/made_up' / folder / file, tmp_path / 'share/ament_index/resource_index'
+        for each in (index / 'packages', index / 'rosidl_interfaces', path.parent):
+            each.mkdir(parents=True)
+        (index / 'packages/made_up').touch()
+        (index / 'rosidl_interfaces/made_up').write_text(f'{folder}/{path.stem}.idl\n{folder}/{file}\n')
+        path.write_text(definition)
         prefixes = f'{tmp_path}:{ros2.environ.get("AMENT_PREFIX_PATH", sys.prefix)}'
         return type(ros2)({**ros2.environ, 'AMENT_PREFIX_PATH': prefixes}, tmp_path)
 
@@ -90,6 +92,14 @@ def overlay_of_messages(ros2, tmp_path):
 def test_what_is_defined_in_idl_only_is_shown_as_it_is(overlay_of_messages):
     text = 'module made_up {\n  module msg {\n    struct Other {\n      uint32 value;  // a number\n    };\n  };\n};\n'
     assert overlay_of_messages(text, 'Other.idl').output('interface', 'show', 'made_up/msg/Other') == text
+
+
+@pytest.mark.parametrize('folder', ['msg-common', 'msg/common'])
+def test_a_definition_may_be_in_a_folder_of_any_name(overlay_of_messages, folder):
+    shown = overlay_of_messages('int32 x\n', folder=folder)
+    assert shown.output('interface', 'show', 'made_up/msg/Thing') == 'int32 x\n'
+    assert shown.error('interface', 'show', 'made_up/msg/Other').startswith('Could not find the interface ')
+    assert shown.error('interface', 'show', 'made_up/srv/Thing').startswith('Could not find the interface ')
 
 
 def test_lines_know_their_comments():

@@ -1,6 +1,7 @@
 """The verb `ros2 interface show`."""
 
 import sys
+from pathlib import Path
 
 from ros2interface.api import type_completer
 from ros2interface.verb import VerbExtension
@@ -92,13 +93,31 @@ class InterfaceTextLine:
         return f'{fields[0].type.pkg_name}/msg/{fields[0].type.type}'
 
 
-def _show(name, *, comments, nested_comments, indentation):
+def _path_of(name):
+    """Return the path of an interface's definition, which may be in a folder of any name, as `msg/common` is."""
+    from ament_index_python import get_resource
     from rosidl_runtime_py import get_interface_path
 
+    try:
+        return get_interface_path(name)
+    except LookupError:
+        package, kind, interface = name.split('/')
+        try:
+            files, prefix = get_resource('rosidl_interfaces', package)
+        except LookupError:
+            files = ''
+        for wanted in (f'{interface}.{kind}', f'{interface}.idl'):
+            for file in map(Path, files.splitlines()):
+                if file.name == wanted and (found := Path(prefix, 'share', package, file)).is_file():
+                    return str(found)
+        raise
+
+
+def _show(name, *, comments, nested_comments, indentation):
     if name.count('/') != 2:
         raise ValueError(f"Invalid name '{name}'. Expected three parts separated by '/'")
     package, _, interface = name.split('/')
-    path = get_interface_path(name)
+    path = _path_of(name)
     with open(path, encoding='utf-8') as definition:
         lines = [InterfaceTextLine(package, interface, line) for line in definition.read().splitlines()]
     for line in lines:
