@@ -48,6 +48,7 @@ OTHERS = {
     'programs that read launch files': 'InvalidLaunchFileError InvalidPythonLaunchFileError '
     'get_launch_description_from_any_launch_file get_launch_description_from_frontend_launch_file '
     'get_launch_description_from_python_launch_file load_python_launch_file_as_module',
+    'tests that look at what a launch file gives to a node': 'evaluate_parameters normalize_parameters',
     'groups that are written by hand': 'PopEnvironment PopLaunchConfigurations PushEnvironment '
     'PushLaunchConfigurations ResetEnvironment',
 }

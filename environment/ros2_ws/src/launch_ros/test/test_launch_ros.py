@@ -70,6 +70,23 @@ def test_values_with_substitutions_are_lists_texts_or_refused(given, value):
         assert evaluate_parameters(LaunchContext(), {'x': given}) == {'x': value}
 
 
+def test_the_parameters_of_a_node_can_be_looked_at(tmp_path):
+    context = LaunchContext()
+    context.launch_configurations['x'] = '5'
+    file, single = tmp_path / 'p.yaml', Parameter('c', 2.0)
+    given = [{'a': {'b': LaunchConfiguration('x')}, 'list': [1, 2]}, file, [str(tmp_path), '/q.yaml'], single]
+    normal = utilities.normalize_parameters(given)
+    first, *others = utilities.evaluate_parameters(context, normal)
+    assert first == {'a.b': 5, 'list': (1, 2)}
+    assert others == [file, tmp_path / 'q.yaml', single]
+    assert utilities.evaluate_parameters(context, utilities.normalize_parameters(normal)) == (first, *others)
+    for bad in ('text', {'a': 1}, 5):
+        with pytest.raises(TypeError, match='Expecting list of parameters, got '):
+            utilities.normalize_parameters(bad)
+    with pytest.raises(TypeError, match='takes dictionaries and paths of files, got 5'):
+        utilities.normalize_parameters([5])
+
+
 def words_of(action, context):
     """The words of the command that an action would run, without a prefix."""
     action.prepare(context)

@@ -3,19 +3,22 @@
 import io
 import os
 import re
+import signal
 import subprocess
 import sys
 import textwrap
+import time
 import unittest
 from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import launch
 import pytest
-from launch import LaunchContext
+from launch import LaunchContext, LaunchDescription, LaunchService
 from launch.actions import ExecuteProcess, OpaqueFunction, RegisterEventHandler
 from launch.substitutions import LocalSubstitution
 from launch_testing import ActiveIoHandler, ActiveProcInfoHandler, ProcInfoHandler, markers
+from launch_testing.actions import GTest, PyTest, Test
 from launch_testing.asserts import (
     NO_CMD_ARGS,
     SequentialTextChecker,
@@ -556,3 +559,28 @@ def test_the_programs_to_try_tests_on_are_there(write):
     path = write(EXAMPLES)
     result = launch_test(path)
     assert result.returncode == 0, result.stdout + result.stderr
+
+
+def test_tests_of_pytest_and_googletest_are_actions(tmp_path):
+    """An action runs the tests, its status says how they went, and a timeout ends them."""
+    (tmp_path / 'test_good.py').write_text('def test_one(): pass\n')
+    (tmp_path / 'test_bad.py').write_text('def test_one(): assert False\n')
+    (tmp_path / 'test_slow.py').write_text('import signal\ndef test_one(): signal.pause()\n')
+    program = tmp_path / 'some_gtest'
+    program.write_text('#!/bin/sh\necho "$0"; exit 3\n')
+    program.chmod(0o755)
+    context = {'additional_env': {'PYTEST_DISABLE_PLUGIN_AUTOLOAD': '1'}}
+    good, bad, slow = (
+        PyTest(path=[f'{tmp_path}/', f'test_{name}.py'], timeout=timeout, **context)
+        for name, timeout in (('good', 1000.0), ('bad', None), ('slow', '0.5'))
+    )
+    made = GTest(path=str(program), name='made', timeout=1000, cached_output=True)
+    service = LaunchService(noninteractive=True)
+    service.include_launch_description(LaunchDescription([good, bad, slow, made]))
+    begin = time.monotonic()
+    assert service.run() == 0
+    assert time.monotonic() - begin < 500, 'a timeout has kept the launch waiting'
+    assert (good.return_code, bad.return_code, made.return_code) == (0, 1, 3)
+    assert slow.return_code in (2, -signal.SIGINT)  # pytest says that it was interrupted; or it had not begun
+    assert (made.path, made.timeout, made.get_stdout()) == (str(program), 1000, f'{program}\n')
+    assert isinstance(good, Test) and isinstance(good, ExecuteProcess) and bad.timeout is None

@@ -1,5 +1,6 @@
 """Actions for tests."""
 
 from launch_testing.actions.ready import ReadyToTest
+from launch_testing.actions.test import GTest, PyTest, Test
 
-__all__ = ['ReadyToTest']
+__all__ = ['GTest', 'PyTest', 'ReadyToTest', 'Test']
