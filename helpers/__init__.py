@@ -72,8 +72,9 @@ def __dir__():
     return sorted({*globals(), *_HOME, *_MODULES})
 
 
-if 'IPython' in sys.modules:  # in a kernel: note the executed cells from here on, and take files in them
+if 'IPython' in sys.modules:  # in a kernel: note the executed cells from here on, and take files and programs in them
     importlib.import_module(f'{__name__}.kernel.journal').start()
     importlib.import_module(f'{__name__}.kernel.kernel_exit').register()
     importlib.import_module(f'{__name__}.exercises.answer_magic').register()
     importlib.import_module(f'{__name__}.exercises.file_parts').register()
+    importlib.import_module(f'{__name__}.programs.script_cells').register()

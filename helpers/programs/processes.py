@@ -93,7 +93,7 @@ class BackgroundProcess:
             if terminal:
                 os.close(end)
         _children.append(self)
-        _tell_reaper(f'+{self._popen.pid}')
+        tell_reaper(f'+{self._popen.pid}')
         self._reader = threading.Thread(target=self._read, daemon=True, name=f'output of {argv[0]}')
         self._reader.start()
 
@@ -166,7 +166,7 @@ class BackgroundProcess:
         self._signal(signal.SIGKILL)  # the rest of the group, too
         status = self._popen.wait()
         self._reader.join(5.0)  # to the end of its output; only a process outside of the group may still have it open
-        _tell_reaper(f'-{self._popen.pid}')
+        tell_reaper(f'-{self._popen.pid}')
         if self in _children:
             _children.remove(self)
         return status
@@ -244,7 +244,7 @@ def _interruptible():
         signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
-def _tell_reaper(line: str) -> None:
+def tell_reaper(line: str) -> None:
     """Tell the reaper (`helpers.programs.reaper`) which process groups must not outlive this process."""
     global _reaper
     if _reaper is None or _reaper.poll() is not None:
