@@ -11,12 +11,11 @@ from turtlesim_nodes.world import METER, PIXELS, World, to_pixels
 
 from helpers.show import dark_page
 
-_LEFT, _TOP, _RIGHT, _BOTTOM = 44, 12, 12, 44  # the margins, in pixels of turtlesim's picture
+_LEFT, _TOP, _RIGHT, _BOTTOM = 44, 34, 44, 44  # the margins, in pixels of turtlesim's picture
 _LINE = 28  # the height of a line of text
 _TEXTS = 3  # turtles whose pose is written below
 _HEADING = 1.2  # m, the length of the line that shows where a turtle looks
 _LAST = 11  # m, the last line of the grid
-_NAMES = 9  # m, where the axes have their names: between two numbers
 _INK, _PAPER, _GOAL = '#20262e', '#fcfcfa', '#ffd54a'
 _GRID = 'stroke="#ffffff" stroke-opacity="0.3" stroke-width="1"'
 _DARK_RULES = dark_page.rules(
@@ -63,7 +62,7 @@ def draw(world: World, size: int, goal: tuple[float, float] | None = None) -> st
 
 
 def _grid() -> list[str]:
-    """A line for each metre; each second one has its number at the axis."""
+    """A line for each metre; each second one has its number at the axis, whose name stands at its end."""
     drawn = []
     for metre in range(_LAST + 1):
         x, y = to_pixels(metre, metre)
@@ -71,9 +70,8 @@ def _grid() -> list[str]:
         if metre % 2 == 0:
             drawn.append(f'<text x="{x:.0f}" y="{PIXELS + 24}" text-anchor="middle">{metre}</text>')
             drawn.append(f'<text x="-8" y="{y + 8:.0f}" text-anchor="end">{metre}</text>')
-    x, y = to_pixels(_NAMES, _NAMES)
-    drawn.append(f'<text x="{x:.0f}" y="{PIXELS + 24}" text-anchor="middle">x [m]</text>')
-    drawn.append(f'<text transform="translate(-14 {y:.0f}) rotate(-90)" text-anchor="middle">y [m]</text>')
+    drawn.append(f'<text x="{PIXELS + _RIGHT - 8}" y="{PIXELS + 24}" text-anchor="end">x [m]</text>')
+    drawn.append(f'<text x="{8 - _LEFT}" y="-10">y [m]</text>')
     return drawn
 
 

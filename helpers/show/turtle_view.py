@@ -27,7 +27,7 @@ RATE = 10.0  # pictures a second, at most
 _POSE = 'turtlesim/msg/Pose'
 _LOOK = 0.25  # s between two looks at the graph
 _LATE = 2.0  # s; a command that nobody has heard by then is forgotten
-_SIZE = 320  # px
+_SIZE = 340  # px
 _views: list['TurtleView'] = []
 
 
