@@ -27,9 +27,10 @@ ROS2CLI = tuple(
 )
 # What packages outside of the two groups import from them, all of it in upstream's packages of Jazzy, too.
 UPSTREAM = {
-    'launch': 'LaunchContext LaunchDescription LaunchDescriptionSource LaunchService frontend',
+    'launch': 'LaunchContext LaunchDescription LaunchDescriptionEntity LaunchDescriptionSource LaunchService '
+    'SomeSubstitutionsType frontend',
     'launch.action': 'Action',
-    'launch.actions': 'ExecuteProcess IncludeLaunchDescription RegisterEventHandler',
+    'launch.actions': 'EmitEvent ExecuteProcess IncludeLaunchDescription RegisterEventHandler TimerAction',
     'launch.event_handlers': 'OnProcessExit OnProcessIO OnProcessStart',
     'launch.events': 'matches_action',
     'launch.events.process': 'ProcessExited ProcessIO ProcessStarted RunningProcessEvent ShutdownProcess',
@@ -40,7 +41,7 @@ UPSTREAM = {
     'launch.launch_description_entity': 'LaunchDescriptionEntity',
     'launch.launch_description_sources': 'AnyLaunchDescriptionSource InvalidLaunchFileError '
     'InvalidPythonLaunchFileError get_launch_description_from_any_launch_file',
-    'launch.substitutions': 'TextSubstitution',
+    'launch.substitutions': 'FindExecutable TextSubstitution',
     'launch.utilities.type_utils': 'get_typed_value is_instance_of',
     'launch_ros.actions': 'Node',
     'launch_ros.parameter_descriptions': 'ParameterValue',

@@ -5,8 +5,10 @@ from __future__ import annotations
 import sys
 
 from launch import LaunchContext, LaunchDescriptionEntity, SomeSubstitutionsType
-from launch.actions import ExecuteProcess, OpaqueFunction, TimerAction
+from launch.actions import EmitEvent, ExecuteProcess, TimerAction
 from launch.event_handlers import OnProcessExit
+from launch.events import matches_action
+from launch.events.process import ShutdownProcess
 from launch.substitutions import FindExecutable
 
 
@@ -31,14 +33,15 @@ class Test(ExecuteProcess):
         return self._timeout
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
-        super().execute(context)
+        entities = list(super().execute(context) or [])
         if not self._timeout:
-            return []
-        timer = TimerAction(period=self._timeout, actions=[OpaqueFunction(function=self.request_shutdown)])
+            return entities
+        end = EmitEvent(event=ShutdownProcess(process_matcher=matches_action(self)))
+        timer = TimerAction(period=self._timeout, actions=[end])
         context.register_event_handler(
             OnProcessExit(target_action=self, on_exit=lambda event, context: timer.cancel(), handle_once=True)
         )
-        return [timer]
+        return [*entities, timer]
 
 
 class GTest(Test):
