@@ -106,7 +106,7 @@ def readable(chapter: Chapter, notebook: nbformat.NotebookNode) -> nbformat.Note
     """Take the solutions out of a chapter's executed notebook; returns it.
 
     Exercises are as the learner gets them; they and checks print nothing. Links to other chapters lead to their pages,
-    figures are beside the pages.
+    figures are beside the pages. Of a drawing with two forms, the page itself holds the SVG.
     """
     for cell, stub in zip(notebook.cells, notebooks.learner(chapter).cells, strict=True):
         if 'exercise' in cell.metadata or cell.cell_type == 'code' and cell.source.startswith('check('):
@@ -118,6 +118,9 @@ def readable(chapter: Chapter, notebook: nbformat.NotebookNode) -> nbformat.Note
         elif cell.source.startswith('%%writefile'):
             python = cell.source.partition('\n')[0].endswith('.py')
             cell.metadata['magics_language'] = 'python' if python else 'text'  # most others stumble over the first line
+        for output in cell.get('outputs', ()):
+            if 'image/svg+xml' in output.get('data', ()):
+                output.data.pop('text/html', None)
     return notebook
 
 

@@ -1,4 +1,4 @@
-"""A drawing as HTML that JupyterLab shows in every notebook, trusted or not.
+"""Drawings in forms that JupyterLab shows in every notebook, trusted or not.
 
 Inside of the page a drawing takes the page's colours, and tells more when the mouse is over it. But JupyterLab removes
 SVG elements (not their words) from outputs of a notebook that it does not trust, such as one that somebody else has
@@ -34,3 +34,19 @@ def html(svg: str, width: float, alternative: str) -> str:
         f'<img class="{name}-image" style="width: 100%; max-width: {width:g}px" alt="{escape(alternative)}" '
         f'src="data:image/svg+xml;base64,{image}"/>'
     )
+
+
+def still(svg: str, alternative: str) -> dict[str, str]:
+    """Return the forms, by MIME type, of a drawing that needs nothing of the page.
+
+    JupyterLab shows `image/svg+xml` only in notebooks that it trusts; an image in HTML it shows in all of them.
+
+    :param svg: its root has its width and height.
+    :param alternative: the same in words.
+    """
+    image = base64.b64encode(svg.encode()).decode()
+    return {
+        'image/svg+xml': svg,
+        'text/html': f'<img alt="{escape(alternative)}" src="data:image/svg+xml;base64,{image}"/>',
+        'text/plain': alternative,
+    }

@@ -19,7 +19,7 @@ except ModuleNotFoundError:  # stock turtlesim is a C++ program: the simulation 
     sys.path.append(str(ROOT / 'environment' / 'ros2_ws' / 'src' / 'turtlesim'))
 from turtlesim_nodes.world import STEP, World
 
-from helpers.show import turtle_drawing
+from helpers.show import inline_svg, turtle_drawing
 from helpers.show.widgets import WidgetOutput
 
 __all__ = ['STEP', 'TurtlePicture', 'TurtleView', 'World', 'show_turtle']
@@ -45,7 +45,7 @@ class TurtlePicture:
         return turtle_drawing.draw(self._world, self._size, self.goal)
 
     def _repr_mimebundle_(self, include=None, exclude=None) -> dict[str, str]:
-        return {'image/svg+xml': self.svg(), 'text/plain': str(self)}
+        return inline_svg.still(self.svg(), str(self))
 
     def __str__(self) -> str:
         turtles = (self._world.turtles[name] for name in sorted(self._world.turtles))

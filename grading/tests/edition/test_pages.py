@@ -99,7 +99,8 @@ def test_views_are_recorded_and_opened_from_the_page(built, tmp_path, monkeypatc
             (scenes / name).touch()
         for number, cell in enumerate(cell for cell in notebook.cells if 'TfView()' in cell.source):
             (scenes / f'{number}.html').touch()
-            picture = new_output('display_data', {'image/svg+xml': '<svg/>'}, metadata={'scene': f'{number}.html'})
+            forms = {'image/svg+xml': '<svg/>', 'text/html': '<img/>'}
+            picture = new_output('display_data', forms, metadata={'scene': f'{number}.html'})
             cell.outputs = [picture]
 
     monkeypatch.setattr(pages.execution, 'execute', execute)

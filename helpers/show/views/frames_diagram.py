@@ -10,7 +10,7 @@ from html import escape
 
 import yaml
 
-from helpers.show import dark_page
+from helpers.show import dark_page, inline_svg
 from helpers.show.views.frame_tree import FrameLink, FrameListener, Tree
 from helpers.show.views.tf_display import MOVES, STATIC
 
@@ -179,7 +179,7 @@ class FramesDiagram:
         return '\n'.join([*self.problems, *lines]) or 'no frame'
 
     def _repr_mimebundle_(self, include=None, exclude=None) -> dict[str, str]:
-        return {'image/svg+xml': self.svg(), 'text/plain': repr(self)}
+        return inline_svg.still(self.svg(), repr(self))
 
 
 def show_frames(buffer=None, duration: float = 2.0) -> FramesDiagram:

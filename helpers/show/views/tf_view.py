@@ -9,6 +9,7 @@ from pathlib import Path
 from helpers.kernel import journal, nodes, ros
 from helpers.kernel.spinning import spinning
 from helpers.kernel.waiting import spin_for
+from helpers.show import inline_svg
 from helpers.show.views import picture
 from helpers.show.views.display import Display
 from helpers.show.views.frame_tree import Tree
@@ -35,7 +36,7 @@ class ViewPicture:
         self.svg, self._text, self._scene = svg, text, scene
 
     def _repr_mimebundle_(self, include=None, exclude=None):
-        data = {'image/svg+xml': self.svg, 'text/plain': self._text}
+        data = inline_svg.still(self.svg, self._text)
         return (data, {'scene': self._scene}) if self._scene else data
 
     def __repr__(self) -> str:

@@ -43,3 +43,12 @@ def test_with_its_style_only_the_drawing_is_seen():
 def test_the_style_of_one_drawing_leaves_others_alone():
     names = {re.search(r'class="(\S+)"', inline_svg.html(svg, 300, ''))[1] for svg in (SVG, SVG.replace('word', 'x'))}
     assert len(names) == 2
+
+
+def test_a_still_is_an_image_wherever_svg_is_not_shown():
+    svg = '<svg xmlns="http://www.w3.org/2000/svg" width="2" height="1"/>'
+    forms = inline_svg.still(svg, 'a "word"\n<another>')
+    image = ElementTree.fromstring(forms['text/html'])
+    assert image.tag == 'img' and image.get('alt') == 'a "word" <another>'  # XML reads a line break as a blank
+    assert base64.b64decode(image.get('src').partition('data:image/svg+xml;base64,')[2]).decode() == svg
+    assert (forms['image/svg+xml'], forms['text/plain']) == (svg, 'a "word"\n<another>')
