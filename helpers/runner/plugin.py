@@ -58,6 +58,7 @@ class Plugin:
         config.addinivalue_line('markers', 'exercise(id): the exercise that a test judges')
         config.addinivalue_line('markers', 'limits(name=value): other bounds for the program, see launch.Limits')
         config.addinivalue_line('markers', 'not_looked_at(rule, why): a rule that no visible test can see')
+        config.addinivalue_line('markers', 'may_take(seconds): of wall time, if a right program needs more than others')
         config.addinivalue_line('markers', 'rules(*names): the rules of the card that a test looks at')
         config.addinivalue_line('markers', 'weight(n): how much a test counts within its exercise; 1 by default')
         config.addinivalue_line('markers', 'wiring(type=, qos=, namespace=): the rules that are broken then')
@@ -125,15 +126,15 @@ class Plugin:
     def pytest_runtest_call(self, item):
         """End a test that takes too long, however many things of the learner's it waits for, or reads."""
         signal.signal(signal.SIGALRM, _too_long)
-        signal.setitimer(signal.ITIMER_REAL, self._longest(), 5.0)  # again, if somebody catches it
+        signal.setitimer(signal.ITIMER_REAL, self._longest(item), 5.0)  # again, if somebody catches it
         try:
             yield
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)
 
-    def _longest(self) -> float:
+    def _longest(self, item) -> float:
         """Seconds of wall time for a test."""
-        return self._limit * (3 if busy() else 1)
+        return max(self._limit, may_take(item)) * (3 if busy() else 1)
 
     @pytest.hookimpl(hookwrapper=True)
     def pytest_runtest_makereport(self, item, call):
@@ -150,10 +151,10 @@ class Plugin:
 
     @pytest.hookimpl(hookwrapper=True)
     def pytest_runtest_protocol(self, item):
-        self.report({'event': 'running', 'test': test_id(item)})
+        self.report({'event': 'running', 'test': test_id(item), 'may_take': may_take(item)})
         verdicts.met.clear()
         # A test that is stuck where no signal ends it ends together with this process.
-        faulthandler.dump_traceback_later(STUCK * self._longest(), exit=True, file=sys.__stderr__)
+        faulthandler.dump_traceback_later(STUCK * self._longest(item), exit=True, file=sys.__stderr__)
         yield
         faulthandler.cancel_dump_traceback_later()
         state = item.stash.get(_STATE, {**_NOTHING, 'fault': 'no report'})
@@ -244,6 +245,12 @@ def _exercise(item) -> str | None:
 def _weight(item) -> float:
     marker = item.get_closest_marker('weight')
     return float(marker.args[0]) if marker and marker.args else 1.0
+
+
+def may_take(item) -> float:
+    """Seconds of wall time that a test may take, where that is more than the session says; else 0."""
+    marker = item.get_closest_marker('may_take')
+    return float(marker.args[0]) if marker else 0.0
 
 
 def rules(item) -> list[str]:

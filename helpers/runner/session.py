@@ -281,7 +281,7 @@ class _Collection:
             self._job(programs, places, only), self.options.launcher, self.options.limits, folders
         ) as tests:
             try:
-                for event in _events(tests.process, tests.events, BUSY * self.options.test_timeout, self._deadline):
+                for event in _events(tests.process, tests.events, self.options.test_timeout, self._deadline):
                     match event['event']:
                         case 'collected':
                             self._collected(event, seen)
@@ -391,7 +391,7 @@ _FIELDS: dict[str, dict[str, type | tuple[type, ...]]] = {
         'rules': list,
         'unseen': dict,
     },
-    'running': {'test': str},
+    'running': {'test': str, 'may_take': (int, float)},
     'broken': {'where': str, 'text': str},
     'sandbox': {'name': str},
     'spent': {'seconds': dict},
@@ -421,7 +421,8 @@ def _event(line: bytes) -> dict | None:
 def _events(process: subprocess.Popen | Forked, descriptor: int, test_timeout: float, end: float = math.inf):
     """The events of the tests' process; `timeout` and the end if none came in time.
 
-    That is START_TIMEOUT for the first test to begin, then `test_timeout`.
+    That is START_TIMEOUT for the first test to begin, then BUSY times what a test may take: `test_timeout`, or what it
+    says for itself.
     """
     buffer, limit = b'', START_TIMEOUT
     while True:
@@ -440,7 +441,7 @@ def _events(process: subprocess.Popen | Forked, descriptor: int, test_timeout: f
             yield {'event': 'garbled'}
             return
         if event['event'] == 'running':
-            limit = max(1.0, min(test_timeout, end - time.monotonic()))
+            limit = max(1.0, min(BUSY * max(test_timeout, event['may_take']), end - time.monotonic()))
         yield event
         if event['event'] == 'end':
             try:

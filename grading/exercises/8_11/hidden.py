@@ -9,7 +9,7 @@ from helpers.checks.chapter_08 import steerings
 from helpers.checks.chapter_08.noticed import Kind, Planted
 from helpers.checks.chapter_08.planted import GIVEN, ROBOT
 
-pytestmark = pytest.mark.exercise('8.11')
+pytestmark = [pytest.mark.exercise('8.11'), pytest.mark.may_take(160)]  # nine robots, three at a time, 40 s each
 PARTS = {
     'parameters': """\
 

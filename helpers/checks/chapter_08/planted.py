@@ -11,11 +11,14 @@ import hashlib
 import json
 import os
 import re
+from collections.abc import Iterable
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path, PurePosixPath
+from random import Random
 from time import monotonic as _now
+from typing import Any
 
 from ament_index_python import get_packages_with_prefixes
 
@@ -29,6 +32,7 @@ OWN = 'your own'  # the name of the learner's program, which may be wrong itself
 ENDED = -14  # the status, if they did not end
 SIDE_BY_SIDE = 3  # as many programs that need ROS at a time
 _MODULES = ('rclpy.action', 'rclpy.executors', 'tf2_ros')  # that are imported once for all of these
+Program = str | dict[str, str]  # the text of a module, or path → text of several
 NOTHING = '    return None\n'  # the last part of a program that does nothing
 _OPTIONS = ('-q', '-x', '--tb=line', '--color=no', '-p', 'no:cacheprovider')
 EMPTY = {'conftest.py': '', 'pytest.ini': '[pytest]\naddopts =\n'}
@@ -97,18 +101,25 @@ class Outcome:
 
 
 def judge(
-    learner, functions: dict[str, str | dict[str, str]], subject: Subject = LIMIT, *, told: bool = False
+    learner, right: dict[str, Program], others: dict[str, Program], subject: Subject = LIMIT, *, told: bool = False
 ) -> dict[str, Outcome]:
     """Run the learner's tests with each program: name → how they ended. Once in a session for the same ones.
 
-    :param functions: name → text of its module, or the texts of several: path → text.
+    When they have not passed with a right program, no other one is run: the cause is known, and each run takes time.
+    The programs that were not run are not in what is returned.
+
+    :param right: right programs: name → text of its module, or the texts of several: path → text.
+    :param others: all other ones.
     :param told: the learner may read what their tests have said: with programs that are no secret.
     The order is drawn, and the learner's side sees no names.
     """
     tests = learner.text(subject.tests)
-    key = 'planted', hashlib.sha256(json.dumps([str(subject.module), tests, functions]).encode()).hexdigest()
+    key = 'planted', hashlib.sha256(json.dumps([str(subject.module), tests, right, others]).encode()).hexdigest()
     if key not in learner.server.workspaces:
-        learner.server.workspaces[key] = _run(learner, functions, subject, tests)
+        order = _order(right, others, learner.random)
+        run = _run_robots if subject.ros else _run_functions
+        programs = {name: (right | others)[name] for name in order}
+        learner.server.workspaces[key] = run(learner, programs, list(right), subject, tests)
     outcomes = learner.server.workspaces[key]
     said = '\n'.join(outcome.output for outcome in outcomes.values())
     statuses = {outcome.status for outcome in outcomes.values()}
@@ -124,11 +135,18 @@ def judge(
     return outcomes
 
 
-def _run(learner, functions, subject: Subject, tests: str) -> dict[str, Outcome]:
-    names = list(functions)
-    learner.random.shuffle(names)
-    run = _run_robots if subject.ros else _run_functions
-    return run(learner, {name: functions[name] for name in names}, subject, tests)
+def _order(right: Iterable[str], others: Iterable[str], random: Random) -> list[str]:
+    """In which order the programs are run: the right ones in the first part, so that a test that fails soon shows.
+
+    They keep their own order. As many other programs are among them, so a test that only looks at the time cannot know
+    which are which.
+    """
+    first, later = list(right), list(others)
+    random.shuffle(later)
+    among, later = later[: len(first)], later[len(first) :]
+    turns = [first] * len(first) + [among] * len(among)
+    random.shuffle(turns)
+    return [turn.pop(0) for turn in turns] + later
 
 
 _NOT_THERE = re.compile(r"import of (\w+)(?:\.[\w.]*)? halted|No module named '(\w+)")
@@ -140,7 +158,9 @@ def _packages_of_ros() -> frozenset[str]:
     return frozenset({*get_packages_with_prefixes(), 'ament_index_python'})
 
 
-def _run_functions(learner, programs: dict[str, str], subject: Subject, tests: str) -> dict[str, Outcome]:
+def _run_functions(
+    learner, programs: dict[str, Any], right: list[str], subject: Subject, tests: str
+) -> dict[str, Outcome]:
     """One after the other: each takes some milliseconds."""
     module, path = subject.module, f'test/test_{subject.module.name}'
     files = {
@@ -149,7 +169,8 @@ def _run_functions(learner, programs: dict[str, str], subject: Subject, tests: s
         str(module.parent / '__init__.py'): '',
         str(module): stub(subject.function, 'Stands for the function that is tested.'),
     }
-    outcomes = {}
+    outcomes: dict[str, Outcome] = {}
+    longest, known = 0.0, 0  # seconds with a right program; how many of these have passed
     for name, text in programs.items():
         place = learner.workspace(files, alone=True)
         namespace: dict = {}
@@ -159,14 +180,27 @@ def _run_functions(learner, programs: dict[str, str], subject: Subject, tests: s
             task = place.pytest(
                 *_OPTIONS, path, functions=served.other, without=_packages_of_ros() - {module.parent.name}
             )
-            outcomes[name] = _outcome(task, subject.limit)
+            begun = _now()
+            all_known = known == len(right)  # then tests that do not end with a wrong program need not take so long
+            outcomes[name] = _outcome(task, min(subject.limit, 3.0 + 5 * longest) if all_known else subject.limit)
         finally:
             served.close()
             place.forget()
+        if _is_cause(outcomes[name], name in right):
+            break
+        if name in right:
+            longest, known = max(longest, _now() - begun), known + 1
     return outcomes
 
 
-def _run_robots(learner, programs: dict[str, dict[str, str]], subject: Subject, tests: str) -> dict[str, Outcome]:
+def _is_cause(outcome: Outcome, is_right: bool) -> bool:
+    """Whether the tests can count for nothing, whatever comes of the other programs."""
+    return outcome.status not in (0, 1, ENDED) or is_right and outcome.status != 0
+
+
+def _run_robots(
+    learner, programs: dict[str, Any], right: list[str], subject: Subject, tests: str
+) -> dict[str, Outcome]:
     """Some side by side."""
     path, random = f'test/test_{subject.module.name}', learner.random
     pool = disguise.names(text for texts in programs.values() for text in texts.values())
@@ -213,7 +247,15 @@ def _run_robots(learner, programs: dict[str, dict[str, str]], subject: Subject, 
                     place.forget()
                     free.append(domain)
                     del running[name]
-    return {name: outcomes[name] for name in programs}
+            if causes := [name for name in outcomes if _is_cause(outcomes[name], name in right)]:
+                waiting.clear()
+                # What fails with the right ones before it is said first.
+                earlier = right[: min((right.index(name) for name in causes if name in right), default=0)]
+                for name in running.keys() - set(earlier):
+                    place, domain, *_ = running.pop(name)
+                    place.forget()
+                    free.append(domain)
+    return {name: outcomes[name] for name in programs if name in outcomes}
 
 
 def _outcome(task, limit: float) -> Outcome:

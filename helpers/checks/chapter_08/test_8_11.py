@@ -4,7 +4,7 @@ import pytest
 
 from helpers.checks.chapter_08.wrong_robots import spoilt
 
-pytestmark = pytest.mark.exercise('8.11')
+pytestmark = [pytest.mark.exercise('8.11'), pytest.mark.may_take(240)]  # fifteen robots, three at a time, 40 s each
 
 
 @pytest.mark.rules('right-robots')

@@ -1,8 +1,13 @@
 """What the learner is told of a test of theirs that fails with a right program (exercises 8.4, 8.6 and 8.11)."""
 
+from random import Random
+
 import pytest
 
+from helpers.checks.chapter_08 import planted
+from helpers.checks.chapter_08.noticed import Kind, Planted
 from helpers.checks.chapter_08.planted import Outcome
+from helpers.runner import verdicts
 
 NAMED = 'FAILED test/test_limit.py::test_limit[0.6] - {}\n'
 PLACED = '/home/ws/test/test_limit.py:21: {}\n'
@@ -28,3 +33,75 @@ PLACED = '/home/ws/test/test_limit.py:21: {}\n'
 )
 def test_the_reason_says_what_was_compared_where_that_is_known(output, reason):
     assert Outcome(1, output).reason == reason
+
+
+class Learner:
+    """What `judge` asks of the fixture `learner`."""
+
+    def __init__(self):
+        self.random, self.server = Random(7), self
+        self.workspaces = {}
+
+    def text(self, name):
+        return 'the tests'
+
+
+RIGHT, WRONG = [f'right {n}' for n in range(4)], [f'wrong {n}' for n in range(12)]
+
+
+def texts(*names):
+    """Modules whose function is its own name."""
+    return {name: f'limit = {name!r}' for name in names}
+
+
+PLANTED = Planted(
+    planted.LIMIT, 'right-functions', texts(*RIGHT), texts('nothing'), (Kind('slope', 'that are wrong', texts(*WRONG)),)
+)
+
+
+def test_right_programs_are_among_the_first_and_keep_their_order():
+    for seed in range(20):
+        order = planted._order(RIGHT, WRONG, Random(seed))
+        assert sorted(order) == sorted(RIGHT + WRONG)
+        assert [name for name in order[: 2 * len(RIGHT)] if name in RIGHT] == RIGHT
+    assert len({planted._order(RIGHT, WRONG, Random(seed)).index(RIGHT[0]) for seed in range(20)}) > 1
+
+
+@pytest.mark.parametrize('status', [1, planted.ENDED, 2, 5])
+def test_after_a_right_program_with_which_the_tests_fail_no_other_one_is_run(monkeypatch, status):
+    """The learner is told this cause, for each kind of wrong programs."""
+    run = []
+
+    class Task:
+        output = ''
+
+        def __init__(self, name):
+            self.name = name
+
+        def wait(self, seconds):
+            return status if self.name == RIGHT[1] else 0 if self.name in RIGHT else 1
+
+    class Place:
+        def pytest(self, *argv, functions, without):
+            return Task(run[-1])
+
+        def forget(self):
+            pass
+
+    class Served:
+        other = 0
+
+        def __init__(self, function):
+            run.append(function)
+
+        def close(self):
+            pass
+
+    learner = Learner()
+    learner.workspace = lambda files, alone: Place()
+    monkeypatch.setattr(planted, 'Served', Served)
+    for judge in (PLANTED.accepts, lambda learner: PLANTED.rejects(learner, 'slope')):
+        with pytest.raises(verdicts.ExpectationFailed):
+            judge(learner)
+    assert run[-1] == RIGHT[1] and set(run) & set(RIGHT) == set(RIGHT[:2])
+    assert len(run) == len(set(run)) < 2 * len(RIGHT)

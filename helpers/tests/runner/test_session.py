@@ -100,6 +100,24 @@ def test_slow(learner):
     assert time.monotonic() - began < 60
 
 
+def test_a_test_may_say_that_it_takes_longer(tmp_path):
+    small.write_tests(
+        tmp_path,
+        ONE
+        + """
+import time
+
+
+@pytest.mark.may_take(60)
+def test_slow(learner):
+    \"\"\"Slow.\"\"\"
+    time.sleep(3.0)
+""",
+    )
+    (result,) = run(tmp_path, (1,), test_timeout=1.0).exercises
+    assert result.verdict == 'passed'
+
+
 def test_all_tests_of_a_session_have_a_total_time(tmp_path):
     small.write_tests(
         tmp_path,
