@@ -48,4 +48,7 @@ def test_bad_arguments():
         assert False, bad
 '''
 """),
+    Alternative('no_limit_of_the_robot', old=', (1.5, 2.0, 0.6, 1.0)]', new=(  # max_speed may be inf
+        ', (1.5, 2.0, 0.6, 1.0), (0.5, inf, 0.1, 0.0), (0.5, inf, 0.2, 0.0), (0.5, inf, 0.6, 0.5), (7.0, inf, inf, 7.0), '
+        '(0.5, inf, nan, 0.0), (-9.0, inf, 0.1, -9.0), (inf, 0.5, inf, 0.5), (-inf, 0.5, 0.1, -0.5), (0.5, 0.5, -1.0, 0.0)]')),
 ]

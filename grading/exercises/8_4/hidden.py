@@ -21,7 +21,7 @@ RIGHT = {
 """
     ),
     'one that returns numbers of numpy': variant(
-        result='    from numpy import float64\n    return float64(min(speed, max_speed * share))\n',
+        result='    from numpy import float64\n    return float64(min(speed, max_speed * share) if share else 0.0)\n',
         nan='    if isnan(distance):\n        return 0\n',
     ),
     'one that says more in its error': variant(

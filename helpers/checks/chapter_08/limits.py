@@ -26,7 +26,7 @@ PARTS = {
     share = max(0.0, min(1.0, (distance - 0.2) / 0.8))
 """,
     'result': """\
-    return min(speed, max_speed * share)
+    return min(speed, max_speed * share) if share else 0.0
 """,
 }
 
