@@ -35,7 +35,7 @@ ALTERNATIVES = [
             ''', '''
             @pytest.mark.parametrize('side', [1, -1])
             def test_rule(side):
-                for yaw in (0.0, 2.0):
+                for yaw in (0.0, 2.0, -7.5):
                     for angle, angular, linear in ((0.2, 0.4, 0.3), (0.45, 0.9, 0.3), (0.6, 1.2, 0.0), (2.0, 1.4, 0.0)):
                         goal = 1 + 0.3 * math.cos(yaw + side * angle), 2 + 0.3 * math.sin(yaw + side * angle)
                         assert steer(1, 2, yaw, *goal, 0.6, 1.4) == pytest.approx((0.3, linear, side * angular))

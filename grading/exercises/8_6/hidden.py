@@ -5,7 +5,7 @@ import pytest
 from helpers.checks.chapter_08.noticed import Kind, Planted
 from helpers.checks.chapter_08.planted import STEERING
 from helpers.checks.chapter_08.steerings import variant
-from helpers.checks.chapter_08.wrong_steerings import NAMED, NOTHINGS, TURNED, angular, linear
+from helpers.checks.chapter_08.wrong_steerings import NAMED, NOTHINGS, ONCE, TURNED, angular, linear
 
 pytestmark = pytest.mark.exercise('8.6')
 RIGHT = {
@@ -26,6 +26,9 @@ KINDS = (
         {
             'that adds the yaw': variant(angle='    angle = remainder(atan2(dy, dx) + yaw, tau)\n'),
             'that turns with 2.5 times the angle': angular('max(-max_angular, min(max_angular, 2.5 * angle))'),
+            'that does not turn when it looks nearly at the goal': angular(
+                'max(-max_angular, min(max_angular, 2 * angle)) if abs(angle) > 0.22 else 0.0'
+            ),
             'that turns to the left, whatever comes': angular('min(max_angular, 2 * abs(angle))'),
         },
     ),
@@ -37,6 +40,10 @@ KINDS = (
                 angle='    angle = atan2(dy, dx) - yaw\n    angle -= tau if angle > tau / 2 else 0.0\n'
             ),
             'that turns to the right only': variant(angle='    angle = -((yaw - atan2(dy, dx)) % tau)\n'),
+            'that takes a yaw beyond π for π': variant(
+                angle='    angle = remainder(atan2(dy, dx) - max(-tau / 2, min(tau / 2, yaw)), tau)\n'
+            ),
+            'that turns the long way round when its yaw is beyond π': variant(angle=ONCE),
         },
     ),
     Kind(

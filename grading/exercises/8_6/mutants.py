@@ -85,4 +85,8 @@ def test_straight_ahead():
            old='(0.0, 0.0), (0.1, 0.2), (-0.1, -0.2), (0.4, 0.8), (-0.4, -0.8), (0.9, 1.5), (-0.9, -1.5), (3.0, 1.5), (-3.0, -1.5)])',
            new='(0.0, 0.0), (0.1, 0.2), (-0.1, -0.2), (1.7, 1.5), (-1.7, -1.5), (3.0, 1.5), (-3.0, -1.5)])',
            expect='that turns on the spot from 0.15 rad on', breaks='on-the-spot'),
+    Mutant('no_yaw_beyond_pi', old='[0.0, 1.5, 3.1, -3.1, 7.0]', new='[0.0, 1.5, 3.1, -3.1]',
+           expect='after a whole turn, when its yaw is more than π', breaks='short-way'),
+    Mutant('no_small_angles', old='(0.0, 0.0), (0.1, 0.2), (-0.1, -0.2), (0.4', new='(0.0, 0.0), (0.4',
+           expect='when the goal is less than 0.25 rad aside', breaks='turns'),
 ]

@@ -8,6 +8,11 @@ NOTHINGS = {'that returns nothing': variant(result=NOTHING)}
 TURNED = (
     '    from math import cos, sin\n    angle = atan2(dy * cos(yaw) - dx * sin(yaw), dx * cos(yaw) + dy * sin(yaw))\n'
 )
+# Right as long as the yaw is from -π to π.
+ONCE = """\
+    angle = atan2(dy, dx) - yaw
+    angle += tau if angle < -tau / 2 else -tau if angle > tau / 2 else 0.0
+"""
 NAMED = variant(
     goal='    if distance == 0:\n        angle = 0\n',
     result="""\
@@ -50,6 +55,9 @@ KINDS = (
             'that always turns as fast as it may': angular(
                 'max_angular if angle > 0 else -max_angular if angle < 0 else 0.0'
             ),
+            'that does not turn when the goal is less than 0.25 rad aside': angular(
+                'max(-max_angular, min(max_angular, 2 * angle)) if abs(angle) >= 0.25 else 0.0'
+            ),
             'that turns with 3 times the angle': angular('max(-max_angular, min(max_angular, 3 * angle))'),
         },
     ),
@@ -59,6 +67,7 @@ KINDS = (
         {
             'that turns the long way round': variant(angle='    angle = atan2(dy, dx) - yaw\n'),
             'that turns to the left only': variant(angle='    angle = (atan2(dy, dx) - yaw) % tau\n'),
+            'that turns the long way round after a whole turn, when its yaw is more than π': variant(angle=ONCE),
         },
     ),
     Kind(
