@@ -1,9 +1,9 @@
 """Python values as JSON and back: what may be an argument or a result of `learner.call`.
 
 Plain JSON values pass as they are (tuples become lists, numpy arrays and scalars plain numbers). That a result itself
-was a set or a tuple can be seen. ROS messages
-travel as their CDR bytes, QoS profiles, times and durations by their fields. Nothing else is sent: an object of
-another type becomes an `Opaque` with the type's name, so that a test can say what the function returned.
+was a set, a tuple or a named tuple can be seen. ROS messages travel as their CDR bytes, QoS profiles, times and
+durations by their fields. Nothing else is sent: an object of another type becomes an `Opaque` with the type's name, so
+that a test can say what the function returned.
 """
 
 import base64
@@ -42,6 +42,10 @@ class TupleAsList(list):
     """A returned tuple, as a list: for tests that want it to have been a list."""
 
 
+class NamedTupleAsList(list):
+    """A returned named tuple, as a list: it equals a tuple, and has names besides."""
+
+
 def type_name(message_class) -> str:
     """'std_msgs/msg/String' for the class std_msgs.msg.String."""
     package, kind, *_ = message_class.__module__.split('.')
@@ -49,9 +53,11 @@ def type_name(message_class) -> str:
 
 
 def encode_result(value):
-    """`encode` for what a function has returned: a tuple, other than a named one, is told from a list."""
+    """`encode` for what a function has returned: a tuple and a named one are told from a list."""
     encoded = encode(value)
-    return {'$tuple': encoded} if type(value) is tuple else encoded
+    if not isinstance(value, tuple):
+        return encoded
+    return {'$tuple' if type(value) is tuple else '$named': encoded}
 
 
 def encode(value, depth: int = 0):
@@ -113,6 +119,8 @@ def decode(value, depth: int = 0):
                 return SetAsList(decode(item, depth + 1) for item in items)
             case {'$tuple': list(items)}:
                 return TupleAsList(decode(item, depth + 1) for item in items)
+            case {'$named': list(items)}:
+                return NamedTupleAsList(decode(item, depth + 1) for item in items)
             case {'$dict': list(items)}:
                 return {_hashable(decode(k, depth + 1)): decode(v, depth + 1) for k, v in items}
             case {'$qos': [history, size, reliability, durability, liveliness, deadline, lifespan]}:

@@ -50,6 +50,15 @@ class StationKeeper(Node):
 """), ('self.stations[request.name] = request.x, request.y', 'self.stations[request.name] = Station(request.x, request.y)'),
         ('return self.stations.get(name)', """
         station = self.stations.get(name)
-        return [station.x, station.y] if station else None
+        return (station.x, station.y) if station else None
 """)), alone=True),
+    Alternative('a_named_tuple_for_a_place', imports="""
+        from typing import NamedTuple
+
+
+        class Place(NamedTuple):
+            x: float
+            y: float
+        """, old='self.stations[request.name] = request.x, request.y',
+        new='self.stations[request.name] = Place(request.x, request.y)'),
 ]

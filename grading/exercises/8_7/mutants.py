@@ -144,4 +144,28 @@ if len(self.stations) > 5:
             """, expect='The node was started with', breaks='parameters'),
     Mutant('too_far_away', old='math.isfinite(request.x) and math.isfinite(request.y)',
            new='math.isfinite(math.hypot(request.x, request.y))', breaks='station', expect='judge each one by itself'),
+    Mutant('names_for_topics', old=GOOD, new=GOOD + " and '/' not in request.name", breaks='station',
+           expect='A name is any text that is not empty'),
+    Mutant('names_in_one_line', old=GOOD, new=GOOD + ' and request.name.isprintable()', breaks='station',
+           expect='A name is any text that is not empty'),
+    Mutant('names_in_ascii', old=GOOD, new=GOOD + ' and request.name.isascii()', breaks='station',
+           expect='was refused: success is false'),
+    Mutant('names_without_digits_first', old=GOOD, new=GOOD + ' and not request.name[0].isdigit()', breaks='station',
+           expect='A name is any text that is not empty'),
+    Mutant('short_names', old=GOOD, new=GOOD + ' and len(request.name) < 64', breaks='station',
+           expect='A name is any text that is not empty'),
+    Mutant('accents_are_joined', edits=(('self.stations[request.name] =', "self.stations[normalize('NFC', request.name)] ="),),
+           imports='from unicodedata import normalize', breaks='station', also='new-place', expect='is None, expected'),
+    Mutant('a_place_is_a_list', old=KEPT, new='self.stations[request.name] = [request.x, request.y]', breaks='station',
+           expect='expected the tuple'),
+    Mutant('any_type', edits=((DECLARED, """
+            descriptor = bounded(description, low, high)
+            descriptor.dynamic_typing = True
+            self.declare_parameter(name, default, descriptor)
+            """),), breaks='parameters', expect='may change its type'),
+    Mutant('in_steps', edits=((DECLARED, """
+            descriptor = bounded(description, low, high)
+            descriptor.floating_point_range[0].step = 0.001
+            self.declare_parameter(name, default, descriptor)
+            """),), breaks='bounds', expect='has the step 0.001'),
 ]

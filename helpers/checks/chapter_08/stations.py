@@ -18,6 +18,26 @@ TABLE = {
     'timeout': (60.0, 1.0, 600.0),
     'status_period': (0.5, 0.1, 10.0),
 }
+# Names of ROS may not be like these; a station's name is any text.
+ODD_NAMES = [
+    'gate/7',
+    '/lab',
+    '~/dock',
+    '2nd floor',
+    '42',
+    "Ann's desk",
+    '"here"',
+    '{room}',
+    '-1',
+    'Straße',
+    'Cafe\u0301',  # an e and an accent that are two letters
+    '東門',
+    'up__and_down_',
+    'a' * 180,
+    'first line\nsecond line',
+    'left\tright',
+    'None',
+]
 NAMES = ['kitchen', 'office', 'lab', 'storage', 'gate 7', 'Küche', 'dock', 'x']
 
 
@@ -121,12 +141,24 @@ def judge_table(learner, namespace: str, parameters: Parameters) -> None:
             f'{name} has the type {Parameter.Type(found.type).name}, expected DOUBLE: write 60.0, and not 60.',
             'parameters',
         )
+        expect(
+            not found.dynamic_typing,
+            f'{name} may change its type: leave dynamic_typing out of its descriptor. It is a double.',
+            'parameters',
+        )
         value = parameters.get(name)
         expect(value == default, f'{name} is {value:g} at the start, expected {default:g}.', 'parameters')
         ranges = [(one.from_value, one.to_value) for one in found.floating_point_range]
         expect(
             ranges == [(low, high)],
             f'The descriptor of {name} has the bounds {ranges}, expected {[(low, high)]}.',
+            'bounds',
+        )
+        step = found.floating_point_range[0].step
+        expect(
+            not step,
+            f'The descriptor of {name} has the step {step:g}: then most values between the bounds are refused. '
+            'Leave it out.',
             'bounds',
         )
         expect(found.description.strip(), f'{name} has no description.', 'description')
@@ -158,6 +190,7 @@ def judge_stations(keeper: Keeper) -> None:
     names = keeper.learner.random.sample(NAMES, len(NAMES))
     nobody = names.pop()
     names += [f' {names[0]}', f'{names[1]} ', '  ']  # other names than those without blanks
+    names += keeper.learner.random.sample(ODD_NAMES, len(ODD_NAMES))
     wanted = _judge_new_stations(keeper, names)
     for name in (nobody, names[0] + 's', names[0].upper(), f' {names[2]} ', '', nobody):
         found = keeper.place(name, 'unknown')
@@ -182,6 +215,17 @@ def _judge_places(keeper: Keeper, wanted: dict[str, list[float]], what: str, rul
             f'{what}, place({name!r}) is {found}, expected {tuple(wanted[name])}.',
             rule,
         )
+        _judge_kind(found, name, rule)
+
+
+def _judge_kind(found, name: str, rule: str) -> None:
+    """Fail if a place is a list: it is equal to no tuple."""
+    expect(
+        type(found) is not list,
+        f'place({name!r}) is the list {found}, expected the tuple {tuple(found or ())}. A tuple stands in round '
+        'brackets, or in none.',
+        rule,
+    )
 
 
 def _judge_new_stations(keeper: Keeper, names: list[str]) -> dict[str, list[float]]:
@@ -203,6 +247,7 @@ def _judge_new_stations(keeper: Keeper, names: list[str]) -> dict[str, list[floa
         expect(
             response.success,
             f'{name!r} at {tuple(wanted[name])} was refused: success is false. The message: {response.message!r}.'
+            + (' A name is any text that is not empty.' if name in ODD_NAMES else '')
             + (f' (self.state is {busy!r}: a station may be set at any time.)' if number >= len(names) // 2 else ''),
             'station',
         )
@@ -212,6 +257,7 @@ def _judge_new_stations(keeper: Keeper, names: list[str]) -> dict[str, list[floa
             f'After set_station, place({name!r}) is {found}, expected {tuple(wanted[name])}.',
             'station',
         )
+        _judge_kind(found, name, 'station')
         if len(wanted) in (2, len(names)):
             _judge_places(keeper, wanted, f'After {name!r} was set', 'new-place')
     far = [draw.choice([-1, 1]) * draw.uniform(1.2, 1.7) * 1e308 for _ in range(2)]  # the largest is about 1.8e308
