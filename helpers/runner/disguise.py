@@ -9,7 +9,8 @@ several programs this is: that takes somebody who follows what the code computes
 import ast
 import importlib.util
 import marshal
-from collections.abc import Iterable
+import re
+from collections.abc import Container, Iterable
 from random import Random
 
 
@@ -32,6 +33,38 @@ def disguised(text: str, pool: list[str], random: Random) -> str:
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
             _rename(node, random)
     return ast.unparse(ast.fix_missing_locations(_Pads(pool, random).visit(tree)))
+
+
+def with_other_attributes(text: str, kept: Container[str], random: Random) -> str:
+    """A module that does what `text` does; attributes and methods of its classes' own have other names.
+
+    Only those that stand nowhere but behind `self.`, so that nothing can depend on the name.
+
+    :param kept: names that stay, such as those of the base classes.
+    """
+    tree = ast.parse(text)
+    nodes = list(ast.walk(tree))
+    classes = [node for node in nodes if isinstance(node, ast.ClassDef)]
+    methods = [one for node in classes for one in node.body if isinstance(one, ast.FunctionDef | ast.AsyncFunctionDef)]
+    attributes = [node for node in nodes if isinstance(node, ast.Attribute)]
+    own = [node for node in attributes if isinstance(node.value, ast.Name) and node.value.id == 'self']
+    elsewhere = {node.attr for node in attributes if not (isinstance(node.value, ast.Name) and node.value.id == 'self')}
+    for node in nodes:
+        if isinstance(node, ast.Name):
+            elsewhere.add(node.id)
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str):
+            elsewhere.update(re.findall(r'\w+', node.value))
+    made = {node.attr for node in own if isinstance(node.ctx, ast.Store)} | {method.name for method in methods}
+    names = {
+        name: f'{name}_{random.randrange(10**4)}'
+        for name in sorted(made - elsewhere)
+        if name not in kept and not name.startswith('__')
+    }
+    for attribute in own:
+        attribute.attr = names.get(attribute.attr, attribute.attr)
+    for method in methods:
+        method.name = names.get(method.name, method.name)
+    return ast.unparse(tree)
 
 
 def compiled(text: str) -> bytes:

@@ -6,9 +6,14 @@ conditions in it differ. When it is disguised, numbers are drawn with which they
 no constant tells what is spoilt.
 """
 
+from random import Random
+
+from rclpy.node import Node
+
 from helpers.checks.chapter_08 import deliveries
 from helpers.checks.chapter_08.noticed import Kind, Planted
 from helpers.checks.chapter_08.planted import OWN, ROBOT
+from helpers.runner import disguise
 
 _WAYS = 'silent idle any_place any_value moon two early deaf succeeded runs_on blind offended still'.split()
 _YES, _NO = '1 < 2', '2 < 1'  # `helpers.runner.disguise` computes the same with drawn numbers
@@ -171,15 +176,26 @@ _KINDS = (
     ),
 )
 
-OTHER_WORDS = 'your own, with other words in its messages'
+OTHER_WORDS = 'your own, with other words in its messages, and other names where no card gives one'
+# The names that the cards and the given lines of 8.7 to 8.9 give.
+GIVEN_NAMES = {'state', 'stations', 'value', 'place', 'on_set_station', 'motor', 'drive', 'where'}
+
+
+def with_other_attributes(node: str) -> str:
+    """The module of a robot, with other names for what no card names.
+
+    Tests that ask for what only the learner's own robot has notice nothing with such a one.
+    """
+    return disguise.with_other_attributes(node, GIVEN_NAMES | set(dir(Node)), Random(node))
 
 
 def spoilt(learner) -> Planted:
     """The learner's own robot, as it is and spoilt."""
     own = deliveries.modules(learner)
+    other = with_other_attributes(own[deliveries.NODE])
 
     def behind(*ways: str) -> dict[str, str]:
-        return {**own, deliveries.NODE: own[deliveries.NODE] + _spoilt(*ways)}
+        return {**own, deliveries.NODE: other + _spoilt(*ways)}
 
     kinds = tuple(
         Kind(rule, words, {name: behind(way) for name, way in robots.items()}) for rule, words, robots in _KINDS

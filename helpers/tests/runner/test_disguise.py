@@ -59,3 +59,35 @@ def test_no_constant_tells_what_a_condition_is():
     for name, seen in signs.items():
         for guess in (True, False):
             assert abs(seen[True, guess] - seen[False, guess]) < 80, (name, seen)
+
+
+MODULE = """
+class Base:
+    def ask(self):
+        return self._found()
+
+
+class Robot(Base):
+    limit = 3
+
+    def __init__(self):
+        self.state, self.server, self.seen = 'idle', 1, 'by getattr: seen'
+        self.here = {'here': 1}
+
+    def _found(self):
+        self.count = getattr(self, 'count', 0) + self.server
+        return self.count + self.limit, self.state, self.seen, self.here['here']
+
+    def step(self):
+        return Robot.step
+"""
+
+
+def test_attributes_have_other_names_where_nothing_depends_on_them():
+    text = disguise.with_other_attributes(MODULE, {'state', 'ask'}, Random(1))
+    space: dict = {}
+    exec(text, space)
+    robot = space['Robot']()
+    assert robot.ask() == (4, 'idle', 'by getattr: seen', 1)
+    assert not hasattr(robot, 'server') and not hasattr(robot, '_found')
+    assert {'state', 'ask', 'count', 'limit', 'seen', 'here', 'step'} <= set(dir(robot))
