@@ -73,10 +73,10 @@ def _run(shell, given, command: list[str], cell: str) -> None:
         except FileNotFoundError:
             print(f"Couldn't find program: {command[0]!r}")
             return
-    processes.tell_reaper(f'+{program.pid}')
     with program.stdout, program.stderr:
         output = _Output(shell, {program.stdout: (given.out, sys.stdout), program.stderr: (given.err, sys.stderr)})
         try:
+            processes.tell_reaper(f'+{program.pid}')
             output.read()
             program.wait()
         except KeyboardInterrupt:
@@ -101,10 +101,12 @@ class _Output:
             self._selector.register(stream, selectors.EVENT_READ, (decoder, name, file))
 
     def read(self, seconds: float | None = None) -> None:
-        """Pass on what comes, for so long, or until everybody who can print has ended."""
+        """Pass on what comes, for so long, or until everybody who can print has ended; at least what is there."""
         end = None if seconds is None else time.monotonic() + seconds
-        while self._selector.get_map() and (end is None or time.monotonic() < end):
-            for key, _ in self._selector.select(None if end is None else max(0.0, end - time.monotonic())):
+        while self._selector.get_map():
+            left = None if end is None else end - time.monotonic()
+            ready = self._selector.select(None if left is None else max(0.0, left))
+            for key, _ in ready:
                 decoder, name, file = key.data
                 data = os.read(key.fd, 65536)
                 if not data:
@@ -115,6 +117,8 @@ class _Output:
                 elif text:
                     file.write(text)
                     file.flush()
+            if left is not None and left <= 0:
+                return
 
 
 def _end(program: subprocess.Popen, output: _Output) -> None:
@@ -136,7 +140,7 @@ def _end(program: subprocess.Popen, output: _Output) -> None:
         _signal(program, signal.SIGKILL)
         print('The stop button was pressed, and the program did not end: it was killed.', file=sys.stderr)
     program.wait()
-    output.read(0.1)
+    output.read(1.0)  # to the end, unless something outside of the group may still print
 
 
 def _signal(program: subprocess.Popen, number: int) -> None:
