@@ -169,6 +169,10 @@ class Learner(Workspaces):
         """
         return self.command_process().call(name, args, kwargs, self.timeouts.call)
 
+    def mute(self, topic: str) -> None:
+        """From now on, until `end_calls`, what their functions publish on this topic does not leave their process."""
+        self.command_process().ask('mute', self.timeouts.call, topic=topic)
+
     def changed(self, function: str, *, defaults: bool = False) -> list[str]:
         """The arguments that calls of this function have changed, by the names of its parameters.
 

@@ -25,6 +25,7 @@ from rclpy.duration import Duration
 from rclpy.exceptions import InvalidHandle
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
+from rclpy.publisher import Publisher
 from rclpy.qos import HistoryPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.signals import SignalHandlerOptions
 from std_msgs.msg import UInt64
@@ -214,6 +215,16 @@ class Worker:
         except BaseException as error:  # noqa: BLE001 - SystemExit, too
             raise self._loaded().error('call', error, name=name) from None
         return {'result': encoded, 'given': arguments.changed('given'), 'defaults': arguments.changed('default')}
+
+    def do_mute(self, topic: str):
+        """From now on nothing that the program publishes on this topic goes out, as if a cable were cut."""
+        publish = Publisher.publish
+
+        def muted(publisher, msg):
+            if publisher.topic_name != topic:
+                publish(publisher, msg)
+
+        Publisher.publish = muted  # type: ignore[method-assign]  # of all publishers, also those that it makes later
 
     def do_value(self, name: str):
         """What the learner's program binds to a name."""

@@ -28,6 +28,7 @@ def test_it_measures(learner):
     Do not compare numbers: listen.
     """
     domains.check_bridged(learner)
+    domains.check_cut(learner)
 
 
 @pytest.mark.rules('in-time')

@@ -1,6 +1,10 @@
 from grading.variants import Mutant
 
 MUTANTS = [
+    Mutant('own_domain_hears_always', old='return sorted(heard)', new='return sorted(heard | ({speaker} & set(listeners)))',
+           breaks='measures', expect="the speaker's own domain, too"),
+    Mutant('own_domain_is_not_asked', old='heard = set()', new='heard = {speaker} & set(listeners)', breaks='measures',
+           expect="the speaker's own domain, too"),
     Mutant('newest_text_in_a_timer', old="""
         self.create_subscription(String, 'chatter', self.publisher.publish, 10)
         """, new="""

@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.tf_trees import ASIDE, CAUSES, Tree, judge_other_places, judge_rare_trees
+from helpers.checks.chapter_07.tf_trees import ASIDE, CAUSES, Tree, judge_names, judge_other_places, judge_rare_trees
 from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('7.6')
@@ -115,3 +115,4 @@ def test_found_again(learner, cause):
         tree.diagnose(learner)
         with about('repaired'):
             tree.check(tree.repaired(learner, tree.expected))
+    judge_names(learner)

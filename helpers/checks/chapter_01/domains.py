@@ -139,6 +139,23 @@ def check_bridged(learner) -> None:
         expect(got == wanted, f'{said} The domains must be sorted, each once.', 'sorted')
 
 
+def check_cut(learner) -> None:
+    """`who_hears` names no domain when no message gets through, not even the speaker's own one."""
+    with domains(2) as claimed:
+        ours, asked = claimed[0], learner.random.sample(claimed, 2)
+        learner.mute('/roll_call')
+        with about('measures'), waiting('in-time'):
+            got = learner.call('who_hears', ours, asked, 0.6)
+        learner.end_calls()
+    check_kind(got, f'who_hears({ours}, {asked}, 0.6)')
+    expect(
+        not got,
+        f'The tests have let no message of the speaker through, in any domain. who_hears({ours}, {asked}, 0.6) gives '
+        f"{got}, expected []: a domain counts when its listener has heard, the speaker's own domain, too.",
+        'measures',
+    )
+
+
 def check_time(learner) -> None:
     """`who_hears` returns soon if all have heard, long before `seconds`, and after `seconds` if one cannot hear."""
     with domains(1) as (ours,):

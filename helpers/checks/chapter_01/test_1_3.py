@@ -17,6 +17,7 @@ def test_who_hears(learner):
     domains.check_bridged(learner)
     domains.check_time(learner)
     domains.check_left(learner)
+    domains.check_cut(learner)
 
 
 @pytest.mark.rules('bridge', 'carries', 'one-way')

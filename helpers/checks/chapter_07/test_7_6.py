@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.tf_trees import ASIDE, CAUSES, Tree, judge_other_places, judge_rare_trees
+from helpers.checks.chapter_07.tf_trees import ASIDE, CAUSES, Tree, judge_names, judge_other_places, judge_rare_trees
 from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('7.6')
@@ -53,6 +53,7 @@ def test_repair(learner):
             tree.diagnose(learner)
             with about('repaired'):
                 tree.check(tree.repaired(learner, tree.expected))
+    judge_names(learner)
     for cause, near in (('unknown', False), ('not connected', False), ('old', True)):
         tree = Tree(learner.random, cause, near=near)
         with about('nothing'):

@@ -275,7 +275,7 @@ def judge_other_places(learner) -> None:
 
 
 def judge_rare_trees(learner) -> None:
-    """Trees that are deep, have no target, or times that do not begin at a second: the rules of the last three causes.
+    """Trees that are deep, stand still, have no target, or times that do not begin at a second: not for `unknown`.
 
     An age is just more than 1 s, exactly 1 s, or long; the newest stamp has few nanoseconds.
     """
@@ -295,6 +295,17 @@ def judge_rare_trees(learner) -> None:
                 'not-connected',
                 f'static: {", ".join(" → ".join(_names_of(one)) for one in static + more)}',
             )
+    frame = random.choice(chain[3:])
+    exchanged = [*static, _transform('lamp', frame, [0.1, 0.0, 0.0], 0.0)]
+    random.shuffle(exchanged)
+    with about('two-parents'):
+        compare(
+            learner.call('diagnose_tf', [], exchanged, 'boot', source, 100.0),
+            [('no_transform', frame, 'two parents', 'lamp')],
+            WHY,
+            'two-parents',
+            f'Nothing moves. static: {", ".join(" → ".join(_names_of(one)) for one in exchanged)}',
+        )
     begin = random.randint(1000, 9000)
     for age, rule in ((1.03, 'old'), (1.0, 'old'), (random.randint(120, 99990) / 10, 'old'), (1.52, 'newest')):
         stamp, back = begin + random.choice([0.05, 0.0625]), random.choice([0.25, 0.5])  # which are exact, or nearly
@@ -310,6 +321,27 @@ def judge_rare_trees(learner) -> None:
                 WHY,
                 rule,
                 f'now = {now}, the stamps of map → {source}: {", ".join(str(one) for one in (stamp - back, stamp))}',
+            )
+
+
+def judge_names(learner) -> None:
+    """A frame gets another name, and no frame whose name is like that: rule `kept`."""
+    wrong, right = learner.random.sample(_SENSORS, 2)
+    like = [wrong.upper(), wrong.capitalize(), f'{wrong}_2', f'front_{wrong}', f'robot/{wrong}']
+    for where, cause, evidence in ((right, 'unknown', wrong), (wrong, 'not connected', right)):
+        names = [(wrong, 'lens'), ('mast', wrong), *((one, f'lens{number}') for number, one in enumerate(like))]
+        given = [_transform(*pair, [0.1, 0.0, 0.0], 1.5) for pair in names]
+        with about('repaired'):
+            after = learner.call('repair_finding', given, ['no_transform', where, cause, evidence])
+        fits = isinstance(after, list) and all(isinstance(one, TransformStamped) for one in after)
+        expect(fits and len(after) == len(given), 'repair_tf must return a list of as many TransformStamped.', 'kept')
+        for before, now in zip(names, map(_names_of, after), strict=True):
+            wanted = tuple(right if name == wrong else name for name in before)
+            expect(
+                now == wanted,
+                f'The frame {wrong} gets the name {right}, letter by letter. After your repair, the transform '
+                f'{" → ".join(before)} is {" → ".join(now)}, expected {" → ".join(wanted)}.',
+                'repaired' if before != wanted else 'kept',
             )
 
 
