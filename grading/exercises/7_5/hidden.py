@@ -14,7 +14,8 @@ def test_healthy_robot(learner):
 
     A frame needs neither mass nor collision.
     """
-    Robot(learner.random, flat=True).diagnose(learner)
+    for _ in range(8):
+        Robot(learner.random, flat=True).diagnose(learner)
     for number in range(6):
         Robot(learner.random).diagnose(learner)
         robot = Robot(learner.random, frame=FRAMES[number % len(FRAMES)])

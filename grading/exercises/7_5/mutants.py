@@ -32,6 +32,15 @@ MUTANTS = [
            expect='moments', **INERTIA),
     Mutant('small_masses_too', old="(mass.get('value')) <= 0:", new="(mass.get('value')) <= 0.01:", breaks='mass',
            expect='there is no such fault'),
+    Mutant('masses_below_a_gram', old="(mass.get('value')) <= 0:", new="(mass.get('value')) <= 0.001:", breaks='mass',
+           expect='there is no such fault'),
+    Mutant('moments_that_are_hardly_more', old='if low <= 0 or', new='if low <= 1e-6 or', breaks='inertia',
+           expect='there is no such fault'),
+    Mutant('frames_by_their_name', old="faults if link.find('visual') is not None]", breaks='frames',
+           new="faults if link.find('visual') is not None or len(link) and not link.get('name').endswith('frame')]",
+           expect='there is no such fault'),
+    Mutant('one_missing_part_of_a_link', old="if link.find(tag) is None]", new="if link.find(tag) is None][:1]", breaks='all',
+           expect='You did not find `falls`, cause `inertial`'),
     Mutant('frames_with_something_in_them', old="faults if link.find('visual') is not None]",
            new="faults if link.find('visual') is not None or len(link)]", breaks='frames', expect='A link without <visual> needs none'),
     Mutant('masses_of_frames', old="faults if link.find('visual') is not None]",
@@ -49,6 +58,12 @@ MUTANTS = [
                 link.find('inertial').remove(origin)
         if cause in ('inertial', 'inertia'):
 ''', breaks='kept', expect='this is missing'),
+    Mutant('collision_is_not_turned', old="collision.extend(copy.deepcopy([part for part in visual if part.tag in ('origin', 'geometry')]))",
+           new='''
+           collision.extend(copy.deepcopy([part for part in visual if part.tag in ('origin', 'geometry')]))
+           for origin in collision.findall('origin'):
+               origin.set('rpy', '0 0 0')
+           ''', breaks='shape', expect='is not that of its <visual>'),
     Mutant('fixed_joints_lost', old=END, new='''
     for joint in robot.findall("joint[@type='fixed']"):
         robot.remove(joint)

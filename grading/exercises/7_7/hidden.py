@@ -33,6 +33,7 @@ def test_two_faults(learner):
         parts = learner.random.sample(sorted(FAULTS), len(FAULTS))
         for pair in zip(parts[::2], parts[1::2], strict=True):
             find(learner, {part: (learner.random.choice(FAULTS[part]),) for part in pair}, 'every-part')
+    Case(learner.random, twice=True).triage(learner, 'every-part')
     for fault in ('both', 'service name', 'description durability'):
         find(learner, {'graph': (fault,), 'stacks': ('server',)}, 'every-part')
 

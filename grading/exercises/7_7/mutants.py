@@ -17,6 +17,11 @@ MUTANTS = [
     Mutant('a_finding_too_much', old='    return found\n',
            new="    return found or [Finding('no_source', 'ros2.list', 'missing', '')]\n", breaks='nothing',
            expect='there is no such fault', **TRIAGE),
+    Mutant('once_with_any_evidence', old='if finding not in found]:', new='if finding[:3] not in [one[:3] for one in found]]:',
+           breaks='every-part', expect='You did not find', **TRIAGE),
+    Mutant('one_of_each_cause', old='    return found\n', new='''
+    return list({finding[:3]: finding for finding in found}.values())
+''', breaks='every-part', expect='You did not find', **TRIAGE),
     Mutant('looks_once', old='while fresh', new='if fresh', breaks='hidden', expect='You did not find', **TRIAGE),
     Mutant('two_rounds_only', edits=((LOOP, 'for _ in range(2):'),
                                      ('found += fresh', 'found += [one for one in look(case) if one not in found]')),

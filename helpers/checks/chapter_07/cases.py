@@ -47,14 +47,24 @@ def named(rule: str):
 class Case:
     """A drawn case: `case` as the learner gets it, and all `expected` findings."""
 
-    def __init__(self, random, faults: dict[str, tuple] | None = None, moves: bool | None = None, aged: str = ''):
+    def __init__(
+        self,
+        random,
+        faults: dict[str, tuple] | None = None,
+        moves: bool | None = None,
+        aged: str = '',
+        twice: bool = False,
+    ):
         """`faults`: part of the case -> causes. In 'graph', 'hidden' is a wrong name that hides a wrong reliability.
 
-        `moves` and `aged`: as for `tf_trees.Tree`.
+        `moves` and `aged`: as for `tf_trees.Tree`. `twice`: the machine is one of `machines.twice`, whose findings
+        differ in their evidence only.
         """
         faults = faults or {}
         causes = {part: faults.get(part, ()) for part in FAULTS}
-        self.files, self.want, self.expected = machines.draw(random, *causes['machine'])
+        self.files, self.want, self.expected = (
+            machines.twice(random) if twice else machines.draw(random, *causes['machine'])
+        )
         self.package = packages.Package(random, *causes['package'])
         self.robot = models.Robot(random, *causes['model'])
         self.tree = tf_trees.Tree(random, *causes['frames'], moves=moves, aged=aged)

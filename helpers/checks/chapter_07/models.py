@@ -11,6 +11,7 @@ from helpers.runner import expect
 
 CAUSES = ('collision', 'inertial', 'mass', 'inertia')
 FRAMES = ('empty', 'collision', 'inertial')
+_FRAME_NAMES = ('laser', 'imu_link', 'tool0', 'base_footprint')  # of links that nobody sees
 WHY = {
     'collision': 'A link with <visual> and without <collision> is seen, and touches nothing. A link without <visual> '
     'is only a frame.',
@@ -53,7 +54,7 @@ class Robot:
         :param flat: the links are as thin as paper, so that one moment is the sum of the two others, and as light.
         """
         self._form, self._flat = form, flat
-        names = random.sample(_LINKS, 3)
+        names, unseen = random.sample(_LINKS, 3), random.choice(_FRAME_NAMES)
         faults: dict[str, list[str]] = {}
         for cause in causes:
             faults.setdefault(random.choice(names) if isinstance(cause, str) else cause[0], []).append(
@@ -65,7 +66,7 @@ class Robot:
         ElementTree.SubElement(ElementTree.SubElement(root, 'material', name='paint'), 'color', rgba='0.2 0.4 0.6 1')
         self._link(root, random, 'base_link', faults.get('base_link', ()), box=True)
         if frame:
-            laser = ElementTree.SubElement(root, 'link', name='laser_frame')
+            laser = ElementTree.SubElement(root, 'link', name=unseen)
             if frame == 'collision':
                 ElementTree.SubElement(
                     ElementTree.SubElement(ElementTree.SubElement(laser, frame), 'geometry'), 'sphere', radius='0.05'
@@ -76,7 +77,7 @@ class Robot:
                 ElementTree.SubElement(
                     inertial, 'inertia', dict.fromkeys(('ixx', 'iyy', 'izz', 'ixy', 'ixz', 'iyz'), '0')
                 )
-        for number, name in enumerate(['laser_frame', *names]):
+        for number, name in enumerate([unseen, *names]):
             if not number and not frame:
                 continue
             if number:
@@ -108,7 +109,8 @@ class Robot:
             else ('box', {'size': '0.3 0.4 0.1'})
         )
         mass = random.uniform(0.3, 3.0)
-        origin = {'xyz': f'0 0 {float(numbers[2]) / 10:.4f}', 'rpy': '0 0 0'}
+        turned = random.choice(['0 0.15 0', '0.1 0 -0.2', *([] if 'collision' in faults else ['0 0 0'])])
+        origin = {'xyz': f'0 0 {float(numbers[2]) / 10:.4f}', 'rpy': turned}
         for part in ['visual'] if 'collision' in faults else ['visual', 'collision']:
             there = ElementTree.SubElement(link, part)
             if part == 'visual' and 'collision' in faults:  # its parts may stand in any order
@@ -128,12 +130,13 @@ class Robot:
             value = (
                 self._one_of(random, ['0', random.choice(['0.00', '0.000']), f'-{mass:.2f}'])
                 if 'mass' in faults
-                else '0.004'
+                else random.choice(['0.004', '0.0003', '1e-6'])
                 if self._flat
                 else f'{mass:.2f}'
             )
             ElementTree.SubElement(inertial, 'mass', value=value)
-            moments = ['0.00002', '0.00002', '0.00004'] if self._flat else [f'{one:.6f}' for one in solid(*shape, mass)]
+            light = random.choice([['0.00002', '0.00002', '0.00004'], ['2e-9', '4e-9', '2e-9']])  # exact sums
+            moments = light if self._flat else [f'{one:.6f}' for one in solid(*shape, mass)]
             if 'inertia' in faults:
                 place = random.randrange(3) if self._form is None else self._form // 3 % 3
                 # Other ones than those of the solid body, of which one is wrong, and a sum that is wrong by a little.

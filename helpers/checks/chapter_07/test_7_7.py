@@ -20,6 +20,7 @@ def test_triage(learner):
     for number in range(max(map(len, FAULTS.values()))):  # each fault of each part, in one case with others
         faults = {part: (causes[number % len(causes)],) for part, causes in FAULTS.items()}
         Case(random, faults).triage(learner, 'every-part')
+    Case(random, twice=True).triage(learner, 'every-part')
     Case(random, {'graph': ('type', 'nobody')}).triage(learner, 'ends')
     Case(random, {'graph': ('hidden',)}).triage(learner, 'hidden')
     for first in ('unknown', 'two parents', 'not connected'):
