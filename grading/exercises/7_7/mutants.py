@@ -17,8 +17,6 @@ MUTANTS = [
     Mutant('a_finding_too_much', old='    return found\n',
            new="    return found or [Finding('no_source', 'ros2.list', 'missing', '')]\n", breaks='nothing',
            expect='there is no such fault', **TRIAGE),
-    Mutant('once_with_any_evidence', old='if finding not in found]:', new='if finding[:3] not in [one[:3] for one in found]]:',
-           breaks='every-part', expect='You did not find', **TRIAGE),
     Mutant('one_of_each_cause', old='    return found\n', new='''
     return list({finding[:3]: finding for finding in found}.values())
 ''', breaks='every-part', expect='You did not find', **TRIAGE),
