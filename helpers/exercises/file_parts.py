@@ -20,7 +20,7 @@ def register() -> None:
     def writefile(line: str, cell: str) -> None:
         if not _replaced(line, cell):
             said = _kept(line, cell)
-            plain(line, cell)
+            _write(plain, line, cell)
             if said:
                 print(said)
 
@@ -66,6 +66,14 @@ def _replaced(line: str, part: str) -> bool:
         file.write_text(new, encoding='utf-8')
         print(f'Changed in {file}: what this cell appended before')
     return True
+
+
+def _write(plain, line: str, cell: str) -> None:
+    try:
+        plain(line, cell)
+    except FileNotFoundError as error:
+        folder = Path(error.filename or '').parent
+        raise FileNotFoundError(f'there is no folder {folder} yet: run the cells above that make it') from None
 
 
 def _kept(line: str, text: str) -> str:

@@ -58,8 +58,7 @@ class Workspace:
             names = ', '.join(sorted(path.name for path in kept.iterdir()))
             print(f'What you made or changed in {self.path.name} is kept: {names}, now in {kept}')
         shutil.rmtree(self.path, ignore_errors=True)
-        (self.path / 'src').mkdir(parents=True)
-        defaults.write_text(terminals.colcon_defaults())
+        self._make()
 
     def write(self, path: str | Path, text: str) -> None:
         """Write a file; ``path`` begins at the workspace's folder. A first empty line of the text is left out.
@@ -70,6 +69,7 @@ class Workspace:
         if self.path.resolve() not in file.parents:
             raise ValueError(f'{path} is not inside of {self.path.name}')
         text = text.removeprefix('\n')
+        self._make()
         self._keep_files({str(file.relative_to(self.path.resolve())): text.encode()})
         with self._lesson():
             file.parent.mkdir(parents=True, exist_ok=True)
@@ -83,6 +83,7 @@ class Workspace:
         package = Path(package)
         if not package.is_dir():
             raise FileNotFoundError(f'there is no package {package}')
+        self._make()
         target = self.path / 'src' / package.name
         files = [path for path in package.rglob('*') if path.is_file() and '__pycache__' not in path.parts]
         self._keep_files({f'src/{package.name}/{path.relative_to(package)}': path.read_bytes() for path in files})
@@ -115,8 +116,16 @@ class Workspace:
     def tree(self, folder: str = '.', depth: int = 9) -> None:
         """Print the folders and files below ``folder``, without caches."""
         top = self.path / folder
+        if not top.is_dir():
+            raise FileNotFoundError(f'there is no folder {top} yet: run the cells above that make it')
         print(f'{top.name}/')
         _tree(top, '', depth)
+
+    def _make(self) -> None:
+        """Make the folder if it is not there: cells may be run before the one with `reset`."""
+        if not self.path.exists():
+            (self.path / 'src').mkdir(parents=True)
+            (self.path / terminals.DEFAULTS).write_text(terminals.colcon_defaults())
 
     def _keep_files(self, new: dict[str, bytes]) -> None:
         """Before the lesson writes these files: copies of those which the learner has changed."""

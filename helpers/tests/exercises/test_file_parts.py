@@ -44,6 +44,13 @@ def test_after_a_restart_the_part_is_known_too(kernel, tmp_path):
     assert (tmp_path / 'a.py').read_text() == WHOLE
 
 
+def test_a_folder_that_is_not_there_yet_is_told(kernel):
+    kernel.ok('import helpers')
+    done = kernel.run('%%writefile some_ws/src/a.py\nx = 1\n')
+    told = 'there is no folder some_ws/src yet: run the cells above that make it'
+    assert (done.error, done.message) == ('FileNotFoundError', told)
+
+
 def test_an_edited_cell_replaces_what_it_appended_before(kernel, tmp_path):
     kernel.ok('import helpers')
     for cell_id, source in (

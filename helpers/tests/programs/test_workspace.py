@@ -167,6 +167,27 @@ def test_without_reset_there_is_one_clear_line(tmp_path):
         Workspace(tmp_path / 'none').run('ls')
 
 
+@pytest.mark.parametrize('first', ['write', 'add'])
+def test_what_is_run_before_reset_makes_a_workspace_that_reset_takes(tmp_path, first):
+    """As by somebody who begins in the middle of a chapter, and then goes back to its beginning."""
+    ws = Workspace(tmp_path / 'early_ws')
+    if first == 'write':
+        ws.write('src/demo/a.py', 'x = 1\n')
+    else:
+        (tmp_path / 'demo').mkdir()
+        (tmp_path / 'demo/a.py').write_text('x = 1\n')
+        ws.add(tmp_path / 'demo')
+    assert (ws.path / 'src/demo/a.py').read_text() == 'x = 1\n'
+    ws.run('test -d src')
+    ws.reset()
+    assert not (ws.path / 'src/demo').exists()
+
+
+def test_a_folder_that_is_not_there_yet_is_told(ws):
+    with pytest.raises(FileNotFoundError, match='install yet: run the cells above that make it'):
+        ws.tree('install')
+
+
 def test_a_package_is_copied_into_one_of_its_name(ws, tmp_path):
     (tmp_path / 'p' / '__pycache__').mkdir(parents=True)
     (tmp_path / 'p' / 'new').touch()
