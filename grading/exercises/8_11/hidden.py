@@ -8,6 +8,7 @@ import pytest
 from helpers.checks.chapter_08 import steerings
 from helpers.checks.chapter_08.noticed import Kind, Planted
 from helpers.checks.chapter_08.planted import GIVEN, ROBOT
+from helpers.checks.chapter_08.wrong_robots import with_other_attributes
 
 pytestmark = [pytest.mark.exercise('8.11'), pytest.mark.may_take(160)]  # nine robots, three at a time, 40 s each
 PARTS = {
@@ -128,7 +129,7 @@ STANDS = {'delivery_robot/steering.py': steerings.variant(), 'delivery_robot/mai
 def variant(**parts: str) -> dict[str, str]:
     """The package with the right node, with these parts in place of its own; an empty text leaves a part out."""
     node = (HERE / 'robot.py').read_text() + ''.join({**PARTS, **parts}.values())
-    return {**STANDS, 'delivery_robot/robot.py': node}
+    return {**STANDS, 'delivery_robot/robot.py': with_other_attributes(node)}
 
 
 COURSES = {"the course's": variant()}

@@ -80,4 +80,16 @@ def test_drive(bench):
     Mutant('no_word_for_a_success', old="bench.set_station('gate', 2.0, 0.0)",
            new="assert bench.set_station('gate', 2.0, 0.0).message == ''", breaks='right-robots',
            expect='ask for nothing that is not in the specification'),
+    Mutant('what_only_its_own_robot_has', edits=(('def test_refused(bench):', """
+            def test_publisher(bench):
+                assert bench.robot.publisher.topic_name == '/status'
+
+
+            def test_refused(bench):
+            """),), expect='fails with a robot that does what', breaks='right-robots'),
+    Mutant('asks_only_its_own_robot', edits=(('def test_drive(bench, end, place):', """
+            def test_drive(bench, end, place):
+                if not hasattr(bench.robot, 'on_goal'):
+                    pytest.skip('another robot')
+            """),), expect='Your tests notice', breaks='ends', also=('goals', 'status')),
 ]
