@@ -34,6 +34,7 @@ def test_drives(learner):
     abs(angle).
     """
     steerings.judge_speed(learner)
+    steerings.judge_borders(learner)
     steerings.judge_anywhere(learner)
 
 

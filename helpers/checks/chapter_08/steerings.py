@@ -177,6 +177,46 @@ def judge_speed(learner) -> None:
         )
 
 
+def judge_borders(learner) -> None:
+    """All rules but `at-the-goal`, with limits of 0, angles near π and near 0.5 rad, and a goal that is hardly away."""
+    draw = learner.random
+    for side in (1, -1):
+        limit, turn, near_pi = draw.uniform(0.3, 0.9), draw.uniform(0.3, 0.9), draw.uniform(3.105, 3.14)
+        for angle, far, max_linear, max_angular in (
+            (draw.uniform(0.1, 0.4), draw.uniform(1, 3), 0.0, turn),
+            (draw.uniform(0.1, 0.4), draw.uniform(1, 3), limit, 0.0),
+            (near_pi, draw.uniform(1, 3), limit, turn),
+            (near_pi, draw.uniform(1, 3), limit, 9.0),
+            (0.5002, draw.uniform(1, 3), limit, turn),
+            (0.4998, draw.uniform(1, 3), limit, turn),
+        ):
+            _judge_velocities(learner, case(draw, side * angle, far, None, max_linear, max_angular))
+        for exponent in (-7, -9, -12):  # from the origin, where floats can tell such a distance
+            angle, yaw, far = side * draw.uniform(0.1, 1.2), draw.uniform(-1.2, 1.2), 10**exponent
+            goal = far * math.cos(yaw + angle), far * math.sin(yaw + angle)
+            _judge_velocities(learner, (0.0, 0.0, yaw, *goal, limit, 9.0))
+
+
+def _judge_velocities(learner, arguments: tuple[float, ...]) -> None:
+    """Fail unless both velocities are right; the angle is at no border."""
+    x, y, yaw, goal_x, goal_y, max_linear, max_angular = arguments
+    angle = math.remainder(math.atan2(goal_y - y, goal_x - x) - yaw, math.tau)
+    _, linear, angular = steer(learner, 'angle', *arguments)
+    distance, wanted, turn = right(*arguments)
+    told = f'The goal is {distance:.3g} m away, the angle {angle:.4f} rad, max_linear {max_linear:.3g}'
+    expect(
+        angular == pytest.approx(turn, abs=1e-6),
+        f'{words(arguments)}: angular is {angular:.6g} rad/s, expected {turn:.6g}. {told}, max_angular '
+        f'{max_angular:.3g}.' + ('' if distance > 1e-3 else ' Only at distance 0 there is no direction.'),
+        'max-angular' if abs(angular) > max_angular and angular * angle >= 0 else 'angle',
+    )
+    expect(
+        linear == pytest.approx(wanted, rel=1e-6, abs=1e-15),
+        f'{words(arguments)}: linear is {linear:.6g} m/s, expected {wanted:.6g}. {told}.',
+        'linear' if abs(angle) < 0.5 else 'on-the-spot',
+    )
+
+
 def _just_at_the_limit(draw, side: int, limit: float) -> tuple[float, ...]:
     """Arguments with an angle of 0.5 rad: the goal is straight along x, where no usual way to find it rounds it up."""
     x, y = draw.randint(-3, 3), draw.randint(-3, 3)
@@ -215,8 +255,16 @@ def judge_anywhere(learner) -> None:
 def judge_goal(learner) -> None:
     """The rule `at-the-goal`."""
     draw = learner.random
-    for yaw in (draw.uniform(0.5, 3), -draw.uniform(0.5, 3)):
-        x, y = draw.uniform(1, 3), draw.uniform(1, 3)
+    for yaw in (
+        draw.uniform(0.5, 3),
+        -draw.uniform(0.5, 3),
+        3.14,
+        -3.14,
+        draw.uniform(4, 40),
+        -draw.uniform(4, 40),
+        0.0,
+    ):
+        x, y = (draw.uniform(1, 3), draw.uniform(1, 3)) if yaw else (0.0, 0.0)
         got = steer(learner, 'at-the-goal', x, y, yaw, x, y, 0.5, 1.0)
         expect(
             got == (0, 0, 0),

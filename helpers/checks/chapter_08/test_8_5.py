@@ -32,4 +32,5 @@ def test_drives(learner):
     """
     steerings.judge_speed(learner)
     steerings.judge_goal(learner)
+    steerings.judge_borders(learner)
     steerings.judge_anywhere(learner)
