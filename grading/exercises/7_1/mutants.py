@@ -10,6 +10,8 @@ MUTANTS = [
         ('if re.match(SETUP, line)}', "if re.match('# ?' + SETUP, line) or re.match(SETUP, line)}"),
         ('re.match(SETUP, line)[1] for', "re.match('(?:# ?)?' + SETUP, line)[1] for")), breaks='comments',
            also=('not-sourced', 'all'), expect='You'),
+    Mutant('deb_anywhere_in_a_line', old="line.startswith('deb ')]", new="'deb ' in line]", breaks='missing',
+           expect='You did not find `no_source`, cause `missing`'),
     Mutant('lines_of_sources_count', old="line.startswith('deb ')]", new="line.startswith('deb')]", breaks='missing',
            also=('release', 'key', 'all', 'comments', 'repaired', 'kept'), expect='You'),
     Mutant('no_missing', old='if not debs:', new='if debs is None:', breaks='missing', also='all',

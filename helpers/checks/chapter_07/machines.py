@@ -112,6 +112,12 @@ def judge_rare_lines(learner) -> None:
         ('sources', '', [f"alias {distro}='{source}'", f'echo {source}'], 0),
         ('sources', '', [source, f"alias {older}='source /opt/ros/{older}/setup.bash'"], 0),
         ('variables', '', [source, f"alias far='export ROS_DOMAIN_ID={number}'", f'echo PATH={folder}'], 0),
+        (
+            'missing',
+            f'deb-src [signed-by=/key.gpg] {_URL} {codename} main  # as the deb line, which is gone',
+            [source],
+            0,
+        ),
     ]
     for rule, first, lines, wanted in cases:
         files = {'ros2.list': f'{first or deb + " " + codename + " main"}\n', '.bashrc': '\n'.join(lines) + '\n'}
