@@ -172,7 +172,8 @@ def total(numbers):
     channel = next(thing for thing in gc.get_objects() if type(thing).__name__ == 'Channel')
     cdr = base64.b64encode(b'\x00\x01\x00\x00\xff\xff\xff\x7f' + b'\xff' * 64).decode()
     for number in range(2, 40):
-        channel.send({'id': number, 'ok': True, 'result': {'$msg': 'sensor_msgs/msg/PointCloud2', 'cdr': cdr}})
+        channel.send({'id': number, 'ok': True, 'given': [], 'defaults': [],
+                      'result': {'$msg': 'sensor_msgs/msg/PointCloud2', 'cdr': cdr}})
     return 0
 
 
@@ -241,7 +242,7 @@ def total(numbers):
     for thing in gc.get_objects():
         if type(thing).__name__ == 'Channel':
             for number in range(2, 40):
-                thing.send({'id': number, 'ok': True, 'verdict': 'passed', 'result': 6})
+                thing.send({'id': number, 'ok': True, 'verdict': 'passed', 'result': 6, 'given': [], 'defaults': []})
     return 0
 
 
@@ -269,8 +270,8 @@ import gc
 def total(numbers):
     channel = next(thing for thing in gc.get_objects() if type(thing).__name__ == 'Channel')
     for number in range(2, 40):
-        channel.send({'id': number, 'ok': True, 'result': [{'$msg': '../../tmp/evil/msg/Evil', 'cdr': ''},
-                                                           {'$msg': 'os/msg/System', 'cdr': ''}]})
+        channel.send({'id': number, 'ok': True, 'given': [], 'defaults': [],
+                      'result': [{'$msg': '../../tmp/evil/msg/Evil', 'cdr': ''}, {'$msg': 'os/msg/System', 'cdr': ''}]})
     return 0
 
 
@@ -343,7 +344,8 @@ import gc
 def total(numbers):
     channel = next(thing for thing in gc.get_objects() if type(thing).__name__ == 'Channel')
     for number in range(2, 40):
-        channel.send({'id': number, 'ok': True, 'result': {'$dict': [[{'$dict': []}, 1], [[[1]], 10**4000]]}})
+        channel.send({'id': number, 'ok': True, 'given': [], 'defaults': [],
+                      'result': {'$dict': [[{'$dict': []}, 1], [[[1]], 10**4000]]}})
     return 0
 
 
@@ -383,7 +385,8 @@ YES = """
 import json, socket, sys
 channel = socket.socket(fileno=int(sys.argv[1]))
 for line in channel.makefile():
-    answer = {'id': json.loads(line).get('id'), 'ok': True, 'result': True, 'due': None, 'idle': True, 'verdict': 'passed'}
+    answer = {'id': json.loads(line).get('id'), 'ok': True, 'result': True, 'given': [], 'defaults': [],
+              'due': None, 'idle': True, 'verdict': 'passed'}
     channel.sendall(json.dumps(answer).encode() + b'\\n')
 """
 for channel in range(3, 256):
