@@ -18,7 +18,7 @@ def limit(speed, max_speed, distance):
         raise ValueError('max_speed must not be negative')
     if speed <= 0:
         return max(speed, -max_speed)
-    if isnan(distance):
+    if isnan(distance) or distance <= 0.2:
         return 0.0
-    share = (distance - 0.2) / (1.0 - 0.2)
-    return min(speed, max_speed * max(0.0, min(1.0, share)))
+    share = min(1.0, (distance - 0.2) / (1.0 - 0.2))
+    return min(speed, max_speed * share)
