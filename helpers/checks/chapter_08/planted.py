@@ -136,17 +136,15 @@ def judge(
 
 
 def _order(right: Iterable[str], others: Iterable[str], random: Random) -> list[str]:
-    """In which order the programs are run: the right ones in the first part, so that a test that fails soon shows.
+    """In which order the programs are run. The right ones keep their own: what the first of them shows is told first.
 
-    They keep their own order. As many other programs are among them, so a test that only looks at the time cannot know
-    which are which.
+    They may be anywhere. The learner's tests can find out how many were run before (by the time, or by the numbers of
+    processes), and must not know from it which are right.
     """
-    first, later = list(right), list(others)
-    random.shuffle(later)
-    among, later = later[: len(first)], later[len(first) :]
-    turns = [first] * len(first) + [among] * len(among)
-    random.shuffle(turns)
-    return [turn.pop(0) for turn in turns] + later
+    right, others = list(right), list(others)
+    random.shuffle(others)
+    places = set(random.sample(range(len(right) + len(others)), len(right)))
+    return [(right if place in places else others).pop(0) for place in range(len(right) + len(others))]
 
 
 _NOT_THERE = re.compile(r"import of (\w+)(?:\.[\w.]*)? halted|No module named '(\w+)")
@@ -170,7 +168,7 @@ def _run_functions(
         str(module): stub(subject.function, 'Stands for the function that is tested.'),
     }
     outcomes: dict[str, Outcome] = {}
-    longest, known = 0.0, 0  # seconds with a right program; how many of these have passed
+    longest = 0.0  # seconds with a right program
     for name, text in programs.items():
         place = learner.workspace(files, alone=True)
         namespace: dict = {}
@@ -181,15 +179,16 @@ def _run_functions(
                 *_OPTIONS, path, functions=served.other, without=_packages_of_ros() - {module.parent.name}
             )
             begun = _now()
-            all_known = known == len(right)  # then tests that do not end with a wrong program need not take so long
-            outcomes[name] = _outcome(task, min(subject.limit, 3.0 + 5 * longest) if all_known else subject.limit)
+            # Where it is known how long they take with a right one, tests that do not end are given up sooner.
+            sooner = longest and name not in right
+            outcomes[name] = _outcome(task, min(subject.limit, 3.0 + 5 * longest) if sooner else subject.limit)
         finally:
             served.close()
             place.forget()
         if _is_cause(outcomes[name], name in right):
             break
         if name in right:
-            longest, known = max(longest, _now() - begun), known + 1
+            longest = max(longest, _now() - begun)
     return outcomes
 
 
