@@ -22,7 +22,7 @@ UNITS = (' ', '\n', ' \n', 'a', '1', '/', '.', '-', '=', '"', "'", 'a ')
 BEGINNINGS = ('', '"a=', "'a = ", "=x:y'", 'a=', 'a=x', '# ', '<!--')  # of what learners write
 ENDS = '\x01', '\nx'
 FLAGS = 'MULTILINE', 'DOTALL', 'IGNORECASE', 'VERBOSE'
-LENGTH = 8000
+LENGTH = 4000
 SLOW = 0.01  # s of computing for LENGTH: a pattern that needs less needs no second look
 LONGEST = 0.1  # s of computing for twice LENGTH; in proportion it is some thousandths of a second
 
