@@ -141,7 +141,7 @@ def below(folder: Path) -> set[str]:
     return {str(path.relative_to(folder)) for path in folder.rglob('*')}
 
 
-@pytest.mark.one_of(2)
+@pytest.mark.one_of(4)
 def test_nothing_is_written_into_the_home(environ, tmp_path):
     home = Path(environ['HOME'])
     printed = in_lab(environ, tmp_path / 'lab.log')

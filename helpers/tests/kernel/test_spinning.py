@@ -174,8 +174,9 @@ def test_the_callback_is_named_whatever_it_is():
     with pytest.raises(CallbackError, match=r'task _fail of node many'):
         _until(lambda: handle.check())
 
-    node.create_subscription(Talker('t').publisher.msg_type, '/chatter', lambda m: _fail(), 10)
-    spinning(*[n for n in living() if n.get_name() == 't'])
+    talker = Talker('t')
+    node.create_subscription(talker.publisher.msg_type, '/chatter', lambda m: _fail(), 10)
+    spinning(talker)
     with pytest.raises(CallbackError, match=r"subscription callback on '/chatter' <lambda> of node many"):
         _until(lambda: handle.check())
 
