@@ -4,7 +4,7 @@ import pytest
 from geometry_msgs.msg import Twist
 from rclpy.parameter import Parameter
 
-from helpers.checks.chapter_08.parameters import Parameters
+from helpers.checks.chapter_08.parameters import Parameters, check_bounds
 from helpers.runner import about, expect
 from helpers.runner.verdicts import LearnerCrashed
 
@@ -443,17 +443,7 @@ def judge_table(governed: Governed) -> None:
         expect(value == default, f'{name} is {value!r} at the start, expected {default!r}.', 'defaults')
         expect(found.description.strip(), f'{name} has no description.', 'description')
         if bounds:
-            ranges = [(one.from_value, one.to_value) for one in found.floating_point_range]
-            expect(
-                ranges == [bounds], f'The descriptor of {name} has the bounds {ranges}, expected {[bounds]}.', 'bounds'
-            )
-            step = found.floating_point_range[0].step
-            expect(
-                not step,
-                f'The descriptor of {name} has the step {step:g}: then most values between the bounds are refused. '
-                'Leave it out.',
-                'bounds',
-            )
+            check_bounds(found, bounds)
     for name, value in (
         ('max_linear', draw.randint(201, 900) / 100),
         ('slow_linear', -draw.randint(1, 90) / 100),

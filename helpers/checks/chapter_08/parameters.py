@@ -1,7 +1,10 @@
 """Parameters of the learner's node, as another program sets and reads them: over its services."""
 
+from rcl_interfaces.msg import ParameterDescriptor
 from rcl_interfaces.srv import DescribeParameters, GetParameters, SetParametersAtomically
 from rclpy.parameter import Parameter, parameter_value_to_python
+
+from helpers.runner import expect
 
 
 class Parameters:
@@ -27,3 +30,16 @@ class Parameters:
         """Its descriptor; None if there is no parameter of this name."""
         descriptors = self._describe.call(names=[name]).descriptors
         return descriptors[0] if descriptors and descriptors[0].type else None
+
+
+def check_bounds(descriptor: ParameterDescriptor, bounds: tuple[float, float]) -> None:
+    """The rule `bounds`: a parameter of the type double has this lowest and highest value, and no step."""
+    name, found = descriptor.name, descriptor.floating_point_range
+    ranges = [(one.from_value, one.to_value) for one in found]
+    expect(ranges == [bounds], f'The descriptor of {name} has the bounds {ranges}, expected {[bounds]}.', 'bounds')
+    expect(
+        not found[0].step,
+        f'The descriptor of {name} has the step {found[0].step:g}: then most values between the bounds are refused. '
+        'Leave it out.',
+        'bounds',
+    )

@@ -7,7 +7,7 @@ from delivery_interfaces.srv import SetStation
 from rclpy.parameter import Parameter
 from std_msgs.msg import String
 
-from helpers.checks.chapter_08.parameters import Parameters
+from helpers.checks.chapter_08.parameters import Parameters, check_bounds
 from helpers.runner import about, expect
 from helpers.runner.peers import SECOND
 
@@ -148,19 +148,7 @@ def judge_table(learner, namespace: str, parameters: Parameters) -> None:
         )
         value = parameters.get(name)
         expect(value == default, f'{name} is {value:g} at the start, expected {default:g}.', 'parameters')
-        ranges = [(one.from_value, one.to_value) for one in found.floating_point_range]
-        expect(
-            ranges == [(low, high)],
-            f'The descriptor of {name} has the bounds {ranges}, expected {[(low, high)]}.',
-            'bounds',
-        )
-        step = found.floating_point_range[0].step
-        expect(
-            not step,
-            f'The descriptor of {name} has the step {step:g}: then most values between the bounds are refused. '
-            'Leave it out.',
-            'bounds',
-        )
+        check_bounds(found, (low, high))
         expect(found.description.strip(), f'{name} has no description.', 'description')
     for name, (_, low, high) in TABLE.items():
         for value in (low - 0.01, high + 0.01, 1.5 * high):
