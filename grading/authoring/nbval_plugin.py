@@ -1,15 +1,25 @@
-"""A pytest plugin for nbval: tests have the names of their cells, and kernels have sockets of their own.
+"""A pytest plugin for nbval. conftest.py loads it whenever nbval runs, so that the plain command passes:
 
-The numbers of the cells of a repeated notebook mean nothing.
+    pytest --nbval -n 4 solutions
+
+Outputs are compared without what differs from run to run, a semicolon hides a value as in JupyterLab, the cells of one
+notebook stay in one kernel, tests have the names of their cells (the numbers of the cells of a repeated notebook mean
+nothing), and kernels have sockets of their own.
 """
+
+import tempfile
 
 import nbval.kernel
 import pytest
 from nbval.plugin import IPyNbCell, IPyNbFile
 
+from grading.authoring import outputs
 from grading.authoring.kernels import LocalKernelManager
+from helpers import paths
 
 nbval.kernel.KernelManager = LocalKernelManager  # nbval has no option for it
+PREPARE = 'from grading.authoring import semicolons\nsemicolons.honour()\ndel semicolons'
+PATIENCE = 60.0  # s, for a kernel that has just started
 
 
 class NamedCell(IPyNbCell):
@@ -22,6 +32,13 @@ class NamedCell(IPyNbCell):
 
 class NamedNotebook(IPyNbFile):
     """One notebook."""
+
+    def setup(self):
+        """Start the kernel and prepare it."""
+        super().setup()
+        sent = self.kernel.execute_cell_input(PREPARE, allow_stdin=False)
+        self.kernel.await_reply(sent, timeout=PATIENCE)
+        self.kernel.await_idle(sent, PATIENCE)
 
     def collect(self):
         """Yield the tests that nbval would, under their cells' ids."""
@@ -39,3 +56,21 @@ def pytest_collect_file(file_path, parent):
         NamedNotebook.from_parent(parent, path=file_path) if type(collector) is IPyNbFile else collector
         for collector in collectors
     ]
+
+
+def pytest_configure(config):
+    """Let nbval compare as the build does, unless the command line names other sanitizers."""
+    if config.option.nbval_sanitize_with is None:
+        file = tempfile.NamedTemporaryFile('w', prefix='course-nbval-', suffix='.cfg', encoding='utf-8')
+        config.add_cleanup(file.close)
+        file.write(outputs.nbval_config(paths.ROOT))
+        file.flush()
+        config.option.nbval_sanitize_with = file.name
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    """Give all cells of a notebook to one worker; xdist's own default would spread them over several kernels."""
+    from xdist.scheduler import LoadFileScheduling
+
+    return LoadFileScheduling(config, log) if config.getvalue('dist') in ('load', 'loadscope') else None

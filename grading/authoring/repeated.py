@@ -33,9 +33,8 @@ def repeated(notebook: NotebookNode, folder: Path, runs: tuple[str, ...]) -> Not
             'note',
             f"""\
 import os
-from grading.authoring import leftovers, semicolons
+from grading.authoring import leftovers
 os.chdir({str(folder)!r})
-semicolons.honour()
 leftovers.note()""",
         )
     ]
@@ -105,8 +104,8 @@ def write(notebooks: list[Path], target: Path, runs: Callable[[Path], tuple[str,
     return written
 
 
-def nbval_arguments(config: Path, kernel: str, cell_timeout: float = 180.0) -> list[str]:
-    """Return pytest's arguments for the repeated notebooks; ``config`` is the file with outputs.nbval_config.
+def nbval_arguments(kernel: str, cell_timeout: float = 180.0) -> list[str]:
+    """Return pytest's arguments for the repeated notebooks; conftest.py adds the plugin ``nbval_plugin``.
 
     ``--nbval`` serves both kinds: the cells of a learner's notebook were never executed, so nothing is compared there.
 
@@ -116,12 +115,9 @@ def nbval_arguments(config: Path, kernel: str, cell_timeout: float = 180.0) -> l
         '--nbval',
         f'--nbval-kernel-name={kernel}',
         f'--nbval-cell-timeout={cell_timeout:g}',
-        f'--nbval-sanitize-with={config}',
         f'--timeout={cell_timeout + 30:g}',
         '--dist=loadfile',
         '--no-loadscope-reorder',  # in the order of the paths; xdist would begin with those of most cells
-        '-p',
-        'grading.authoring.nbval_plugin',
         '-p',
         'no:cacheprovider',
     ]

@@ -7,7 +7,7 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
-from grading.authoring import execution, outputs, repeated
+from grading.authoring import execution, repeated
 from helpers import paths
 
 WORKERS = 4  # notebooks at a time: more than processors, as a notebook often waits
@@ -28,8 +28,6 @@ def _seconds(notebooks: list[Path], *arguments: str) -> float:
     (paths.ROOT / 'build').mkdir(exist_ok=True)
     # Inside of the course, so that pytest finds conftest.py for it.
     with tempfile.TemporaryDirectory(prefix='bench-', dir=paths.ROOT / 'build') as folder:
-        config = Path(folder) / 'sanitize.cfg'
-        config.write_text(outputs.nbval_config(paths.ROOT), encoding='utf-8')
         copies = repeated.write(notebooks, Path(folder), runs=lambda _: ('once',))
         command = [
             sys.executable,
@@ -37,7 +35,7 @@ def _seconds(notebooks: list[Path], *arguments: str) -> float:
             'pytest',
             '-q',
             *arguments,
-            *repeated.nbval_arguments(config, execution.kernel_name()),
+            *repeated.nbval_arguments(execution.kernel_name()),
             *map(str, copies),
         ]
         begin = time.perf_counter()

@@ -131,7 +131,7 @@ def _rules(scratch: Path) -> Step:
 
 
 def _notebooks(scratch: Path) -> Step:
-    from grading.authoring import execution, outputs, repeated
+    from grading.authoring import execution, repeated
 
     name = 'notebooks'
     found = [*sorted((paths.ROOT / 'solutions').glob('*.ipynb')), *sorted(paths.NOTEBOOKS.glob('*.ipynb'))]
@@ -145,9 +145,7 @@ def _notebooks(scratch: Path) -> Step:
         _heading(name)
         print('no notebook in solutions/ and notebooks/; run ./course build')
         return Step(name, failed=1)
-    config = scratch / 'sanitize.cfg'
-    config.write_text(outputs.nbval_config(paths.ROOT), encoding='utf-8')
-    return _run_notebooks(scratch, copies, repeated.nbval_arguments(config, execution.kernel_name()))
+    return _run_notebooks(scratch, copies, repeated.nbval_arguments(execution.kernel_name()))
 
 
 def _run_notebooks(scratch: Path, copies: list[Path], arguments: list[str]) -> Step:

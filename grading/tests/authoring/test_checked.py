@@ -7,7 +7,7 @@ import sys
 import nbformat
 import pytest
 
-from grading.authoring import build, execution, in_step, outputs, repeated, rules
+from grading.authoring import build, execution, in_step, repeated, rules
 from grading.authoring.chapter_errors import ChapterErrors
 from grading.tests.authoring.conftest import write
 from grading.tests.authoring.sources import TINY, line_of
@@ -106,9 +106,7 @@ def test_ci_runs_the_statements_too(tree, tmp_path):
     cell.metadata['checked'] += '\nassert total == 4'
     nbformat.write(solved, tree.solved(chapter))
     (copy,) = repeated.write([tree.solved(chapter)], tmp_path / 'bad')
-    config = tmp_path / 'sanitize.cfg'
-    config.write_text(outputs.nbval_config(tree.root))
-    arguments = repeated.nbval_arguments(config, execution.kernel_name())
+    arguments = repeated.nbval_arguments(execution.kernel_name())
     command = [sys.executable, '-m', 'pytest', '-q', '-p', 'no:randomly', *arguments, '-p', 'conftest']
     done = subprocess.run([*command, copy], cwd=paths.ROOT, capture_output=True, text=True, timeout=150)
     failed = re.findall(r'^FAILED .*::(\S+)', done.stdout, re.MULTILINE)

@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 import nbformat
 import pytest
 
-from grading.authoring import execution, outputs, repeated
+from grading.authoring import execution, repeated
 from helpers import paths
 
 pytestmark = pytest.mark.timeout(300)  # five kernels, on a machine that may be busy
@@ -66,8 +66,6 @@ def results(tmp_path_factory):
         path.parent.mkdir(exist_ok=True)
         nbformat.write(notebook(cells), path)
         files.append(path)
-    config = folder / 'sanitize.cfg'
-    config.write_text(outputs.nbval_config(paths.ROOT))
     copies = repeated.write(files, folder / 'build')
     report = folder / 'report.xml'
     command = [
@@ -78,7 +76,7 @@ def results(tmp_path_factory):
         '-n2',
         f'--junitxml={report}',
         '--color=no',
-        *repeated.nbval_arguments(config, execution.kernel_name(), 30),
+        *repeated.nbval_arguments(execution.kernel_name(), 30),
         *map(str, copies),
     ]
     # Inside of the course's folder pytest would find conftest.py; here the plugin is named.

@@ -133,8 +133,8 @@ def test_a_notebook_of_which_a_cell_failed_beside_others_has_to_pass_alone(monke
     for name in ('PYTEST_DISABLE_PLUGIN_AUTOLOAD', 'PYTEST_PLUGINS'):
         monkeypatch.delenv(name)
     monkeypatch.chdir(tmp_path)
-    (tmp_path / 'sanitize.cfg').touch()
-    arguments = [*repeated.nbval_arguments(tmp_path / 'sanitize.cfg', execution.kernel_name()), f'--rootdir={tmp_path}']
+    plugin = ['-p', 'grading.authoring.nbval_plugin', f'--rootdir={tmp_path}']
+    arguments = [*repeated.nbval_arguments(execution.kernel_name()), *plugin]
     step = command._run_notebooks(tmp_path, copies, arguments)
     assert (step.passed, step.failed) == (2, 1)
     assert ['01_chapter' in name for name in step.failures] == [True]

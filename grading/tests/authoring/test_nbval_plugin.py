@@ -1,0 +1,36 @@
+"""The plain command of nbval, without options of ours."""
+
+import re
+import subprocess
+import sys
+
+import nbformat
+import pytest
+
+from helpers import paths
+
+
+@pytest.mark.timeout(180)
+@pytest.mark.parametrize('workers', [[], ['-n2']], ids=['one process', 'two workers'])
+def test_the_plain_command_of_nbval_compares_as_the_build_does(tmp_path, workers):
+    """``pytest --nbval -n 2 solutions``: an instructor who knows nbval needs no options of ours."""
+    cells = [
+        ('x = 41', None),
+        ('x += 1;', None),
+        ('x;', None),
+        ('print("Finished in 3.2s")', 'Finished in 9.7s\n'),
+        ('print("Finished <<< greeter [3.2s]")', 'Finished <<< greeter [… s]\n'),
+        ('x', 'print: 42'),
+    ]
+    nodes = []
+    for number, (source, printed) in enumerate(cells):
+        cell = nbformat.v4.new_code_cell(source, id=f'cell-{number}', execution_count=number)
+        if printed:
+            cell.outputs = [nbformat.v4.new_output('stream', name='stdout', text=printed)]
+        nodes.append(cell)
+    path = tmp_path / 'plain.ipynb'
+    nbformat.write(nbformat.v4.new_notebook(cells=nodes), path)
+    command = [sys.executable, '-m', 'pytest', '-q', '--nbval', *workers, '-p', 'conftest', '--color=no', str(path)]
+    done = subprocess.run(command, cwd=paths.ROOT, capture_output=True, text=True, timeout=170)
+    failed = re.findall(r'^FAILED .*::(\S+)', done.stdout, re.MULTILINE)
+    assert failed == ['cell-3', 'cell-5'], done.stdout + done.stderr  # another text, and a value in place of a text
