@@ -31,6 +31,7 @@ def background(
     cwd=None,
     echo: bool = False,
     terminal: bool = False,
+    name: str | None = None,
 ) -> 'BackgroundProcess':
     """Start a command as a child process and return its handle.
 
@@ -48,20 +49,22 @@ def background(
     :param echo: print each line as it comes.
     :param terminal: give it a terminal of its own (a pseudo-terminal), on which its `type` presses keys; otherwise
         it has nothing to read.
+    :param name: what messages call it; the command, if there is none.
     :raises FileNotFoundError: there is no such command.
     """
     argv = shlex.split(argv) if isinstance(argv, str) else [str(part) for part in argv]
     for child in _children.copy():
         if child.made_in < journal.number() and (child.argv, child.cwd) == (argv, cwd):
             child.stop()
-    return BackgroundProcess(argv, env, cwd, echo, terminal)
+    return BackgroundProcess(argv, env, cwd, echo, terminal, name)
 
 
 class BackgroundProcess:
     """A running child process; made by `background`."""
 
-    def __init__(self, argv, env=None, cwd=None, echo=False, terminal=False):
+    def __init__(self, argv, env=None, cwd=None, echo=False, terminal=False, name=None):
         self.argv = argv
+        self._name = shlex.join(argv) if name is None else name
         self.cwd = cwd
         self.made_in = journal.number()  # the cell run
         self.lines: list[str] = []  #: output so far (stdout and stderr together), without line ends
@@ -180,10 +183,6 @@ class BackgroundProcess:
     def __repr__(self) -> str:
         state = 'running' if self.running else f'ended{self._status()}'
         return f'<{self._name}: {state}, {len(self.lines)} lines>'
-
-    @property
-    def _name(self) -> str:
-        return shlex.join(self.argv)
 
     def _status(self) -> str:
         try:

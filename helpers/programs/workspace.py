@@ -149,10 +149,13 @@ class Workspace:
         if not self.path.is_dir():
             raise FileNotFoundError(f'there is no folder {self.path}: call reset() first')
         lines = [line.strip() for line in script.strip().splitlines()]
+        name = lines[-1].removeprefix('exec ') if lines else ''
         if shown:  # each line before it is run, as on a screen
             lines = [part for line in lines for part in (f'echo {shlex.quote("$ " + line)}', line)]
+            # The stop button ends the whole script: bash itself would go on after a program that ends well on Ctrl+C.
+            lines.insert(0, "trap 'exit 130' INT")
         environment = {'COLCON_DEFAULTS_FILE': str(self.path / terminals.DEFAULTS), **self.env}
-        return background(self._terminal('\n'.join(lines)), env=environment, cwd=self.path)
+        return background(self._terminal('\n'.join(lines)), env=environment, cwd=self.path, name=name)
 
     def _terminal(self, script: str) -> list[str]:
         """The command that runs a script in a new terminal."""

@@ -1,5 +1,7 @@
 """A notebook's workspace: what it shows, what it removes, and what it leaves alone."""
 
+import sys
+
 import pytest
 
 from helpers import Workspace
@@ -221,3 +223,20 @@ def test_tree(ws, capsys):
     (ws.path / 'src/link').symlink_to('p')
     ws.tree()
     assert capsys.readouterr().out == ('ros2_ws/\n└── src/\n    ├── link -> p\n    └── p/\n        └── a.py\n')
+
+
+def test_messages_call_a_started_program_by_its_last_line(ws):
+    begun = ws.start('cd src\nexec echo three words')
+    with pytest.raises(RuntimeError, match="^echo three words ended with status 0 before it printed 'four'"):
+        begun.wait_for_output('four', timeout=30)
+
+
+def test_after_the_stop_button_no_further_line_is_run(kernel, tmp_path):
+    program = (
+        'import os, time\ntry:\n    os.write(1, b"ready\\n"); time.sleep(600)\nexcept KeyboardInterrupt:\n    pass\n'
+    )
+    (tmp_path / 'polite.py').write_text(program)
+    kernel.ok(f'from helpers import Workspace\nws = Workspace({str(tmp_path / "ws")!r})\nws.reset()')
+    script = f'{sys.executable} {tmp_path / "polite.py"}\ntouch went_on'
+    assert kernel.run(f'ws.run({script!r})', interrupt_at='ready').error == 'KeyboardInterrupt'
+    assert not (tmp_path / 'ws' / 'went_on').exists()
