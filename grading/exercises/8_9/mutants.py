@@ -152,6 +152,11 @@ self.state = 'idle'
            expect='Take the station from the goal that you execute', breaks='single', alone=True),
     Mutant('idle_when_it_rejects', old='return GoalResponse.REJECT', new="self.state = 'idle'\nreturn GoalResponse.REJECT\n",
            expect="expected 'driving to", breaks='state', alone=True),
+    Mutant('idle_near_the_station', old='if goal.is_cancel_requested:', new="""
+        if pose and distance < 0.4:
+            self.state = 'idle'
+        if goal.is_cancel_requested:
+        """, expect='to its end', breaks='state', alone=True),
     Mutant('never_idle_again', old="self.state = 'idle'", new="""
         if not goal.is_cancel_requested:
             self.state = 'idle'

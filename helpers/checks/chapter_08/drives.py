@@ -295,9 +295,26 @@ def _judge_each_round(drives: Drives, goal, name: str) -> None:
     )
 
 
+def _judge_state_to_the_end(drives: Drives, goal, name: str) -> None:
+    """The rule `state`: also near the station the robot is on its way. A status is up to 0.1 s old when it comes."""
+    last = goal.finished - 0.2 if goal.done else math.inf
+    said = zip(drives.heard.data, drives.heard.stamps, strict=True)
+    wrong = [
+        (text, at - goal.sent) for text, at in said if goal.sent + 0.2 < at < last and text != f'driving to {name}'
+    ]
+    text, after = wrong[0] if wrong else ('', 0.0)
+    expect(
+        not wrong,
+        f'{after:.1f} s after the goal {name} was sent it still ran, and the status was {text!r}, expected '
+        f"'driving to {name}' to its end.",
+        'state',
+    )
+
+
 def judge_arrived(drives: Drives, goal, name: str, tolerance: float) -> None:
-    """The rule `succeeds`, with this tolerance."""
+    """The rules `succeeds`, with this tolerance, and `state`, to the end."""
     _judge_each_round(drives, goal, name)
+    _judge_state_to_the_end(drives, goal, name)
     seconds = drives.learner.now / SECOND - goal.sent
     distance = drives.delivery.distance(name)
     drives.ended(goal, 'succeeded', 'succeeds', f'{seconds:.1f} s after it was sent,')
