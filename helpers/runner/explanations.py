@@ -39,6 +39,67 @@ _ARGUMENTS = {
     'create_client': 'the type and the name: create_client(Trigger, …)',
     'create_timer': 'the period in seconds and the callback: create_timer(0.5, self.on_timer)',
 }
+_NUMBER = 'A number of seconds is no duration: write Duration(seconds=…), or compare with .nanoseconds / 1e9.'
+# (type of the exception, what its text is, the sentence): {0} is the first group of the pattern.
+_SENTENCES = (
+    (
+        'AssertionError',
+        r".*must be of type 'float'",
+        'A float field takes no int: write 2.0 instead of 2, or float(…) around the value.',
+    ),
+    ('AssertionError', r".*must be of type '(int|bool)'", 'Write {0}(…) around the value.'),
+    ('AssertionError', r".*must be of type 'str'", 'Write str(…) around it, or an f-string.'),
+    (
+        'AssertionError',
+        r".*must be a sub message of type '(?:Time|Duration)'",
+        'A time or a duration of rclpy becomes this message with .to_msg().',
+    ),
+    (
+        'AttributeError',
+        r"'ServerGoalHandle' object has no attribute '([a-z]\w*)'",
+        'What the client asked for is in the request of the goal: goal.request.{0}.',
+    ),
+    (
+        'AttributeError',
+        r"'Future' object has no attribute '[a-z]",
+        'A future is not the answer. When it is done, future.result() gives the answer, and so does `await future`.',
+    ),
+    (
+        'RuntimeError',
+        r"(?:no running event loop|await wasn't used with future)$",
+        "rclpy's `await` is not asyncio: no event loop runs. Use futures, timers and callbacks of rclpy instead of "
+        'functions of asyncio.',
+    ),
+    (
+        'TypeError',
+        r'$',
+        "So rclpy says that it wants an object of another type: publish_feedback takes the action's Feedback, "
+        "send_goal_async its Goal, and call_async the service's Request; a service callback returns the response.",
+    ),
+    ('TypeError', r"'float' object cannot be interpreted as an integer", 'A whole number is wanted: int(…), or //.'),
+    (
+        'TypeError',
+        r"'(?:bool|int|float|str)' object is not callable",
+        'This is a value and no function: leave out the parentheses.',
+    ),
+    (
+        'TypeError',
+        r"unsupported operand type\(s\) for \S+ 'Time' and 'Time'",
+        'One of the two is a stamp, which is a message: Time.from_msg(stamp) makes a time of rclpy of it.',
+    ),
+    ('TypeError', r".*'(?:Time|Duration)' and '(?:int|float)'", _NUMBER),
+    ('TypeError', r".*'(?:int|float)' and '(?:Time|Duration)'", _NUMBER),
+    (
+        'InvalidParameterValueException',
+        r'.*Callback returned an invalid type',
+        'A callback that checks parameters returns SetParametersResult(successful=…), on every way.',
+    ),
+    (
+        'ParameterNotDeclaredException',
+        '',
+        'A parameter is declared before anything reads it. Is a callback called here that should only be named?',
+    ),
+)
 
 
 def explain(kind: str, text: str, early: str = '', elsewhere: Mapping[str, str] | None = None) -> str:
@@ -71,21 +132,10 @@ def explain(kind: str, text: str, early: str = '', elsewhere: Mapping[str, str] 
     if kind == 'TypeError' and (found := re.match(r'\w+\.(?!__)(\w+)\(\) missing 1 required positional', text)):
         name = found[1]
         return f'If it is a callback, give the function itself, without parentheses: self.{name}, not self.{name}().'
-    if kind == 'AssertionError' and (found := re.search(r"must be of type '(int|bool|str)'", text)):
-        return (
-            f'Write {found[1]}(…) around the value.' if found[1] != 'str' else 'Write str(…) around it, or an f-string.'
-        )
-    if kind == 'AssertionError' and "must be of type 'float'" in text:
-        return 'A float field takes no int: write 2.0 instead of 2, or float(…) around the value.'
     if kind == 'AttributeError' and text.startswith("'NoneType' object") and early:
         return (
             f'`result()` was asked {early}, before the answer had come, and gave None. Go on in a done-callback, '
             'or after `await future`.'
-        )
-    if kind == 'RuntimeError' and text in ('no running event loop', "await wasn't used with future"):
-        return (
-            "rclpy's `await` is not asyncio: no event loop runs. Use futures, timers and callbacks of rclpy "
-            'instead of functions of asyncio.'
         )
     if kind == 'NameError' and (found := re.match(r"name '(\w+)' is not defined", text)):
         name = found[1]
@@ -95,6 +145,9 @@ def explain(kind: str, text: str, early: str = '', elsewhere: Mapping[str, str] 
             else f'No cell that the check uses defines `{name}`. Is it a typing error, or is a cell gone that came '
             'with the chapter? A fresh copy of the notebook has all of them.'
         )
+    for known, pattern, sentence in _SENTENCES:
+        if kind == known and (found := re.match(pattern, text)):
+            return sentence.format(*found.groups())
     return ''
 
 

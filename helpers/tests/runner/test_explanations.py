@@ -1,0 +1,81 @@
+"""The sentences on exceptions: the exceptions are those that rclpy and Python really raise."""
+
+import pytest
+import rclpy
+from rclpy.node import Node
+
+from helpers.runner.explanations import explain
+
+IMPORTS = """
+from example_interfaces.action import Fibonacci
+from rcl_interfaces.msg import SetParametersResult
+from rclpy.action import ActionClient
+from rclpy.duration import Duration
+from rclpy.time import Time
+from std_msgs.msg import Bool, Float64, Header, String
+from std_srvs.srv import Trigger
+"""
+
+
+@pytest.fixture
+def node(domain):
+    context = rclpy.Context()
+    rclpy.init(context=context, domain_id=domain)
+    node = Node('careless', context=context)
+    yield node
+    node.destroy_node()
+    rclpy.shutdown(context=context)
+
+
+@pytest.mark.parametrize(
+    ('line', 'words'),
+    [
+        ('node.get_clock().now() > 0.5', 'A number of seconds is no duration'),
+        ('Duration(seconds=1) > 0.5', 'write Duration(seconds=…)'),
+        ('0.5 < Duration(seconds=1)', 'A number of seconds is no duration'),
+        ('node.get_clock().now() + 0.5', 'A number of seconds is no duration'),
+        ('node.get_clock().now() - 1', 'A number of seconds is no duration'),
+        ('node.get_clock().now() - node.get_clock().now().to_msg()', 'Time.from_msg(stamp) makes a time of rclpy'),
+        ('Header(stamp=node.get_clock().now())', 'becomes this message with .to_msg()'),
+        ("node.create_client(Trigger, 'ask').call_async('now')", "call_async the service's Request"),
+        ("ActionClient(node, Fibonacci, 'count').send_goal_async(5)", 'send_goal_async its Goal'),
+        (
+            "node.create_client(Trigger, 'ask').call_async(Trigger.Request()).success",
+            'future.result() gives the answer',
+        ),
+        ('Float64(data=2)', 'write 2.0 instead of 2'),
+        ('Bool(data=1)', 'Write bool(…) around the value.'),
+        ('String(data=1)', 'Write str(…) around it, or an f-string.'),
+        ('count = 3; count()', 'leave out the parentheses'),
+        ('range(2.0)', 'A whole number is wanted'),
+        ("node.get_parameter('rate')", 'A parameter is declared before anything reads it'),
+        (
+            "node.add_on_set_parameters_callback(lambda parameters: True); node.declare_parameter('rate', 1.0)",
+            'returns SetParametersResult(successful=…), on every way',
+        ),
+    ],
+)
+def test_what_is_raised_is_explained(node, line, words):
+    with pytest.raises(Exception) as raised:  # noqa: PT011 (which one it is, the line decides)
+        exec(IMPORTS + line, {'node': node})
+    assert words in explain(type(raised.value).__name__, str(raised.value)), repr(raised.value)
+
+
+def test_a_goal_is_asked_for_its_request():
+    text = "'ServerGoalHandle' object has no attribute 'order'"
+    assert 'goal.request.order' in explain('AttributeError', text)
+    assert not explain('AttributeError', "'ServerGoalHandle' object has no attribute '_lock'")
+
+
+@pytest.mark.parametrize(
+    ('kind', 'text'),
+    [
+        ('ValueError', ''),
+        ('TypeError', "unsupported operand type(s) for -: 'str' and 'int'"),
+        ('TypeError', "'list' object is not callable"),
+        ('AttributeError', "'Futures' object has no attribute 'x'"),
+        ('AssertionError', ''),
+    ],
+)
+def test_nothing_is_said_of_others(kind, text):
+    assert explain(kind, text) == ''
