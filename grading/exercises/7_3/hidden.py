@@ -44,6 +44,13 @@ def test_healthy_graph(learner):
     Compare what is asked for with what is offered, not for being equal.
     """
     check(learner, 'healthy', 'healthy', 'healthy', rule='fits')
+    endpoints, _ = graphs.draw(learner.random, 'type', 'reliability', 'nobody')
+    expect(
+        learner.call('diagnose_graph', endpoints) != [],
+        'A graph with two types under one name, an offer that is too weak, and a topic without a sender gives no '
+        'finding, either.',
+        'fits',
+    )
 
 
 @pytest.mark.rules('name', 'nobody', 'type', 'fits')
@@ -130,3 +137,9 @@ def test_no_repair(learner):
         with about('no-repair'):
             arguments = learner.call('repair_finding_of_graph', list(finding))
         expect(arguments == [], f'For {finding} repair_graph gave {arguments}, expected [].', 'no-repair')
+    findings = [graphs.draw(learner.random, fault)[1][0] for fault in ('name', 'durability')]
+    with about('no-repair'):
+        repaired = [learner.call('repair_finding_of_graph', list(finding)) for finding in findings]
+    expect(
+        any(repaired), f'repair_graph gives {repaired} for {findings}, too, which arguments can repair.', 'no-repair'
+    )
