@@ -3,7 +3,7 @@
 import pytest
 
 from helpers.checks.chapter_07 import machines
-from helpers.runner import about
+from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('7.1')
 APT, SHELL = machines.CAUSES[:3], machines.CAUSES[3:]
@@ -21,6 +21,11 @@ def test_healthy_machine(learner):
     """
     for _ in range(5):
         check(learner)
+    files, want, _ = machines.draw(learner.random, 'key', 'other', 'range', plain=True)
+    expect(
+        learner.call('diagnose_machine', files, want) != [],
+        f'A machine with three faults gives an empty list, too. The team wants {want}.',
+    )
 
 
 @pytest.mark.rules('missing', 'release', 'key')

@@ -3,7 +3,7 @@
 import pytest
 
 from helpers.checks.chapter_08 import whereabouts
-from helpers.runner import about
+from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('8.8'), pytest.mark.wiring(type='place', qos='place')]
 
@@ -31,6 +31,10 @@ def test_unknown(learner):
     with about('at-once'):
         lost = whereabouts.Lost(learner)
     whereabouts.judge_unknown(lost)
+    lost.node = learner.start('Courier', beside=lost.node)
+    lost.localizer.tell(*lost.somewhere())
+    learner.run(0.1)
+    expect(lost.where('place') is not None, 'A Courier has heard where the robot is, and where() is None.', 'place')
 
 
 @pytest.mark.rules('old', 'again')
