@@ -27,6 +27,9 @@ class Recording:
     strict: bool = field(default=True, repr=False)
     optional: bool = field(default=False, repr=False)  # no hint if the learner has no publisher there
     matched: int = field(default=0, repr=False)  # publishers that were ever connected
+    gone: int = field(default=0, repr=False)  # those of them that are not any more
+    silent: int = field(default=0, repr=False)  # those that were gone before the first message of anybody came
+    spoken: bool = field(default=False, repr=False)  # a message has come, which may be forgotten by now
     known: set = field(default_factory=set, repr=False)  # those of the test's and the learner's programs
 
     @property

@@ -165,6 +165,18 @@ learner.run(6.1)
 expect(heard.stamps == [number / 2 for number in range(1, 13)], f'{heard.stamps}')
 """,
     ),
+    'a node that its cell tries out and destroys': Case(
+        small.TALKER
+        + """
+rclpy.ok() or rclpy.init()
+tried = [Talker(), Talker()]
+print(tried[0].get_name())
+for node in tried:
+    node.destroy_node()
+left = Talker()
+""",
+        EXACT,
+    ),
     'what notebooks have without an import': Case(
         """\
 import asyncio
@@ -176,6 +188,10 @@ async def slowly():
 
 one = await slowly()
 display(one)
+get_ipython().run_line_magic('matplotlib', 'inline')
+in_colab = 'google.colab' in str(get_ipython()) or 'Colab' in get_ipython().config
+for line in get_ipython().getoutput('ls'):
+    print(line)
 """
         + small.TALKER,
         EXACT,
