@@ -94,3 +94,9 @@ def test_unknown(learner):
         'nobody knows. Do not take another time instead.',
         'too-long',
     )
+    there.run(5)
+    expect(
+        node.call('where_was', 1.1) is not None,
+        'Robot and cup have said where they are for 2 s, and where_was(1.1) still gave None.',
+        'robot-now',
+    )

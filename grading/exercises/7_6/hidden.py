@@ -21,6 +21,11 @@ def test_healthy_tree(learner):
         with about('repaired'):
             repaired = learner.call('repaired_tf', *tree.arguments)
         tree.check(repaired)
+    trees = [Tree(learner.random, cause).in_order() for cause in CAUSES]
+    expect(
+        any(learner.call('diagnose_tf', *tree.arguments) for tree in trees),
+        f'Trees with a fault give an empty list, too: one for each of {", ".join(CAUSES)}.',
+    )
 
 
 @pytest.mark.rules('unknown', 'two-parents', 'not-connected', 'old')
