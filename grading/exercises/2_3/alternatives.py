@@ -19,6 +19,11 @@ ALTERNATIVES = [
             <build_depend>std_msgs</build_depend>
             <exec_depend>std_msgs</exec_depend>
             '''))),
+    Alternative('comments_that_name_the_constant', old='uint8 FULL=100', new="""
+        # FULL
+        # FULL = the battery takes no more
+        uint8 FULL=100  # FULL = 100 %
+        """),
     Alternative('in_quotes', source="""
 MSG = '''# dock_interfaces/msg/Charge
 uint8 FULL=100

@@ -91,8 +91,8 @@ def _judge_charge(learner, found: dict) -> None:
         'full',
     )
     expect(isinstance(found['FULL'], int), f'Charge.FULL is {found["FULL"]}, a float; expected uint8.', 'full')
-    text = learner.text('MSG')
-    kinds = [line.split()[0] for line in text.splitlines() if line.partition('=')[0].split()[1:] == ['FULL']]
+    lines = [line.partition('#')[0] for line in learner.text('MSG').splitlines()]  # a comment may name FULL, too
+    kinds = [line.split()[0] for line in lines if line.partition('=')[0].split()[1:] == ['FULL']]
     expect(kinds == ['uint8'], f'The type of FULL is {", ".join(kinds)}, expected uint8.', 'full')
 
 
