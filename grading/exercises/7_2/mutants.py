@@ -83,4 +83,9 @@ MUTANTS = [
            breaks='function', also='all', expect='stands at the left margin'),
     Mutant('slash_only_before_the_colon', old="'/' in value or", new="'/' in module or", breaks='file', also='all',
            expect='no `/`, no `.py`'),
+    Mutant('ends_of_names_count', old="elif not re.search(rf'^def {function}\\('",
+           new=r"elif not function or not re.search(rf'^def \w*{function}\('", **FUNCTION,
+           expect='stands at the left margin'),
+    Mutant('an_empty_file_is_no_module', old='elif text is None:', new='elif not text:', **FUNCTION,
+           expect='cause `function`'),
 ]

@@ -226,10 +226,11 @@ def judge_rare_entries(learner) -> None:
     """Entry points whose programs have other names than their modules, in a package with a folder in it.
 
     One name is written in capitals, one module stands in another folder, one right side names a file after the colon;
-    a function is only another name of one, one is inside of another, and one module begins with its only `def`.
+    a function is only another name of one, one is inside of another, one is the end of another name, one module begins
+    with its only `def`, and one is empty.
     """
     random = learner.random
-    package, (inner, first, last) = random.choice(PACKAGES), random.sample(PROGRAMS, 3)
+    package, (inner, first, last, empty) = random.choice(PACKAGES), random.sample(PROGRAMS, 4)
     go, other = random.sample(FUNCTIONS, 2)
     files = {
         f'{package}/__init__.py': '',
@@ -237,6 +238,7 @@ def judge_rare_entries(learner) -> None:
         f'{package}/tools/{inner}.py': f'def {go}():\n    pass\n',
         f'{package}/{first}.py': f'def {go}():\n    def {other}():\n        pass\n\n    {other}()\n',
         f'{package}/{last}.py': f'import math\n\n\ndef {go}():\n    print(math.pi)\n\n\n{other} = {go}\n',
+        f'{package}/{empty}.py': '',
     }
     entries = [
         (f'{package}.tools.{inner}:{go}', ''),
@@ -246,6 +248,8 @@ def judge_rare_entries(learner) -> None:
         (f'{package}.{first}:{other}', 'function'),
         (f'{package}.{last}:{other}', 'function'),
         (f'{package}.{last}:{go}', ''),
+        (f'{package}.{last}:{go[1:]}', 'function'),
+        (f'{package}.{empty}:{go}', 'function'),
     ]
     for value, cause in entries:
         program = f'tool{random.randint(10, 99)}'
