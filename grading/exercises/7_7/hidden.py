@@ -5,6 +5,7 @@ import pytest
 from helpers.checks.chapter_07 import machines
 from helpers.checks.chapter_07.cases import FAULTS, ROUNDS, Case, everything, named
 from helpers.checks.chapter_07.tf_trees import ASIDE
+from helpers.runner import expect, waiting
 
 pytestmark = pytest.mark.exercise('7.7')
 
@@ -20,6 +21,10 @@ def test_healthy_case(learner):
     Each of your six tools gives one for its part.
     """
     find(learner, {}, 'nothing')
+    faulty = Case(learner.random, {'machine': ('key',), 'package': FAULTS['package'][:1], 'graph': ('type',)})
+    with waiting('ends'):
+        found = learner.call('triage', faulty.case)
+    expect(found != [], 'A case with three faults gives an empty list, too.', 'nothing')
 
 
 @pytest.mark.rules('every-part', 'once')

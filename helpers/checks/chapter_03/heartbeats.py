@@ -2,7 +2,7 @@
 
 from std_msgs.msg import Bool, Int32
 
-from helpers.checks.chapter_03.endpoints import robot
+from helpers.checks.chapter_03.endpoints import check_topic, robot
 from helpers.runner import expect, waiting
 
 
@@ -19,6 +19,9 @@ def check_starts(learner) -> None:
         with waiting('no-wait'):
             learner.start('Heartbeat', remap={'__ns': f'{space}{name}'})
             learner.run(1.25, step=0.5)
+        if not led.data and not uptime.data:  # who says nothing has not begun rightly
+            check_topic(learner, 'publisher', f'{space}{name}', 'led', 'topics')
+            expect(False, f'A heartbeat that starts at {begin:.2f} s of its clock says nothing in 1.25 s.', 'uptime')
         expect(
             not led.data or led.data[0],
             f'A heartbeat that starts at {begin:.2f} s of its clock begins with False on led. It begins with True, '
