@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.packages import CAUSES, Package, judge_rare_entries
+from helpers.checks.chapter_07.packages import CAUSES, FORMS, Package, judge_rare_entries
 from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('7.2')
@@ -29,7 +29,7 @@ def test_one_program(learner, cause):
 
     The table has three causes; each has more than one form.
     """
-    for form in range(12):
+    for form in range(FORMS):
         with about(cause):
             Package(learner.random, cause, form=form).diagnose(learner)
 

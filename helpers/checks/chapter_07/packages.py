@@ -10,11 +10,12 @@ PACKAGES = ('greeter', 'porter', 'gardener', 'courier', 'patrol')
 PROGRAMS = ('hello', 'status', 'sweep', 'fetch', 'charge', 'lift', 'report', 'dock')
 FUNCTIONS = ('main', 'run', 'start', 'go', 'work')
 CAUSES = ('file', 'module', 'function')
+FORMS = 8  # so many forms has the cause that has most
 WHY = {
     'file': 'An entry point names a module as import does: no `/`, no `.py`.',
     'module': 'The module is looked up among the files of the package: package.name is package/name.py.',
     'function': 'A function that can be started stands at the left margin of its module, after `def`, and is named '
-    'after a colon; a method, a class, an `async def`, or a longer name that only begins so, is none.',
+    'after a colon; a method, a class, an `async def`, a comment, or a longer name that only begins so, is none.',
 }
 _ENTRY = re.compile(r'([\w-]+)\s*=(.*)')
 _SETUP = """\
@@ -71,6 +72,9 @@ def _{function}_again(task):
 class Shift(Task):
     def end(self):
         return '{program} ends'
+
+
+# def {function}_later(): is for another day
 '''
 # A function may take arguments, as long as it can be called without any.
 _ARGUMENTS = ('', 'args=None', '*args', 'words: list | None = None, **more')
@@ -137,6 +141,8 @@ class Package:
                         f'{self.name}.{program}:_{method}',
                         f'{self.name}.{program}:Task',
                         f'{self.name}.{program}:{function.capitalize()}',
+                        f'{self.name}.{program}:Shift',
+                        f'{self.name}.{program}:{function}_later',
                     ],
                 }[faulty[program]]
                 value = random.choice(forms) if form is None else forms[form % len(forms)]
@@ -226,8 +232,8 @@ def judge_rare_entries(learner) -> None:
     """Entry points whose programs have other names than their modules, in a package with a folder in it.
 
     One name is written in capitals, one module stands in another folder, one right side names a file after the colon;
-    a function is only another name of one, one is inside of another, one is the end of another name, one module begins
-    with its only `def`, and one is empty.
+    a function is only another name of one, one is inside of another, one is the end of another name, one that begins
+    with `_` can be started as any other, one module begins with its only `def`, and one is empty.
     """
     random = learner.random
     package, (inner, first, last, empty) = random.choice(PACKAGES), random.sample(PROGRAMS, 4)
@@ -237,7 +243,8 @@ def judge_rare_entries(learner) -> None:
         f'{package}/tools/__init__.py': '',
         f'{package}/tools/{inner}.py': f'def {go}():\n    pass\n',
         f'{package}/{first}.py': f'def {go}():\n    def {other}():\n        pass\n\n    {other}()\n',
-        f'{package}/{last}.py': f'import math\n\n\ndef {go}():\n    print(math.pi)\n\n\n{other} = {go}\n',
+        f'{package}/{last}.py': f'import math\n\n\ndef {go}():\n    print(math.pi)\n\n\n'
+        f'def _{go}():\n    {go}()\n\n\n{other} = {go}\n',
         f'{package}/{empty}.py': '',
     }
     entries = [
@@ -248,6 +255,7 @@ def judge_rare_entries(learner) -> None:
         (f'{package}.{first}:{other}', 'function'),
         (f'{package}.{last}:{other}', 'function'),
         (f'{package}.{last}:{go}', ''),
+        (f'{package}.{last}:_{go}', ''),
         (f'{package}.{last}:{go[1:]}', 'function'),
         (f'{package}.{empty}:{go}', 'function'),
     ]
@@ -258,9 +266,10 @@ def judge_rare_entries(learner) -> None:
         )
         expected = [('no_program', program, cause, value)] if cause else []
         given = f'The entry point is: {program} = {value}\nThe files are: {", ".join(files)}'
-        with about(cause or 'module'):
+        rule = cause or ('function' if ':_' in value else 'module')
+        with about(rule):
             got = learner.call('diagnose_package', {**files, 'setup.py': text})
-            compare(got, expected, WHY, cause or 'module', given)
+            compare(got, expected, WHY, rule, given)
 
 
 def _console_scripts(setup: str) -> tuple[list[str], str]:

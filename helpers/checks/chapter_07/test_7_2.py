@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_07.packages import CAUSES, Package, judge_rare_entries
+from helpers.checks.chapter_07.packages import CAUSES, FORMS, Package, judge_rare_entries
 from helpers.runner import about
 
 pytestmark = pytest.mark.exercise('7.2')
@@ -15,7 +15,7 @@ def test_causes(learner):
     `module.replace('.', '/') + '.py'` is the file of a module.
     """
     for cause in CAUSES:
-        for form in range(6):
+        for form in range(FORMS):
             with about(cause):
                 Package(learner.random, cause, form=form).diagnose(learner)
     Package(learner.random).diagnose(learner)
