@@ -10,7 +10,7 @@ class Follower(Node):
         self.leader, self.me = leader, me
         self.buffer = Buffer(node=self)
         self.listener = TransformListener(self.buffer, self)
-        self.motor = self.create_publisher(Twist, f'{me}/cmd_vel', 10)
+        self.motor = self.create_publisher(Twist, f'/{me}/cmd_vel', 10)
         self.timer = self.create_timer(0.1, lambda: self.motor.publish(self.command()))
 
     def command(self):

@@ -12,14 +12,13 @@ from helpers.checks.chapter_06.pursuit import (
     check_limit,
     check_long_silence,
     check_lost_again,
-    check_namespace,
     check_places,
     check_topic,
     zeros,
 )
 from helpers.runner import about, expect
 
-pytestmark = [pytest.mark.exercise('6.5'), pytest.mark.wiring(type='topic', qos='topic', namespace='topic')]
+pytestmark = [pytest.mark.exercise('6.5'), pytest.mark.wiring(type='topic', qos='topic')]
 
 
 def pursuit(learner, **options) -> Pursuit:
@@ -213,10 +212,3 @@ def test_age(learner):
                 expect(age > 0.49 or not zeros(command), f'{told}, and the command is zeros.')
                 expect(age < 0.51 or zeros(command), f'{told}, and the command drives.')
     check_limit(there)
-
-
-@pytest.mark.rules('name', 'topic')
-@about('topic')
-def test_namespace(learner):
-    """In a namespace the topic moves with the node: the name has no leading slash."""
-    check_namespace(learner)

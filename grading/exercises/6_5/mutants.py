@@ -68,8 +68,6 @@ MUTANTS = [
             'await self.buffer.lookup_transform_async(self.me, self.leader, Time())')),
            expect='Then, too, publish a Twist of zeros'),
     Mutant('no_name', breaks='topic', old="f'{me}/cmd_vel'", new="'cmd_vel'", expect='has no publisher on'),
-    Mutant('absolute_name', breaks='topic', old="f'{me}/cmd_vel'", new="f'/{me}/cmd_vel'",
-           expect='a relative name has no leading slash'),
     Mutant('drives_the_leader', breaks='topic', old="f'{me}/cmd_vel'", new="f'{leader}/cmd_vel'",
            expect='has no publisher on'),
     Mutant('gives_up', breaks='again', also='old', old='if age <= Duration(seconds=0.5):', new="""

@@ -25,22 +25,18 @@ class Pursuit:
     Places are x, y, theta: metres and radians.
     """
 
-    def __init__(self, learner, leader, me, first=(5.5, 5.5, 0.0), second=(2.0, 2.0, 0.0), space='', **start):
-        """The clock is far from 0, as every clock is: `now - 0.5 s` is a time, too. Half seconds have ticks.
-
-        :param space: the namespace of the node.
-        """
+    def __init__(self, learner, leader, me, first=(5.5, 5.5, 0.0), second=(2.0, 2.0, 0.0), **start):
+        """The clock is far from 0, as every clock is: `now - 0.5 s` is a time, too. Half seconds have ticks."""
         learner.now = round((learner.random.randint(1000, 1900) + 0.8) * SECOND)
         self.learner, self.names = learner, (leader, me)
-        self.space, self.topic = space, f'{space}/{me}/cmd_vel'
         self.begin = learner.now / SECOND
         self._world = World(random_source=random.Random(0))
         self.leader = self._world.spawn(*first, leader)
         self.me = self._world.spawn(*second, me)
-        self.commands = learner.listen(self.topic, Twist)
+        self.commands = learner.listen(f'/{me}/cmd_vel', Twist)
         self._tf = learner.tf_broadcaster()
         self.stamps = {leader: 0.0, me: 0.0}  # simulated seconds: the newest that each has sent
-        self.node = learner.start('Follower', leader, me, remap={'__ns': space or '/'}, **start)
+        self.node = learner.start('Follower', leader, me, **start)
         expect(
             learner.slept == 0.0,
             f'Your constructor waits ({learner.slept:.2g} s). A transform comes when it comes: make the listener, and '
@@ -56,7 +52,7 @@ class Pursuit:
     @property
     def stands(self) -> bool:
         """Whether the last command stops the follower; fails if there is none."""
-        expect(self.commands.messages, f'No command came on {self.topic}.')
+        expect(self.commands.messages, f'No command came on /{self.names[1]}/cmd_vel.')
         return zeros(self.commands.messages[-1])
 
     def place(self) -> np.ndarray:
@@ -286,37 +282,9 @@ def zeros(command: Twist) -> bool:
 def check_topic(there: Pursuit) -> None:
     """Fail unless the follower has its publisher, with the depth 10."""
     leader, me = there.names
-    topic, absolute = there.topic, f'/{me}/cmd_vel'
-    found = there.learner.endpoints(topic).publishers
+    topic = f'/{me}/cmd_vel'
     expect(
-        found or not there.space or not there.learner.endpoints(absolute).publishers,
-        f'In the namespace {there.space} your publisher stays on {absolute}, expected {topic}: a relative name has no '
-        'leading slash.',
-        'topic',
+        there.learner.endpoints(topic).publishers, f'Follower({leader!r}, {me!r}) has no publisher on {topic}.', 'topic'
     )
-    expect(found, f'Follower({leader!r}, {me!r}) has no publisher on {topic}.', 'topic')
     depths = there.learner.depths('publisher', topic)
     expect(depths == [10], f'Your publisher on {topic} has the depth {depths[0]}, expected 10.', 'topic')
-
-
-def check_namespace(learner) -> None:
-    """A node in a namespace publishes below it, and follows; the names of the frames stay: rules `topic`, `place`."""
-    draw = learner.random
-    leader, me = draw.sample(['fay', 'gus', 'hal', 'ida', 'jo'], 2)
-    space = f'/fleet{draw.randint(2, 99)}'
-    there = Pursuit(learner, leader, me, second=(2.0, 2.0, 0.7), space=space)
-    expect(
-        there.node.name == f'{space}/follower',
-        f'In the namespace {space} your node is called {there.node.name}, expected {space}/follower.',
-        'name',
-    )
-    check_topic(there)
-    for _ in range(4):
-        there.tell()
-        learner.run(0.1)
-    expect(
-        not there.stands,
-        f'In the namespace {space}, Follower({leader!r}, {me!r}) stands, and both turtles said where they are. The '
-        f'frames are called {leader} and {me} in every namespace.',
-        'place',
-    )

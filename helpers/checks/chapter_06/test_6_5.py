@@ -14,7 +14,6 @@ from helpers.checks.chapter_06.pursuit import (
     check_limit,
     check_long_silence,
     check_lost_again,
-    check_namespace,
     check_places,
     check_topic,
     gaps,
@@ -22,7 +21,7 @@ from helpers.checks.chapter_06.pursuit import (
 )
 from helpers.runner import about, expect
 
-pytestmark = [pytest.mark.exercise('6.5'), pytest.mark.wiring(type='topic', qos='topic', namespace='topic')]
+pytestmark = [pytest.mark.exercise('6.5'), pytest.mark.wiring(type='topic', qos='topic')]
 LEADER = 5.5, 5.5  # m, where it is at first
 GOOD = 'Up to 0.5 s a transform is good enough.'
 
@@ -222,10 +221,3 @@ def _check_age(there, quiet):
                 'with the nanoseconds.',
                 'old',
             )
-
-
-@pytest.mark.rules('name', 'topic')
-@about('topic')
-def test_namespace(learner):
-    """In a namespace the topic moves with the node: the name has no leading slash."""
-    check_namespace(learner)
