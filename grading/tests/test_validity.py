@@ -10,6 +10,7 @@ all of its answers.
 import math
 import os
 import random
+import re
 from itertools import zip_longest
 
 import pytest
@@ -81,6 +82,31 @@ def judge(number, cells, only=None, tests=None):
     return {result.id: result for result in report.exercises}
 
 
+def _idle(exercise, given):
+    """An answer whose nodes have the right names and do nothing, and whose functions and methods return `given`."""
+    parts = [f'# Exercise {exercise.id}: nothing', 'from rclpy.node import Node']
+    for name in exercise.names:
+        node = re.sub(r'(?<!^)(?=[A-Z])', '_', name).lower()
+        parts.append(
+            f"""
+class {name}(Node):
+    def __init__(self, *arguments, **options):
+        super().__init__({node!r})
+
+    def __getattr__(self, name):
+        if name.startswith('_'):
+            raise AttributeError(name)
+        return lambda *arguments, **options: {given}
+"""
+            if name[0].isupper()
+            else f"""
+def {name}(*arguments, **options):
+    return {given}
+"""
+        )
+    return '\n'.join(parts)
+
+
 def faults_by_name(answers, results):
     """In what the results of these answers are not as they must be."""
     return {str(answer): found for answer in answers if (found := answer.faults(results[answer.exercise]))}
@@ -107,6 +133,28 @@ class Validity:
                 else f'Exercise {result.id} is not solved yet.'
             )
             assert result.message.startswith(said)
+
+    @pytest.mark.parametrize('given', ['None', '[]'])
+    def test_who_does_nothing_gets_nothing(self, given):
+        """A test that asks for silence, or for None, also asks for something that only a program at work does."""
+        idle = {
+            identity: _idle(EXERCISES[identity], given)
+            for identity in some_exercises(self.number)
+            if not any(name.isupper() for name in EXERCISES[identity].names)  # a file has to be written
+        }
+        cells = [
+            notebooks.NotebookCell(idle[identity], cell.number, cell.id)
+            if (identity := program.exercise_id(cell)) in idle
+            else cell
+            for cell in reference.solved(self.number)
+        ]
+        results = judge(self.number, cells, set(idle)) if idle else {}
+        passed = {
+            identity: [test.test for test in result.tests if test.passed]
+            for identity, result in results.items()
+            if result.score != 0
+        }
+        assert not passed
 
     def test_wrong_solutions_are_rejected_with_the_right_words(self, mutants):
         named = {} if ALL_TESTS else {answer.exercise: answer.tests() for answer in mutants}
