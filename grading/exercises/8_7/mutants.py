@@ -116,6 +116,9 @@ MUTANTS = [
         def on_set_station(self, request, response):
             self.stations[request.name] = request.x, request.y
         """, expect='was refused, and yet it is a station now', breaks='unchanged'),
+    Mutant('says_that_it_refused', old="response.message = 'name must not be empty, x and y must be finite'",
+           new="response.message = 'bad'\nself.state = 'refused'\n", expect="the status is 'refused' now",
+           breaks='unchanged'),
     Mutant('forgets_what_was_refused', old="response.message = 'name must not be empty, x and y must be finite'",
            new="response.message = 'bad'\nself.stations.pop(request.name, None)\n", expect='was refused, and now',
            breaks='unchanged'),

@@ -269,6 +269,7 @@ def _judge_new_stations(keeper: Keeper, names: list[str]) -> dict[str, list[floa
 
 def _judge_bad_stations(keeper: Keeper, wanted: dict[str, list[float]], known: str, nobody: str) -> None:
     """Stations that are refused, for a name that is `known` and one that nobody has set: `wanted` stays as it is."""
+    before = _status(keeper)
     for name, x, y in (
         ('', 1.0, 1.0),
         (known, math.nan, 1.0),
@@ -288,3 +289,16 @@ def _judge_bad_stations(keeper: Keeper, wanted: dict[str, list[float]], known: s
                 f'{told} was refused, and yet it is a station now.',
                 'unchanged',
             )
+    after = _status(keeper)
+    expect(
+        after == before or not (before and after),  # whether it says anything is another rule
+        f'Stations were refused, and the status is {after!r} now; before, it was {before!r}.',
+        'unchanged',
+    )
+
+
+def _status(keeper: Keeper) -> str:
+    """What the node says of itself; '' if it says nothing."""
+    keeper.heard.clear()
+    keeper.learner.run(1.2)  # longer than the period
+    return keeper.heard.data[-1] if keeper.heard.data else ''
