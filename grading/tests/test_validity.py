@@ -142,16 +142,17 @@ class Validity:
             for identity in some_exercises(self.number)
             if not any(name.isupper() for name in EXERCISES[identity].names)  # a file has to be written
         }
+        if not idle:
+            pytest.skip('all exercises that are drawn ask for files')
         cells = [
             notebooks.NotebookCell(idle[identity], cell.number, cell.id)
             if (identity := program.exercise_id(cell)) in idle
             else cell
             for cell in reference.solved(self.number)
         ]
-        results = judge(self.number, cells, set(idle)) if idle else {}
         passed = {
             identity: [test.test for test in result.tests if test.passed]
-            for identity, result in results.items()
+            for identity, result in judge(self.number, cells, set(idle)).items()
             if result.score != 0
         }
         assert not passed
