@@ -7,14 +7,16 @@ from collections.abc import Callable
 from typing import Any
 
 from rclpy.clock import ROSClock
+from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.executors import SingleThreadedExecutor, TimeoutException
 from rclpy.node import Node
+from rclpy.publisher import Publisher
 from std_msgs.msg import UInt64
 
 from helpers.runner import rates
 from helpers.runner.loaded_program import LoadedProgram, RequestError
 from helpers.runner.mistakes import CALLBACK_WORK, STEADY_WORK
-from helpers.runner.rclpy_changes import watch_actions
+from helpers.runner.rclpy_changes import Outgoing, watch_actions
 from helpers.runner.threads import Sleeps, ThreadPool
 
 MAX_CALLBACKS = 5000  # in one step: more means that it never becomes idle
@@ -24,8 +26,15 @@ _SPARE_ROUNDS = 3  # rounds in which only unfinished coroutines made progress: t
 class Conductor:
     """The hidden node for the tests' side: it keeps messages in order and reports when no callback is left to run."""
 
-    def __init__(self, token: str, program: LoadedProgram, executor: SingleThreadedExecutor, sleepers: rates.Sleepers):
-        self.program, self.sleepers = program, sleepers
+    def __init__(
+        self,
+        token: str,
+        program: LoadedProgram,
+        executor: SingleThreadedExecutor,
+        sleepers: rates.Sleepers,
+        outgoing: Outgoing,
+    ):
+        self.program, self.sleepers, self.outgoing = program, sleepers, outgoing
         self.executor = executor
         self.pool: ThreadPool | None = None  # where callbacks run in threads
         self.in_callback = False  # one of the learner's runs in the main thread
@@ -36,11 +45,22 @@ class Conductor:
         # Numbers seen: what was sent before them has arrived, too.
         self.step_seen = self.echo_seen = 0
         self.echo_sent = 0
-        self.node.create_subscription(UInt64, f'/_{token}/step', self._on_step, 10)
-        self.done = self.node.create_publisher(UInt64, f'/_{token}/done', 10)
-        self.echo = self.node.create_publisher(UInt64, f'/_{token}/echo_{os.getpid()}', 10)
-        self.node.create_subscription(UInt64, f'/_{token}/echo_{os.getpid()}', self._on_echo, 10)
+        self._subscribe('step', self._on_step)
+        self.done = self._publisher('done')
+        echo = f'echo_{os.getpid()}'
+        self.echo = self._publisher(echo)
+        self._subscribe(echo, self._on_echo)
         executor.add_node(self.node)
+
+    # Its endpoints have no event callbacks: each would be one more entity of the wait set in every round.
+
+    def _subscribe(self, name: str, callback: Callable[[UInt64], None]) -> None:
+        silent = SubscriptionEventCallbacks(use_default_callbacks=False)
+        self.node.create_subscription(UInt64, f'/{self.node.get_name()}/{name}', callback, 10, event_callbacks=silent)
+
+    def _publisher(self, name: str) -> Publisher:
+        silent = PublisherEventCallbacks(use_default_callbacks=False)
+        return self.node.create_publisher(UInt64, f'/{self.node.get_name()}/{name}', 10, event_callbacks=silent)
 
     def _on_step(self, message: UInt64) -> None:
         self.step_seen = message.data
@@ -61,9 +81,13 @@ class Conductor:
         while not quiet:
             ran = self._drain(count)
             count += ran
-            self._sent_since_echo |= self.sleepers.rest()  # what their threads have sent belongs to this step, too
+            woken = self.sleepers.rest()
+            self._sent_since_echo |= woken  # what their threads have sent belongs to this step, too
             # What its nodes have sent to each other may still be on its way: it arrives before this echo.
             quiet = ran == 0 and self.echo_sent > 0 and not self._sent_since_echo
+            if not quiet and not self.outgoing.reaches(nodes):
+                quiet, self._sent_since_echo = not woken, False
+                continue
             if not quiet:
                 self._sent_since_echo = False
                 self.echo_sent += 1

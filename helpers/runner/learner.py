@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from rclpy.context import Context
 from rclpy.duration import Duration
-from rclpy.event_handler import SubscriptionEventCallbacks
+from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.executors import SingleThreadedExecutor, TimeoutException
 from rclpy.node import Node
 from rclpy.publisher import Publisher
@@ -101,9 +101,13 @@ class Learner(Workspaces):
         )
         executor = SingleThreadedExecutor(context=context)
         executor.add_node(node)
-        clock = node.create_publisher(Clock, '/clock', QoSProfile(depth=10, reliability=ReliabilityPolicy.RELIABLE))
-        step = node.create_publisher(UInt64, f'/_{self.token}/step', 10)
-        node.create_subscription(UInt64, f'/_{self.token}/done', self._on_done, 100)
+        # No event callbacks: each would be one more entity of the wait set in every round.
+        mute = PublisherEventCallbacks(use_default_callbacks=False)
+        deaf = SubscriptionEventCallbacks(use_default_callbacks=False)
+        every = QoSProfile(depth=10, reliability=ReliabilityPolicy.RELIABLE)
+        clock = node.create_publisher(Clock, '/clock', every, event_callbacks=mute)
+        step = node.create_publisher(UInt64, f'/_{self.token}/step', 10, event_callbacks=mute)
+        node.create_subscription(UInt64, f'/_{self.token}/done', self._on_done, 100, event_callbacks=deaf)
         return _Own(context, node, executor, clock, step)
 
     @property
@@ -239,7 +243,9 @@ class Learner(Workspaces):
             # rclpy's annotations leave out the callback with two arguments.
             lambda message, info: self._record(recording, message, info),  # type: ignore[arg-type,misc]
             qos,
-            event_callbacks=SubscriptionEventCallbacks(matched=lambda event: self._matched(recording, event)),
+            event_callbacks=SubscriptionEventCallbacks(
+                matched=lambda event: self._matched(recording, event), use_default_callbacks=False
+            ),
         )
         self._recordings.append(recording)
         self._connected = False
@@ -254,7 +260,8 @@ class Learner(Workspaces):
 
     def talk(self, topic: str, msg_type, qos: QoSProfile | int = 10, *, strict: bool = True) -> Talker:
         """A publisher on `topic`. `strict` as in `listen`."""
-        talker = Talker(self, self.node.create_publisher(msg_type, topic, qos), strict)
+        mute = PublisherEventCallbacks(use_default_callbacks=False)
+        talker = Talker(self, self.node.create_publisher(msg_type, topic, qos, event_callbacks=mute), strict)
         self._talkers.append(talker)
         self._connected = False
         return talker

@@ -2,15 +2,18 @@
 
 import functools
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any
 
 import rclpy
-from rclpy.action import ActionServer
+from rclpy.action import ActionClient, ActionServer
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+from rclpy.client import Client
 from rclpy.clock import ClockType
+from rclpy.exceptions import InvalidHandle
 from rclpy.executors import await_or_execute
 from rclpy.node import Node
+from rclpy.publisher import Publisher
 from rclpy.qos import QoSProfile, ReliabilityPolicy
 from rclpy.time import Time
 from rclpy.time_source import CLOCK_TOPIC, TimeSource
@@ -71,6 +74,43 @@ def watch_actions(note: Callable[[Exception], Any], hold: Callable[[Callable[[],
         hold(functools.partial(plain, self, goal_handle, noting))
 
     ActionServer.notify_execute = notify_execute  # type: ignore[method-assign]  # put around it on purpose
+
+
+class Outgoing:
+    """On which topics this process has ever had a publisher, and whether it has ever had a client."""
+
+    def __init__(self) -> None:
+        self.topics: set[str] = set()
+        self.clients = False
+
+    def watch(self) -> None:
+        """Note each publisher and each client that is made from now on."""
+        note = {
+            Publisher: lambda entity: self.topics.add(entity.topic_name),
+            Client: lambda entity: setattr(self, 'clients', True),
+            ActionClient: lambda entity: setattr(self, 'clients', True),
+        }
+        for kind, noting in note.items():
+            kind.__init__ = _followed_by(noting, kind.__init__)  # type: ignore[misc]  # put around it on purpose
+
+    def reaches(self, nodes: list[Node]) -> bool:
+        """Whether something that this process sends can arrive at one of its nodes."""
+        topics = set()
+        for subscription in (each for node in nodes for each in node.subscriptions):
+            with suppress(InvalidHandle):  # one that was destroyed, but not by its node, is still in the node's list
+                topics.add(subscription.topic_name)
+        return self.clients or not self.topics.isdisjoint(topics) or any('/_action/' in topic for topic in topics)
+
+
+def _followed_by(note: Callable[[Any], Any], init: Callable):
+    """The constructor `init`, after which `note` is called with what has been made."""
+
+    @functools.wraps(init)
+    def made(self, *args, **kwargs):
+        init(self, *args, **kwargs)
+        note(self)
+
+    return made
 
 
 @contextmanager

@@ -37,7 +37,7 @@ from helpers.runner.channel import Channel, ChannelClosed, ChannelError, Channel
 from helpers.runner.conductor import Conductor
 from helpers.runner.loaded_program import LoadedProgram, RequestError
 from helpers.runner.mistakes import CONSTRUCTOR_WORK, Watch, watch
-from helpers.runner.rclpy_changes import SimulatedTimeSource, arguments_of_nodes, for_other_contexts
+from helpers.runner.rclpy_changes import Outgoing, SimulatedTimeSource, arguments_of_nodes, for_other_contexts
 from helpers.runner.threads import ThreadPool, patch_locks
 
 
@@ -56,6 +56,7 @@ class Worker:
         self.executor: SingleThreadedExecutor | None = None
         self.conductor: Conductor | None = None
         self.sleepers = rates.Sleepers()
+        self.outgoing = Outgoing()
         self.started: list = []  # what each `start` made
         self.nodes: list[Node] = []
         self.token = ''
@@ -124,6 +125,7 @@ class Worker:
             lambda frame: frame.f_code.co_filename in program.labels,
         )
         watch(program.watch)
+        self.outgoing.watch()
         patch_locks()
         if join:
             self.do_join()
@@ -234,7 +236,7 @@ class Worker:
         """Make the conductor, if there is none yet."""
         if self.conductor is None:
             self.executor = SingleThreadedExecutor()
-            self.conductor = Conductor(self.token, self._loaded(), self.executor, self.sleepers)
+            self.conductor = Conductor(self.token, self._loaded(), self.executor, self.sleepers, self.outgoing)
         return {}
 
     def do_mark(self, mark: str):

@@ -70,11 +70,11 @@ def check_exact(learner, **start) -> None:
     )
 
 
-def check_zero(learner) -> None:
+def check_zero(learner, **start) -> None:
     """Of a monitor with the limit 0: each later stamp makes a gap. A late report has the count, and no quotient."""
     rates, gaps = (learner.listen(f'/zero/{topic}', Float64) for topic in ('scan_rate', 'scan_gap'))
     lidar = learner.talk('/zero/scan', LaserScan, qos_profile_sensor_data, strict=False)
-    learner.start('RateMonitor', 0.0, remap={'__ns': '/zero'})
+    learner.start('RateMonitor', 0.0, remap={'__ns': '/zero'}, **start)
     stamp, step = learner.random.randint(5, 90), learner.random.choice([0.015625, 0.03125, 0.0625])
     for seconds in (stamp, stamp, stamp + step):
         with about('limit'):

@@ -60,8 +60,8 @@ def test_monitor(learner):
         'at-once',
     )
     check_second(learner, rates, gaps, lidar, node, stamp)
-    monitors.check_exact(learner)
-    monitors.check_zero(learner)
+    monitors.check_exact(learner, beside=node)
+    monitors.check_zero(learner, beside=node)
 
 
 def draw_steps(random, max_gap):
