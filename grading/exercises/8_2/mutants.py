@@ -6,6 +6,13 @@ PAIR = "good = new['slow_linear'] <= new['max_linear']"
 LISTENS = "self.create_subscription(Twist, 'cmd_vel_in', lambda command: setattr(self, 'command', command), 10)"
 
 MUTANTS = [
+    Mutant('new_timer_while_it_checks', old=PAIR, new=f"""
+        rates = [parameter.value for parameter in parameters if parameter.name == 'rate']
+        if rates and self.timer:
+            self.destroy_timer(self.timer)
+            self.timer = self.create_timer(1 / rates[0], self.on_timer)
+        {PAIR}
+        """, expect='was refused, and yet the node works in another way', breaks='refused'),
     Mutant('sleeps_in_the_timer', breaks='rhythm', old='def on_timer(self):', new='''
         def on_timer(self):
             time.sleep(0.005)

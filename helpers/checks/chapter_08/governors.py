@@ -311,11 +311,17 @@ def _judge_refused(governed: Governed, limit: float, rate: float) -> None:
         {'mode': 'slow', 'slow_linear': 2.5},
         {'mode': 'stop', 'slow_linear': round(limit + 0.1, 2)},
         {'mode': 'slow', 'max_linear': 0.05},
+        {'rate': 2 * rate, 'slow_linear': round(limit + 0.1, 2)},
+        {'max_linear': 0.05, 'rate': rate},
     ):
         expect(
             not governed.parameters.set(**bad).successful,
             f'The request {shown(bad)} was accepted.',
-            'bounds' if 2.5 in bad.values() else 'pair' if bad['mode'] in ('slow', 'stop') else 'unknown-mode',
+            'bounds'
+            if 2.5 in bad.values()
+            else 'pair'
+            if bad.get('mode', 'slow') in ('slow', 'stop')
+            else 'unknown-mode',
         )
         came = governed.after(2 * period)
         speeds = sorted({one.linear.x for one in came})

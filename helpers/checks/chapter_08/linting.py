@@ -33,6 +33,8 @@ def spoilt(draw) -> dict[str, str]:
         f'{one}ü{two}': 'has a letter that is not from a to z',
         f'{one}٣': 'has a digit that is not from 0 to 9',
         f'{one}/{two}': 'has a slash, so it is two words',
+        f'~{one}': 'has a tilde',
+        f'~/{one}': 'begins with ~/, which only topics and services may',
         '': 'is empty',
         f'{one}\n': 'ends with a line break',
     }
@@ -196,6 +198,11 @@ create_node('{bad}' + suffix)
 NAME = '{bad}'
 node.create_publisher(String, NAME, 10)
 ActionClient(node, Fibonacci, '{bad}')
+ActionServer(node, Fibonacci, '{bad}', execute)
+message_filters.Subscriber(node, Image, '{bad}')
+node.count_publishers('{bad}')
+node.resolve_topic_name('{bad}')
+Parameter('{bad}', Parameter.Type.STRING, '{bad}')
 node.declare_parameter('topic', '{bad}')
 Node()
 LifecycleNode('{bad}')

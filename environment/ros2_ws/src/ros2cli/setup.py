@@ -23,6 +23,8 @@ setup(
         'ros2cli.command': [
             'component = ros2cli.command.component:ComponentCommand',
             'daemon = ros2cli.command.daemon:DaemonCommand',
+            'extension_points = ros2cli.command.extensions:ExtensionPointsCommand',
+            'extensions = ros2cli.command.extensions:ExtensionsCommand',
             'multicast = ros2cli.command.multicast:MulticastCommand',
         ],
         'ros2cli.daemon.verb': [

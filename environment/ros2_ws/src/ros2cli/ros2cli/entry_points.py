@@ -5,6 +5,9 @@ from functools import cache
 from importlib import metadata
 from typing import Any
 
+# The group of entry points that name groups: a package whose plug-ins other packages extend is in it.
+EXTENSION_POINT_GROUP_NAME = 'ros2cli.extension_point'
+
 
 @cache
 def _all_entry_points() -> metadata.EntryPoints:
@@ -17,6 +20,16 @@ def get_entry_points(group_name: str) -> dict[str, metadata.EntryPoint]:
     found: dict[str, metadata.EntryPoint] = {}
     for entry_point in _all_entry_points().select(group=group_name):
         found.setdefault(entry_point.name, entry_point)
+    return found
+
+
+def get_all_entry_points() -> dict[str, dict[str, tuple[metadata.Distribution, metadata.EntryPoint]]]:
+    """Return (distribution, entry point) by group and name, for each group that is an extension point."""
+    found: dict[str, dict[str, tuple[metadata.Distribution, metadata.EntryPoint]]] = {}
+    for group in get_entry_points(EXTENSION_POINT_GROUP_NAME):
+        for name, entry_point in get_entry_points(group).items():
+            # Those of an installed distribution always know it.
+            found.setdefault(group, {})[name] = (entry_point.dist, entry_point)  # type: ignore[assignment]
     return found
 
 

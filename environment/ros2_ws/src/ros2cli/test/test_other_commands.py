@@ -139,3 +139,49 @@ assert names[0].startswith('_ros2cli'), names
 """
     subprocess.run([sys.executable, '-c', code], check=True, env=ros2.environ, timeout=2 * PATIENCE)
     assert threading.current_thread() is threading.main_thread()
+
+
+@pytest.fixture
+def broken(ros2, tmp_path):
+    """The command, where a plug-in is installed that cannot be imported, and one that is no command."""
+    info = tmp_path / 'broken-1.0.dist-info'
+    info.mkdir()
+    (info / 'METADATA').write_text('Metadata-Version: 2.1\nName: broken\nVersion: 1.0\n')
+    (info / 'entry_points.txt').write_text('[ros2cli.command]\nlost = no_such_module:Lost\nodd = json:loads\n')
+    search = f'{tmp_path}:{ros2.environ.get("PYTHONPATH", "")}'
+    return type(ros2)({**ros2.environ, 'PYTHONPATH': search}, tmp_path)
+
+
+def test_extension_points_are_listed(broken):
+    lines = broken.lines('extension_points')
+    assert lines == sorted(lines)
+    assert any(line.startswith('ros2topic.verb: ') for line in lines)
+    assert 'ros2cli.command:' in {line.partition(' ')[0] for line in lines}
+    verbose = broken.lines('extension_points', '--verbose')
+    place = next(index for index, line in enumerate(verbose) if line.startswith('ros2cli.command: '))
+    assert verbose[place + 1 : place + 4] == [
+        '   module_name: ros2cli.command',
+        '   attributes: CommandExtension',
+        '   version: 0.1',
+    ]
+
+
+def test_extensions_are_listed_by_group(broken):
+    lines = broken.lines('extensions')
+    assert '  topic: Various topic related sub-commands' in lines
+    groups = [line for line in lines if not line.startswith(' ')]
+    assert groups == sorted(groups)
+    verbs = lines[lines.index('ros2topic.verb') + 1 :]
+    assert next(line for line in verbs if line.startswith('  echo: ')) == '  echo: Output messages from a topic'
+    assert not any('lost' in line or line.startswith('-') for line in lines)
+
+
+def test_extensions_that_cannot_be_used_are_told_why(broken):
+    lines = broken.lines('extensions', '-a', '-v')
+    place = lines.index('- lost: ')
+    assert lines[place + 1 : place + 3] == ['-   module_name: no_such_module', '-   attributes: Lost']
+    assert lines[place + 3 : place + 5] == [
+        '-   distribution: broken 1.0',
+        "-   reason: No module named 'no_such_module'",
+    ]
+    assert any(line.startswith('-   reason: loads() missing 1 required positional argument') for line in lines)

@@ -86,6 +86,13 @@ def test_ros_arguments_that_cannot_be_read_are_told(start, tmp_path, name):
     assert 'Traceback' not in process.output
 
 
+def test_unknown_ros_arguments_are_told(start):
+    process = start(program('turtlesim', 'turtlesim_node'), '--ros-args', '--help')
+    process.wait_for_output("turtlesim_node: found unknown ROS arguments: ['--help']", timeout=30)
+    assert process._popen.wait(30) == 1
+    assert 'Traceback' not in process.output
+
+
 def test_a_parameter_of_a_wrong_type_is_told(start):
     process = start(program('turtlesim', 'turtlesim_node'), '--ros-args', '-p', 'background_r:=red')
     process.wait_for_output("turtlesim_node: Trying to set parameter 'background_r' to 'red'", timeout=30)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import rclpy
-from rclpy._rclpy_pybind11 import RCLError
+from rclpy._rclpy_pybind11 import RCLError, UnknownROSArgsError
 from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValueException
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
@@ -21,6 +21,9 @@ def run(make_node: Callable[[], Node], args: list[str] | None) -> None:
     with contextlib.suppress(KeyboardInterrupt):
         try:
             rclpy.init(args=args)
+        except UnknownROSArgsError as error:  # its text is the list of them
+            print(f'{Path(sys.argv[0]).name}: found unknown ROS arguments: {error}', file=sys.stderr)
+            raise SystemExit(1) from None
         except RCLError as error:
             print(f'{Path(sys.argv[0]).name}: {error}', file=sys.stderr)
             raise SystemExit(1) from None
