@@ -117,7 +117,7 @@ def test_rejected(learner):
     Look at accepted first.
     """
     order = -learner.random.choice([0, learner.random.randint(1, 2**31)])
-    outcome, server, _ = begin(learner, order, 1.0, accept=False)
+    outcome, server, node = begin(learner, order, 1.0, accept=False)
     learner.run(4.0)
     expect(
         outcome.data == ['rejected []'],
@@ -126,6 +126,11 @@ def test_rejected(learner):
     )
     came = [goal.request.order for goal in server.goals]
     expect(came == [order], f'PatientClient({order}, 1.0) sent goals of the orders {came}, expected {[order]}.', 'send')
+    large = learner.random.randint(1000, 2**31 - 1)
+    learner.start('PatientClient', large, 1.0, beside=node)
+    learner.run(4.0)
+    came = [goal.request.order for goal in server.goals[1:]]
+    expect(came == [large], f'PatientClient({large}, 1.0) sent goals of the orders {came}, expected {[large]}.', 'send')
 
 
 @pytest.mark.rules('word', 'numbers')

@@ -36,6 +36,8 @@ MUTANTS = [
             self.timer.cancel()
         elif self.client.server_is_ready():
         ''', expect='until it is there, however long that takes'),
+    Mutant('no_order_above_46', old='order=self.order', new='order=min(self.order, 46)', expect='a goal of the order 46 came',
+           breaks='send'),
     Mutant('sends_until_accepted', breaks='send', old="return self.finish('rejected', [])", new='''
            if not self.said:
                self.outcome.publish(String(data='rejected []'))

@@ -91,6 +91,8 @@ MUTANTS = [
         ''', expect='then it went on'),
     Mutant('newest_when_it_executes', breaks='newest', edits=(('self.newest = goal', ''),
            ('numbers = []', 'numbers, self.newest = [], goal')), expect='not when its execute callback begins'),
+    Mutant('deaf_after_three_numbers', old='goal.is_cancel_requested or', new='goal.is_cancel_requested and len(numbers) < 3 or',
+           expect='0.5 s later it is', breaks='cancel'),
     Mutant('no_cancel_at_first', breaks='cancel', also=('newest',),
            edits=(('numbers = []', 'numbers = self.numbers = []'), ('cancel_callback=lambda goal: CancelResponse.ACCEPT)',
             'cancel_callback=lambda goal: CancelResponse.ACCEPT if self.numbers else CancelResponse.REJECT)')),

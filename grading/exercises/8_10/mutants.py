@@ -19,6 +19,8 @@ MUTANTS = [
     Mutant('beside_the_launch_file', old=INSTALLED, breaks='robot', alone=True,
            new="str(__import__('pathlib').Path(__file__).parents[1] / 'config/delivery.yaml'),",
            expect='found by the name of the package'),
+    Mutant('a_value_before_the_file', old="parameters=[", new="parameters=[{'timeout': 10.0},",
+           expect='gives /delivery_robot a value itself, besides the file: timeout = 10.0', breaks='robot', alone=True),
     Mutant('the_same_values_twice', old="{'use_sim_time': True}", breaks='robot', alone=True,
            new="{'use_sim_time': True, 'timeout': 30.0, 'status_period': 0.5}", expect='timeout became'),
     Mutant('values_in_the_launch_file', edits=(("""

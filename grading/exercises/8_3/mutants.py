@@ -1,6 +1,9 @@
 from grading.variants import Mutant
 
 MUTANTS = [
+    Mutant('a_value_before_the_file', old="Node(namespace='robot1', parameters=[config]",
+           new="Node(namespace='robot1', parameters=[{'rate': 15.0}, config]",
+           expect='gives a governor a value itself, besides the file: rate = 15.0', breaks='installed-file'),
     Mutant('absolute_remapping', old="=[('cmd_vel', 'base/cmd_vel')], *", new="=[('cmd_vel', '/base/cmd_vel')], *",
            expect='Names in remappings are relative', breaks='remapped'),
     Mutant('blocks_for_two_only', source="""

@@ -86,7 +86,7 @@ def test_one_goal(learner):
     for other in bad:
         expect(other.accepted is False, f'The order {other.request.order} was accepted.', 'orders')
     check_goal(goal, 'Goals came in the meantime that were rejected. ', 'rejected')
-    steps = [(draw.randint(48, 2**31 - 1), 0), (9, 1), (9, draw.choice([2, 4]))]
+    steps = [(draw.randint(48, 2**31 - 1), 0), (9, 1), (9, draw.choice([2, 3])), (9, draw.randint(4, 7))]
     draw.shuffle(steps)
     for number, count in [*steps, (3, 2)]:  # at last, in the last step
         check_cancel(learner, client, number, count, 0.5 * count + 0.2)

@@ -24,6 +24,7 @@ from helpers.runner.load import busy
 from helpers.runner.observer import Observer
 from helpers.runner.program_process import Task
 from helpers.runner.retracing import Way
+from helpers.runner.stand_ins import Start
 
 PATIENCE = 25.0  # s of wall time for a step
 TRIES = 5
@@ -83,6 +84,7 @@ class Programs:
         self._heard = stand_ins.of(learner)
         self._heard.release()
         self._tasks: list[tuple[str, Task]] = []
+        self.robot: Start | None = None  # how the launch file has started it
         # Where they answer for their parameters: no other node knows these names beforehand.
         self.asked = {node: f'/asked_{secrets.token_hex(6)}' for node in PROGRAMS}
 
@@ -90,7 +92,9 @@ class Programs:
         """Start what the launch file has started meanwhile."""
         texts = dict(PROGRAMS.values())
         for start in self._heard.starts(*texts)[len(self._tasks) : MOST]:
-            modules = self._modules if start.name == 'robot' else {}
+            modules = {}
+            if start.name == 'robot':
+                modules, self.robot = self._modules, self.robot or start
             node = next(node for node, (name, _) in PROGRAMS.items() if name == start.name)
             words = '--ros-args', '-r', f'{node}/get_parameters:={self.asked[node]}/get_parameters'
             self._tasks.append((start.name, start.begin(self._learner, texts[start.name], modules, words)))
@@ -246,12 +250,13 @@ def story(learner, workspace, modules: dict[str, str]) -> dict:
         'scene': str(Path(get_package_share_directory('mujoco_world'), 'scenes', 'empty.yaml')),
     }
     programs = Programs(learner, modules)
+    installed = parameter_files.with_values(learner.text('DELIVERY_YAML'), told['values'])
     launch = workspace.start(
         'bash',
         '-c',
         _PREPARE,
         'bash',
-        parameter_files.with_values(learner.text('DELIVERY_YAML'), told['values']),
+        installed,
         'ros2',
         'launch',
         'elsewhere/launch/delivery.launch.py',
@@ -263,6 +268,8 @@ def story(learner, workspace, modules: dict[str, str]) -> dict:
             _story(Customer(observer, launch, told['factor'], programs), told)
         except Missing as missing:
             told['missing'], told['nodes'] = str(missing), observer.nodes()
+    if programs.robot is not None:
+        told['besides'] = parameter_files.given_besides(programs.robot, installed)
     launch.signal(signal.SIGINT)
     told['status'] = launch.wait(15.0 * (3 if busy() else 1))
     launch.end()

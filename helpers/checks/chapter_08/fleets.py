@@ -8,6 +8,7 @@ import json
 import secrets
 import signal
 from pathlib import Path
+from typing import Any
 
 from helpers.checks.chapter_08 import executables, parameter_files
 from helpers.runner import about, expect, stand_ins
@@ -101,13 +102,17 @@ def launched(learner) -> dict[str, dict]:
     return {report['node']: report for report in reports}
 
 
-def launched_with(learner, values: dict[str, float | str]) -> list[dict]:
+def launched_with(learner, values: dict[str, float | str]) -> tuple[list[dict], dict[str, Any]]:
     """What is found of the governors when the installed parameter file gives these values to all nodes.
+
+    And the values that the launch file gave them besides this file.
 
     A copy of the launch file is launched, beside a folder with the parameter file as it was.
     """
     share = 'share=$(ros2 pkg prefix --share fleet)'
     workspace = fleet(learner)
+    installed = parameter_files.with_values(learner.text('FLEET_YAML'), values)
+    starts: list[Start] = []
     _, reports = _launch(
         learner,
         workspace,
@@ -115,10 +120,14 @@ def launched_with(learner, values: dict[str, float | str]) -> list[dict]:
         'mkdir -p elsewhere/launch elsewhere/config; cp $share/launch/fleet.launch.py elsewhere/launch; '
         'cp kept.yaml elsewhere/config/fleet.yaml; unset COLCON_PREFIX_PATH',
         'elsewhere/launch/fleet.launch.py',
-        parameter_files.with_values(learner.text('FLEET_YAML'), values),
+        installed,
+        starts=starts,
     )
     workspace.run('bash', '-c', f'{share}; cp kept.yaml $share/config/fleet.yaml')
-    return reports
+    besides: dict[str, Any] = {}
+    for start in starts:
+        besides |= parameter_files.given_besides(start, installed)
+    return reports, besides
 
 
 def alone(learner, *namespaces: str) -> dict[str, dict]:
@@ -211,7 +220,7 @@ def judge_installed_file(learner) -> None:
     there = robots(learner)
     drawn = learner.random.randint(21, 49)
     values = {'rate': float(drawn), 'max_linear': round(1 + drawn / 100, 2), 'slow_linear': drawn / 100, 'mode': 'stop'}
-    again = launched_with(learner, values)
+    again, besides = launched_with(learner, values)
     _judge_program(again)
     found = {report['node']: report for report in again}
     for parameter, wanted in values.items():
@@ -224,6 +233,12 @@ def judge_installed_file(learner) -> None:
                 'find it by the name of the package, wherever it stands itself, and give no values.',
                 'installed-file',
             )
+    expect(
+        not besides,
+        f'The launch file gives a governor a value itself, besides the file: {parameter_files.shown(besides)}. All '
+        'values stand in config/fleet.yaml.',
+        'installed-file',
+    )
     with about('installed-file'):
         reports = alone(learner, *(name.removesuffix('/governor') for name in ROBOTS))
     for report in reports.values():
@@ -238,23 +253,28 @@ def judge_installed_file(learner) -> None:
             )
 
 
-def _launch(learner, workspace, before: str, what: str, *texts: str) -> tuple[str, list[dict]]:
+def _launch(
+    learner, workspace, before: str, what: str, *texts: str, starts: list[Start] | None = None
+) -> tuple[str, list[dict]]:
     """`ros2 launch` with the words `what`: what it and the governors have printed, and what is found of each node.
 
     :param before: what bash does before, with these texts as $1, …
+    :param starts: gets how the governors were started.
     """
     heard = stand_ins.of(learner)
     heard.release()
     task = workspace.start('bash', '-c', f'{before}; exec ros2 launch {what}', 'bash', *texts)
     with Observer(learner) as observer:
         strangers = observer.all_there(task, PATIENCE, lambda: len(heard.starts(PROGRAM)))
-    starts = heard.starts(PROGRAM)
+    started = heard.starts(PROGRAM)
     task.signal(signal.SIGINT)
     heard.release()
     task.wait(10.0)
     task.end()
     workspace.run('bash', '-c', '[ ! -e sources ] || mv sources src')
-    log, reports = _reports(learner, starts)
+    if starts is not None:
+        starts += started
+    log, reports = _reports(learner, started)
     return f'{task.output}\n{log}', [*reports, *({'node': name, 'stranger': True} for name in strangers)]
 
 

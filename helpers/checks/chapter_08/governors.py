@@ -4,6 +4,7 @@ import pytest
 from geometry_msgs.msg import Twist
 from rclpy.parameter import Parameter
 
+from helpers.checks.chapter_08.parameter_files import shown
 from helpers.checks.chapter_08.parameters import Parameters, check_bounds
 from helpers.runner import about, expect
 from helpers.runner.verdicts import LearnerCrashed
@@ -24,11 +25,6 @@ def command(linear: float, angular: float = 0.0) -> Twist:
     message = Twist()
     message.linear.x, message.angular.z = linear, angular
     return message
-
-
-def shown(values: dict) -> str:
-    """Parameters with their values, for messages."""
-    return ', '.join(f'{name} = {value!r}' for name, value in values.items())
 
 
 class Governed:

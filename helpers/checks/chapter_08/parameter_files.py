@@ -1,11 +1,14 @@
-"""Parameter files with other values in them: who changes such a file changes the nodes that get it."""
+"""Parameter files with other values in them, and the values that a program got besides its file."""
 
 from collections.abc import Iterator
 from typing import Any
 
 import yaml
 
+from helpers.runner.stand_ins import Start
+
 BLOCK, ALL = 'ros__parameters', '/**'
+_OPTIONS = '-p', '--param'
 
 
 def with_values(text: str, values: dict[str, Any]) -> str:
@@ -26,6 +29,37 @@ def with_values(text: str, values: dict[str, Any]) -> str:
         return yaml.safe_dump({**first, **content}, sort_keys=False)
     except (yaml.YAMLError, ValueError, RecursionError):
         return text
+
+
+def given_besides(start: Start, text: str) -> dict[str, Any]:
+    """The parameters that a program was started with besides the file with this text, whatever comes first or last.
+
+    Not among them is the simulated time. A launch file hands its own values over as another file, or as words `-p`.
+    """
+    found: dict[str, Any] = {}
+    for other in start.files.values():
+        content = _content(other)
+        if content != _content(text):
+            for block in _blocks(content, set()):
+                found |= block
+    for option, word in zip(start.arguments, start.arguments[1:], strict=False):
+        name, between, value = word.partition(':=')
+        if option in _OPTIONS and between:
+            found[name.rpartition(':')[2]] = value
+    return {name: value for name, value in found.items() if name != 'use_sim_time'}
+
+
+def shown(values: dict) -> str:
+    """Parameters with their values, for messages."""
+    return ', '.join(f'{name} = {value!r}' for name, value in values.items())
+
+
+def _content(text: str) -> Any:
+    """What stands in a YAML file; None if it cannot be read."""
+    try:
+        return yaml.safe_load(text)
+    except (yaml.YAMLError, ValueError, RecursionError):
+        return None
 
 
 def _block(content: Any) -> dict:

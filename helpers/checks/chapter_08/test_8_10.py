@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_08 import deliveries, executables
+from helpers.checks.chapter_08 import deliveries, executables, parameter_files
 from helpers.runner import about, expect
 
 pytestmark = pytest.mark.exercise('8.10')
@@ -82,6 +82,13 @@ def values_of_the_launch(told: dict) -> None:
             'and give no values itself but the simulated time.',
             'robot',
         )
+    besides = told.get('besides')
+    expect(
+        not besides,
+        'The launch file gives /delivery_robot a value itself, besides the file: '
+        f'{parameter_files.shown(besides or {})}. All values but the simulated time stand in config/delivery.yaml.',
+        'robot',
+    )
 
 
 def real(told: dict) -> None:
