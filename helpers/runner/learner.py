@@ -377,7 +377,9 @@ class Learner(Workspaces):
         Time goes from one due timer to the next, by at most `step` seconds, so that timers fire at their exact times.
         """
         if self.unsettled or not self._connected:
-            self.settle()
+            self.connect()
+            self._step_to(self.now)
+            self.connect()
         end = self.now + round(seconds * SECOND)
         largest = max(1, round(step * SECOND))
         begin, moments, since = self.now, 0, time.monotonic()
@@ -500,8 +502,10 @@ class Learner(Workspaces):
         for recording in self._recordings:
             if not recording.spoken:
                 recording.silent = recording.gone
-            if not recording.strict or not recording.messages:
-                continue
+            seen = bool(recording.messages), recording.matched, recording.gone
+            if not recording.strict or not recording.messages or seen == recording.judged:
+                continue  # who is matched since then has raised an event
+            recording.judged = seen
             infos = self.node.get_publishers_info_by_topic(recording.subscription.topic_name)
             recording.known |= {bytes(info.endpoint_gid) for info in infos if _participant(info) in self._participants}
             strangers = any(_participant(info) not in self._participants for info in infos)

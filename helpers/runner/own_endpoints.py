@@ -31,6 +31,7 @@ class Recording:
     silent: int = field(default=0, repr=False)  # those that were gone before the first message of anybody came
     spoken: bool = field(default=False, repr=False)  # a message has come, which may be forgotten by now
     known: set = field(default_factory=set, repr=False)  # those of the test's and the learner's programs
+    judged: tuple = field(default=(), repr=False)  # what was known of the publishers when they were last looked at
 
     @property
     def data(self) -> list:

@@ -54,8 +54,7 @@ class TurtleSim:
                 )
             )
             seen = len(self.commands)
-            self._learner.settle()
-            self._learner.run(steps * STEP, step=steps * STEP)
+            self._learner.run(steps * STEP, step=steps * STEP)  # the pose is answered first, at this moment
             for command in self.commands.messages[seen:]:
                 if all(map(math.isfinite, (command.linear.x, command.angular.z))):  # as the simulator does
                     turtle.command(self.now, command.linear.x, command.angular.z)
