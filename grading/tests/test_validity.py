@@ -134,6 +134,7 @@ class Validity:
             )
             assert result.message.startswith(said)
 
+    @pytest.mark.one_of(2)
     @pytest.mark.parametrize('given', ['None', '[]'])
     def test_who_does_nothing_gets_nothing(self, given):
         """A test that asks for silence, or for None, also asks for something that only a program at work does."""
