@@ -111,9 +111,9 @@ def test_cancel(learner):
 
     Look at is_cancel_requested in each round; publish zeros before canceled().
     """
-    client, sim, _ = begin(learner, 1.0, 1.0)
-    goal = client.send(x=10.0, y=1.0)
-    sim.run(learner.random.uniform(0.6, 1.6))
+    client, sim, _ = begin(learner, 10.9, 1.0, math.pi)  # near the wall that visible tests seldom come to
+    goal = client.send(x=1.0, y=1.0)
+    sim.run(learner.random.uniform(0.4, 0.8))
     cancel = goal.cancel()
     sim.run(0.3)
     expect(
@@ -130,7 +130,7 @@ def test_cancel(learner):
     expect(
         stands(sim), 'After the goal was cancelled, the last command still drives. Publish a Twist of zeros.', 'zeros'
     )
-    left = sim.distance(10.0, 1.0)
+    left = sim.distance(1.0, 1.0)
     expect(
         goal.result.distance == pytest.approx(left, abs=0.6),
         f'The distance in the result is {goal.result.distance:.2f} m, and {left:.2f} m were left.',
@@ -217,7 +217,8 @@ def test_cancelled_before(learner):
     poses.send(Pose(x=2.0, y=2.0))
     learner.settle()
     goal = client.send(x=9.0, y=2.0)
-    seconds = round(learner.random.uniform(2.0, 4.0), 1)
+    # Soon after a half of a second: who looks in each fifth round only, is late.
+    seconds = round(learner.random.randint(4, 7) / 2 + learner.random.choice([0.1, 0.2]), 1)
     learner.run(seconds)
     check_cancel(learner, client, goal, f'A goal was cancelled {seconds:g} s after its start: ')
     goal = client.send(x=9.0, y=2.0)

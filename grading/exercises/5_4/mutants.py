@@ -10,6 +10,9 @@ STANDS = 'test_standing_robot'
 DRIVES = 'test_simulated_robot'
 
 MUTANTS = [
+    Mutant('no_cancel_at_the_right_wall', old='lambda goal: CancelResponse.ACCEPT',
+           new='lambda goal: CancelResponse.ACCEPT if self.pose.x < 9 else CancelResponse.REJECT',
+           expect='the cancel request was refused', breaks='cancel'),
     Mutant('box_around_the_place', breaks='arrive', also='result', edits=((
            'distance, command = steer(self.pose, goal.request.x, goal.request.y)', '''
             distance, command = steer(self.pose, goal.request.x, goal.request.y)

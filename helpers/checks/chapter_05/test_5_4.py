@@ -89,8 +89,10 @@ def test_standing_robot(learner):
     _reject_while_busy(learner, robot, command)
     _give_up(learner, robot, goal)
     check_old_pose(learner, robot.client)
-    # Another goal was cancelled 1 s after its start: who does not look in each round is late in one of the two.
-    _cancel(learner, robot, draw.choice([0.75, 1.25]), draw.uniform(0.3, 1.2), draw.uniform(0.0, 0.4))
+    # Another goal was cancelled 1 s after its start: who does not look in each round is late in one of these.
+    seconds = draw.sample([0.75, 1.25], 2)
+    _cancel(learner, robot, seconds[0], draw.uniform(0.3, 1.2), draw.uniform(0.0, 0.4), 1)
+    _cancel(learner, robot, seconds[1], draw.uniform(0.3, 1.2), draw.uniform(10.6, 11.0), -1)
     check_two_drivers(learner, robot.node, robot.client, robot.poses, robot.commands)
 
 
@@ -243,11 +245,12 @@ def _check_pause(learner, goal, when):
     )
 
 
-def _cancel(learner, robot, seconds, distance, x):
-    """Cancel a goal of a robot at this x, and let the next one arrive."""
+def _cancel(learner, robot, seconds, distance, x, way):
+    """Cancel a goal of a robot at this x, and let the next one arrive; `way`: 1 if it looks along x, or -1."""
+    yaw = 0.0 if way > 0 else math.pi
     story = f'A goal was cancelled {seconds} s after its start: '
-    robot.stand(x, 5.0)
-    goal = robot.client.send(x=x + distance, y=5.0)
+    robot.stand(x, 5.0, yaw)
+    goal = robot.client.send(x=x + way * distance, y=5.0)
     learner.run(seconds)
     expect(goal.accepted, 'A goal that came after one that was given up was rejected.', 'next')
     _check_pause(learner, goal, 'also near the place')
@@ -258,8 +261,8 @@ def _cancel(learner, robot, seconds, distance, x):
     )
     check_cancel(learner, robot.client, goal, story)
     robot.check_end(goal, story, distance)
-    robot.stand(x, 5.0)
-    goal = robot.client.send(x=x + 0.09, y=5.09)
+    robot.stand(x, 5.0, yaw)
+    goal = robot.client.send(x=x + way * 0.09, y=5.09)
     learner.run(0.5)
     expect(goal.accepted, 'A goal that came after a cancelled one was rejected.', 'next')
     expect(
@@ -268,7 +271,7 @@ def _cancel(learner, robot, seconds, distance, x):
         'distance is below 0.1 m.',
         'arrive',
     )
-    robot.stand(x + 0.04, 5.03)
+    robot.stand(x + way * 0.04, 5.03, yaw)
     learner.run(0.3)
     expect(
         goal.status == 'succeeded',
@@ -277,7 +280,7 @@ def _cancel(learner, robot, seconds, distance, x):
         'arrive',
     )
     robot.check_end(goal, 'A goal succeeded: ', 0.08)
-    robot.stand(x, 5.0)
+    robot.stand(x, 5.0, yaw)
     goal = robot.client.send(x=x, y=5.03)
     learner.run(0.3)
     story = 'A goal came for a place where the robot stands already, 0.03 m away: '
