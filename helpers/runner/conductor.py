@@ -86,6 +86,7 @@ class Conductor:
             # What its nodes have sent to each other may still be on its way: it arrives before this echo.
             quiet = ran == 0 and self.echo_sent > 0 and not self._sent_since_echo
             if not quiet and not self.outgoing.reaches(nodes):
+                # Nothing that it sends arrives here; only a thread of its own may have made something else ready.
                 quiet, self._sent_since_echo = not woken, False
                 continue
             if not quiet:

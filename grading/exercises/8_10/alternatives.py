@@ -31,4 +31,35 @@ def generate_launch_description():
     ])
 '''
 """, alone=True),
+    Alternative('parameter_file_and_set_parameter', source="""
+DELIVERY_YAML = '''
+delivery_robot:
+  ros__parameters:
+    max_linear: 0.4
+    tolerance: 0.08
+    timeout: 30.0
+'''
+DELIVERY_LAUNCH = '''
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, GroupAction, IncludeLaunchDescription
+from launch.substitutions import LaunchConfiguration, PathJoinSubstitution
+from launch_ros.actions import Node, SetParameter
+from launch_ros.parameter_descriptions import ParameterFile
+from launch_ros.substitutions import FindPackageShare
+
+
+def generate_launch_description():
+    values = PathJoinSubstitution([FindPackageShare('delivery_robot'), 'config', 'delivery.yaml'])
+    world = PathJoinSubstitution([FindPackageShare('mujoco_world'), 'launch', 'world.launch.py'])
+    names = {'scene': 'rooms', 'real_time_factor': '1.0'}
+    return LaunchDescription([
+        *[DeclareLaunchArgument(name, default_value=value) for name, value in names.items()],
+        IncludeLaunchDescription(world, launch_arguments=[(name, LaunchConfiguration(name)) for name in names]),
+        GroupAction([
+            SetParameter('use_sim_time', True),
+            Node(package='delivery_robot', executable='robot', parameters=[ParameterFile(values, allow_substs=True)]),
+        ]),
+    ])
+'''
+""", alone=True),
 ]
