@@ -1,4 +1,4 @@
-"""What a learner's process changes in rclpy: simulated time from the first moment, actions whose errors are noted."""
+"""What a learner's process changes in rclpy: simulated time at once, errors of actions, who sends what is noted."""
 
 import functools
 from collections.abc import Callable, Iterator
