@@ -17,7 +17,8 @@ import pytest
 from helpers.kernel import domains
 
 _held = ExitStack()
-ROS_PACKAGES = Path(__file__).resolve().parent / 'environment' / 'ros2_ws' / 'src'
+ROOT = Path(__file__).resolve().parent
+ROS_PACKAGES = ROOT / 'environment' / 'ros2_ws' / 'src'
 PACKAGES = sorted(folder.name for folder in ROS_PACKAGES.iterdir()) if ROS_PACKAGES.is_dir() else []
 
 
@@ -39,8 +40,21 @@ def pytest_report_header():
 
 
 def pytest_ignore_collect(collection_path, config):
-    """Do not even read the tests of ROS packages that are not drawn; None leaves the others to pytest."""
-    return True if collection_path.parent == ROS_PACKAGES and _left_out(collection_path.name, config) else None
+    """Do not even read the tests of ROS packages that are not drawn; None leaves the others to pytest.
+
+    Nor the tests in a workspace that the cells of a notebook have made beside it, unless somebody names it: who runs
+    the notebooks once more with `pytest --nbval solutions` means the notebooks.
+    """
+    if collection_path.parent == ROS_PACKAGES and _left_out(collection_path.name, config):
+        return True
+    made = collection_path.parent in (ROOT / 'notebooks', ROOT / 'solutions') and collection_path.is_dir()
+    return True if made and not _named(collection_path, config) else None
+
+
+def _named(folder, config):
+    """Whether pytest was asked for something in this folder."""
+    places = [(config.invocation_params.dir / argument.partition('::')[0]).resolve() for argument in config.args]
+    return any(place.is_relative_to(folder) for place in places)
 
 
 def pytest_collection_modifyitems(config, items):

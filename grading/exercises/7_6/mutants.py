@@ -6,6 +6,8 @@ NEWEST = 'newest[child] = max(newest.get(child, 0.0), stamp.sec + stamp.nanosec 
 NAMES = 't.header.frame_id, t.child_frame_id = (new if name == old else name for name in (parent, child))'
 
 MUTANTS = [
+    Mutant('the_target_is_not_meant', old='nearest(source, frames))]', new='nearest(source, frames - {target}))]',
+           expect='Asked for', breaks='unknown'),
     Mutant('no_unknown', old='if source not in frames:', new='if not frames:', breaks='unknown', also='order',
            expect='You did not find `no_transform`, cause `unknown`'),
     Mutant('unknown_only_with_evidence', old='if source not in frames:', expect='You did not find',

@@ -267,11 +267,28 @@ def judge_other_places(learner) -> None:
     """Causes that are not on the way to the sensor: rules `unknown`, `two-parents` and `not-connected`."""
     with about('unknown'):
         Tree(learner.random, 'unknown', loose=True).diagnose(learner)
-        Tree(learner.random, loose=True).diagnose(learner, rule='unknown')
+        tree = Tree(learner.random, loose=True)
+        tree.diagnose(learner, rule='unknown')
+        _judge_meant_target(learner, tree)
     with about('two-parents'):
         Tree(learner.random, ASIDE).diagnose(learner)
         Tree(learner.random, 'two parents', ASIDE, moves=False).diagnose(learner)
     Tree(learner.random, 'not connected', near=False, third=True).diagnose(learner)
+
+
+def _judge_meant_target(learner, tree: Tree) -> None:
+    """The rule `unknown`, where the target itself was meant: it is a frame like any other."""
+    wrong = misspelt('platform', learner.random)
+    while not get_close_matches(wrong, ['platform'], 1, 0.78):
+        wrong = misspelt('platform', learner.random)
+    static = [_transform('platform', tree.source, [0.1, 0.0, 0.0], 0.0)]
+    compare(
+        learner.call('diagnose_tf', [], static, 'platform', wrong, 100.0),
+        [('no_transform', wrong, 'unknown', 'platform')],
+        WHY,
+        'unknown',
+        f'Asked for {wrong} in platform. static: platform → {tree.source}',
+    )
 
 
 def judge_rare_trees(learner) -> None:
