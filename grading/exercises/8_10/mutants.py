@@ -16,6 +16,12 @@ MUTANTS = [
            breaks='types', alone=True),
     Mutant('path_of_the_sources', old=INSTALLED, new="'src/delivery_robot/config/delivery.yaml',",
            expect='a parameter file that is not there', breaks='robot', alone=True),
+    Mutant('path_in_the_workspace', old=INSTALLED, new="'install/delivery_robot/share/delivery_robot/config/delivery.yaml',",
+           expect='a parameter file that is not there', breaks='robot', alone=True),
+    Mutant('a_second_publisher_of_frames', old=ROBOT,
+           new="Node(package='robot_state_publisher', executable='robot_state_publisher', parameters=[{"
+               "'robot_description': '<robot name=\"a\"><link name=\"b\"/></robot>'}]), " + ROBOT,
+           expect='nodes with the name /robot_state_publisher', breaks='world', alone=True),
     Mutant('beside_the_launch_file', old=INSTALLED, breaks='robot', alone=True,
            new="str(__import__('pathlib').Path(__file__).parents[1] / 'config/delivery.yaml'),",
            expect='found by the name of the package'),

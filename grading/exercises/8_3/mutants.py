@@ -1,6 +1,9 @@
 from grading.variants import Mutant
 
 MUTANTS = [
+    Mutant('path_in_the_workspace', old="PathJoinSubstitution([FindPackageShare('fleet'), 'config', 'fleet.yaml'])",
+           new="'install/fleet/share/fleet/config/fleet.yaml'", expect='find it by the name of the package',
+           breaks='installed-file'),
     Mutant('a_value_before_the_file', old="Node(namespace='robot1', parameters=[config]",
            new="Node(namespace='robot1', parameters=[{'rate': 15.0}, config]",
            expect='gives a governor a value itself, besides the file: rate = 15.0', breaks='installed-file'),

@@ -60,13 +60,14 @@ SERVICES = (
 TOPICS = '/odom', '/cmd_vel'
 MOST = 4  # programs that are started; two are asked for
 SHARE = 'install/delivery_robot/share/delivery_robot'
-# A copy of the launch file is launched, beside the parameter file as it was. The sources are away, and in the installed
-# parameter file stand other values: so it shows which file the robot gets, and whether by the name of the package.
+# A copy of the launch file is launched, in another folder, beside the parameter file as it was. The sources are away,
+# and in the installed parameter file stand other values: so it shows which file the robot gets, and whether by the name
+# of the package.
 _PREPARE = f"""
     mv src sources; mkdir -p elsewhere/launch elsewhere/config
     cp {SHARE}/launch/delivery.launch.py elsewhere/launch; cp {SHARE}/config/delivery.yaml elsewhere/config
     printf '%s' "$1" > {SHARE}/config/delivery.yaml
-    shift; unset COLCON_PREFIX_PATH; exec "$@"
+    shift; unset COLCON_PREFIX_PATH; cd elsewhere; exec "$@"
 """
 _RESTORE = f'mv sources src; cp elsewhere/config/delivery.yaml {SHARE}/config'
 
@@ -259,7 +260,7 @@ def story(learner, workspace, modules: dict[str, str]) -> dict:
         installed,
         'ros2',
         'launch',
-        'elsewhere/launch/delivery.launch.py',
+        'launch/delivery.launch.py',
         f'scene:={told["scene"]}',
         f'real_time_factor:={told["factor"]}',
     )

@@ -107,7 +107,7 @@ def launched_with(learner, values: dict[str, float | str]) -> tuple[list[dict], 
 
     And the values that the launch file gave them besides this file.
 
-    A copy of the launch file is launched, beside a folder with the parameter file as it was.
+    A copy of the launch file is launched, in another folder, with the parameter file as it was beside it.
     """
     share = 'share=$(ros2 pkg prefix --share fleet)'
     workspace = fleet(learner)
@@ -118,8 +118,8 @@ def launched_with(learner, values: dict[str, float | str]) -> tuple[list[dict], 
         workspace,
         f'{share}; cp $share/config/fleet.yaml kept.yaml; printf "%s" "$1" > $share/config/fleet.yaml; '
         'mkdir -p elsewhere/launch elsewhere/config; cp $share/launch/fleet.launch.py elsewhere/launch; '
-        'cp kept.yaml elsewhere/config/fleet.yaml; unset COLCON_PREFIX_PATH',
-        'elsewhere/launch/fleet.launch.py',
+        'cp kept.yaml elsewhere/config/fleet.yaml; unset COLCON_PREFIX_PATH; cd elsewhere',
+        'launch/fleet.launch.py',
         installed,
         starts=starts,
     )

@@ -8,7 +8,8 @@ from helpers.runner import about, expect
 pytestmark = pytest.mark.exercise('8.10')
 APART = 0.3  # m, at most between what the world says and where the robot's commands lead
 DEFAULTS = {'max_linear': 0.5, 'tolerance': 0.1, 'timeout': 60.0, 'max_angular': 1.0, 'status_period': 0.5}
-NODES = '/world', '/robot_state_publisher', '/delivery_robot'
+PUBLISHER = '/robot_state_publisher'
+NODES = '/world', PUBLISHER, '/delivery_robot'
 UNNAMED = 'max_angular', 'status_period'
 VALUES = (('max_linear', 0.4), ('tolerance', 0.08), ('timeout', 30.0), ('max_angular', 1.0), ('status_period', 0.5))
 
@@ -162,6 +163,11 @@ def test_world(learner):
     expect(
         not more,
         f'There is one more node, {more and more[0]}: start nothing but the world, as it is included, and the robot.',
+    )
+    count = told.get('nodes', []).count(PUBLISHER)
+    expect(
+        count <= 1,
+        f'There are {count} nodes with the name {PUBLISHER}. The world, as it is included, brings one: start no other.',
     )
     real(told)
 
