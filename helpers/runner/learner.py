@@ -377,9 +377,7 @@ class Learner(Workspaces):
         Time goes from one due timer to the next, by at most `step` seconds, so that timers fire at their exact times.
         """
         if self.unsettled or not self._connected:
-            self.connect()
-            self._step_to(self.now)
-            self.connect()
+            self.settle()  # what was sent has arrived before time moves
         end = self.now + round(seconds * SECOND)
         largest = max(1, round(step * SECOND))
         begin, moments, since = self.now, 0, time.monotonic()
@@ -412,6 +410,7 @@ class Learner(Workspaces):
         self._settle()
 
     def _settle(self) -> None:
+        self._confirm()  # else the step may come before what was sent on another topic
         self._step_to(self.now)
         self.connect()
         self._acknowledge()
@@ -554,11 +553,15 @@ class Learner(Workspaces):
             raise handler.exception()
         return True
 
-    def _acknowledge(self) -> None:
-        """Wait until reliable messages have arrived, those that late joiners get included."""
+    def _confirm(self) -> None:
+        """Wait until the test's reliable messages have arrived, those that late joiners get included."""
         for talker in self._talkers:
             if talker.publisher.qos_profile.reliability != ReliabilityPolicy.BEST_EFFORT:
                 talker.publisher.wait_for_all_acked(Duration(seconds=5))
+
+    def _acknowledge(self) -> None:
+        """Wait until reliable messages of both sides have arrived, those that late joiners get included."""
+        self._confirm()
         for process in self._conducted():
             process.ask('ack', self.timeouts.step, timeout=5.0)
         self.receive()
