@@ -7,13 +7,12 @@ from collections.abc import Callable
 from typing import Any
 
 from rclpy.clock import ROSClock
-from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.executors import SingleThreadedExecutor, TimeoutException
 from rclpy.node import Node
-from rclpy.publisher import Publisher
 from std_msgs.msg import UInt64
 
 from helpers.runner import rates
+from helpers.runner import silent_endpoints as silent
 from helpers.runner.loaded_program import LoadedProgram, RequestError
 from helpers.runner.mistakes import CALLBACK_WORK, STEADY_WORK
 from helpers.runner.rclpy_changes import Outgoing, watch_actions
@@ -45,22 +44,12 @@ class Conductor:
         # Numbers seen: what was sent before them has arrived, too.
         self.step_seen = self.echo_seen = 0
         self.echo_sent = 0
-        self._subscribe('step', self._on_step)
-        self.done = self._publisher('done')
-        echo = f'echo_{os.getpid()}'
-        self.echo = self._publisher(echo)
-        self._subscribe(echo, self._on_echo)
+        own, echo = f'/_{token}', f'/_{token}/echo_{os.getpid()}'
+        self.node.create_subscription(UInt64, f'{own}/step', self._on_step, 10, event_callbacks=silent.SUBSCRIPTION)
+        self.node.create_subscription(UInt64, echo, self._on_echo, 10, event_callbacks=silent.SUBSCRIPTION)
+        self.done = self.node.create_publisher(UInt64, f'{own}/done', 10, event_callbacks=silent.PUBLISHER)
+        self.echo = self.node.create_publisher(UInt64, echo, 10, event_callbacks=silent.PUBLISHER)
         executor.add_node(self.node)
-
-    # Its endpoints have no event callbacks: each would be one more entity of the wait set in every round.
-
-    def _subscribe(self, name: str, callback: Callable[[UInt64], None]) -> None:
-        silent = SubscriptionEventCallbacks(use_default_callbacks=False)
-        self.node.create_subscription(UInt64, f'/{self.node.get_name()}/{name}', callback, 10, event_callbacks=silent)
-
-    def _publisher(self, name: str) -> Publisher:
-        silent = PublisherEventCallbacks(use_default_callbacks=False)
-        return self.node.create_publisher(UInt64, f'/{self.node.get_name()}/{name}', 10, event_callbacks=silent)
 
     def _on_step(self, message: UInt64) -> None:
         self.step_seen = message.data

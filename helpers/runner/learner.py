@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from rclpy.context import Context
 from rclpy.duration import Duration
-from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
+from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.executors import SingleThreadedExecutor, TimeoutException
 from rclpy.node import Node
 from rclpy.publisher import Publisher
@@ -21,6 +21,7 @@ from std_msgs.msg import UInt64
 
 from helpers.kernel.nodes import UNKNOWN
 from helpers.runner import action_peers, service_peers, spent, values, wiring
+from helpers.runner import silent_endpoints as silent
 from helpers.runner.arguments import Changed
 from helpers.runner.own_endpoints import Recording, Talker
 from helpers.runner.peers import SECOND, Peer
@@ -101,13 +102,11 @@ class Learner(Workspaces):
         )
         executor = SingleThreadedExecutor(context=context)
         executor.add_node(node)
-        # No event callbacks: each would be one more entity of the wait set in every round.
-        mute = PublisherEventCallbacks(use_default_callbacks=False)
-        deaf = SubscriptionEventCallbacks(use_default_callbacks=False)
-        every = QoSProfile(depth=10, reliability=ReliabilityPolicy.RELIABLE)
-        clock = node.create_publisher(Clock, '/clock', every, event_callbacks=mute)
-        step = node.create_publisher(UInt64, f'/_{self.token}/step', 10, event_callbacks=mute)
-        node.create_subscription(UInt64, f'/_{self.token}/done', self._on_done, 100, event_callbacks=deaf)
+        clock = node.create_publisher(Clock, '/clock', 10, event_callbacks=silent.PUBLISHER)
+        step = node.create_publisher(UInt64, f'/_{self.token}/step', 10, event_callbacks=silent.PUBLISHER)
+        node.create_subscription(
+            UInt64, f'/_{self.token}/done', self._on_done, 100, event_callbacks=silent.SUBSCRIPTION
+        )
         return _Own(context, node, executor, clock, step)
 
     @property
@@ -260,8 +259,8 @@ class Learner(Workspaces):
 
     def talk(self, topic: str, msg_type, qos: QoSProfile | int = 10, *, strict: bool = True) -> Talker:
         """A publisher on `topic`. `strict` as in `listen`."""
-        mute = PublisherEventCallbacks(use_default_callbacks=False)
-        talker = Talker(self, self.node.create_publisher(msg_type, topic, qos, event_callbacks=mute), strict)
+        own = self.node.create_publisher(msg_type, topic, qos, event_callbacks=silent.PUBLISHER)
+        talker = Talker(self, own, strict)
         self._talkers.append(talker)
         self._connected = False
         return talker

@@ -1,4 +1,4 @@
-"""What a learner's process changes in rclpy: simulated time at once, errors of actions, who sends what is noted."""
+"""What a learner's process changes in rclpy: simulated time from the first moment, and notes on what happens in it."""
 
 import functools
 from collections.abc import Callable, Iterator
@@ -85,13 +85,14 @@ class Outgoing:
 
     def watch(self) -> None:
         """Note each publisher and each client that is made from now on."""
-        note = {
-            Publisher: lambda entity: self.topics.add(entity.topic_name),
-            Client: lambda entity: setattr(self, 'clients', True),
-            ActionClient: lambda entity: setattr(self, 'clients', True),
-        }
-        for kind, noting in note.items():
-            kind.__init__ = _followed_by(noting, kind.__init__)  # type: ignore[misc]  # put around it on purpose
+        for kind, note in (Publisher, self._publisher), (Client, self._client), (ActionClient, self._client):
+            kind.__init__ = _followed_by(note, kind.__init__)  # type: ignore[method-assign,misc]  # put around it
+
+    def _publisher(self, publisher: Publisher) -> None:
+        self.topics.add(publisher.topic_name)
+
+    def _client(self, client: Client | ActionClient) -> None:
+        self.clients = True
 
     def reaches(self, nodes: list[Node]) -> bool:
         """Whether something that this process sends can arrive at one of its nodes."""

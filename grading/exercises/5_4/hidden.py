@@ -111,7 +111,7 @@ def test_cancel(learner):
 
     Look at is_cancel_requested in each round; publish zeros before canceled().
     """
-    client, sim, _ = begin(learner, 10.9, 1.0, math.pi)  # near the wall that visible tests seldom come to
+    client, sim, _ = begin(learner, 10.9, 1.0, math.pi)  # at the right wall, looking away from it
     goal = client.send(x=1.0, y=1.0)
     sim.run(learner.random.uniform(0.4, 0.8))
     cancel = goal.cancel()

@@ -138,12 +138,12 @@ class Tree:
         faults, (middle, fixed, other) = _Faults(), frames
         for cause in causes:
             if cause == 'unknown':
-                wrong = self._misspelt(self.source) if near else 'thermometer'
+                wrong = self.misspelt(self.source) if near else 'thermometer'
                 faults.names[self.source, 'child'] = faults.names['lens', 'parent'] = wrong
                 self._found(self.source, 'unknown', wrong if near else '')
             elif cause == 'not connected':
                 parent, child = ('platform', middle) if moves else (middle, fixed)
-                wrong = self._misspelt(parent) if near else _FAR
+                wrong = self.misspelt(parent) if near else _FAR
                 faults.names[child, 'parent'] = wrong
                 self._found(wrong, 'not connected', parent if near else meant)
                 moves = not moves  # if there is another one, it is elsewhere
@@ -253,7 +253,7 @@ class Tree:
     def _found(self, where: str, cause: str, evidence: str) -> None:
         self.expected.append(('no_transform', where, cause, evidence))
 
-    def _misspelt(self, name: str) -> str:
+    def misspelt(self, name: str) -> str:
         """A wrong spelling for which no other frame could be meant."""
         bases = {'platform', 'base_footprint', 'base_link', 'chassis'}
         others = {*_ROOTS, *_SENSORS, *_FIXED, *bases, 'lid', 'lens'} - {name}
@@ -278,9 +278,7 @@ def judge_other_places(learner) -> None:
 
 def _judge_meant_target(learner, tree: Tree) -> None:
     """The rule `unknown`, where the target itself was meant: it is a frame like any other."""
-    wrong = misspelt('platform', learner.random)
-    while not get_close_matches(wrong, ['platform'], 1, 0.78):
-        wrong = misspelt('platform', learner.random)
+    wrong = tree.misspelt('platform')
     static = [_transform('platform', tree.source, [0.1, 0.0, 0.0], 0.0)]
     compare(
         learner.call('diagnose_tf', [], static, 'platform', wrong, 100.0),

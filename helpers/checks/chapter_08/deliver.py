@@ -85,7 +85,7 @@ class Programs:
         self._heard = stand_ins.of(learner)
         self._heard.release()
         self._tasks: list[tuple[str, Task]] = []
-        self.robot: Start | None = None  # how the launch file has started it
+        self._robots: list[Start] = []  # how the launch file has started the robot
         # Where they answer for their parameters: no other node knows these names beforehand.
         self.asked = {node: f'/asked_{secrets.token_hex(6)}' for node in PROGRAMS}
 
@@ -95,7 +95,8 @@ class Programs:
         for start in self._heard.starts(*texts)[len(self._tasks) : MOST]:
             modules = {}
             if start.name == 'robot':
-                modules, self.robot = self._modules, self.robot or start
+                modules = self._modules
+                self._robots.append(start)
             node = next(node for node, (name, _) in PROGRAMS.items() if name == start.name)
             words = '--ros-args', '-r', f'{node}/get_parameters:={self.asked[node]}/get_parameters'
             self._tasks.append((start.name, start.begin(self._learner, texts[start.name], modules, words)))
@@ -107,6 +108,10 @@ class Programs:
     def died(self) -> bool:
         """Whether one has ended."""
         return any(task.wait(0) is not None for _, task in self._tasks)
+
+    def besides(self, installed: str) -> dict:
+        """The parameters that the launch file gave the robot besides the installed file, which has this text."""
+        return parameter_files.given_besides(self._robots, installed)
 
     def end(self) -> str:
         """End them; what they have printed."""
@@ -269,8 +274,7 @@ def story(learner, workspace, modules: dict[str, str]) -> dict:
             _story(Customer(observer, launch, told['factor'], programs), told)
         except Missing as missing:
             told['missing'], told['nodes'] = str(missing), observer.nodes()
-    if programs.robot is not None:
-        told['besides'] = parameter_files.given_besides(programs.robot, installed)
+    told['besides'] = programs.besides(installed)
     launch.signal(signal.SIGINT)
     told['status'] = launch.wait(15.0 * (3 if busy() else 1))
     launch.end()

@@ -69,7 +69,7 @@ def launched(learner) -> dict[str, dict]:
     key = 'fleet', workspace.name
     if key not in learner.server.workspaces:
         learner.server.workspaces[key] = _launch(learner, workspace, 'mv src sources', 'fleet fleet.launch.py')
-    log, reports = learner.server.workspaces[key]
+    log, reports, _ = learner.server.workspaces[key]
     expect(
         'InvalidParameterTypeException' not in log,
         'A governor did not start: a value in FLEET_YAML has the wrong '
@@ -103,17 +103,15 @@ def launched(learner) -> dict[str, dict]:
 
 
 def launched_with(learner, values: dict[str, float | str]) -> tuple[list[dict], dict[str, Any]]:
-    """What is found of the governors when the installed parameter file gives these values to all nodes.
-
-    And the values that the launch file gave them besides this file.
+    """What is found of the governors when the installed parameter file gives these values to all nodes, and what else
+    the launch file gave them.
 
     A copy of the launch file is launched, in another folder, with the parameter file as it was beside it.
     """
     share = 'share=$(ros2 pkg prefix --share fleet)'
     workspace = fleet(learner)
     installed = parameter_files.with_values(learner.text('FLEET_YAML'), values)
-    starts: list[Start] = []
-    _, reports = _launch(
+    _, reports, starts = _launch(
         learner,
         workspace,
         f'{share}; cp $share/config/fleet.yaml kept.yaml; printf "%s" "$1" > $share/config/fleet.yaml; '
@@ -121,13 +119,9 @@ def launched_with(learner, values: dict[str, float | str]) -> tuple[list[dict], 
         'cp kept.yaml elsewhere/config/fleet.yaml; unset COLCON_PREFIX_PATH; cd elsewhere',
         'launch/fleet.launch.py',
         installed,
-        starts=starts,
     )
     workspace.run('bash', '-c', f'{share}; cp kept.yaml $share/config/fleet.yaml')
-    besides: dict[str, Any] = {}
-    for start in starts:
-        besides |= parameter_files.given_besides(start, installed)
-    return reports, besides
+    return reports, parameter_files.given_besides(starts, installed)
 
 
 def alone(learner, *namespaces: str) -> dict[str, dict]:
@@ -253,13 +247,11 @@ def judge_installed_file(learner) -> None:
             )
 
 
-def _launch(
-    learner, workspace, before: str, what: str, *texts: str, starts: list[Start] | None = None
-) -> tuple[str, list[dict]]:
-    """`ros2 launch` with the words `what`: what it and the governors have printed, and what is found of each node.
+def _launch(learner, workspace, before: str, what: str, *texts: str) -> tuple[str, list[dict], list[Start]]:
+    """`ros2 launch` with the words `what`: what it and the governors have printed, what is found of each node, and how
+    the governors were started.
 
     :param before: what bash does before, with these texts as $1, …
-    :param starts: gets how the governors were started.
     """
     heard = stand_ins.of(learner)
     heard.release()
@@ -272,10 +264,9 @@ def _launch(
     task.wait(10.0)
     task.end()
     workspace.run('bash', '-c', '[ ! -e sources ] || mv sources src')
-    if starts is not None:
-        starts += started
     log, reports = _reports(learner, started)
-    return f'{task.output}\n{log}', [*reports, *({'node': name, 'stranger': True} for name in strangers)]
+    reports += [{'node': name, 'stranger': True} for name in strangers]
+    return f'{task.output}\n{log}', reports, started
 
 
 def _reports(learner, starts: list[Start]) -> tuple[str, list[dict]]:

@@ -300,25 +300,18 @@ def _in_rhythm(governed: Governed, rate: float) -> bool:
 def _judge_refused(governed: Governed, limit: float, rate: float) -> None:
     """Requests of which one part is wrong: refused, and nothing is changed by them."""
     period = 1 / rate
-    for bad in (
-        {'max_linear': round(limit + 0.1, 2), 'mode': 'fast'},
-        {'mode': 'turbo'},
-        {'rate': 2 * rate, 'mode': 'Slow'},
-        {'mode': 'slow', 'slow_linear': 2.5},
-        {'mode': 'stop', 'slow_linear': round(limit + 0.1, 2)},
-        {'mode': 'slow', 'max_linear': 0.05},
-        {'rate': 2 * rate, 'slow_linear': round(limit + 0.1, 2)},
-        {'max_linear': 0.05, 'rate': rate},
+    above = round(limit + 0.1, 2)
+    for bad, rule in (
+        ({'max_linear': above, 'mode': 'fast'}, 'unknown-mode'),
+        ({'mode': 'turbo'}, 'unknown-mode'),
+        ({'rate': 2 * rate, 'mode': 'Slow'}, 'unknown-mode'),
+        ({'mode': 'slow', 'slow_linear': 2.5}, 'bounds'),
+        ({'mode': 'stop', 'slow_linear': above}, 'pair'),
+        ({'mode': 'slow', 'max_linear': 0.05}, 'pair'),
+        ({'rate': 2 * rate, 'slow_linear': above}, 'pair'),
+        ({'max_linear': 0.05, 'rate': rate}, 'pair'),
     ):
-        expect(
-            not governed.parameters.set(**bad).successful,
-            f'The request {shown(bad)} was accepted.',
-            'bounds'
-            if 2.5 in bad.values()
-            else 'pair'
-            if bad.get('mode', 'slow') in ('slow', 'stop')
-            else 'unknown-mode',
-        )
+        expect(not governed.parameters.set(**bad).successful, f'The request {shown(bad)} was accepted.', rule)
         came = governed.after(2 * period)
         speeds = sorted({one.linear.x for one in came})
         expect(

@@ -1,6 +1,6 @@
 """Parameter files with other values in them, and the values that a program got besides its file."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import yaml
@@ -17,35 +17,35 @@ def with_values(text: str, values: dict[str, Any]) -> str:
     They stand in one block for all nodes: there a launch file that gives such a value itself replaces it, whereas it
     would not replace one in the block of a node.
     """
+    content = _content(text)
+    if not isinstance(content, dict):
+        return text
+    for block in _blocks(content, set()):
+        for name in values:
+            block.pop(name, None)
+        block['changed'] = True  # a block without a parameter is an error
+    first = {ALL: {BLOCK: {**_block(content.pop(ALL, None)), **values}}}
     try:
-        content = yaml.safe_load(text)
-        if not isinstance(content, dict):
-            return text
-        for block in _blocks(content, set()):
-            for name in values:
-                block.pop(name, None)
-            block['changed'] = True  # a block without a parameter is an error
-        first = {ALL: {BLOCK: {**_block(content.pop(ALL, None)), **values}}}
         return yaml.safe_dump({**first, **content}, sort_keys=False)
-    except (yaml.YAMLError, ValueError, RecursionError):
+    except (yaml.YAMLError, RecursionError):
         return text
 
 
-def given_besides(start: Start, text: str) -> dict[str, Any]:
-    """The parameters that a program was started with besides the file with this text, whatever comes first or last.
+def given_besides(starts: Iterable[Start], text: str) -> dict[str, Any]:
+    """The parameters that programs were started with besides the file with this text, whatever comes first or last.
 
     Not among them is the simulated time. A launch file hands its own values over as another file, or as words `-p`.
     """
-    found: dict[str, Any] = {}
-    for other in start.files.values():
-        content = _content(other)
-        if content != _content(text):
-            for block in _blocks(content, set()):
-                found |= block
-    for option, word in zip(start.arguments, start.arguments[1:], strict=False):
-        name, between, value = word.partition(':=')
-        if option in _OPTIONS and between:
-            found[name.rpartition(':')[2]] = value
+    file, found = _content(text), dict[str, Any]()
+    for start in starts:
+        for other in map(_content, start.files.values()):
+            if other != file:
+                for block in _blocks(other, set()):
+                    found |= block
+        for option, word in zip(start.arguments, start.arguments[1:], strict=False):
+            name, between, value = word.partition(':=')
+            if option in _OPTIONS and between:
+                found[name.rpartition(':')[2]] = value
     return {name: value for name, value in found.items() if name != 'use_sim_time'}
 
 

@@ -83,11 +83,10 @@ def values_of_the_launch(told: dict) -> None:
             'and give no values itself but the simulated time.',
             'robot',
         )
-    besides = told.get('besides')
     expect(
-        not besides,
+        not told['besides'],
         'The launch file gives /delivery_robot a value itself, besides the file: '
-        f'{parameter_files.shown(besides or {})}. All values but the simulated time stand in config/delivery.yaml.',
+        f'{parameter_files.shown(told["besides"])}. All values but the simulated time stand in config/delivery.yaml.',
         'robot',
     )
 

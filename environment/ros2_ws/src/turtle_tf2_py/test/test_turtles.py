@@ -90,6 +90,12 @@ def test_a_command_line_that_cannot_be_read(start, arguments, status, said):
     assert 'Traceback' not in process.output
 
 
+def test_ros_arguments_that_cannot_be_read_are_no_success(start):
+    process = start(program('turtle_tf2_py', 'turtle_tf2_listener'), '--ros-args', '--no-such-option')
+    assert ended(process) == 1
+    assert '--no-such-option' in process.output
+
+
 def test_points_of_the_third_turtle(start, peer):
     launched = start(ROS2, 'launch', 'turtle_tf2_py', 'turtle_tf2_sensor_message.launch.py')
     points, poses = peer.listen(PointStamped, '/turtle3/turtle_point_stamped'), peer.listen(Pose, '/turtle3/pose')

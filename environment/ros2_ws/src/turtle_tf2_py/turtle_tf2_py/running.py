@@ -10,9 +10,9 @@ from rclpy.node import Node
 
 def run(make_node: Callable[[], Node]) -> None:
     """Make a node and spin it until Ctrl+C or SIGTERM comes."""
+    rclpy.init()
     try:
         with contextlib.suppress(KeyboardInterrupt, ExternalShutdownException):
-            rclpy.init()
             rclpy.spin(make_node())
     except Exception:
         # A signal takes the context away at once; a callback that is about to publish then fails.

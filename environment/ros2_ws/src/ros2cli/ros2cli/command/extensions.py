@@ -26,11 +26,9 @@ class _Listing(CommandExtension):
             return
         prefix, gap = (self.GOOD if error is None else self.BAD), self.GAP
         print(f'{prefix}{gap}{entry_point.name}:', get_first_line_doc(thing))
-        if args.verbose:
-            facts = [f'module_name: {entry_point.module}', f'attributes: {entry_point.attr}', *facts]
-        else:
-            facts = []
-        for fact in [*facts, *([f'reason: {error}'] if error is not None else [])]:
+        known = [f'module_name: {entry_point.module}', f'attributes: {entry_point.attr}', *facts]
+        reason = [] if error is None else [f'reason: {error}']
+        for fact in (known if args.verbose else []) + reason:
             print(f'{prefix}   {fact}')
 
 
