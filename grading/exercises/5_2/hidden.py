@@ -7,7 +7,7 @@ from example_interfaces.action import Fibonacci
 from std_msgs.msg import String
 from unique_identifier_msgs.msg import UUID
 
-from helpers.checks.chapter_05.test_5_2 import check_first
+from helpers.checks.chapter_05.test_5_2 import check_first, check_silence
 from helpers.runner import about, action_peers, expect, waiting
 
 pytestmark = [pytest.mark.exercise('5.2'), pytest.mark.wiring(type='names', qos='once', namespace='names')]
@@ -23,7 +23,9 @@ def plan(goal):
 def begin(learner, order, patience, steps=plan, **server):
     outcome = learner.listen('/outcome', String)
     server = learner.action_server('/fibonacci', Fibonacci, steps, **server)
-    return outcome, server, learner.start('PatientClient', order, patience)
+    node = learner.start('PatientClient', order, patience)
+    check_silence(learner, outcome)
+    return outcome, server, node
 
 
 @pytest.mark.weight(2)
@@ -271,6 +273,7 @@ def test_server_comes_late(learner):
     server.stop()
     with waiting('at-once'):
         node = learner.start('PatientClient', 2, 1.5)
+        check_silence(learner, outcome)
         learner.run(33.0, step=1.0)
     expect(not learner.slept, 'The client sleeps, or waits for the server: it must ask in a timer instead.', 'at-once')
     expect(not outcome.data, f'There is no server, and /outcome said {outcome.data}.', 'send')
@@ -349,7 +352,9 @@ def test_two_clients(learner):
         for side in ('left', 'right')
     ]
     learner.start('PatientClient', 2, 2.0, remap={'__ns': '/left'})
+    check_silence(learner, left)
     learner.start('PatientClient', 20, 2.0, remap={'__ns': '/right'})
+    check_silence(learner, right)
     learner.run(4.0)
     counts = [len(server.goals) for server in servers]
     expect(counts == [1, 1], f'Two clients in two namespaces sent {counts} goals to the servers in theirs.')

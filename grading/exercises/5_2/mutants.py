@@ -146,5 +146,5 @@ MUTANTS = [
     Mutant('says_that_it_waits', breaks='once', old="self.outcome = self.create_publisher(String, 'outcome', 10)", new="""
         self.outcome = self.create_publisher(String, 'outcome', 10)
         self.outcome.publish(String(data='waiting []'))
-        """, expect='so early that nobody could hear it'),
+        """, expect='what goes out in the constructor, hardly anybody can hear'),
 ]
