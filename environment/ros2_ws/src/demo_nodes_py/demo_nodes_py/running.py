@@ -14,10 +14,14 @@ from rclpy.task import Future
 
 @contextlib.contextmanager
 def ros(args: list[str] | None = None) -> Iterator[None]:
-    """Initialise rclpy for the block; Ctrl+C and SIGTERM leave it, and the program ends without a traceback."""
+    """
+    Initialise rclpy for the block; Ctrl+C and SIGTERM leave it, and the program ends without a traceback.
+
+    ROS arguments that cannot be read are an error.
+    """
     with contextlib.suppress(KeyboardInterrupt):
+        rclpy.init(args=args)
         try:
-            rclpy.init(args=args)
             yield
         except ExternalShutdownException:
             pass

@@ -140,3 +140,9 @@ def test_a_signal_ends_a_program_quietly(start, peer, number):
         os.kill(process.pid, number)
         assert status_of(process) == 0
         assert 'Traceback' not in process.output
+
+
+def test_ros_arguments_that_cannot_be_read_are_no_success(start):
+    process = start(program('demo_nodes_py', 'talker'), '--ros-args', '--no-such-option')
+    assert status_of(process) == 1
+    assert '--no-such-option' in process.output

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import rclpy
+from rclpy._rclpy_pybind11 import RCLError
 from rclpy.exceptions import InvalidParameterTypeException, InvalidParameterValueException
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
@@ -46,7 +47,8 @@ def run(make_node: Callable[[list[str]], Node]) -> int:
             if rclpy.ok():
                 raise
         finally:
-            rclpy.try_shutdown()
+            with contextlib.suppress(RCLError):  # the signal's handler may shut down at the same moment
+                rclpy.try_shutdown()
     return 0
 
 
