@@ -17,8 +17,13 @@ from helpers.kernel.nodes import UNKNOWN
 from helpers.runner.program_process import Task
 
 _LAUNCH = re.compile(r'/launch_ros_\d+')  # ros2 launch's own node
-_STARTED = re.compile(r'^\[INFO\] \[[^]\n]*\]: process started with pid', re.MULTILINE)
+_STARTED = re.compile(r'^\[INFO\] \[([^]\n]*)-\d+\]: process started with pid', re.MULTILINE)
 _GONE = re.compile(r'^\[(?:INFO|ERROR)\] \[[^]\n]*\]: process has (?:died|finished)', re.MULTILINE)
+
+
+def processes(log: str) -> list[str]:
+    """The names of the processes that a `ros2 launch` with this output has started, in their order."""
+    return _STARTED.findall(log)
 
 
 class Observer:
@@ -61,7 +66,7 @@ class Observer:
 
         def arrived() -> bool:
             log = task.output
-            started, gone = len(_STARTED.findall(log)), len(_GONE.findall(log))
+            started, gone = len(processes(log)), len(_GONE.findall(log))
             return bool(started) and len(self.nodes()) + more() >= started - gone
 
         self.until(arrived, timeout, task)

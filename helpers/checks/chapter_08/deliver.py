@@ -21,7 +21,7 @@ from std_msgs.msg import String
 from helpers.checks.chapter_08 import parameter_files
 from helpers.runner import stand_ins
 from helpers.runner.load import busy
-from helpers.runner.observer import Observer
+from helpers.runner.observer import Observer, processes
 from helpers.runner.program_process import Task
 from helpers.runner.retracing import Way
 from helpers.runner.stand_ins import Start
@@ -278,6 +278,7 @@ def story(learner, workspace, modules: dict[str, str]) -> dict:
     launch.signal(signal.SIGINT)
     told['status'] = launch.wait(15.0 * (3 if busy() else 1))
     launch.end()
+    told['processes'] = processes(launch.output)
     told['log'] = f'{launch.output}\n{programs.end()}'
     workspace.run('bash', '-c', _RESTORE)
     return told

@@ -168,6 +168,11 @@ def test_world(learner):
         count <= 1,
         f'There are {count} nodes with the name {PUBLISHER}. The world, as it is included, brings one: start no other.',
     )
+    expect(
+        len(told['processes']) <= len(NODES),
+        f'The launch started these processes: {", ".join(told["processes"])}. Start nothing but the world, as it is '
+        'included, and the robot; what is no ROS node counts, too.',
+    )
     real(told)
 
 
