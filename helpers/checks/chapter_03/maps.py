@@ -27,6 +27,11 @@ def random_rows(random) -> list[str]:
             return rows
 
 
+def one_row(random) -> list[str]:
+    """A map of a single row."""
+    return [''.join(random.choice('#..?') for _ in range(random.randint(5, 12)))]
+
+
 def orders(rows: list[str]) -> dict[str, list[str]]:
     """The map in wrong orders, by what is wrong."""
     return {

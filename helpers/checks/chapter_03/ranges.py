@@ -13,7 +13,7 @@ def reading(random, **changes) -> Range:
     """A measurement in centimetres of these years; all fields are drawn, and no two are equal."""
     message = Range(
         radiation_type=random.randint(1, 99),  # a relay does not ask what kinds there are
-        field_of_view=random.uniform(0.1, 0.9),
+        field_of_view=random.uniform(0.1, 6.2),
         range=random.uniform(10, 190),
         variance=random.uniform(1, 9),
         min_range=random.uniform(1, 5),

@@ -13,6 +13,7 @@ from helpers.checks.chapter_03.maps import (
     check_once,
     grid_of,
     large_rows,
+    one_row,
     random_rows,
 )
 from helpers.runner import about, expect
@@ -27,7 +28,7 @@ def test_server(learner):
     Translate character by character, the first row first. TRANSIENT_LOCAL keeps the map in the publisher.
     """
     space = robot(learner.random)
-    rows, other = random_rows(learner.random), random_rows(learner.random)
+    rows, other = random_rows(learner.random), one_row(learner.random)
     with about('cells'):
         server = learner.start('MapServer', rows, remap={'__ns': space})
     check_name(server, 'map_server', 'server-node')

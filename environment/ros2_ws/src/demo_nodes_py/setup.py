@@ -5,6 +5,7 @@ programs = {
     'add_two_ints_client': 'services:add_two_ints_client',
     'add_two_ints_client_async': 'services:add_two_ints_client_async',
     'add_two_ints_server': 'services:add_two_ints_server',
+    'async_param_client': 'parameter_client:main',
     'introspection': 'services:introspection',
     'listener': 'topics:listener',
     'listener_qos': 'topics:listener_qos',
@@ -22,7 +23,7 @@ setup(
     packages=[package_name],
     data_files=[
         ('share/ament_index/resource_index/packages', ['resource/' + package_name]),
-        ('share/' + package_name, ['package.xml']),
+        ('share/' + package_name, ['package.xml', 'params.yaml']),
     ],
     install_requires=['setuptools'],
     zip_safe=True,

@@ -17,17 +17,19 @@ TOPIC = 'chatter'
 class Talker(Node):
     """Counts aloud."""
 
+    FIRST, LOG = 0, 'Publishing: "{}"'
+
     def __init__(self, name: str = 'talker', qos: QoSProfile | int = 10) -> None:
         """Publish with a quality of service."""
         super().__init__(name)
-        self._count = 0
+        self._count = self.FIRST
         self._publisher = self.create_publisher(String, TOPIC, qos)
         self._timer = self.create_timer(1.0, self._talk)
 
     def _talk(self) -> None:
         message = String(data=f'Hello World: {self._count}')
         self._count += 1
-        self.get_logger().info(f'Publishing: "{message.data}"')
+        self.get_logger().info(self.LOG.format(message.data))
         self._publisher.publish(message)
 
 
