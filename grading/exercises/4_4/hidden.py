@@ -213,6 +213,8 @@ def test_two_rooms(learner):
         'names',
     )
     expect(told(call) == (True, 'welcome'), f'enter in room 2 says {told(call)}.', 'names')
+    leave = rooms[1][2]
+    expect(leave.name in leave.theirs(), f'There is no service {leave.name}: no leading slash in its name.', 'names')
 
 
 @pytest.mark.rules('full', 'welcome')

@@ -17,6 +17,8 @@ MUTANTS = [
         (LEAVE, 'DoorGuard.inside = max(0, self.inside - 1)')), expect='Each guard counts for itself'),
     Mutant('absolute_lock', breaks='names', also=('one-thread', 'capacity'), old="SetBool, 'lock', callback_group",
            new="SetBool, '/lock', callback_group", expect='without a leading slash'),
+    Mutant('absolute_leave', breaks='names', old="Trigger, 'leave'", new="Trigger, '/leave'",
+           expect='without a leading slash'),
     Mutant('all_reentrant', breaks='capacity', also=('full', 'open'), old='''
         self.lock = self.create_client(
             SetBool, 'lock', callback_group=MutuallyExclusiveCallbackGroup())

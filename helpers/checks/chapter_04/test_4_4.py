@@ -176,12 +176,12 @@ def test_all_at_once(learner):
         'names',
     )
     lock = learner.serve(f'{space}/lock', SetBool, iter([{'success': False}] + [{'success': True}] * visitors), delay)
-    enter = learner.client(f'{space}/enter', Trigger)
+    enter, leave = (learner.client(f'{space}/{name}', Trigger) for name in ('enter', 'leave'))
     learner.settle()
     expect(
-        f'{space}/enter' in enter.theirs() and lock.name in lock.theirs(),
-        f'In the namespace {space} your node has not both a service {space}/enter and a client for {space}/lock: '
-        'write the names without a leading slash.',
+        all(peer.name in peer.theirs() for peer in (enter, leave, lock)),
+        f'In the namespace {space} your node has not all of the services {space}/enter and {space}/leave and a client '
+        f'for {space}/lock: write the names without a leading slash.',
         'names',
     )
     calls = [enter.send() for _ in range(visitors)]
