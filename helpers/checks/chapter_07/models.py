@@ -21,7 +21,7 @@ WHY = {
 }
 DEEPEST = 20
 _MOMENTS, _PRODUCTS = ('ixx', 'iyy', 'izz'), ('ixy', 'ixz', 'iyz')
-_LINKS = ('left_wheel', 'right_wheel', 'caster', 'mast', 'gripper', 'bumper')
+_LINKS = ('left_wheel', 'right_wheel', 'Caster', 'mast-2', 'Gripper', 'front bumper')
 # Runs on the learner's side: drops the robot from one metre, and tells where its parts are after two seconds.
 _DROP = """\
 import json
