@@ -155,7 +155,7 @@ def turtlesim(ros2):  # noqa: F811
 
 
 @pytest.mark.usefixtures('turtlesim')
-@pytest.mark.one_of(2)
+@pytest.mark.one_of(3)
 @pytest.mark.parametrize('tutorial,line,pattern', LINES, ids=[line for _, line, _ in LINES])
 def test_command_line(ros2, tutorial, line, pattern):  # noqa: F811
     done = run_line(ros2, line)

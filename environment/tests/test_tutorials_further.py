@@ -136,7 +136,7 @@ REFUSED = [
 
 
 @pytest.mark.usefixtures('turtlesim')
-@pytest.mark.one_of(2)
+@pytest.mark.one_of(3)
 @pytest.mark.parametrize('line,pattern', LINES, ids=[line for line, _ in LINES])
 def test_command_line(ros2, line, pattern):  # noqa: F811
     done = run_line(ros2, line)

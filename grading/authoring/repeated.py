@@ -61,21 +61,18 @@ def all_twice(path: Path) -> tuple[str, ...]:
 def sample(notebooks: list[Path], seed: str) -> Callable[[Path], tuple[str, ...]]:
     """The runs of a notebook in a sample: each solved one runs.
 
-    ``seed`` draws a quarter of the chapters, whose solved notebook runs a second time, and another quarter, whose
-    learner's notebook runs. Half of each are of the later chapters, which take longer: so samples take the same time.
+    ``seed`` draws a chapter whose solved notebook runs a second time, and another one whose learner's notebook runs.
+    One of them is of the later chapters, which take longer: so samples take about the same time.
     """
     names, draw = sorted({path.name for path in notebooks}), random.Random(f'{seed} notebooks')
-    twice, unsolved = set(), set()
-    for half in (names[: len(names) // 2], names[len(names) // 2 :]):
-        draw.shuffle(half)
-        quarter = (len(half) + 3) // 4
-        twice |= set(half[:quarter])
-        unsolved |= set(half[quarter : 2 * quarter])
+    halves = [half for half in (names[: len(names) // 2], names[len(names) // 2 :]) if half]
+    draw.shuffle(halves)
+    twice, unsolved = draw.choice(halves[0]), draw.choice(halves[-1])
 
     def runs(path: Path) -> tuple[str, ...]:
         if path.parent.name == 'notebooks':
-            return ONCE if path.name in unsolved else NEVER
-        return TWICE if path.name in twice else ONCE
+            return ONCE if path.name == unsolved else NEVER
+        return TWICE if path.name == twice else ONCE
 
     return runs
 

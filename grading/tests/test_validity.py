@@ -35,6 +35,7 @@ VARIANTS = {
     'alternatives': {identity: variants.alternatives(identity) for identity in EXERCISES},
 }
 
+EACH_CHAPTER = pytest.mark.parametrize('number', CHAPTERS, ids='chapter_{}'.format)
 
 ANSWERS = {
     kind: [trial.Answer(identity, variant) for identity, found in by_exercise.items() for variant in found]
@@ -42,7 +43,16 @@ ANSWERS = {
 }
 
 
-def layers(kind, number):
+def layers(kind):
+    """The notebooks of all chapters with variants of this kind: the chapter's number, and the variants."""
+    return [
+        pytest.param(number, together, id=f'chapter_{number}-{index}')
+        for number in CHAPTERS
+        for index, together in enumerate(_layers(kind, number))
+    ]
+
+
+def _layers(kind, number):
     """Variants of different exercises of a chapter, side by side: one notebook each. Some want one of their own."""
     mine = [answer for answer in ANSWERS[kind] if EXERCISES[answer.exercise].chapter == number]
     if not ALL_TESTS:
@@ -52,7 +62,7 @@ def layers(kind, number):
         [answer for answer in mine if answer.exercise in together and not answer.variant.alone] for together in COLUMNS
     ]
     rows = [*zip_longest(*columns), *([answer] for answer in mine if answer.variant.alone)]
-    return [pytest.param([answer for answer in row if answer], id=str(index)) for index, row in enumerate(rows)]
+    return [[answer for answer in row if answer] for row in rows]
 
 
 def _some(kind, together, answers):
@@ -112,109 +122,68 @@ def faults_by_name(answers, results):
     return {str(answer): found for answer in answers if (found := answer.faults(results[answer.exercise]))}
 
 
-class Validity:
-    """What holds of every chapter."""
+@pytest.mark.one_of(2)
+@EACH_CHAPTER
+def test_solution_gets_full_marks(number):
+    for result in judge(number, reference.solved(number), some_exercises(number)).values():
+        assert not trial.faults_of_right(result), result.id
 
-    number: int
 
-    def test_solution_gets_full_marks(self):
-        for result in judge(self.number, reference.solved(self.number), some_exercises(self.number)).values():
-            assert not trial.faults_of_right(result), result.id
-
-    def test_unsolved_notebook_gets_nothing_kindly(self):
-        path = paths.NOTEBOOKS / f'{CHAPTERS[self.number].stem}.ipynb'
-        work = Submission('ada', path, {path.name: path.read_bytes()})
-        mine = tuple(exercise for exercise in EXERCISES.values() if exercise.chapter == self.number)
-        for result in grade.judge(work, grade.Course(mine)).exercises:
-            assert (result.verdict, result.score) == ('not_attempted', 0)
-            said = (
-                'No package was handed in.'
-                if EXERCISES[result.id].folder
-                else f'Exercise {result.id} is not solved yet.'
-            )
-            assert result.message.startswith(said)
-
-    @pytest.mark.one_of(2)
-    @pytest.mark.parametrize('given', ['None', '[]'])
-    def test_who_does_nothing_gets_nothing(self, given):
-        """A test that asks for silence, or for None, also asks for something that only a program at work does."""
-        idle = {
-            identity: _idle(EXERCISES[identity], given)
-            for identity in some_exercises(self.number)
-            if not any(name.isupper() for name in EXERCISES[identity].names)  # a file has to be written
-        }
-        if not idle:
-            pytest.skip('all exercises that are drawn ask for files')
-        cells = [
-            notebooks.NotebookCell(idle[identity], cell.number, cell.id)
-            if (identity := program.exercise_id(cell)) in idle
-            else cell
-            for cell in reference.solved(self.number)
-        ]
-        passed = {
-            identity: [test.test for test in result.tests if test.passed]
-            for identity, result in judge(self.number, cells, set(idle)).items()
-            if result.score != 0
-        }
-        assert not passed
-
-    def test_wrong_solutions_are_rejected_with_the_right_words(self, mutants):
-        named = {} if ALL_TESTS else {answer.exercise: answer.tests() for answer in mutants}
-        results = judge(self.number, trial.varied(self.number, mutants), {answer.exercise for answer in mutants}, named)
-        doubtful = faults_by_name(mutants, results)
-        if named:  # a test may also find a rule broken that its mark leaves to others: then all of them are asked
-            answers = [answer for answer in mutants if str(answer) in doubtful]
-            doubtful = {str(one): found for one in answers if (found := trial.run(EXERCISES[one.exercise], one).faults)}
-        assert not doubtful
-
-    def test_alternatives_get_full_marks(self, alternatives):
-        results = judge(
-            self.number, trial.varied(self.number, alternatives), {answer.exercise for answer in alternatives}
+@EACH_CHAPTER
+def test_unsolved_notebook_gets_nothing_kindly(number):
+    path = paths.NOTEBOOKS / f'{CHAPTERS[number].stem}.ipynb'
+    work = Submission('ada', path, {path.name: path.read_bytes()})
+    mine = tuple(exercise for exercise in EXERCISES.values() if exercise.chapter == number)
+    for result in grade.judge(work, grade.Course(mine)).exercises:
+        assert (result.verdict, result.score) == ('not_attempted', 0)
+        said = (
+            'No package was handed in.' if EXERCISES[result.id].folder else f'Exercise {result.id} is not solved yet.'
         )
-        assert not faults_by_name(alternatives, results)
+        assert result.message.startswith(said)
 
 
-# A class for each chapter: pytest-xdist's loadscope gives each to a process of its own.
-class TestChapter01(Validity):
-    number = 1
+@pytest.mark.one_of(4)
+@pytest.mark.parametrize('given', ['None', '[]'])
+@EACH_CHAPTER
+def test_who_does_nothing_gets_nothing(number, given):
+    """A test that asks for silence, or for None, also asks for something that only a program at work does."""
+    idle = {
+        identity: _idle(EXERCISES[identity], given)
+        for identity in some_exercises(number)
+        if not any(name.isupper() for name in EXERCISES[identity].names)  # a file has to be written
+    }
+    if not idle:
+        pytest.skip('all exercises that are drawn ask for files')
+    cells = [
+        notebooks.NotebookCell(idle[identity], cell.number, cell.id)
+        if (identity := program.exercise_id(cell)) in idle
+        else cell
+        for cell in reference.solved(number)
+    ]
+    passed = {
+        identity: [test.test for test in result.tests if test.passed]
+        for identity, result in judge(number, cells, set(idle)).items()
+        if result.score != 0
+    }
+    assert not passed
 
 
-class TestChapter02(Validity):
-    number = 2
+@pytest.mark.parametrize('number,mutants', layers('mutants'))
+def test_wrong_solutions_are_rejected_with_the_right_words(number, mutants):
+    named = {} if ALL_TESTS else {answer.exercise: answer.tests() for answer in mutants}
+    results = judge(number, trial.varied(number, mutants), {answer.exercise for answer in mutants}, named)
+    doubtful = faults_by_name(mutants, results)
+    if named:  # a test may also find a rule broken that its mark leaves to others: then all of them are asked
+        answers = [answer for answer in mutants if str(answer) in doubtful]
+        doubtful = {str(one): found for one in answers if (found := trial.run(EXERCISES[one.exercise], one).faults)}
+    assert not doubtful
 
 
-class TestChapter03(Validity):
-    number = 3
-
-
-class TestChapter04(Validity):
-    number = 4
-
-
-class TestChapter05(Validity):
-    number = 5
-
-
-class TestChapter06(Validity):
-    number = 6
-
-
-class TestChapter07(Validity):
-    number = 7
-
-
-class TestChapter08(Validity):
-    number = 8
-
-
-def pytest_generate_tests(metafunc):
-    for kind in VARIANTS:
-        if kind in metafunc.fixturenames:
-            metafunc.parametrize(kind, layers(kind, metafunc.cls.number))
-
-
-def test_every_chapter_has_its_class():
-    assert {one.number for one in Validity.__subclasses__()} == set(CHAPTERS)
+@pytest.mark.one_of(2)
+@pytest.mark.parametrize('number,alternatives', layers('alternatives'))
+def test_alternatives_get_full_marks(number, alternatives):
+    results = judge(number, trial.varied(number, alternatives), {answer.exercise for answer in alternatives})
+    assert not faults_by_name(alternatives, results)
 
 
 def test_there_are_enough_of_them():

@@ -102,6 +102,7 @@ ELSEWHERE = {
 }
 
 
+@pytest.mark.one_of(2)
 @pytest.mark.parametrize('command', sorted({command for _, command in QUOTED}))
 def test_a_quoted_command_runs(command):
     """As it is quoted, in the course's own folder; in the shell that `shell` opens, a program of ROS is there."""
