@@ -54,6 +54,9 @@ def test_repair(learner):
     case.check_graph(after['endpoints'])
     with named('transforms'):
         case.tree.check([after['moving'], after['static']])
+    case = Case(random, {'machine': ('release',)})  # nothing else is wrong
+    with named('files'):
+        machines.try_out(learner, case.files, case.repaired(learner)['files'], case.want)
     for faults in (['service name', 'both'], ['description durability', 'name']):
         case = Case(random, {'graph': tuple(faults)})
         case.check_graph(case.repaired(learner)['endpoints'])
