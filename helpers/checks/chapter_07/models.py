@@ -47,14 +47,16 @@ else:
 class Robot:
     """A drawn robot: its `urdf`, and the `expected` findings. `causes`: pairs of link and cause, or causes."""
 
-    def __init__(self, random, *causes, frame: str = '', form: int | None = None, flat: bool = False):
+    def __init__(self, random, *causes, frame='', form: int | None = None, flat: bool = False, parts: int = 0):
         """`form`: which of the wrong values it is, by its number.
 
         :param frame: what is in a link without <visual>, if there is one: ``empty``, ``collision`` or ``inertial``.
         :param flat: the links are as thin as paper, so that one moment is the sum of the two others, and as light.
+        :param parts: so many more links; too many for a simulation.
         """
         self._form, self._flat = form, flat
-        names, unseen = random.sample(_LINKS, 3), random.choice(_FRAME_NAMES)
+        names = [*random.sample(_LINKS, 3), *(f'part_{number}' for number in range(parts))]
+        unseen = random.choice(_FRAME_NAMES)
         faults: dict[str, list[str]] = {}
         for cause in causes:
             faults.setdefault(random.choice(names) if isinstance(cause, str) else cause[0], []).append(

@@ -29,7 +29,7 @@ def test_causes(learner):
         Robot(learner.random, *[('base_link', cause) for cause in ('collision', 'mass', 'inertia')]).diagnose(
             learner, 'all'
         )
-        Robot(learner.random, ('base_link', 'mass'), 'mass', 'collision').diagnose(learner, 'all')
+        Robot(learner.random, ('base_link', 'mass'), ('part_29', 'inertial'), 'mass', parts=30).diagnose(learner, 'all')
         Robot(learner.random, ('base_link', 'collision'), ('base_link', 'inertial')).diagnose(learner, 'all')
 
 
