@@ -67,7 +67,7 @@ def sample(notebooks: list[Path], seed: str) -> Callable[[Path], tuple[str, ...]
     names, draw = sorted({path.name for path in notebooks}), random.Random(f'{seed} notebooks')
     halves = [half for half in (names[: len(names) // 2], names[len(names) // 2 :]) if half]
     draw.shuffle(halves)
-    twice, unsolved = draw.choice(halves[0]), draw.choice(halves[-1])
+    twice, unsolved = (draw.choice(half) for half in (halves[0], halves[-1])) if halves else ('', '')
 
     def runs(path: Path) -> tuple[str, ...]:
         if path.parent.name == 'notebooks':

@@ -3,18 +3,19 @@ from glob import glob
 from setuptools import setup
 
 package_name = 'demo_nodes_cpp'
+here, there = package_name, 'demo_nodes_py'
 programs = {
-    'add_two_ints_client': 'services:add_two_ints_client',
-    'add_two_ints_client_async': 'services:add_two_ints_client',
-    'add_two_ints_server': 'services:add_two_ints_server',
-    'introspection_client': 'services:introspection_client',
-    'introspection_service': 'services:introspection_service',
-    'listener': 'topics:listener',
-    'listener_best_effort': 'topics:listener_best_effort',
-    'one_off_timer': 'timers:one_off_timer',
-    'parameter_blackboard': 'parameter_blackboard:main',
-    'reuse_timer': 'timers:reuse_timer',
-    'talker': 'topics:talker',
+    'add_two_ints_client': f'{there}.services:add_two_ints_client_async',  # logs what the C++ client logs
+    'add_two_ints_client_async': f'{there}.services:add_two_ints_client_async',
+    'add_two_ints_server': f'{there}.services:add_two_ints_server',
+    'introspection_client': f'{here}.introspection:client',
+    'introspection_service': f'{here}.introspection:service',
+    'listener': f'{there}.topics:listener',
+    'listener_best_effort': f'{here}.topics:listener_best_effort',
+    'one_off_timer': f'{here}.timers:one_off_timer',
+    'parameter_blackboard': f'{here}.parameter_blackboard:main',
+    'reuse_timer': f'{here}.timers:reuse_timer',
+    'talker': f'{here}.topics:talker',
 }
 
 setup(
@@ -33,5 +34,5 @@ setup(
     description='In Python: programs of demo_nodes_cpp that the official tutorials run.',
     license='Apache-2.0',
     extras_require={'test': ['pytest']},
-    entry_points={'console_scripts': [f'{name} = {package_name}.{place}' for name, place in programs.items()]},
+    entry_points={'console_scripts': [f'{name} = {place}' for name, place in programs.items()]},
 )

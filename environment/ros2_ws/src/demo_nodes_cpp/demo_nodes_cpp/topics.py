@@ -1,8 +1,7 @@
-"""A talker and listeners on /chatter, as the C++ demos have them."""
+"""A talker on /chatter and a listener that is best effort, as the C++ demos have them."""
 
 from demo_nodes_py import topics
 from demo_nodes_py.running import run
-from demo_nodes_py.topics import Listener, listener  # noqa: F401 - the same program
 from rclpy.qos import qos_profile_sensor_data
 
 
@@ -16,7 +15,7 @@ class Talker(topics.Talker):
         super().__init__(qos=7)
 
 
-class BestEffortListener(Listener):
+class BestEffortListener(topics.Listener):
     """A listener that does not ask for a message again."""
 
     def __init__(self) -> None:
