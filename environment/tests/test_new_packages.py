@@ -50,7 +50,7 @@ def colcon(workspace: Path, *words: str) -> subprocess.CompletedProcess:
         cwd=workspace,
         capture_output=True,
         text=True,
-        timeout=300,
+        timeout=600,
     )
 
 
@@ -228,7 +228,7 @@ def write_survey_msgs(root: Path) -> None:
 
 @pytest.mark.early
 @pytest.mark.one_of(5)
-@pytest.mark.timeout(400)
+@pytest.mark.timeout(900)
 def test_an_interface_package_as_upstream_writes_it_builds(workspace):
     write_survey_msgs(workspace / 'src' / 'survey_msgs')
     built = colcon(workspace, 'build')
