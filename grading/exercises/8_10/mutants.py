@@ -64,7 +64,7 @@ MUTANTS = [
         Node(package='delivery_robot', executable='robot', output='screen', parameters=[
         """, edits=(('from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription',
                      'from launch.actions import DeclareLaunchArgument, ExecuteProcess, IncludeLaunchDescription'),),
-           expect='After Ctrl+C', breaks='ends', alone=True),
+           expect='After Ctrl+C', breaks='ends', also='world', alone=True),
     Mutant('one_value_more', old="""
             max_linear: 0.4
         """, new="""
