@@ -2,6 +2,7 @@
 
 from demo_nodes_py.running import run
 from rclpy.node import Node
+from rclpy.timer import Timer
 
 PERIOD, DELAY = 2.0, 1.0  # s
 ROUNDS = 3  # of the periodic timer, in the first of which the other one begins
@@ -11,6 +12,7 @@ class _Timers(Node):
     def __init__(self, name: str) -> None:
         super().__init__(name)
         self._round = 0
+        self._once: Timer | None = None
         self.create_timer(PERIOD, self._on_period)
 
     def _on_period(self) -> None:
@@ -37,7 +39,6 @@ class OneOffTimer(_Timers):
     def __init__(self) -> None:
         """Begin with the periodic timer alone."""
         super().__init__('one_off_timer')
-        self._once = None
 
     def begin(self) -> None:
         """Let a new timer fire."""
