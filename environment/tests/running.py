@@ -53,6 +53,13 @@ def start(domain) -> Iterator[Callable[..., BackgroundProcess]]:
         process.stop(timeout=PATIENCE)
 
 
+def ended(process: BackgroundProcess) -> tuple[int, str]:
+    """Wait for a program to end by itself; return its exit status and what it printed."""
+    process._popen.wait(PATIENCE)
+    process._reader.join(PATIENCE)
+    return process.returncode, process.output
+
+
 class Peer:
     """A node of the test's own, spun only while the test waits."""
 

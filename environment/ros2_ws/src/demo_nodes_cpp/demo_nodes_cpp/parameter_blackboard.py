@@ -1,6 +1,6 @@
 """A node with any parameters that others want to keep in it."""
 
-from demo_nodes_py.running import run
+from node_program.running import run
 from rclpy.node import Node
 
 

@@ -1,6 +1,6 @@
 """A timer that fires once, made anew each time or used again, while another one fires every two seconds."""
 
-from demo_nodes_py.running import run
+from node_program.running import run
 from rclpy.node import Node
 from rclpy.timer import Timer
 

@@ -1,7 +1,7 @@
 """A talker on /chatter and a listener that is best effort, as the C++ demos have them."""
 
 from demo_nodes_py import topics
-from demo_nodes_py.running import run
+from node_program.running import run
 from rclpy.qos import qos_profile_sensor_data
 
 

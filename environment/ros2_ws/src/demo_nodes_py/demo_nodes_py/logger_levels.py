@@ -1,6 +1,7 @@
 """A node whose logger's level another node sets, by the services that rclpy offers for it."""
 
 import rclpy
+from node_program.running import ros
 from rcl_interfaces.msg import LoggerLevel
 from rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevels
 from rclpy.executors import SingleThreadedExecutor
@@ -9,7 +10,7 @@ from rclpy.node import Node
 from rclpy.task import Future
 from std_msgs.msg import String
 
-from .running import result_of, ros, wait_for
+from .waiting import result_of, wait_for
 
 SERVER = 'LoggerServiceNode'
 

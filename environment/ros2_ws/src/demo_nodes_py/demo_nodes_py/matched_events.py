@@ -2,13 +2,12 @@
 
 from typing import Any
 
+from node_program.running import ros
 from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.task import Future
 from std_msgs.msg import String
-
-from .running import ros
 
 PUBLISHED = 'pub_topic_matched_event_detect'
 HEARD = 'sub_topic_matched_event_detect'

@@ -1,10 +1,9 @@
 """A node with all three callbacks for parameters: setting param1 also sets param2."""
 
+from node_program.running import run
 from rcl_interfaces.msg import SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter
-
-from .running import run
 
 
 class SetParametersCallback(Node):

@@ -2,6 +2,7 @@
 
 import rclpy
 from example_interfaces.srv import AddTwoInts
+from node_program.running import ros, run
 from rcl_interfaces.msg import SetParametersResult
 from rclpy.client import Client
 from rclpy.executors import SingleThreadedExecutor
@@ -12,7 +13,7 @@ from rclpy.service import Service
 from rclpy.service_introspection import ServiceIntrospectionState
 from rclpy.task import Future
 
-from .running import ros, run, wait_for
+from .waiting import wait_for
 
 SERVICE = 'add_two_ints'
 REQUEST = AddTwoInts.Request(a=2, b=3)

@@ -1,15 +1,12 @@
 """Programs that publish a text each second on /chatter, and that hear it."""
 
 import argparse
-import sys
 
 import rclpy
+from node_program.running import ros, run
 from rclpy.node import Node
 from rclpy.qos import QoSProfile, QoSReliabilityPolicy, qos_profile_sensor_data
-from rclpy.utilities import remove_ros_args
 from std_msgs.msg import String
-
-from .running import ros, run
 
 TOPIC = 'chatter'
 
@@ -83,15 +80,14 @@ def listener_qos(args: list[str] | None = None) -> None:
 
 
 def _run_with_qos(kind: type[Talker] | type[Listener], what: str, count_help: str, args: list[str] | None) -> None:
-    argv = sys.argv[1:] if args is None else args
     parser = argparse.ArgumentParser(formatter_class=argparse.ArgumentDefaultsHelpFormatter)
     parser.add_argument('--reliable', action='store_true', help='reliable instead of best effort')
     parser.add_argument('-n', '--number_of_cycles', type=int, default=20, help=count_help)
-    chosen = parser.parse_args(remove_ros_args(args=argv))
-    qos = qos_profile_sensor_data
-    if chosen.reliable:
-        qos = QoSProfile(depth=10, reliability=QoSReliabilityPolicy.RELIABLE)
-    with ros(argv):
+    with ros(args) as (words, _):
+        chosen = parser.parse_args(words)
+        qos = qos_profile_sensor_data
+        if chosen.reliable:
+            qos = QoSProfile(depth=10, reliability=QoSReliabilityPolicy.RELIABLE)
         node = kind(f'{what}_qos', qos)
         node.get_logger().info(f'{"Reliable" if chosen.reliable else "Best effort"} {what}')
         for _ in range(chosen.number_of_cycles):

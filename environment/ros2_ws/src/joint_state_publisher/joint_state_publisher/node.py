@@ -3,13 +3,14 @@
 import argparse
 from pathlib import Path
 
+import rclpy
+from node_program.running import CannotStart, ros
 from rcl_interfaces.msg import ParameterDescriptor, ParameterType
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 from urdf_reader import Mimic, UrdfError, read
-from urdf_reader.running import CannotStart, run
 
 from joint_state_publisher.joints import Joints, Options
 
@@ -134,12 +135,9 @@ class JointStatePublisher(Node):
         self._publisher.publish(message)
 
 
-def _make(arguments: list[str]) -> JointStatePublisher:
+def main() -> None:
+    """Run the program."""
     parser = argparse.ArgumentParser(prog='joint_state_publisher')
     parser.add_argument('urdf_file', help='URDF file to use', nargs='?', default=None)
-    return JointStatePublisher(parser.parse_args(arguments).urdf_file)
-
-
-def main() -> int:
-    """Run the program; return its exit status."""
-    return run(_make)
+    with ros() as (words, executor):
+        rclpy.spin(JointStatePublisher(parser.parse_args(words).urdf_file), executor)

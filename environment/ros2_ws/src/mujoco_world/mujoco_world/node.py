@@ -4,11 +4,11 @@ import threading
 import time
 
 from geometry_msgs.msg import Twist
+from node_program.running import CannotStart, run
 from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor, SetParametersResult
 from rclpy.clock import Clock, ClockType
 from rclpy.node import Node
 from std_srvs.srv import SetBool, Trigger
-from urdf_reader.running import CannotStart, run
 from visualization_msgs.msg import MarkerArray
 
 from mujoco_world.topics import LATCHED, PERIOD, Topics
@@ -181,6 +181,6 @@ class WorldNode(Node):
         super().destroy_node()
 
 
-def main() -> int:
-    """Run the node until Ctrl+C; return the program's exit status."""
-    return run(lambda arguments: WorldNode())
+def main() -> None:
+    """Run the node until Ctrl+C."""
+    run(WorldNode)

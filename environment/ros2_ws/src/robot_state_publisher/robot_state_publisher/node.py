@@ -2,8 +2,10 @@
 
 from pathlib import Path
 
+import rclpy
 from builtin_interfaces.msg import Time as Stamp
 from geometry_msgs.msg import Quaternion, TransformStamped, Vector3
+from node_program.running import CannotStart, ros
 from rcl_interfaces.msg import SetParametersResult
 from rclpy.node import Node
 from rclpy.parameter import Parameter
@@ -14,7 +16,6 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 from tf2_ros import StaticTransformBroadcaster, TransformBroadcaster
 from urdf_reader import UrdfError, read
-from urdf_reader.running import CannotStart, run
 
 from robot_state_publisher.tree import Transform, Tree
 
@@ -164,6 +165,7 @@ class RobotStatePublisher(Node):
         return messages
 
 
-def main() -> int:
-    """Run the program; return its exit status."""
-    return run(lambda arguments: RobotStatePublisher(arguments[0] if arguments else None))
+def main() -> None:
+    """Run the program."""
+    with ros() as (words, executor):
+        rclpy.spin(RobotStatePublisher(words[0] if words else None), executor)

@@ -11,7 +11,7 @@ from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
 from environment.tests.robots import ARM, joint, robot
-from environment.tests.running import PATIENCE, program
+from environment.tests.running import PATIENCE, ended, program
 
 LATCHED = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 LAUNCH = """
@@ -148,13 +148,6 @@ def test_robot_state_publisher(start, listener, arm_file):
     until(lambda: listener.tf, 'a transform, whatever its stamp')
     assert listener.tf[0].child_frame_id == 'b'
     assert process.stop(PATIENCE) == 0 and 'Traceback' not in process.output
-
-
-def ended(process) -> tuple[int, str]:
-    """Wait for a program to end by itself."""
-    process._popen.wait(PATIENCE)
-    process._reader.join(PATIENCE)
-    return process.returncode, process.output
 
 
 @pytest.mark.parametrize(

@@ -16,19 +16,13 @@ from tf2_ros_executables.tf2_echo import describe
 from tf2_ros_executables.tf2_monitor import Delays
 from tf2_tools import graph, view_frames
 
+from environment.tests.running import ended
 from environment.tests.tf2_domain import TIMEOUT
 from environment.tests.tf2_messages import position, transform
 
 LATEST = Time()
 LONG = Duration(seconds=TIMEOUT)
 HALF = math.sqrt(0.5)
-
-
-def end(process):
-    """Wait for the program to end by itself; return its exit status and what it printed."""
-    process._popen.wait(TIMEOUT)
-    process._reader.join(TIMEOUT)
-    return process.returncode, process.output
 
 
 @pytest.fixture
@@ -83,7 +77,7 @@ def test_static_transform_publisher_by_flags(domain, heard):
 
 
 def test_help(domain):
-    assert end(domain.program('tf2_ros', 'static_transform_publisher', '--help')) == (0, USAGE)
+    assert ended(domain.program('tf2_ros', 'static_transform_publisher', '--help')) == (0, USAGE)
 
 
 @pytest.mark.parametrize(
@@ -124,12 +118,12 @@ def test_command_lines_with_sense(words, translation, rotation):
 
 
 def test_static_transform_publisher_refuses(domain):
-    status, output = end(domain.program('tf2_ros', 'static_transform_publisher', '1', '2', '3'))
+    status, output = ended(domain.program('tf2_ros', 'static_transform_publisher', '1', '2', '3'))
     assert status == 1
     assert output == (
         '[ERROR] []: error parsing command line arguments: Extra unparsed arguments on command-line\n' + USAGE
     )
-    status, output = end(domain.program('tf2_ros', 'static_transform_publisher', *'0 0 0 0 0 0 a a'.split()))
+    status, output = ended(domain.program('tf2_ros', 'static_transform_publisher', *'0 0 0 0 0 0 a a'.split()))
     assert status == 1
     assert "]: cannot publish static transform from 'a' to 'a', exiting" in output and 'Traceback' not in output
 
@@ -171,7 +165,7 @@ def test_nonsense_that_can_be_sent_is_refused_by_the_receiver(domain):
 def test_echo_ends_quietly_when_its_reader_has_had_enough(domain):
     domain.program('tf2_ros', 'static_transform_publisher', '--frame-id', 'a', '--child-frame-id', 'b')
     echo = domain.start(['sh', '-c', 'ros2 run tf2_ros tf2_echo a b 20 | grep -m 1 "At time"'])
-    assert end(echo)[0] == 0
+    assert ended(echo)[0] == 0
     assert 'At time 0.0' in echo.lines
     assert not any(word in echo.output for word in ('Broken pipe', 'Errno', 'Traceback'))
 
@@ -196,9 +190,9 @@ def test_echo_of_frames_that_loop(domain):
     ],
 )
 def test_echo_refuses(domain, words, status, output):
-    ended = end(domain.program('tf2_ros', 'tf2_echo', *words))
-    assert ended[0] == status
-    assert output.split('params')[0] in ended[1] and 'Traceback' not in ended[1]
+    its_status, its_output = ended(domain.program('tf2_ros', 'tf2_echo', *words))
+    assert its_status == status
+    assert output.split('params')[0] in its_output and 'Traceback' not in its_output
 
 
 @pytest.mark.parametrize(
@@ -224,7 +218,7 @@ def test_monitor_begins(domain):
     domain.program('tf2_ros', 'static_transform_publisher', '--frame-id', 'a', '--child-frame-id', 'b')
     waiting.wait_for_output('Gathering data on a -> b for 10 seconds...', TIMEOUT)
     assert waiting.stop(TIMEOUT) == 0
-    assert end(domain.program('tf2_ros', 'tf2_monitor', 'a')) == (255, 'TF_Monitor: usage: tf2_monitor framea frameb')
+    assert ended(domain.program('tf2_ros', 'tf2_monitor', 'a')) == (255, 'TF_Monitor: usage: tf2_monitor framea frameb')
 
 
 def test_monitor_reports():
@@ -307,7 +301,7 @@ def test_picture_of_nothing_and_of_a_loop(text):
 def test_view_frames(domain, tmp_path):
     domain.program('tf2_ros', 'static_transform_publisher', '--frame-id', 'a', '--child-frame-id', 'b')
     program = domain.program('tf2_tools', 'view_frames', '-o', tmp_path / 'tree')
-    status, output = end(program)
+    status, output = ended(program)
     assert status == 0, output
     assert output.startswith(
         '[INFO] [view_frames]: Listening to tf data for 5.0 seconds...\n'
@@ -319,7 +313,7 @@ def test_view_frames(domain, tmp_path):
 
 
 def test_view_frames_into_a_directory_that_is_not_there(domain, tmp_path):
-    status, output = end(domain.program('tf2_tools', 'view_frames', '-t', '0', '-o', tmp_path / 'no' / 'tree'))
+    status, output = ended(domain.program('tf2_tools', 'view_frames', '-t', '0', '-o', tmp_path / 'no' / 'tree'))
     assert status == 1 and 'No such file or directory' in output and 'Traceback' not in output
 
 

@@ -1,7 +1,6 @@
 """Serve a transform buffer to other processes by the action `tf2_buffer_server`; see `tf2_ros.BufferClient`."""
 
-import sys
-
+from node_program.running import run
 from rclpy.action import ActionServer
 from rclpy.clock import Clock, ClockType
 from rclpy.duration import Duration
@@ -20,8 +19,6 @@ from tf2_py import (
 )
 from tf2_ros.buffer import Buffer
 from tf2_ros.transform_listener import TransformListener
-
-from tf2_ros_executables.program import ros, spin
 
 ERRORS = {
     LookupException: TF2Error.LOOKUP_ERROR,
@@ -82,7 +79,5 @@ class BufferServer(Node):
 
 
 def main():
-    """Run the program; return its exit status."""
-    with ros(sys.argv) as (_, executor):
-        spin(BufferServer(), executor)
-    return 0
+    """Run the program."""
+    run(BufferServer)

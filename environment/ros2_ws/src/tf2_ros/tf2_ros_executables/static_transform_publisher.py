@@ -1,19 +1,22 @@
 """Publish one static transform that the command line describes."""
 
 import re
-import sys
 from dataclasses import dataclass, field
 from math import cos, sin
 from random import SystemRandom
 from string import ascii_letters, digits
 
+import rclpy
 from geometry_msgs.msg import TransformStamped
+from node_program.running import ros
 from rcl_interfaces.msg import ParameterDescriptor
+from rclpy.impl.rcutils_logger import RcutilsLogger
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 from tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 
-from tf2_ros_executables.program import root_logger, ros, spin
+# Stock's program logs through the unnamed root logger until it has a node.
+root_logger = RcutilsLogger()
 
 USAGE = """\
 usage: static_transform_publisher [--x X] [--y Y] [--z Z] [--qx QX] [--qy QY] [--qz QZ] [--qw QW] [--roll ROLL] \
@@ -182,9 +185,9 @@ def _quoted(values):
 
 def main():
     """Run the program; return its exit status."""
-    with ros(sys.argv) as (argv, executor):
+    with ros() as (words, executor):
         try:
-            arguments = parse(argv[1:])
+            arguments = parse(words)
         except ArgumentsError as error:
             root_logger.error(f'error parsing command line arguments: {error}')
             print(USAGE)
@@ -202,5 +205,5 @@ def main():
             f'rotation: ({_quoted(arguments.rotation)})\n'
             f"from '{arguments.frame_id}' to '{arguments.child_frame_id}'"
         )
-        spin(node, executor)
+        rclpy.spin(node, executor)
     return 0

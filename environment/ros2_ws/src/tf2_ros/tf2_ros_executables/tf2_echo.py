@@ -3,6 +3,8 @@
 import sys
 from math import asin, atan2, cos, degrees, isfinite, pi
 
+import rclpy
+from node_program.running import ros
 from rclpy.clock import Clock, ClockType
 from rclpy.node import Node
 from rclpy.time import Time
@@ -10,7 +12,6 @@ from tf2_py import TransformException
 from tf2_ros.buffer import Buffer
 from tf2_ros.transform_listener import TransformListener
 
-from tf2_ros_executables.program import ros, spin
 from tf2_ros_executables.static_transform_publisher import NUMBER
 
 USAGE = (
@@ -105,8 +106,7 @@ class Echo(Node):
 
 def main():
     """Run the program; return its exit status."""
-    with ros(sys.argv) as (argv, executor):
-        words = argv[1:]
+    with ros() as (words, executor):
         if len(words) not in (2, 3):
             print(USAGE)
             return 1
@@ -120,5 +120,5 @@ def main():
             if not (isfinite(rate) and rate > 0.0):
                 print('rate must be greater than 0', file=sys.stderr)
                 return 1
-        spin(Echo(*words[:2], rate), executor)
+        rclpy.spin(Echo(*words[:2], rate), executor)
     return 0

@@ -1,8 +1,9 @@
 """Print how late and how often transforms arrive, for all frames or along one chain."""
 
-import sys
 from collections import defaultdict, deque
 
+import rclpy
+from node_program.running import ros
 from rclpy.clock import Clock, ClockType
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile
@@ -11,8 +12,6 @@ from tf2_msgs.msg import TFMessage
 from tf2_py import TransformException
 from tf2_ros.buffer import Buffer
 from tf2_ros.transform_listener import TransformListener
-
-from tf2_ros_executables.program import ros, spin
 
 AUTHORITY = '<no authority available>'  # DDS does not tell the sender's node
 PERIOD = 0.5  # seconds between samples of the chain's delay
@@ -147,10 +146,9 @@ class Monitor(Node):
 
 def main():
     """Run the program; return its exit status."""
-    with ros(sys.argv) as (argv, executor):
-        words = argv[1:]
+    with ros() as (words, executor):
         if len(words) not in (0, 2):
             print('TF_Monitor: usage: tf2_monitor framea frameb')
             return 255
-        spin(Monitor(words), executor)
+        rclpy.spin(Monitor(words), executor)
     return 0

@@ -9,8 +9,7 @@ from pathlib import Path
 
 import rclpy
 import yaml
-from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
-from rclpy.utilities import remove_ros_args
+from node_program.running import ros
 from tf2_msgs.srv import FrameGraph
 from tf2_ros import Buffer, TransformListener
 
@@ -67,11 +66,9 @@ def write(stem, frame_yaml, recorded_time):
 
 
 def main():
-    """Run the program; return its exit status."""
-    options = parse(remove_ros_args(args=sys.argv)[1:])
-    try:
-        rclpy.init(args=sys.argv)
-        executor = SingleThreadedExecutor()
+    """Run the program."""
+    with ros() as (words, executor):
+        options = parse(words)
         node = rclpy.create_node('view_frames')
         executor.add_node(node)
         buffer = listen(node, executor, options.wait_time)
@@ -80,15 +77,8 @@ def main():
         answer = FrameGraph.Response(frame_yaml=buffer.all_frames_as_yaml())
         logger.info(f'Result:{answer}')
         stem = options.output or time.strftime('frames_%Y-%m-%d_%H.%M.%S')
-        picture = write(stem, answer.frame_yaml, node.get_clock().now().seconds_nanoseconds())
+        try:
+            picture = write(stem, answer.frame_yaml, node.get_clock().now().seconds_nanoseconds())
+        except (OSError, yaml.YAMLError) as error:  # a folder that is not there; a frame's name that is no YAML
+            sys.exit(f'view_frames: {error}')
         logger.info(f'Exporting graph in {picture} file...')
-        executor.remove_node(node)
-        node.destroy_node()
-    except (KeyboardInterrupt, ExternalShutdownException):
-        return 0
-    except Exception as error:  # a directory that is not there, a frame's name that is no YAML, bad ROS arguments
-        print(f'view_frames: {error}', file=sys.stderr)
-        return 1
-    finally:
-        rclpy.try_shutdown()
-    return 0

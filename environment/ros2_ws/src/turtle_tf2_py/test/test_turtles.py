@@ -10,7 +10,7 @@ from rclpy.time import Time
 from tf2_ros import Buffer, TransformException, TransformListener
 from turtlesim.msg import Pose
 
-from environment.tests.running import PATIENCE, ROS2, program
+from environment.tests.running import PATIENCE, ROS2, ended, program
 
 pytestmark = pytest.mark.usefixtures('domain')
 
@@ -31,13 +31,6 @@ def place(peer):
 
     yield look
     listener.unregister()
-
-
-def ended(process):
-    """Wait until a program has ended by itself, and return its status."""
-    with pytest.raises(RuntimeError, match='ended'):
-        process.wait_for_output(lambda _: False, PATIENCE)
-    return process.stop(PATIENCE)
 
 
 def test_one_turtle_follows_the_other(start, peer, place):
@@ -85,14 +78,14 @@ def test_a_frame_that_stands_still(start, peer, place):
 )
 def test_a_command_line_that_cannot_be_read(start, arguments, status, said):
     process = start(program('turtle_tf2_py', 'static_turtle_tf2_broadcaster'), *arguments)
-    assert ended(process) == status
+    assert ended(process)[0] == status
     assert said in process.output
     assert 'Traceback' not in process.output
 
 
 def test_ros_arguments_that_cannot_be_read_are_no_success(start):
     process = start(program('turtle_tf2_py', 'turtle_tf2_listener'), '--ros-args', '--no-such-option')
-    assert ended(process) == 1
+    assert ended(process)[0] == 1
     assert '--no-such-option' in process.output
 
 
@@ -113,5 +106,5 @@ def test_a_signal_ends_a_program_quietly(start, number):
     listener = start(program('turtle_tf2_py', 'turtle_tf2_listener'))
     listener.wait_for_output('Service is not ready', PATIENCE)
     os.kill(listener.pid, number)
-    assert ended(listener) == 0
+    assert ended(listener)[0] == 0
     assert 'Traceback' not in listener.output

@@ -2,10 +2,10 @@
 
 import math
 
+from node_program.running import run
 from rclpy.node import Node
 from tf2_ros import TransformBroadcaster
 
-from turtle_tf2_py.running import run
 from turtle_tf2_py.transforms import transform
 
 RADIUS = 10.0  # metres

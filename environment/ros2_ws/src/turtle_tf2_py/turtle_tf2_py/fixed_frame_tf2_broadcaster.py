@@ -1,9 +1,9 @@
 """``fixed_frame_tf2_broadcaster``: the frame ``carrot1``, two metres to the left of ``turtle1``."""
 
+from node_program.running import run
 from rclpy.node import Node
 from tf2_ros import TransformBroadcaster
 
-from turtle_tf2_py.running import run
 from turtle_tf2_py.transforms import transform
 
 

@@ -4,11 +4,11 @@ import functools
 import sys
 
 import rclpy
+from node_program.running import run
 from rclpy.node import Node
 from rclpy.utilities import remove_ros_args
 from tf2_ros import StaticTransformBroadcaster
 
-from turtle_tf2_py.running import run
 from turtle_tf2_py.transforms import transform
 
 

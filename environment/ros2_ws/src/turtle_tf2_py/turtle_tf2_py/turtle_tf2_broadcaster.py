@@ -1,10 +1,10 @@
 """``turtle_tf2_broadcaster``: the pose of the turtle ``turtlename`` becomes a frame in ``world``."""
 
+from node_program.running import run
 from rclpy.node import Node
 from tf2_ros import TransformBroadcaster
 from turtlesim.msg import Pose
 
-from turtle_tf2_py.running import run
 from turtle_tf2_py.transforms import transform
 
 

@@ -3,13 +3,13 @@
 import math
 
 from geometry_msgs.msg import Twist
+from node_program.running import run
 from rclpy.node import Node
 from rclpy.time import Time
 from tf2_ros import TransformException
 from tf2_ros.buffer import Buffer
 from tf2_ros.transform_listener import TransformListener
 
-from turtle_tf2_py.running import run
 from turtle_tf2_py.spawning import SpawnedTurtle
 
 FOLLOWER = 'turtle2'

@@ -1,10 +1,10 @@
 """``turtle_tf2_message_broadcaster``: ``turtle3`` drives in circles and tells its place as a point in ``world``."""
 
 from geometry_msgs.msg import PointStamped, Twist
+from node_program.running import run
 from rclpy.node import Node
 from turtlesim.msg import Pose
 
-from turtle_tf2_py.running import run
 from turtle_tf2_py.spawning import SpawnedTurtle
 
 TURTLE = 'turtle3'

@@ -4,12 +4,12 @@ import math
 from dataclasses import dataclass
 
 from geometry_msgs.msg import Twist
+from node_program.running import run
 from std_srvs.srv import Empty
 from turtlesim.msg import Pose
 
 from turtlesim_nodes.node import TurtlesimNode
 from turtlesim_nodes.qos import TOPIC_QOS
-from turtlesim_nodes.running import run
 from turtlesim_nodes.world import STEP, normalize
 
 SIDE = 2.0  # metres

@@ -1,11 +1,11 @@
 """``mimic``: let one turtle do what another does. Remap input/pose and output/cmd_vel to the two."""
 
 from geometry_msgs.msg import Twist
+from node_program.running import run
 from turtlesim.msg import Pose
 
 from turtlesim_nodes.node import TurtlesimNode
 from turtlesim_nodes.qos import TOPIC_QOS
-from turtlesim_nodes.running import run
 
 
 class Mimic(TurtlesimNode):

@@ -4,6 +4,7 @@ import contextlib
 
 import rclpy
 from geometry_msgs.msg import Twist
+from node_program.running import run
 from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
 from rclpy.action import ActionServer, CancelResponse
 from rclpy.clock import Clock, ClockType
@@ -16,7 +17,6 @@ from turtlesim.srv import Kill, SetPen, Spawn, TeleportAbsolute, TeleportRelativ
 
 from turtlesim_nodes.node import TurtlesimNode
 from turtlesim_nodes.qos import TOPIC_QOS
-from turtlesim_nodes.running import run
 from turtlesim_nodes.window import NoWindowError, Window
 from turtlesim_nodes.world import DEFAULT_BACKGROUND, STEP, Rotation, Turtle, World, float32
 

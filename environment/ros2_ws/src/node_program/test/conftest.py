@@ -1,0 +1,1 @@
+from environment.tests.running import domain, start  # noqa: F401
