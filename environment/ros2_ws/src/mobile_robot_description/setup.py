@@ -18,7 +18,7 @@ setup(
     zip_safe=True,
     maintainer='Maintainers of the ROS 2 course',
     maintainer_email='maintainers@ros2-course.example.org',
-    description="The URDF of the course's delivery robot, and two faulty ones to repair.",
+    description="The URDF of the course's delivery robot, and a configuration of RViz for it.",
     license='Apache-2.0',
     extras_require={'test': ['pytest']},
 )

@@ -1,0 +1,1 @@
+from environment.tests.running import domain, peer, start  # noqa: F401
