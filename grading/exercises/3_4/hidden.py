@@ -12,6 +12,7 @@ from helpers.checks.chapter_03.maps import (
     check_grid,
     check_once,
     grid_of,
+    large_rows,
     random_rows,
     walls,
 )
@@ -30,7 +31,7 @@ def test_any_map(learner):
     random = learner.random
     width = random.randint(2, 7)
     line = '#?.' + ''.join(random.choice('#.?') for _ in range(width))
-    maps = [random_rows(random), [line], list(line), [random.choice('#.?')]]
+    maps = [random_rows(random), [line], list(line), [random.choice('#.?')], large_rows(random)]
     found = learner.listen('/map', OccupancyGrid, ALL_KEPT)
     first = None
     for number, rows in enumerate(maps, start=1):

@@ -103,4 +103,6 @@ MUTANTS = [
             if grid.header.frame_id != 'map':
                 return
         """, expect='each map gets one', breaks='walls'),
+    Mutant('fifty_rows_at_most', old='cell] for row in rows for cell in row', new='cell] for row in rows[:50] for cell in row',
+           expect='values, expected', breaks='cells'),
 ]

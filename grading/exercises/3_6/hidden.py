@@ -22,15 +22,15 @@ def test_changing_rate(learner):
     Count in the callback; report and set back in a timer of 1 s on the node's own clock.
     """
     rates, _, lidar = monitor(learner)
-    counts = [*(learner.random.randint(1, 9) for _ in range(4)), learner.random.randint(25, 45), 0]
+    counts = [*(learner.random.randint(1, 9) for _ in range(4)), learner.random.randint(53, 75), 0]
     stamp = 50.0
     for count in counts:
         learner.run(0.5)
         for _ in range(count):
-            stamp += 0.01
+            stamp += 0.005
             lidar.send(scan(stamp))
-            learner.run(0.01)
-        learner.run(0.5 - 0.01 * count)
+            learner.run(0.005)
+        learner.run(0.5 - 0.005 * count)
     learner.run(0.1)
     expect(
         rates.stamps == pytest.approx(range(1, 7)),

@@ -186,4 +186,6 @@ MUTANTS = [
     Mutant('limits_up_to_one', old='self.max_gap, self.count, self.newest = max_gap, 0, None',
            new='self.max_gap, self.count, self.newest = min(max_gap, 1.0), 0, None', expect='Only a difference of more than max_gap',
            breaks='limit', also=('old', 'gap')),
+    Mutant('fifty_scans_at_most', old='float(self.count)', new='float(min(self.count, 50))', expect='and scan_rate says',
+           breaks='report'),
 ]

@@ -59,6 +59,12 @@ def test_server(learner):
         f'A second MapServer published {len(maps) - 1} maps in its constructor, expected one.',
         'one-map',
     )
+    large = large_rows(learner.random)
+    with about('cells'):
+        learner.start('MapServer', large, beside=server)
+        learner.settle()
+    expect(len(maps) == 3, f'A map of {len(large)} rows was published {len(maps) - 2} times, expected once.', 'one-map')
+    check_grid(maps.messages[2], large)
 
 
 @pytest.mark.rules('reader-node', 'late', 'walls', 'topics', 'qos')
