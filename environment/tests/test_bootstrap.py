@@ -46,7 +46,7 @@ def test_a_clone_is_interrupted_resumed_changed_and_moved(tmp_path, clean_enviro
     said = ''.join(err for _, err in answers)
     assert 'Installing' not in said
     assert said.count('The environment is ready.') == 1
-    assert said.count('waiting for it to end') == 1
+    assert said.count('waiting for it to end') in (1, 2)  # both, if the tools of the interrupted one still end
 
     # Nothing to do: quick, in processor time, as the machine may be loaded.
     started = time.monotonic()

@@ -43,7 +43,7 @@ def test_monitor(learner):
         watched.end()
         sent.append(count)
         check_reports(rates, sent, begin)
-    sent.append(random.randint(52, 70))  # a fast lidar
+    sent.append(random.randint(51, 58))  # a fast lidar
     for _ in range(sent[-1]):
         stamp += 0.015625
         watched.send(stamp)

@@ -147,8 +147,8 @@ def test_tests_share_a_launch_and_the_end_waits_for_all(run):
         '-rp',
     )
     assert status == 0, output
-    # From the summary: what a launched process prints may stand within the lines of progress.
-    order = [line.partition('::')[2] for line in output.splitlines() if line.startswith('PASSED ')]
+    # From the summary: what a launched process prints may stand within the lines of progress, and break them.
+    order = [line.partition('::')[2] for line in output.splitlines() if re.match(r'PASSED \S+::', line)]
     assert order == ['test_first', 'test_second', 'test_numbers[1]', 'test_numbers[2]', 'test_first[shutdown_test]',
                      'test_end']  # fmt: skip
 
