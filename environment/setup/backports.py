@@ -5,7 +5,7 @@ Each patch is a module that is put beside the packages, and a few lines that put
 
 from pathlib import Path
 
-from environment.setup import action_client, missing_linters, python_tests
+from environment.setup import action_client, missing_linters, python_tests, xacro_errors
 from environment.setup.relocation import replace
 
 # For each patched module its patch, what marks a version that needs none, and the lines at its end.
@@ -14,6 +14,11 @@ _PATCHES = {
         action_client,
         'Lock()',
         '\n\nfrom {name} import patch  # noqa: E402 - ros2/rclpy#1123\n\npatch(ActionClient)\n',
+    ),
+    'xacro/__init__.py': (
+        xacro_errors,
+        'import xml.parsers.expat',
+        '\n\nfrom {name} import expat  # noqa: E402, F401 - else a file that is not there ends in an AttributeError\n',
     ),
     **{
         f'ament_{program}/main.py': (
@@ -37,7 +42,7 @@ _DISTRIBUTION = {
 
 def text() -> str:
     """All that the patches are made of: when it changes, they are due again."""
-    files = [__file__, *(module.__file__ for module in (action_client, missing_linters, python_tests))]
+    files = [__file__, *(module.__file__ for module in (action_client, missing_linters, python_tests, xacro_errors))]
     return ''.join([*(Path(file).read_text() for file in files), *_DISTRIBUTION.values()])
 
 

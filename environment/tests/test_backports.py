@@ -1,6 +1,8 @@
 """What the set-up patches in the installed rclpy."""
 
 import os
+import subprocess
+import sys
 import threading
 
 import pytest
@@ -101,3 +103,14 @@ def test_rclpy_itself_is_patched_or_newer():
     from rclpy.action import ActionClient, client
 
     assert hasattr(ActionClient, '_course_patched') or 'Lock()' in open(client.__file__).read()
+
+
+def test_xacro_can_tell_its_errors(tmp_path):
+    module = tmp_path / 'xacro' / '__init__.py'
+    module.parent.mkdir()
+    module.write_text('import xml.dom.minidom\n')
+    assert backports.apply(tmp_path) == ['xacro/__init__.py']
+    told = 'import xml, xacro; xml.parsers.expat.ExpatError'
+    subprocess.run([sys.executable, '-c', told], check=True, env={'PYTHONPATH': str(tmp_path)})
+    module.write_text('import xml.parsers.expat\n')
+    assert backports.apply(tmp_path) == []  # a newer one that needs nothing

@@ -1,6 +1,7 @@
 """Tests with launch fixtures, run by pytest as a user runs them."""
 
 import os
+import re
 import subprocess
 import sys
 import textwrap

@@ -226,3 +226,8 @@ def test_xacro_is_known_to_ros(start, tmp_path):
     (tmp_path / 'cart.urdf.xacro').write_text(XACRO)
     status, output = ended(start('ros2', 'run', 'xacro', 'xacro', str(tmp_path / 'cart.urdf.xacro')))
     assert status == 0 and '<origin xyz="0 0 0.2"/>' in output
+
+
+def test_xacro_tells_that_a_file_is_not_there(start):
+    status, output = ended(start('ros2', 'run', 'xacro', 'xacro', '/nowhere.urdf'))
+    assert status == 2 and 'No such file or directory: /nowhere.urdf' in output and 'Traceback' not in output
