@@ -8,7 +8,7 @@ MUTANTS = [
     Mutant('all_at_once', old='self.timer = self.create_timer(0.25, self.on_timer)', new='''
         for _ in range(8):
             self.on_timer()
-        ''', expect='Nothing was published', breaks='rate', also=('first', 'own-count')),
+        ''', expect='timer', breaks='rate', also=('first', 'own-count')),  # on a busy machine all of it is heard
     Mutant('at_most_eight', old='def on_timer(self):', new='''
         def on_timer(self):
             if self.count == 8:
