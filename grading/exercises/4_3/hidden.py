@@ -129,7 +129,7 @@ def test_fresh_answers(learner):
     Keep no answer in the object.
     """
     battery, lidar, status, _ = panel(learner, 0.2, 0.1, success=(True, False))  # a refusal is an answer, too
-    charge = learner.random.sample(range(100), 3)
+    charge = learner.random.sample(range(100), 14)
     battery.answer = iter([{'success': True, 'message': f'{value} %'} for value in charge])
     for number, value in enumerate(charge, 1):
         call = status.send()

@@ -126,4 +126,16 @@ MUTANTS = [
         ''', expect='Both always answer'),
     Mutant('strips_the_messages', old='{lidar.message}', new='{lidar.message.strip()}', breaks='message',
            edits=(('{battery.message}', '{battery.message.strip()}'),), expect='The message of the status is'),
+    Mutant('eight_questions_at_most', edits=(('async def on_status(self, request, response):', '''
+            calls = 0
+
+            async def on_status(self, request, response):
+                self.calls += 1
+                if self.calls > 8:
+                    response.success, response.message = self.last
+                    return response
+            '''), ('        return response', '''
+            self.last = response.success, response.message
+            return response
+            ''')), expect='was asked 8 times, expected 9', breaks='fresh'),
 ]

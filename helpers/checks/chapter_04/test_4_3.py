@@ -49,12 +49,29 @@ def test_status(learner):
             learner.run(2.0, step=1.0)
         _look_at_questions(call, begin, battery, lidar, number, words)
         _look_at_status(call, begin, slow, good, said, words)
-    _wait_long(learner, status, (battery, lidar))
-    expect(len(battery.requests) == 5, 'The battery was asked although nobody had called status.', 'fresh')
+    calls = 4 + draw.randint(7, 11)
+    for number in range(5, calls):
+        _call_again(learner, status, (battery, lidar), number)
+    _wait_long(learner, status, (battery, lidar), calls)
+    expect(len(battery.requests) == calls, 'The battery was asked although nobody had called status.', 'fresh')
 
 
-def _wait_long(learner, status, parts):
-    """The fifth call: each part answers in the end, one of them after some seconds."""
+def _call_again(learner, status, parts, number):
+    """One call more, of many: each is like the first one."""
+    draw = learner.random
+    said, good = [f'{draw.randint(1, 99)} %' for _ in parts], draw.choices((True, False), k=2)
+    for part, delay, text, ok in zip(parts, draw.sample([0.1, 0.3], 2), said, good, strict=True):
+        part.delay, part.answer = delay, {'success': ok, 'message': text}
+    begin = learner.now / 1e9
+    call = status.send()
+    learner.run(0.4, step=1.0)
+    words = f'status was called {number - 1} times before. '
+    _look_at_questions(call, begin, *parts, number, words)
+    _look_at_status(call, begin, 0.3, good, said, words)
+
+
+def _wait_long(learner, status, parts, number):
+    """The last call, the one with this number: each part answers in the end, one of them after some seconds."""
     draw, said = learner.random, [f'{learner.random.randint(1, 99)} %' for _ in parts]
     slow = draw.choice([2.6, 3.4, 4.2])
     for part, delay, text in zip(parts, draw.sample([slow, 1.4], 2), said, strict=True):
@@ -66,7 +83,7 @@ def _wait_long(learner, status, parts):
     begin = learner.now / 1e9
     call = status.send()
     learner.run(slow + 0.5, step=1.0)
-    _look_at_questions(call, begin, *parts, 5, words)
+    _look_at_questions(call, begin, *parts, number, words)
     wanted = f'battery: {said[0]}; lidar: {said[1]}'
     expect(
         call.response.message == wanted or call.received - begin > slow - 0.1,
