@@ -7,7 +7,7 @@ GRAPH = "case['endpoints'] = with_arguments(case['endpoints'], finding, repair_g
 
 MUTANTS = [
     Mutant('set_of_findings', old='    return found\n', new='    return set(found)\n', breaks='every-part',
-           also=('hidden', 'nothing', 'ends'), expect='returned a set'),
+           also=('hidden', 'nothing', 'ends'), expect='returned a set', **TRIAGE),
     Mutant('finds_again', edits=((LOOP, 'for _ in range(4):'), ('found += fresh', 'found += look(case)')),
            breaks='once', expect='more than once', **TRIAGE),
     Mutant('forgets_the_stacks',
