@@ -4,10 +4,8 @@ import re
 import socket
 import subprocess
 import sys
-import time
 
 import pytest
-from ros2cli.node import discovery
 
 from helpers.kernel import domains
 
@@ -139,20 +137,28 @@ LOSSY = """
 """
 
 
+# `ros2` as it is, but for the bound of its wait: with both processors busy, six seconds may not be enough here.
+PATIENT = """
+import sys
+from ros2cli.node import discovery
+discovery.LONGEST_TIME = 60.0
+from ros2cli.cli import main
+sys.exit(main())
+"""
+
+
 def test_what_got_lost_on_the_way_is_awaited(ros2, node, tmp_path):
     node('worker')
     actions = ros2.lines('action', 'list')
     assert actions
     profile = tmp_path / 'lossy.xml'
     profile.write_text(LOSSY)
-    lossy = type(ros2)({**ros2.environ, 'FASTRTPS_DEFAULT_PROFILES_FILE': str(profile)}, tmp_path)
-    whole = []
+    environ = {**ros2.environ, 'FASTRTPS_DEFAULT_PROFILES_FILE': str(profile)}
     for _ in range(4):
-        begin = time.monotonic()
-        whole.append(lossy.lines('action', 'list') == actions)
-        # Only who has waited as long as it may tells what it has heard by then.
-        assert whole[-1] or time.monotonic() > begin + discovery.LONGEST_TIME
-    assert any(whole)
+        patient = subprocess.run(
+            [sys.executable, '-c', PATIENT, 'action', 'list'], env=environ, capture_output=True, text=True, timeout=120
+        )
+        assert (patient.returncode, patient.stderr, patient.stdout.splitlines()) == (0, '', actions)
 
 
 def test_a_participant_that_never_answers_costs_a_bounded_time(ros2):
