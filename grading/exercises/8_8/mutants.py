@@ -110,4 +110,9 @@ MUTANTS = [
         yaw = 2 * math.atan2(turn.z, turn.w)
         return place.x, place.y, yaw + math.tau if yaw < -math.pi else yaw
         """, expect='from -π to π', breaks='yaw'),
+    Mutant('zero_is_nowhere', old=RETURN, new=f"""
+        if not (place.x and place.y):
+            return None
+        {RETURN}
+        """, expect='0 is a number like any other', breaks='place'),
 ]

@@ -118,6 +118,7 @@ def judge_place(lost: Lost) -> None:
         )
         expect(same(found[:2], told[:2]), f'{said} In which frame did you ask for which one?', 'place')
     _judge_correction(lost)
+    _judge_zeros(lost)
     for low, high in 2 * ((0.5, 1.5), (-1.5, -0.5), (2.3, 3.1), (-3.1, -2.3)):
         if low == 0.5:
             lost.localizer.drift(*lost.drift())
@@ -130,6 +131,22 @@ def judge_place(lost: Lost) -> None:
             f'The robot looks to {yaw:.2f} rad, and where() says {found and round(found[2], 2)}. The yaw is in '
             'radians, from -π to π.',
             'yaw',
+        )
+
+
+def _judge_zeros(lost: Lost) -> None:
+    """The rule `place`, where numbers of it are 0, as at the place where a map begins."""
+    lost.localizer.drift(0.0, 0.0, 0.0)
+    x, y = -lost.draw.uniform(1, 3), -lost.draw.uniform(1, 3)
+    for told in ((0.0, 0.0, 0.0), (x, 0.0, 0.0), (0.0, y, lost.draw.uniform(0.5, 1))):
+        lost.localizer.tell(*told)
+        lost.learner.run(0.1)
+        found = lost.where('place')
+        expect(
+            same(found and found[:2], told[:2]),
+            f'x, y and yaw of the robot are {shown(told)}, and where() is {found and shown(found)}.'
+            + (' 0 is a number like any other: `if x` is false for it.' if found is None else ''),
+            'place',
         )
 
 
