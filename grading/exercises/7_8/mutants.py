@@ -88,4 +88,9 @@ done
     Mutant('panel_once_a_second', old="self.on_answer)')],",
            new="self.on_answer)'), ('panel/panel.py', 'create_timer(0.3', 'create_timer(1.0')],", breaks='repaired',
            expect='the panel prints less than three times a second'),
+    Mutant('all_rates_as_evidence', old="'average rate: 2.000'", new="'0.5 1 1.5 2 3 5 8 or 12 messages a second'",
+           breaks='evidence', expect='does not show `rate`'),
+    Mutant('a_whole_file_as_evidence', old="'/btatery: std_msgs/msg/Float32'",
+           new="'import rclpy\\n' * 20 + '/btatery: std_msgs/msg/Float32'", breaks='evidence',
+           expect='Choose the line that shows it'),
 ]

@@ -35,6 +35,9 @@ EXAMPLE = 'my name'  # what the cell has at first
 PATIENCE = 10.0  # s in which a repaired system shows that it works, after its start
 MANY = 14.0  # messages a second; with a timer of 0.1 s there are ten
 SLOW = 0.6  # s from one line of the panel to the next; with its timer of 0.3 s there are half as many
+# An evidence is chosen: `ros2 run tf2_ros tf2_echo` prints ten lines at a time, and a file has fifty.
+LONGEST, MOST_LINES = 600, 10  # letters, lines
+MOST_NUMBERS = 4  # of which one is the rate
 _WINDOW = 9  # so many messages before the last one tell a rate or a speed
 BUSY = 3  # so many times as long on a busy machine
 # What the evidence of a cause must have in it, in words.
@@ -165,6 +168,12 @@ def judge_findings(learner, number: int) -> None:
             'where',
         )
         expect(
+            len(evidence) <= LONGEST and len(evidence.splitlines()) <= MOST_LINES,
+            f'System {number}: the evidence of `{cause}` has {len(evidence)} letters in '
+            f'{len(evidence.splitlines())} lines. Choose the line that shows it, and leave the rest out.',
+            'evidence',
+        )
+        expect(
             shows(one, evidence),
             f'System {number}: {evidence!r} does not show `{cause}`. Write a line that a tool has printed, with '
             f'{WANTED[fault, cause]} in it.',
@@ -178,7 +187,7 @@ def shows(truth: Drawn, evidence: str) -> bool:
         rate = float(truth.evidence)
         told = re.sub(r'\b(min|max|std dev|window): \S+', '', evidence)  # `ros2 topic hz` says more than the rate
         numbers = [float(number) for number in re.findall(r'\d+\.\d+|\d+', told)]
-        if any(0.6 * rate < number < 1.6 * rate for number in numbers):
+        if len(numbers) <= MOST_NUMBERS and any(0.6 * rate < number < 1.6 * rate for number in numbers):
             return True
     return any(re.search(pattern, evidence) for pattern in truth.shows)
 
