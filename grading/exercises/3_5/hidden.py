@@ -55,6 +55,7 @@ def test_safety_stop(learner):
         f'The answers to eight scans are {stop.data}, expected {wanted}. The callback was right: repair only the QoS.',
         'rest',
     )
+    stops.check_again(learner, lidar, stop, scan, wanted[-1])
     stops.check_silence(learner, stop)
 
 

@@ -107,4 +107,10 @@ MUTANTS = [
             self.publisher.publish(Bool(data=self.near))
             """, expect='The callback was right', breaks='rest'),
     Mutant('front_only', old='in scan.ranges)', new='in list(scan.ranges)[:360])', expect='callback was right', breaks='rest'),
+    Mutant('same_scan_once', old='def on_scan(self, scan):', new="""
+        def on_scan(self, scan):
+            if list(scan.ranges) == getattr(self, 'last', None):
+                return
+            self.last = list(scan.ranges)
+        """, expect='equal to the one before', breaks='rest'),
 ]

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from helpers.checks.chapter_06.scans import Laser, check_long_wait, check_no_hits, check_topics, check_zero, points
+from helpers.checks.chapter_06.scans import Laser, check_long_wait, check_no_hits, check_standing, check_topics, check_zero, points
 from helpers.runner import about, expect
 from helpers.runner.frames import pose
 
@@ -138,6 +138,7 @@ def test_no_hits(learner):
     there.check(scan, cloud)
     check_no_hits(there, 0.0)
     check_zero(there, 0.0)
+    check_standing(there)
 
 
 @pytest.mark.weight(2)

@@ -159,4 +159,10 @@ MUTANTS = [
         def on_scan(self, scan):
             scan.range_max = min(scan.range_max, 30.0)
         """, breaks='range', expect='gave a cloud of'),
+    Mutant('same_distances_once', breaks='one-cloud', old='def on_scan(self, scan):', new="""
+        def on_scan(self, scan):
+            if list(scan.ranges) == getattr(self, 'last', None):
+                return
+            self.last = list(scan.ranges)
+        """, expect='as those of a robot that stands still'),
 ]

@@ -171,4 +171,7 @@ if len(self.stations) > 5:
             descriptor.floating_point_range[0].step = 0.001
             self.declare_parameter(name, default, descriptor)
             """),), breaks='bounds', expect='has the step 0.001'),
+    Mutant('same_place_refused', old='response.success = bool(request.name) and',
+           new='response.success = self.place(request.name) != (request.x, request.y) and bool(request.name) and',
+           breaks='station', expect='at the place that it has'),
 ]

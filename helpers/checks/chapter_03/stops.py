@@ -75,6 +75,19 @@ def scans(random, near: list[bool]) -> list[LaserScan]:
     return made
 
 
+def check_again(learner, lidar, stop, scan: LaserScan, is_near: bool) -> None:
+    """The last scan comes once more, as that of a robot that stands still: it is answered, too."""
+    count = len(stop)
+    lidar.send(scan)
+    learner.run(0.1)
+    expect(
+        stop.data[count:] == [is_near],
+        f'A scan came that is equal to the one before, and {stop.data[count:]} on stop, expected [{is_near}]. Each '
+        'scan is answered. The callback was right: repair only the QoS.',
+        'rest',
+    )
+
+
 def check_silence(learner, stop) -> None:
     """Nothing comes on stop without a scan, for a minute."""
     count = len(stop)

@@ -49,4 +49,5 @@ def test_safety_stop(learner):
         f'A driver that starts later gets {late.data}, expected only the last command, {near[-1:]}.',
         'stop',
     )
+    stops.check_again(learner, lidar, stop, scan, near[-1])
     stops.check_silence(learner, stop)

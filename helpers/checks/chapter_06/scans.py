@@ -236,6 +236,26 @@ def check_long_wait(there: Laser) -> None:
     there.check(scan, there.clouds.messages[0], {begin + 0.1: 'This is the transform of another time.'})
 
 
+def check_standing(there: Laser) -> None:
+    """Fail unless each of two scans with the same distances gives a cloud, as those of a robot that stands still."""
+    draw, begin = there.learner.random, there.now
+    there.clouds.clear()
+    there.tell(begin)
+    there.tell(begin + 0.1)
+    there.learner.settle()
+    distances = [draw.uniform(0.5, 9.0) for _ in range(3)]
+    for seconds in (0.03, 0.06):
+        there.scan(distances, begin + seconds)
+    there.learner.run(0.1)
+    count = len(there.clouds)
+    expect(
+        count == 2,
+        f'Two scans came with the same distances, as those of a robot that stands still, and gave {count} clouds: one '
+        'cloud for each scan.',
+        'one-cloud',
+    )
+
+
 def points(cloud: PointCloud2) -> np.ndarray:
     """The points of a cloud, Nx3; fails if it cannot be read."""
     try:

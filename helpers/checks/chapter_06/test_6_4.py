@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from helpers.checks.chapter_06.scans import Laser, check_long_wait, check_no_hits, check_topics, check_zero, points
+from helpers.checks.chapter_06.scans import Laser, check_long_wait, check_no_hits, check_standing, check_topics, check_zero, points
 from helpers.runner import about, expect
 from helpers.runner.frames import pose
 
@@ -53,6 +53,7 @@ def test_scans(learner):
     _check_later(there, other)
     _check_hopeless(there)
     check_long_wait(there)
+    check_standing(there)
 
 
 def _distances(there, limits):

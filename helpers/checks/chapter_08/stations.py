@@ -264,6 +264,11 @@ def _judge_new_stations(keeper: Keeper, names: list[str]) -> dict[str, list[floa
         'new-place',
     )
     _judge_places(keeper, wanted, f'After {names[0]!r} got a new place', 'new-place')
+    expect(
+        keeper.set(names[0], *wanted[names[0]]).success,
+        f'{names[0]!r} was set again, at the place that it has, and refused: success is false.',
+        'station',
+    )
     return wanted
 
 
