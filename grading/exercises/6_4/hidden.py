@@ -4,7 +4,15 @@ import math
 
 import pytest
 
-from helpers.checks.chapter_06.scans import Laser, check_long_wait, check_no_hits, check_standing, check_topics, check_zero, points
+from helpers.checks.chapter_06.scans import (
+    Laser,
+    check_long_wait,
+    check_no_hits,
+    check_standing,
+    check_topics,
+    check_zero,
+    points,
+)
 from helpers.runner import about, expect
 from helpers.runner.frames import pose
 

@@ -14,6 +14,7 @@ from helpers.checks.chapter_08.governors import (
     judge_rules,
     judge_table,
 )
+from helpers.checks.chapter_08.node_options import check_options
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('8.2'), pytest.mark.wiring(type='names', qos='names', namespace='names')]
@@ -120,3 +121,4 @@ def test_two_robots(learner):
             f'Two governors got 0.3 and 0.4 m/s, each in its namespace, and on {one.heard.topic} came {got}: the '
             'command belongs to the object, not to the class.',
         )
+    check_options(learner, 'Governor', 'names')

@@ -245,4 +245,6 @@ class Governor(Node):
            new="ParameterDescriptor(description='m/s', floating_point_range=[FloatingPointRange(to_value=2.0, step=0.1)])",
            imports='from rcl_interfaces.msg import FloatingPointRange', expect='has the step 0.1', breaks='bounds',
            also=('pair', 'at-once', 'names', 'at-start', 'limit', 'modes', 'refused', 'rhythm')),
+    Mutant('options_left_out', old="super().__init__('governor', **options)", new="super().__init__('governor')",
+           breaks='names', expect='goes on to Node'),
 ]

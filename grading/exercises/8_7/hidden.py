@@ -3,6 +3,7 @@
 import pytest
 
 from helpers.checks.chapter_08 import stations
+from helpers.checks.chapter_08.node_options import check_options
 from helpers.checks.chapter_08.parameters import Parameters
 from helpers.runner import about, expect
 
@@ -57,6 +58,7 @@ def test_relative_names(learner):
         f'In the namespace {keeper.namespace}, nothing came on status.',
         'station' if not response.success else 'status',
     )
+    check_options(learner, 'StationKeeper', 'names')
 
 
 @pytest.mark.rules('station', 'new-place', 'unknown', 'bad-station', 'message', 'unchanged')

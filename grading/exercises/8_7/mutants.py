@@ -174,4 +174,6 @@ if len(self.stations) > 5:
     Mutant('same_place_refused', old='response.success = bool(request.name) and',
            new='response.success = self.place(request.name) != (request.x, request.y) and bool(request.name) and',
            breaks='station', expect='at the place that it has'),
+    Mutant('options_left_out', old="super().__init__('delivery_robot', **options)",
+           new="super().__init__('delivery_robot')", breaks='names', expect='goes on to Node'),
 ]

@@ -245,7 +245,7 @@ def check_standing(there: Laser) -> None:
     there.learner.settle()
     distances = [draw.uniform(0.5, 9.0) for _ in range(3)]
     for seconds in (0.03, 0.06):
-        there.scan(distances, begin + seconds)
+        scan = there.scan(distances, begin + seconds, first=0.0)  # as of a laser that looks all around
     there.learner.run(0.1)
     count = len(there.clouds)
     expect(
@@ -254,6 +254,7 @@ def check_standing(there: Laser) -> None:
         'cloud for each scan.',
         'one-cloud',
     )
+    there.check(scan, there.clouds.messages[-1])
 
 
 def points(cloud: PointCloud2) -> np.ndarray:

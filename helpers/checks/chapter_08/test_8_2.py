@@ -3,6 +3,7 @@
 import pytest
 
 from helpers.checks.chapter_08 import governors
+from helpers.checks.chapter_08.node_options import check_options
 from helpers.runner import about
 
 pytestmark = [pytest.mark.exercise('8.2'), pytest.mark.wiring(type='names', qos='names', namespace='names')]
@@ -31,6 +32,8 @@ def test_commands(learner):
         governed = governors.Governed(learner, f'/robot{learner.random.randint(2, 99)}', max_linear=limit, rate=rate)
     governors.judge_rhythm(governed, rate)
     governors.judge_limit(governed, limit, 1 / rate)
+    with about('names'):
+        check_options(learner, 'Governor', 'names')
 
 
 @pytest.mark.rules('at-once', 'newest', 'new-rate', 'refused', 'limit', 'pair', 'modes', 'before')

@@ -3,6 +3,7 @@
 import pytest
 
 from helpers.checks.chapter_08 import stations
+from helpers.checks.chapter_08.node_options import check_options
 from helpers.checks.chapter_08.parameters import Parameters
 from helpers.runner import about
 
@@ -43,3 +44,5 @@ def test_status(learner):
         keeper = stations.Keeper(learner, f'/robot{learner.random.randint(2, 99)}', status_period=period)
         keeper.set('a', 1.0, 2.0, 'names')
     stations.judge_status(keeper, period)
+    with about('names'):
+        check_options(learner, 'StationKeeper', 'names')
