@@ -91,6 +91,6 @@ done
     Mutant('all_rates_as_evidence', old="'average rate: 2.000'", new="'0.5 1 1.5 2 3 5 8 or 12 messages a second'",
            breaks='evidence', expect='does not show `rate`'),
     Mutant('a_whole_file_as_evidence', old="'/btatery: std_msgs/msg/Float32'",
-           new="'import rclpy\\n' * 20 + '/btatery: std_msgs/msg/Float32'", breaks='evidence',
+           new="'import rclpy\\n' * 50 + '/btatery: std_msgs/msg/Float32'", breaks='evidence',
            expect='Choose the line that shows it'),
 ]

@@ -35,8 +35,8 @@ EXAMPLE = 'my name'  # what the cell has at first
 PATIENCE = 10.0  # s in which a repaired system shows that it works, after its start
 MANY = 14.0  # messages a second; with a timer of 0.1 s there are ten
 SLOW = 0.6  # s from one line of the panel to the next; with its timer of 0.3 s there are half as many
-# An evidence is chosen: `ros2 run tf2_ros tf2_echo` prints ten lines at a time, and a file has fifty.
-LONGEST, MOST_LINES = 600, 10  # letters, lines
+# An evidence is chosen. `ros2 topic info --verbose` prints up to forty lines, and a program of a system has more.
+LONGEST, MOST_LINES = 1500, 40  # letters, lines
 MOST_NUMBERS = 4  # of which one is the rate
 _WINDOW = 9  # so many messages before the last one tell a rate or a speed
 BUSY = 3  # so many times as long on a busy machine
