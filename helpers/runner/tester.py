@@ -12,6 +12,7 @@ from helpers.runner import spent
 
 def run(job: dict, descriptor: int) -> None:
     """Run the tests that `job` names and report to `descriptor`."""
+    os.environ['ROS_DOMAIN_ID'] = str(job['domain'])
     with spent.part('start'):
         server, report = _prepare(job, descriptor)
     try:
@@ -42,7 +43,8 @@ def _prepare(job: dict, descriptor: int):
 def _run_tests(job: dict, server, report, only: set[str] | None) -> int:
     """Run pytest; returns its status.
 
-    Switched off is what only serves pytest's own report: rewritten assertions, the garbage collection at its end.
+    Switched off is what only serves pytest's own report: rewritten assertions, the garbage collection at its end. The
+    conftest.py above the tests are for the tests of the course itself.
     """
     import pytest
 
@@ -59,6 +61,7 @@ def _run_tests(job: dict, server, report, only: set[str] | None) -> int:
             '-q',
             '--continue-on-collection-errors',
             '--assert=plain',
+            '--noconftest',
             '-p',
             'no:unraisableexception',
             '-p',
