@@ -176,4 +176,6 @@ if len(self.stations) > 5:
            breaks='station', expect='at the place that it has'),
     Mutant('options_left_out', old="super().__init__('delivery_robot', **options)",
            new="super().__init__('delivery_robot')", breaks='names', expect='goes on to Node'),
+    Mutant('sum_is_finite', old='math.isfinite(request.x) and math.isfinite(request.y)',
+           new='math.isfinite(request.x + request.y)', breaks='station', expect='judge each one by itself'),
 ]

@@ -248,15 +248,7 @@ def _judge_new_stations(keeper: Keeper, names: list[str]) -> dict[str, list[floa
         _judge_kind(found, name, 'station')
         if len(wanted) in (2, len(names)):
             _judge_places(keeper, wanted, f'After {name!r} was set', 'new-place')
-    far = [draw.choice([-1, 1]) * draw.uniform(1.2, 1.7) * 1e308 for _ in range(2)]  # the largest is about 1.8e308
-    name = f'{names[-1]} 2'
-    expect(
-        keeper.set(name, *far).success,
-        f'{name!r} at ({far[0]:g}, {far[1]:g}) was refused. Both are finite numbers: judge each one by itself, '
-        'because what is computed from them may be too large.',
-        'station',
-    )
-    wanted[name] = far
+    wanted |= _judge_far_stations(keeper, names[-1])
     wanted[names[0]] = [0.0, draw.randint(-40, 40) / 10]
     expect(
         keeper.set(names[0], *wanted[names[0]], 'new-place').success,
@@ -270,6 +262,21 @@ def _judge_new_stations(keeper: Keeper, names: list[str]) -> dict[str, list[floa
         'station',
     )
     return wanted
+
+
+def _judge_far_stations(keeper: Keeper, name: str) -> dict[str, list[float]]:
+    """Set two stations as far away as numbers go, in different directions; returns where they are, by their names."""
+    draw, there = keeper.learner.random, {}
+    for number, signs in enumerate((draw.sample([1, -1], 2), 2 * [draw.choice([1, -1])]), 2):
+        station, far = f'{name} {number}', [sign * draw.uniform(1.2, 1.7) * 1e308 for sign in signs]  # of 1.8e308
+        expect(
+            keeper.set(station, *far).success,
+            f'{station!r} at ({far[0]:g}, {far[1]:g}) was refused. Both are finite numbers: judge each one by itself, '
+            'because what is computed from them may be too large.',
+            'station',
+        )
+        there[station] = far
+    return there
 
 
 def _judge_bad_stations(keeper: Keeper, wanted: dict[str, list[float]], known: str, nobody: str) -> None:
