@@ -51,7 +51,7 @@ MUTANTS = [
            new=r"re.findall(r'def (\w*)\(', files[f'{package}/{program}.py'])[-1]", breaks='repaired',
            expect='After your repair'),
     Mutant('repairs_names_that_end_so', old='({program})', new=r'(\w*{program})', breaks='kept',
-           expect='After your repair, re'),
+           also='repaired', expect='After your repair, re'),
     Mutant('loses_a_comma', old=REPLACE,
            new="setup = re.sub(rf\"(['\\\"]){program}\\s*=.*\", f\"'{program} = {package}.{program}:{function}'\", setup)",
            breaks='repaired', also='kept', expect='After your repair'),
