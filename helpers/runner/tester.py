@@ -43,8 +43,8 @@ def _prepare(job: dict, descriptor: int):
 def _run_tests(job: dict, server, report, only: set[str] | None) -> int:
     """Run pytest; returns its status.
 
-    Switched off is what only serves pytest's own report: rewritten assertions, the garbage collection at its end. The
-    conftest.py above the tests are for the tests of the course itself.
+    Switched off is what only serves pytest's own report: rewritten assertions, the garbage collection at its end; and
+    each conftest.py, which is for the course's own tests.
     """
     import pytest
 

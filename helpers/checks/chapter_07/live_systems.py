@@ -37,7 +37,7 @@ MANY = 14.0  # messages a second; with a timer of 0.1 s there are ten
 SLOW = 0.6  # s from one line of the panel to the next; with its timer of 0.3 s there are half as many
 # An evidence is chosen. `ros2 topic info --verbose` prints up to forty lines, and a program of a system has more.
 LONGEST, MOST_LINES = 1500, 40  # letters, lines
-MOST_NUMBERS = 4  # of which one is the rate
+FEW_NUMBERS = 4  # of which one is the rate; of more, at least half
 _WINDOW = 9  # so many messages before the last one tell a rate or a speed
 BUSY = 3  # so many times as long on a busy machine
 # What the evidence of a cause must have in it, in words.
@@ -187,7 +187,8 @@ def shows(truth: Drawn, evidence: str) -> bool:
         rate = float(truth.evidence)
         told = re.sub(r'\b(min|max|std dev|window): \S+', '', evidence)  # `ros2 topic hz` says more than the rate
         numbers = [float(number) for number in re.findall(r'\d+\.\d+|\d+', told)]
-        if len(numbers) <= MOST_NUMBERS and any(0.6 * rate < number < 1.6 * rate for number in numbers):
+        fit = [number for number in numbers if 0.6 * rate < number < 1.6 * rate]
+        if fit and (len(numbers) <= FEW_NUMBERS or 2 * len(fit) >= len(numbers)):
             return True
     return any(re.search(pattern, evidence) for pattern in truth.shows)
 
