@@ -35,12 +35,12 @@ class Display:
     """One thing to see in a `TfView`. It belongs to one view at a time, and may be started again after `stop`.
 
     Attributes for subclasses: `node` (rclpy node), `buffer` (tf2_ros Buffer), `scene` (this display's own part of the
-    scene, in coordinates of the fixed frame), `problem` (what `status` tells; '' at the begin of each update).
+    scene, in coordinates of the fixed frame), `problem` (what `status` tells after the update; before it '').
     """
 
     def __init__(self):
         self.node = self.buffer = self.scene = None
-        self.problem = ''
+        self.problem = self._told = ''
         self._subscriptions = []
 
     @property
@@ -68,9 +68,15 @@ class Display:
         :param time: rclpy Time; zero means the latest, another one the past (time travel).
         """
 
+    def refresh(self, fixed_frame: str, time) -> None:
+        """Update, then tell the problem: nobody who asks meanwhile takes half an update for "nothing is wrong"."""
+        self.problem = ''
+        self.update(fixed_frame, time)
+        self._told = self.problem
+
     def status(self) -> str:
         """Return what is wrong, such as ``no transform from [laser] to [map]``; '' if nothing is."""
-        return self.problem
+        return self._told
 
     def stop(self) -> None:
         """Stop listening; what is in the scene stays. Idempotent."""

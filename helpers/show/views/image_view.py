@@ -158,13 +158,13 @@ class ImageView:
         return {'image/png': png(picture, 2 * self._width), 'text/plain': repr(self)}, {'image/png': size}
 
     def _update(self) -> None:
-        self._problem = self._images.silence()
-        if not self._problem and self._images.message is not None:
+        problem, message = self._images.silence(), self._images.message
+        if not problem and message is not None:
             try:
-                pixels(self._images.message)
+                pixels(message)
             except ValueError as error:
-                self._problem = f'{self._images.topic}: {error}'
-        now = self._problem or self._images.message
+                problem = f'{self._images.topic}: {error}'
+        self._problem, now = problem, problem or message
         same = now is self._drawn or (isinstance(now, str) and isinstance(self._drawn, str) and now == self._drawn)
         if not same and self._output is not None:
             self._drawn = now

@@ -273,8 +273,7 @@ class TfView:
             self._tf.forget_trails()
         moment = Time(nanoseconds=self._moment)
         for display in (self._tf, *self._parts.values()):
-            display.problem = ''
-            display.update(self._fixed_frame, moment)
+            display.refresh(self._fixed_frame, moment)
         for renderer in (self._live, self._recording):
             if renderer is not None:
                 renderer.update()

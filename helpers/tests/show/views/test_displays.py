@@ -18,6 +18,7 @@ from visualization_msgs.msg import Marker as MarkerMsg
 from visualization_msgs.msg import MarkerArray as MarkerArrayMsg
 
 from helpers.show.views import LaserScan, Marker, MarkerArray, Odometry, PointCloud2, RobotModel, Text
+from helpers.show.views.display import Display
 from helpers.show.views.scene import Scene
 from helpers.show.views.shapes import Arrow, Box, Cylinder, Label, Line, Mesh, Points, Sphere
 
@@ -40,8 +41,7 @@ class Stage:
 
     def update(self, fixed_frame: str = 'odom', at: float = 0.0) -> str:
         """Update as a view does; return the status."""
-        self.display.problem = ''
-        self.display.update(fixed_frame, Time(nanoseconds=round(at * S)))
+        self.display.refresh(fixed_frame, Time(nanoseconds=round(at * S)))
         return self.display.status()
 
     def seen(self) -> dict:
@@ -68,6 +68,20 @@ def stage(ros):
     yield make
     for display in displays:
         display.stop()
+
+
+def test_a_problem_is_told_until_an_update_has_ended_without_it():
+    asked = []
+
+    class Asked(Display):
+        def update(self, fixed_frame, time):
+            asked.append((self.problem, self.status()))
+            self.problem = next(problems)
+
+    one, problems = Asked(), iter(('no scan', 'no scan', ''))
+    for _ in range(3):
+        one.refresh('map', Time())
+    assert asked == [('', ''), ('', 'no scan'), ('', 'no scan')] and one.status() == ''
 
 
 # Texts
