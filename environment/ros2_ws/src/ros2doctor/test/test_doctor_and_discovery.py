@@ -1,5 +1,6 @@
 """`ros2 doctor`, and that a command knows the whole graph on a busy machine."""
 
+import os
 import re
 import socket
 import subprocess
@@ -169,11 +170,30 @@ def test_a_participant_that_never_answers_costs_a_bounded_time(ros2):
         assert lonely.lines('topic', 'list') == ['/parameter_events', '/rosout']
 
 
+def test_lost_datagrams_are_counted():
+    from ros2cli.node import discovery
+
+    with (
+        domains.claim() as domain_id,
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as deaf,
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender,
+    ):
+        deaf.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4608)
+        deaf.bind(('127.0.0.1', 7400 + 250 * domain_id + 10))
+        assert [each.lost for each in discovery._discovery_sockets(domain_id)] == [0]
+        for _ in range(50):
+            sender.sendto(bytes(1000), deaf.getsockname())
+        (found,) = discovery._discovery_sockets(domain_id)
+        assert (found.port, found.inode) == (deaf.getsockname()[1], str(os.fstat(deaf.fileno()).st_ino))
+        assert 0 < found.lost < 50
+        assert discovery._lost_before(domain_id) == {}  # one's own count from the beginning
+
+
 def test_the_ports_are_those_of_real_participants(ros2, node):
     code = (
         'import sys; from ros2cli.node.direct import DirectNode; from ros2cli.node import discovery\n'
         'with DirectNode(None) as node:\n'
-        '    ports = discovery._local_ports(node.context.get_domain_id())\n'
+        '    ports = {each.port for each in discovery._discovery_sockets(node.context.get_domain_id())}\n'
         '    heard = node.get_publishers_info_by_topic("ros_discovery_info", no_mangle=True)\n'
         '    print(len(ports), len(heard))\n'
     )
