@@ -67,4 +67,6 @@ MUTANTS = [
            self.stamp = self.stamp + Duration(seconds=0.05) if hasattr(self, 'stamp') else now
            message.header.stamp = self.stamp.to_msg()
            """, expect='the stamp is', breaks='stamp'),
+    Mutant('a_metre_at_least', breaks='circle', old='self.radius, self.period = radius,',
+           new='self.radius, self.period = max(radius, 1.0),', expect='m from the planet'),
 ]

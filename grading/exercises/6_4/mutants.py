@@ -165,4 +165,6 @@ MUTANTS = [
                 return
             self.last = list(scan.ranges)
         """, expect='as those of a robot that stands still'),
+    Mutant('a_degree_for_each', breaks='range', old='enumerate(scan.ranges)', new='enumerate(scan.ranges[:360])',
+           expect='gave a cloud of 360 points'),
 ]

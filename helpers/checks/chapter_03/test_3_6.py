@@ -43,7 +43,7 @@ def test_monitor(learner):
         watched.end()
         sent.append(count)
         check_reports(rates, sent, begin)
-    sent.append(random.randint(51, 58))  # a fast lidar
+    sent.append(random.randint(101, 115))  # a fast lidar
     for _ in range(sent[-1]):
         stamp += 0.015625
         watched.send(stamp)
@@ -119,36 +119,36 @@ def check_reports(rates, sent, begin):
 def check_second(learner, rates, gaps, lidar, node, stamp):
     """A second monitor in the same program, with the default limit, between two reports of the first one."""
     begin = learner.now / 1e9
-    before = len(gaps)
+    before, long = len(gaps), learner.random.randint(100, 4000)
     with about('own-state'):
         learner.start('RateMonitor', beside=node)
         learner.settle()
-        lidar.send(monitors.scan(stamp + 40.0))
+        lidar.send(monitors.scan(stamp + long))
         learner.settle()
-        lidar.send(monitors.scan(stamp + 50.0))
+        lidar.send(monitors.scan(stamp + 2 * long + 10.0))
         learner.settle()
     came = gaps.data[before:]
     expect(
         came or not before,
-        'A scan came 40 s after the last one, and another one 10 s later; nothing came on scan_gap. A gap is told, '
-        'however long it is.',
+        f'A scan came {long} s after the last one, and another one {long + 10} s later; nothing came on scan_gap. A '
+        'gap is told, however long it is.',
         'gap',
     )
     expect(
-        pytest.approx(stamp + 40.0) not in came or stamp < 1,
-        f'For a second monitor the first scan, with the stamp {stamp + 40:g}, made a gap of {stamp + 40:g} s: there is '
-        'nothing before it.',
+        pytest.approx(stamp + long) not in came or stamp < 1,
+        f'For a second monitor the first scan, with the stamp {stamp + long:g}, made a gap of {stamp + long:g} s: '
+        'there is nothing before it.',
         'first',
     )
     expect(
-        came == pytest.approx([40.0, 10.0, 10.0]),
-        'A second monitor was started in the same program. Then a scan came 40 s after the last one, and another '
-        f'one 10 s later: for the second monitor the first of them has nothing before it. scan_gap says {came}, '
-        'expected 40, 10, 10. The newest stamp belongs to the object (self).',
+        came == pytest.approx([long, long + 10, long + 10]),
+        f'A second monitor was started in the same program. Then a scan came {long} s after the last one, and another '
+        f'one {long + 10} s later: for the second monitor the first of them has nothing before it. scan_gap says '
+        f'{came}, expected {long}, {long + 10}, {long + 10}. The newest stamp belongs to the object (self).',
         'own-state',
     )
     with about('own-state'):
-        lidar.send(monitors.scan(stamp + 50.5), monitors.scan(stamp + 50.5 + JUST_MORE))
+        lidar.send(monitors.scan(stamp + 2 * long + 10.5), monitors.scan(stamp + 2 * long + 10.5 + JUST_MORE))
         learner.run(1.3, step=1.0)
     own = [value for at, value in zip(rates.stamps, rates.data, strict=True) if abs(at - begin - 1.0) < 1e-6]
     others = [

@@ -18,7 +18,8 @@ class Watched:
     def __init__(self, learner, seconds: float, rounds: bool = False):
         """Watch it for so many seconds; `rounds`: then at times in two rounds, and most calls of its timer are lost."""
         draw = learner.random
-        self.radius, self.period = round(draw.uniform(1.5, 9.0), 3), round(draw.uniform(5.0, 15.0), 2)
+        radius = draw.uniform(0.2, 0.9) if rounds else draw.uniform(1.5, 9.0)
+        self.radius, self.period = round(radius, 3), round(draw.uniform(5.0, 15.0), 2)
         self.called, self.seconds = f'Moon({self.radius}, {self.period})', seconds
         if rounds:  # of these days, in seconds since 1970: what counts with too few digits is elsewhere
             learner.now = draw.randint(1_700_000_000, 1_790_000_000) * SECOND

@@ -114,8 +114,7 @@ class Laser:
         expect(
             len(found) == len(hits),
             f'A scan with {len(hits)} hits from {scan.range_min:g} to {scan.range_max:g} m '
-            f'gave a cloud of {len(found)} points. The distances were '
-            f'{[round(distance, 3) for distance in scan.ranges]}. '
+            f'gave a cloud of {len(found)} points. The distances were {_few(scan.ranges)}. '
             + ('Both limits are hits.' if len(found) < len(hits) else 'What is beyond a limit is left out.'),
             'range',
         )
@@ -237,15 +236,16 @@ def check_long_wait(there: Laser) -> None:
 
 
 def check_standing(there: Laser) -> None:
-    """Fail unless each of two scans with the same distances gives a cloud, as those of a robot that stands still."""
+    """Fail unless each of two long scans with the same distances gives a cloud, as if the robot stands still."""
     draw, begin = there.learner.random, there.now
     there.clouds.clear()
     there.tell(begin)
     there.tell(begin + 0.1)
     there.learner.settle()
-    distances = [draw.uniform(0.5, 9.0) for _ in range(3)]
+    count = draw.randint(600, 1100)  # as of a laser that looks all around
+    distances = [draw.uniform(0.5, 9.0) for _ in range(count)]
     for seconds in (0.03, 0.06):
-        scan = there.scan(distances, begin + seconds, first=0.0)  # as of a laser that looks all around
+        scan = there.scan(distances, begin + seconds, first=0.0, step=math.tau / count)
     there.learner.run(0.1)
     count = len(there.clouds)
     expect(
@@ -267,6 +267,12 @@ def points(cloud: PointCloud2) -> np.ndarray:
             f'The cloud cannot be read ({type(error).__name__}: {error}). Make it with create_cloud_xyz32.',
             'place',
         )
+
+
+def _few(distances) -> str:
+    """The distances as a list, or the first of them."""
+    shown = ', '.join(f'{distance:.4g}' for distance in distances[:16])
+    return f'[{shown}]' if len(distances) <= 16 else f'{shown} and {len(distances) - 16} more'
 
 
 def moved(hits: np.ndarray, matrix: np.ndarray) -> np.ndarray:
