@@ -78,8 +78,9 @@ def of(root: Path, packages: Iterable[str]) -> dict[str, str]:
             _put(found, 'LD_LIBRARY_PATH', _links(root, prefix / 'lib', libraries))
         if (prefix / 'bin').is_dir():
             _put(found, 'PATH', prefix / 'bin')
-        for name in ('AMENT_PREFIX_PATH', 'CMAKE_PREFIX_PATH'):
-            _put(found, name, prefix, first=True)
+        _put(found, 'CMAKE_PREFIX_PATH', prefix, first=True)
+        if _is_ament(prefix):
+            _put(found, 'AMENT_PREFIX_PATH', prefix, first=True)
     if (root / 'install').is_dir():
         _put(found, 'COLCON_PREFIX_PATH', root / 'install', first=True)
     return found
@@ -112,6 +113,12 @@ def _prefixes(root: Path) -> list[Path]:
             if (prefix / 'share' / 'colcon-core' / 'packages' / prefix.name).is_file()
         ]
     return []
+
+
+def _is_ament(prefix: Path) -> bool:
+    """Whether ROS finds the package: colcon writes a hook for this, or ament_package() in CMakeLists.txt a script."""
+    share = prefix / 'share' / prefix.name
+    return any((share / name).is_file() for name in ('hook/ament_prefix_path.dsv', 'local_setup.dsv'))
 
 
 def _python(root: Path, prefix: Path) -> Iterator[Path]:

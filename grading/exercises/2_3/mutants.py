@@ -6,6 +6,7 @@ GENERATORS = '<buildtool_depend>rosidl_default_generators</buildtool_depend>'
 SRV = '%%answer SRV ros2_ws/src/dock_interfaces/srv/Dock.srv'
 
 MUTANTS = [
+    Mutant('unknown_to_ros', breaks='both', old='ament_package()', new='', expect='makes the package known to ROS'),
     Mutant('two_fields_exchanged', edits=(('uint8 percent', 'bool charging'), ('bool charging', 'uint8 percent')),
            expect='are in the order', breaks='charge'),
     Mutant('percent_as_float', old='uint8 percent', new='float32 percent', expect='float32 percent', breaks='charge'),

@@ -165,6 +165,12 @@ def judge_use(learner, others: bool = False) -> None:
     for name, shown in (('srv/Dock', '---'), ('msg/Charge', ''))[: 2 if others else 1]:
         done = builds.dock_interfaces(learner).once('ros2', 'interface', 'show', f'dock_interfaces/{name}')
         expect(
+            'Unknown package' not in done.last_line,
+            f'`ros2 interface show dock_interfaces/{name}` says: {done.last_line}. CMakeLists.txt ends with '
+            'ament_package(): this line makes the package known to ROS.',
+            'both',
+        )
+        expect(
             done.status == 0 and any(line.startswith(shown) for line in done.lines),
             f'`ros2 interface show dock_interfaces/{name}` ended with: {done.last_line}',
             'both',

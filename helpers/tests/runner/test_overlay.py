@@ -26,7 +26,8 @@ def installed(root, *names, package='patrol', **texts):
 
 
 def test_an_installed_package_is_found(tmp_path):
-    prefix = installed(tmp_path, f'{SITE}/patrol/route.py', 'lib/libpatrol__c.so', 'bin/tool')
+    names = f'{SITE}/patrol/route.py', 'lib/libpatrol__c.so', 'bin/tool', 'share/patrol/hook/ament_prefix_path.dsv'
+    prefix = installed(tmp_path, *names)
     (tmp_path / 'install' / 'half').mkdir()  # its build has failed
     found = sourced_environment.of(tmp_path, ['patrol'])
     for name in ('AMENT_PREFIX_PATH', 'CMAKE_PREFIX_PATH'):
@@ -34,6 +35,17 @@ def test_an_installed_package_is_found(tmp_path):
     assert found['PYTHONPATH'].split(':')[0] == str(prefix / SITE)
     assert (Path(found['LD_LIBRARY_PATH'].split(':')[-1]) / 'libpatrol__c.so').samefile(prefix / 'lib/libpatrol__c.so')
     assert found['PATH'].split(':')[-1] == str(prefix / 'bin')  # behind all tools
+
+
+@pytest.mark.parametrize(
+    ('name', 'is_found'), [('hook/ament_prefix_path.dsv', True), ('local_setup.dsv', True), ('package.dsv', False)]
+)
+def test_ros_finds_a_package_that_says_so(tmp_path, name, is_found):
+    """One of CMakeLists.txt without ament_package() is installed, and `ros2` does not know it."""
+    prefix = installed(tmp_path, f'share/patrol/{name}')
+    found = sourced_environment.of(tmp_path, ['patrol'])
+    assert (str(prefix) in found.get('AMENT_PREFIX_PATH', '').split(':')) == is_found
+    assert str(prefix) in found['CMAKE_PREFIX_PATH'].split(':')
 
 
 def test_a_linked_package_is_found_where_it_was_built(tmp_path):
