@@ -105,4 +105,6 @@ MUTANTS = [
         """, expect='each map gets one', breaks='walls'),
     Mutant('fifty_rows_at_most', old='cell] for row in rows for cell in row', new='cell] for row in rows[:50] for cell in row',
            expect='values, expected', breaks='cells'),
+    Mutant('hundred_columns_at_most', breaks='size', old='width=len(rows[0])', new='width=min(len(rows[0]), 100)',
+           expect='the map is 100 wide'),
 ]

@@ -143,4 +143,6 @@ MUTANTS = [
         self.create_timer(0.1, self.tick)
         self.motor.publish(Twist())
         """, expect='went out in the constructor'),
+    Mutant('lost_from_8_m_on', breaks='place', old='if age <= Duration(seconds=0.5):',
+           new='if age <= Duration(seconds=0.5) and found.transform.translation.x < 8:', expect='and chase says'),
 ]

@@ -119,4 +119,8 @@ MUTANTS = [
     Mutant('actions_count', old="'create_client': ('service', 1, 'srv_name')}",
            new="'create_client': ('service', 1, 'srv_name'), 'ActionClient': ('service', 2, 'action_name')}",
            breaks='no-text', also='service', expect='nothing is wrong with it'),
+    Mutant('five_parts_at_most', breaks='word', old="(_[a-z0-9]+)*')", new="(_[a-z0-9]+){0,4}')",
+           expect='It follows the rule of words'),
+    Mutant('three_words_at_most', breaks='topic', also='service', old='    return all(WORD', new='    return len(words) < 4 and all(WORD',
+           expect='It has words that are joined by /'),
 ]

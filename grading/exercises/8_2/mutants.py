@@ -247,4 +247,8 @@ class Governor(Node):
            also=('pair', 'at-once', 'names', 'at-start', 'limit', 'modes', 'refused', 'rhythm')),
     Mutant('options_left_out', old="super().__init__('governor', **options)", new="super().__init__('governor')",
            breaks='names', expect='goes on to Node'),
+    Mutant('turns_of_10_at_most', breaks='other-fields', old='= self.command.angular.z',
+           new='= max(-10.0, min(10.0, self.command.angular.z))', expect='came out as'),
+    Mutant('twice_a_second_at_least', breaks='new-rate', also=('rhythm', 'newest', 'before'), old="1 / self.get_parameter('rate').value",
+           new="1 / max(2.0, self.get_parameter('rate').value)", expect='messages came after'),
 ]

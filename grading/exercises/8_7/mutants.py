@@ -178,4 +178,6 @@ if len(self.stations) > 5:
            new="super().__init__('delivery_robot')", breaks='names', expect='goes on to Node'),
     Mutant('sum_is_finite', old='math.isfinite(request.x) and math.isfinite(request.y)',
            new='math.isfinite(request.x + request.y)', breaks='station', expect='judge each one by itself'),
+    Mutant('micrometres', breaks='station', old='self.stations[request.name] = request.x, request.y',
+           new='self.stations[request.name] = round(request.x, 6), round(request.y, 6)', expect='After set_station, place'),
 ]

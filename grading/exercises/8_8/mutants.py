@@ -115,4 +115,6 @@ MUTANTS = [
             return None
         {RETURN}
         """, expect='0 is a number like any other', breaks='place'),
+    Mutant('hundred_metres_at_most', breaks='place', old='return place.x, place.y',
+           new='return max(-100.0, min(100.0, place.x)), place.y', expect='and where() is'),
 ]

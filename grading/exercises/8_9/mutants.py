@@ -216,4 +216,6 @@ elif pose is None:
            expect='it ends in the round in which where() is None', breaks='lost', alone=True),
     Mutant('small_letters', old="f'driving to {request.station}'", new="f'driving to {request.station.lower()}'",
            expect='the status is', breaks='state', alone=True),
+    Mutant('twenty_letters_of_a_name', breaks='state', old="f'driving to {request.station}'",
+           new="f'driving to {request.station[:20]}'", expect='the status is'),
 ]

@@ -54,7 +54,7 @@ def walls(rows: list[str]) -> int:
 
 def large_rows(random) -> list[str]:
     """A map with more rows and columns than one would write by hand, as maps of real rooms have."""
-    width, height = random.randint(70, 90), random.randint(55, 65)
+    width, height = random.randint(105, 140), random.randint(55, 65)
     return [''.join(random.choice('##.?') for _ in range(width)) for _ in range(height)]
 
 

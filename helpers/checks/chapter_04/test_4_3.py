@@ -96,7 +96,8 @@ def _wait_long(learner, status, parts, number):
 
 def _texts(draw) -> list[str]:
     """What a part says, one time after the other: whatever it is, it is handed on as it is."""
-    first, *others = draw.sample([f'{draw.randint(1, 99)} %', 'no Signal; 3 tries', ' Two  words '], 3)
+    many = ' Many  words, \n' + f'{draw.randint(1, 9)} or more, ' * draw.randint(20, 40)
+    first, *others = draw.sample([f'{draw.randint(1, 99)} %', 'no Signal; 3 tries', many], 3)
     others.append('')
     draw.shuffle(others)
     return [first, *others]

@@ -159,6 +159,20 @@ def test_no_place(learner):
     Room(learner, 0).enter('full', 'full', 'nobody inside')
 
 
+@pytest.mark.rules('welcome', 'full')
+@about('welcome')
+@waiting('one-thread')
+def test_many_places(learner):
+    """As many people come in as there are places, also if these are many.
+
+    The number of places is the argument of the constructor.
+    """
+    room = Room(learner, learner.random.randint(11, 14))
+    for number in range(room.capacity):
+        room.enter('welcome', 'welcome', f'{people(number)} inside')
+    room.enter('full', 'full', f'{people(room.capacity)} inside')
+
+
 @pytest.mark.rules('names', 'open', 'capacity', 'full')
 @about('welcome')
 @waiting('capacity')

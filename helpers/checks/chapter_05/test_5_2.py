@@ -146,7 +146,7 @@ def test_outcomes(learner):
         not server.cancel_stamps, f'{rounds.story}a cancel request came for a goal that had ended in time.', 'deadline'
     )
     server.accept = False
-    for odd in (draw.choice([0, -1, -draw.randint(2, 99)]), draw.randint(1000, 2**31 - 1)):
+    for odd in (0, -draw.randint(1, 99), draw.randint(1000, 2**31 - 1)):
         before = len(server.goals)
         rejected = rounds.begin(odd, 1.0, 'a server that rejects the goal')
         learner.run(2.5, step=1.0)
@@ -164,8 +164,9 @@ def test_outcomes(learner):
             'send',
         )
     server.accept, value = True, draw.randint(3, 99)
-    heard = Fibonacci.Feedback(sequence=[value])
+    heard, many = Fibonacci.Feedback(sequence=[value]), [value + n for n in range(draw.randint(31, 47))]
     for plan_, wanted in (
+        ([(0.6, action_peers.Aborted(Fibonacci.Result(sequence=many)))], f'aborted {many}'),
         ([(0.6, action_peers.Aborted(Fibonacci.Result(sequence=[value])))], f'aborted [{value}]'),
         ([(0.3, heard), (0.3, action_peers.Aborted(Fibonacci.Result()))], 'aborted []'),  # not what the feedback said
     ):
@@ -174,7 +175,7 @@ def test_outcomes(learner):
         learner.run(3.5, step=1.0)
         rounds.expect(wanted, 'word', 'The status stands beside the result; the numbers are in the result.')
     server.plan = plan
-    _stops_late(learner, rounds, draw.choice([2.25, 5.1]), value)
+    _stops_late(learner, rounds, draw.choice([31.3, 32.1]), value)
     for server.cancel, does in (('reject', 'refuses the cancel request'), ('ignore', 'accepts the cancel request')):
         rounds.begin(5, 1.2, f'a server that {does}, goes on, and succeeds 1.3 s later')
         learner.run(3.5, step=1.0)

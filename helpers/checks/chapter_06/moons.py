@@ -18,8 +18,8 @@ class Watched:
     def __init__(self, learner, seconds: float, rounds: bool = False):
         """Watch it for so many seconds; `rounds`: then at times in two rounds, and most calls of its timer are lost."""
         draw = learner.random
-        radius = draw.uniform(0.2, 0.9) if rounds else draw.uniform(1.5, 9.0)
-        self.radius, self.period = round(radius, 3), round(draw.uniform(5.0, 15.0), 2)
+        radius, period = (draw.uniform(0.2, 0.9), draw.uniform(0.9, 1.9)) if rounds else (1.5, draw.uniform(5.0, 15.0))
+        self.radius, self.period = round(radius, 3), round(period, 2)
         self.called, self.seconds = f'Moon({self.radius}, {self.period})', seconds
         if rounds:  # of these days, in seconds since 1970: what counts with too few digits is elsewhere
             learner.now = draw.randint(1_700_000_000, 1_790_000_000) * SECOND
@@ -167,17 +167,26 @@ def judge_face(moon: Watched) -> None:
 
 
 def judge_two(learner, moon: Watched) -> None:
-    """Another moon in the same program leaves this one its circle: rule `circle`."""
-    other = round(moon.radius + learner.random.uniform(2.0, 5.0), 3)
-    heard = learner.tf_listener()
-    learner.start('Moon', other, moon.period, beside=moon.node)
+    """Another moon in the same program, far away and slow, leaves this one its circle: rules `circle` and `time`."""
+    draw, heard = learner.random, learner.tf_listener()
+    other = round(draw.uniform(120.0, 900.0), 3), round(draw.uniform(70.0, 200.0), 2)
+    learner.start('Moon', *other, beside=moon.node)
     learner.run(10 * STEP)
-    away = [math.hypot(*origin(to_matrix(transform))[:2]) for transform in heard.transforms]
-    for radius in (moon.radius, other):
+    places = [origin(to_matrix(transform)) for transform in heard.transforms]
+    told = f'Two moons in one program, {moon.called} and Moon({other[0]}, {other[1]})'
+    for radius in (moon.radius, other[0]):
         expect(
-            any(same(one, radius, 1e-3) for one in away),
-            f'Two moons in one program, {moon.called} and Moon({other}, {moon.period}): none of their transforms is '
-            f'{radius:g} m from the planet. Keep the numbers of each moon in self, and in no variable of the class or '
-            'of the module.',
+            any(same(math.hypot(*place[:2]), radius, 1e-3) for place in places),
+            f'{told}: none of their transforms is {radius:g} m from the planet. Keep the numbers of each moon in self, '
+            'and in no variable of the class or of the module.',
             'circle',
+        )
+    there = [(place, at) for place, at in zip(places, heard.moving.stamps, strict=False) if np.hypot(*place[:2]) > 99]
+    for place, at in there:
+        angle = 2 * math.pi * at / other[1]
+        wanted = other[0] * math.cos(angle), other[0] * math.sin(angle), 0.0
+        expect(
+            same(place, wanted, 0.01),
+            f'{told}: at time {at:.13g} s the second one is at {words(place)}, expected {words(wanted)}.',
+            'time',
         )

@@ -145,8 +145,9 @@ def check_places(there: Pursuit) -> None:
     places = [
         (draw.uniform(0.2, 0.9), draw.uniform(-3.0, 3.0)),  # so near that it stands
         (draw.uniform(1.05, 1.3), draw.uniform(-0.9, 0.9)),
-        (draw.uniform(3.5, 9.0), draw.uniform(-0.9, 0.9)),
-        (draw.uniform(1.5, 4.0), draw.uniform(1.2, 3.1)),
+        (draw.uniform(9.0, 12.0), draw.uniform(-0.3, 0.3)),
+        (draw.uniform(1.5, 4.0), draw.uniform(1.2, 2.6)),
+        (draw.uniform(4.5, 7.0), draw.uniform(2.7, 3.1)),
         (draw.uniform(1.5, 4.0), draw.uniform(-3.1, -1.2)),
     ]
     draw.shuffle(places)

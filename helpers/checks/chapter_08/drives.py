@@ -124,7 +124,8 @@ def judge_name(learner) -> None:
 
 def judge_rejections(drives: Drives) -> str:
     """The rules `rejects-unknown`, `single` and `state`. Returns the name of the station to which the robot drives."""
-    name = drives.learner.random.choice(['Kitchen 2', 'Office B', 'The lab'])  # letter by letter
+    name = drives.learner.random.choice(['Kitchen 2', 'Office B', 'The lab'])
+    name += f', at the end of the corridor on the {drives.learner.random.randint(2, 9)}. floor'  # letter by letter
     drives.delivery.station(name, 3.5, 0.0)
     drives.delivery.station('other', 1.0, 0.5)
     for unknown in ('moon', name[:-1], name.upper()):

@@ -17,7 +17,7 @@ TABLE = (
 )
 
 # Their periods have more than two decimals, and are whole nanoseconds.
-RATES = (3.2, 6.4, 8.0, 16.0, 40.0)
+RATES = (1.25, 3.2, 6.4, 8.0, 16.0, 40.0)
 
 
 def command(linear: float, angular: float = 0.0) -> Twist:
@@ -155,6 +155,14 @@ def _judge_newest(governed: Governed, rate: float) -> None:
             'newest' if {0.0, *sent} & set(got) else 'limit',
         )
         governed.send(command(speeds[2]))
+    long = min(30.0, 200 * period)
+    got = {one.linear.x for one in governed.after(long)}
+    expect(
+        got == {speeds[2]},
+        f'The newest command was {speeds[2]} m/s, and in the {long:g} s after it these came out: {sorted(got)}. It is '
+        'published again and again, until the next one comes.',
+        'newest',
+    )
     _judge_halt(governed, speeds[2], period)
 
 
@@ -188,7 +196,7 @@ def _judge_halt(governed: Governed, speed: float, period: float) -> None:
 def judge_limit(governed: Governed, limit: float, period: float) -> None:
     """The rules `limit` and `other-fields`."""
     draw = governed.learner.random
-    turn = draw.choice([-1, 1]) * draw.randint(210, 300) / 100  # more than any limit of linear.x
+    turn = draw.choice([-1, 1]) * draw.randint(11, 40) / 1.25  # more than any limit of linear.x
     for speed in (0.5 * limit, limit + draw.randint(10, 90) / 100, -0.4 * limit, -limit - draw.randint(10, 90) / 100):
         wanted = max(-limit, min(limit, speed))
         message = command(speed, turn)
@@ -330,7 +338,9 @@ def _judge_refused(governed: Governed, limit: float, rate: float) -> None:
 
 def _judge_new_rate(governed: Governed, rate: float) -> float:
     """Other rates, alone and with another value, which begin with a new period; returns the last one."""
-    news = governed.learner.random.sample([one for one in RATES if one != rate], 3)
+    draw = governed.learner.random
+    news = [RATES[0], RATES[-1], draw.choice([one for one in RATES[1:-1] if one != rate])]
+    draw.shuffle(news)
     for new, before, behind in zip(news, ({}, {'mode': 'normal'}, {}), ({}, {}, {'mode': 'normal'}), strict=True):
         request = {**before, 'rate': new, **behind}
         governed.accepts('new-rate', **request)

@@ -87,6 +87,7 @@ def judge_words(learner) -> None:
         'a_b_c',
         'x',
         f'{word(draw)}_{draw.randint(2, 9)}',
+        '_'.join(word(draw) for _ in range(draw.randint(6, 9))),
     ]
     found = bad_names(learner, {'n.py': ''.join(f'create_node({name!r})\n' for name in [*wrong, *good])}, 'node')
     expect(found, f'create_node({next(iter(wrong))!r}) names a node, and nothing is reported.', 'node')
@@ -112,7 +113,14 @@ def judge_topics(learner, kind: str, functions: tuple[str, str]) -> None:
         '~': 'There is no word in it.',
         '~/': 'There is no word in it.',
     }
-    good = [one, f'{one}/{two}', f'~/{one}', f'~/{one}/{two}', f'{one}/{two}/{one}']
+    good = [
+        one,
+        f'{one}/{two}',
+        f'~/{one}',
+        f'~/{one}/{two}',
+        f'{one}/{two}/{one}',
+        '/'.join(draw.randint(4, 7) * [one]),
+    ]
     for function in functions:
         found = bad_names(
             learner, {'t.py': ''.join(f'node.{function}(Type, {n!r}, 10)\n' for n in [*wrong, *good])}, kind
@@ -297,9 +305,11 @@ def judge_packages(learner) -> None:
 def judge_list(learner) -> None:
     """The rules `once` and `sorted`."""
     draw = learner.random
-    names = [f'{word(draw).capitalize()}{letter}' for letter in 'CAB'] + [f'{word(draw)}-a']  # capitals come first
+    letters = draw.sample('ABCDEFGHIJKL', draw.randint(9, 12))
+    names = [f'{word(draw).capitalize()}{letter}' for letter in letters] + [f'{word(draw)}-a']  # capitals come first
     text = ''.join(f'n.create_publisher(S, "{name}", 1)\ncreate_node("{name}")\n' for name in names * 2)
-    files = {'z/b.py': text, 'package.xml': package_xml(names[0]), 'a.py': text}
+    good = {f'{word(draw)}{number}.py': f'create_node("{word(draw)}")' for number in range(draw.randint(20, 40))}
+    files = {'z/b.py': text, **good, 'package.xml': package_xml(names[0]), 'a.py': text}
     expected = sorted(
         [
             ('package.xml', 'package', names[0]),

@@ -224,7 +224,7 @@ def _judge_new_stations(keeper: Keeper, names: list[str]) -> dict[str, list[floa
     # The origin of the map is a place, and two names may have the same one.
     origin, twin = draw.sample(range(1, len(names)), 2)
     for number, name in enumerate(names):
-        wanted[name] = [round(draw.uniform(-size, size), 4) for size in (3, 2000)]
+        wanted[name] = [round(draw.uniform(-size, size), 9) for size in (3, 2000)]
         if number == origin:
             wanted[name] = [0.0, 0.0]
         elif number == twin:

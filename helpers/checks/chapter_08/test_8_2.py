@@ -27,7 +27,7 @@ def test_commands(learner):
 
     A timer with the period 1 / rate publishes the newest command.
     """
-    limit, rate = learner.random.randint(60, 190) / 100, learner.random.choice(governors.RATES)
+    limit, rate = learner.random.randint(192, 200) / 100, learner.random.choice(governors.RATES)
     with about('names'):
         governed = governors.Governed(learner, f'/robot{learner.random.randint(2, 99)}', max_linear=limit, rate=rate)
     governors.judge_rhythm(governed, rate)

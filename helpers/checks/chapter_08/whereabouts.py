@@ -137,7 +137,7 @@ def judge_place(lost: Lost) -> None:
 def _judge_zeros(lost: Lost) -> None:
     """The rule `place`, where numbers of it are 0, as at the place where a map begins."""
     lost.localizer.drift(0.0, 0.0, 0.0)
-    x, y = -lost.draw.uniform(1, 3), -lost.draw.uniform(1, 3)
+    x, y = -lost.draw.uniform(120, 900), -lost.draw.uniform(120, 900)  # a long way from there, as on a farm
     for told in ((0.0, 0.0, 0.0), (x, 0.0, 0.0), (0.0, y, lost.draw.uniform(0.5, 1))):
         lost.localizer.tell(*told)
         lost.learner.run(0.1)
