@@ -174,6 +174,7 @@ def _world(stand_in: str) -> dict[str, str]:
     found = {
         f'{share}/colcon-core/packages/{name}': '',
         f'{share}/ament_index/resource_index/packages/{name}': '',
+        f'{share}/{name}/hook/ament_prefix_path.dsv': '',
         **{
             f'{share}/{name}/{path.relative_to(top)}': path.read_text()
             for path in (top / 'package.xml', *(top / 'launch').glob('*.py'), *(top / 'scenes').glob('*.yaml'))
