@@ -79,6 +79,7 @@ def test_one_goal(learner):
         goal = client.send(order=number)
         learner.run(number / 2 + 0.7)
         check_goal(goal)
+    check_long(learner, client, draw.randint(51, 60))
     goal = client.send(order=4)
     learner.run(0.7)
     bad = [client.send(order=number) for number in (0, -1, -draw.randint(2, 2**31))]
@@ -90,6 +91,18 @@ def test_one_goal(learner):
     draw.shuffle(steps)
     for number, count in [*steps, (3, 2)]:  # at last, in the last step
         check_cancel(learner, client, number, count, 0.5 * count + 0.2)
+
+
+def check_long(learner, client, order) -> None:
+    """Expect that a goal of a large order counts to its end, too."""
+    goal = client.send(order=order)
+    learner.run(order / 2 + 0.7)
+    expect(
+        goal.status == 'succeeded' and numbers(goal) == up_to(order),
+        f'{order / 2} s after a goal of order {order} its status is {goal.status}, and it has {len(numbers(goal))} '
+        f'numbers, expected succeeded with {order}.',
+        'count',
+    )
 
 
 def check_cancel(learner, client, order, count, seconds) -> None:

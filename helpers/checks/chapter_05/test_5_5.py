@@ -37,7 +37,7 @@ def test_queue(learner):
         Job('bad', last + 0.1, -draw.randint(1, 2**31), client=1),  # now that places are free
         Job('none', last + 0.2, 0),
         Job('last', last + 0.3, 2),
-        Job('later', sum(orders) / 2 + 2.2, draw.randint(10, 14)),
+        Job('later', sum(orders) / 2 + 2.2, draw.randint(21, 25)),
     )
     printer.judge()
 
@@ -51,6 +51,20 @@ def test_no_place(learner):
     """
     printer = Printer(learner, 0)
     printer.tell(Job('A', 0.0, 2), Job('too many', 0.2, 1), Job('B', 1.3, 1))
+    printer.judge()
+
+
+@pytest.mark.rules('places')
+@about('places')
+def test_many_places(learner):
+    """In a printer with many places as many goals wait.
+
+    The number of places is the argument of the constructor.
+    """
+    places = learner.random.randint(11, 13)
+    printer = Printer(learner, places)
+    # One after the other: a service keeps ten requests of one moment.
+    printer.tell(*(Job(f'A{number}', number / 50, 1) for number in range(places + 1)), Job('too many', 0.4, 1))
     printer.judge()
 
 
