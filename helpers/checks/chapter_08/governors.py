@@ -339,7 +339,9 @@ def _judge_refused(governed: Governed, limit: float, rate: float) -> None:
 def _judge_new_rate(governed: Governed, rate: float) -> float:
     """Other rates, alone and with another value, which begin with a new period; returns the last one."""
     draw = governed.learner.random
-    news = [RATES[0], RATES[-1], draw.choice([one for one in RATES[1:-1] if one != rate])]
+    between = [one for one in RATES[1:-1] if one != rate]
+    news = [one for one in (RATES[0], RATES[-1]) if one != rate]  # the slowest and the fastest
+    news += draw.sample(between, 3 - len(news))
     draw.shuffle(news)
     for new, before, behind in zip(news, ({}, {'mode': 'normal'}, {}), ({}, {}, {'mode': 'normal'}), strict=True):
         request = {**before, 'rate': new, **behind}
