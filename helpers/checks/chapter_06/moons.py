@@ -53,8 +53,7 @@ class Watched:
                 'frames',
             )
         self.first = heard.moving.numbers[0]  # 2 or more: its publisher has sent others, which nobody could hear yet
-        pairs = zip(heard.moving.stamps, heard.moving.messages, strict=True)
-        self.pairs = [(time, transform) for time, message in pairs for transform in message.transforms]
+        self.pairs = _pairs(heard)
 
     def _lose_calls(self, learner):
         """Let the clock jump through two rounds of the moon, as if the machine were too busy to call the timer."""
@@ -69,7 +68,17 @@ class Watched:
 
     def place(self, angle: float) -> tuple[float, float, float]:
         """The point of the circle at this angle."""
-        return self.radius * math.cos(angle), self.radius * math.sin(angle), 0.0
+        return _on_circle(self.radius, angle)
+
+
+def _on_circle(radius: float, angle: float) -> tuple[float, float, float]:
+    return radius * math.cos(angle), radius * math.sin(angle), 0.0
+
+
+def _pairs(heard) -> list[tuple]:
+    """What came on /tf: (time of arrival in s, transform)."""
+    messages = zip(heard.moving.stamps, heard.moving.messages, strict=True)
+    return [(time, transform) for time, message in messages for transform in message.transforms]
 
 
 def judge_rate(moon: Watched) -> None:
@@ -169,24 +178,22 @@ def judge_face(moon: Watched) -> None:
 def judge_two(learner, moon: Watched) -> None:
     """Another moon in the same program, far away and slow, leaves this one its circle: rules `circle` and `time`."""
     draw, heard = learner.random, learner.tf_listener()
-    other = round(draw.uniform(120.0, 900.0), 3), round(draw.uniform(70.0, 200.0), 2)
-    learner.start('Moon', *other, beside=moon.node)
+    radius, period = round(draw.uniform(120.0, 900.0), 3), round(draw.uniform(70.0, 200.0), 2)
+    learner.start('Moon', radius, period, beside=moon.node)
     learner.run(10 * STEP)
-    places = [origin(to_matrix(transform)) for transform in heard.transforms]
-    told = f'Two moons in one program, {moon.called} and Moon({other[0]}, {other[1]})'
-    for radius in (moon.radius, other[0]):
+    places = [(time, origin(to_matrix(transform))) for time, transform in _pairs(heard)]
+    told = f'Two moons in one program, {moon.called} and Moon({radius}, {period})'
+    for wanted in (moon.radius, radius):
         expect(
-            any(same(math.hypot(*place[:2]), radius, 1e-3) for place in places),
-            f'{told}: none of their transforms is {radius:g} m from the planet. Keep the numbers of each moon in self, '
+            any(same(math.hypot(*place[:2]), wanted, 1e-3) for _, place in places),
+            f'{told}: none of their transforms is {wanted:g} m from the planet. Keep the numbers of each moon in self, '
             'and in no variable of the class or of the module.',
             'circle',
         )
-    there = [(place, at) for place, at in zip(places, heard.moving.stamps, strict=False) if np.hypot(*place[:2]) > 99]
-    for place, at in there:
-        angle = 2 * math.pi * at / other[1]
-        wanted = other[0] * math.cos(angle), other[0] * math.sin(angle), 0.0
+    for time, place in places:
+        there = _on_circle(radius, 2 * math.pi * time / period)
         expect(
-            same(place, wanted, 0.01),
-            f'{told}: at time {at:.13g} s the second one is at {words(place)}, expected {words(wanted)}.',
+            not same(math.hypot(*place[:2]), radius, 1e-3) or same(place, there, 0.01),
+            f'{told}: at time {time:.13g} s the second one is at {words(place)}, expected {words(there)}.',
             'time',
         )

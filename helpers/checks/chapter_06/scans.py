@@ -242,10 +242,10 @@ def check_standing(there: Laser) -> None:
     there.tell(begin)
     there.tell(begin + 0.1)
     there.learner.settle()
-    count = draw.randint(600, 1100)  # as of a laser that looks all around
-    distances = [draw.uniform(0.5, 9.0) for _ in range(count)]
+    beams = draw.randint(600, 1100)  # as of a laser that looks all around
+    distances = [draw.uniform(0.5, 9.0) for _ in range(beams)]
     for seconds in (0.03, 0.06):
-        scan = there.scan(distances, begin + seconds, first=0.0, step=math.tau / count)
+        scan = there.scan(distances, begin + seconds, first=0.0, step=math.tau / beams)
     there.learner.run(0.1)
     count = len(there.clouds)
     expect(

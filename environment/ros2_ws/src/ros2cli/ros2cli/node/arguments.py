@@ -12,7 +12,8 @@ def add_direct_arguments(parser: argparse.ArgumentParser) -> None:
         type=float,
         metavar='SPIN_TIME',
         help='Wait exactly this many seconds for discovery. Without it, wait until every DDS participant of this '
-        f'machine has been heard and the graph has come to rest, at most {LONGEST_TIME:g} s',
+        f'machine has been heard and the graph has come to rest, at most {LONGEST_TIME:g} s, or twice as long while '
+        'datagrams get lost',
     )
     parser.add_argument('-s', '--use-sim-time', action='store_true', help='Take the time from the topic /clock')
 
