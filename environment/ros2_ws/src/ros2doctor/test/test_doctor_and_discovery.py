@@ -190,6 +190,7 @@ def test_lost_datagrams_are_counted():
 
 
 def test_the_ports_are_those_of_real_participants(ros2, node):
+    node('worker')
     code = (
         'import sys; from ros2cli.node.direct import DirectNode; from ros2cli.node import discovery\n'
         'with DirectNode(None) as node:\n'
