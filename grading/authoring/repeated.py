@@ -19,7 +19,7 @@ NEVER, ONCE, TWICE = (), ('first',), ('first', 'second')
 SKIP = 'nbval-skip'
 IGNORE = {'tags': ['nbval-ignore-output']}
 # About how long a run of each chapter takes beside others, in seconds. Only their order matters.
-SECONDS = {'07': 100, '02': 85, '08': 75, '05': 55, '06': 48, '03': 44, '04': 40, '01': 32}
+SECONDS = {'07': 178, '08': 134, '05': 124, '02': 96, '06': 92, '03': 83, '04': 83, '01': 66}
 
 
 def repeated(notebook: NotebookNode, folder: Path, runs: tuple[str, ...]) -> NotebookNode:

@@ -7,12 +7,13 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Annotated
+from typing import IO, Annotated
 
 import typer
 
@@ -39,6 +40,17 @@ class Step:
     left_out: list[str] = field(default_factory=list)  # for each skipped test, why; it says what to install
 
 
+@dataclass
+class Run:
+    """A run of pytest. A few tests that fail beside others run once more, alone."""
+
+    name: str
+    arguments: list[str]
+    workers: int
+    again: Callable[[Step], list[str]]  # pytest's arguments for what failed in this step; none: nothing runs again
+    whole_files: bool = False  # what runs again includes tests that have passed
+
+
 def test(arguments: Arguments = None):
     """Run all tests: style, types, unit tests, notebooks in step with their sources, every notebook.
 
@@ -54,9 +66,10 @@ def test(arguments: Arguments = None):
         print(f'A sample runs: COURSE_SAMPLE={seed} draws it again, COURSE_ALL_TESTS=1 runs everything.')
     # Thousands of processes follow: each would compile all its modules anew.
     os.environ.pop('PYTHONDONTWRITEBYTECODE', None)
+    begin = time.monotonic()
     with tempfile.TemporaryDirectory(prefix='test-', dir=paths.ROOT / 'build') as scratch, _compiling():
-        steps = [run(Path(scratch)) for run in _plan()]
-    raise typer.Exit(_summary(steps))
+        steps = [step for run in _plan() for step in run(Path(scratch))]
+    raise typer.Exit(_summary(steps, time.monotonic() - begin))
 
 
 @contextmanager
@@ -76,33 +89,104 @@ def _plan():
     yield _style
     if complete:
         yield _types
-    yield _unit_tests
-    if complete:
         yield _in_step
         yield _rules
-        yield _notebooks
+    yield _tests_and_notebooks if complete else _tests
 
 
-def _format(scratch: Path) -> Step:
-    return _command('format', ['-m', 'ruff', 'format', '--check', '.'])
+def _format(scratch: Path) -> list[Step]:
+    return [_command('format', ['-m', 'ruff', 'format', '--check', '.'])]
 
 
-def _style(scratch: Path) -> Step:
-    return _command('style', ['-m', 'ruff', 'check', '.'])
+def _style(scratch: Path) -> list[Step]:
+    return [_command('style', ['-m', 'ruff', 'check', '.'])]
 
 
-def _types(scratch: Path) -> Step:
-    return _command('types', ['-m', 'mypy'])
+def _types(scratch: Path) -> list[Step]:
+    return [_command('types', ['-m', 'mypy'])]
 
 
-def _unit_tests(scratch: Path) -> Step:
-    step = _pytest('unit tests', scratch, ['-q', f'-n{_workers()}', '--dist=loadscope', '--no-loadscope-reorder'])
-    if not 0 < step.failed <= FEW:
+def _in_step(scratch: Path) -> list[Step]:
+    return [_command('build --check', ['-m', 'helpers.cli', 'build', '--check'])]
+
+
+def _rules(scratch: Path) -> list[Step]:
+    return [_command('build --rules', ['-m', 'helpers.cli', 'build', '--rules'])]
+
+
+def _tests(scratch: Path) -> list[Step]:
+    return _side_by_side([_unit_tests(_workers())], scratch)
+
+
+def _tests_and_notebooks(scratch: Path) -> list[Step]:
+    """The unit tests, and beside them the notebooks, so that no processor waits for the last one of either."""
+    workers = _workers()
+    try:
+        notebooks = _notebooks(scratch, workers // 2)
+    except ValueError as error:
+        _heading('notebooks')
+        print(error)
+        return [*_tests(scratch), Step('notebooks', failed=1)]
+    return _side_by_side([_unit_tests(workers - workers // 3), notebooks], scratch)
+
+
+def _unit_tests(workers: int) -> Run:
+    arguments = ['--dist=loadscope', '--no-loadscope-reorder']
+    return Run('unit tests', arguments, workers, lambda step: ['--last-failed', '--last-failed-no-failures=none'])
+
+
+def _notebooks(scratch: Path, workers: int) -> Run:
+    """The run of copies of the notebooks, which are written here.
+
+    :raises ValueError: there is no notebook, or one that cannot be read.
+    """
+    from grading.authoring import execution, repeated
+
+    found = [*sorted((paths.ROOT / 'solutions').glob('*.ipynb')), *sorted(paths.NOTEBOOKS.glob('*.ipynb'))]
+    copies = repeated.write(found, scratch, _runs(found))
+    if not copies:
+        raise ValueError('no notebook in solutions/ and notebooks/; run ./course build')
+    return _run_of_notebooks(copies, repeated.nbval_arguments(execution.kernel_name()), workers)
+
+
+def _run_of_notebooks(copies: list[Path], arguments: list[str], workers: int) -> Run:
+    def again(step: Step) -> list[str]:
+        failed = [copy for copy in copies if any(_of_notebook(failure, copy) for failure in step.failures)]
+        return [*arguments, *map(str, failed)] if failed else []
+
+    return Run('notebooks', [*arguments, *map(str, copies)], min(workers, len(copies)), again, whole_files=True)
+
+
+def _side_by_side(runs: list[Run], scratch: Path) -> list[Step]:
+    """Run them at the same time; then what failed in each of them once more, one test at a time.
+
+    What the first one prints is seen at once, the others' output when all have ended.
+    """
+    first, *others = runs
+    outputs = [scratch / f'{run.name}.log' for run in others]
+    with ThreadPoolExecutor(len(runs)) as pool:
+        beside = [pool.submit(_first_run, run, scratch, output) for run, output in zip(others, outputs, strict=True)]
+        steps = [_first_run(first, scratch), *(step.result() for step in beside)]
+    for output in outputs:
+        print(output.read_text(encoding='utf-8', errors='replace'), flush=True)
+    return [_with_second_run(run, step, scratch) for run, step in zip(runs, steps, strict=True)]
+
+
+def _first_run(run: Run, scratch: Path, output: Path | None = None) -> Step:
+    arguments = ['-q', f'-n{run.workers}', *run.arguments]
+    if not output:
+        return _pytest(run.name, scratch, arguments)
+    with output.open('w', encoding='utf-8') as file:
+        return _pytest(run.name, scratch, arguments, file)
+
+
+def _with_second_run(run: Run, step: Step, scratch: Path) -> Step:
+    arguments = run.again(step) if 0 < step.failed <= FEW else []
+    if not arguments:
         return step
-    again = _pytest(
-        'unit tests again, one at a time', scratch, ['-q', '--last-failed', '--last-failed-no-failures=none']
-    )
-    return _after(step, again, step.passed + again.passed)
+    again = _pytest(f'{run.name} again, one at a time', scratch, ['-q', *arguments])
+    passed = step.passed + (step.failed - again.failed if run.whole_files else again.passed)
+    return _after(step, again, passed)
 
 
 def _after(step: Step, again: Step, passed: int) -> Step:
@@ -120,43 +204,6 @@ def _after(step: Step, again: Step, passed: int) -> Step:
         failures=left,
         unstable=unstable,
     )
-
-
-def _in_step(scratch: Path) -> Step:
-    return _command('build --check', ['-m', 'helpers.cli', 'build', '--check'])
-
-
-def _rules(scratch: Path) -> Step:
-    return _command('build --rules', ['-m', 'helpers.cli', 'build', '--rules'])
-
-
-def _notebooks(scratch: Path) -> Step:
-    from grading.authoring import execution, repeated
-
-    name = 'notebooks'
-    found = [*sorted((paths.ROOT / 'solutions').glob('*.ipynb')), *sorted(paths.NOTEBOOKS.glob('*.ipynb'))]
-    try:
-        copies = repeated.write(found, scratch, _runs(found))
-    except ValueError as error:
-        _heading(name)
-        print(error)
-        return Step(name, failed=1)
-    if not copies:
-        _heading(name)
-        print('no notebook in solutions/ and notebooks/; run ./course build')
-        return Step(name, failed=1)
-    return _run_notebooks(scratch, copies, repeated.nbval_arguments(execution.kernel_name()))
-
-
-def _run_notebooks(scratch: Path, copies: list[Path], arguments: list[str]) -> Step:
-    """Run notebooks side by side, and those of which a few cells failed once more, one at a time."""
-    name = 'notebooks'
-    step = _pytest(name, scratch, ['-q', f'-n{min(_workers(), len(copies))}', *arguments, *map(str, copies)])
-    failed = [copy for copy in copies if any(_of_notebook(failure, copy) for failure in step.failures)]
-    if not 0 < step.failed <= FEW or not failed:
-        return step
-    again = _pytest(f'{name} again, one at a time', scratch, ['-q', *arguments, *map(str, failed)])
-    return _after(step, again, step.passed + step.failed - again.failed)
 
 
 def _of_notebook(failure: str, copy: Path) -> bool:
@@ -184,18 +231,22 @@ def _command(name: str, arguments: list[str]) -> Step:
     return Step(name, passed=int(status == 0), failed=int(status != 0), seconds=time.monotonic() - begin)
 
 
-def _pytest(name: str, scratch: Path, arguments: list[str]) -> Step:
-    """Run pytest; the counts come from its JUnit file. A run that ends badly without a failed test is one failure."""
-    _heading(name)
+def _pytest(name: str, scratch: Path, arguments: list[str], output: IO[str] | None = None) -> Step:
+    """Run pytest; the counts come from its JUnit file. A run that ends badly without a failed test is one failure.
+
+    :param output: where it prints; None is this program's own output.
+    """
+    _heading(name, output)
     report = scratch / f'{name.replace(" ", "_").replace(",", "")}.xml'
     begin = time.monotonic()
-    status = subprocess.call([sys.executable, '-m', 'pytest', f'--junitxml={report}', *arguments])
+    command = [sys.executable, '-m', 'pytest', f'--junitxml={report}', *arguments]
+    status = subprocess.call(command, stdout=output, stderr=output)
     step = Step(name, seconds=time.monotonic() - begin)
     _count(step, report)
     if status not in (0, NO_TESTS) and not step.failed:
         step.failed = 1
     if status == NO_TESTS or not step.passed + step.failed + step.skipped:
-        print('no test was found')
+        print('no test was found', file=output)
         step.failed = 1
     return step
 
@@ -219,11 +270,11 @@ def _count(step: Step, report: Path) -> None:
                 step.succeeded.add(name)
 
 
-def _heading(name: str) -> None:
-    print(f'\n=== {name} ===', flush=True)
+def _heading(name: str, output: IO[str] | None = None) -> None:
+    print(f'\n=== {name} ===', file=output, flush=True)
 
 
-def _summary(steps: list[Step]) -> int:
+def _summary(steps: list[Step], seconds: float) -> int:
     _heading('summary')
     for step in steps:
         verdict = 'FAILED' if step.failed else 'passed'
@@ -236,5 +287,5 @@ def _summary(steps: list[Step]) -> int:
         print(f'skipped: {count} test{"s" * (count > 1)}: {reason}')
     passed, failed, skipped = (sum(getattr(step, key) for step in steps) for key in ('passed', 'failed', 'skipped'))
     print(f'{len(unstable)} unstable')
-    print(f'{passed} passed, {failed} failed, {skipped} skipped in {sum(step.seconds for step in steps):.0f} s')
+    print(f'{passed} passed, {failed} failed, {skipped} skipped in {seconds:.0f} s')
     return int(failed > 0)

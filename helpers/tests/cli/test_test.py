@@ -20,7 +20,7 @@ def quick_start(monkeypatch):
 def plan(monkeypatch, *steps):
     """Let the command run these steps, and compile nothing for them."""
     monkeypatch.setattr(command, '_compiling', contextlib.nullcontext)
-    monkeypatch.setattr(command, '_plan', lambda: [lambda scratch, step=step: step for step in steps])
+    monkeypatch.setattr(command, '_plan', lambda: [lambda scratch, step=step: [step] for step in steps])
 
 
 def run(arguments=None):
@@ -49,7 +49,7 @@ def test_all_that_runs_keeps_what_it_has_compiled(monkeypatch):
     seen = []
     plan(monkeypatch)
     monkeypatch.setattr(
-        command, '_plan', lambda: [lambda scratch: seen.append(dict(os.environ)) or command.Step('one', passed=1)]
+        command, '_plan', lambda: [lambda scratch: seen.append(dict(os.environ)) or [command.Step('one', passed=1)]]
     )
     assert run() == 0
     assert 'PYTHONDONTWRITEBYTECODE' not in seen[0]
@@ -64,7 +64,7 @@ def test_pytest_is_counted(tmp_path, capfd):
     )
     step = command._pytest('sample', tmp_path, ['-q', '-p', 'no:cacheprovider', str(sample)])
     assert (step.passed, step.failed, step.skipped) == (1, 2, 1)
-    assert command._summary([step, step]) == 1
+    assert command._summary([step, step], 2.0) == 1
     assert 'skipped: 2 tests: no\n' in capfd.readouterr().out
 
 
@@ -101,7 +101,7 @@ def test_what_failed_beside_others_has_to_pass_alone_and_is_named(monkeypatch, t
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(command, '_workers', lambda: 0)
     monkeypatch.setenv('PYTEST_ADDOPTS', f'--rootdir={tmp_path} {sample}')
-    step = command._unit_tests(tmp_path)
+    (step,) = command._tests(tmp_path)
     assert (step.passed, step.failed) == (2, 1)
     assert step.unstable == ['test_sample.test_starved'] and step.failures == ['test_sample.test_broken']
     plan(monkeypatch, step)
@@ -135,7 +135,11 @@ def test_a_notebook_of_which_a_cell_failed_beside_others_has_to_pass_alone(monke
     monkeypatch.chdir(tmp_path)
     plugin = ['-p', 'grading.authoring.nbval_plugin', f'--rootdir={tmp_path}']
     arguments = [*repeated.nbval_arguments(execution.kernel_name()), *plugin]
-    step = command._run_notebooks(tmp_path, copies, arguments)
+    quick = tmp_path / 'test_quick.py'
+    quick.write_text('def test_a(): pass\n')
+    other = command.Run('quick', ['-p', 'no:cacheprovider', str(quick)], 1, lambda step: [])
+    first, step = command._side_by_side([other, command._run_of_notebooks(copies, arguments, 2)], tmp_path)
+    assert (first.name, first.passed, first.failed) == ('quick', 1, 0)
     assert (step.passed, step.failed) == (2, 1)
     assert ['01_chapter' in name for name in step.failures] == [True]
     assert ['00_chapter' in name for name in step.unstable] == [True]
@@ -149,19 +153,21 @@ def test_many_failures_are_no_accident(monkeypatch, tmp_path, capfd):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(command, '_workers', lambda: 0)
     monkeypatch.setenv('PYTEST_ADDOPTS', f'--rootdir={tmp_path} {sample}')
-    assert command._unit_tests(tmp_path).failed == command.FEW + 1
+    (step,) = command._tests(tmp_path)
+    assert step.failed == command.FEW + 1
     assert 'one at a time' not in capfd.readouterr().out
 
 
 def test_the_learners_edition_leaves_out_what_it_lacks(monkeypatch):
     names = [step.__name__ for step in command._plan()]
-    assert names == ['_format', '_style', '_types', '_unit_tests', '_in_step', '_rules', '_notebooks']
+    assert names == ['_format', '_style', '_types', '_in_step', '_rules', '_tests_and_notebooks']
     monkeypatch.setattr(command, 'find_spec', lambda name: None)
-    assert [step.__name__ for step in command._plan()] == ['_format', '_style', '_unit_tests']
+    assert [step.__name__ for step in command._plan()] == ['_format', '_style', '_tests']
 
 
 def test_notebooks_that_are_not_there_are_a_failure(monkeypatch, tmp_path, capsys):
     monkeypatch.setattr(paths, 'ROOT', tmp_path)
     monkeypatch.setattr(paths, 'NOTEBOOKS', tmp_path / 'notebooks')
-    assert command._notebooks(tmp_path).failed == 1
+    monkeypatch.setattr(command, '_tests', lambda scratch: [command.Step('unit tests', passed=1)])
+    assert [step.failed for step in command._tests_and_notebooks(tmp_path)] == [0, 1]
     assert 'run ./course build' in capsys.readouterr().out
