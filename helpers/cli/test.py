@@ -122,12 +122,12 @@ def _tests_and_notebooks(scratch: Path) -> list[Step]:
     """The unit tests, and beside them the notebooks, so that no processor waits for the last one of either."""
     workers = _workers()
     try:
-        notebooks = _notebooks(scratch, workers // 2)
+        notebooks = _notebooks(scratch, max(1, workers // 3))
     except ValueError as error:
         _heading('notebooks')
         print(error)
         return [*_tests(scratch), Step('notebooks', failed=1)]
-    return _side_by_side([_unit_tests(workers - workers // 3), notebooks], scratch)
+    return _side_by_side([_unit_tests(workers - 1), notebooks], scratch)
 
 
 def _unit_tests(workers: int) -> Run:
