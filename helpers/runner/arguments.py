@@ -57,6 +57,18 @@ def _named(function: Callable, args: list, kwargs: dict) -> tuple[dict, dict]:
 def _written(value) -> str:
     """The value as a text: as one, a number that is not equal to itself (nan) has not changed."""
     try:
-        return repr(values.encode(value))
-    except ValueError:  # too deep to be sent: no test has given this
+        return repr(values.encode(_opened(value)))
+    except (RecursionError, ValueError):  # too deep to be sent: no test has given this
         return ''
+
+
+def _opened(value):
+    """The value with each message's fields in its place: its bytes have gaps, with whatever stood there before."""
+    if hasattr(type(value), 'get_fields_and_field_types'):
+        names = type(value).get_fields_and_field_types()
+        return [type(value).__name__, *(_opened(getattr(value, name)) for name in names)]
+    if isinstance(value, (list, tuple, deque)):
+        return [_opened(item) for item in value]
+    if isinstance(value, dict):
+        return {key: _opened(item) for key, item in value.items()}
+    return value
