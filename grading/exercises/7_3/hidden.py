@@ -29,6 +29,7 @@ def test_read_topics(learner):
     strange = next(kind for kind in graphs.MESSAGES if kind != endpoints[0]['type'])  # two types on one topic
     endpoints.append({**endpoints[0], 'node': '/house/hall/stranger', 'role': 'subscription', 'type': strange})
     endpoints += graphs.publishers_beside(next(end for end in endpoints if end['role'] == 'subscription'), '/house')
+    endpoints += graphs.like_usual_ones('/house/watch', strange)
     secret = {**endpoints[0], 'node': '/_secret', 'role': 'subscription'}
     with graphs.System(learner.context.get_domain_id()) as system, about('read'):
         for endpoint in [secret, *endpoints]:
@@ -112,7 +113,7 @@ def test_several(learner):
 
 @pytest.mark.rules('remapping', 'override')
 @pytest.mark.weight(2)
-@pytest.mark.parametrize('fault', ['name', 'reliability', 'durability'])
+@pytest.mark.parametrize('fault', ['name', 'reliability', 'durability', 'description durability'])
 def test_it_hears(learner, fault):
     """A node that is started again with your arguments hears what is published.
 

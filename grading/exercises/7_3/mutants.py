@@ -101,4 +101,15 @@ MUTANTS = [
            breaks='read'),
     Mutant('clients_are_not_repaired', old="if cause == 'name' else []",
            new="if cause == 'name' and finding.fault != 'waiting' else []", expect='expected two texts', breaks='remapping'),
+    Mutant('models_are_not_repaired', old="if cause in ('reliability', 'durability')", breaks='override',
+           new="if cause in ('reliability', 'durability') and finding.fault == 'no_data'", expect='expected two texts'),
+    Mutant('hidden_names_are_left_out', old='if not usual(endpoint)]', breaks='read',
+           new="if not usual(endpoint) and '/_' not in endpoint['name']]", expect='you have it not'),
+    Mutant('every_clock_is_left_out', old='if not usual(endpoint)]', breaks='read',
+           new="if not usual(endpoint) and not endpoint['name'].endswith(USUAL)]", expect='you have it not'),
+    Mutant('subscriptions_are_best_effort', old='end.qos_profile.reliability.name,', breaks='read',
+           new="end.qos_profile.reliability.name if role == 'publisher' else 'BEST_EFFORT',", expect='There is'),
+    Mutant('names_of_the_type_first', breaks='type', expect='The same name with two types', also=('name', 'all', 'fault'),
+           edits=(('        if not there:\n', "        near = nearest(end['name'], [e['name'] for e in senders if e['type'] == end['type']])\n"
+                   "        if not there or there[0]['type'] != end['type'] and near:\n"),)),
 ]

@@ -191,7 +191,8 @@ def neighbours(learner) -> None:
     """Rules `name`, `type` and `fits` where names, types or nodes are shared; fails with words if one is broken.
 
     Meant is also a name that another one hears, that the node itself publishes, or whose policies do not fit either.
-    Two types may have the same last word, and a node may hear itself.
+    Two types may have the same last word, and a node may hear itself. Where the name is published with another type, no
+    near one was meant.
     """
     random = learner.random
     one, two, three, four = random.sample(TOPICS, 4)
@@ -206,6 +207,7 @@ def neighbours(learner) -> None:
         ('subscription', '/echo', f'/{three}', MESSAGES[3], STRONG),
         ('publisher', '/sender', f'/{four}', f'{other}/msg/{kind}', STRONG),
         ('subscription', '/typed', f'/{four}', f'std_msgs/msg/{kind}', STRONG),
+        ('publisher', '/sender', f'/robot/{four}', f'std_msgs/msg/{kind}', STRONG),
     ]
     endpoints = [{'role': role, 'node': node, 'name': name, 'type': of, **qos} for role, node, name, of, qos in ends]
     expected = [
@@ -295,6 +297,13 @@ def publishers_beside(subscription: dict, space: str) -> list[dict]:
     """Two publishers on the topic of a subscription: one of the same node, and one of a node in this namespace."""
     own = {**subscription, 'role': 'publisher'}
     return [own, {**own, 'node': f'{space}/second_mouth'}]
+
+
+def like_usual_ones(node: str, kind: str) -> list[dict]:
+    """Subscriptions of which `usual` is false, with names that are a little like those of which it is true."""
+    space = node.rpartition('/')[0]
+    names = (f'{space}/clock', f'{space}/_internal/rosout')
+    return [{'role': 'subscription', 'node': node, 'name': name, 'type': kind, **STRONG} for name in names]
 
 
 def check_read(seen, there: list[dict]) -> None:

@@ -25,6 +25,7 @@ def test_read(learner):
     # In a namespace of a namespace, and with a policy of each kind.
     there.append({**there[1], 'node': f'/house/{room}/other_ear', 'type': other, 'durability': 'TRANSIENT_LOCAL'})
     there += graphs.publishers_beside(there[1], f'/{room}')
+    there += graphs.like_usual_ones(f'/{room}/watch', common['type'])
     secret = {'role': 'subscription', 'node': '/_secret', 'name': f'/{topic}', **common}
     with graphs.System(learner.context.get_domain_id()) as system, about('read'):
         for endpoint in (secret, *there):
@@ -73,6 +74,7 @@ def test_repair(learner):
             graphs.started_again(learner, fault, 3.0, rule)
     with about('remapping'):
         graphs.started_again(learner, 'name', 3.0, 'remapping', apart=True)
+    graphs.started_again(learner, 'description durability', 3.0, 'override')
     graphs.asks_again(learner, 3.0)
     for fault in ('type', 'nobody', 'service type', 'service nobody'):
         finding = graphs.draw(learner.random, fault)[1][0]
