@@ -99,4 +99,8 @@ MUTANTS = [
         command.angular.z = 3.0 * error
         command.linear.x = 0.3
         ''', expect='drove with 0.30 m/s while the goal was behind it', breaks='short-way', also=ALL),
+    Mutant('far_to_the_left', old='command.angular.z = 3.0 * error', breaks='short-way',
+           new='command.angular.z = 3.0 * (abs(error) if abs(error) > 2.0 else error)', expect='the long way round'),
+    Mutant('far_to_the_right', old='command.angular.z = 3.0 * error', breaks='short-way',
+           new='command.angular.z = 3.0 * (-abs(error) if abs(error) > 2.0 else error)', expect='the long way round'),
 ]

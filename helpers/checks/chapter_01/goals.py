@@ -9,7 +9,9 @@ from helpers.runner.turtlesim import TurtleSim
 WITHIN = 0.1  # m
 AT_MOST = 20.0  # s
 DIZZY = 4 * math.pi  # who has turned so much does not find the goal
+AWAY = 2.6  # radians: who looks farther away from the goal has nearly the same way round to both sides
 BEHIND = 1.7  # radians: who looks so far away from the goal, and is farther from it than NEAR, should only turn
+TOWARDS = 0.5  # radians: who looks so near to the goal looks there
 ASKEW = 1.0  # radians: who looks so far away from the goal does not look to it, and is slower than most of the time
 NEAR = 0.5  # m
 NAME, POSE, COMMAND = 'go_to_goal', 'turtle1/pose', 'turtle1/cmd_vel'
@@ -59,7 +61,8 @@ class Drive:
         :param wall_near: it starts beside a wall; where it does not, who runs into one looks in a wrong direction.
         """
         sim = self.sim
-        nearest, speeds = self._drive()
+        first = self.error()
+        nearest, turned, speeds = self._drive()
         self.drives_forwards_only()
         place = f'({sim.turtle.x:.1f}, {sim.turtle.y:.1f}), heading {math.degrees(sim.turtle.theta):.0f}°'
         expect(sim.commands.messages, f'The simulator told its pose, and no command came on {COMMAND}.', 'reach')
@@ -104,25 +107,34 @@ class Drive:
             f'{sim.distance(*self.goal):.2f} m away, at {place}. It came to {nearest:.2f} m of the goal.',
             'reach',
         )
+        expect(
+            abs(first) > AWAY or turned < math.pi,
+            f'{self.way}the goal was {math.degrees(abs(first)):.0f}° to the {"left" if first > 0 else "right"}, and '
+            f'the turtle turned by {math.degrees(turned):.0f}° until it looked there: the long way round. The angle '
+            'jumps at π: bring the difference into −π … π.',
+            'short-way',
+        )
         self._turned_first(speeds)
 
-    def _drive(self) -> tuple[float, list[tuple[float, float]]]:
+    def _drive(self) -> tuple[float, float, list[tuple[float, float]]]:
         """Let it drive until it has arrived, is dizzy or is late.
 
-        Returns how near to its goal it came (m); of each moment its speed (m/s), and how far it looked away from a goal
-        that was not near (radians).
+        Returns how near to its goal it came (m); how far it had turned when it looked there for the first time
+        (radians); of each moment its speed (m/s), and how far it looked away from a goal that was not near (radians).
         """
-        sim, nearest, speeds = self.sim, math.inf, []
+        sim, nearest, turned, speeds = self.sim, math.inf, math.inf, []
 
         def arrived():
-            nonlocal nearest
+            nonlocal nearest, turned
+            if abs(self.error()) < TOWARDS:
+                turned = min(turned, sim.turned)
             nearest = min(nearest, sim.distance(*self.goal))
-            speeds.append((sim.turtle.linear, self.error() if sim.distance(*self.goal) > NEAR else 0.0))
+            speeds.append((sim.turtle.linear, abs(self.error()) if sim.distance(*self.goal) > NEAR else 0.0))
             return sim.turned > DIZZY or sim.distance(*self.goal) < WITHIN and sim.turtle.linear < 0.01
 
         with about('reach'):
             sim.run(AT_MOST, until=arrived)
-        return nearest, speeds
+        return nearest, turned, speeds
 
     def _turned_first(self, speeds: list[tuple[float, float]]) -> None:
         """`speeds`: how fast the turtle drove (m/s), and how far it looked away from a goal that was not near."""
@@ -143,10 +155,10 @@ class Drive:
         )
 
     def error(self) -> float:
-        """How far the turtle looks away from the goal, in radians."""
+        """How far the goal is to the left of where the turtle looks, in radians; below 0 it is to the right."""
         turtle = self.sim.turtle
         direction = math.atan2(self.goal[1] - turtle.y, self.goal[0] - turtle.x)
-        return abs(math.remainder(direction - turtle.theta, 2 * math.pi))
+        return math.remainder(direction - turtle.theta, 2 * math.pi)
 
     def drives_forwards_only(self) -> None:
         """No command so far drives the turtle backwards or sideways."""
@@ -209,21 +221,17 @@ def across_pi(learner, side: int) -> None:
     """The heading is just on one side of the angle at which π becomes −π, the goal just on the other (1 or −1)."""
     tilt = learner.random.uniform(0.3, 0.5)
     goal = (8.0 - 4.0 * math.cos(tilt), 5.5 - side * 4.0 * math.sin(tilt))
-    drive = Drive(learner, (8.0, 5.5, side * (math.pi - tilt)), goal)
-    drive.to_the_goal()
-    expect(
-        drive.sim.turned < 2 * tilt + 1.5,
-        f'{drive.way}the goal was {math.degrees(2 * tilt):.0f}° to the {"left" if side > 0 else "right"}, and the '
-        f'turtle turned by {math.degrees(drive.sim.turned):.0f}° in all: the long way round. The angle jumps at π.',
-        'short-way',
-    )
+    Drive(learner, (8.0, 5.5, side * (math.pi - tilt)), goal).to_the_goal()
 
 
-def goal_behind(learner) -> Drive:
-    """The turtle looks askew at a wall that is 2 mm away, and the goal is behind it: an arc has no room."""
+def goal_behind(learner, side: int) -> Drive:
+    """The turtle looks askew at a wall that is 2 mm away, and the goal is behind it: an arc has no room.
+
+    :param side: 1 if the short way round is to the left, -1 to the right.
+    """
     y = learner.random.uniform(4.0, 7.0)
     goal = (6.5, y + learner.random.uniform(-0.02, 0.02))  # along x, where the other coordinate is right at once
-    heading = learner.random.choice([1, -1]) * learner.random.uniform(0.9, 1.1)
+    heading = side * learner.random.uniform(0.9, 1.1)
     return Drive(learner, (11.087, y, heading), goal)
 
 

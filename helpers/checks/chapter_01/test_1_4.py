@@ -47,4 +47,7 @@ def test_goal_behind(learner):
 
     Turn first; drive when the direction is nearly right.
     """
-    goals.goal_behind(learner).to_the_goal(wall_near=True)
+    for side in learner.random.sample([1, -1], 2):
+        drive = goals.goal_behind(learner, side)
+        drive.to_the_goal(wall_near=True)
+        drive.node.stop()  # two drivers would steer one turtle
