@@ -58,7 +58,7 @@ MUTANTS = [
         else:
         ''', breaks='interrupt', expect='within two seconds after Ctrl+C'),
     Mutant('calls_of_other_libraries', old="zip(paths[:own], calls) if path.parent.name == 'rclpy'}",
-           new='zip(paths[:own], calls)}', breaks='own-call', also=('all', 'busy'), expect='You did not find'),
+           new='zip(paths[:own], calls)}', breaks='own-call', also=('all', 'busy', 'healthy'), expect='You did not find'),
     Mutant('three_ways_to_spin', old="'executors.py' in [name for name, _ in newer]",
            new="{'spin', 'spin_once', 'spin_until_future_complete'} & {function for _, function in newer}", breaks='spin',
            expect='A callback that spins', also=('own-call', 'all')),
@@ -109,4 +109,8 @@ MUTANTS = [
     Mutant('empty_lines_are_no_lines', old='files[Path(file).name].splitlines()',
            new="(files[Path(file).name].replace('\\n\\n', '\\n') + '\\n' * 99).splitlines()", breaks='own-call',
            also=('server', 'call', 'spin', 'busy', 'all'), expect='your evidence is'),
+    Mutant('what_is_installed_is_rclpys', old="path.parent.name != 'rclpy']", new="'site-packages' not in str(path)]",
+           breaks='own-call', also=('server', 'call', 'spin', 'busy', 'all'), expect='You did not find'),
+    Mutant('whatever_executes', old="'await_or_execute' in [function for _, _, function in calls[own:]]",
+           new="[function for _, _, function in calls[own:] if 'execute' in function]", expect='there is no such fault', **HEALTHY),
 ]

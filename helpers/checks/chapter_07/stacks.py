@@ -102,9 +102,10 @@ class _Program:
         ]
         # The name of a folder may begin with that of rclpy. (If it ended with it, `my_rclpy/client.py` would end as
         # the card says of rclpy's own file.)
-        self._folder = (
-            f'/home/{random.choice(["ada", "linus"])}/{"" if plain else "rclpy_"}{random.choice(words.ROBOTS)}'
-        )
+        package = f'{"" if plain else "rclpy_"}{random.choice(words.ROBOTS)}'
+        # A package that is installed lies where rclpy does, or below a folder of the same name.
+        installed = f'ws/install/{package}/lib/python3.12/site-packages/{package}'
+        self._folder = f'/home/{random.choice(["ada", "linus"])}/{random.choice([package, installed])}'
         self._last: list[str] = []
         self._lines = {
             name: [f'# line {number} of {name}' if number % 3 else '' for number in range(1, 60)] for name in names
@@ -147,10 +148,13 @@ class _Program:
         if state == 'idle':
             return [*wait, '  File "/usr/lib/python3.12/concurrent/futures/thread.py", line 90 in _worker']
         if state == 'waits in main':
-            return [*wait, *self._library('client.py call'), self._own('client.call(request)', 'main')]
+            calls = [self._own('execute(request)', 'main')] if random.random() < 0.5 else []
+            own = self._own('client.call(request)', 'execute' if calls else 'main')
+            return [*wait, *self._library('client.py call'), own, *calls]
         if state == 'at work':
             begin = random.choice([[], ['  File "/usr/lib/python3.12/threading.py", line 1012 in run']])
-            return [*newest['busy'], self._own(_LINES['busy'], 'record' if begin else 'main'), *begin]
+            name = random.choice(['record', 'execute', 'execute_plan']) if begin else 'main'
+            return [*newest['busy'], self._own(_LINES['busy'], name), *begin]
         if state in _OTHER_FORMS:
             state, calls = _OTHER_FORMS[state]
             newest[state] = self._library(*random.choice(calls))

@@ -22,7 +22,7 @@ def test_stacks(learner):
         for _ in range(stacks.OFTEN):
             with about(cause):
                 stacks.diagnose(learner, state, plain=True)
-    for state in ('spinning', 'idle', 'waits in main', 'at work', 'serving'):
+    for state in ('spinning', 'idle', *['waits in main', 'at work'] * 4, 'serving'):
         with about('healthy'):
             stacks.diagnose(learner, state, rule='healthy', plain=True)
     for _ in range(3):
