@@ -1,4 +1,4 @@
-"""``./course test``: everything that CI checks, one step after the other."""
+"""``./course test``: everything that CI checks, in steps; the notebooks run beside the unit tests."""
 
 import os
 import secrets
