@@ -121,13 +121,14 @@ def _tests(scratch: Path) -> list[Step]:
 def _tests_and_notebooks(scratch: Path) -> list[Step]:
     """The unit tests, and beside them the notebooks, so that no processor waits for the last one of either."""
     workers = _workers()
+    third = max(1, workers // 3)
     try:
-        notebooks = _notebooks(scratch, max(1, workers // 3))
+        notebooks = _notebooks(scratch, third)
     except ValueError as error:
         _heading('notebooks')
         print(error)
         return [*_tests(scratch), Step('notebooks', failed=1)]
-    return _side_by_side([_unit_tests(workers - 1), notebooks], scratch)
+    return _side_by_side([_unit_tests(workers - third), notebooks], scratch)
 
 
 def _unit_tests(workers: int) -> Run:
