@@ -120,21 +120,22 @@ class Drive:
         """Let it drive until it has arrived, is dizzy or is late.
 
         Returns how near to its goal it came (m); how far it had turned when it looked there for the first time
-        (radians); of each moment its speed (m/s), and how far it looked away from a goal that was not near (radians).
+        (radians), 0 if it never did; of each moment its speed (m/s), and how far it looked away from a goal that was
+        not near (radians).
         """
-        sim, nearest, turned, speeds = self.sim, math.inf, math.inf, []
+        sim, nearest, turned, speeds = self.sim, math.inf, [], []
 
         def arrived():
-            nonlocal nearest, turned
+            nonlocal nearest
             if abs(self.error()) < TOWARDS:
-                turned = min(turned, sim.turned)
+                turned.append(sim.turned)
             nearest = min(nearest, sim.distance(*self.goal))
             speeds.append((sim.turtle.linear, abs(self.error()) if sim.distance(*self.goal) > NEAR else 0.0))
             return sim.turned > DIZZY or sim.distance(*self.goal) < WITHIN and sim.turtle.linear < 0.01
 
         with about('reach'):
             sim.run(AT_MOST, until=arrived)
-        return nearest, turned, speeds
+        return nearest, min(turned, default=0.0), speeds
 
     def _turned_first(self, speeds: list[tuple[float, float]]) -> None:
         """`speeds`: how fast the turtle drove (m/s), and how far it looked away from a goal that was not near."""
@@ -221,7 +222,15 @@ def across_pi(learner, side: int) -> None:
     """The heading is just on one side of the angle at which π becomes −π, the goal just on the other (1 or −1)."""
     tilt = learner.random.uniform(0.3, 0.5)
     goal = (8.0 - 4.0 * math.cos(tilt), 5.5 - side * 4.0 * math.sin(tilt))
-    Drive(learner, (8.0, 5.5, side * (math.pi - tilt)), goal).to_the_goal()
+    drive = Drive(learner, (8.0, 5.5, side * (math.pi - tilt)), goal)
+    drive.to_the_goal()
+    expect(
+        drive.sim.turned < 2 * tilt + 1.5,
+        f'{drive.way}the goal was {math.degrees(2 * tilt):.0f}° to the {"left" if side > 0 else "right"}, and the '
+        f'turtle turned by {math.degrees(drive.sim.turned):.0f}° in all. The angle jumps at π, and who turns too fast '
+        'turns back and forth.',
+        'short-way',
+    )
 
 
 def goal_behind(learner, side: int) -> Drive:

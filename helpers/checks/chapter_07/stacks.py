@@ -103,7 +103,7 @@ class _Program:
         # The name of a folder may begin with that of rclpy. (If it ended with it, `my_rclpy/client.py` would end as
         # the card says of rclpy's own file.)
         package = f'{"" if plain else "rclpy_"}{random.choice(words.ROBOTS)}'
-        # A package that is installed lies where rclpy does, or below a folder of the same name.
+        # A package that is installed lies in a folder site-packages, as rclpy does.
         installed = f'ws/install/{package}/lib/python3.12/site-packages/{package}'
         self._folder = f'/home/{random.choice(["ada", "linus"])}/{random.choice([package, installed])}'
         self._last: list[str] = []
