@@ -4,6 +4,7 @@ import math
 import os
 import threading
 import time
+from contextlib import contextmanager
 from pathlib import Path
 
 from helpers.kernel import journal, nodes, ros
@@ -23,6 +24,7 @@ NODE = '_tf_view'
 _LOOK = 0.1  # s between two looks at whether a browser shows it
 _FIRST = 0.4  # s, the longest wait for the first frames
 _SETTLED = 2  # updates in which no frame is added
+_UPDATE = 1.0  # s, the longest wait for the end of an update: a display that hangs must not hang who asks
 _views: list['TfView'] = []
 
 
@@ -123,6 +125,7 @@ class TfView:
         self._begun = threading.Event()  # set once there are frames, and no new ones have come for some updates
         self._count = self._same = 0
         self._wanted = None  # what `at` or `rewind` asks of the next update
+        self._updating = threading.RLock()  # held by an update, and by those who tell what it found
         self._tf = TF(frame_timeout, axis_length, trails, on_top=bool(displays))
         self._live: LiveRenderer | None = None
         self._recording: Recording | None = None
@@ -150,11 +153,16 @@ class TfView:
     @property
     def frames(self) -> list[str]:
         """The frames that are known now, parents before children."""
-        return self._tf.tree.frames
+        with self._between_updates():
+            return self._tf.tree.frames
 
     @property
     def problems(self) -> list[str]:
         """What is wrong with the tree or a display, one sentence each; also shown in the view."""
+        with self._between_updates():
+            return self._problems()
+
+    def _problems(self) -> list[str]:
         found = self._tf.status().splitlines()
         return found + [
             f'{name}: {line}' for name, display in self._parts.items() for line in display.status().splitlines()
@@ -163,7 +171,8 @@ class TfView:
     @property
     def fixed_frame(self) -> str:
         """The frame that stands still; '' while there is none. Assign another, or None for the automatic choice."""
-        return self._fixed_frame
+        with self._between_updates():
+            return self._fixed_frame
 
     @fixed_frame.setter
     def fixed_frame(self, frame: str | None) -> None:
@@ -194,7 +203,8 @@ class TfView:
 
     def picture(self) -> ViewPicture:
         """Return a still picture of what the view shows."""
-        return ViewPicture(self._svg(), str(self))
+        with self._between_updates():
+            return ViewPicture(self._svg(), str(self))
 
     def watch(self, seconds: float = 8.0, at_least: float = 1.0) -> None:
         """Go on for so many seconds while a browser shows the view; else (in a test, say) for `at_least` seconds."""
@@ -246,7 +256,8 @@ class TfView:
         self._live.update(final=True)
 
     def __repr__(self) -> str:
-        tree = self._tf.tree
+        with self._between_updates():
+            tree, problems = self._tf.tree, self._problems()
         lines = []
         for root, members in tree.trees.items():
             lines.append(root)
@@ -254,15 +265,29 @@ class TfView:
             for frame in _depth_first(tree, members):
                 depth[frame] = depth[tree.links[frame].parent] + 1
                 lines.append(f'{"  " * depth[frame]}{frame}{" (static)" if tree.links[frame].static else ""}')
-        return '\n'.join(lines + self.problems) or 'no frame so far'
+        return '\n'.join(lines + problems) or 'no frame so far'
 
     def _repr_mimebundle_(self, include=None, exclude=None) -> dict[str, str]:
         return {'text/plain': repr(self)}
 
     # At work
 
+    @contextmanager
+    def _between_updates(self):
+        """Let no update begin, once the running one has ended: frames, problems and scene are of one moment."""
+        waited = self._updating.acquire(timeout=_UPDATE)
+        try:
+            yield
+        finally:
+            if waited:
+                self._updating.release()
+
     def _update(self) -> None:
         """Bring the scene up to date and send it; in the thread that spins."""
+        with self._between_updates():
+            self._update_scene()
+
+    def _update_scene(self) -> None:
         from rclpy.time import Time
 
         self._tf.look()
@@ -304,7 +329,7 @@ class TfView:
             'fixed_frame': self._fixed_frame,
             'chosen': self._chosen,
             'frames': sorted(self._tf.tree.frames),
-            'problems': self.problems,
+            'problems': self._problems(),  # the server's thread asks, too: it does not wait for an update
             'past': self._past,
             'history': 10.0,
             'span': self.span,
@@ -347,7 +372,7 @@ class TfView:
         legend = [kind for kind in (('moves', MOVES, False), ('static', STATIC, True)) if kind[2] in kinds]
         pose = self._tf.poses.get(self.focus)
         around = None if pose is None else (pose[:3, 3], self.span)
-        return picture.svg(self.scene, caption, self.problems, legend, around, height=self._height)
+        return picture.svg(self.scene, caption, self._problems(), legend, around, height=self._height)
 
 
 def _names(displays) -> dict[str, Display]:

@@ -1,6 +1,7 @@
 """TfView with real broadcasters: frames come, move, go stale and go; the past; the picture that stays."""
 
 import re
+import threading
 from types import SimpleNamespace
 
 import numpy as np
@@ -191,6 +192,50 @@ def test_displays_have_their_own_part_and_tell_their_problems(sender):
     assert first.node is None and view.problems == []
     assert '>base</text>' in view.picture().svg
     assert not [node for node in nodes.living() if 'tf_view' in node.get_name()]
+
+
+class Held(Display):
+    """Its update with the fixed frame map does not end before it is told to."""
+
+    def __init__(self):
+        super().__init__()
+        self.at_it, self.go_on = threading.Event(), threading.Event()
+
+    def update(self, fixed_frame, time):
+        if fixed_frame == 'map':
+            self.at_it.set()
+            self.go_on.wait(60)
+
+
+@pytest.mark.parametrize('patience', [30.0, 0.05])
+def test_what_a_view_tells_is_of_one_moment_unless_a_display_hangs(sender, monkeypatch, patience):
+    from helpers.show.views import tf_view
+
+    held, told = Held(), {}
+    with TfView(held, fixed_frame='nowhere') as view:
+        sender.wait_for_listener()
+        sender.send('map', 'base')
+        wait_for(lambda: view.frames and view.problems and 'nowhere' in view.picture().svg, timeout=30)
+        monkeypatch.setattr(tf_view, '_UPDATE', patience)
+        view.fixed_frame = 'map'
+        assert held.at_it.wait(30) and place(view, 'base'), 'half of the update is done'
+        ways = {
+            'problems': lambda: view.problems,
+            'fixed frame': lambda: view.fixed_frame,
+            'text': lambda: repr(view).splitlines(),
+            'picture': lambda: 'nowhere' in view.picture().svg,
+        }
+        readers = [threading.Thread(target=lambda way=way: told.update({way: ways[way]()})) for way in ways]
+        for reader in readers:
+            reader.start()
+        for reader in readers:
+            reader.join(30 if patience < 1 else 0.05)
+        assert len(told) == (4 if patience < 1 else 0)
+        held.go_on.set()
+        for reader in readers:
+            reader.join(30)
+    if patience > 1:
+        assert told == {'problems': [], 'fixed frame': 'map', 'text': ['map', '  base'], 'picture': False}
 
 
 class Broken(Display):
