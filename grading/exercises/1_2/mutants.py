@@ -151,6 +151,10 @@ MUTANTS = [
         if any(before == 'lib' and part.startswith('python') and '.' in part and part != f'python{python}'
                for before, part in zip(folders, folders[1:])):
         """, expect='whatever the part before it is called', breaks='python'),
+    Mutant('folders_are_not_split', old=".replace(':', '/')", new='', also='every-fault',
+           expect='each name ends at a colon', breaks='python'),
+    Mutant('needs_a_distribution', old='elif distros and len(', new='elif len(', also='every-fault',
+           expect='min()', breaks='workspace'),
     Mutant('distributions_of_both_paths', old="parts = [folder.split('/') for folder in prefixes.split(':')]",
            new="parts = [folder.split('/') for folder in (prefixes + ':' + environ.get('PYTHONPATH', '')).split(':')]",
            expect='what is in PYTHONPATH does not count', breaks='mixed'),

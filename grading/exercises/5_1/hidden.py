@@ -32,7 +32,7 @@ def test_orders(learner):
         f'A goal of order 2, alone, ended at {alone.finished} s, expected {alone.sent + 1:g} s.',
         'rate',
     )
-    goals = [client.send(order=order) for order in (0, 1, 2, draw.randint(3, 6), draw.randint(7, 9))]
+    goals = [client.send(order=order) for order in (0, 1, 2, draw.randint(3, 6), 3, 2, 4, draw.randint(7, 9))]
     learner.run(5.0)
     for goal in goals:
         order = goal.request.order

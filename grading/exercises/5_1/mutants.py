@@ -132,6 +132,20 @@ goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))
                 return GoalResponse.REJECT
             return GoalResponse.ACCEPT if 0 <= request.order <= 47 else GoalResponse.REJECT
             ''')), expect='ran at the same time'),
+    Mutant('four_at_a_time', breaks='goals', also=('orders', 'rate', 'cancel'), edits=(
+        ('return GoalResponse.ACCEPT if 0 <= request.order <= 47 else GoalResponse.REJECT', '''
+            self.running = getattr(self, 'running', 0)
+            if not 0 <= request.order <= 47 or self.running >= 4:
+                return GoalResponse.REJECT
+            self.running += 1
+            return GoalResponse.ACCEPT
+            '''), ('goal.canceled()', '''
+            self.running -= 1
+            goal.canceled()
+            '''), ('goal.succeed()', '''
+            self.running -= 1
+            goal.succeed()
+            ''')), expect='ran at the same time'),
     Mutant('refuses_47', breaks='orders', old='order <= 47 else GoalResponse.', new='order < 47 else GoalResponse.',
            expect='The order 47 was rejected'),
     Mutant('refuses_nothing', breaks='orders', also='numbers', old='GoalResponse.ACCEPT if 0 <= request.order <= 47',

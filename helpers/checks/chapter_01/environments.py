@@ -85,9 +85,11 @@ def _workspaces(random: Random) -> list[Case]:
     course = {PREFIX: f'/home/{random.choice(PEOPLE)}/ros2-course/.venv', 'ROS_DISTRO': random.choice(DISTROS)}
     distro = random.choice(DISTROS)
     copy = {PREFIX: f'/home/{random.choice(PEOPLE)}/opt/ros/{other(random, DISTROS, distro)}:/opt/ros/{distro}'}
+    nameless = {PREFIX: f'/home/{random.choice(PEOPLE)}/{random.choice(DISTROS)}_ws/install:{course[PREFIX]}'}
     return [
         *made,
         Case('workspace', course, {}, 'A prefix outside of /opt/ros is a prefix, too.'),
+        Case('workspace', nameless, {}, 'There are only workspaces, and ROS_DISTRO is missing: nothing is mixed.'),
         Case('workspace', copy, {}, 'Only what begins with /opt/ros/ belongs to a distribution.'),
     ]
 
@@ -158,7 +160,8 @@ def _long_pythons(random: Random) -> list[Case]:
     python, wrong = random.sample(('3.9', '3.10', '3.11', '3.13'), 2)
     same_minor = f'{random.choice((2, 4))}.{python.partition(".")[2]}'
     good = [f'/home/{random.choice(PEOPLE)}/{name}/python{python}' for name in ('tools', 'lib')]
-    made = []
+    all_right = {PREFIX: f'/opt/ros/{random.choice(DISTROS)}', PYTHON: ':'.join([*good, f'/usr/lib/python{python}'])}
+    made = [Case('python', all_right, {}, 'All three folders are for this Python: each name ends at a colon.', python)]
     for place, (version, rest) in enumerate(
         ((wrong, ''), (same_minor, '/site-packages'), (wrong, '/dist-packages/deep/in/it'))
     ):

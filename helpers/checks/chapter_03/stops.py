@@ -64,12 +64,15 @@ def scans(random, near: list[bool]) -> list[LaserScan]:
 
     The given callback has no special case: not for what is nearer than range_min, nor for an empty scan.
     """
-    far = [random.uniform(0.6, 9.0) for _ in range(random.randint(700, 1500))]  # as many as a real lidar has
-    odd = {True: [[0.3, *far], [*far, 0.3], [-0.25, 2.0], [0.0, 3.0, math.nan]], False: [[], [0.5, math.nan, math.inf]]}
+    far = [0.505, *(random.uniform(0.6, 9.0) for _ in range(random.randint(700, 1500)))]  # as many as a real lidar has
+    odd = {
+        True: [[0.3, *far], [*far, 0.495], [-0.25, 2.0], [0.0, 3.0, math.nan]],
+        False: [[], [0.5, math.nan, math.inf]],
+    }
     made = []
     for is_near in near:
-        ranges = [random.uniform(0.6, 9.0) for _ in range(random.randint(1, 6))]
-        ranges.insert(random.randint(0, len(ranges)), random.uniform(0.15, 0.45) if is_near else 0.5)
+        ranges = [random.uniform(0.505, 9.0) for _ in range(random.randint(1, 6))]
+        ranges.insert(random.randint(0, len(ranges)), random.uniform(0.15, 0.49) if is_near else 0.5)
         ranges = odd[is_near].pop() if odd[is_near] else ranges
         made.append(LaserScan(ranges=ranges, range_min=0.125, range_max=12.0))
     return made

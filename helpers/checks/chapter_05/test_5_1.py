@@ -86,10 +86,10 @@ def test_numbers(learner):
         goal = client.send(order=other)
         learner.run(other / 2 + 1)
         check_goal(goal, 'goals' if len(numbers(goal)) >= order else '')  # those of the first goal are still there
-    orders = [draw.randint(3, 4), draw.randint(5, 6), draw.randint(3, 5)]
-    goals = [client.send(order=order) for order in orders[:2]]
-    learner.run(draw.choice([0.3, 0.7]))  # the last one comes while the others count
-    goals.append(client.send(order=orders[2]))
+    orders = [draw.randint(3, 4), *draw.choices([3, 4, 5], k=4), draw.randint(5, 6)]
+    goals = [client.send(order=order) for order in orders[:4]]
+    learner.run(draw.choice([0.3, 0.7]))  # the last ones come while the others count
+    goals += [client.send(order=order) for order in orders[4:]]
     learner.run(4.0)
     for goal in goals:
         expect(
