@@ -343,7 +343,7 @@ def _constant(cells: list[dict], name: str) -> str | None:
     return None
 
 
-_CMAKE = re.compile(r'CMake Error[^\n]*\n((?:[ \t]*\n|  [^\n]*\n){1,40})')
+_CMAKE = re.compile(r'CMake Error(?: at (CMakeLists\.txt):(\d+))?[^\n]*\n((?:[ \t]*\n|  [^\n]*\n){1,40})')
 _NEVER_CALLED = re.compile(r"setup\(\)'? was never called")
 _SETUP = re.compile(r'^error in \S+ setup command: (.+)$', re.MULTILINE)
 _TELLING = re.compile(r'^.*(?:[Ee]rror\b|No such file|not found).*$', re.MULTILINE)
@@ -352,8 +352,9 @@ _TELLING = re.compile(r'^.*(?:[Ee]rror\b|No such file|not found).*$', re.MULTILI
 def reason(output: str) -> str:
     """The part of a failed build's output that says why, in one line."""
     if found := _CMAKE.search(output):
-        paragraph = ' '.join(found[1].split('Call Stack')[0].split())
-        return paragraph[:400]
+        place = f'{found[1]}, line {found[2]}: ' if found[1] else ''
+        paragraph = ' '.join(found[3].split('Call Stack')[0].split())
+        return f'{place}{paragraph}'[:400]
     if _NEVER_CALLED.search(output):
         return (
             'setup.py ends without a call of setup() that works. Run `python3 setup.py --version` in the folder of the '

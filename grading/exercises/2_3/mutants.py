@@ -14,6 +14,8 @@ MUTANTS = [
            expect='without /msg/: `std_msgs/Header`', breaks='charge'),
     Mutant('type_without_package', old='std_msgs/Header header', new='Header header',
            expect='There is no type Header in your package', breaks='charge'),
+    Mutant('parenthesis_left_open', old='find_package(std_msgs REQUIRED)', new='find_package(std_msgs REQUIRED',
+           expect='CMakeLists.txt, line 5: Parse error', breaks='both'),
     Mutant('boolean', old='bool charging', new='boolean charging', expect='The line `boolean charging` of Charge',
            breaks='charge'),
     Mutant('small_letters', old='uint8 FULL=100', new='uint8 full=100', expect='A constant has capital letters: FULL',

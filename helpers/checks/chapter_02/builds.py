@@ -135,12 +135,12 @@ def odometry(learner) -> ExerciseWorkspace:
 
 def build_type(learner, name: str) -> str:
     """The build type in the package.xml that is the learner's text `name`; '' if there is none."""
-    return type_in(_manifest(learner, name))
+    return type_in(manifest(name, learner.text(name)))
 
 
-def type_in(manifest: ElementTree.Element) -> str:
+def type_in(root: ElementTree.Element) -> str:
     """The build type in a package.xml, '' if there is none. One whose condition is false in jazzy does not count."""
-    for element in manifest.findall('export/build_type'):
+    for element in root.findall('export/build_type'):
         try:
             if evaluate_condition(element.get('condition'), DISTRO):
                 return (element.text or '').strip()
@@ -151,13 +151,13 @@ def type_in(manifest: ElementTree.Element) -> str:
 
 def dependencies(learner, name: str) -> dict[str, set[str]]:
     """What the package.xml in the learner's text `name` declares for this distribution: tag -> packages."""
-    return declared(_manifest(learner, name))
+    return declared(manifest(name, learner.text(name)))
 
 
-def declared(manifest: ElementTree.Element) -> dict[str, set[str]]:
+def declared(root: ElementTree.Element) -> dict[str, set[str]]:
     """What a package.xml declares: tag -> packages. A line whose condition is false in jazzy declares nothing."""
     found: dict[str, set[str]] = {}
-    for element in manifest:
+    for element in root:
         package_name, condition = (element.text or '').strip(), element.get('condition')
         try:
             holds = evaluate_condition(condition, DISTRO)
@@ -167,13 +167,15 @@ def declared(manifest: ElementTree.Element) -> dict[str, set[str]]:
     return found
 
 
-def _manifest(learner, name: str) -> ElementTree.Element:
-    """The package.xml in the learner's text `name`."""
-    text = learner.text(name)
+def manifest(name: str, text: str) -> ElementTree.Element:
+    """The root element of a package.xml with this text; `name` is what the learner calls it.
+
+    :raises ExpectationFailed: it cannot be read.
+    """
     expect('<!DOCTYPE' not in text and '<!ENTITY' not in text, f'{name} needs no DOCTYPE.')
     try:
-        return ElementTree.fromstring(text)
-    except ElementTree.ParseError as error:
+        return ElementTree.fromstring(text.encode())
+    except (ElementTree.ParseError, LookupError, ValueError) as error:  # also an encoding that nobody knows
         raise broken(f'{name} is not XML: {error}.') from None
 
 

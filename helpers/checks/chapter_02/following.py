@@ -2,7 +2,6 @@
 
 import configparser
 import re
-from xml.etree import ElementTree
 
 from helpers.checks.chapter_02 import builds
 from helpers.runner import about, broken, expect
@@ -179,7 +178,7 @@ def judge_rest(learner) -> None:
     )
     installed = [name for name in builds.line_follower(learner).installed() if name.startswith('line_follower/')]
     _judge_files([name.removeprefix('line_follower/') for name in installed])  # what is beside it, colcon has written
-    root = ElementTree.fromstring(learner.text('FOLLOWER_XML'))
+    root = builds.manifest('FOLLOWER_XML', learner.text('FOLLOWER_XML'))
     for tag, wanted in KEPT.items():
         word = tag.rpartition('/')[2]
         texts = [' '.join((element.text or 'nothing').split()) for element in root.findall(tag)]

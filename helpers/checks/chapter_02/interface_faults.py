@@ -3,7 +3,7 @@
 import re
 from collections.abc import Callable
 
-_EXCEPTION = re.compile(r'^ *(?:\w+\.)*((?:\w*Error|Invalid\w+|\w*Exception): [^\n]*(?:\n  \S[^\n]*)?)', re.MULTILINE)
+_EXCEPTION = re.compile(r'^ *(?:\w+\.)*((?:\w+Error|Invalid\w+|\w*Exception): [^\n]*(?:\n  \S[^\n]*)?)', re.MULTILINE)
 _IN_FILE = re.compile(r"Error processing '([^']*)' of 'dock_interfaces/(\w+)'")
 
 

@@ -8,7 +8,6 @@ import json
 import re
 from collections.abc import Iterable, Mapping
 from pathlib import PurePosixPath
-from xml.etree import ElementTree
 
 from rclpy.qos import QoSProfile, ReliabilityPolicy
 from std_msgs.msg import String
@@ -84,12 +83,7 @@ def files(learner) -> dict[str, str]:
                 else ', so colcon sees no package there. `ros2 pkg create patrol`, called in my_ws/src, writes one.'
             ),
         )
-        try:
-            declared = '<!DOCTYPE' in found['package.xml'] or '<!ENTITY' in found['package.xml']
-            expect(not declared, 'package.xml needs no DOCTYPE.')
-            manifest = ElementTree.fromstring(found['package.xml'].encode())
-        except (ElementTree.ParseError, LookupError, ValueError) as error:  # also an encoding that nobody knows
-            raise broken(f'package.xml is not XML: {error}.', 'package') from None
+        manifest = builds.manifest('package.xml', found['package.xml'])
         name = (manifest.findtext('name') or '').strip()
         expect(name == NAME, f'The package is called {name or "nothing"} in package.xml, expected {NAME}.')
         build_type = (manifest.findtext('export/build_type') or '').strip()
@@ -421,8 +415,7 @@ def _until(observer: Observer, condition, task, timeout: float) -> bool:
 def judge_dependencies(learner) -> None:
     """package.xml declares the ROS packages that the code imports: rule `dependencies`."""
     found = files(learner)
-    manifest = ElementTree.fromstring(found['package.xml'].encode())
-    declared = builds.declared(manifest)
+    declared = builds.declared(builds.manifest('package.xml', found['package.xml']))
     to_run = builds.to_run(declared)
     imported = _imports(text for path, text in found.items() if _runs(path)) & _ros_packages() - {NAME}
     with about('dependencies'):

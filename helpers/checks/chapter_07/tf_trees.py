@@ -295,11 +295,12 @@ def judge_rare_trees(learner) -> None:
     An age is just more than 1 s, exactly 1 s, or long; the newest stamp has few nanoseconds.
     """
     random = learner.random
-    chain = [f'part{number}' for number in range(random.randint(7, 12))]
+    # Names like that of the top frame, boot: on the way, below the sensor, and beside both.
+    chain = ['boot1', *(f'part{number}' for number in range(1, random.randint(7, 12)))]
     source = chain[random.randint(1, 2)]
     static = [_transform(*pair, [0.1, 0.0, 0.0], 0.0) for pair in zip(chain, chain[1:], strict=False)]
-    static.append(_transform(chain[-1], 'boot2', [0.1, 0.0, 0.0], 0.0))
-    static.append(_transform('boot', chain[0], [0.1, 0.0, 0.0], 0.0))
+    for pair in ((chain[-1], 'boot2'), ('boot', chain[0]), ('boot', 'shelf'), ('shelf', 'boot3')):
+        static.append(_transform(*pair, [0.1, 0.0, 0.0], 0.0))
     random.shuffle(static)
     for target, more, meant in (('map', [], ''), ('map', [_transform('map', 'boat', [0.1, 0.0, 0.0], 0.0)], 'boat')):
         with about('not-connected'):

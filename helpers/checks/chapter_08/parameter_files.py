@@ -58,7 +58,7 @@ def _content(text: str) -> Any:
     """What stands in a YAML file; None if it cannot be read."""
     try:
         return yaml.safe_load(text)
-    except (yaml.YAMLError, ValueError, RecursionError):
+    except Exception:  # the parser raises many types, as for a date that there is not, or for `!!bool maybe`
         return None
 
 
