@@ -19,6 +19,7 @@ This module runs inside the kernel; nothing is imported here that the notebook i
 from IPython import get_ipython
 
 KEY = 'checked'  # of a cell's metadata
+_LATE = 5.0  # s in which log lines of the cell above may still come: they take a pipe and a thread of the kernel's
 _now: list[str] = []  # the texts of the cell that runs
 _before: list[str] = []  # and of the one before it
 
@@ -47,15 +48,31 @@ def record() -> None:
 
 
 def run(source: str, path: str, line: int) -> None:
-    """Run the statements.
+    """Run the statements; all of them again if one does not hold and late text of the cell above arrives.
 
     :raises AssertionError: one does not hold; its message has the statement, and what the cell above has printed.
     """
     import ast
+    import time
 
-    shell, printed = get_ipython(), ''.join(_before)
     tree = ast.increment_lineno(ast.parse(source), line - 1)
-    names = {**shell.user_ns, 'printed': printed}
+    end = time.monotonic() + _LATE
+    while True:
+        printed = ''.join([*_before, *_now])
+        try:
+            _run(tree, path, printed)
+            return
+        except AssertionError:
+            while printed == ''.join([*_before, *_now]):
+                if time.monotonic() > end:
+                    raise
+                time.sleep(0.01)
+
+
+def _run(tree, path: str, printed: str) -> None:
+    import ast
+
+    names = {**get_ipython().user_ns, 'printed': printed}
     for statement in tree.body:
         try:
             exec(compile(ast.Module([statement], []), path or '<checked>', 'exec'), names)

@@ -50,6 +50,12 @@ def test_statements_that_hold_leave_no_trace(tree):
     assert rules.checked_counts([chapter]) == {7: 2}
 
 
+def test_what_a_cell_prints_after_its_end_counts(tree):
+    late = f"{FENCE}import threading\nthreading.Timer(0.5, print, ('late',)).start()\n```\n\n"
+    write(tree, f"{TINY}\n{late}{FENCE}:checked: true\nwords = printed.split()\nassert words == ['late']\n```\n")
+    build.build(tree, say=quiet)
+
+
 @pytest.mark.parametrize(
     ('old', 'new', 'line', 'problem'),
     [
