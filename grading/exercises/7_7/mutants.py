@@ -6,6 +6,11 @@ LOOP = 'while fresh := [finding for finding in look(case) if finding not in foun
 GRAPH = "case['endpoints'] = with_arguments(case['endpoints'], finding, repair_graph(finding))"
 
 MUTANTS = [
+    Mutant('machine_for_its_sources_only', old="if any(finding.where in ('ros2.list', '.bashrc') for finding in found):",
+           new="if any(finding.where == 'ros2.list' for finding in found):", expect='A shell with your .bashrc', breaks='files'),
+    Mutant('no_repair_of_who_is_unseen', old="if any(finding.where in ('ros2.list', '.bashrc') for finding in found):",
+           new="if any(finding.fault in ('no_source', 'no_ros2', 'no_colcon', 'mixed_distros') for finding in found):",
+           expect='A shell with your .bashrc is in domain', breaks='files'),
     Mutant('set_of_findings', old='    return found\n', new='    return set(found)\n', breaks='every-part',
            also=('hidden', 'nothing', 'ends'), expect='returned a set', **TRIAGE),
     Mutant('finds_again', edits=((LOOP, 'for _ in range(4):'), ('found += fresh', 'found += look(case)')),

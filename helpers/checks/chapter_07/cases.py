@@ -30,6 +30,12 @@ FAULTS = {
         'description durability',
     ),
 }
+# Of these, what a repair makes right, by the part of the case.
+REPAIRED = {
+    **{part: FAULTS[part] for part in ('machine', 'package', 'model')},
+    'frames': ('unknown', 'two parents', 'not connected'),
+    'graph': ('name', 'reliability', 'durability', 'both', 'service name', 'description durability'),
+}
 # Faults of frames of which each hides the next one.
 ROUNDS = ('unknown', tf_trees.ASIDE, 'not connected', 'not connected', 'old')
 
@@ -128,6 +134,22 @@ class Case:
             expect(not lost, f'The case that repair_case returned lacks {", ".join(lost)}.', 'new-case')
         return case
 
+    def check(self, learner, part: str, after: dict) -> None:
+        """Fail with words if this part of the repaired case `after` is not as it should be."""
+        if part == 'graph':
+            self.check_graph(after['endpoints'])
+            return
+        with named('transforms' if part == 'frames' else 'files'):
+            match part:
+                case 'machine':
+                    machines.try_out(learner, self.files, after['files'], self.want)
+                case 'package':
+                    self.package.check(after['package'])
+                case 'model':
+                    self.robot.check(after['urdf'])
+                case 'frames':
+                    self.tree.check([after['moving'], after['static']])
+
     def check_graph(self, endpoints) -> None:
         """Fail with words if somebody is deaf in the repaired graph who need not be."""
         expect(
@@ -145,6 +167,18 @@ class Case:
                     if end['role'] == 'subscription'
                 )
                 expect(heard, f'After your repair, {end["node"]} is still deaf on {end["name"]}.', 'endpoints')
+
+
+def judge_single_repairs(learner) -> None:
+    """A fault is repaired, also if it is the only one of the case; a case without a fault stays as it is."""
+    case = Case(learner.random)
+    after = case.repaired(learner)
+    for part in REPAIRED:
+        case.check(learner, part, after)
+    for part, causes in REPAIRED.items():
+        for cause in causes:
+            case = Case(learner.random, {part: (cause,)})
+            case.check(learner, part, case.repaired(learner))
 
 
 def everything(random) -> Case:

@@ -174,7 +174,7 @@ class Robot:
         expect(isinstance(repaired, str), 'repair_model must return a string.', 'kept')
         try:
             robot = ElementTree.fromstring(repaired)
-        except ElementTree.ParseError as error:
+        except (ElementTree.ParseError, ValueError) as error:  # also a text with half of a surrogate pair
             expect(False, f'The repaired text is not XML: {error}.', 'kept')
         # Looking at it recurses: what is deeper than a robot is none.
         expect(

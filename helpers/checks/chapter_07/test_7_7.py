@@ -3,7 +3,7 @@
 import pytest
 
 from helpers.checks.chapter_07 import machines
-from helpers.checks.chapter_07.cases import FAULTS, ROUNDS, Case, everything, named
+from helpers.checks.chapter_07.cases import FAULTS, REPAIRED, ROUNDS, Case, everything, judge_single_repairs, named
 from helpers.checks.chapter_07.tf_trees import ASIDE
 
 pytestmark = pytest.mark.exercise('7.7')
@@ -48,20 +48,14 @@ def test_repair(learner):
     )
     with named('files'):
         after = case.repaired(learner, 2)
-        machines.try_out(learner, case.files, after['files'], case.want)
-        case.package.check(after['package'])
-        case.robot.check(after['urdf'])
-    case.check_graph(after['endpoints'])
-    with named('transforms'):
-        case.tree.check([after['moving'], after['static']])
-    case = Case(random, {'machine': ('release',)})  # nothing else is wrong
-    with named('files'):
-        machines.try_out(learner, case.files, case.repaired(learner)['files'], case.want)
-    for faults in (['service name', 'both'], ['description durability', 'name']):
-        case = Case(random, {'graph': tuple(faults)})
-        case.check_graph(case.repaired(learner)['endpoints'])
-    for causes, moves in ((['two parents'], True), (['two parents', ASIDE], False), (['not connected'], False)):
-        case = Case(random, {'frames': tuple(causes)}, moves)
+    for part in REPAIRED:
+        case.check(learner, part, after)
+    judge_single_repairs(learner)
+    for faults in (('service name', 'both'), ('description durability', 'name')):
+        case = Case(random, {'graph': faults})
+        case.check(learner, 'graph', case.repaired(learner))
+    for causes, moves in ((('two parents',), True), (('two parents', ASIDE), False), (('not connected',), False)):
+        case = Case(random, {'frames': causes}, moves)
         with named('transforms'):
             after = case.repaired(learner)
-            case.tree.check([after['moving'], after['static']])
+        case.check(learner, 'frames', after)

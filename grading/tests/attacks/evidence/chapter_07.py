@@ -56,6 +56,18 @@ def repair_model(text):
     return text.replace('<link name="base_link">', '<link name="base_link">' + '<a>' * 100000 + '</a>' * 100000)
 
 
+# %% model_half_a_letter
+# attack: repairs a robot by a text that no encoding can write
+# aims at: 7.5
+# stopped by: what is no XML is refused, whatever the reason
+def diagnose_model(text):
+    return []
+
+
+def repair_model(text):
+    return text.replace('<link name="base_link">', '\ud800<link name="base_link">')
+
+
 # %% client_in_a_hurry
 # attack: says that it was made long ago, to have waited long enough without waiting
 # aims at: 7.4

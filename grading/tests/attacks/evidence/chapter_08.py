@@ -190,6 +190,25 @@ def generate_launch_description():
 '''
 
 
+# %% delivery_tag_of_no_value
+# attack: writes a value into its parameter file that only some readers can read, and others break of
+# aims at: 8.10
+# stopped by: a file that cannot be read is the learner's fault
+DELIVERY_YAML = """
+/**:
+  ros__parameters:
+    max_linear: 0.4
+    other: !!bool maybe
+"""
+DELIVERY_LAUNCH = """
+from launch import LaunchDescription
+
+
+def generate_launch_description():
+    return LaunchDescription([])
+"""
+
+
 # %% delivery_never_started
 # attack: tells the story of a robot that it never starts
 # aims at: 8.10
