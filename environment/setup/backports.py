@@ -1,11 +1,11 @@
-"""Patches of installed packages: corrections of upstream's that are newer than the ROS wheels, and of the test tools.
+"""Patches of installed packages: what upstream has corrected after the ROS wheels, or not yet, and the test tools.
 
 Each patch is a module that is put beside the packages, and a few lines that put it to use.
 """
 
 from pathlib import Path
 
-from environment.setup import action_client, missing_linters, python_tests, xacro_errors
+from environment.setup import action_client, missing_linters, python_tests, signal_end, xacro_errors
 from environment.setup.relocation import replace
 
 # For each patched module its patch, what marks a version that needs none, and the lines at its end.
@@ -14,6 +14,12 @@ _PATCHES = {
         action_client,
         'Lock()',
         '\n\nfrom {name} import patch  # noqa: E402 - ros2/rclpy#1123\n\npatch(ActionClient)\n',
+    ),
+    'rclpy/signals.py': (
+        signal_end,
+        None,
+        '\n\nfrom {name} import patch  # noqa: E402 - else a signal may be heard, and the shutdown after it not\n\n'
+        'patch(SignalHandlerGuardCondition)\n',
     ),
     'xacro/__init__.py': (
         xacro_errors,
@@ -42,7 +48,8 @@ _DISTRIBUTION = {
 
 def text() -> str:
     """All that the patches are made of: when it changes, they are due again."""
-    files = [__file__, *(module.__file__ for module in (action_client, missing_linters, python_tests, xacro_errors))]
+    modules = action_client, missing_linters, python_tests, signal_end, xacro_errors
+    files = [__file__, *(module.__file__ for module in modules)]
     return ''.join([*(Path(file).read_text() for file in files), *_DISTRIBUTION.values()])
 
 

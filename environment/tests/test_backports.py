@@ -7,7 +7,7 @@ import threading
 
 import pytest
 
-from environment.setup import action_client, backports
+from environment.setup import action_client, backports, signal_end
 from environment.setup.stamps import digest
 
 
@@ -103,6 +103,47 @@ def test_rclpy_itself_is_patched_or_newer():
     from rclpy.action import ActionClient, client
 
     assert hasattr(ActionClient, '_course_patched') or 'Lock()' in open(client.__file__).read()
+
+
+class Context:
+    """Is shut down some looks after the signal, or not at all."""
+
+    def __init__(self, looks: float):
+        self._looks = looks
+
+    def ok(self) -> bool:
+        self._looks -= 1
+        return self._looks > 0
+
+
+def guard_of(context):
+    class Guard:
+        def __init__(self):
+            self._context = context
+            self._executor_triggered = False
+
+    return signal_end.patch(Guard)()
+
+
+def test_who_is_woken_by_a_signal_waits_for_the_shutdown(monkeypatch):
+    from rclpy.executors import ExternalShutdownException
+
+    guard = guard_of(Context(looks=5))
+    assert not guard._executor_triggered
+    with pytest.raises(ExternalShutdownException):
+        guard._executor_triggered = True
+    guard._executor_triggered = False
+    assert not guard._executor_triggered
+    monkeypatch.setattr(signal_end, 'LONGEST', 0.05)
+    guard = guard_of(Context(looks=float('inf')))
+    guard._executor_triggered = True  # a signal that shuts nothing down keeps nobody for ever
+    assert guard._executor_triggered
+
+
+def test_rclpy_itself_waits_for_the_shutdown():
+    from rclpy.signals import SignalHandlerGuardCondition
+
+    assert isinstance(SignalHandlerGuardCondition._executor_triggered, property)
 
 
 def test_xacro_can_tell_its_errors(tmp_path):
