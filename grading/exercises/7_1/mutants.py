@@ -10,6 +10,11 @@ MUTANTS = [
         ('if re.match(SETUP, line)}', "if re.match('# ?' + SETUP, line) or re.match(SETUP, line)}"),
         ('re.match(SETUP, line)[1] for', "re.match('(?:# ?)?' + SETUP, line)[1] for")), breaks='comments',
            also=('not-sourced', 'all'), expect='You'),
+    Mutant('any_variable_that_is_off', old="if name == 'ROS_AUTOMATIC_DISCOVERY_RANGE' and value in ('OFF', 'LOCALHOST'):",
+           new="if value in ('OFF', 'LOCALHOST'):", breaks='range', also=('all', 'kept'), expect='there is no such fault'),
+    Mutant('wrong_lines_at_the_margin_only', edits=(
+        ("wrong.get(line.strip(), 'PATH')", "wrong.get(line, 'PATH')"),
+        ("(line.strip() in wrong)", "(line in wrong)")), breaks='repaired', expect='A shell with your .bashrc has sourced'),
     Mutant('deb_anywhere_in_a_line', old="line.startswith('deb ')]", new="'deb ' in line]", breaks='missing',
            expect='You did not find `no_source`, cause `missing`'),
     Mutant('lines_of_sources_count', old="line.startswith('deb ')]", new="line.startswith('deb')]", breaks='missing',

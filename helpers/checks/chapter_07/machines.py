@@ -109,6 +109,7 @@ def judge_rare_lines(learner) -> None:
         ('domain', '', [source, f'export ROS_DOMAIN_ID={domain}'], domain * 10 + number % 10),
         ('domain', '', [source, f'ROS_DOMAIN_ID={domain}', 'ROS_DOMAIN_ID=0'], 0),
         ('domain', '', [source, f'ROS_DOMAIN_ID={domain}', f'export OLD_ROS_DOMAIN_ID={number}'], domain),
+        ('range', '', [source, 'export ROBOT_MODE=OFF', 'export OLD_ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST'], 0),
         ('sources', '', [f"alias {distro}='{source}'", f'echo {source}'], 0),
         ('sources', '', [source, f"alias {older}='source /opt/ros/{older}/setup.bash'"], 0),
         ('variables', '', [source, f"alias far='export ROS_DOMAIN_ID={number}'", f'echo PATH={folder}'], 0),
@@ -150,8 +151,20 @@ def rare_repairs(random) -> list[tuple[dict, dict]]:
             + [f'export PATH=/opt/tool{number}/bin:$PATH', f'export ROS_DOMAIN_ID={domain}']
         ),
     }
-    want = {'distro': distro, 'codename': codename}
-    return [(several, {**want, 'domain': domain}), (zero, {**want, 'domain': 0}), (kept, {**want, 'domain': domain})]
+    indented = {
+        'ros2.list': f'# ROS 2\n{right}\n',
+        '.bashrc': '\n'.join(
+            [
+                source,
+                f'  {wrong}',
+                f'    export PATH=/opt/tool{number}/bin',
+                '  export ROS_AUTOMATIC_DISCOVERY_RANGE=OFF',
+            ]
+            + [f'\texport ROS_DOMAIN_ID={domain + 1}', f'  export ROBOT=robot{number}']
+        ),
+    }
+    want = {'distro': distro, 'codename': codename, 'domain': domain}
+    return [(several, want), (zero, {**want, 'domain': 0}), (kept, want), (indented, want)]
 
 
 def judge_rare_repairs(learner) -> None:
