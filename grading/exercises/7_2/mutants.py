@@ -61,6 +61,8 @@ MUTANTS = [
     Mutant('python_files_alone', old="return {**files, 'setup.py': setup}",
            new="return {name: text for name, text in {**files, 'setup.py': setup}.items() if name.endswith('.py')}",
            breaks='kept', expect='README.md is missing'),
+    Mutant('first_file_is_in_the_package', old="next(name for name in files if name.endswith('/__init__.py'))",
+           new='next(iter(files))', breaks='repaired', expect='KeyError'),
     Mutant('repairs_nothing', old="return {**files, 'setup.py': setup}", new='return dict(files)', breaks='repaired',
            expect='After your repair'),
     Mutant('repair_by_value', old=REPLACE,

@@ -154,6 +154,9 @@ class Package:
         self.files['setup.py'] = _SETUP.format(
             package=self.name, program=programs[0], description=self.description, entries='\n'.join(entries)
         )
+        paths = random.sample([*self.files], len(self.files))
+        first = random.choice([paths[0], random.choice(['README.md', 'setup.py'])])  # often none of the package
+        self.files = {path: self.files[path] for path in [first, *paths]}
 
     def diagnose(self, learner, rule: str = '') -> None:
         """Ask the learner's diagnose_package, and fail with words if it does not find what is expected."""
