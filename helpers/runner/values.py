@@ -42,6 +42,10 @@ class TupleAsList(list):
     """A returned tuple, as a list: for tests that want it to have been a list."""
 
 
+class EnumAsName(str):
+    """A returned member of an enumeration, as its name, which in the learner's program it does not equal."""
+
+
 class NamedTupleAsList(list):
     """A returned named tuple, as a list: it equals a tuple, and has names besides."""
 
@@ -65,7 +69,7 @@ def encode(value, depth: int = 0):
     if depth > _MAX_DEPTH:
         raise ValueError('the value is nested too deeply')
     if isinstance(value, Enum):
-        return value.name
+        return {'$enum': str(value.name)}
     if value is None or isinstance(value, (bool, int, float, str)):
         # A subclass of int or str may behave differently: send the plain value.
         for plain in (bool, int, float, str):
@@ -115,6 +119,8 @@ def decode(value, depth: int = 0):
         match value:
             case {'$bytes': str(data)}:
                 return base64.b64decode(data)
+            case {'$enum': str(name)}:
+                return EnumAsName(name)
             case {'$set': list(items)}:
                 return SetAsList(decode(item, depth + 1) for item in items)
             case {'$tuple': list(items)}:

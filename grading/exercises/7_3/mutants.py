@@ -4,6 +4,10 @@ DIAGNOSE = {'also': ('all', 'fault')}
 NEAR = "faults = [('name', near) if near else ('nobody', '')]"
 
 MUTANTS = [
+    Mutant('policies_in_place_of_their_names', edits=(
+        ('end.qos_profile.reliability.name', 'end.qos_profile.reliability'),
+        ('end.qos_profile.durability.name', 'end.qos_profile.durability')),
+           expect='write `.name` for its name', breaks='read'),
     Mutant('a_topic_is_a_service', breaks='nobody', old="senders = [e for e in endpoints if e['role'] == sender]",
            new="senders = [e for e in endpoints if e['role'] in ('publisher', 'server')]",
            expect='A publisher serves no client'),
