@@ -225,7 +225,7 @@ def test_cancelled_before(learner):
     learner.run(1.0)
     y = learner.random.uniform(3.0, 5.0)
     poses.send(Pose(x=2.0, y=y, theta=learner.random.uniform(1.0, 2.0), linear_velocity=1.0))
-    learner.run(19.6)
+    learner.run(18.6)
     expect(goal.accepted, 'A goal that came after a cancelled one was rejected.', 'next')
     moments = [goal.sent, *goal.stamps, goal.finished or learner.now / 1e9]
     pause = max(late - early for early, late in zip(moments, moments[1:], strict=False))
@@ -236,7 +236,16 @@ def test_cancelled_before(learner):
         f'The turtle is {left:.2f} m away from the place, and the feedback says {told:.2f}.',
         'feedback',
     )
-    expect(goal.done, 'The turtle did not move for 20.6 s, and the goal still runs.', 'give-up')
+    near = learner.random.uniform(0.12, 0.9)
+    poses.send(Pose(x=9.0 - near, y=2.0))
+    learner.run(1.0)
+    expect(goal.done, 'After 20.6 s the goal still runs.', 'give-up')
+    expect(
+        goal.status == 'aborted',
+        f'After 20 s the turtle was {near:.2f} m away from the place: the goal ended as {goal.status}, expected '
+        'aborted.',
+        'give-up',
+    )
     took = goal.finished - goal.sent
     expect(
         took == pytest.approx(20.0, abs=0.5),

@@ -80,6 +80,8 @@ MUTANTS = [
            ''', expect='expected 2 to 5'),
     Mutant('never_gives_up', breaks='give-up', old='range(1, 201):', new='range(1, 100001):',
            expect='the goal still runs after 20.5 s'),
+    Mutant('near_is_enough_in_the_end', breaks='give-up', old='if distance < 0.1 else goal.abort',
+           new='if distance < 1.0 else goal.abort', expect='ended as succeeded, expected aborted'),
     Mutant('gives_up_after_10_s', breaks='give-up', also=('feedback', 'steer'), old='range(1, 201):',
            new='range(1, 101):', expect='expected 20 s'),
     Mutant('never_looks', breaks='cancel', old='if goal.is_cancel_requested or distance < 0.1:',

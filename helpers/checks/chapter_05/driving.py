@@ -61,7 +61,8 @@ def check_cancel(learner, client, goal: Goal, story: str) -> None:
 
 
 def check_old_pose(learner, client) -> None:
-    """A goal was given up, some 10 s after the newest pose, which still says where the robot stands: rule `next`."""
+    """A goal was given up, and 10 s later the newest pose still says where the robot stands: rule `next`."""
+    learner.run(10.0, step=1.0)
     goal = client.send(x=9.0, y=2.0)
     learner.settle()
     expect(

@@ -218,11 +218,13 @@ def _give_up(learner, robot, goal):
         f'feedback says {", ".join(f"{distance:g}" for distance in told[:5])}.',
         'feedback',
     )
+    near = learner.random.uniform(0.12, 0.9)
+    robot.stand(9.0 - near, 2.0)  # nearly there, and the time is over
     learner.run(1.1)
     expect(goal.done, 'A robot that does not move: the goal still runs after 20.5 s.', 'give-up')
     expect(
         goal.status == 'aborted',
-        f'A robot that does not move: the goal ended as {goal.status}, expected aborted.',
+        f'After 20 s a robot was {near:.2f} m away from the place: the goal ended as {goal.status}, expected aborted.',
         'give-up',
     )
     took = goal.finished - goal.sent
@@ -231,7 +233,7 @@ def _give_up(learner, robot, goal):
         f'A robot that does not move: the goal ended after {took:g} s, expected 20 s.',
         'give-up',
     )
-    robot.check_end(goal, 'After a goal that was given up, ', left)
+    robot.check_end(goal, 'After a goal that was given up, ', near)
 
 
 def _check_pause(learner, goal, when):
