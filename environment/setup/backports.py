@@ -1,4 +1,4 @@
-"""Patches of installed packages: what upstream has corrected after the ROS wheels, or not yet, and the test tools.
+"""Patches of installed packages: corrections that the ROS wheels lack, upstream's and ours, and of the test tools.
 
 Each patch is a module that is put beside the packages, and a few lines that put it to use.
 """

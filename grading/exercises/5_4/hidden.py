@@ -237,7 +237,7 @@ def test_cancelled_before(learner):
         'feedback',
     )
     near = learner.random.uniform(0.12, 0.9)
-    poses.send(Pose(x=9.0 - near, y=2.0))
+    poses.send(Pose(x=9.0 - 0.6 * near, y=2.0 + 0.8 * near))
     learner.run(1.0)
     expect(goal.done, 'After 20.6 s the goal still runs.', 'give-up')
     expect(

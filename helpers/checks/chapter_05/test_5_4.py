@@ -219,7 +219,7 @@ def _give_up(learner, robot, goal):
         'feedback',
     )
     near = learner.random.uniform(0.12, 0.9)
-    robot.stand(9.0 - near, 2.0)  # nearly there, and the time is over
+    robot.stand(9.0 - 0.6 * near, 2.0 + 0.8 * near)  # nearly there, and the time is over
     learner.run(1.1)
     expect(goal.done, 'A robot that does not move: the goal still runs after 20.5 s.', 'give-up')
     expect(
