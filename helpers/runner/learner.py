@@ -445,7 +445,7 @@ class Learner(Workspaces):
             self._drain(number, len(answers))
             self._due = tuple(answer.get('next') for answer in answers)
             self._waiting = [line for answer in answers for line in answer.get('waiting', ())]
-            self._remarks = [text[:300] for answer in answers for text in answer.get('remarks', ())[:10]]
+            self._remarks = [text[:500] for answer in answers for text in answer.get('remarks', ())[:10]]
             # A callback may have made or destroyed endpoints: these are connected before the next step.
             endpoints = {
                 process.key: answer.get('endpoints') for process, answer in zip(self._conducted(), answers, strict=True)

@@ -31,7 +31,7 @@ from rclpy.signals import SignalHandlerOptions
 from std_msgs.msg import UInt64
 
 from helpers.kernel.nodes import destroy_actions
-from helpers.runner import rates, values
+from helpers.runner import awaiting, rates, values
 from helpers.runner.arguments import Arguments
 from helpers.runner.channel import Channel, ChannelClosed, ChannelError, ChannelTimeout
 from helpers.runner.conductor import Conductor
@@ -277,8 +277,11 @@ class Worker:
             'next': self._next_timer(now),
             'endpoints': self._endpoints(),
             'waiting': conductor.waiting(),
-            'remarks': seen.remarks if seen else [],
+            'remarks': [*(seen.remarks if seen else []), *self._deadlocks()],
         }
+
+    def _deadlocks(self) -> list[str]:
+        return awaiting.deadlocks(self.executor._tasks, self.nodes, self._loaded().lines) if self.executor else []
 
     def _endpoints(self) -> int:
         """How many endpoints the learner's nodes have: more or fewer than before means new discovery."""

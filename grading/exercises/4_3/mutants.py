@@ -45,7 +45,7 @@ MUTANTS = [
     Mutant('default_group', breaks='one-thread', also=WAITS,
            edits=(("(Trigger, 'battery/check', callback_group=group)", "(Trigger, 'battery/check')"),
                   ("(Trigger, 'lidar/check', callback_group=group)", "(Trigger, 'lidar/check')")),
-           expect='give the clients a callback group of their own'),
+           expect='Give the client a callback group of its own'),
     Mutant('does_not_wait', breaks='one-thread', also=WAITS,
            edits=(('async def on_status', 'def on_status'), ('await future', 'future.result()')),
            expect="has no attribute 'success'"),

@@ -99,7 +99,7 @@ MUTANTS = [
         self.lock = self.create_client(
             SetBool, 'lock', callback_group=MutuallyExclusiveCallbackGroup())
         ''', new="self.lock = self.create_client(SetBool, 'lock')",
-           expect='waits in a callback group in which your callback still runs'),
+           expect='Give the client a callback group of its own'),
     Mutant('spins_in_callback', breaks='one-thread', also=NEVER, edits=(('async def on_enter', 'def on_enter'), (ASK, '''
         future = self.lock.call_async(SetBool.Request(data=False))
         rclpy.spin_until_future_complete(self, future)
