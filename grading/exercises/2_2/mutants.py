@@ -19,6 +19,8 @@ MUTANTS = [
            expect='package.xml declares rclpy', breaks='dependencies'),
     Mutant('no_end_of_an_element', old='<exec_depend>python3-yaml</exec_depend>', new='<exec_depend>python3-yaml',
            expect='FOLLOWER_XML is not XML', breaks='dependencies', also=('rest', 'builds')),
+    Mutant('package_xml_of_no_format', old='<package format="3">', new='<package format="4">',
+           expect='colcon cannot read FOLLOWER_XML', breaks='dependencies', also=('rest', 'builds')),
     Mutant('dependency_to_test', old='<exec_depend>python3-yaml</exec_depend>',
            new='<test_depend>python3-yaml</test_depend>', expect='follow.py needs python3-yaml', breaks='dependencies'),
     Mutant('entry_point_by_package', old='line_follower.follow:main', new='line_follower.line_follower:main',

@@ -12,6 +12,7 @@ from typing import NamedTuple
 from xml.etree import ElementTree
 
 from catkin_pkg.condition import evaluate_condition
+from catkin_pkg.package import InvalidPackage, parse_package_string
 
 from helpers.checks.chapter_02 import interface_faults
 from helpers.runner import about, broken, expect
@@ -114,6 +115,8 @@ def odometry(learner) -> ExerciseWorkspace:
             'src/odometry/odometry/report.py': learner.text('REPORT_PY'),
         }
     )
+    with about('build-type'):
+        manifests = {name: manifest(name, learner.text(name)) for name in ('WHEEL_MATH_XML', 'ODOMETRY_XML')}
     done = workspace.build('--packages-up-to', 'odometry', check=False)
     expect(
         'Unable to order packages' not in done.output,
@@ -121,8 +124,8 @@ def odometry(learner) -> ExerciseWorkspace:
         'odometry.',
         'order',
     )
-    for name in ('WHEEL_MATH_XML', 'ODOMETRY_XML') if done.status else ():
-        found = build_type(learner, name)
+    for name, root in manifests.items() if done.status else ():
+        found = type_in(root)
         expect(
             found == 'ament_python',
             f'The build type in {name} is {found or "not given"}, expected ament_python.',
@@ -131,11 +134,6 @@ def odometry(learner) -> ExerciseWorkspace:
     with about('needs'):
         workspace.build('--packages-up-to', 'odometry')
     return workspace
-
-
-def build_type(learner, name: str) -> str:
-    """The build type in the package.xml that is the learner's text `name`; '' if there is none."""
-    return type_in(manifest(name, learner.text(name)))
 
 
 def type_in(root: ElementTree.Element) -> str:
@@ -170,13 +168,21 @@ def declared(root: ElementTree.Element) -> dict[str, set[str]]:
 def manifest(name: str, text: str) -> ElementTree.Element:
     """The root element of a package.xml with this text; `name` is what the learner calls it.
 
-    :raises ExpectationFailed: it cannot be read.
+    :raises ExpectationFailed: it cannot be read, or colcon does not take it for a package.xml.
     """
     expect('<!DOCTYPE' not in text and '<!ENTITY' not in text, f'{name} needs no DOCTYPE.')
     try:
-        return ElementTree.fromstring(text.encode())
+        root = ElementTree.fromstring(text.encode())
     except (ElementTree.ParseError, LookupError, ValueError) as error:  # also an encoding that nobody knows
         raise broken(f'{name} is not XML: {error}.') from None
+    try:
+        parse_package_string(text.encode(), filename=name, warnings=[])
+    except (InvalidPackage, AssertionError, ValueError) as error:  # also a format that is no number, or none of 1 to 3
+        why = getattr(error, 'msg', str(error)).replace('Error(s):\n- ', '').partition(', please')[0]
+        raise broken(
+            f'colcon cannot read {name}, warns, and does not take the folder for a ROS package. {why.rstrip(".")}.'
+        ) from None
+    return root
 
 
 class Metadata(NamedTuple):
