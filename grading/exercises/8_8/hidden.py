@@ -21,6 +21,16 @@ def test_place(learner):
     whereabouts.judge_place(lost)
 
 
+@pytest.mark.rules('given')
+@pytest.mark.weight(1)
+def test_given(learner):
+    """A Courier drives as its given `drive` says, and is a StationKeeper.
+
+    Write `class Courier(StationKeeper)`, and leave `drive` as it is.
+    """
+    whereabouts.judge_given(learner)
+
+
 @pytest.mark.rules('unknown', 'at-once')
 @pytest.mark.weight(2)
 def test_unknown(learner):

@@ -5,6 +5,13 @@ RETURN = 'return place.x, place.y, math.remainder(2 * math.atan2(turn.z, turn.w)
 ASKED = "self.buffer.lookup_transform('map', 'base_footprint', Time())"
 
 MUTANTS = [
+    Mutant('drives_backwards', old='= linear, angular', new='= -linear, angular', expect='`drive` is given',
+           breaks='given'),
+    Mutant('drives_without_turning', old='command.linear.x, command.angular.z = linear, angular',
+           new='command.linear.x = linear', expect='`drive` is given', breaks='given'),
+    Mutant('other_topic_of_the_motor', old="'cmd_vel'", new="'motor'", expect='nothing new', breaks='given'),
+    Mutant('no_station_keeper', edits=(('class Courier(StationKeeper)', 'class Courier(Node)'),
+           ('__init__(**options)', "__init__('delivery_robot', **options)")), expect='place', breaks='given'),
     Mutant('in_odom', old=".lookup_transform('map', '", new=".lookup_transform('odom', '",
            expect='In which frame did you ask', breaks='place', also=('unknown', 'old', 'again')),
     Mutant('swapped', old="map', 'base_footprint", new="base_footprint', 'map", expect='target and source are swapped',

@@ -19,6 +19,15 @@ def test_where(learner):
     whereabouts.judge_place(lost)
 
 
+@pytest.mark.rules('given')
+def test_given(learner):
+    """A Courier drives as its given `drive` says, and is a StationKeeper.
+
+    Write `class Courier(StationKeeper)`, and leave `drive` as it is.
+    """
+    whereabouts.judge_given(learner)
+
+
 @pytest.mark.rules('unknown', 'old', 'again', 'at-once')
 def test_unknown_and_old(learner):
     """where() is None while nobody has said the place, and when what was said is older than 0.5 s.

@@ -4,6 +4,7 @@ import math
 import time
 
 import pytest
+from geometry_msgs.msg import Twist
 
 from helpers.checks.chapter_08.deliveries import Localizer
 from helpers.runner import about, expect
@@ -55,6 +56,39 @@ def same(found, wanted) -> bool:
 
 def shown(place) -> str:
     return f'({", ".join(f"{value:.2f}" for value in place)})'
+
+
+def judge_given(learner) -> None:
+    """The rule `given`."""
+    draw = learner.random
+    commands = learner.listen('/cmd_vel', Twist)
+    with about('given'):
+        node = learner.start('Courier')
+        learner.run(0.3)
+        before = len(commands.messages)
+        for count in (1, 2, 3):
+            speeds = draw.choice([-1, 1]) * draw.uniform(0.1, 0.4), draw.choice([-1, 1]) * draw.uniform(0.5, 0.9)
+            node.call('drive', *speeds)
+            learner.run(0.1)
+            got = [_speeds(twist) for twist in commands.messages[before:]]
+            expect(
+                len(got) == count and got[-1] == pytest.approx([speeds[0], 0, 0, 0, 0, speeds[1]]),
+                f'After drive({speeds[0]:.2f}, {speeds[1]:.2f}), /cmd_vel has brought '
+                f'{"nothing new" if len(got) < count else _words(commands.messages[-1])}. `drive` is given: leave it '
+                'as it is.',
+                'given',
+            )
+        name = ''.join(draw.choices('abcdefgh', k=6))
+        expect(node.call('place', name) is None, f'Nobody has set {name}, and place({name!r}) is not None.', 'given')
+
+
+def _speeds(twist: Twist) -> list[float]:
+    """Three linear ones (m/s), and three angular ones (rad/s)."""
+    return [getattr(part, axis) for part in (twist.linear, twist.angular) for axis in 'xyz']
+
+
+def _words(twist: Twist) -> str:
+    return f'linear {_speeds(twist)[:3]} and angular {_speeds(twist)[3:]}'
 
 
 def judge_unknown(lost: Lost) -> None:
