@@ -129,6 +129,8 @@ class Bridge(Node):
            breaks='sorted'),
     Mutant('one_second_whatever_is_given', old='time.monotonic() + seconds', new='time.monotonic() + min(seconds, 0.8)',
            expect='It is done when all have heard, or after `seconds`', breaks='in-time', also=('measures', 'leaves')),
+    Mutant('no_time_unless_it_is_given', old='seconds=3.0', new='seconds=0.0', expect='It is done when all have heard',
+           breaks='in-time', also='measures'),
     Mutant('three_seconds_whatever_is_given', old='time.monotonic() + seconds', new='time.monotonic() + 3.0',
            expect='It is done', breaks='in-time'),
     Mutant('one_listener_after_the_other', old="""
