@@ -206,6 +206,10 @@ class RangeToMetres(Node):
         self.raw.publish(msg)
         self.publisher.publish(msg)
         """)), expect='one topic too many', breaks='one-each'),
+    Mutant('smaller_limit_first', old='msg.variance /= 100**2', new="""
+        msg.variance /= 100**2
+        msg.min_range, msg.max_range = sorted((msg.min_range, msg.max_range))
+        """, expect='min_range', breaks='distances'),
     Mutant('short_life', old="'sonar', 10)", new="'sonar', QoSProfile(depth=10, lifespan=Duration(seconds=1)))",
            imports='from rclpy.duration import Duration\nfrom rclpy.qos import QoSProfile', expect='policy lifespan 1 s',
            breaks='qos'),

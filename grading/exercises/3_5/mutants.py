@@ -106,6 +106,11 @@ MUTANTS = [
             self.near = getattr(self, 'near', False) or any(distance < 0.5 for distance in scan.ranges)
             self.publisher.publish(Bool(data=self.near))
             """, expect='The callback was right', breaks='rest'),
+    Mutant('depth_0_keeps_nothing', old='return reasons', new="""
+            if not offered['depth']:
+                reasons.append('depth')
+            return reasons
+        """, expect='never a reason', breaks='depth'),
     Mutant('limit_of_its_own', old='distance < 0.5', new='distance < 0.48', expect='callback was right', breaks='rest'),
     Mutant('larger_limit', old='distance < 0.5', new='distance < 0.502', expect='callback was right', breaks='rest'),
     Mutant('front_only', old='in scan.ranges)', new='in list(scan.ranges)[:360])', expect='callback was right', breaks='rest'),

@@ -199,12 +199,12 @@ def test_old_scan(learner):
     learner.settle()
     came = gaps.data
     expect(came == pytest.approx([1.8]), f'The stamps 11.2 and 13 gave {came} on scan_gap, expected [1.8].', 'gap')
-    lidar.send(*[scan(stamp) for stamp in learner.random.sample([12.0, 11.0, 9.5], 3)])
+    lidar.send(*[scan(stamp) for stamp in learner.random.sample([12.0, 11.0, 9.5, 0.5], 4)], scan(13.25))
     learner.settle()
     expect(
         gaps.data == came,
-        f'After the stamp 13 came three older ones, and {gaps.data[len(came) :]} came on scan_gap: an old scan makes '
-        'no gap.',
+        f'After the stamp 13 came four older ones, then 13.25, and {gaps.data[len(came) :]} came on scan_gap: an old '
+        'scan makes no gap, and changes nothing.',
         'old',
     )
 

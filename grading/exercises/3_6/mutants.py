@@ -179,13 +179,21 @@ MUTANTS = [
     Mutant('requests_a_deadline', old='self.on_scan, sensor)',
            new='self.on_scan, QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT, deadline=Duration(seconds=0.5)))',
            imports='from rclpy.duration import Duration', expect='asks for the policy deadline', breaks='any-lidar'),
-    Mutant('long_gaps_do_not_count', old='if gap > self.max_gap:', new='if self.max_gap < gap < 60.5:', expect='however long it is',
+    Mutant('long_gaps_do_not_count', old='if gap > self.max_gap:', new='if self.max_gap < gap < 60.5:', expect='nothing came on scan_gap',
            breaks='gap'),
     Mutant('tolerant_limit', old='if gap > self.max_gap:', new='if gap > self.max_gap + 1e-6:', expect='if only by nanoseconds',
            breaks='limit'),
     Mutant('limits_up_to_one', old='self.max_gap, self.count, self.newest = max_gap, 0, None',
            new='self.max_gap, self.count, self.newest = min(max_gap, 1.0), 0, None', expect='Only a difference of more than max_gap',
            breaks='limit', also=('old', 'gap')),
+    Mutant('very_old_is_a_new_beginning', old='if gap >= 0 else self.newest', new='if gap >= 0 or gap < -5 else self.newest',
+           expect='scan_gap', breaks='old'),
+    Mutant('first_lidar_only', old='stamp = Time.from_msg(scan.header.stamp)', new="""
+        self.frame = getattr(self, 'frame', scan.header.frame_id)
+        if scan.header.frame_id != self.frame:
+            return
+        stamp = Time.from_msg(scan.header.stamp)
+        """, expect='on scan_gap', breaks='gap', also=('limit', 'own-state', 'at-once', 'old')),
     Mutant('hundred_scans_at_most', old='float(self.count)', new='float(min(self.count, 100))', expect='and scan_rate says',
            breaks='report'),
 ]

@@ -236,6 +236,15 @@ class GripperClient(Node):
                 return
         self.state.publish(String(data='failed'))
 ''', expect='A callback sleeps'),
+    Mutant('late_refusals_count', breaks='late', old='if future is self.future:',
+           new='if future is self.future or self.future and not future.result().success:', also='newest',
+           expect='Until the next command gripper_state said'),
+    Mutant('fails_once', breaks='tries', old="return self.report('failed')", new="""
+            self.failed, known = True, getattr(self, 'failed', False)
+            return self.timer.cancel() if known else self.report('failed')
+            """, expect='gripper_state said'),
+    Mutant('half_a_second_at_least', breaks='timeout', old='self.create_timer(timeout, self', new='self.create_timer(max(timeout, 0.5), self',
+           also='tries', expect='requests at'),
     Mutant('ten_tries_at_most', breaks='tries', also='no-server', old='self.tries, self.left, self.future = tries, 0, None',
            new='self.tries, self.left, self.future = min(tries, 10), 0, None', expect='`tries` may be any number'),
     Mutant('ten_seconds_at_most', breaks='timeout', also=('tries', 'request'), old='self.create_timer(timeout, self',

@@ -32,7 +32,7 @@ def test_slow_lock(learner):
     The lock's client needs a callback group of its own, because enter awaits.
     """
     delay = learner.random.choice([2.7, 4.1])
-    lock, enter, _, _ = guard(learner, {'success': True, 'message': 'unlocked'}, delay=delay)
+    lock, enter, _, _ = guard(learner, {'success': True}, delay=delay)
     learner.run(0.4)
     call = enter.send()
     learner.run(delay + 1.0, step=1.0)
@@ -57,7 +57,7 @@ def test_jammed_lock(learner):
 
     Return the response on every path, and count only after the lock has opened.
     """
-    lock, enter, _, _ = guard(learner, {'success': False, 'message': 'jammed'})
+    lock, enter, _, _ = guard(learner, {'success': False})
     for _ in range(learner.random.randint(3, 5)):
         call = enter.send()
         learner.run(0.2)

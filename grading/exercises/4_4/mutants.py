@@ -121,6 +121,9 @@ MUTANTS = [
     Mutant('a_refusal_takes_one_out', breaks='locked', old='self.inside += answer.success', new="""
         self.inside = self.inside + 1 if answer.success else max(0, self.inside - 1)
         """, expect='the lock has refused some before', also=('leave',)),
+    Mutant('believes_words', breaks='welcome', old='response.success = answer.success',
+           new='response.success = answer.success and bool(answer.message)', also=('capacity', 'full', 'leave', 'locked', 'names', 'one-thread', 'open'),
+           expect="'welcome'"),
     Mutant('writes_back_an_old_number', breaks='leave', edits=(
            ("self.create_service(Trigger, 'leave', self.on_leave)",
             "self.create_service(Trigger, 'leave', self.on_leave, callback_group=ReentrantCallbackGroup())"),

@@ -58,6 +58,10 @@ def test_in_time(learner):
         learner.run(0.8)
         waits.append(server.goals[-1].arrived - started)
     expect(waits[0] < 0.35, f'The goal came {waits[0]:g} s after the start.', 'send')
+    early = [wait for wait in waits if NEAR < wait < 0.1 - NEAR]
+    expect(
+        not early, f'A goal came {early and early[0]:g} s after the start: look every 0.1 s, not more often.', 'send'
+    )
     expect(
         0 <= min(waits[1:]) < 0.1 + NEAR,
         f'The server was there, and goals came {", ".join(f"{wait:.2f}" for wait in waits[1:])} s after the start of '

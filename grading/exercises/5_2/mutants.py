@@ -46,6 +46,8 @@ MUTANTS = [
            ''', expect='a goal that was rejected is not sent again'),
     Mutant('looks_every_0_2_s', breaks='send', old='self.create_timer(0.1, self.send)',
            new='self.create_timer(0.2, self.send)', expect='look every 0.1 s'),
+    Mutant('looks_every_0_05_s', breaks='send', old='self.create_timer(0.1, self.send)',
+           new='self.create_timer(0.05, self.send)', expect='not more often'),
     Mutant('abort_after_lost', breaks='once', old='if not self.said:', new="if not self.said or word == 'aborted':",
            expect='One outcome is enough'),
     Mutant('absolute_action', breaks='names', also='at-once', old="Fibonacci, 'fibonacci')",

@@ -100,4 +100,9 @@ class SensorMast(Node):
            expect='with a negative tilt it looks up', breaks='tilt'),
     Mutant('never_below_the_mast', old='z=height - 0.1, pitch', new='z=max(0.0, height - 0.1), pitch',
            expect='`camera` is at', breaks='places'),
+    Mutant('lidar_again_and_again', old='self.broadcaster.sendTransform([', new="""
+        self.moving = TransformBroadcaster(self)
+        self.create_timer(0.5, lambda: self.moving.sendTransform(transform('mast', 'lidar', z=height, roll=math.pi)))
+        self.broadcaster.sendTransform([
+        """, expect='also went to /tf', breaks='late', also=('places', 'tilt', 'tree', 'lidar', 'optical')),
 ]

@@ -71,6 +71,8 @@ MUTANTS = [
            new='self.radius, self.period = max(radius, 1.0),', expect='m from the planet'),
     Mutant('two_seconds_at_least', breaks='time', also='face', old='= radius, period', new='= radius, max(period, 2.0)',
            expect='the moon is at'),
+    Mutant('a_second_at_least', breaks='time', also='face', old='= radius, period', new='= radius, max(period, 1.0)',
+           expect='the moon is at'),
     Mutant('a_minute_at_most', breaks='time', old='= radius, period', new='= radius, min(period, 60.0)',
            expect='the second one is at'),
 ]

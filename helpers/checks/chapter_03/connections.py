@@ -51,7 +51,11 @@ def single_pairs(random) -> list[tuple[dict, dict]]:
     for first, second in ((short + 1e-6, short), (0.0, 1e12)):  # hardly longer, and longer than any
         pairs.append(({**base, 'deadline': first}, {**base, 'deadline': second}))
     few, many = random.randint(1, 9), random.randint(100, 200)
-    pairs += [({**base, 'depth': few}, {**base, 'depth': many}), ({**base, 'depth': many}, {**base, 'depth': few})]
+    for one, other in ((few, many), (0, few)):  # 0: the system's default
+        pairs += [
+            ({**base, 'depth': one}, {**base, 'depth': other}),
+            ({**base, 'depth': other}, {**base, 'depth': one}),
+        ]
     return pairs
 
 

@@ -28,6 +28,7 @@ def scan(seconds: float) -> LaserScan:
 def _scan(nanoseconds: int) -> LaserScan:
     message = LaserScan(scan_time=0.0625, time_increment=0.0001)  # what a gap does not depend on
     message.header.stamp = Time(nanoseconds=nanoseconds).to_msg()
+    message.header.frame_id = f'lidar_{nanoseconds % 7}'  # of several lidars, each scan is one like any other
     return message
 
 

@@ -38,7 +38,8 @@ def burst(random) -> list[Range]:
         reading(random, range=0.0, min_range=0.0, variance=0.0),  # zero is a number like any other
         reading(random, range=random.uniform(0.1, 0.9), min_range=0.0625, max_range=0.9375),  # also centimetres
         reading(random, range=random.uniform(0.1, 0.9), header=Header()),  # nearer than min_range, and no header
-        reading(random, range=math.nan),
+        # Limits that are given in the wrong order: that is for others to find out.
+        reading(random, range=math.nan, min_range=random.uniform(600, 900), max_range=random.uniform(200, 500)),
         reading(random, range=-random.uniform(1, 5)),
         reading(random, range=-math.inf),  # nearer than the sensor can see, in ROS
         reading(random, range=400.0, max_range=400.0),

@@ -68,12 +68,13 @@ def draw_steps(random, max_gap):
     """By how many seconds each of 13 stamps is later than the newest one before it; an older scan has a negative step.
 
     A gap comes after the first stamp. An older scan comes in the same second as the newest, and max_gap follows; two
-    gaps are equal; one scan is late, and after it comes one that is no gap from the newest. Another late one follows a
-    gap directly, and then a gap.
+    gaps are equal; one scan is late, and after it comes one that is no gap from the newest. Another one is very late,
+    follows a gap of minutes directly, and then comes a gap.
     """
     late = -max_gap - random.choice([0.25, 0.5, 1.5])
     fresh = [0, max_gap + 0.125, max_gap, -0.125, max_gap]
-    return [*fresh, *2 * [max_gap + 0.625], 0.125, late, max_gap, max_gap + 0.25, late, max_gap + 0.375]
+    very_late = -random.choice([20.5, 75.25, 300.125])
+    return [*fresh, *2 * [max_gap + 0.625], 0.125, late, max_gap, max_gap + 600.25, very_late, max_gap + 0.375]
 
 
 def check_reports(rates, sent, begin):

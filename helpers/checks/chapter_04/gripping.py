@@ -8,6 +8,7 @@ from std_srvs.srv import SetBool
 from helpers.runner import about, expect
 
 MS = 0.001  # times are counted in milliseconds
+_WHOLE = 4  # so many commands of a story are not dropped
 
 
 @dataclass
@@ -78,12 +79,22 @@ def _drawn(draw, count: int) -> Story:
     commands, time = [], 0
     for number in range(count):
         # Off the raster of the timeouts, so that no command comes just when a request is sent.
-        pause = 4 * tries + 2 if number == 1 else draw.randrange(2, 4 * tries + 3)
+        pause = 4 * tries + 2 if 1 <= number <= _WHOLE else draw.randrange(2, 4 * tries + 3)
         time += pause * (timeout // 4) + draw.randrange(7, timeout // 9)
         commands.append((time, draw.choice([False, True])))
     answers = [Answer(_delay(draw, timeout), draw.random() < 0.5) for _ in range(draw.randint(5, 9))]
-    first = [Answer(timeout + draw.randrange(11, timeout // 2)), Answer(draw.randrange(3, timeout // 2), False)]
-    return Story(timeout, tries, commands, [*first, *answers])
+    yes = draw.choice([False, True])
+    late = [(yes, not yes), (not yes, yes)]  # what a late answer says, and what then the one to the second request says
+    first = [
+        answer
+        for one, other in late
+        for answer in (
+            Answer(timeout + draw.randrange(11, timeout // 2), one),
+            Answer(draw.randrange(timeout // 2, timeout - 10), other),
+        )
+    ]
+    nothing = [Answer(None)] * (2 * tries)  # two commands fail, one after the other
+    return Story(timeout, tries, commands, [*first, *nothing, *answers])
 
 
 def _delay(draw, timeout: int) -> int | None:

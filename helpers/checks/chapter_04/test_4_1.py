@@ -66,7 +66,7 @@ def test_silent_server(learner):
     A timer with the period `timeout` tells when an answer is overdue.
     """
     draw = learner.random
-    timeout, tries, begin = draw.choice([0.3, 0.45, 1.7, 2.4]), draw.choice([4, 5]), draw.choice([0.7, 1.3, 2.2])
+    timeout, tries, begin = draw.choice([0.12, 0.3, 0.45]), draw.choice([4, 5]), draw.choice([0.7, 1.3, 2.2])
     data = draw.choice([False, True])
     gripper = Gripper(learner, None, timeout, tries)
     states, server = gripper.states, gripper.server
@@ -271,7 +271,7 @@ def _late(gripper, late):
 @about('request')
 def test_many_commands(learner):
     """Whenever commands and answers come, the rules say what is sent and what is reported."""
-    check_script(learner, 8)
+    check_script(learner, 10)
 
 
 @pytest.mark.rules('newest', 'queue')

@@ -1,5 +1,7 @@
 """Visible tests of exercise 4.4, find the bugs."""
 
+import itertools
+
 import pytest
 from std_srvs.srv import SetBool, Trigger
 
@@ -21,8 +23,9 @@ class Room:
     def __init__(self, learner, capacity):
         self.learner, self.capacity, self.inside = learner, capacity, 0
         self.delay = learner.random.choice([0.2, 0.5])
-        said = learner.random.choice(['open', 'locked', 'full'])  # whatever it says, enter has words of its own
-        self.opens = {'success': True, 'message': said}
+        words = itertools.cycle(learner.random.sample(['', 'open', 'locked', 'full'], 4))
+        # Whatever it says, if anything, enter has words of its own.
+        self.opens = lambda request: {'success': True, 'message': next(words)}
         self.lock = learner.serve('/lock', SetBool, self.opens, self.delay)
         learner.start('DoorGuard', capacity)
         self.doors = {name: learner.client(f'/{name}', Trigger) for name in ('enter', 'leave')}
@@ -118,7 +121,7 @@ def test_one_after_the_other(learner):
         room.enter('welcome', 'welcome', f'{people(number)} inside')
     for _ in range(2):
         room.enter('full', 'full', f'{people(capacity)} inside')
-    room.lock.answer = {'success': False, 'message': learner.random.choice(['jammed', 'welcome'])}
+    room.lock.answer = {'success': False, 'message': learner.random.choice(['', 'jammed', 'welcome'])}
     room.enter('full', 'full', f'{people(capacity)} inside')
     room.leave('one leaves')
     for number in range(capacity + 1):

@@ -118,7 +118,14 @@ class Rounds:
         expect(len(said) == 1, f'{told} One outcome is enough, whatever comes after it.', 'once')
 
     def expect_looks(self):
-        """The server was there: of all clients one at least found it at its first look (rule `send`)."""
+        """The server was there: one client at least found it at its first look, and none sooner (rule `send`)."""
+        early = [wait for wait in self.waits if NEAR < wait < 0.1 - NEAR]
+        expect(
+            not early,
+            f'A client began when the server was there, and its goal came after {early and early[0]:.2f} s: look every '
+            '0.1 s, not more often.',
+            'send',
+        )
         least = min(self.waits)
         expect(
             least < 0.1 + NEAR,

@@ -61,7 +61,7 @@ def _late_joiner(learner, height: float, tilt: float) -> tuple[Listener, Started
     node = learner.start('SensorMast', height, tilt)
     learner.settle()
     at_once = set(early.static_transforms)
-    learner.run(0.5)
+    learner.run(1.2, step=1.0)
     expect(node.name == '/sensor_mast', f'Your node is called {node.name}, expected /sensor_mast.', 'name')
     late = learner.tf_listener()
     learner.settle()
@@ -73,6 +73,12 @@ def _late_joiner(learner, height: float, tilt: float) -> tuple[Listener, Started
         'them. Use a StaticTransformBroadcaster.',
     )
     expect(heard, 'A listener that came late heard nothing on /tf_static.')
+    children = sorted({transform.child_frame_id for transform in early.transforms})
+    expect(
+        not children,
+        f'Your transforms also went to /tf: {", ".join(children)}. '
+        'They are static ones: send each of them once, with a StaticTransformBroadcaster.',
+    )
     for child, transform in heard.items():
         swapped = PARENTS.get(transform.header.frame_id) == child
         expect(

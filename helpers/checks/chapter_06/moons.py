@@ -18,7 +18,7 @@ class Watched:
     def __init__(self, learner, seconds: float, rounds: bool = False):
         """Watch it for so many seconds; `rounds`: then at times in two rounds, and most calls of its timer are lost."""
         draw = learner.random
-        radii, periods = ((0.2, 0.9), (0.9, 1.9)) if rounds else ((1.5, 9.0), (5.0, 15.0))
+        radii, periods = ((0.2, 0.9), (0.45, 0.9)) if rounds else ((1.5, 9.0), (5.0, 15.0))
         self.radius, self.period = round(draw.uniform(*radii), 3), round(draw.uniform(*periods), 2)
         self.called, self.seconds = f'Moon({self.radius}, {self.period})', seconds
         if rounds:  # of these days, in seconds since 1970: what counts with too few digits is elsewhere
