@@ -148,4 +148,6 @@ def _choose(ubuntu, month, rows):
     Mutant('two_rows_of_each', old='mine = {name: row for name, row in releases.items() if row[0] == ubuntu}',
            new='mine = dict([(name, row) for name, row in releases.items() if row[0] == ubuntu][:2])',
            expect='choose the one whose support ends last', breaks='ends-last'),
+    Mutant('rolling_is_none', old='if row[0] == ubuntu}', new="if row[0] == ubuntu and name != 'rolling'}", expect="'rolling'",
+           breaks='table'),
 ]

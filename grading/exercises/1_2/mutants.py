@@ -158,4 +158,9 @@ MUTANTS = [
     Mutant('distributions_of_both_paths', old="parts = [folder.split('/') for folder in prefixes.split(':')]",
            new="parts = [folder.split('/') for folder in (prefixes + ':' + environ.get('PYTHONPATH', '')).split(':')]",
            expect='what is in PYTHONPATH does not count', breaks='mixed'),
+    Mutant('one_folder_higher', old="part[:3] == ['', 'opt', 'ros']",
+           new="(part[:3] == ['', 'opt', 'ros'] or part[2:4] == ['opt', 'ros'] and part.append(part.pop(3)) is None)",
+           expect='Only what begins with /opt/ros/', breaks='workspace'),
+    Mutant('path_if_there_is_no_other', old="environ.get('PYTHONPATH', '')", new="environ.get('PYTHONPATH', environ.get('PATH', ''))",
+           expect='only AMENT_PREFIX_PATH and PYTHONPATH count', breaks='python'),
 ]

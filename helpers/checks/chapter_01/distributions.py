@@ -116,10 +116,13 @@ def drawn_cases(random: Random) -> list[Case]:
     known = dict(
         zip(['galactic', 'foxy', 'iron', 'humble', 'kilted', 'jazzy', 'lyrical'], RELEASES.values(), strict=True)
     )
+    # The name of what has no end in ROS. Here it is a row like any other.
+    rolling = {'jazzy': ['24.04', '2024-05', '2029-05'], 'rolling': ['24.04', '2020-06', '2030-01']}
     return [
         *[Case(rule, ubuntu, month, table) for rule, ubuntu, month in asked],
         *[Case(rule, ubuntu, month, turned) for rule, ubuntu, month in asked if rule == 'to-come'],
         Case('table', '24.04', '2026-11', {}),
+        Case('table', '24.04', '2026-11', rolling),
         *[Case('table', ubuntu, month, known) for ubuntu, month in BOTH_SUPPORTED],
     ]
 

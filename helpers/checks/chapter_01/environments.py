@@ -74,6 +74,7 @@ def cases(random: Random) -> list[Case]:
         *_long_prefixes(random),
         *_long_pythons(random),
         Case('workspace', {**healthy(random, distro, workspaces=0), **_others(random, distro)}, {}, OTHER_PATHS),
+        Case('python', {PREFIX: f'/opt/ros/{distro}', **_others(random, distro)}, {}, OTHER_PATHS),
     ]
 
 
@@ -84,13 +85,16 @@ def _workspaces(random: Random) -> list[Case]:
         made.append(Case('workspace', environ, {}, 'The folders below /home are workspaces; their names say nothing.'))
     course = {PREFIX: f'/home/{random.choice(PEOPLE)}/ros2-course/.venv', 'ROS_DISTRO': random.choice(DISTROS)}
     distro = random.choice(DISTROS)
-    copy = {PREFIX: f'/home/{random.choice(PEOPLE)}/opt/ros/{other(random, DISTROS, distro)}:/opt/ros/{distro}'}
+    copies = [
+        {PREFIX: f'{place}/opt/ros/{other(random, DISTROS, distro)}:/opt/ros/{distro}'}
+        for place in (f'/home/{random.choice(PEOPLE)}', '/srv')
+    ]
     nameless = {PREFIX: f'/home/{random.choice(PEOPLE)}/{random.choice(DISTROS)}_ws/install:{course[PREFIX]}'}
     return [
         *made,
         Case('workspace', course, {}, 'A prefix outside of /opt/ros is a prefix, too.'),
         Case('workspace', nameless, {}, 'There are only workspaces, and ROS_DISTRO is missing: nothing is mixed.'),
-        Case('workspace', copy, {}, 'Only what begins with /opt/ros/ belongs to a distribution.'),
+        *[Case('workspace', copy, {}, 'Only what begins with /opt/ros/ belongs to a distribution.') for copy in copies],
     ]
 
 
