@@ -141,4 +141,8 @@ def repair_machine(files, want):
     Mutant('a_source_only_where_none_was', old="any(finding.fault == 'no_source' for finding in found)",
            new="any(finding.cause == 'missing' for finding in found)", breaks='repaired',
            expect='has no line whose first word is `deb`'),
+    Mutant('lines_that_name_ros_only', old="if line.startswith('deb ')]", new="if line.startswith('deb ') and 'ros' in line]",
+           breaks='key', also=('release', 'missing', 'all'), expect='You did not find `no_source`, cause `key`'),
+    Mutant('wanted_name_anywhere_in_the_line', old="if sourced[line] != want['distro']]", new="if want['distro'] not in line]",
+           breaks='other', also=('sources', 'all'), expect='You did not find `mixed_distros`, cause `other`'),
 ]

@@ -52,6 +52,8 @@ def test_several_links(learner):
             ('base_link', 'collision'),
         )
         robot.diagnose(learner, 'all')
+    many = [(f'part_{number}', learner.random.choice(CAUSES)) for number in range(12)]
+    Robot(learner.random, *many, parts=12).diagnose(learner, 'all')
 
 
 @pytest.mark.rules('shape', 'weight', 'kept')

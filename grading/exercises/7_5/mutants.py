@@ -145,4 +145,5 @@ MUTANTS = [
            expect='The moments of'),
     Mutant('three_of_six_values', old="attrib.update(ixy='0', ixz='0', iyz='0')", new='attrib', breaks='weight',
            expect='An <inertia> has six values'),
+    Mutant('five_at_most', old='    return found\n', new='    return found[:5]\n', breaks='all', expect='You did not find'),
 ]

@@ -195,7 +195,7 @@ class _Machine:
         if 'release' in self._causes:  # the right release stands in the line, but as no release
             key = f'[signed-by=/usr/share/keyrings/ros-{self._codename}.gpg]'
         deb = (
-            f'deb {"[arch=amd64]" if "key" in self._causes else key} {_URL} '
+            f'deb {"[arch=amd64]" if "key" in self._causes else key} {self._url()} '
             f'{self._other_codename if "release" in self._causes else self._codename} main'
         )
         for cause in ('key', 'release'):
@@ -209,6 +209,10 @@ class _Machine:
             if self._plain
             else [f'#deb-src {_URL} {self._other_codename} main', f'deb-src {_URL} {self._other_codename} main']
         )
+
+    def _url(self) -> str:
+        """Where a line looks: one without a key in a mirror, whose name says nothing."""
+        return 'http://mirror.example.org/ubuntu' if 'key' in self._causes else _URL
 
     def setups(self) -> list[str]:
         """The first lines of .bashrc, with what they source."""
@@ -266,10 +270,9 @@ class _Machine:
         if self._plain:
             return f'source /opt/ros/{distro}/setup.bash'
         choice = self._random.choice
-        return (
-            f'{choice(["source", "."])} {choice(["", "", "~", "/home/ada"])}/opt/ros/{distro}/setup.'
-            f'{choice(["bash", "sh"])}'
-        )
+        # What is sourced beside the wanted distribution lies in a folder that is called like that.
+        folder = f'/srv/{self._distro}' if distro == self._older else choice(['', '', '~', '/home/ada'])
+        return f'{choice(["source", "."])} {folder}/opt/ros/{distro}/setup.{choice(["bash", "sh"])}'
 
     def _export(self) -> str:
         """The word before a variable, or nothing."""

@@ -29,7 +29,8 @@ def test_causes(learner):
         Robot(learner.random, *[('base_link', cause) for cause in ('collision', 'mass', 'inertia')]).diagnose(
             learner, 'all'
         )
-        Robot(learner.random, ('base_link', 'mass'), ('part_29', 'inertial'), 'mass', parts=30).diagnose(learner, 'all')
+        many = [(f'part_{number}', learner.random.choice(['mass', 'inertial', 'collision'])) for number in range(5, 30)]
+        Robot(learner.random, ('base_link', 'mass'), *many, 'mass', parts=30).diagnose(learner, 'all')
         Robot(learner.random, ('base_link', 'collision'), ('base_link', 'inertial')).diagnose(learner, 'all')
 
 
