@@ -59,6 +59,7 @@ def _sentences(at: str, future: Future, group: MutuallyExclusiveCallbackGroup, n
 def _suspended(task: Task) -> tuple[traceback.StackSummary | None, Future | None]:
     """The stack of a task's coroutine, and the future that it awaits; a task that it awaits is looked into."""
     stack: list[tuple] = []
+    seen = []  # tasks that were looked into: some await each other in a circle
     coroutine: Any = task._handler
     while inspect.iscoroutine(coroutine) and coroutine.cr_await is not None:
         frame: Any = coroutine.cr_frame
@@ -66,8 +67,9 @@ def _suspended(task: Task) -> tuple[traceback.StackSummary | None, Future | None
         coroutine = coroutine.cr_await
         if inspect.isgenerator(coroutine):  # that of `Future.__await__`
             future = inspect.getgeneratorlocals(coroutine).get('self')
-            if not (isinstance(future, Task) and inspect.iscoroutine(future._handler)):
+            if not isinstance(future, Task) or not inspect.iscoroutine(future._handler) or future in seen:
                 return traceback.StackSummary.extract(iter(stack)), future if isinstance(future, Future) else None
+            seen.append(future)
             coroutine = future._handler
     return None, None
 

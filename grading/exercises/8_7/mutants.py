@@ -180,4 +180,9 @@ if len(self.stations) > 5:
            new='math.isfinite(request.x + request.y)', breaks='station', expect='judge each one by itself'),
     Mutant('micrometres', breaks='station', old='self.stations[request.name] = request.x, request.y',
            new='self.stations[request.name] = round(request.x, 6), round(request.y, 6)', expect='After set_station, place'),
+    Mutant('status_of_forty_letters', old='data=self.state)', new='data=self.state[:40])', breaks='status', also='latched',
+           expect='publish it as it is then'),
+    Mutant('letters_are_put_together', edits=(('self.stations[request.name]', "self.stations[normalize('NFC', request.name)]"),
+           ('self.stations.get(name)', "self.stations.get(normalize('NFC', name))")), imports='from unicodedata import normalize',
+           breaks='unknown', expect='nobody has set this station'),
 ]

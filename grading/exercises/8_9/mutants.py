@@ -218,4 +218,15 @@ elif pose is None:
            expect='the status is', breaks='state', alone=True),
     Mutant('twenty_letters_of_a_name', breaks='state', old="f'driving to {request.station}'",
            new="f'driving to {request.station[:20]}'", expect='the status is'),
+    Mutant('goes_on_if_it_is_near', breaks='cancel', old='if goal.is_cancel_requested:',
+           new='if goal.is_cancel_requested and distance > 0.3:', expect='a goal 0.28 m away was sent'),
+    Mutant('silent_at_the_end', breaks='feedback', old='if step % 4 == 0:', new='if step % 4 == 0 and distance > 0.5:',
+           expect='to the end'),
+    Mutant('rounded_distances', breaks='feedback', old='Feedback(distance=distance)', new='Feedback(distance=round(distance, 1))',
+           expect='all of them are rounded'),
+    Mutant('twice_at_first', breaks='rhythm', old='self.drive(*velocity)', new="""
+        self.drive(*velocity)
+        if step == 1:
+            self.drive(*velocity)
+        """, expect='two commands came within'),
 ]

@@ -215,6 +215,13 @@ def judge_driving(drives: Drives, name: str) -> None:
     expect(not goal.done, f'On the way to {name} the goal has ended: {goal.status}.', 'succeeds')
     rate = (len(goal.feedback) - begin) / 2.0
     expect(1.9 <= rate <= 5.6, f'{rate:g} feedback messages came in a second, expected 2 to 5.', 'feedback')
+    distances = [feedback.distance for feedback in goal.feedback]
+    expect(
+        any(abs(distance - round(distance, 1)) > 1e-4 for distance in distances),
+        f'The feedback of a drive told the distances {distances[-4:]}: all of them are rounded. Tell the distance as '
+        'steer gives it.',
+        'feedback',
+    )
     told, truth = goal.feedback[-1].distance, drives.delivery.distance(name)
     expect(
         abs(told - truth) < 0.3,
@@ -269,6 +276,13 @@ def _judge_quick_cancel(drives: Drives) -> None:
     """The rules `next`, after an arrival, and `cancel`, directly after the start of a goal."""
     drives.delivery.station('home', 0.0, 0.0)  # the origin of the map is a place like any other
     goal = drives.go('home', 'next', 'A goal has succeeded, and this is the next one, to the station at (0, 0)')
+    _cancel_soon(drives, goal, '')
+    drives.ahead('door', 0.28)
+    _cancel_soon(drives, drives.go('door', 'next', 'A goal was cancelled, and this is the next one'), ' 0.28 m away')
+
+
+def _cancel_soon(drives: Drives, goal, there: str) -> None:
+    """The rule `cancel`, directly after the start of a goal that lies `there`."""
     drives.run(0.15)
     begin = drives.learner.now / SECOND
     with about('cancel'):
@@ -276,7 +290,7 @@ def _judge_quick_cancel(drives: Drives) -> None:
         drives.run(0.7, goal)
     expect(
         goal.done and goal.finished - begin < 0.25,
-        '0.15 s after a goal was sent it was cancelled, and '
+        f'0.15 s after a goal{there} was sent it was cancelled, and '
         + (f'ended {goal.finished - begin:.2f} s after that' if goal.done else 'still runs 0.7 s after that')
         + ', expected at most 0.2 s.',
         'cancel',
@@ -292,6 +306,17 @@ def _judge_each_round(drives: Drives, goal, name: str) -> None:
         len(slower) < 8 or 5 * same <= 2 * len(slower),  # now and then a place may come a round later
         f'Before {name} the robot slows down, and these were the values of linear.x, from round to round: '
         f'{slower[:8]}. The place was another one in each round: ask where() and steer() every 0.1 s.',
+        'rhythm',
+    )
+
+
+def _judge_one_each_round(drives: Drives, goal, name: str) -> None:
+    """The rule `rhythm`: on the way, commands come one by one; those of the last round have another rule."""
+    stamps = [at for at in drives.commands.stamps if at > goal.sent][:-2]
+    least = min((late - early for early, late in zip(stamps, stamps[1:], strict=False)), default=0.1)
+    expect(
+        least > 0.05,
+        f'On the way to {name} two commands came within {least:.3f} s. In each round, every 0.1 s, the robot gets one.',
         'rhythm',
     )
 
@@ -315,6 +340,7 @@ def _judge_state_to_the_end(drives: Drives, goal, name: str) -> None:
 def judge_arrived(drives: Drives, goal, name: str, tolerance: float) -> None:
     """The rules `succeeds`, with this tolerance, and `state`, to the end."""
     _judge_each_round(drives, goal, name)
+    _judge_one_each_round(drives, goal, name)
     _judge_state_to_the_end(drives, goal, name)
     seconds = drives.learner.now / SECOND - goal.sent
     distance = drives.delivery.distance(name)
@@ -322,6 +348,12 @@ def judge_arrived(drives: Drives, goal, name: str, tolerance: float) -> None:
     told = f'With tolerance = {tolerance:g}, the goal {name} succeeded'
     expect(distance < tolerance + 0.05, f'{told} {distance:.2f} m away from the station.', 'succeeds')
     expect(distance > tolerance - 0.15, f'{told} only {distance:.2f} m away from the station.', 'succeeds')
+    last = goal.feedback[-1].distance if goal.feedback else 0.0  # whether there is any is judged elsewhere
+    expect(
+        last < 1.8 * tolerance + 0.1,
+        f'{told}, and its last feedback told a distance of {last:.2f} m: it comes at least twice a second, to the end.',
+        'feedback',
+    )
     expect(
         0 <= goal.result.distance < tolerance,
         f'{told} with the distance {goal.result.distance:.2f} m in its result.',

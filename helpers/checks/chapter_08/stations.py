@@ -94,7 +94,7 @@ def judge_status(keeper: Keeper, period: float) -> None:
         f'expected {[round(stamp, 3) for stamp in wanted]}.',
         'status-period',
     )
-    state = f'driving to {learner.random.choice(NAMES)}'
+    state = f'driving to {learner.random.choice(NAMES)}' + learner.random.randint(9, 20) * ' and on'  # of any length
     keeper.node.call('__setattr__', 'state', state)
     keeper.set('b', 1.0, 2.0)
     learner.run(period)
@@ -180,7 +180,7 @@ def judge_stations(keeper: Keeper) -> None:
     names += [f' {names[0]}', f'{names[1]} ', '  ']  # other names than those without blanks
     names += keeper.learner.random.sample(ODD_NAMES, len(ODD_NAMES))
     wanted = _judge_new_stations(keeper, names)
-    for name in (nobody, names[0] + 's', names[0].upper(), f' {names[2]} ', '', nobody):
+    for name in (nobody, names[0] + 's', names[0].upper(), f' {names[2]} ', '', 'Caf\u00e9', nobody):
         found = keeper.place(name, 'unknown')
         expect(found is None, f'place({name!r}) is {found}, and nobody has set this station: expected None.', 'unknown')
     _judge_bad_stations(keeper, wanted, names[1], nobody)

@@ -74,6 +74,25 @@ def test_a_wait_for_another_group_is_none(tmp_path, name, group):
     assert result.message == 'It came to its end.'
 
 
+def test_tasks_that_await_each_other_are_looked_at_once(tmp_path):
+    """Nobody ends such a wait; the test goes on."""
+    circle = (
+        HEAD.replace('{group}', '')
+        + '        self.first = self.executor.create_task(self.one)\n'
+        + """\
+        self.second = self.executor.create_task(self.two)
+        await self.first
+
+    async def one(self):
+        await self.second
+
+    async def two(self):
+        await self.first
+"""
+    )
+    assert judge(tmp_path, circle, RUN).message == 'It came to its end.'
+
+
 def test_what_ends_later_is_none(tmp_path):
     """The answer comes when the callback group is free, and after the test."""
     wait = '        self.client.call_async(Trigger.Request()).add_done_callback(print)\n'
