@@ -122,8 +122,8 @@ class Rounds:
         early = [wait for wait in self.waits if NEAR < wait < 0.1 - NEAR]
         expect(
             not early,
-            f'A client began when the server was there, and its goal came after {early and early[0]:.2f} s: look every '
-            '0.1 s, not more often.',
+            'A client began when the server was there, and its goal came after '
+            f'{min(early, default=0.0):.2f} s: look every 0.1 s, not more often.',
             'send',
         )
         least = min(self.waits)
