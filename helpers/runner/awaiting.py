@@ -41,18 +41,17 @@ def deadlocks(
 
 
 def _sentences(at: str, future: Future, group: MutuallyExclusiveCallbackGroup, nodes: list[Node]) -> Iterator[str]:
-    occupied = f'A deadlock at {at}. A callback that awaits occupies its callback group until it ends, and '
     client = next((client for client, pending in _pending(nodes) if future in pending), None)
     if client is None:
         if any(_is_due(timer) for node in nodes for timer in node.timers if timer.callback_group is group):
             yield (
-                f'{occupied}a timer of the same group is due and cannot run. What an `await` waits for needs a '
-                'callback group of its own.'
+                f'A callback awaits at {at}. It occupies its callback group until it ends, and a timer of the same '
+                'group is due and cannot run. What an `await` waits for needs a callback group of its own.'
             )
     elif client.callback_group is group:
         yield (
-            f'{occupied}the answer waits in the same group, so it is never taken. Give the client a callback group of '
-            'its own.'
+            f'A deadlock at {at}. A callback that awaits occupies its callback group until it ends, and the answer '
+            'waits in the same group, so it is never taken. Give the client a callback group of its own.'
         )
 
 

@@ -53,7 +53,7 @@ def _who_hears(learner, ours: int, asked: list[int], wanted: list[int], seconds:
             got = learner.call('who_hears', ours, asked, *([] if seconds == DEFAULT else [seconds]))
             took = time.monotonic() - begin
             if got != wanted:
-                _check_not_too_soon(f'who_hears({ours}, {asked})', took, seconds, 'not all of them', 'had')
+                _check_not_too_soon(f'who_hears({ours}, {asked})', took, seconds, 'some of them')
             if got != wanted and busy():
                 got = learner.call('who_hears', ours, asked, LONG)
         except LearnerTimeout as error:
@@ -105,11 +105,11 @@ def check_roll_call(learner) -> None:
         )
 
 
-def _check_not_too_soon(call: str, took: float, seconds: float, missing: str, had: str = 'had not') -> None:
+def _check_not_too_soon(call: str, took: float, seconds: float, missing: str) -> None:
     """A call of which a listener has not heard goes on for `seconds`: rule `in-time`."""
     expect(
         took > seconds - 0.1,
-        f'{call} ended after {took:.1f} s, and {missing} {had} heard. It is done when all have heard, or after '
+        f'{call} ended after {took:.1f} s, and {missing} had not heard. It is done when all have heard, or after '
         '`seconds`. Or does it compare numbers, and not listen?',
         'in-time',
     )

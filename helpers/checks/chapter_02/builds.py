@@ -23,6 +23,7 @@ DISTRO = {'ROS_DISTRO': 'jazzy', 'ROS_VERSION': '2', 'ROS_PYTHON_VERSION': '3'} 
 # What colcon writes into `share` itself
 COLCON = re.compile(r'share/(\w+/(package\.(?!xml)\w+|hook/.*)|colcon-core/.*)')
 _PYTHON_TOOLS = 'ament_python', 'python3-setuptools'
+ODOMETRY_MANIFESTS = 'WHEEL_MATH_XML', 'ODOMETRY_XML'  # the two files package.xml of exercise 2.4
 
 
 def greeter(learner) -> ExerciseWorkspace:
@@ -115,8 +116,8 @@ def odometry(learner) -> ExerciseWorkspace:
             'src/odometry/odometry/report.py': learner.text('REPORT_PY'),
         }
     )
-    with about('build-type'):
-        manifests = {name: manifest(name, learner.text(name)) for name in ('WHEEL_MATH_XML', 'ODOMETRY_XML')}
+    for name in ODOMETRY_MANIFESTS:
+        package_xml(learner, name)
     done = workspace.build('--packages-up-to', 'odometry', check=False)
     expect(
         'Unable to order packages' not in done.output,
@@ -124,16 +125,30 @@ def odometry(learner) -> ExerciseWorkspace:
         'odometry.',
         'order',
     )
-    for name, root in manifests.items() if done.status else ():
-        found = type_in(root)
+    if done.status:
+        check_build_types(learner)
+    with about('needs'):
+        workspace.build('--packages-up-to', 'odometry')
+    return workspace
+
+
+def check_build_types(learner) -> None:
+    """The build type of both packages of exercise 2.4 is ament_python: rule `build-type`."""
+    for name in ODOMETRY_MANIFESTS:
+        root = package_xml(learner, name)
+        with about('build-type'):
+            found = type_in(root)
         expect(
             found == 'ament_python',
             f'The build type in {name} is {found or "not given"}, expected ament_python.',
             'build-type',
         )
-    with about('needs'):
-        workspace.build('--packages-up-to', 'odometry')
-    return workspace
+
+
+def package_xml(learner, name: str) -> ElementTree.Element:
+    """The root element of a package.xml of exercise 2.4, the learner's text `name`: rule `build-type`."""
+    with about('build-type'):
+        return manifest(name, learner.text(name))
 
 
 def type_in(root: ElementTree.Element) -> str:

@@ -2,7 +2,6 @@
 
 import math
 import re
-from xml.etree import ElementTree
 
 from helpers.checks.chapter_02 import builds
 from helpers.runner import about, expect
@@ -241,7 +240,7 @@ def judge_order(learner) -> None:
 
 def judge_needs(learner) -> None:
     """odometry declares wheel_math for run time, and nothing else: rules `needs` and `nothing-else`."""
-    root = _manifest(learner, 'ODOMETRY_XML')
+    root = builds.package_xml(learner, 'ODOMETRY_XML')
     with about('needs'):
         declared = builds.declared(root)
     mine = {tag for tag, names in declared.items() if 'wheel_math' in names}
@@ -266,7 +265,7 @@ def judge_needs(learner) -> None:
 
 def judge_alone(learner) -> None:
     """wheel_math declares nothing: rule `nothing-else`."""
-    root = _manifest(learner, 'WHEEL_MATH_XML')
+    root = builds.package_xml(learner, 'WHEEL_MATH_XML')
     with about('nothing-else'):
         needed = builds.needed(builds.declared(root), elsewhere=True)
     expect(
@@ -276,25 +275,6 @@ def judge_alone(learner) -> None:
         'order',
     )
     expect(not needed, f'wheel_math declares {", ".join(sorted(needed))}, and needs nothing of it.', 'nothing-else')
-
-
-def judge_types(learner) -> None:
-    """The build type of both packages is ament_python: rule `build-type`."""
-    for name in ('WHEEL_MATH_XML', 'ODOMETRY_XML'):
-        root = _manifest(learner, name)
-        with about('build-type'):
-            found = builds.type_in(root)
-        expect(
-            found == 'ament_python',
-            f'The build type in {name} is {found or "not given"}, expected ament_python.',
-            'build-type',
-        )
-
-
-def _manifest(learner, name: str) -> ElementTree.Element:
-    """The root element of a package.xml, as colcon reads it: rule `build-type`."""
-    with about('build-type'):
-        return builds.manifest(name, learner.text(name))
 
 
 def _written_otherwise(text: str, value: float) -> bool:

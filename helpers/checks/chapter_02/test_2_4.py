@@ -2,7 +2,7 @@
 
 import pytest
 
-from helpers.checks.chapter_02 import reporting
+from helpers.checks.chapter_02 import builds, reporting
 
 pytestmark = pytest.mark.exercise('2.4')
 
@@ -32,7 +32,7 @@ def test_library_stands_alone(learner):
     A dependency goes in one direction.
     """
     reporting.judge_alone(learner)
-    reporting.judge_types(learner)
+    builds.check_build_types(learner)
 
 
 @pytest.mark.rules('argument', 'prints', 'library')

@@ -45,6 +45,17 @@ def check_no_wait(learner):
     )
 
 
+def check_no_early_look(waits: list[float]) -> None:
+    """No goal came between the start of a client and its first look, after 0.1 s: rule `send`. `waits`: in s."""
+    early = [wait for wait in waits if NEAR < wait < 0.1 - NEAR]
+    expect(
+        not early,
+        'A client began when the server was there, and its goal came after '
+        f'{min(early, default=0.0):.2f} s: look every 0.1 s, not more often.',
+        'send',
+    )
+
+
 _ONE_OUTCOME = 'There is one outcome, at the end: what goes out in the constructor, hardly anybody can hear.'
 
 
@@ -119,13 +130,7 @@ class Rounds:
 
     def expect_looks(self):
         """The server was there: one client at least found it at its first look, and none sooner (rule `send`)."""
-        early = [wait for wait in self.waits if NEAR < wait < 0.1 - NEAR]
-        expect(
-            not early,
-            'A client began when the server was there, and its goal came after '
-            f'{min(early, default=0.0):.2f} s: look every 0.1 s, not more often.',
-            'send',
-        )
+        check_no_early_look(self.waits)
         least = min(self.waits)
         expect(
             least < 0.1 + NEAR,

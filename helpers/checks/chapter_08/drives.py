@@ -127,7 +127,7 @@ def judge_rejections(drives: Drives) -> str:
     name = drives.learner.random.choice(['Kitchen 2', 'Office B', 'The lab'])
     name += f', at the end of the corridor on the {drives.learner.random.randint(2, 9)}. floor'  # letter by letter
     drives.delivery.station(name, 3.5, 0.0)
-    # Who drives there turns further than the others, so that only the way tells it.
+    # On another side: who drives there in place of the goal turns as fast, and only the way tells it.
     drives.delivery.station('other', 0.8, -math.copysign(1.0, drives.robot.pose.yaw))
     for unknown in ('moon', name[:-1], name.upper()):
         drives.rejected(unknown, 'rejects-unknown', 'Nobody has set this station.')

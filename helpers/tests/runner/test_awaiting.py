@@ -28,8 +28,9 @@ class Talker(Node):
     async def tick(self):
         self.timer.cancel()
 """
-ASKED = 'the answer waits in the same group, so it is never taken'
-DUE = 'a timer of the same group is due and cannot run'
+# How the sentence begins, and what it says.
+ASKED = 'A deadlock at Exercise', 'the answer waits in the same group, so it is never taken'
+DUE = 'A callback awaits at Exercise', 'a timer of the same group is due and cannot run'
 ONE_SHOT = """\
         future = Future()
         self.one_shot = self.create_timer(0.2, lambda: self.end(future){group})
@@ -57,10 +58,10 @@ def test_run(learner):
 
 @pytest.mark.parametrize('name', WAITS)
 def test_a_wait_for_the_own_group_is_the_first_thing_said(tmp_path, name):
-    wait, said = WAITS[name]
+    wait, (begins, said) = WAITS[name]
     result = judge(tmp_path, (HEAD + wait).replace('{group}', ''), RUN)
     first, *_, last = result.message.splitlines()
-    assert first.startswith('A deadlock at Exercise'), result.message
+    assert first.startswith(begins), result.message
     assert 'await ' in first
     assert said in first
     assert first.endswith('callback group of its own.')
