@@ -175,4 +175,6 @@ MUTANTS = [
             goal.abort()
             return Fibonacci.Result(sequence=numbers)
         ''', expect='whatever becomes of the newer one'),
+    Mutant('large_orders_go_on', breaks='aborted', also=('newest', 'stops'), old='goal is not self.newest',
+           new='goal is not self.newest and goal.request.order <= 30', expect='goes on'),
 ]

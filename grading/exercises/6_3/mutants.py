@@ -101,6 +101,13 @@ MUTANTS = [
             return None
         then = self.get_clock().now() - Duration(seconds=seconds)
         """, expect='0 is a number of seconds like any other'),
+    Mutant('tenths_of_a_second', breaks='then', old='Duration(seconds=seconds)',
+           new='Duration(seconds=round(seconds, 1))', expect='expected ('),
+    Mutant('nothing_below_a_tenth', breaks='then', old='then = self.get_clock().now() - Duration(seconds=seconds)', new="""
+        if 0 < seconds < 0.1:
+            return None
+        then = self.get_clock().now() - Duration(seconds=seconds)
+        """, expect='gave None'),
     Mutant('error_beyond_thirty', breaks='too-long', old='then = self.get_clock().now() - Duration(seconds=seconds)', new="""
         if seconds > 30:
             raise ValueError('too long ago')

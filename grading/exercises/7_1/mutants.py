@@ -145,4 +145,7 @@ def repair_machine(files, want):
            breaks='key', also=('release', 'missing', 'all'), expect='You did not find `no_source`, cause `key`'),
     Mutant('wanted_name_anywhere_in_the_line', old="if sourced[line] != want['distro']]", new="if want['distro'] not in line]",
            breaks='other', also=('sources', 'all'), expect='You did not find `mixed_distros`, cause `other`'),
+    Mutant('equal_lines_become_one', old="return {'.bashrc': '\\n'.join(bashrc), 'ros2.list'",
+           new="return {'.bashrc': '\\n'.join(dict.fromkeys(bashrc)), 'ros2.list'", breaks='kept',
+           expect='also those that are equal'),
 ]

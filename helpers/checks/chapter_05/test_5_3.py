@@ -139,7 +139,7 @@ def test_newest_wins(learner):
     learner.start('NewestWins', threads=True)
     same = draw.randint(3, 4)
     for order, count, newer in (
-        (20, draw.randint(1, 3), draw.randint(3, 4)),
+        (draw.randint(21, 2**31 - 1), draw.randint(1, 3), draw.randint(3, 4)),
         (4, 3, draw.randint(5, 6)),  # in its last step, by a larger one
         (same, 0, same),  # before its first number, by one that asks for the same
     ):

@@ -81,15 +81,17 @@ class Scene:
         self.ask(node, 1.0)
 
     def ask_now(self, node) -> None:
-        """The cup says where it is now; then ask where it was no time ago."""
+        """The cup says where it is now; then ask where it was no time ago, and just before."""
         self.tell('cup')
         self.learner.settle()
-        expect(
-            node.call('where_was', 0.0) is not None,
-            'The cup has just said where it is, and where_was(0) gave None: 0 is a number of seconds like any other.',
-            'then',
-        )
-        self.ask(node, 0.0)
+        for seconds in (0.0, round(self.learner.random.uniform(0.02, 0.09), 3)):
+            expect(
+                node.call('where_was', seconds) is not None,
+                f'The cup has just said where it is, and where_was({seconds:g}) gave None: {seconds:g} is a number of '
+                'seconds like any other.',
+                'then',
+            )
+            self.ask(node, seconds)
 
     def _ask_kept(self, node, seconds: float) -> None:
         expect(

@@ -1,6 +1,7 @@
 """Exercise 7.1's machines: drawn with their faults, and tried in a real shell."""
 
 import re
+from collections import Counter
 
 from helpers.checks.chapter_07 import findings
 from helpers.runner import about, expect
@@ -148,6 +149,7 @@ def rare_repairs(random) -> list[tuple[dict, dict]]:
         'ros2.list': f'# ROS 2\n{right}\n',
         '.bashrc': '\n'.join(
             ['export ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET', f'export ROS_DOMAIN_ID={domain + 1}', source, wrong]
+            + ['if [ -f ~/.aliases ]; then', '    . ~/.aliases', 'fi', 'if [ -d ~/maps ]; then', '    cd ~/maps', 'fi']
             + [f'export PATH=/opt/tool{number}/bin:$PATH', f'export ROS_DOMAIN_ID={domain}']
         ),
     }
@@ -369,8 +371,8 @@ def _others(before: dict, after: dict, want: dict) -> None:
     found = expected_of(before, want)
     causes = {cause for _, _, cause, _ in found}
     for name, text in before.items():
-        there = {line.strip() for line in after[name].splitlines()}
-        for line in map(str.strip, text.splitlines()):
+        there = Counter(line.strip() for line in after[name].splitlines())
+        for line, count in Counter(map(str.strip, text.splitlines())).items():
             value = _VALUE.match(line)
             of_a_fault = (
                 any(line == evidence for _, _, _, evidence in found)
@@ -382,8 +384,11 @@ def _others(before: dict, after: dict, want: dict) -> None:
                 and (want['distro'] in line or 'deb' in line)  # it may have been made to do something again
             )
             expect(
-                not line or of_a_fault or line in there,
-                f'The line `{line}` of {name} is gone: keep all other lines.',
+                not line or of_a_fault or there[line] >= count,
+                f'The line `{line}` of {name} is gone: keep all other lines.'
+                if line not in there
+                else f'The line `{line}` stood {count} times in {name}, and now {there[line]} times: keep all other '
+                'lines, also those that are equal.',
                 'kept',
             )
 
