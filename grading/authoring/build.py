@@ -1,6 +1,8 @@
 """Builds the chapters: sources to solved notebooks, learner's notebooks and the list of exercises."""
 
+import json
 import os
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,6 +16,8 @@ from grading.authoring import execution, figures, indexes, notebooks, outputs, r
 from grading.authoring.chapter import Chapter
 from grading.authoring.chapter_errors import AuthoringError, ChapterErrors
 from helpers.exercises import manifest
+
+RULES_KEPT = re.compile(r'\bof (\d+) rules are kept')  # in what a check prints
 
 
 @dataclass(frozen=True)
@@ -93,7 +97,8 @@ def build(
 ) -> None:
     """Build the chapters numbered in ``selected`` (default: all) that differ from their sources, or all with ``force``.
 
-    A chapter in which only prose has changed keeps its outputs and is not executed, unless with ``force``.
+    A chapter in which only prose has changed, and no rule of a card, keeps its outputs and is not executed, unless
+    with ``force``.
     Figures, pages, learner's notebook and list of exercises are written first: ``check`` in the executed notebook needs
     the list.
 
@@ -137,7 +142,7 @@ def solved_drift(tree: Tree, chapter: Chapter) -> list[str]:
     drift = [] if len(text.encode()) <= outputs.MAX_BYTES else [f'is larger than {outputs.MAX_BYTES // 1000} kB']
     if any(cell.cell_type == 'code' and cell.execution_count is None for cell in notebook.cells):
         drift.append('has cells that were never executed')
-    return drift + differences(notebook, notebooks.solved(chapter))
+    return drift + differences(notebook, notebooks.solved(chapter)) + other_rules(notebook, chapter)
 
 
 def differences(found: nbformat.NotebookNode, wanted: nbformat.NotebookNode) -> list[str]:
@@ -154,6 +159,25 @@ def differences(found: nbformat.NotebookNode, wanted: nbformat.NotebookNode) -> 
     return result
 
 
+def other_rules(notebook: NotebookNode, chapter: Chapter) -> list[str]:
+    """Return what kept outputs of checks say of more or fewer rules than the cards have.
+
+    Rules stand in prose, so a check counts others when no code has changed.
+    """
+    cards = {cell.card.check: cell for cell in chapter.cells if cell.card is not None}
+    result = []
+    for cell in notebook.cells:
+        exercise = cards.get(cell.source.strip())
+        outputs_of_cell = cell.get('outputs', []) if exercise else []
+        counts = {int(count) for count in RULES_KEPT.findall(json.dumps(outputs_of_cell))}
+        if exercise and counts - {len(exercise.rules)}:
+            result.append(
+                f'has an output of {exercise.card.check} that counts {max(counts)} rules; '
+                f'its card has {len(exercise.rules)}'
+            )
+    return result
+
+
 def _draw(tree: Tree) -> None:
     """Write all figures, and remove the pictures of those that are gone."""
     pictures = figures.pictures(tree.figures)
@@ -166,7 +190,7 @@ def _draw(tree: Tree) -> None:
 
 def _executed(tree: Tree, chapter: Chapter, timeout: float, keep: bool, say: Callable[[str], None]) -> str:
     notebook = notebooks.solved(chapter)
-    if keep and _keep_outputs(tree.solved(chapter), notebook):
+    if keep and _keep_outputs(tree.solved(chapter), notebook) and not other_rules(notebook, chapter):
         say(f'{chapter.name}: only its prose has changed')
     else:
         say(f'{chapter.name}: executing')

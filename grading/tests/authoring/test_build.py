@@ -76,6 +76,31 @@ def test_a_chapter_is_executed_again_only_if_its_code_has_changed(built, monkeyp
     assert executed == [1, 1]
 
 
+def test_a_chapter_is_executed_again_if_a_card_has_more_rules(built, monkeypatch):
+    check = next(cell for cell in read(built.solved(only(built))).cells if cell.source == 'check("7.1")')
+    edit_output(built, check.id, '  Solved: 1 of 1 rules are kept. When your work is graded, …')
+    assert 'counts 1 rules; its card has 0' in ''.join(in_step.drift(built))
+    card = ':names: double\n```\n'
+    write(built, TINY.replace(card, card + '\n- {rule}`twice` It returns twice the number.\n'))
+    executed = []
+    monkeypatch.setattr(execution, 'execute', lambda *args: executed.append(1))
+    build.build(built, say=quiet)
+    assert executed == [], 'its output counts the one rule of its card'
+    two = '\n- {rule}`twice` It returns twice the number.\n- {rule}`same` It keeps the kind of number.\n'
+    write(built, TINY.replace(card, card + two))
+    build.build(built, say=quiet)
+    assert executed == [1]
+
+
+def edit_output(tree, cell_id, text):
+    """Keep `text` as what the cell has shown."""
+    path = tree.solved(only(tree))
+    notebook = read(path)
+    cell = next(cell for cell in notebook.cells if cell.id == cell_id)
+    cell.outputs = [nbformat.v4.new_output('display_data', {'text/plain': text})]
+    nbformat.write(notebook, path)
+
+
 def test_only_the_selected_chapters_are_built(tree):
     write(tree, TINY.replace('7.1', '8.1'), '08_other.md')
     build.build(tree, {8}, say=quiet)
