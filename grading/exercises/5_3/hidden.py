@@ -27,7 +27,12 @@ def test_newest_wins(learner):
     expect(node.name == '/newest_wins', f'Your node is called {node.name}, expected /newest_wins.', 'names')
     draw = learner.random
     same = draw.randint(2, 5)
-    cases = [(draw.randint(31, 2**31 - 1), draw.randint(1, 4), 4), (5, 4, 7), (same, 0, same), (6, draw.randint(1, 3), 6)]
+    cases = [
+        (draw.randint(31, 2**31 - 1), draw.randint(1, 4), 4),
+        (5, 4, 7),
+        (same, 0, same),
+        (6, draw.randint(1, 3), 6),
+    ]
     draw.shuffle(cases)
     for case in cases:
         check_replaced(learner, client, *case)

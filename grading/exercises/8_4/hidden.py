@@ -94,9 +94,7 @@ KINDS = (
         'that treat nan or inf as distance in the wrong way',
         {
             'that returns nan when the sensor has failed': variant(
-                nan='',
-                share='    share = (distance - 0.2) / 0.8\n'
-                '    share = 0.0 if share < 0 else 1.0 if share > 1 else share\n',
+                nan='    if isnan(distance):\n        return distance\n'
             ),
             'that drives slowly when the sensor has failed': variant(
                 nan='    if isnan(distance):\n        distance = 0.4\n'

@@ -87,4 +87,16 @@ def test_limit(speed, distance):
         """, expect='that always drives backwards as fast as it may', breaks='max-speed'),
     Mutant('any_error', old='pytest.raises(ValueError)', new='pytest.raises(Exception)', breaks='bad-max-speed',
            expect='that raises TypeError for a bad max_speed'),
+    Mutant('no_direction', old='assert limit(speed, max_speed, distance) == pytest.approx(expected)',
+           new='assert abs(limit(speed, max_speed, distance)) == pytest.approx(abs(expected))', breaks='max-speed',
+           expect='that drives forwards when it is told to drive backwards'),
+    Mutant('small_limits_only', old='(0.5, 0.0, inf, 0.0), (1.5, 2.0, 0.6, 1.0)]', new='(0.5, 0.0, inf, 0.0), (0.5, 0.4, inf, 0.4)]',
+           breaks='max-speed', expect='for which max_speed is at most 0.6'),
+    Mutant('no_forward_drive_when_it_failed', edits=(('(0.5, 0.5, nan, 0.0), (-0.4', '(-0.4'), ('def test_free():', """
+        def test_failed_sensor():
+            assert not limit(0.5, 0.5, nan) > 0
+
+
+        def test_free():
+        """)), breaks='sensor', expect='that returns nan when the sensor has failed'),
 ]

@@ -89,4 +89,9 @@ def test_straight_ahead():
            expect='after a whole turn, when its yaw is more than π', breaks='short-way'),
     Mutant('no_small_angles', old='(0.0, 0.0), (0.1, 0.2), (-0.1, -0.2), (0.4', new='(0.0, 0.0), (0.4',
            expect='when the goal is less than 0.25 rad aside', breaks='turns'),
+    Mutant('slows_down_somehow',
+           old='assert steer(0.0, 1.0, 0.0, distance, 1.0, 0.7, 1.0) == pytest.approx((distance, linear, 0.0))', new="""
+        found = steer(0.0, 1.0, 0.0, distance, 1.0, 0.7, 1.0)
+        assert found[0] == pytest.approx(distance) and found[1] <= linear + 1e-6 and found[2] == pytest.approx(0.0)
+        """, expect='that slows down too early', breaks='speed'),
 ]

@@ -59,12 +59,18 @@ KINDS = (
             'that always drives backwards as fast as it may': variant(
                 back='    if speed < 0:\n        return -max_speed\n'
             ),
+            'that drives forwards when it is told to drive backwards': variant(
+                back='    if speed <= 0:\n        return min(-speed, max_speed)\n'
+            ),
             'that is too fast where nothing is in the way': variant(
                 result='    return speed if share == 1.0 else min(speed, max_speed * share)\n'
             ),
             'that always drives as fast as it may': variant(result='    return max_speed * share\n'),
             'for which max_speed is always 0.5': variant(
                 check='    if not max_speed >= 0:\n        raise ValueError\n    max_speed = 0.5\n'
+            ),
+            'for which max_speed is at most 0.6': variant(
+                result='    return min(speed, min(0.6, max_speed) * share)\n'
             ),
         },
     ),
@@ -114,6 +120,9 @@ KINDS = (
         {
             'that drives on when the sensor has failed': variant(
                 nan='    if isnan(distance):\n        distance = inf\n'
+            ),
+            'that returns nan when the sensor has failed': variant(
+                nan='    if isnan(distance):\n        return distance\n'
             ),
             'that stands when no obstacle is in sight': variant(
                 nan='    if isnan(distance) or isinf(distance):\n        return 0.0\n'

@@ -84,6 +84,7 @@ KINDS = (
         'that drive with a wrong speed',
         {
             'that does not slow down': linear('max_linear if abs(angle) <= 0.5 else 0.0'),
+            'that slows down too early': linear('min(max_linear, 0.5 * distance) if abs(angle) <= 0.5 else 0.0'),
             'that has no limit of its speed': linear('distance if abs(angle) <= 0.5 else 0.0'),
             'for which max_linear is always 0.5': linear('min(0.5, distance) if abs(angle) <= 0.5 else 0.0'),
         },
