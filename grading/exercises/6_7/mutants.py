@@ -147,4 +147,6 @@ MUTANTS = [
            expect='sets the physics of the whole world'),
     Mutant('plugin_from_another_file', breaks='drive', old='gz-sim-diff-drive-system', new='gz-sim-velocity-control-system',
            expect='the filename of the <plugin> is gz-sim-velocity-control-system'),
+    Mutant('another_type_of_laser', old='type="gpu_lidar"', new='type="lidar"', breaks='scan',
+           expect='is a sensor of the type `lidar`'),
 ]

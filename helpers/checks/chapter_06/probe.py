@@ -139,6 +139,7 @@ def ride(text: str, given: dict) -> dict:
         ranges = World(text, scene='rooms').scan()
         found['lidar'] = {
             'link': lidar.link,
+            'type': _sensor_type(text),
             'samples': lidar.samples,
             'angles': [lidar.min_angle, lidar.max_angle],
             'range': lidar.max_range,
@@ -196,6 +197,12 @@ def _library(text: str) -> str:
 
     plugins = ElementTree.fromstring(text).iter('plugin')
     return next((plugin.get('filename', '') for plugin in plugins if plugin.get('name') == DRIVE), '')
+
+
+def _sensor_type(text: str) -> str:
+    """The type of the sensor that is the laser."""
+    types = [sensor.get('type', '') for sensor in ElementTree.fromstring(text).iter('sensor')]
+    return next((kind for kind in types if 'lidar' in kind), '')
 
 
 def _foreign(text: str) -> str:

@@ -320,6 +320,11 @@ class Scout:
         """The rule `scan`."""
         lidar = self.found['lidar']
         expect(lidar is not None, f'{self.name} has no <sensor> of type gpu_lidar.', 'scan')
+        expect(
+            lidar['type'] == 'gpu_lidar',
+            f'{self.name}: the laser is a sensor of the type `{lidar["type"]}`, expected `gpu_lidar`.',
+            'scan',
+        )
         expect(lidar['link'] == 'laser', f'{self.name}: the laser is in `{lidar["link"]}`, not in `laser`.', 'scan')
         expect(
             180 <= lidar['samples'] <= 720,
