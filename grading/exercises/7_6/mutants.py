@@ -129,4 +129,9 @@ def above(parents, frame, other):
            breaks='old', expect="evidence '1.0'"),
     Mutant('two_digits_of_age', old="f'{now - newest[frame]:.1f}'", new="f'{now - newest[frame]:.2g}'", breaks='old',
            also=('newest', 'order'), expect='your evidence is'),
+    Mutant('known_in_any_letters', old='if source not in frames:', new='if source.lower() not in {frame.lower() for frame in frames}:',
+           breaks='unknown', expect='You did not find `no_transform`, cause `unknown`'),
+    Mutant('slashes_do_not_count', old='frames = set(parents).union(*parents.values())',
+           new="frames = {frame.strip('/') for frame in set(parents).union(*parents.values())}", breaks='unknown',
+           expect='You did not find `no_transform`, cause `unknown`'),
 ]

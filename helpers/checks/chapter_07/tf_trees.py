@@ -270,6 +270,7 @@ def judge_other_places(learner) -> None:
         tree = Tree(learner.random, loose=True)
         tree.diagnose(learner, rule='unknown')
         _judge_meant_target(learner, tree)
+        _judge_other_letters(learner)
     with about('two-parents'):
         Tree(learner.random, ASIDE).diagnose(learner)
         Tree(learner.random, 'two parents', ASIDE, moves=False).diagnose(learner)
@@ -287,6 +288,21 @@ def _judge_meant_target(learner, tree: Tree) -> None:
         'unknown',
         f'Asked for {wrong} in platform. static: platform → {tree.source}',
     )
+
+
+def _judge_other_letters(learner) -> None:
+    """The rule `unknown`, where the frame is there with a capital letter, or with something before its name."""
+    source = learner.random.choice(_SENSORS)
+    for name in (source.capitalize(), f'/{source}', f'robot/{source}'):
+        compare(
+            learner.call(
+                'diagnose_tf', [], [_transform('platform', name, [0.1, 0.0, 0.0], 0.0)], 'platform', source, 9.0
+            ),
+            [('no_transform', source, 'unknown', name)],
+            WHY,
+            'unknown',
+            f'Asked for {source} in platform. static: platform → {name}',
+        )
 
 
 def judge_rare_trees(learner) -> None:
