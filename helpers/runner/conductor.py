@@ -244,4 +244,4 @@ def _describe(entity) -> str:
             return f'{words} {name}'
     if hasattr(entity, 'timer_period_ns'):
         return f'timer of {entity.timer_period_ns / 1e9:g} s'
-    return type(entity).__name__ if entity is not None else 'task'
+    return type(entity).__name__ if entity is not None else ''

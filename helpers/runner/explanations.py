@@ -39,6 +39,13 @@ _ARGUMENTS = {
     'create_client': 'the type and the name: create_client(Trigger, …)',
     'create_timer': 'the period in seconds and the callback: create_timer(0.5, self.on_timer)',
 }
+# Whose values have names: messages, and parts of rclpy. A class of the learner's own is another matter.
+_OF_ROS = (
+    r'String|Bool|U?Int\d+|Float\d+|Header|Twist|Vector3|Point|Pose|Quaternion|Transform|(?:Twist|Point|Pose|Transform)Stamped'
+    r'|LaserScan|BatteryState|Duration|QoSProfile|\w+_(?:Request|Response|Goal|Feedback|Result)'
+)
+_OF_SERVICES = 'Trigger|SetBool|AddTwoInts|SetStation|Spawn|Kill|TeleportAbsolute|SetPen'
+_OF_ACTIONS = 'Fibonacci|DriveTo|GoToStation|RotateAbsolute'
 _NUMBER = 'A number of seconds is no duration: write Duration(seconds=…), or compare with .nanoseconds / 1e9.'
 # (type of the exception, what its text is, the sentence): {0} is the first group of the pattern.
 _SENTENCES = (
@@ -55,6 +62,16 @@ _SENTENCES = (
         'A time or a duration of rclpy becomes this message with .to_msg().',
     ),
     (
+        'AssertionError',
+        r".*must be a sub message of type '(\w+)'",
+        'This field is a message itself, a {0}: set its fields one by one.',
+    ),
+    (
+        'AssertionError',
+        r'Invalid arguments passed to constructor: (\w+)',
+        'The message has no field `{0}`: `ros2 interface show` prints the fields that it has.',
+    ),
+    (
         'AttributeError',
         r"'ServerGoalHandle' object has no attribute '([a-z]\w*)'",
         'What the client asked for is in the request of the goal: goal.request.{0}.',
@@ -63,6 +80,11 @@ _SENTENCES = (
         'AttributeError',
         r"'Future' object has no attribute '[a-z]",
         'A future is not the answer. When it is done, future.result() gives the answer, and so does `await future`.',
+    ),
+    (
+        'RuntimeError',
+        r'Subscription\.__init__\(\): callback should be',
+        'It is called with the message. The first parameter of a method is `self`, before the message.',
     ),
     (
         'RuntimeError',
@@ -75,6 +97,42 @@ _SENTENCES = (
         r'$',
         "So rclpy says that it wants an object of another type: publish_feedback takes the action's Feedback, "
         "send_goal_async its Goal, and call_async the service's Request; a service callback returns the response.",
+    ),
+    (
+        'TypeError',
+        rf'({_OF_ROS})\.__init__\(\) takes 1 positional argument but',
+        'Its values are given by their names: {0}(…=…).',
+    ),
+    (
+        'TypeError',
+        rf"({_OF_SERVICES})\.__init__\(\) got an unexpected keyword argument '\w+'",
+        'This is the type of the service. A message for it is made by {0}.Request(…) or {0}.Response(…).',
+    ),
+    (
+        'TypeError',
+        rf"({_OF_ACTIONS})\.__init__\(\) got an unexpected keyword argument '\w+'",
+        'This is the type of the action. A message for it is made by {0}.Goal(…), {0}.Feedback(…) or {0}.Result(…).',
+    ),
+    (
+        'TypeError',
+        r'(?:\w+\.)?(?!__)\w+\(\) takes (?:0 positional arguments but 1|1 positional argument but 2) w',
+        'It is called with one argument more than it has parameters. Is `self` missing, which comes first in a method, '
+        'or the parameter for what it is given?',
+    ),
+    (
+        'TypeError',
+        r'Publisher\.publish\(\) takes 2 positional arguments',
+        'It takes one message, whose fields are set before.',
+    ),
+    (
+        'TypeError',
+        r"Expected <class '[\w.]+\.(\w+)'>, got <class '(?:str|bool|int|float|tuple|list|dict)'>",
+        'What is published is a message. Put the value into a field of it: {0}(…=…).',
+    ),
+    (
+        'TypeError',
+        r"Expected <class '[\w.]+\.(\w+)'>, got <class 'NoneType'>",
+        'There is nothing to publish yet (None), where a {0} is wanted.',
     ),
     ('TypeError', r"'float' object cannot be interpreted as an integer", 'A whole number is wanted: int(…), or //.'),
     (
@@ -89,6 +147,11 @@ _SENTENCES = (
     ),
     ('TypeError', r".*'(?:Time|Duration)' and '(?:int|float)'", _NUMBER),
     ('TypeError', r".*'(?:int|float)' and '(?:Time|Duration)'", _NUMBER),
+    (
+        'ValueError',
+        r"topic name '.*' is invalid: unknown substitution: \{(\w+)\}",
+        "Is an f missing before the string? f'{{{0}}}/…' puts the value of {0} into it.",
+    ),
     (
         'InvalidParameterValueException',
         r'.*Callback returned an invalid type',

@@ -415,7 +415,7 @@ class ProgramProcess:
             'constructor': f'While `{name}(…)` was made',
             'call': f'While `{name}(…)` ran',
             'execute': 'In an execute callback',
-            'callback': f'In a callback ({problem.get("callback")} of node `{problem.get("node")}`)',
+            'callback': _callback(problem),
         }
         lines = _lines(problem)
         kind, text = str(problem.get('type'))[:100], str(problem.get('text'))[:1000]
@@ -500,6 +500,13 @@ def _lines(message: dict) -> list[dict]:
         if isinstance(found, list)
         else []
     )
+
+
+def _callback(problem: dict) -> str:
+    """In which callback it was. A done-callback of a future belongs to no node."""
+    if not problem.get('callback'):
+        return 'In a done-callback, or in a task of the executor,'
+    return f'In a callback ({problem["callback"]} of node `{problem.get("node")}`)'
 
 
 def _at(problem: dict) -> str:

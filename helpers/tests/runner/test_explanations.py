@@ -9,11 +9,12 @@ from helpers.runner.explanations import explain
 IMPORTS = """
 from example_interfaces.action import Fibonacci
 from rcl_interfaces.msg import SetParametersResult
+from geometry_msgs.msg import Twist
 from rclpy.action import ActionClient
 from rclpy.duration import Duration
 from rclpy.time import Time
 from std_msgs.msg import Bool, Float64, Header, String
-from std_srvs.srv import Trigger
+from std_srvs.srv import SetBool, Trigger
 """
 
 
@@ -46,6 +47,26 @@ def node(domain):
         ('Float64(data=2)', 'write 2.0 instead of 2'),
         ('Bool(data=1)', 'Write bool(…) around the value.'),
         ('String(data=1)', 'Write str(…) around it, or an f-string.'),
+        ("String('alive')", 'given by their names: String(…=…)'),
+        ('Duration(0.5)', 'given by their names: Duration(…=…)'),
+        ('Trigger.Request(1)', 'given by their names: Trigger_Request(…=…)'),
+        ("String(text='alive')", 'The message has no field `text`'),
+        ('Twist(linear=1.0)', 'a Vector3: set its fields one by one'),
+        ('SetBool(data=True)', 'made by SetBool.Request(…)'),
+        ('Fibonacci(order=3)', 'made by Fibonacci.Goal(…)'),
+        ("node.create_publisher(String, 'a', 10).publish('alive')", 'a field of it: String(…=…)'),
+        ("node.create_publisher(String, 'a', 10).publish(None)", 'nothing to publish yet (None), where a String'),
+        ("node.create_publisher(Twist, 'a', 10).publish(1.0, 0.0)", 'It takes one message'),
+        ("node.create_publisher(Twist, '{me}/cmd_vel', 10)", "f'{me}/…' puts the value of me into it"),
+        ("node.create_subscription(String, 'a', lambda: None, 10)", 'The first parameter of a method is `self`'),
+        (
+            'class Own:\n    def on_timer():\n        pass\n\nOwn().on_timer()',
+            'Is `self` missing, which comes first in a method',
+        ),
+        (
+            'class Own:\n    def on_answer(self):\n        pass\n\nOwn().on_answer(None)',
+            'or the parameter for what it is given?',
+        ),
         ('count = 3; count()', 'leave out the parentheses'),
         ('range(2.0)', 'A whole number is wanted'),
         ("node.get_parameter('rate')", 'A parameter is declared before anything reads it'),
