@@ -164,17 +164,16 @@ def other_rules(notebook: NotebookNode, chapter: Chapter) -> list[str]:
 
     Rules stand in prose, so a check counts others when no code has changed.
     """
-    cards = {cell.card.check: cell for cell in chapter.cells if cell.card is not None}
+    cells = {cell.card.check: cell for cell in chapter.cells if cell.card is not None}
     result = []
     for cell in notebook.cells:
-        exercise = cards.get(cell.source.strip())
-        outputs_of_cell = cell.get('outputs', []) if exercise else []
-        counts = {int(count) for count in RULES_KEPT.findall(json.dumps(outputs_of_cell))}
-        if exercise and counts - {len(exercise.rules)}:
-            result.append(
-                f'has an output of {exercise.card.check} that counts {max(counts)} rules; '
-                f'its card has {len(exercise.rules)}'
-            )
+        check = cell.source.strip()
+        if check not in cells:
+            continue
+        counted = {int(count) for count in RULES_KEPT.findall(json.dumps(cell.get('outputs', [])))}
+        rules_of_card = len(cells[check].rules)
+        if counted - {rules_of_card}:
+            result.append(f'has an output of {check} that counts {max(counted)} rules; its card has {rules_of_card}')
     return result
 
 

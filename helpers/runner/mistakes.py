@@ -10,6 +10,7 @@ import inspect
 import sys
 import threading
 import time
+import traceback
 import weakref
 from collections.abc import Callable
 from types import FrameType
@@ -37,6 +38,9 @@ class WaitsInCallback(BaseException):
 CALLBACK_WORK, CONSTRUCTOR_WORK = 0.02, 0.06
 STEADY_WORK, _STEADY = 0.003, 8  # the limit (s) after so many runs
 _INSTANT = 0.01  # s: who spins for less has only looked what there is
+# Whose callbacks have slept so long (s) in all is known to sleep; no later sleep lasts longer than this, so that nobody
+# waits minutes for a check.
+_KNOWN, _SHORT = 2.0, 0.02
 
 # They sleep until the graph shows a server.
 _POLLING = (Client.wait_for_service.__code__, ActionClient.wait_for_server.__code__)
@@ -61,6 +65,7 @@ class Watch:
         # Seconds for which the learner's lines have slept, also in wait_for_server, asked a clock again and again, or
         # counted.
         self.slept = 0.0
+        self.asleep: traceback.StackSummary | None = None  # where a callback first slept, and so the whole node
         self._work: dict[str, tuple[int, float]] = {}  # per callback: its runs, and their least processor time (s)
         self._looks: dict[tuple, tuple[int, float]] = {}  # per line in this callback: how often, and when it first did
         self._aside: set[threading.Thread] = set()
@@ -84,6 +89,16 @@ class Watch:
         """A line sleeps."""
         if frame and self.is_learners(frame) and threading.current_thread() not in self._aside:
             self.slept += max(0.0, float(seconds))
+            if seconds >= _INSTANT and self.asleep is None and self._stops_the_node():
+                self.asleep = traceback.extract_stack(frame)
+
+    def shortened(self, frame: FrameType | None, seconds: float) -> float:
+        """For how long a line sleeps that wants to sleep so long."""
+        known = self.slept - seconds > _KNOWN and frame and self.is_learners(frame) and self._stops_the_node()
+        return min(seconds, _SHORT) if known else seconds
+
+    def _stops_the_node(self) -> bool:
+        return self.in_callback() and not self.in_threads()
 
     def begins(self) -> None:
         """A callback or a constructor begins."""
@@ -237,7 +252,7 @@ def _counted(sleep, seen: Watch):
         if caller and caller.f_code in _POLLING:
             caller = caller.f_back
         seen.sleeps(caller, seconds)
-        return sleep(seconds)
+        return sleep(seen.shortened(caller, seconds))
 
     return sleeping
 

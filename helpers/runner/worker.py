@@ -277,8 +277,17 @@ class Worker:
             'next': self._next_timer(now),
             'endpoints': self._endpoints(),
             'waiting': conductor.waiting(),
-            'remarks': [*(seen.remarks if seen else []), *self._deadlocks()],
+            'remarks': [*(seen.remarks if seen else []), *self._sleeps(), *self._deadlocks()],
         }
+
+    def _sleeps(self) -> list[str]:
+        seen = self._loaded().watch
+        own = self._loaded().lines(seen.asleep) if seen and seen.asleep else []
+        return [
+            f'A callback sleeps at {line["cell"]}, line {line["line"]}: `{line["code"]:.100}`. Nothing else of the '
+            'node runs meanwhile: a timer does the waiting.'
+            for line in own[-1:]
+        ]
 
     def _deadlocks(self) -> list[str]:
         return awaiting.deadlocks(self.executor._tasks, self.nodes, self._loaded().lines) if self.executor else []

@@ -1,5 +1,8 @@
 """Common mistakes in the use of rclpy: the learner reads what is wrong, with their own line."""
 
+import re
+import sys
+
 import pytest
 
 from helpers.exercises.notebooks import NotebookCell
@@ -286,7 +289,31 @@ def test_a_wait_on_the_wall_clock_counts_as_sleep(tmp_path, line):
     """In a callback, where a loop asks the time again and again, or an event is waited for, as in time.sleep."""
     source = f'import contextlib\nimport queue\nimport threading\n{HEAD}    def tick(self):\n        {line}\n'
     test = judge(tmp_path, source, SLEPT)
-    assert (test.verdict, test.message) == ('failed', 'It waits.')
+    assert (test.verdict, test.message.splitlines()[-1]) == ('failed', 'It waits.')
+
+
+@pytest.mark.parametrize('line', ['time.sleep(0.4)', 'threading.Event().wait(0.4)'])
+def test_a_callback_that_sleeps_is_named_first(tmp_path, line):
+    """Also where another rule is broken by it, or none that a test of this exercise looks at."""
+    source = f'import threading\n{HEAD}    def tick(self):\n        {line}\n'
+    test = judge(tmp_path, source, SLEPT.replace("not learner.slept, 'It waits.'", "False, 'Too late.'"))
+    first, last = test.message.splitlines()
+    assert re.match(rf'A callback sleeps at .*, line \d+: `{re.escape(line)}`\.', first), test.message
+    assert last == 'Too late.'
+
+
+def test_whoever_is_known_to_sleep_sleeps_shortly():
+    """So that a check does not take minutes; what counts is how long it wanted to sleep."""
+    callback = True
+    seen = Watch(lambda: callback, lambda: False, lambda frame: True)
+    frame, slept = sys._getframe(), []
+    for _ in range(3):
+        seen.sleeps(frame, 5.0)
+        slept.append(seen.shortened(frame, 5.0))
+    assert (slept[0], seen.slept) == (5.0, 15.0) and max(slept[1:]) < 0.1
+    callback = False
+    seen.sleeps(frame, 5.0)
+    assert seen.shortened(frame, 5.0) == 5.0, 'a constructor, whose own sleep is another matter'
 
 
 def test_who_looks_at_the_clock_does_not_wait(tmp_path):
