@@ -37,15 +37,25 @@ _ARGUMENTS = {
     'create_subscription(String, …, self.on_message, 10)',
     'create_service': 'the type, the name and the callback: create_service(Trigger, …, self.on_request)',
     'create_client': 'the type and the name: create_client(Trigger, …)',
+    'lookup_transform': "the target frame, the source frame and the time: lookup_transform('map', 'base_link', Time())",
+    'publish': 'the message: publish(message)',
+    'send_goal_async': 'the goal: send_goal_async(goal)',
+    'call_async': 'the request: call_async(request)',
     'create_timer': 'the period in seconds and the callback: create_timer(0.5, self.on_timer)',
 }
 # Whose values have names: messages, and parts of rclpy. A class of the learner's own is another matter.
 _OF_ROS = (
     r'String|Bool|U?Int\d+|Float\d+|Header|Twist|Vector3|Point|Pose|Quaternion|Transform|(?:Twist|Point|Pose|Transform)Stamped'
-    r'|LaserScan|BatteryState|Duration|QoSProfile|\w+_(?:Request|Response|Goal|Feedback|Result)'
+    r'|LaserScan|BatteryState|Duration|QoSProfile'
 )
 _OF_SERVICES = 'Trigger|SetBool|AddTwoInts|SetStation|Spawn|Kill|TeleportAbsolute|SetPen'
 _OF_ACTIONS = 'Fibonacci|DriveTo|GoToStation|RotateAbsolute'
+# Classes of ROS, whose methods are no callbacks of the learner's.
+_CLASSES = frozenset(
+    'Node LifecycleNode Publisher Subscription Client Service Timer Clock Time Duration Future Executor Buffer '
+    'BufferCore BufferInterface TransformListener TransformBroadcaster StaticTransformBroadcaster ActionClient '
+    'ActionServer ClientGoalHandle ServerGoalHandle Parameter QoSProfile'.split()
+)
 _NUMBER = 'A number of seconds is no duration: write Duration(seconds=…), or compare with .nanoseconds / 1e9.'
 # (type of the exception, what its text is, the sentence): {0} is the first group of the pattern.
 _SENTENCES = (
@@ -82,6 +92,21 @@ _SENTENCES = (
         'A future is not the answer. When it is done, future.result() gives the answer, and so does `await future`.',
     ),
     (
+        'RCLError',
+        r'.*invalid transition from state EXECUTING with event CANCELED',
+        'Only a goal that a client has asked to cancel can end as canceled: look at goal.is_cancel_requested.',
+    ),
+    (
+        'RCLError',
+        r'.*invalid transition from state (?:SUCCEEDED|ABORTED|CANCELED) with event',
+        'The goal has ended already, and a goal ends once.',
+    ),
+    (
+        'RCLError',
+        r'.*invalid transition from state ACCEPTED with event (?:SUCCEED|ABORT)',
+        'The goal is not executed yet. goal.execute() begins it, and then rclpy calls the execute callback.',
+    ),
+    (
         'RuntimeError',
         r'Subscription\.__init__\(\): callback should be',
         'It is called with the message. The first parameter of a method is `self`, before the message.',
@@ -97,6 +122,11 @@ _SENTENCES = (
         r'$',
         "So rclpy says that it wants an object of another type: publish_feedback takes the action's Feedback, "
         "send_goal_async its Goal, and call_async the service's Request; a service callback returns the response.",
+    ),
+    (
+        'TypeError',
+        r'(\w+)_(Request|Response|Goal|Feedback|Result)\.__init__\(\) takes 1 positional argument but',
+        'Its values are given by their names: {0}.{1}(…=…).',
     ),
     (
         'TypeError',
@@ -189,9 +219,12 @@ def explain(kind: str, text: str, early: str = '', elsewhere: Mapping[str, str] 
                 "rclpy's Node is not made yet. `super().__init__('name')` must come before everything else in "
                 '`__init__`.'
             )
-    if kind == 'TypeError' and (found := re.match(r'(?:\w+\.)?(create_\w+)\(\) missing \d', text)):
-        wanted = _ARGUMENTS.get(found[1])
-        return f'It takes {wanted}.' if wanted else ''
+    if kind == 'TypeError' and (found := re.match(r'(?:(\w+)\.)?(\w+)\(\) missing \d', text)):
+        if found[1] == 'CallbackGroup':
+            return 'A class is given where a group is wanted. A group is made: MutuallyExclusiveCallbackGroup().'
+        if found[1] in _CLASSES or found[1] is None and found[2] in _ARGUMENTS:
+            wanted = _ARGUMENTS.get(found[2])
+            return f'It takes {wanted}.' if wanted else ''
     if kind == 'TypeError' and (found := re.match(r'\w+\.(?!__)(\w+)\(\) missing 1 required positional', text)):
         name = found[1]
         return f'If it is a callback, give the function itself, without parentheses: self.{name}, not self.{name}().'

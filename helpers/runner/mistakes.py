@@ -317,7 +317,7 @@ def _check_names(kind: type) -> None:
 
 
 def _watch_actions(seen: Watch) -> None:
-    """Remember a goal or cancel callback that returns neither ACCEPT nor REJECT: rclpy rejects then."""
+    """Remember what makes rclpy reject: a goal or cancel callback without a right answer, or no cancel callback."""
     create = ActionServer.__init__
     answers = {'goal_callback': GoalResponse, 'cancel_callback': CancelResponse}
     signature = inspect.signature(create)
@@ -334,6 +334,7 @@ def _watch_actions(seen: Watch) -> None:
         for name, kind in answers.items():
             if callable(given.get(name)):
                 given[name] = _answering(given[name], name, kind, seen)
+        given.setdefault('cancel_callback', _refusing(seen))
         bound = inspect.BoundArguments(signature, given)
         return create(*bound.args, **bound.kwargs)
 
@@ -358,6 +359,19 @@ def _type_first(what: str, given: dict) -> None:
     kind, name = given['action_type'], given['action_name']
     if isinstance(kind, str) and inspect.isclass(name):
         raise TypeError(f'the type comes first, then the name: {what}(self, {name.__name__}, {kind!r}, …)')
+
+
+def _refusing(seen: Watch):
+    """What an action server does that has no cancel callback, and why."""
+
+    def refuse(request):
+        seen.remark(
+            'Your action server rejected a cancel request, as every one without a cancel_callback does: '
+            'ActionServer(…, cancel_callback=…), which returns CancelResponse.ACCEPT.'
+        )
+        return CancelResponse.REJECT
+
+    return refuse
 
 
 def _answering(callback, name: str, kind, seen: Watch):

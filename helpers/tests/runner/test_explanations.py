@@ -11,10 +11,12 @@ from example_interfaces.action import Fibonacci
 from rcl_interfaces.msg import SetParametersResult
 from geometry_msgs.msg import Twist
 from rclpy.action import ActionClient
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.duration import Duration
 from rclpy.time import Time
 from std_msgs.msg import Bool, Float64, Header, String
 from std_srvs.srv import SetBool, Trigger
+from tf2_ros import Buffer
 """
 
 
@@ -49,7 +51,8 @@ def node(domain):
         ('String(data=1)', 'Write str(…) around it, or an f-string.'),
         ("String('alive')", 'given by their names: String(…=…)'),
         ('Duration(0.5)', 'given by their names: Duration(…=…)'),
-        ('Trigger.Request(1)', 'given by their names: Trigger_Request(…=…)'),
+        ('Trigger.Request(1)', 'given by their names: Trigger.Request(…=…)'),
+        ('Fibonacci.Feedback([1])', 'given by their names: Fibonacci.Feedback(…=…)'),
         ("String(text='alive')", 'The message has no field `text`'),
         ('Twist(linear=1.0)', 'a Vector3: set its fields one by one'),
         ('SetBool(data=True)', 'made by SetBool.Request(…)'),
@@ -67,6 +70,12 @@ def node(domain):
             'class Own:\n    def on_answer(self):\n        pass\n\nOwn().on_answer(None)',
             'or the parameter for what it is given?',
         ),
+        (
+            "node.create_client(Trigger, 'ask', callback_group=MutuallyExclusiveCallbackGroup)",
+            'A class is given where a group is wanted',
+        ),
+        ("Buffer().lookup_transform('map', 'base_link')", "lookup_transform('map', 'base_link', Time())"),
+        ("node.create_publisher(String, 'a', 10).publish()", 'It takes the message'),
         ('count = 3; count()', 'leave out the parentheses'),
         ('range(2.0)', 'A whole number is wanted'),
         ("node.get_parameter('rate')", 'A parameter is declared before anything reads it'),
@@ -96,6 +105,8 @@ def test_a_goal_is_asked_for_its_request():
         ('TypeError', "'list' object is not callable"),
         ('AttributeError', "'Futures' object has no attribute 'x'"),
         ('AssertionError', ''),
+        ('TypeError', "ScanToMap.publish() missing 2 required positional arguments: 'cloud' and 'place'"),
+        ('TypeError', "Node.get_parameter() missing 1 required positional argument: 'name'"),
     ],
 )
 def test_nothing_is_said_of_others(kind, text):

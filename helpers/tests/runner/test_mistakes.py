@@ -213,6 +213,41 @@ def test_goal(learner):
     assert ('goal_callback' in test.message) is bool(words)
 
 
+@pytest.mark.parametrize(
+    ('callback', 'words'), [('', 'as every one without a cancel_callback does'), ('CancelResponse.REJECT', '')]
+)
+def test_a_server_without_a_cancel_callback(tmp_path, callback, words):
+    """It rejects every cancel request, which is said where a test fails; who rejects on purpose is told nothing."""
+    given = f', cancel_callback=lambda request: {callback}' if callback else ''
+    source = f"""\
+from rclpy.action import CancelResponse
+{HEAD}
+        self.server = ActionServer(self, Fibonacci, 'count', self.tick{given})
+
+    def tick(self, *_):
+        self.get_clock().sleep_for(rclpy.duration.Duration(seconds=1.0))
+        return Fibonacci.Result()
+"""
+    test = judge(
+        tmp_path,
+        source.replace('self.timer = self.create_timer(0.5, self.tick)\n', ''),
+        '''
+def test_cancel(learner):
+    """It can be cancelled."""
+    from example_interfaces.action import Fibonacci
+    client = learner.action_client('/count', Fibonacci)
+    learner.start('Talker', threads=True)
+    goal = client.send(Fibonacci.Goal())
+    learner.run(0.2)
+    cancel = goal.cancel()
+    learner.run(0.2)
+    expect(cancel.answer == 'accepted', 'It was rejected.')
+''',
+    )
+    assert test.message.splitlines()[-1] == 'It was rejected.', test.message
+    assert ('cancel_callback' in test.message) is bool(words) and words in test.message.splitlines()[0]
+
+
 @pytest.mark.one_of(3)
 @pytest.mark.parametrize('end', ['self.timer.destroy()', 'self.destroy_timer(self.timer)', 'self.timer.cancel()'])
 def test_a_timer_may_be_destroyed_in_its_own_callback(tmp_path, end):
