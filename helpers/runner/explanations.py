@@ -56,6 +56,12 @@ _CLASSES = frozenset(
     'BufferCore BufferInterface TransformListener TransformBroadcaster StaticTransformBroadcaster ActionClient '
     'ActionServer ClientGoalHandle ServerGoalHandle Parameter QoSProfile'.split()
 )
+# What the callback of what gets.
+_CALLED_WITH = {
+    'timer': 'nothing: def on_timer(self)',
+    'service': 'the request and the response: def on_request(self, request, response)',
+    'subscription': 'the message: def on_message(self, message)',
+}
 _NUMBER = 'A number of seconds is no duration: write Duration(seconds=…), or compare with .nanoseconds / 1e9.'
 # (type of the exception, what its text is, the sentence): {0} is the first group of the pattern.
 _SENTENCES = (
@@ -175,6 +181,11 @@ _SENTENCES = (
         r"unsupported operand type\(s\) for \S+ 'Time' and 'Time'",
         'One of the two is a stamp, which is a message: Time.from_msg(stamp) makes a time of rclpy of it.',
     ),
+    (
+        'TypeError',
+        r".*(?:not '?Parameter'?$|'Parameter' and '| and 'Parameter')",
+        'A parameter of a node is not its value: get_parameter(name).value.',
+    ),
     ('TypeError', r".*'(?:Time|Duration)' and '(?:int|float)'", _NUMBER),
     ('TypeError', r".*'(?:int|float)' and '(?:Time|Duration)'", _NUMBER),
     (
@@ -195,11 +206,14 @@ _SENTENCES = (
 )
 
 
-def explain(kind: str, text: str, early: str = '', elsewhere: Mapping[str, str] | None = None) -> str:
+def explain(
+    kind: str, text: str, early: str = '', elsewhere: Mapping[str, str] | None = None, callback: str = ''
+) -> str:
     """A sentence on an exception of the type `kind` with this text; '' if there is nothing to add.
 
     `early`: where the program read the result of a future that had none yet. `elsewhere`: by name, the cell of the
-    notebook that defines it and that has not been run.
+    notebook that defines it and that has not been run. `callback`: of what it is the callback, if rclpy has called it
+    and it has begun with no line of its own, such as `timer of 0.5 s`.
     """
     if kind == 'AttributeError' and (
         found := re.search(r"property '(\w+)' of (?:.* has no setter|Node)|can't set attribute '?(\w+)?", text)
@@ -219,6 +233,10 @@ def explain(kind: str, text: str, early: str = '', elsewhere: Mapping[str, str] 
                 "rclpy's Node is not made yet. `super().__init__('name')` must come before everything else in "
                 '`__init__`.'
             )
+    if kind == 'TypeError' and callback and re.search(r'\(\) (?:takes|missing) \d+ (?:required )?positional', text):
+        for whose, arguments in _CALLED_WITH.items():
+            if callback.startswith(whose):
+                return f'It is called with {arguments}.'
     if kind == 'TypeError' and (found := re.match(r'(?:(\w+)\.)?(\w+)\(\) missing \d', text)):
         if found[1] == 'CallbackGroup':
             return 'A class is given where a group is wanted. A group is made: MutuallyExclusiveCallbackGroup().'

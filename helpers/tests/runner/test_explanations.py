@@ -76,6 +76,9 @@ def node(domain):
         ),
         ("Buffer().lookup_transform('map', 'base_link')", "lookup_transform('map', 'base_link', Time())"),
         ("node.create_publisher(String, 'a', 10).publish()", 'It takes the message'),
+        ("node.declare_parameter('rate', 1.0); float(node.get_parameter('rate'))", 'get_parameter(name).value'),
+        ("node.declare_parameter('rate', 1.0); node.get_parameter('rate') * 2", 'get_parameter(name).value'),
+        ("node.declare_parameter('rate', 1.0); 2.0 < node.get_parameter('rate')", 'get_parameter(name).value'),
         ('count = 3; count()', 'leave out the parentheses'),
         ('range(2.0)', 'A whole number is wanted'),
         ("node.get_parameter('rate')", 'A parameter is declared before anything reads it'),
@@ -89,6 +92,24 @@ def test_what_is_raised_is_explained(node, line, words):
     with pytest.raises(Exception) as raised:  # noqa: PT011 (which one it is, the line decides)
         exec(IMPORTS + line, {'node': node})
     assert words in explain(type(raised.value).__name__, str(raised.value)), repr(raised.value)
+
+
+@pytest.mark.parametrize(
+    ('text', 'callback', 'words'),
+    [
+        (
+            "Talker.tick() missing 1 required positional argument: 'msg'",
+            'timer of 0.5 s',
+            'nothing: def on_timer(self)',
+        ),
+        ("<lambda>() missing 1 required positional argument: 'msg'", 'timer of 0.5 s', 'called with nothing'),
+        ('Talker.on() takes 2 positional arguments but 3 were given', 'service /ask', 'the request and the response'),
+        ("Talker.on() missing 1 required positional argument: 'x'", 'subscription of /a', 'called with the message'),
+        ("Talker.on() missing 1 required positional argument: 'x'", '', 'give the function itself'),
+    ],
+)
+def test_a_callback_with_other_parameters(text, callback, words):
+    assert words in explain('TypeError', text, callback=callback)
 
 
 def test_a_goal_is_asked_for_its_request():
