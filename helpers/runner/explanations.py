@@ -94,8 +94,28 @@ _SENTENCES = (
     ),
     (
         'AttributeError',
+        r"type object '\w+' has no attribute '_TYPE_SUPPORT'",
+        'A type is the class itself, without quotes, such as String from std_msgs.msg.',
+    ),
+    (
+        'AttributeError',
+        r"'(?:Duration|Time)' object has no attribute '(?:sec|secs|seconds|nanosec|total_seconds|to_sec)'",
+        'A time or a duration of rclpy tells its nanoseconds; .nanoseconds / 1e9 are seconds.',
+    ),
+    (
+        'AttributeError',
+        r"'(Duration|Time)' object has no attribute 'nanoseconds'",
+        'This is a message: {0}.from_msg(…) makes a {0} of rclpy of it.',
+    ),
+    (
+        'AttributeError',
         r"'Future' object has no attribute '[a-z]",
         'A future is not the answer. When it is done, future.result() gives the answer, and so does `await future`.',
+    ),
+    (
+        'ImportError',
+        r"cannot import name '\w+' from '(\w+_(?:msgs|interfaces|srvs)|turtlesim)' ",
+        'Messages are in {0}.msg, services in {0}.srv, and actions in {0}.action.',
     ),
     (
         'RCLError',
@@ -170,11 +190,32 @@ _SENTENCES = (
         r"Expected <class '[\w.]+\.(\w+)'>, got <class 'NoneType'>",
         'There is nothing to publish yet (None), where a {0} is wanted.',
     ),
+    (
+        'TypeError',
+        r"descriptor '__init__' requires a 'super' object",
+        "Parentheses are missing: super().__init__('name').",
+    ),
+    (
+        'TypeError',
+        r'object\.__init__\(\) takes exactly one argument',
+        'The class has no base that takes an argument. Should it be a node: class …(Node)?',
+    ),
+    (
+        'TypeError',
+        r'__init__\(\): incompatible constructor arguments.*(?s:.*)_rclpy_pybind11\.Node\(',
+        'The first argument of Node is the name of the node, a string. Is your constructor called __init__, with two '
+        "underscores on each side, and does it begin with super().__init__('name')?",
+    ),
     ('TypeError', r"'float' object cannot be interpreted as an integer", 'A whole number is wanted: int(…), or //.'),
     (
         'TypeError',
         r"'(?:bool|int|float|str)' object is not callable",
         'This is a value and no function: leave out the parentheses.',
+    ),
+    (
+        'TypeError',
+        r"'([A-Z]\w*)' object is not callable",
+        'Before the parentheses stands an object of the class {0}, and neither a class nor a function.',
     ),
     (
         'TypeError',
@@ -240,6 +281,8 @@ def explain(
     if kind == 'TypeError' and (found := re.match(r'(?:(\w+)\.)?(\w+)\(\) missing \d', text)):
         if found[1] == 'CallbackGroup':
             return 'A class is given where a group is wanted. A group is made: MutuallyExclusiveCallbackGroup().'
+        if found[0].startswith('Node.__init__'):
+            return "A node has a name: super().__init__('name')."
         if found[1] in _CLASSES or found[1] is None and found[2] in _ARGUMENTS:
             wanted = _ARGUMENTS.get(found[2])
             return f'It takes {wanted}.' if wanted else ''

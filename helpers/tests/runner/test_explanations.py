@@ -13,6 +13,7 @@ from geometry_msgs.msg import Twist
 from rclpy.action import ActionClient
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.duration import Duration
+from rclpy.node import Node
 from rclpy.time import Time
 from std_msgs.msg import Bool, Float64, Header, String
 from std_srvs.srv import SetBool, Trigger
@@ -79,6 +80,25 @@ def node(domain):
         ("node.declare_parameter('rate', 1.0); float(node.get_parameter('rate'))", 'get_parameter(name).value'),
         ("node.declare_parameter('rate', 1.0); node.get_parameter('rate') * 2", 'get_parameter(name).value'),
         ("node.declare_parameter('rate', 1.0); 2.0 < node.get_parameter('rate')", 'get_parameter(name).value'),
+        ("node.create_publisher('String', 'a', 10)", 'A type is the class itself'),
+        ('from std_msgs import String', 'Messages are in std_msgs.msg'),
+        ('node.get_clock().now().seconds', '.nanoseconds / 1e9 are seconds'),
+        ('Duration(seconds=1).sec', '.nanoseconds / 1e9 are seconds'),
+        ('node.get_clock().now().to_msg().nanoseconds', 'Time.from_msg(…)'),
+        (
+            "class Own(Node):\n    def __init__(self):\n        super.__init__('own')\n\nOwn()",
+            'Parentheses are missing',
+        ),
+        ("class Own:\n    def __init__(self):\n        super().__init__('own')\n\nOwn()", 'class …(Node)?'),
+        (
+            'class Own(Node):\n    def __init__(self):\n        super().__init__(context=node.context)\n\nOwn()',
+            'A node has a name',
+        ),
+        (
+            'class Own(Node):\n    def _init_(self):\n        pass\n\nOwn(0.5, context=node.context)',
+            'Is your constructor called __init__',
+        ),
+        ("node.create_publisher(String, 'a', 10)(String())", 'an object of the class Publisher'),
         ('count = 3; count()', 'leave out the parentheses'),
         ('range(2.0)', 'A whole number is wanted'),
         ("node.get_parameter('rate')", 'A parameter is declared before anything reads it'),
