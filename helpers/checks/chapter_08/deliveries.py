@@ -11,7 +11,7 @@ from ament_index_python.packages import get_package_share_directory
 from delivery_interfaces.action import GoToStation
 from delivery_interfaces.srv import SetStation
 
-from helpers.checks.chapter_08 import executables
+from helpers.checks.chapter_08 import executables, parameter_files
 from helpers.runner import expect, stand_ins
 from helpers.runner.load import busy
 from helpers.runner.observer import Observer
@@ -243,7 +243,7 @@ def by_the_file(learner, defaults: dict[str, float]) -> dict:
             'A value in DELIVERY_YAML has the wrong type: all are doubles, 30.0, not 30.'
             + executables.wrong_type(output),
         ),
-        ("Couldn't parse params file", 'ROS cannot read DELIVERY_YAML.'),
+        ("Couldn't parse params file", f'ROS cannot read DELIVERY_YAML. {parameter_files.why_unreadable(text)}'),
     ):
         expect(word not in output, f'With your parameter file, no node starts. {why}', 'types')
     expect(found, f'A node with your parameter file ended with: {executables.telling(output)}', 'types')

@@ -84,8 +84,8 @@ def launched(learner) -> dict[str, dict]:
     )
     expect(
         "Couldn't parse params file" not in log,
-        'A governor did not start: ROS cannot read FLEET_YAML. Look at the indentation, and at the two underscores '
-        'of ros__parameters.',
+        f'A governor did not start: ROS cannot read FLEET_YAML. '
+        f'{parameter_files.why_unreadable(learner.text("FLEET_YAML"))}',
         'types',
     )
     names = [report['node'] for report in reports]

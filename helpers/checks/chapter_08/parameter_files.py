@@ -5,6 +5,7 @@ from typing import Any
 
 import yaml
 
+from helpers.exercises import file_syntax
 from helpers.runner.stand_ins import Start
 
 BLOCK, ALL = 'ros__parameters', '/**'
@@ -47,6 +48,21 @@ def given_besides(starts: Iterable[Start], text: str) -> dict[str, Any]:
             if option in _OPTIONS and between:
                 found[name.rpartition(':')[2]] = value
     return {name: value for name, value in found.items() if name != 'use_sim_time'}
+
+
+def why_unreadable(text: str) -> str:
+    """Why ROS cannot read a parameter file, for a message; what to look at, if that is not known."""
+    if found := file_syntax.mistake('parameters.yaml', text):
+        line = text.split('\n')[found.line - 1].strip() if found.line else ''
+        before = ' In the line before, is there a space behind the colon?' if 'mapping values' in found.said else ''
+        return (f'Line {found.line}, `{line:.100}`: {found.said}.' if line else f'{found.said}.') + before
+    content = _content(text)
+    for name, block in content.items() if isinstance(content, dict) else ():
+        if name == BLOCK:
+            return f'`{BLOCK}` stands below the name of a node, two spaces further to the right.'
+        if not any(_blocks({name: block}, set())):
+            return f'Below `{name}` there is no block `{BLOCK}`, with two underscores, that holds parameters.'
+    return f'Look at the indentation, and at the two underscores of {BLOCK}.'
 
 
 def shown(values: dict) -> str:
