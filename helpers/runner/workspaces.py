@@ -57,6 +57,12 @@ class Done:
         telling = [line for line in self.lines if not line.startswith('[ros2run]')]
         return telling[-1][:300] if telling else ''
 
+    @property
+    def where(self) -> str:
+        """Where a Python program of the workspace ended, as in 'in report.py, line 6, '; '' if that is not known."""
+        places = _OWN_LINE.findall(self.output.rpartition('Traceback (most')[2])
+        return f'in {places[-1][0]}, line {places[-1][1]}, ' if places and self.status else ''
+
 
 def package(folder: Path) -> dict[str, str]:
     """The text files of a package's folder, as `workspace` wants them: below `src`."""
@@ -118,6 +124,11 @@ class ExerciseWorkspace:
         for package in self._packages if _NEVER_CALLED.search(build.output) else ():
             said = self.once('bash', '-c', 'cd "src/$1" && python3 setup.py --version', 'bash', package).output
             if found := _SETUP.search(said):
+                if 'Pair.__new__' in found[1]:  # setuptools' word for what it has split at the `=`
+                    return (
+                        'In setup.py an entry point has no `=` between the name of the program and what it runs: '
+                        'name = package.module:function.'
+                    )
                 return f'setup() in setup.py cannot read one of its arguments: {found[1].strip()}'[:400]
         return reason(build.output)
 
@@ -346,6 +357,8 @@ def _constant(cells: list[dict], name: str) -> str | None:
 _CMAKE = re.compile(r'CMake Error(?: at (CMakeLists\.txt):(\d+))?[^\n]*\n((?:[ \t]*\n|  [^\n]*\n){1,40})')
 _NEVER_CALLED = re.compile(r"setup\(\)'? was never called")
 _SETUP = re.compile(r'^error in \S+ setup command: (.+)$', re.MULTILINE)
+_OWN_LINE = re.compile(r'File "[^"\n]*/(?:install|src)/[^"\n]*/(\w+\.py)", line (\d+)')
+_IN_A_STRING = re.compile(r'File "<string>", line (\d+)')
 _TELLING = re.compile(r'^.*(?:[Ee]rror\b|No such file|not found).*$', re.MULTILINE)
 
 
@@ -362,4 +375,12 @@ def reason(output: str) -> str:
         )
     # The tools' own tracebacks and command lines are long and tell nothing.
     telling = [line for line in _TELLING.findall(output) if 'CalledProcessError' not in line and len(line) < 400]
-    return (telling[-1] if telling else (output.strip().splitlines() or ['it printed nothing'])[-1]).strip()[:400]
+    if not telling:
+        return (output.strip().splitlines() or ['it printed nothing'])[-1].strip()[:400]
+    return f'{_place_in_setup(output, telling[-1])}{telling[-1].strip()}'[:400]
+
+
+def _place_in_setup(output: str, error: str) -> str:
+    """Where in setup.py, which colcon runs as a string in a program that is another one, this error has come."""
+    places = _IN_A_STRING.findall(output[: output.rindex(error)].rpartition('Traceback (most')[2])
+    return f'setup.py, line {places[-1]}: ' if len(places) > 1 else ''

@@ -35,9 +35,9 @@ MUTANTS = [
            breaks='argument'),
     Mutant('text_for_number', old='int(sys.argv[1])', new='sys.argv[1]', expect='make a number of it with int()',
            breaks='argument'),
-    Mutant('name_of_the_program', old='sys.argv[1]', new='sys.argv[0]', expect='ended with: ValueError',
+    Mutant('name_of_the_program', old='sys.argv[1]', new='sys.argv[0]', expect='with: ValueError',
            breaks='argument'),
-    Mutant('second_argument', old='sys.argv[1]', new='sys.argv[2]', expect='ended with: IndexError', breaks='argument'),
+    Mutant('second_argument', old='sys.argv[1]', new='sys.argv[2]', expect='with: IndexError', breaks='argument'),
     Mutant('two_decimals', old=':.3f', new=':.2f', expect='three decimals, a space and m', breaks='prints'),
     Mutant('thousands', old=':.3f', new=':,.3f', expect='three decimals, a space and m', breaks='prints'),
     Mutant('when_it_is_imported', old='''

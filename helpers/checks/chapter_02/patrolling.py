@@ -159,7 +159,9 @@ def judge_round_trip(learner, *cases: list[str]) -> None:
             f'Python does not find patrol.route in the installation ({last}). Is there an __init__.py in the folder '
             'patrol/patrol, and does `packages` in setup.py name it?',
         )
-        expect(done.status == 0 and len(done.lines) >= len(cases), f'round_trip({cases[0]}) ended with: {last}')
+        expect(
+            done.status == 0 and len(done.lines) >= len(cases), f'round_trip({cases[0]}) ended {done.where}with: {last}'
+        )
         for stations, line in zip(cases, done.lines[-len(cases) :], strict=True):
             kind, found, after = _answer(line)
             call = f'round_trip({stations})'
@@ -220,7 +222,8 @@ def judge_route(learner, *cases: list[str]) -> None:
             )
             expect(
                 done.status == 0,
-                f'`{command}` ended with: {last}' + (' The names are sys.argv[1:].' if 'IndexError' in last else ''),
+                f'`{command}` ended {done.where}with: {last}'
+                + (' The names are sys.argv[1:].' if 'IndexError' in last else ''),
             )
             expect(done.lines, f'`{command}` printed nothing: use print.')
             expect(len(done.lines) == 1, f'`{command}` printed {len(done.lines)} lines, expected one: {wanted}')

@@ -64,7 +64,11 @@ def _judge_distance(workspace, ticks: int, silent: tuple[str, ...]) -> None:
         f'{command} ended with an error, and the error is your text: main returns it. Use print.',
         'prints',
     )
-    expect(done.status == 0, f'{command} ended with: {last}', 'argument' if _ARGUMENT.search(last) else 'prints')
+    expect(
+        done.status == 0,
+        f'{command} ended {done.where}with: {last}',
+        'argument' if _ARGUMENT.search(last) else 'prints',
+    )
     expect(
         len(done.lines) == 1,
         f'{command} printed {len(done.lines)} lines; expected the distance only. The last one is: {last}',
@@ -174,7 +178,11 @@ def judge_library(learner) -> None:
             f'{told}, the program ended with an error, and the error is your text: main returns it. Use print.',
             'prints',
         )
-        expect(done.status == 0, f'The program ended with: {last}', 'argument' if _ARGUMENT.search(last) else 'library')
+        expect(
+            done.status == 0,
+            f'The program ended {done.where}with: {last}',
+            'argument' if _ARGUMENT.search(last) else 'library',
+        )
         expect(len(done.lines) < 2, f'main prints {len(done.lines)} lines; expected the distance only.', 'prints')
         expect(done.lines, 'The function main printed nothing: use print.', 'prints')
         formula = _distance(number)

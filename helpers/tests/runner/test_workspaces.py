@@ -77,3 +77,41 @@ def test_a_build_has_no_more_time_if_nobody_else_computes(monkeypatch):
     with pytest.raises(LearnerTimeout):
         ExerciseWorkspace(server.learner(), 'ws').build()
     assert server.waited == BUILD_TIMEOUT
+
+
+SETUP = """\
+Traceback (most recent call last):
+  File "<string>", line 1, in <module>
+  File "/usr/lib/setuptools/_distutils/core.py", line 268, in run_setup
+    exec(code, g)
+  File "<string>", line 9
+    hello = greeter.hello:main,
+    ^^^^^^^^^^^^^^^^^^^^^
+SyntaxError: invalid syntax. Maybe you meant '==' or ':=' instead of '='?
+--- stderr: greeter
+Traceback (most recent call last):
+  File "/usr/lib/colcon_core/executor/__init__.py", line 91, in __call__
+subprocess.CalledProcessError: Command '[...]' returned non-zero exit status 1.
+"""
+
+
+def test_a_mistake_in_setup_py_is_told_with_its_line():
+    assert workspaces.reason(SETUP).startswith('setup.py, line 9: SyntaxError: invalid syntax.')
+    other = "error: can't copy 'package.xlm': doesn't exist or not a regular file"
+    assert workspaces.reason(f'Starting >>> greeter\n{other}\n') == other
+    assert workspaces.reason('') == 'it printed nothing'
+
+
+@pytest.mark.parametrize(
+    ('frame', 'status', 'where'),
+    [
+        ('/home/ws/install/odometry/lib/python3.11/site-packages/odometry/report.py', 1, 'in report.py, line 7, '),
+        ('/usr/lib/python3.11/json/decoder.py', 1, ''),
+        ('/home/ws/install/odometry/lib/python3.11/site-packages/odometry/report.py', 0, ''),
+    ],
+)
+def test_where_a_program_ended(frame, status, where):
+    output = (
+        f'Traceback (most recent call last):\n  File "{frame}", line 7, in main\nIndexError: list index out of range\n'
+    )
+    assert workspaces.Done('ros2 run odometry report', status, output).where == where
