@@ -95,7 +95,7 @@ expect(ws.build(check=False).status != 0, 'it was built')
 ws.build()
 """,
         'failed',
-        ('colcon build failed: SyntaxError',),
+        ('colcon build failed: setup.py, line ', ': SyntaxError'),
         details='entry_points=1 2',
     ),
 }
