@@ -99,8 +99,14 @@ _SENTENCES = (
     ),
     (
         'AttributeError',
-        r"'(?:Duration|Time)' object has no attribute '(?:sec|secs|seconds|nanosec|total_seconds|to_sec)'",
+        r"'(?:Duration|Time)' object has no attribute '(?:nano)?sec'",
         'A time or a duration of rclpy tells its nanoseconds; .nanoseconds / 1e9 are seconds.',
+    ),
+    (
+        'AttributeError',
+        r"'(?:Duration|Time)' object has no attribute '(?:secs|seconds|total_seconds|to_sec)'",
+        'A stamp, which is a message, has sec and nanosec. A time or a duration of rclpy tells its nanoseconds; '
+        '.nanoseconds / 1e9 are seconds.',
     ),
     (
         'AttributeError',
