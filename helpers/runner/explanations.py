@@ -37,6 +37,11 @@ _ARGUMENTS = {
     'create_subscription(String, …, self.on_message, 10)',
     'create_service': 'the type, the name and the callback: create_service(Trigger, …, self.on_request)',
     'create_client': 'the type and the name: create_client(Trigger, …)',
+    'Node.__init__': "the name of the node: super().__init__('name')",
+    'ActionClient.__init__': 'the node, the type and the name: ActionClient(self, Fibonacci, …)',
+    'ActionServer.__init__': 'the node, the type, the name and the execute callback: '
+    'ActionServer(self, Fibonacci, …, self.execute)',
+    'TransformListener.__init__': 'a buffer and the node: TransformListener(self.buffer, self)',
     'lookup_transform': "the target frame, the source frame and the time: lookup_transform('map', 'base_link', Time())",
     'publish': 'the message: publish(message)',
     'send_goal_async': 'the goal: send_goal_async(goal)',
@@ -112,6 +117,16 @@ _SENTENCES = (
         'AttributeError',
         r"'(Duration|Time)' object has no attribute 'nanoseconds'",
         'This is a message: {0}.from_msg(…) makes a {0} of rclpy of it.',
+    ),
+    (
+        'AttributeError',
+        r"'\w+_FeedbackMessage' object has no attribute '([a-z]\w*)'",
+        'The feedback stands in this message: message.feedback.{0}.',
+    ),
+    (
+        'AttributeError',
+        r"'\w+_GetResult_Response' object has no attribute '([a-z]\w*)'",
+        "This answer has a status and the action's result: future.result().result.{0}.",
     ),
     (
         'AttributeError',
@@ -287,10 +302,8 @@ def explain(
     if kind == 'TypeError' and (found := re.match(r'(?:(\w+)\.)?(\w+)\(\) missing \d', text)):
         if found[1] == 'CallbackGroup':
             return 'A class is given where a group is wanted. A group is made: MutuallyExclusiveCallbackGroup().'
-        if found[0].startswith('Node.__init__'):
-            return "A node has a name: super().__init__('name')."
-        if found[1] in _CLASSES or found[1] is None and found[2] in _ARGUMENTS:
-            wanted = _ARGUMENTS.get(found[2])
+        wanted = _ARGUMENTS.get(f'{found[1]}.{found[2]}', _ARGUMENTS.get(found[2], ''))
+        if found[1] in _CLASSES or found[1] is None and wanted:
             return f'It takes {wanted}.' if wanted else ''
     if kind == 'TypeError' and (found := re.match(r'\w+\.(?!__)(\w+)\(\) missing 1 required positional', text)):
         name = found[1]

@@ -92,13 +92,16 @@ def node(domain):
         ("class Own:\n    def __init__(self):\n        super().__init__('own')\n\nOwn()", 'class …(Node)?'),
         (
             'class Own(Node):\n    def __init__(self):\n        super().__init__(context=node.context)\n\nOwn()',
-            'A node has a name',
+            'It takes the name of the node',
         ),
         (
             'class Own(Node):\n    def _init_(self):\n        pass\n\nOwn(0.5, context=node.context)',
             'Is your constructor called __init__',
         ),
         ("node.create_publisher(String, 'a', 10)(String())", 'an object of the class Publisher'),
+        ("ActionClient(Fibonacci, 'count')", 'It takes the node, the type and the name'),
+        ('Fibonacci.Impl.FeedbackMessage().sequence', 'message.feedback.sequence'),
+        ('Fibonacci.Impl.GetResultService.Response().sequence', 'future.result().result.sequence'),
         ('count = 3; count()', 'leave out the parentheses'),
         ('range(2.0)', 'A whole number is wanted'),
         ("node.get_parameter('rate')", 'A parameter is declared before anything reads it'),
