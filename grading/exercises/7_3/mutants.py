@@ -116,4 +116,6 @@ MUTANTS = [
     Mutant('names_of_the_type_first', breaks='type', expect='The same name with two types', also=('name', 'all', 'fault'),
            edits=(('        if not there:\n', "        near = nearest(end['name'], [e['name'] for e in senders if e['type'] == end['type']])\n"
                    "        if not there or there[0]['type'] != end['type'] and near:\n"),)),
+    Mutant('names_in_any_letters', old="if e['name'] == end['name']]", new="if e['name'].lower() == end['name'].lower()]",
+           breaks='name', expect='You did not find `no_data`, cause `name`'),
 ]

@@ -113,4 +113,8 @@ MUTANTS = [
            breaks='own-call', also=('server', 'call', 'spin', 'busy', 'all'), expect='You did not find'),
     Mutant('whatever_executes', old="'await_or_execute' in [function for _, _, function in calls[own:]]",
            new="[function for _, _, function in calls[own:] if 'execute' in function]", expect='there is no such fault', **HEALTHY),
+    Mutant('callbacks_by_their_names', breaks='busy', also=('call', 'spin', 'all', 'healthy', 'own-call'),
+           old="'await_or_execute' in [function for _, _, function in calls[own:]]",
+           new="any(function.startswith('on_') for _, _, function in calls[own:])",
+           expect='You did not find `hang`'),
 ]

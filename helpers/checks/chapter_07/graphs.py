@@ -192,11 +192,11 @@ def neighbours(learner) -> None:
     """Rules `name`, `type` and `fits` where names, types or nodes are shared; fails with words if one is broken.
 
     Meant is also a name that another one hears, that the node itself publishes, or whose policies do not fit either.
-    Two types may have the same last word, and a node may hear itself. Where the name is published with another type, no
-    near one was meant.
+    Two types may have the same last word, and a node may hear itself. A name with a capital letter is another one.
+    Where the name is published with another type, no near one was meant.
     """
     random = learner.random
-    one, two, three, four = random.sample(TOPICS, 4)
+    one, two, three, four, five = random.sample(TOPICS, 5)
     kind, other = random.choice(['String', 'Int32', 'Float32']), 'example_interfaces'
     ends = [
         ('publisher', '/sender', f'/{one}', f'std_msgs/msg/{kind}', STRONG),
@@ -209,12 +209,15 @@ def neighbours(learner) -> None:
         ('publisher', '/sender', f'/{four}', f'{other}/msg/{kind}', STRONG),
         ('subscription', '/typed', f'/{four}', f'std_msgs/msg/{kind}', STRONG),
         ('publisher', '/sender', f'/robot/{four}', f'std_msgs/msg/{kind}', STRONG),
+        ('publisher', '/sender', f'/{five.capitalize()}', MESSAGES[3], STRONG),
+        ('subscription', '/small', f'/{five}', MESSAGES[3], STRONG),
     ]
     endpoints = [{'role': role, 'node': node, 'name': name, 'type': of, **qos} for role, node, name, of, qos in ends]
     expected = [
         ('no_data', f'/deaf /robot/{one}', 'name', f'/{one}'),
         ('no_data', f'/both /{two}', 'name', f'/robot/{two}'),
         ('no_data', f'/typed /{four}', 'type', f'{other}/msg/{kind}'),
+        ('no_data', f'/small /{five}', 'name', f'/{five.capitalize()}'),
     ]
     random.shuffle(endpoints)
     healthy = [end for end in endpoints if end['name'] == f'/{three}']

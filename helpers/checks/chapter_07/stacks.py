@@ -48,6 +48,8 @@ _OTHER_FORMS = {
     'looking': ('server', (('client.py service_is_ready', 'client.py wait_for_service'),)),
 }
 OTHERS = tuple((state, cause) for state, (cause, _) in _OTHER_FORMS.items())
+# How callbacks are called: no name shows that something is one.
+_CALLBACKS = ('on_timer', 'on_scan', 'on_request', 'tick', 'steer', 'measure', 'answer')
 OFTEN = 16  # times that such a state is drawn, so that hardly any draw leaves one of its three forms out
 # Calls of other libraries, whose files and functions are called as those of rclpy.
 _OF_OTHERS = (
@@ -127,7 +129,7 @@ class _Program:
 
     def _thread(self, state: str) -> list[str]:
         random = self._random
-        callback = f'on_{random.choice(["timer", "scan", "request", "goal", "button"])}'
+        callback = random.choice(_CALLBACKS)
         wait = ['  File "/usr/lib/python3.12/threading.py", line 355 in wait']
         older = not self._plain and random.random() < 0.5
         helper = [self._own('self.step()', callback)] if older else []  # the older of two own calls
@@ -149,11 +151,11 @@ class _Program:
             return [*wait, '  File "/usr/lib/python3.12/concurrent/futures/thread.py", line 90 in _worker']
         if state == 'waits in main':
             calls = [self._own('execute(request)', 'main')] if random.random() < 0.5 else []
-            own = self._own('client.call(request)', 'execute' if calls else 'main')
+            own = self._own('client.call(request)', random.choice(['execute', 'on_start']) if calls else 'main')
             return [*wait, *self._library('client.py call'), own, *calls]
         if state == 'at work':
             begin = random.choice([[], ['  File "/usr/lib/python3.12/threading.py", line 1012 in run']])
-            name = random.choice(['record', 'execute', 'execute_plan']) if begin else 'main'
+            name = random.choice(['record', 'execute', 'execute_plan', 'on_command']) if begin else 'main'
             return [*newest['busy'], self._own(_LINES['busy'], name), *begin]
         if state in _OTHER_FORMS:
             state, calls = _OTHER_FORMS[state]
