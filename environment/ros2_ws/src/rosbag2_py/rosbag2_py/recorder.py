@@ -1,5 +1,6 @@
 """Records topics: looks for them, subscribes, and writes what comes."""
 
+import functools
 import re
 import time
 from collections.abc import Callable
@@ -142,15 +143,19 @@ class Recording:
         )
         profile = self.options.topic_qos_profile_overrides.get(name) or to_hear(offered)
         self.subscriptions[name] = self.node.create_subscription(
-            kind, name, lambda data, name=name: self._write(name, data), profile, raw=True
+            kind, name, functools.partial(self._write, name), profile, raw=True
         )
         logger.info(f"Subscribed to topic '{name}'")
 
-    def _write(self, name: str, data: bytes) -> None:
+    def _write(self, name: str, data: bytes, info: dict) -> None:
         if self.paused:
             return
+        clock = self.node.get_clock()
+        # As rosbag2 of Jazzy has it: when the middleware got the message, however late this callback is; in simulated
+        # time, the time of the node.
+        came = 0 if clock.ros_time_is_active else info['received_timestamp']
         try:
-            self.writer.write(name, data, self.node.get_clock().now().nanoseconds)
+            self.writer.write(name, data, came or clock.now().nanoseconds)
             self.written += 1
         except (RuntimeError, OSError) as error:
             self._fail(error)

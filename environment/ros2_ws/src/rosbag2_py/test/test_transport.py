@@ -1,6 +1,8 @@
 """A program plays and records bags, and controls it while it goes on."""
 
+import time
 from datetime import timedelta
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -14,11 +16,13 @@ from rosbag2_py import (
     PlayOptions,
     Recorder,
     RecordOptions,
+    SequentialReader,
     SequentialWriter,
     ServiceRequestsSource,
     StorageOptions,
     TopicMetadata,
 )
+from rosbag2_py.recorder import Recording
 from std_msgs.msg import String
 
 from environment.tests.running import PATIENCE
@@ -120,6 +124,30 @@ def test_a_recorder_is_paused_and_stopped(tmp_path, peer):
     assert MetadataIo().read_metadata(str(bag)).message_count > 0
     with pytest.raises(BagError, match='exists already'):
         recorder.record()
+
+
+def test_the_stamp_is_when_a_message_came(tmp_path, peer):
+    """A recorder that has other things to do meanwhile tells the same distances: rosbag2's pull request 1531."""
+    node, publisher = peer.node, peer.node.create_publisher(String, '/words', LATCHED)
+    writer, failures = SequentialWriter(), []
+    writer.open(StorageOptions(str(tmp_path / 'bag')), ConverterOptions())
+    recording = Recording(node, writer, RecordOptions(topics=['/words']), failures.append)
+    peer.until(lambda: node.count_publishers('/words'), 'the publisher in the graph')
+    recording.look()
+    begin = time.time_ns()
+    peer.until(publisher.get_subscription_count, 'the recorder')
+    for word in ('first', 'second', 'third'):
+        publisher.publish(String(data=word))
+        assert publisher.wait_for_all_acked()  # it has come, and nobody spins
+        time.sleep(0.2)  # no wait for anything: the distance that is to be recorded
+    end = time.time_ns()
+    peer.until(lambda: recording.written == 3, 'three messages')
+    writer.close()
+    reader = SequentialReader()
+    reader.open(StorageOptions(str(tmp_path / 'bag')), ConverterOptions())
+    stamps = [reader.read_next()[2] for _ in range(3)]
+    assert not failures and begin <= stamps[0] and stamps[2] <= end
+    assert all(later - earlier > 0.15 * SECOND for earlier, later in pairwise(stamps))
 
 
 @pytest.mark.parametrize(
