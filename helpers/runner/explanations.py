@@ -139,6 +139,11 @@ _SENTENCES = (
         'Messages are in {0}.msg, services in {0}.srv, and actions in {0}.action.',
     ),
     (
+        'OverflowError',
+        r'(?:un)?signed \w+ is (?:greater|less) than',
+        'A number does not fit into the field: `ros2 interface show` tells its type.',
+    ),
+    (
         'RCLError',
         r'.*invalid transition from state EXECUTING with event CANCELED',
         'Only a goal that a client has asked to cancel can end as canceled: look at goal.is_cancel_requested.',
@@ -228,6 +233,11 @@ _SENTENCES = (
         "underscores on each side, and does it begin with super().__init__('name')?",
     ),
     ('TypeError', r"'float' object cannot be interpreted as an integer", 'A whole number is wanted: int(…), or //.'),
+    (
+        'TypeError',
+        r"'(?:list|tuple|str)' object cannot be interpreted as an integer",
+        'A whole number is wanted. Where it is to be one of a list, the list has no other lists or texts in it.',
+    ),
     (
         'TypeError',
         r"'(?:bool|int|float|str)' object is not callable",

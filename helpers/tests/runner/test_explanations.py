@@ -10,6 +10,7 @@ IMPORTS = """
 from example_interfaces.action import Fibonacci
 from rcl_interfaces.msg import SetParametersResult
 from geometry_msgs.msg import Twist
+from nav_msgs.msg import OccupancyGrid
 from rclpy.action import ActionClient
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.duration import Duration
@@ -102,6 +103,8 @@ def node(domain):
         ("ActionClient(Fibonacci, 'count')", 'It takes the node, the type and the name'),
         ('Fibonacci.Impl.FeedbackMessage().sequence', 'message.feedback.sequence'),
         ('Fibonacci.Impl.GetResultService.Response().sequence', 'future.result().result.sequence'),
+        ('OccupancyGrid(data=[255])', 'does not fit into the field'),
+        ('OccupancyGrid(data=[[1], [2]])', 'no other lists or texts in it'),
         ('count = 3; count()', 'leave out the parentheses'),
         ('range(2.0)', 'A whole number is wanted'),
         ("node.get_parameter('rate')", 'A parameter is declared before anything reads it'),
