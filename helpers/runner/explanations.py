@@ -317,7 +317,10 @@ def explain(
             return f'It takes {wanted}.' if wanted else ''
     if kind == 'TypeError' and (found := re.match(r'\w+\.(?!__)(\w+)\(\) missing 1 required positional', text)):
         name = found[1]
-        return f'If it is a callback, give the function itself, without parentheses: self.{name}, not self.{name}().'
+        return (
+            f'If it is a callback, give the function itself, without parentheses: self.{name}, not self.{name}(). If '
+            'that is so, it has more parameters than it is called with.'
+        )
     if kind == 'AttributeError' and text.startswith("'NoneType' object") and early:
         return (
             f'`result()` was asked {early}, before the answer had come, and gave None. Go on in a done-callback, '
