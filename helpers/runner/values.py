@@ -24,7 +24,7 @@ _INTERFACE = re.compile(r'([a-z][a-z0-9_]*)/msg/([A-Z][A-Za-z0-9]*)')
 _MAX_DEPTH = 30
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Opaque:
     """A returned object that JSON cannot carry: `type` is the name of its class."""
 
@@ -32,6 +32,8 @@ class Opaque:
 
     def __str__(self) -> str:
         return f'an object of type {self.type}'
+
+    __repr__ = __str__  # it stands in sentences for learners
 
 
 class SetAsList(list):

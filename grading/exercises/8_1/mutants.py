@@ -123,4 +123,8 @@ MUTANTS = [
            expect='It follows the rule of words'),
     Mutant('three_words_at_most', breaks='topic', also='service', old='    return all(WORD', new='    return len(words) < 4 and all(WORD',
            expect='It has words that are joined by /'),
+    Mutant('a_set', old='return sorted([path, kind, name] for path, kind, name in found if not is_good(kind, name))',
+           new='return {(path, kind, name) for path, kind, name in found if not is_good(kind, name)}', breaks='sorted',
+           also=('once', 'node', 'topic', 'service', 'super', 'package', 'word', 'keyword', 'no-text', 'files'),
+           expect='returned a set, which has no order'),
 ]

@@ -1,6 +1,7 @@
 """What the tests of exercise 8.1 share: packages as dictionaries, and the comparison of findings."""
 
 from helpers.runner import about, expect
+from helpers.runner.values import SetAsList
 
 
 def package_xml(name: str) -> str:
@@ -49,6 +50,11 @@ def bad_names(learner, files: dict[str, str], rule: str = '') -> list[tuple]:
             f'find_bad_names returned {found!r:.200}, expected a list of [path, kind, name].',
             rule,
         )
+    expect(
+        not isinstance(found, SetAsList),
+        'find_bad_names returned a set, which has no order: expected a sorted list.',
+        'sorted',
+    )
     return [tuple(one) for one in found]
 
 
