@@ -53,6 +53,7 @@ def check_replaced(learner, client, order, count, newer):
     """A goal of this order, with `count` numbers, gives way to one of the order `newer`."""
     old = client.send(order=order)
     learner.run(0.5 * count + 0.2)
+    expect(old.accepted, f'The order {order} was rejected.', 'orders')
     new = client.send(order=newer)
     learner.run(0.5)
     expect(new.accepted, 'A new goal was rejected while another one ran. The newest goal wins.', 'newest')

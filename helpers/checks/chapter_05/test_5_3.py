@@ -97,6 +97,7 @@ def check_long(learner, client, order) -> None:
     """Expect that a goal of a large order counts to its end, too."""
     goal = client.send(order=order)
     learner.run(order / 2 + 0.7)
+    _expect_accepted(goal)
     expect(
         goal.status == 'succeeded' and numbers(goal) == up_to(order),
         f'{order / 2} s after a goal of order {order} its status is {goal.status}, and it has {len(numbers(goal))} '
@@ -105,11 +106,16 @@ def check_long(learner, client, order) -> None:
     )
 
 
+def _expect_accepted(goal) -> None:
+    order = goal.request.order
+    expect(goal.accepted, f'The goal of order {order} was rejected. Every order from 1 is accepted.', 'orders')
+
+
 def check_cancel(learner, client, order, count, seconds) -> None:
     """Expect that a goal that is cancelled after so many seconds, with `count` numbers, ends so."""
     goal = client.send(order=order)
     learner.run(seconds)
-    expect(goal.accepted, f'The goal of order {order} was rejected. Every order from 1 is accepted.', 'orders')
+    _expect_accepted(goal)
     words = f'A goal of order {order} was cancelled {seconds:.1f} s after its start. '
     with about('cancel'):
         cancel = goal.cancel()
@@ -281,6 +287,7 @@ def check_replaced(learner, client, order, count, newer) -> None:
     begin = 0.5 * count + learner.random.choice([0.1, 0.2, 0.3])
     old = client.send(order=order)
     learner.run(begin)
+    _expect_accepted(old)
     new = client.send(order=newer)
     with about('aborted'):  # what the old goal does at its end
         learner.run(0.5)
