@@ -16,7 +16,10 @@ from helpers.tests.show.views.test_displays import ROBOT, marker, scan
 
 def problem(view, text: str) -> None:
     """Wait until a problem is told."""
-    wait_for(lambda: text in '\n'.join(view.problems), message=f'{text}; it says {view.problems}', timeout=30.0)
+    try:
+        wait_for(lambda: text in '\n'.join(view.problems), timeout=30.0)
+    except TimeoutError:
+        raise AssertionError(f'it never said: {text}; now it says {view.problems}') from None
 
 
 def test_scan_robot_and_marker_are_in_the_picture(ros):
