@@ -228,7 +228,7 @@ _SENTENCES = (
     ),
     (
         'TypeError',
-        r'__init__\(\): incompatible constructor arguments.*(?s:.*)_rclpy_pybind11\.Node\(',
+        r'__init__\(\): incompatible constructor arguments(?s:.*)_rclpy_pybind11\.Node\(',
         'The first argument of Node is the name of the node, a string. Is your constructor called __init__, with two '
         "underscores on each side, and does it begin with super().__init__('name')?",
     ),

@@ -60,8 +60,9 @@ class Done:
     @property
     def where(self) -> str:
         """Where a Python program of the workspace ended, as in 'in report.py, line 6, '; '' if that is not known."""
-        places = _OWN_LINE.findall(self.output.rpartition('Traceback (most')[2])
-        return f'in {places[-1][0]}, line {places[-1][1]}, ' if places and self.status else ''
+        frames = _FRAME.findall(self.output.rpartition('Traceback (most')[2]) if self.status else []
+        own = [(path, line) for path, line in frames if '/install/' in path or '/src/' in path]
+        return f'in {PurePosixPath(own[-1][0]).name}, line {own[-1][1]}, ' if own else ''
 
 
 def package(folder: Path) -> dict[str, str]:
@@ -357,7 +358,7 @@ def _constant(cells: list[dict], name: str) -> str | None:
 _CMAKE = re.compile(r'CMake Error(?: at (CMakeLists\.txt):(\d+))?[^\n]*\n((?:[ \t]*\n|  [^\n]*\n){1,40})')
 _NEVER_CALLED = re.compile(r"setup\(\)'? was never called")
 _SETUP = re.compile(r'^error in \S+ setup command: (.+)$', re.MULTILINE)
-_OWN_LINE = re.compile(r'File "[^"\n]*/(?:install|src)/[^"\n]*/(\w+\.py)", line (\d+)')
+_FRAME = re.compile(r'File "([^"\n]{1,400}\.py)", line (\d{1,6})')
 _IN_A_STRING = re.compile(r'File "<string>", line (\d+)')
 _TELLING = re.compile(r'^.*(?:[Ee]rror\b|No such file|not found).*$', re.MULTILINE)
 
