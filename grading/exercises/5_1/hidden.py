@@ -158,6 +158,26 @@ def test_cancel_at_any_step(learner):
         'One goal was not cancelled, but it did not succeed: each goal is its own.',
         'goals',
     )
+    _cancel_late(client, learner, learner.random.randint(15, 45))
+
+
+def _cancel_late(client, learner, step):
+    """Also a goal that has run for long can be cancelled."""
+    goal = client.send(order=46)
+    learner.run(step / 2, step=0.5)
+    learner.run(0.3)
+    cancel = goal.cancel()
+    learner.run(0.2)
+    expect(
+        cancel.answer == 'accepted', f'A cancel request in step {step} of 46 was answered: {cancel.answer}.', 'cancel'
+    )
+    expect(
+        goal.status == 'canceled',
+        f'A goal that was cancelled in step {step} of 46 is {goal.status or "still running"} at the next step.',
+        'cancel',
+    )
+    numbers = list(goal.result.sequence)
+    expect(numbers == SERIES[:step], f'A goal cancelled after {SERIES[:step]} has the result {numbers}.', 'partial')
 
 
 @pytest.mark.rules('cancel', 'end')

@@ -15,10 +15,24 @@ MUTANTS = [
     Mutant('feedback_of_the_last_numbers', breaks='feedback',
            old='goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))',
            new='goal.publish_feedback(Fibonacci.Feedback(sequence=numbers[-9:]))', expect='Order 47: when 10 numbers'),
-    Mutant('slower_from_the_tenth_on', breaks='rate', also=('numbers', 'feedback', 'end'),
+    Mutant('slower_from_the_tenth_on', breaks='rate', also=('numbers', 'feedback', 'end', 'partial', 'cancel'),
            old='self.get_clock().sleep_for(Duration(seconds=0.5))',
            new='self.get_clock().sleep_for(Duration(seconds=0.5 if len(numbers) < 9 else 0.51))',
            expect='The goal of order 47 did not end'),
+    Mutant('no_cancel_when_late', breaks='cancel', edits=(
+           ('cancel_callback=lambda goal: CancelResponse.ACCEPT)', 'cancel_callback=self.on_cancel)'),
+           ('def on_goal(self, request):', '''
+        def on_cancel(self, goal):
+            return CancelResponse.ACCEPT if getattr(goal, 'steps', 0) < 10 else CancelResponse.REJECT
+
+        def on_goal(self, request):
+           '''),
+           ('goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))', '''
+            goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))
+            goal.steps = len(numbers)
+           ''')), expect='The cancel request was answered: rejected'),
+    Mutant('looks_no_more_when_late', breaks='cancel', also='partial', old='if goal.is_cancel_requested:',
+           new='if goal.is_cancel_requested and len(numbers) < 10:', expect='It did not end at the next step'),
     Mutant('absolute_name', breaks='names', old="'fibonacci', self.execute", new="'/fibonacci', self.execute",
            expect='without a leading slash'),
     Mutant('aborts', breaks='cancel', also='goals', old='goal.canceled()', new='goal.abort()',

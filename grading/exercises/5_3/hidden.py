@@ -4,7 +4,7 @@ import pytest
 from example_interfaces.action import Fibonacci
 
 from helpers.checks.chapter_05.counting import check_script, up_to
-from helpers.checks.chapter_05.test_5_3 import check_threads, check_two_servers
+from helpers.checks.chapter_05.test_5_3 import check_long, check_threads, check_two_servers
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('5.3'), pytest.mark.wiring(type='names', namespace='names')]
@@ -29,6 +29,7 @@ def test_newest_wins(learner):
     same = draw.randint(2, 5)
     cases = [
         (draw.randint(31, 2**31 - 1), draw.randint(1, 4), 4),
+        (draw.randint(51, 2**31 - 1), draw.randint(11, 40), 2),
         (5, 4, 7),
         (same, 0, same),
         (6, draw.randint(1, 3), 6),
@@ -52,7 +53,8 @@ def test_goals_at_any_time(learner):
 def check_replaced(learner, client, order, count, newer):
     """A goal of this order, with `count` numbers, gives way to one of the order `newer`."""
     old = client.send(order=order)
-    learner.run(0.5 * count + 0.2)
+    learner.run(0.5 * count, step=0.5)
+    learner.run(0.2)
     expect(old.accepted, f'The order {order} was rejected.', 'orders')
     new = client.send(order=newer)
     learner.run(0.5)
@@ -160,9 +162,18 @@ def test_cancel(learner):
     """
     client, _ = serve(learner)
     draw = learner.random
-    for order, count in ((draw.randint(48, 2**31 - 1), 0), (9, 1), (9, draw.choice([2, 4])), (1, 0), (4, 3)):
+    late = draw.randint(11, 40)
+    for order, count in (
+        (draw.randint(48, 2**31 - 1), 0),
+        (9, 1),
+        (9, draw.choice([2, 4])),
+        (late + draw.randint(2, 9), late),
+        (1, 0),
+        (4, 3),
+    ):
         goal = client.send(order=order)
-        learner.run(0.5 * count + 0.2)
+        learner.run(0.5 * count, step=0.5)
+        learner.run(0.2)
         expect(goal.accepted, f'The order {order} was rejected.', 'orders')
         words = f'A goal of order {order} was cancelled with {up_to(count)} there. '
         cancel = goal.cancel()
@@ -221,6 +232,7 @@ def test_alone(learner):
         f'The numbers came at {goal.stamps} s.',
         'count',
     )
+    check_long(learner, client, learner.random.randint(40, 70))
 
 
 @pytest.mark.rules('aborted')

@@ -15,6 +15,29 @@ NEWEST = 'test_newest_wins'
 OTHERS = ('newest', 'aborted', 'stops', 'rejected', 'cancel', 'names')
 
 MUTANTS = [
+    Mutant('no_cancel_when_late', breaks='cancel', edits=(
+           ('cancel_callback=lambda goal: CancelResponse.ACCEPT)', 'cancel_callback=self.on_cancel)'),
+           ('def on_accepted(self, goal):', '''
+            def on_cancel(self, goal):
+                return CancelResponse.ACCEPT if getattr(goal, 'count', 0) < 10 else CancelResponse.REJECT
+
+            def on_accepted(self, goal):
+            '''), ('numbers.append(len(numbers) + 1)', '''
+            numbers.append(len(numbers) + 1)
+            goal.count = len(numbers)
+            ''')), expect='The cancel request was answered: rejected'),
+    Mutant('keeps_on_when_late', breaks='aborted', also=('stops', 'newest'),
+           old='if goal.is_cancel_requested or goal is not self.newest:',
+           new='if goal.is_cancel_requested or (goal is not self.newest and len(numbers) < 10):',
+           expect='the first goal goes on beside the second one'),
+    Mutant('feedback_of_the_last_numbers', breaks='feedback',
+           old='goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))',
+           new='goal.publish_feedback(Fibonacci.Feedback(sequence=numbers[-20:]))', expect='the feedback number 21'),
+    Mutant('no_feedback_when_late', breaks='feedback',
+           old='goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))', new='''
+           if len(numbers) < 30:
+               goal.publish_feedback(Fibonacci.Feedback(sequence=numbers))
+           ''', expect='sent 29 feedback messages'),
     Mutant('cancel_request_clears_newest', breaks='newest', also='cancel', edits=(
            ('cancel_callback=lambda goal: CancelResponse.ACCEPT)', 'cancel_callback=self.on_cancel)'),
            ('def on_accepted(self, goal):', '''
@@ -119,7 +142,7 @@ MUTANTS = [
             goal.abort()
             return Fibonacci.Result()
         ''', expect='expected what it had'),
-    Mutant('numbers_in_self', breaks='newest', also=(*OTHERS, 'count'), old='numbers = []', new='''
+    Mutant('numbers_in_self', breaks='newest', also=(*OTHERS, 'count', 'feedback'), old='numbers = []', new='''
         numbers = self.numbers = getattr(self, 'numbers', [])
         if len(numbers) >= goal.request.order or not self.server:
             numbers.clear()

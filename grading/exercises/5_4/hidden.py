@@ -204,6 +204,33 @@ def test_one_at_a_time(learner):
     expect(far < 0.2, f'The goal (7, 5.5) succeeded {far:.1f} m away from it, expected less than 0.1 m.', 'arrive')
 
 
+@pytest.mark.rules('cancel', 'feedback', 'arrive')
+@about('cancel')
+def test_near_and_late(learner):
+    """Also near its place, and long after its start, a goal gives feedback and can be cancelled.
+
+    Each round does the same, however many there were.
+    """
+    client = learner.action_client('/drive_to', DriveTo)
+    poses = learner.talk('/turtle1/pose', Pose)
+    learner.start('Driver', threads=True)
+    poses.send(Pose(x=4.0, y=4.0))
+    learner.settle()
+    distance, seconds = learner.random.uniform(0.15, 0.3), learner.random.uniform(11.0, 18.0)
+    goal = client.send(x=4.0 + distance, y=4.0)
+    learner.run(seconds)
+    expect(
+        not goal.done,
+        f'The turtle was {distance:.2f} m away from the place, and the goal ended as {goal.status}: it arrives when '
+        'the distance is below 0.1 m.',
+        'arrive',
+    )
+    moments = [goal.sent, *goal.stamps, learner.now / 1e9]
+    pause = max(late - early for early, late in zip(moments, moments[1:], strict=False))
+    expect(pause < 0.65, f'For {pause:.1f} s no feedback came: the turtle was {distance:.2f} m away.', 'feedback')
+    check_cancel(learner, client, goal, f'A goal was cancelled {seconds:.1f} s after its start: ')
+
+
 @pytest.mark.rules('busy', 'give-up', 'cancel', 'next', 'feedback', 'zeros', 'no-pose')
 @about('busy')
 def test_cancelled_before(learner):

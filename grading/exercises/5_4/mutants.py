@@ -10,6 +10,11 @@ STANDS = 'test_standing_robot'
 DRIVES = 'test_simulated_robot'
 
 MUTANTS = [
+    Mutant('no_cancel_after_10_s', breaks='cancel', also=('zeros', 'result', 'next'),
+           old='if goal.is_cancel_requested or distance < 0.1:',
+           new='if goal.is_cancel_requested and step <= 100 or distance < 0.1:', expect='A goal was cancelled 1'),
+    Mutant('no_feedback_near_the_place', breaks='feedback', old='if step % 2 == 0:',
+           new='if step % 2 == 0 and distance > 0.35:', expect='also near the place'),
     Mutant('no_cancel_at_the_right_wall', old='lambda goal: CancelResponse.ACCEPT',
            new='lambda goal: CancelResponse.ACCEPT if self.pose.x < 9 else CancelResponse.REJECT',
            expect='the cancel request was refused', breaks='cancel'),

@@ -3,6 +3,7 @@
 import pytest
 
 from helpers.checks.chapter_05.printing import (
+    PAGE,
     Job,
     Printer,
     check_at_the_end,
@@ -91,15 +92,16 @@ def test_cancel(learner):
     first.cancel_at, second.cancel_at = now, now + draw.choice([0.0, 0.1])
     printer.tell(*jobs, Job('new', now + 0.7, 2, 1), Job('newest', now + 0.7, 1, 1), Job('other', now + 0.8, 1, 2))
     printer.judge()
-    now = draw.choice([0.3, 0.7, 1.2, 1.8])
-    # The goal that runs and one that waits, at one moment.
-    printer.tell(
-        Job('A', 0.0, 7, 1, cancel_at=now),
-        Job('B', 0.1, 2, 2),
-        Job('C', 0.1, draw.randint(1, 3), 2, cancel_at=now),
-        Job('D', 0.2, draw.randint(1, 3)),
-    )
-    printer.judge()
+    early = draw.choice([0.3, 0.7, 1.2, 1.8])
+    # The goal that runs and one that waits, at one moment: early and late in its life.
+    for now in (early, round(early + PAGE * draw.randint(11, 35), 2)):
+        printer.tell(
+            Job('A', 0.0, 99, 1, cancel_at=now),
+            Job('B', 0.1, 2, 2),
+            Job('C', 0.1, draw.randint(1, 3), 2, cancel_at=now),
+            Job('D', 0.2, draw.randint(1, 3)),
+        )
+        printer.judge()
     check_at_the_end(printer, draw)
 
 

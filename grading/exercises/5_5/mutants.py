@@ -26,6 +26,22 @@ def leave(self, goal):
 '''
 
 MUTANTS = [
+    Mutant('no_cancel_when_late', breaks='cancel', edits=(
+           ('cancel_callback=accept)', 'cancel_callback=self.on_cancel)'),
+           ('def on_accepted(self, goal):', '''
+           def on_cancel(self, goal):
+               return CancelResponse.ACCEPT if getattr(goal, 'pages', 0) < 10 else CancelResponse.REJECT
+
+           def on_accepted(self, goal):
+           '''), ('pages.append(len(pages) + 1)', '''
+           pages.append(len(pages) + 1)
+           goal.pages = len(pages)
+           ''')), expect='was to be cancelled; the request was answered: rejected'),
+    Mutant('looks_at_the_others_early_only', breaks='cancel-waiting', also='others',
+           old='self.look_at_the_others()', new='''
+           if len(pages) < 10:
+               self.look_at_the_others()
+           ''', expect='look at all goals that wait'),
     Mutant('no_look_at_the_last_page', breaks='cancel-waiting', old='self.look_at_the_others()', new='''
         if len(pages) < goal.request.order:
             self.look_at_the_others()

@@ -237,8 +237,9 @@ class Printer:
             if status in ('executing', 'canceling')
         ]
         expect(executing or goal.finished is not None, f'{told}never began, {begins}.', queue)
-        if goal.finished is None:
-            expect(job.cancel_at == NEVER, f'{told}was cancelled while it ran, and did not end.', 'cancel')
+        if goal.finished is None and job.cancel_at < NEVER:
+            self._judge_cancel(job, 'cancel')
+            expect(False, f'{told}was cancelled while it ran, and did not end.', 'cancel')
         if executing and job.begin < executing[0] - 1e-6:
             expect(False, f'{told}began at {executing[0]:g} s, {begins}.', queue)
         if job.cancel_at < job.begin + PAGE * job.order:

@@ -87,22 +87,36 @@ def test_one_goal(learner):
     for other in bad:
         expect(other.accepted is False, f'The order {other.request.order} was accepted.', 'orders')
     check_goal(goal, 'Goals came in the meantime that were rejected. ', 'rejected')
-    steps = [(draw.randint(48, 2**31 - 1), 0), (9, 1), (9, draw.choice([2, 3])), (9, draw.randint(4, 7))]
+    late = draw.randint(12, 30)
+    steps = [(draw.randint(48, 2**31 - 1), 0), (9, 1), (9, draw.choice([2, 3])), (9, draw.randint(4, 7)), (40, late)]
     draw.shuffle(steps)
     for number, count in [*steps, (3, 2)]:  # at last, in the last step
         check_cancel(learner, client, number, count, 0.5 * count + 0.2)
 
 
 def check_long(learner, client, order) -> None:
-    """Expect that a goal of a large order counts to its end, too."""
+    """Expect that a goal of a large order counts to its end, too, and tells each number."""
     goal = client.send(order=order)
-    learner.run(order / 2 + 0.7)
+    learner.run(order / 2 + 0.7, step=0.5)
     _expect_accepted(goal)
+    said = [list(feedback.sequence) for feedback in goal.feedback]
     expect(
         goal.status == 'succeeded' and numbers(goal) == up_to(order),
         f'{order / 2} s after a goal of order {order} its status is {goal.status}, and it has {len(numbers(goal))} '
         f'numbers, expected succeeded with {order}.',
         'count',
+    )
+    expect(
+        len(said) == order,
+        f'A goal of order {order} sent {len(said)} feedback messages, expected one for each number.',
+        'feedback',
+    )
+    wrong = next((n for n, heard in enumerate(said, 1) if heard != up_to(n)), None)
+    expect(
+        wrong is None,
+        f'A goal of order {order}: the feedback number {wrong} is {said[(wrong or 1) - 1]}, expected all numbers so '
+        f'far, {up_to(wrong or 1)}.',
+        'feedback',
     )
 
 
@@ -114,7 +128,7 @@ def _expect_accepted(goal) -> None:
 def check_cancel(learner, client, order, count, seconds) -> None:
     """Expect that a goal that is cancelled after so many seconds, with `count` numbers, ends so."""
     goal = client.send(order=order)
-    learner.run(seconds)
+    learner.run(seconds, step=0.5)
     _expect_accepted(goal)
     words = f'A goal of order {order} was cancelled {seconds:.1f} s after its start. '
     with about('cancel'):
@@ -146,6 +160,7 @@ def test_newest_wins(learner):
     same = draw.randint(3, 4)
     for order, count, newer in (
         (draw.randint(21, 2**31 - 1), draw.randint(1, 3), draw.randint(3, 4)),
+        (draw.randint(41, 2**31 - 1), draw.randint(12, 30), 1),  # late
         (4, 3, draw.randint(5, 6)),  # in its last step, by a larger one
         (same, 0, same),  # before its first number, by one that asks for the same
     ):
@@ -286,7 +301,7 @@ def check_replaced(learner, client, order, count, newer) -> None:
     """Expect that a goal of this order, with `count` numbers, gives way to one of the order `newer`."""
     begin = 0.5 * count + learner.random.choice([0.1, 0.2, 0.3])
     old = client.send(order=order)
-    learner.run(begin)
+    learner.run(begin, step=0.5)
     _expect_accepted(old)
     new = client.send(order=newer)
     with about('aborted'):  # what the old goal does at its end

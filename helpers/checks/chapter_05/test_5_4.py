@@ -91,8 +91,9 @@ def test_standing_robot(learner):
     check_old_pose(learner, robot.client)
     # Another goal was cancelled 1 s after its start: who does not look in each round is late in one of these.
     seconds = draw.sample([0.75, 1.25], 2)
-    _cancel(learner, robot, seconds[0], draw.uniform(0.3, 1.2), draw.uniform(0.0, 0.4), 1)
-    _cancel(learner, robot, seconds[1], draw.uniform(0.3, 1.2), draw.uniform(10.6, 11.0), -1)
+    late = seconds[1] + draw.randint(11, 17)
+    _cancel(learner, robot, seconds[0], draw.uniform(0.4, 1.2), draw.uniform(0.0, 0.4), 1)
+    _cancel(learner, robot, late, draw.uniform(0.15, 0.3), draw.uniform(10.6, 11.0), -1)
     check_two_drivers(learner, robot.node, robot.client, robot.poses, robot.commands)
 
 

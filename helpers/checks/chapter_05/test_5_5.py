@@ -107,6 +107,14 @@ def test_cancel(learner):
         Job('J', 0.1, 2),
     )
     printer.judge()
+    # The same late in the life of a goal.
+    now = PAGE * draw.randint(14, 30) + 0.05
+    printer.tell(
+        Job('K', 0.0, many, cancel_at=now),
+        Job('L', 0.1, 2, client=1, cancel_at=round(now - draw.choice([1.2, 1.3]), 2)),
+        Job('M', 0.1, 1),
+    )
+    printer.judge()
     check_at_the_end(printer, draw)
 
 
