@@ -1,6 +1,8 @@
 from grading.variants import Mutant
 
 MUTANTS = [
+    Mutant('a_minute_at_most', breaks='timeout', old='self.create_timer(timeout, self.on_timeout',
+           new='self.create_timer(min(timeout, 60.0), self.on_timeout', expect='failed came 60 s after the request'),
     Mutant('refused_later_asks_again', breaks='refusal', old="self.report('ok' if future.result().success else 'refused')",
            new='''
            if not future.result().success and 0 < self.left < self.tries - 1:

@@ -75,9 +75,9 @@ def test_deadline(learner):
 
     The server may need time to stop. Its result tells what really happened.
     """
-    patience = learner.random.choice([2.35, 3.7, 6.1])
-    outcome, server, _ = begin(learner, 30, patience, partial=Fibonacci.Result(sequence=[6, 5]))
-    server.cancel_delay = learner.random.uniform(31, 90)
+    patience, slow = learner.random.choice([62.35, 93.7, 186.1]), [(1000.0, Fibonacci.Result())]
+    outcome, server, _ = begin(learner, 30, patience, slow, partial=Fibonacci.Result(sequence=[6, 5]))
+    server.cancel_delay = learner.random.uniform(61, 120)
     learner.run(patience + server.cancel_delay - 0.5, step=5.0)
     expect(server.goals, 'No goal came.', 'deadline')
     goal = server.goals[0]
@@ -228,13 +228,13 @@ def test_server_is_gone(learner):
 
     The numbers are those of the last feedback: message.feedback.sequence.
     """
-    steps = [(0.5, Fibonacci.Feedback(sequence=range(n, 9))) for n in range(9)]  # each one is shorter
+    steps = [(0.5, Fibonacci.Feedback(sequence=range(n, 30))) for n in range(9)]  # each one is shorter
     outcome, server, _ = begin(learner, 30, 2.0, steps)
     foreign = learner.talk('/fibonacci/_action/feedback', Fibonacci.Impl.FeedbackMessage, strict=False)
     learner.run(1.5)
     server.stop()
-    seen = list(range(1, 9)) if server.goals and server.goals[0].arrived < 0.4 else None
-    feedback = Fibonacci.Feedback(sequence=range(20))
+    seen = list(range(1, 30)) if server.goals and server.goals[0].arrived < 0.4 else None
+    feedback = Fibonacci.Feedback(sequence=range(40))
     foreign.send(Fibonacci.Impl.FeedbackMessage(goal_id=UUID(uuid=[7] * 16), feedback=feedback))
     learner.run(5.0)
     expect(
@@ -243,7 +243,7 @@ def test_server_is_gone(learner):
         'lost',
     )
     expect(
-        outcome.data != [f'lost {list(range(20))}'],
+        outcome.data != [f'lost {list(range(40))}'],
         f'/outcome said {outcome.data}: these are the numbers of a goal of another client. The feedback of your goal '
         f'was {seen} at last. Give your feedback callback to `send_goal_async`.',
         'numbers',

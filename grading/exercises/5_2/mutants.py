@@ -9,6 +9,22 @@ LATE = 'test_server_comes_late'
 ALL = ('send', 'word', 'numbers', 'deadline', 'result', 'lost', 'once', 'names', 'at-once')
 
 MUTANTS = [
+    Mutant('one_minute_is_enough', breaks='deadline', old='self.create_timer(self.patience, self.give_up)',
+           new='self.create_timer(min(self.patience, 60.0), self.give_up)',
+           expect='s after the goal was accepted'),
+    Mutant('waits_a_minute_for_the_result', breaks='result', edits=(
+           ('self.goal.cancel_goal_async().add_done_callback(lambda future: self.timer.cancel())',
+            'self.goal.cancel_goal_async().add_done_callback(self.on_cancelled)'),
+           ('def finish(self, word, numbers):', '''
+           def on_cancelled(self, future):
+               self.timer.cancel()
+               self.timer = self.create_timer(60.0, lambda: self.finish('lost', self.numbers))
+
+           def finish(self, word, numbers):
+           ''')), expect='before the result was there'),
+    Mutant('ten_numbers_of_the_feedback', breaks='numbers', also='lost',
+           old='self.numbers = message.feedback.sequence', new='self.numbers = message.feedback.sequence[:10]',
+           expect="expected 'lost [0, 0"),
     Mutant('feedback_of_all_goals', breaks='numbers', edits=((
            'Fibonacci.Goal(order=self.order), self.on_feedback)', 'Fibonacci.Goal(order=self.order))'),
            ('self.timer = self.create_timer(0.1, self.send)', '''
