@@ -45,4 +45,6 @@ def test_rate(learner):
 
     create_timer takes a period in seconds, on the clock of the node.
     """
-    moons.judge_rate(moons.Watched(learner, 3.0))
+    moon = moons.Watched(learner, 3.0)
+    moons.judge_rate(moon)
+    moons.judge_goes_on(learner, moon, 31.0)

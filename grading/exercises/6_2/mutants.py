@@ -1,6 +1,13 @@
 from grading.variants import Mutant
 
 MUTANTS = [
+    Mutant('falls_silent', breaks='rate', edits=(
+           ('self.radius, self.period = radius, period', 'self.radius, self.period, self.calls = radius, period, 0'),
+           ('self.broadcaster.sendTransform(message)', '''
+            self.calls += 1
+            if self.calls <= 100:
+                self.broadcaster.sendTransform(message)
+            ''')), expect='0 transforms came'),
     Mutant('first_one_at_once', breaks='rate', old='self.create_timer(0.05, self.tick)', new='''
         self.create_timer(0.05, self.tick)
         self.tick()

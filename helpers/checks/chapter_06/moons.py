@@ -102,6 +102,21 @@ def judge_rate(moon: Watched) -> None:
     )
 
 
+def judge_goes_on(learner, moon: Watched, seconds: float) -> None:
+    """It still speaks after so many seconds, and after an hour: rule `rate`."""
+    with about('rate'):
+        learner.run(seconds)
+        learner.jump(3600.0)
+        heard = learner.tf_listener()
+        learner.run(10.5 * STEP)
+    expect(
+        len(heard.transforms) in (10, 11),
+        f'After {learner.now / SECOND - moon.begin:.0f} s of its time, {len(heard.transforms)} transforms came in '
+        f'{10.5 * STEP:g} s, expected one every {STEP} s.',
+        'rate',
+    )
+
+
 def judge_stamp(moon: Watched) -> None:
     """The rule `stamp`."""
     with about('stamp'):

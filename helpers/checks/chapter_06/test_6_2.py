@@ -15,6 +15,7 @@ def test_rate(learner):
     """
     moon = moons.Watched(learner, 1.0)
     moons.judge_rate(moon)
+    moons.judge_goes_on(learner, moon, learner.random.uniform(6.0, 8.0))
     moons.judge_stamp(moon)
 
 
