@@ -38,7 +38,9 @@ def test_round_trip(learner):
     """
     drawn = learner.random.sample(patrolling.STATIONS, 8)
     many = learner.random.choices(patrolling.STATIONS, k=learner.random.randint(100, 900))
-    cases = [sorted(drawn[:5], reverse=True), sorted(drawn[5:7], reverse=True), drawn[7:], [*drawn[:2], drawn[0]], many]
+    words = [f'{name}{learner.random.choice(["  ", " east", "/2"])}' for name in drawn[:3]]
+    short = sorted(drawn[:5], reverse=True), sorted(drawn[5:7], reverse=True), drawn[7:], [*drawn[:2], drawn[0]]
+    cases = [*short, words, many]
     patrolling.judge_round_trip(learner, *cases)
 
 

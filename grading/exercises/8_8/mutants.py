@@ -7,6 +7,8 @@ ASKED = "self.buffer.lookup_transform('map', 'base_footprint', Time())"
 MUTANTS = [
     Mutant('drives_backwards', old='= linear, angular', new='= -linear, angular', expect='`drive` is given',
            breaks='given'),
+    Mutant('no_faster_than_1_m_s', old='= linear, angular', new='= max(-1.0, min(linear, 1.0)), angular',
+           expect='`drive` is given', breaks='given'),
     Mutant('drives_without_turning', old='command.linear.x, command.angular.z = linear, angular',
            new='command.linear.x = linear', expect='`drive` is given', breaks='given'),
     Mutant('other_topic_of_the_motor', old="'cmd_vel'", new="'motor'", expect='nothing new', breaks='given'),

@@ -82,10 +82,10 @@ def test_cancel(learner):
         judge_cancel(drives, 'far')
 
 
-@pytest.mark.rules('succeeds', 'rhythm', 'timeout', 'result', 'stands', 'lost')
+@pytest.mark.rules('succeeds', 'rhythm', 'timeout', 'result', 'stands', 'lost', 'feedback')
 def test_held(learner):
     """A robot that is held drives with what steer says, gives up in time, and has arrived below the tolerance."""
-    judge_held(learner)
+    judge_held(learner, learner.random.uniform(18.0, 20.0))
 
 
 @pytest.mark.rules('rejects-lost', 'lost', 'timeout', 'next', 'succeeds', 'result')

@@ -27,6 +27,16 @@ end()
 DRIVE, BOTH = 'test_drive', 'test_lost_and_late'
 
 MUTANTS = [
+    Mutant('not_lost_when_late', breaks='lost', old='elif pose is None:', new='elif pose is None and step < 80:',
+           expect='and the localiser fell silent'),
+    Mutant('no_feedback_when_late', breaks='feedback', old='if step % 4 == 0:', new='if step % 4 == 0 and step < 80:',
+           expect='no feedback came'),
+    Mutant('no_feedback_near_the_station', breaks='feedback', old='if step % 4 == 0:',
+           new='if step % 4 == 0 and distance > 0.3:', expect='no feedback came'),
+    Mutant('small_tolerance_is_five_cm', breaks='succeeds', old="distance < self.value('tolerance')",
+           new="distance < max(0.05, self.value('tolerance'))", expect='m away from the station, and the goal is'),
+    Mutant('eight_seconds_at_most', breaks='timeout', also=('feedback', 'lost', 'cancel'), old=">= self.value('timeout')",
+           new=">= min(8.0, self.value('timeout'))", expect='expected to go on'),
     Mutant('goes_to_the_moon', old='.place(request.station) is None or self.where', new='.where',
            expect='The goal moon was accepted', breaks='rejects-unknown', alone=True),
     Mutant('a_part_of_the_name', edits=(

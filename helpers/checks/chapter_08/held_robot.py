@@ -1,6 +1,7 @@
 """Tests of exercise 8.9 with a robot that is held: whatever it is told, it stands where the test says it is."""
 
 import math
+from itertools import pairwise
 
 import pytest
 from delivery_interfaces.action import GoToStation
@@ -8,7 +9,9 @@ from delivery_interfaces.srv import SetStation
 from geometry_msgs.msg import Twist
 
 from helpers.checks.chapter_08.deliveries import Localizer
+from helpers.checks.chapter_08.parameters import Parameters
 from helpers.runner import about, expect
+from helpers.runner.peers import SECOND
 
 TOLERANCE, TIMEOUT, FASTEST, TURN = 0.5, 3.0, 0.5, 2.0  # the parameters of the node: m, s, m/s, rad/s
 GATE = 0.5, 0.0  # the station, in metres
@@ -52,8 +55,11 @@ class Held:
             self.learner.run(0.1)
 
 
-def judge_held(learner) -> None:
-    """The rules `rhythm`, `timeout`, `succeeds`, `result`, `stands` and `lost`."""
+def judge_held(learner, seconds: float) -> None:
+    """The rules `rhythm`, `timeout`, `succeeds`, `result`, `stands`, `lost` and `feedback`.
+
+    :param seconds: so long one of the drives takes.
+    """
     with about('succeeds'):
         held = Held(learner)
     goal = held.go('rhythm')
@@ -62,6 +68,7 @@ def judge_held(learner) -> None:
     _judge_border(held, goal.result.message)
     _judge_there_already(held)
     _judge_short_loss(held)
+    _judge_long_drive(held, seconds)
 
 
 def _judge_commands(held: Held, goal) -> None:
@@ -181,5 +188,42 @@ def _judge_short_loss(held: Held) -> None:
         goal.status == 'aborted',
         f'While a goal ran, the localiser was silent for 0.7 s: where() was None for 0.2 s. The goal is '
         f'{goal.status or "still running"}, expected aborted: it ends in the round in which where() is None.',
+        'lost',
+    )
+
+
+def _judge_long_drive(held: Held, seconds: float) -> None:
+    """The rules `timeout`, `feedback`, `succeeds` and `lost`, of a robot that needs long, with a small tolerance."""
+    tolerance, timeout = 0.03, round(seconds + 5.0)
+    Parameters(held.learner, '/delivery_robot').set(tolerance=tolerance, timeout=float(timeout))
+    held.stand(*AWAY)
+    goal = held.go('next')
+    held.stand(*AWAY, seconds)
+    told = f'The tolerance is {tolerance:g} m now and the timeout {timeout} s, and a drive has taken {seconds:.1f} s. '
+    expect(not goal.done, f'{told}The goal is {goal.status}, expected to go on.', 'timeout')
+    held.stand(GATE[0] - 1.4 * tolerance, 0.0, 2.0)
+    expect(
+        not goal.done,
+        f'{told}The robot was {1.4 * tolerance:.3f} m away from the station, and the goal is {goal.status}.',
+        'succeeds',
+    )
+    moments = [goal.sent, *goal.stamps, held.learner.now / SECOND]
+    pause = max(late - early for early, late in pairwise(moments))
+    expect(pause < 0.65, f'{told}For {pause:.1f} s no feedback came, expected 2 to 5 in each second.', 'feedback')
+    held.stand(GATE[0] - 0.7 * tolerance, 0.0, 0.3)
+    expect(
+        goal.status == 'succeeded',
+        f'{told}The robot is {0.7 * tolerance:.3f} m away from the station, and the goal is '
+        f'{goal.status or "still running"}, expected succeeded.',
+        'succeeds',
+    )
+    held.stand(*AWAY)
+    goal = held.go('next')
+    held.stand(*AWAY, seconds)
+    held.learner.run(1.0)
+    expect(
+        goal.status == 'aborted',
+        f'{told}Then another one ran for {seconds:.1f} s, and the localiser fell silent: 1 s later the goal is '
+        f'{goal.status or "still running"}, expected aborted.',
         'lost',
     )

@@ -35,13 +35,13 @@ def test_name(learner):
     drives.judge_name(learner)
 
 
-@pytest.mark.rules('succeeds', 'rhythm', 'timeout', 'result', 'stands', 'lost')
+@pytest.mark.rules('succeeds', 'rhythm', 'timeout', 'result', 'stands', 'lost', 'feedback')
 def test_held(learner):
     """A robot that is held drives with what steer says, gives up in time, and has arrived below the tolerance.
 
     steer(*where(), ...), drive(...); distance < tolerance, wherever the robot looks.
     """
-    held_robot.judge_held(learner)
+    held_robot.judge_held(learner, learner.random.uniform(9.0, 11.0))
 
 
 @pytest.mark.rules('rejects-lost', 'lost', 'timeout', 'next', 'succeeds', 'result')
