@@ -1,5 +1,7 @@
 """How a driver of exercises 5.4 and 8.9 ends its goal, which pose it uses, and what is its own."""
 
+from itertools import pairwise
+
 import pytest
 from turtlesim.msg import Pose
 
@@ -58,6 +60,12 @@ def check_cancel(learner, client, goal: Goal, story: str) -> None:
         'is free when the goal has ended, not when somebody has asked for its end.',
         'busy',
     )
+
+
+def longest_pause(goal: Goal, end: float) -> float:
+    """Return the longest time without feedback, in s, from the sending of the goal to `end`, a time in s."""
+    moments = [goal.sent, *goal.stamps, end]
+    return max(late - early for early, late in pairwise(moments))
 
 
 def check_old_pose(learner, client) -> None:

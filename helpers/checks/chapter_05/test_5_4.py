@@ -14,6 +14,7 @@ from helpers.checks.chapter_05.driving import (
     check_old_pose,
     check_order,
     check_two_drivers,
+    longest_pause,
 )
 from helpers.runner import about, expect
 from helpers.runner.turtlesim import TurtleSim
@@ -239,8 +240,7 @@ def _give_up(learner, robot, goal):
 
 def _check_pause(learner, goal, when):
     """Since the goal was sent, feedback came often enough."""
-    moments = [goal.sent, *goal.stamps, learner.now / 1e9]
-    pause = max(late - early for early, late in zip(moments, moments[1:], strict=False))
+    pause = longest_pause(goal, learner.now / 1e9)
     expect(
         pause < 0.65,
         f'For {pause:.1f} s no feedback came while the goal ran, expected 2 to 5 in each second, {when}.',
