@@ -155,7 +155,7 @@ def turtlesim(ros2):  # noqa: F811
 
 
 @pytest.mark.usefixtures('turtlesim')
-@pytest.mark.one_of(3)
+@pytest.mark.one_of(5)
 @pytest.mark.parametrize('tutorial,line,pattern', LINES, ids=[line for _, line, _ in LINES])
 def test_command_line(ros2, tutorial, line, pattern):  # noqa: F811
     done = run_line(ros2, line)
@@ -213,6 +213,7 @@ STREAMS = [
 
 
 @pytest.mark.usefixtures('turtlesim')
+@pytest.mark.one_of(2)
 @pytest.mark.parametrize('line,pattern', STREAMS, ids=[line for line, _ in STREAMS])
 def test_command_line_that_goes_on(ros2, line, pattern):  # noqa: F811
     with background(['sh', '-c', f'exec ros2 {line}'], env=with_programs(ros2)) as process:

@@ -136,7 +136,7 @@ REFUSED = [
 
 
 @pytest.mark.usefixtures('turtlesim')
-@pytest.mark.one_of(3)
+@pytest.mark.one_of(5)
 @pytest.mark.parametrize('line,pattern', LINES, ids=[line for line, _ in LINES])
 def test_command_line(ros2, line, pattern):  # noqa: F811
     done = run_line(ros2, line)
@@ -144,7 +144,7 @@ def test_command_line(ros2, line, pattern):  # noqa: F811
     assert re.fullmatch(pattern, done.stdout), done.stdout
 
 
-@pytest.mark.one_of(3)
+@pytest.mark.one_of(5)
 @pytest.mark.usefixtures('turtlesim')
 @pytest.mark.parametrize('line,status,said', REFUSED, ids=[line for line, _, _ in REFUSED])
 def test_refused_line(ros2, line, status, said):  # noqa: F811
@@ -272,6 +272,7 @@ rclpy.spin(asker)
 """
 
 
+@pytest.mark.one_of(2)
 def test_an_action_is_served_and_called(ros2):  # noqa: F811
     """Writing an action server and client (Python): a goal that nobody ended, one that succeeded, and a client."""
     (ros2.directory / 'action_server.py').write_text(ACTION_SERVER)

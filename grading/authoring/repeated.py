@@ -19,7 +19,7 @@ NEVER, ONCE, TWICE = (), ('first',), ('first', 'second')
 SKIP = 'nbval-skip'
 IGNORE = {'tags': ['nbval-ignore-output']}
 # About how long a run of each chapter takes beside others, in seconds. Only their order matters.
-SECONDS = {'07': 178, '08': 134, '05': 124, '02': 96, '06': 92, '03': 83, '04': 83, '01': 66}
+SECONDS = {'08': 380, '07': 356, '02': 256, '06': 155, '05': 142, '03': 110, '04': 108, '01': 105}
 
 
 def repeated(notebook: NotebookNode, folder: Path, runs: tuple[str, ...]) -> NotebookNode:
@@ -61,18 +61,16 @@ def all_twice(path: Path) -> tuple[str, ...]:
 def sample(notebooks: list[Path], seed: str) -> Callable[[Path], tuple[str, ...]]:
     """The runs of a notebook in a sample: each solved one runs.
 
-    ``seed`` draws a chapter whose solved notebook runs a second time, and another one whose learner's notebook runs.
-    One of them is of the later chapters, which take longer: so samples take about the same time.
+    ``seed`` draws a chapter, and whether its solved notebook runs a second time or its learner's notebook runs, too.
     """
     names, draw = sorted({path.name for path in notebooks}), random.Random(f'{seed} notebooks')
-    halves = [half for half in (names[: len(names) // 2], names[len(names) // 2 :]) if half]
-    draw.shuffle(halves)
-    twice, unsolved = (draw.choice(half) for half in (halves[0], halves[-1])) if halves else ('', '')
+    drawn, of_learner = draw.choice(names or ['']), draw.random() < 0.5
 
     def runs(path: Path) -> tuple[str, ...]:
+        chosen = path.name == drawn
         if path.parent.name == 'notebooks':
-            return ONCE if path.name == unsolved else NEVER
-        return TWICE if path.name == twice else ONCE
+            return ONCE if chosen and of_learner else NEVER
+        return TWICE if chosen and not of_learner else ONCE
 
     return runs
 

@@ -58,6 +58,7 @@ def as_folder(folder):
     (folder / 'ada' / small.NOTEBOOK).write_text('ada')
 
 
+@pytest.mark.one_of(3)
 @pytest.mark.parametrize('stays', [True, False], ids=['stays', 'goes'])
 @pytest.mark.parametrize('arrives', [as_zip, as_zip_without_id, as_folder])
 @pytest.mark.parametrize('name', ['eve', 'zoe', 'Ada', 'submission-final (1)'])

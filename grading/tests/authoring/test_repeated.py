@@ -145,7 +145,7 @@ def test_what_takes_long_runs_once_in_a_solved_notebook_that_runs_twice_and_neve
     assert skipped(None, executed=3) == {'cell-0-first': False, 'cell-0-second': True}  # it says nothing
 
 
-def test_a_sample_runs_each_solved_notebook_and_draws_second_runs_and_learners_notebooks():
+def test_a_sample_runs_each_solved_notebook_and_draws_a_second_run_or_a_learners_notebook():
     found = [Path(folder, f'{number:02}.ipynb') for folder in ('solutions', 'notebooks') for number in range(1, 9)]
     solved, learners = found[:8], found[8:]
     seen_twice, seen_unsolved = set(), set()
@@ -153,8 +153,7 @@ def test_a_sample_runs_each_solved_notebook_and_draws_second_runs_and_learners_n
         runs = repeated.sample(found, seed)
         twice = {path.stem for path in solved if runs(path) == ('first', 'second')}
         unsolved = {path.stem for path in learners if runs(path) == ('first',)}
-        assert len(twice) == len(unsolved) == 1
-        assert not twice & unsolved
+        assert len(twice) + len(unsolved) == 1
         assert all(runs(path) for path in solved)
         seen_twice |= twice
         seen_unsolved |= unsolved

@@ -102,7 +102,7 @@ ELSEWHERE = {
 }
 
 
-@pytest.mark.one_of(2)
+@pytest.mark.one_of(4)
 @pytest.mark.parametrize('command', sorted({command for _, command in QUOTED}))
 def test_a_quoted_command_runs(command):
     """As it is quoted, in the course's own folder; in the shell that `shell` opens, a program of ROS is there."""
@@ -189,6 +189,7 @@ def test_every_chapter_says_how_long_it_takes():
 
 
 @pytest.mark.skipif(not FULL, reason="the learner's edition has no commands for instructors")
+@pytest.mark.one_of(3)
 def test_the_way_from_a_release_to_the_grade_book(tmp_path, monkeypatch, capsys):
     """The commands of the guide, in their order: release, an old answer taken over, submit, grade."""
     from grading import sandbox

@@ -141,7 +141,7 @@ def below(folder: Path) -> set[str]:
     return {str(path.relative_to(folder)) for path in folder.rglob('*')}
 
 
-@pytest.mark.one_of(4)
+@pytest.mark.one_of(6)
 def test_nothing_is_written_into_the_home(environ, tmp_path):
     home = Path(environ['HOME'])
     printed = in_lab(environ, tmp_path / 'lab.log')
@@ -166,6 +166,7 @@ def test_a_domain_of_the_users_own_wins(environ):
     assert chosen.stdout == '42\n'
 
 
+@pytest.mark.one_of(3)
 def test_a_stock_shell_has_nothing_of_the_courses_defaults(environ):
     code = 'import os, json; print(json.dumps(dict(os.environ)))'
     shells = [

@@ -34,6 +34,7 @@ def run(code: str, domain: int, begin: str = BEGIN):
     return done.returncode, done.stderr, time.monotonic() - began
 
 
+@pytest.mark.one_of(3)
 @pytest.mark.parametrize(
     ('code', 'status'),
     [

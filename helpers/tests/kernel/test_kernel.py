@@ -240,6 +240,7 @@ CREATE = 'talker, listener = Talker(**LIGHT), Listener(**LIGHT)'
 WAIT = 'wait_for(lambda: len(listener.heard) > 1)'
 
 
+@pytest.mark.one_of(3)
 @pytest.mark.parametrize(
     'cells',
     [

@@ -40,7 +40,7 @@ def judge(folder, source, test=RUN, **options):
     return report.exercises[0].tests[0]
 
 
-@pytest.mark.one_of(3)
+@pytest.mark.one_of(5)
 @pytest.mark.parametrize(
     'line',
     [
@@ -94,7 +94,7 @@ def test_call(learner):
     assert test.verdict == 'passed', test.message
 
 
-@pytest.mark.one_of(3)
+@pytest.mark.one_of(5)
 @pytest.mark.parametrize(
     ('line', 'words'),
     [
@@ -176,7 +176,7 @@ class Talker(Node):
     assert test.verdict == 'learner_crashed' and f'such as `self.my_{name}`' in test.message, test.message
 
 
-@pytest.mark.one_of(3)
+@pytest.mark.one_of(5)
 @pytest.mark.parametrize(
     ('callback', 'words'),
     [
@@ -248,7 +248,7 @@ def test_cancel(learner):
     assert ('cancel_callback' in test.message) is bool(words) and words in test.message.splitlines()[0]
 
 
-@pytest.mark.one_of(3)
+@pytest.mark.one_of(5)
 @pytest.mark.parametrize('end', ['self.timer.destroy()', 'self.destroy_timer(self.timer)', 'self.timer.cancel()'])
 def test_a_timer_may_be_destroyed_in_its_own_callback(tmp_path, end):
     """That is right in ROS, also by a coroutine that awaited it."""

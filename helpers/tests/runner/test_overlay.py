@@ -160,6 +160,7 @@ def test_a_library_is_not_called_as_a_package_that_nobody_asked_for(tmp_path):
         sourced_environment.of(tmp_path, ['patrol'])
 
 
+@pytest.mark.one_of(4)
 def test_modules_that_tools_would_like_to_have_are_known():
     """Who installs one of these would be in all programs."""
     library = Path(sysconfig.get_path('stdlib'))

@@ -290,7 +290,7 @@ def test_what_the_panel_lacks_is_said():
     assert 'drive' in mystery.lacks(shown(), begin=20.0)
 
 
-@pytest.mark.one_of(3)
+@pytest.mark.one_of(6)
 @pytest.mark.parametrize('name, place', [(name, place) for name in POSSIBLE for place in range(3)])
 def test_each_fault_breaks_the_system_and_its_repair_mends_it(tmp_path, domain, name, place):
     class One(mystery.Mystery):
