@@ -150,4 +150,12 @@ def _choose(ubuntu, month, rows):
            expect='choose the one whose support ends last', breaks='ends-last'),
     Mutant('rolling_is_none', old='if row[0] == ubuntu}', new="if row[0] == ubuntu and name != 'rolling'}", expect="'rolling'",
            breaks='table'),
+    Mutant('ten_months_in_a_year', edits=(
+               ('month = today[:7]', """
+               def count(text):
+                   return 10 * int(text[:4]) + int(text[5:])
+               month = today[:7]
+               """),
+               ('first <= month <= last]', 'count(first) <= count(month) <= count(last)]'),
+           ), expect='and not then', breaks='to-come', also=('months', 'ends-last', 'ended')),
 ]

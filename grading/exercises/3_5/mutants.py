@@ -120,4 +120,10 @@ MUTANTS = [
                 return
             self.last = list(scan.ranges)
         """, expect='equal to the one before', breaks='rest'),
+    Mutant('fifty_scans_at_most', old='def on_scan(self, scan):', new="""
+        def on_scan(self, scan):
+            self.count = getattr(self, 'count', 0) + 1
+            if self.count > 50:
+                return
+        """, expect='however many there were before', breaks='rest'),
 ]

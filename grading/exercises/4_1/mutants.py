@@ -251,4 +251,15 @@ class GripperClient(Node):
            new='self.tries, self.left, self.future = min(tries, 10), 0, None', expect='`tries` may be any number'),
     Mutant('ten_seconds_at_most', breaks='timeout', also=('tries', 'request'), old='self.create_timer(timeout, self',
            new='self.create_timer(min(timeout, 10.0), self', expect='failed came 10 s after the request'),
+    Mutant('forty_commands_at_most', breaks='request', old='    def on_close(self, msg):', new='''
+    def on_close(self, msg):
+        self.count = getattr(self, 'count', 0) + 1
+        if self.count > 40:
+            return
+''', expect='however many there were before'),
+    Mutant('twenty_five_reports_at_most', breaks='answer', old='self.state.publish(String(data=text))', new='''
+        self.count = getattr(self, 'count', 0) + 1
+        if self.count <= 25:
+            self.state.publish(String(data=text))
+''', expect='each command is reported'),
 ]

@@ -7,6 +7,7 @@ import pytest
 from helpers.checks.chapter_06.scans import (
     Laser,
     check_long_wait,
+    check_many,
     check_no_hits,
     check_standing,
     check_topics,
@@ -256,10 +257,10 @@ def test_two_lasers(learner):
         there.clouds.clear()
 
 
-@pytest.mark.rules('later')
+@pytest.mark.rules('later', 'one-cloud', 'place', 'time')
 @about('later')
 def test_many_wait(learner):
-    """Nine scans wait for one transform: each gets its cloud.
+    """Nine scans wait for one transform, and that again and again: each gets its cloud.
 
     Keep all that wait, not the last few.
     """
@@ -271,3 +272,4 @@ def test_many_wait(learner):
     there.tell(0.15)
     learner.run(0.2)
     expect(len(there.clouds) == 9, f'Nine scans came, then the transform for all; {len(there.clouds)} clouds came.')
+    check_many(there)

@@ -167,4 +167,10 @@ MUTANTS = [
         """, expect='as those of a robot that stands still'),
     Mutant('a_degree_for_each', breaks='range', old='enumerate(scan.ranges)', new='enumerate(scan.ranges[:360])',
            expect='gave a cloud of 360 points'),
+    Mutant('sixty_scans_at_most', breaks='one-cloud', old='    def on_scan(self, scan):', new='''
+    def on_scan(self, scan):
+        self.count = getattr(self, 'count', 0) + 1
+        if self.count > 60:
+            return
+''', expect='however many there were before'),
 ]

@@ -148,4 +148,6 @@ def repair_machine(files, want):
     Mutant('equal_lines_become_one', old="return {'.bashrc': '\\n'.join(bashrc), 'ros2.list'",
            new="return {'.bashrc': '\\n'.join(dict.fromkeys(bashrc)), 'ros2.list'", breaks='kept',
            expect='also those that are equal'),
+    Mutant('sources_with_spaces', old="active(files['ros2.list'])", new="files['ros2.list'].splitlines()",
+           expect='deb', breaks='comments'),
 ]

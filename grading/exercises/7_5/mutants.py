@@ -146,4 +146,6 @@ MUTANTS = [
     Mutant('three_of_six_values', old="attrib.update(ixy='0', ixz='0', iyz='0')", new='attrib', breaks='weight',
            expect='An <inertia> has six values'),
     Mutant('five_at_most', old='    return found\n', new='    return found[:5]\n', breaks='all', expect='You did not find'),
+    Mutant('mass_below_a_ton', old="float(mass.get('value')) <= 0", new="not 0 < float(mass.get('value')) < 1000",
+           expect='A mass must be more than 0', breaks='mass', also=('all', 'inertia', 'frames')),
 ]

@@ -251,4 +251,35 @@ class Governor(Node):
            new='= max(-10.0, min(10.0, self.command.angular.z))', expect='came out as'),
     Mutant('twice_a_second_at_least', breaks='new-rate', also=('rhythm', 'newest', 'before'), old="1 / self.get_parameter('rate').value",
            new="1 / max(2.0, self.get_parameter('rate').value)", expect='messages came after'),
+    Mutant('the_first_two_hundred_commands', edits=(("lambda command: setattr(self, 'command', command)", 'self.on_command'),
+           ('    def check(self, parameters):', """
+           def on_command(self, command):
+               self.count = getattr(self, 'count', 0) + 1
+               if self.count <= 200:
+                   self.command = command
+
+           def check(self, parameters):
+           """)), breaks='newest', expect='however many there were before'),
+    Mutant('forgets_after_a_minute', edits=(("lambda command: setattr(self, 'command', command)", 'self.on_command'),
+           ('    def check(self, parameters):', """
+           def on_command(self, command):
+               self.command, self.came = command, self.get_clock().now()
+
+           def check(self, parameters):
+           """),
+           ("if mode != 'stop':", """
+           if self.command != Twist() and (self.get_clock().now() - self.came).nanoseconds > 60e9:
+               self.command = Twist()
+           if mode != 'stop':
+           """)), breaks='newest', expect='A command holds until the next one comes'),
+    Mutant('one_after_the_other', old='new.update({parameter.name: parameter.value for parameter in parameters})', new="""
+           for parameter in parameters:
+               new[parameter.name] = parameter.value
+               if new['slow_linear'] > new['max_linear']:
+                   return SetParametersResult(successful=False, reason='slow_linear is above max_linear')
+           """, breaks='pair', expect='as they would be after the request'),
+    Mutant('slow_is_a_part_of_the_speed', old='command.linear.x = max(-limit, min(limit, self.command.linear.x))', new="""
+           speed = self.command.linear.x * (0.4 if mode == 'slow' else 1.0)
+           command.linear.x = max(-limit, min(limit, speed))
+           """, breaks='modes', expect='What is smaller than the limit stays as it is'),
 ]

@@ -185,4 +185,33 @@ if len(self.stations) > 5:
     Mutant('letters_are_put_together', edits=(('self.stations[request.name]', "self.stations[normalize('NFC', request.name)]"),
            ('self.stations.get(name)', "self.stations.get(normalize('NFC', name))")), imports='from unicodedata import normalize',
            breaks='unknown', expect='nobody has set this station'),
+    Mutant('silent_after_a_hundred', edits=(("lambda: self.publisher.publish(String(data=self.state))", 'self.on_timer'), ('    def value(self, name):', """
+           def on_timer(self):
+               self.count = getattr(self, 'count', 0) + 1
+               if self.count <= 100:
+                   self.publisher.publish(String(data=self.state))
+
+           def value(self, name):
+           """)), breaks='status-period', expect='it goes on as long as the robot runs'),
+    Mutant('the_first_hundred_states', edits=(("lambda: self.publisher.publish(String(data=self.state))", 'self.on_timer'), ('    def value(self, name):', """
+           def on_timer(self):
+               self.count = getattr(self, 'count', 0) + 1
+               self.told = self.state if self.count <= 100 else self.told
+               self.publisher.publish(String(data=self.told))
+
+           def value(self, name):
+           """)), breaks='status', expect='publish it as it is then'),
+    Mutant('three_new_places', old='if response.success:', new="""
+           self.moved = getattr(self, 'moved', 0) + (request.name in self.stations)
+           if response.success and self.moved > 3 and request.name in self.stations:
+               return response
+           if response.success:
+           """, breaks='new-place', expect='After all stations got new places'),
+    Mutant('names_of_two_hundred_letters', old='bool(request.name) and', new='0 < len(request.name) <= 200 and',
+           breaks='station', expect='A name is any text that is not empty'),
+    Mutant('status_expires', edits=(('durability=DurabilityPolicy.TRANSIENT_LOCAL',
+           'durability=DurabilityPolicy.TRANSIENT_LOCAL, lifespan=Duration(seconds=3)'),),
+           imports='from rclpy.duration import Duration', breaks='latched', expect='has the lifespan'),
+    Mutant('status_in_small_letters', old='data=self.state)', new='data=self.state.lower())', breaks='status', also='latched',
+           expect='publish it as it is then'),
 ]

@@ -90,7 +90,7 @@ def drawn_cases(random: Random) -> list[Case]:
         [long, f'{year}-09', f'{year + 10}-02'],  # the third one for this Ubuntu
     ]
     rows.insert(random.randint(0, len(rows)), [far, f'{year + 13}-05', f'{year + 18}-05'])  # what is to come for others
-    for row in ([gap, f'{year}-05', f'{year + 1}-11'], [gap, f'{year + 4}-05', f'{year + 9}-05']):
+    for row in ([gap, f'{year}-05', f'{year + 1}-12'], [gap, f'{year + 4}-05', f'{year + 9}-05']):
         rows.insert(random.randint(0, len(rows)), row)
     leap = next(one for one in range(year + 2, year + 12) if isleap(one))
     rows.insert(random.randint(0, len(rows)), ['42.04', f'{year}-08', f'{leap}-02'])  # to the 29th
@@ -98,13 +98,13 @@ def drawn_cases(random: Random) -> list[Case]:
     asked = [
         ('ends-last', long, f'{year + 1}-08'),
         ('ends-last', late, f'{year + 2}-10'),
-        ('months', gap, f'{year + 1}-11'),
+        ('months', gap, f'{year + 1}-12'),
         ('months', late, f'{year - 6}-03'),
         ('months', gap, f'{year + 4}-05'),
         ('months', '42.04', f'{leap}-02'),
         ('ended', '42.04', f'{leap}-03'),
         ('to-come', gap, f'{year + 2}-06'),
-        ('to-come', gap, f'{year + 1}-12'),
+        ('to-come', gap, f'{year + 2}-01'),  # the month after a December
         ('to-come', late, f'{year - 7}-12'),
         ('ended', gap, f'{year + 9}-06'),
         ('ended', late, f'{year + 12}-01'),

@@ -79,7 +79,7 @@ def scans(random, near: list[bool]) -> list[LaserScan]:
 
 
 def check_again(learner, lidar, stop, scan: LaserScan, is_near: bool) -> None:
-    """The last scan comes once more, as that of a robot that stands still: it is answered, too."""
+    """The last scan comes again and again, as that of a robot that stands still: each time it is answered."""
     count = len(stop)
     lidar.send(scan)
     learner.run(0.1)
@@ -87,6 +87,16 @@ def check_again(learner, lidar, stop, scan: LaserScan, is_near: bool) -> None:
         stop.data[count:] == [is_near],
         f'A scan came that is equal to the one before, and {stop.data[count:]} on stop, expected [{is_near}]. Each '
         'scan is answered. The callback was right: repair only the QoS.',
+        'rest',
+    )
+    for _ in range(60):
+        lidar.send(scan)
+        learner.settle()
+    more = len(stop) - count
+    expect(
+        more == 61,
+        f'61 equal scans came after the others, and {more} commands on stop: each scan is answered, however many there '
+        'were before. The callback was right: repair only the QoS.',
         'rest',
     )
 

@@ -287,7 +287,7 @@ def test_new_command(learner):
     _while_a_request_is_open(gripper, first, pause)
     _while_a_server_is_silent(gripper, first, pause)
     _the_same_command_again(gripper, first, pause)
-    _ten_at_once(gripper, first)
+    check_bursts(learner, gripper.close, gripper.server, states=gripper.states)
 
 
 def _while_a_request_is_open(gripper, first, pause):
@@ -368,19 +368,43 @@ def _while_a_server_is_silent(gripper, first, pause):
     )
 
 
-def _ten_at_once(gripper, first):
-    """Ten commands before the node can look: none is lost."""
-    learner, server = gripper.learner, gripper.server
+def check_bursts(learner, close, server, states) -> None:
+    """Five times ten commands come before the node can look: none is lost, and the last one of ten is reported."""
     server.answer, server.delay = {'success': True}, 0.0
-    server.stamps.clear()
-    gripper.close.send(*[Bool(data=first)] * 10)
-    learner.run(0.5)
+    for number in range(5):
+        server.stamps.clear()
+        states.clear()
+        close.send(*[Bool(data=learner.random.random() < 0.5) for _ in range(10)])
+        learner.run(0.5)
+        count = len(server.stamps)
+        expect(
+            count == 10 or number,
+            f'10 commands came at one moment, before your node could look; {count} of them became requests, expected '
+            '10: the depth of a subscription says how many it keeps.',
+            'queue',
+        )
+        words = f'After more than {10 * number} commands 10 more came, each of which the server answered. '
+        expect(
+            count == 10,
+            f'{words}{count} of them became requests, expected 10: a command makes a request, however many there were '
+            'before.',
+            'request',
+        )
+        expect(
+            states.data[-1:] == ['ok'],
+            f'{words}gripper_state says {states.data}, expected ok at the end: the last one of them is reported.',
+            'answer',
+        )
+    states.clear()
+    for _ in range(30):
+        close.send(Bool(data=True))
+        learner.run(0.1)
     expect(
-        len(server.stamps) == 10,
-        f'10 commands came at one moment, before your node could look; '
-        f'{len(server.stamps)} of them became requests, expected 10: the depth of a '
-        'subscription says how many it keeps.',
-        'queue',
+        states.data == ['ok'] * 30,
+        f'After more than 50 commands 30 more came, one after the other, and each was answered with success=True; '
+        f'gripper_state says ok {states.data.count("ok")} times, and something else '
+        f'{len(states) - states.data.count("ok")} times, expected 30 ok: each command is reported.',
+        'answer',
     )
 
 

@@ -60,6 +60,19 @@ class Laser:
 
         `first` and `step` in radians; `limits`, in metres, are numbers that a float32 holds exactly.
         """
+        scan = self._scan(ranges, seconds, first, step, limits, frame)
+        self._scans.send(scan)
+        self.learner.settle()
+        return scan
+
+    def scan_together(self, scans: list, seconds: list) -> list[LaserScan]:
+        """Send several scans before the node can look: their distances, and the times at which they were measured."""
+        messages = [self._scan(*scan) for scan in zip(scans, seconds, strict=True)]
+        self._scans.send(*messages)
+        self.learner.settle()
+        return messages
+
+    def _scan(self, ranges, seconds: float, first=-0.6, step=0.3, limits=(0.125, 12.0), frame=None) -> LaserScan:
         scan = LaserScan(
             angle_min=first,
             angle_max=self._angle_max(first, step, len(ranges)),
@@ -72,8 +85,6 @@ class Laser:
         )
         scan.header.frame_id = frame or self.frame
         scan.header.stamp = Time(nanoseconds=round((self.begin + seconds) * SECOND)).to_msg()
-        self._scans.send(scan)
-        self.learner.settle()
         return scan
 
     def _angle_max(self, first: float, step: float, count: int) -> float:
@@ -255,6 +266,30 @@ def check_standing(there: Laser) -> None:
         'one-cloud',
     )
     there.check(scan, there.clouds.messages[-1])
+
+
+def check_many(there: Laser) -> None:
+    """Fail unless a node that has run for long still gives a cloud for each scan."""
+    draw, before = there.learner.random, 0
+    for _ in range(8):
+        there.clouds.clear()
+        begin, count = there.now, draw.randint(8, 10)  # a queue of depth 10 holds what comes at once
+        there.tell(begin)
+        moments = [begin + (number + 1) / 100 for number in range(count)]
+        scans = there.scan_together([[draw.uniform(0.5, 9.0) for _ in range(2)] for _ in moments], moments)
+        there.learner.run(0.12)
+        there.tell(begin + 0.12)
+        there.learner.run(0.1)
+        clouds = sorted(there.clouds.messages, key=lambda cloud: Time.from_msg(cloud.header.stamp).nanoseconds)
+        expect(
+            len(clouds) == count,
+            f'After more than {before} scans {count} more came, then the transforms for all of them, and '
+            f'{len(clouds)} clouds: one cloud for each scan, however many there were before.',
+            'one-cloud',
+        )
+        for scan, cloud in zip(scans, clouds, strict=True):
+            there.check(scan, cloud)
+        before += count
 
 
 def points(cloud: PointCloud2) -> np.ndarray:

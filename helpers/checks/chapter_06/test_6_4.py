@@ -7,6 +7,7 @@ import pytest
 from helpers.checks.chapter_06.scans import (
     Laser,
     check_long_wait,
+    check_many,
     check_no_hits,
     check_standing,
     check_topics,
@@ -62,6 +63,7 @@ def test_scans(learner):
     _check_hopeless(there)
     check_long_wait(there)
     check_standing(there)
+    check_many(there)
 
 
 def _distances(there, limits):

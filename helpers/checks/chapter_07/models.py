@@ -51,7 +51,7 @@ class Robot:
         """`form`: which of the wrong values it is, by its number.
 
         :param frame: what is in a link without <visual>, if there is one: ``empty``, ``collision`` or ``inertial``.
-        :param flat: the links are as thin as paper, so that one moment is the sum of the two others, and as light.
+        :param flat: the links are as thin as paper, so that one moment is the sum of the two others, light or heavy.
         :param parts: so many more links; too many for a simulation.
         """
         self._form, self._flat = form, flat
@@ -132,13 +132,13 @@ class Robot:
             value = (
                 self._one_of(random, ['0', random.choice(['0.00', '0.000']), f'-{mass:.2f}'])
                 if 'mass' in faults
-                else random.choice(['0.004', '0.0003', '1e-6'])
+                else random.choice(['0.004', '0.0003', '1e-6', '1250', '7e4'])
                 if self._flat
                 else f'{mass:.2f}'
             )
             ElementTree.SubElement(inertial, 'mass', value=value)
-            light = random.choice([['0.00002', '0.00002', '0.00004'], ['2e-9', '4e-9', '2e-9']])  # exact sums
-            moments = light if self._flat else [f'{one:.6f}' for one in solid(*shape, mass)]
+            exact = random.choice([['0.00002', '0.00002', '0.00004'], ['2e-9', '4e-9', '2e-9'], ['2e5', '2e5', '4e5']])
+            moments = exact if self._flat else [f'{one:.6f}' for one in solid(*shape, mass)]
             if 'inertia' in faults:
                 place = random.randrange(3) if self._form is None else self._form // 3 % 3
                 # Other ones than those of the solid body, of which one is wrong, and a sum that is wrong by a little.

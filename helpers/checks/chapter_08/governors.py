@@ -163,11 +163,30 @@ def _judge_newest(governed: Governed, rate: float) -> None:
         'published again and again, until the next one comes.',
         'newest',
     )
-    _judge_halt(governed, speeds[2], period)
+    _judge_many(governed, period)
+    _judge_halt(governed, period)
 
 
-def _judge_halt(governed: Governed, speed: float, period: float) -> None:
-    """A planner that says zero after this speed: it is a command like any other."""
+def _judge_many(governed: Governed, period: float) -> None:
+    """A planner that has said hundreds of commands: the newest one counts, as at the beginning."""
+    draw = governed.learner.random
+    for number in range(24):
+        speeds = [round(draw.uniform(-0.4, 0.4), 3) for _ in range(10)]  # as many as the subscription keeps
+        governed.send(*map(command, speeds))
+        got = governed.newest(period, 'rhythm').linear.x
+        expect(
+            got == pytest.approx(speeds[-1]),
+            f'After more than {10 * number} commands these came, in m/s: {speeds}. {got:g} m/s came out, expected the '
+            'newest one, however many there were before.',
+            'newest',
+        )
+
+
+def _judge_halt(governed: Governed, period: float) -> None:
+    """A planner that says zero after it drove: it is a command like any other."""
+    speed = 0.3
+    governed.send(command(speed))
+    governed.newest(period, 'rhythm')
     governed.heard.clear()
     governed.send(Twist())
     expect(
@@ -227,6 +246,7 @@ def judge_changes(governed: Governed, limit: float, rate: float) -> None:
     limit = _judge_new_limits(governed, limit, rate)
     _judge_refused(governed, limit, rate)
     rate = _judge_new_rate(governed, rate)
+    _judge_silent_planner(governed, rate)
     _judge_new_modes(governed, rate)
     _judge_zero(governed, 1 / rate)
     _judge_two(governed)
@@ -361,6 +381,21 @@ def _judge_new_rate(governed: Governed, rate: float) -> float:
     return rate
 
 
+def _judge_silent_planner(governed: Governed, rate: float) -> None:
+    """One command, and none for minutes: it is still the newest one. Afterwards the rate is the one of before."""
+    governed.send(command(0.1, 0.5))
+    governed.accepts('new-rate', rate=1.0)
+    got = {(one.linear.x, one.angular.z) for one in governed.after(150.0)}
+    expect(
+        got == {(0.1, 0.5)},
+        f'The planner said 0.1 m/s and 0.5 rad/s, and then nothing for 150 s. In this time (linear.x, angular.z) was '
+        f'{sorted(got)}. A command holds until the next one comes.',
+        'newest',
+    )
+    governed.accepts('new-rate', rate=rate)
+    governed.send(command(3.0, 0.5))
+
+
 def _judge_new_modes(governed: Governed, rate: float) -> None:
     """The modes stop and slow, while the newest command is too fast for both, and came before stop or during it."""
     slow = governed.parameters.get('slow_linear')
@@ -383,6 +418,15 @@ def _judge_new_modes(governed: Governed, rate: float) -> None:
             f'next message says {got.linear.x:g} m/s, {got.angular.z:g} rad/s, expected {slow:g} and {turn:g}.',
             'newest' if got == Twist() or got.angular.z == -turn else 'at-once',
         )
+        governed.send(command(-slow / 2, turn))
+        got = governed.newest(1 / rate, 'at-once').linear.x
+        expect(
+            got == pytest.approx(-slow / 2),
+            f'In the mode slow, with slow_linear = {slow:g}, linear.x {-slow / 2:g} came out as {got:g}. What is '
+            'smaller than the limit stays as it is.',
+            'modes',
+        )
+        governed.send(command(3.0, turn))
 
 
 def judge_modes(learner, namespace: str) -> None:
@@ -473,6 +517,8 @@ def judge_rules(governed: Governed) -> None:
         ({'max_linear': 0.0}, False),
         ({'slow_linear': 0.0, 'max_linear': low}, True),
         ({'max_linear': high, 'slow_linear': high}, True),
+        ({'max_linear': 0.55, 'slow_linear': 0.3}, True),  # the first one alone would be refused
+        ({'slow_linear': high, 'max_linear': high}, True),
         ({'max_linear': 0.3}, False),
         ({'slow_linear': low / 2, 'max_linear': low}, True),
         ({'slow_linear': high}, False),

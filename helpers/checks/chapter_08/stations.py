@@ -7,6 +7,7 @@ from delivery_interfaces.srv import SetStation
 from rclpy.parameter import Parameter
 from std_msgs.msg import String
 
+from helpers.checks.chapter_03.endpoints import check_lifespan
 from helpers.checks.chapter_08.parameters import Parameters, check_bounds
 from helpers.runner import about, expect
 from helpers.runner.peers import SECOND
@@ -33,7 +34,7 @@ ODD_NAMES = [
     'Cafe\u0301',  # an e and an accent that are two letters
     '東門',
     'up__and_down_',
-    'a' * 180,
+    1200 * 'a',
     'first line\nsecond line',
     'left\tright',
     'None',
@@ -94,7 +95,8 @@ def judge_status(keeper: Keeper, period: float) -> None:
         f'expected {[round(stamp, 3) for stamp in wanted]}.',
         'status-period',
     )
-    state = f'driving to {learner.random.choice(NAMES)}' + learner.random.randint(9, 20) * ' and on'  # of any length
+    # Of any length, with any letters.
+    state = f' Driving to {learner.random.choice(NAMES)}' + learner.random.randint(9, 20) * ' and on' + ' '
     keeper.node.call('__setattr__', 'state', state)
     keeper.set('b', 1.0, 2.0)
     learner.run(period)
@@ -118,6 +120,8 @@ def judge_status(keeper: Keeper, period: float) -> None:
         f'{state!r}, and only that. Use transient local with depth 1.',
         'latched',
     )
+    for publisher in learner.endpoints(f'{keeper.namespace}/status').publishers:
+        check_lifespan(publisher, 'latched')
     heard.clear()
     begin = learner.now / SECOND
     changed = Parameters(learner, f'{keeper.namespace}/delivery_robot').set(status_period=2.5 * period)
@@ -128,6 +132,29 @@ def judge_status(keeper: Keeper, period: float) -> None:
         f'At the start status_period was {period:g}. Then it was set to {2.5 * period:g}, and {len(heard)} messages '
         f'came in {learner.now / SECOND - begin:.2f} s, expected 3: the value at the start counts.',
         'status-period',
+    )
+    _judge_status_after_long(keeper, period)
+
+
+def _judge_status_after_long(keeper: Keeper, period: float) -> None:
+    """The status comes, and is that of the moment, also when the robot has run for long."""
+    learner, heard = keeper.learner, keeper.heard
+    heard.clear()
+    learner.run(150 * period, step=10 * period)
+    expect(
+        len(heard) == 150,
+        f'Then {len(heard)} messages came on status in 150 periods of {period:g} s, expected 150: it goes on '
+        'as long as the robot runs.',
+        'status-period',
+    )
+    state = f'driving to {learner.random.choice(NAMES)} at last'
+    keeper.node.call('__setattr__', 'state', state)
+    learner.run(period)
+    expect(
+        heard.data[-1] == state,
+        f'More than 150 periods after the start self.state became {state!r}, and {period:g} s later {heard.data[-1]!r} '
+        'came on status: publish it as it is then.',
+        'status',
     )
 
 
@@ -256,6 +283,12 @@ def _judge_new_stations(keeper: Keeper, names: list[str]) -> dict[str, list[floa
         'new-place',
     )
     _judge_places(keeper, wanted, f'After {names[0]!r} got a new place', 'new-place')
+    for name in names[1:]:
+        wanted[name] = [round(draw.uniform(-9, 9), 3), round(draw.uniform(-9, 9), 3)]
+        expect(
+            keeper.set(name, *wanted[name], 'new-place').success, f'A new place for {name!r} was refused.', 'new-place'
+        )
+    _judge_places(keeper, wanted, 'After all stations got new places, one after the other', 'new-place')
     expect(
         keeper.set(names[0], *wanted[names[0]]).success,
         f'{names[0]!r} was set again, at the place that it has, and refused: success is false.',
