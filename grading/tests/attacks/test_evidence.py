@@ -21,7 +21,7 @@ ATTACKS = [attack for path in sorted((arena.HERE / 'evidence').glob('*.py')) for
 EXERCISES = manifest.load()
 
 
-@pytest.mark.one_of(16)
+@pytest.mark.one_of(24)
 @pytest.mark.timeout(400)
 @pytest.mark.parametrize('attack', ATTACKS, ids=lambda attack: attack.name)
 def test_no_evidence_can_be_made(attack):

@@ -12,7 +12,7 @@ from helpers.programs.faults.machine import SYSTEM_PATH
 
 SHORT = 1.0  # s; long enough to see that a system does not work
 
-pytestmark = pytest.mark.one_of(6)
+pytestmark = pytest.mark.one_of(8)
 
 
 @contextmanager
