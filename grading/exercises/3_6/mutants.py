@@ -196,4 +196,10 @@ MUTANTS = [
         """, expect='on scan_gap', breaks='gap', also=('limit', 'own-state', 'at-once', 'old')),
     Mutant('hundred_scans_at_most', old='float(self.count)', new='float(min(self.count, 100))', expect='and scan_rate says',
            breaks='report'),
+    Mutant('reports_for_half_a_minute', old='    def on_second(self):', new="""
+           def on_second(self):
+               self.reports = getattr(self, 'reports', 0) + 1
+               if self.reports > 30:
+                   return
+           """, breaks='silent', expect='expected one every 1.0 s'),
 ]
