@@ -390,7 +390,7 @@ def _judge_silent_planner(governed: Governed, rate: float) -> None:
         got == {(0.1, 0.5)},
         f'The planner said 0.1 m/s and 0.5 rad/s, and then nothing for 150 s. In this time (linear.x, angular.z) was '
         f'{sorted(got)}. A command holds until the next one comes.',
-        'newest' if len(got) > 1 else 'limit',
+        'limit' if len(got) == 1 else 'newest',
     )
     governed.accepts('new-rate', rate=rate)
     governed.send(command(3.0, 0.5))
