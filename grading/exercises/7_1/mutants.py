@@ -150,4 +150,6 @@ def repair_machine(files, want):
            expect='also those that are equal'),
     Mutant('sources_with_spaces', old="active(files['ros2.list'])", new="files['ros2.list'].splitlines()",
            expect='deb', breaks='comments'),
+    Mutant('path_behind_the_range', old="wrong.get(line.strip(), 'PATH') == 'PATH'",
+           new="wrong.get(line.strip(), 'PATH') in ('PATH', 'range')", breaks='repaired', expect='which ROS does not know'),
 ]

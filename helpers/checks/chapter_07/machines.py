@@ -365,6 +365,12 @@ def _shell(seen: dict[str, str], before: str, want: dict) -> None:
         f'A shell with your .bashrc has the discovery range {reach}: nobody on another machine is found.',
         'repaired',
     )
+    expect(
+        reach in (None, '', 'SUBNET', 'SYSTEM_DEFAULT'),
+        f'A shell with your .bashrc has the discovery range {reach!r}, which ROS does not know. Remove the line, or '
+        'write SUBNET.',
+        'repaired',
+    )
 
 
 def _others(before: dict, after: dict, want: dict) -> None:
