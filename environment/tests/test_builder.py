@@ -51,7 +51,7 @@ ament_package()
     'string<=5 text "hi"\n',
     'srv/Greet.srv': 'greetings/Greeting greeting\nfloat64[3] place\n---\nbool heard\n',
 }
-pytestmark = pytest.mark.timeout(300)
+pytestmark = [pytest.mark.timeout(300), pytest.mark.one_of(2)]
 
 
 @pytest.fixture(scope='module')

@@ -61,10 +61,12 @@ def all_twice(path: Path) -> tuple[str, ...]:
 def sample(notebooks: list[Path], seed: str) -> Callable[[Path], tuple[str, ...]]:
     """The runs of a notebook in a sample: each solved one runs.
 
-    ``seed`` draws a chapter, and whether its solved notebook runs a second time or its learner's notebook runs, too.
+    ``seed`` draws whether another one runs, which costs much: a chapter's solved notebook a second time, or its
+    learner's.
     """
     names, draw = sorted({path.name for path in notebooks}), random.Random(f'{seed} notebooks')
-    drawn, of_learner = draw.choice(names or ['']), draw.random() < 0.5
+    drawn = draw.choice(names) if names and draw.random() < 0.5 else None
+    of_learner = draw.random() < 0.5
 
     def runs(path: Path) -> tuple[str, ...]:
         chosen = path.name == drawn

@@ -122,7 +122,7 @@ def faults_by_name(answers, results):
     return {str(answer): found for answer in answers if (found := answer.faults(results[answer.exercise]))}
 
 
-@pytest.mark.one_of(3)
+@pytest.mark.one_of(4)
 @EACH_CHAPTER
 def test_solution_gets_full_marks(number):
     for result in judge(number, reference.solved(number), some_exercises(number)).values():
@@ -179,7 +179,7 @@ def test_wrong_solutions_are_rejected_with_the_right_words(number, mutants):
     assert not doubtful
 
 
-@pytest.mark.one_of(2)
+@pytest.mark.one_of(3)
 @pytest.mark.parametrize('number,alternatives', layers('alternatives'))
 def test_alternatives_get_full_marks(number, alternatives):
     results = judge(number, trial.varied(number, alternatives), {answer.exercise for answer in alternatives})

@@ -16,6 +16,8 @@ import pytest
 
 from helpers import paths
 
+pytestmark = pytest.mark.one_of(2)
+
 READ = ('helpers/checks', 'helpers/exercises', 'helpers/runner', 'helpers/programs/faults', 'grading')
 NO_READERS = {'tests', 'given', 'bench', 'authoring'}
 UNITS = (' ', '\n', ' \n', 'a', '1', '/', '.', '-', '=', '"', "'", 'a ')

@@ -13,6 +13,8 @@ from grading.tests.authoring.conftest import write
 from grading.tests.authoring.sources import TINY, line_of
 from helpers import paths
 
+pytestmark = pytest.mark.one_of(2)
+
 FENCE = '```{code-cell} ipython3\n'
 SHOWS = f"""{FENCE}import sys
 total = 3

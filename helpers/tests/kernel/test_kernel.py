@@ -5,6 +5,8 @@ import json
 import psutil
 import pytest
 
+pytestmark = pytest.mark.one_of(2)
+
 SETUP = 'from helpers import ros, spinning, spin_for, wait_for, collect, background\nros.start()'
 CLASSES = 'from helpers.tests.sample_nodes import Talker, Listener, Faulty\nfrom rclpy.node import Node\nimport rclpy'
 NOTEBOOK = [

@@ -9,6 +9,8 @@ import pytest
 
 from helpers.programs import script_cells
 
+pytestmark = pytest.mark.one_of(2)
+
 # In one piece: the stop button is pressed when the word is there, and what follows it might be missing.
 READY = "import os, signal, time; os.write(1, b'ready\\n'); "
 

@@ -11,6 +11,8 @@ import pytest
 from helpers.runner import session, start_processes, tests_process
 from helpers.tests import small
 
+pytestmark = pytest.mark.one_of(2)
+
 
 @pytest.fixture(autouse=True)
 def nothing_left():
