@@ -19,7 +19,7 @@ NEVER, ONCE, TWICE = (), ('first',), ('first', 'second')
 SKIP = 'nbval-skip'
 IGNORE = {'tags': ['nbval-ignore-output']}
 # About how long a run of each chapter takes beside others, in seconds. Only their order matters.
-SECONDS = {'08': 380, '07': 356, '02': 256, '06': 155, '05': 142, '03': 110, '04': 108, '01': 105}
+SECONDS = {'07': 312, '02': 312, '08': 230, '05': 156, '06': 130, '03': 115, '04': 110, '01': 92}
 
 
 def repeated(notebook: NotebookNode, folder: Path, runs: tuple[str, ...]) -> NotebookNode:

@@ -4,6 +4,7 @@ MODE = "self.declare_parameter('mode', 'normal', ParameterDescriptor(description
 CLAMP = 'command.linear.x = max(-limit, min(limit, self.command.linear.x))'
 PAIR = "good = new['slow_linear'] <= new['max_linear']"
 LISTENS = "self.create_subscription(Twist, 'cmd_vel_in', lambda command: setattr(self, 'command', command), 10)"
+HEARD = "lambda command: setattr(self, 'command', command)"
 
 MUTANTS = [
     Mutant('new_timer_while_it_checks', old=PAIR, new=f"""
@@ -251,7 +252,7 @@ class Governor(Node):
            new='= max(-10.0, min(10.0, self.command.angular.z))', expect='came out as'),
     Mutant('twice_a_second_at_least', breaks='new-rate', also=('rhythm', 'newest', 'before'), old="1 / self.get_parameter('rate').value",
            new="1 / max(2.0, self.get_parameter('rate').value)", expect='messages came after'),
-    Mutant('the_first_two_hundred_commands', edits=(("lambda command: setattr(self, 'command', command)", 'self.on_command'),
+    Mutant('the_first_two_hundred_commands', edits=((HEARD, 'self.on_command'),
            ('    def check(self, parameters):', """
            def on_command(self, command):
                self.count = getattr(self, 'count', 0) + 1
@@ -260,7 +261,7 @@ class Governor(Node):
 
            def check(self, parameters):
            """)), breaks='newest', expect='however many there were before'),
-    Mutant('forgets_after_a_minute', edits=(("lambda command: setattr(self, 'command', command)", 'self.on_command'),
+    Mutant('forgets_after_a_minute', edits=((HEARD, 'self.on_command'),
            ('    def check(self, parameters):', """
            def on_command(self, command):
                self.command, self.came = command, self.get_clock().now()
@@ -278,7 +279,7 @@ class Governor(Node):
                if new['slow_linear'] > new['max_linear']:
                    return SetParametersResult(successful=False, reason='slow_linear is above max_linear')
            """, breaks='pair', expect='as they would be after the request'),
-    Mutant('slow_is_a_part_of_the_speed', old='command.linear.x = max(-limit, min(limit, self.command.linear.x))', new="""
+    Mutant('slow_is_a_part_of_the_speed', old=CLAMP, new="""
            speed = self.command.linear.x * (0.4 if mode == 'slow' else 1.0)
            command.linear.x = max(-limit, min(limit, speed))
            """, breaks='modes', expect='What is smaller than the limit stays as it is'),

@@ -5,6 +5,7 @@ GOOD = 'response.success = bool(request.name) and math.isfinite(request.x) and m
 TIMER = "self.create_timer(self.value('status_period'), lambda: self.publisher.publish(String(data=self.state)))"
 LATCHED = 'latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)'
 PARAMETERS, STATUS = 'test_parameters_and_stations', 'test_status'
+TICK = 'lambda: self.publisher.publish(String(data=self.state))'
 KEPT = 'self.stations[request.name] = request.x, request.y'
 
 MUTANTS = [
@@ -185,7 +186,7 @@ if len(self.stations) > 5:
     Mutant('letters_are_put_together', edits=(('self.stations[request.name]', "self.stations[normalize('NFC', request.name)]"),
            ('self.stations.get(name)', "self.stations.get(normalize('NFC', name))")), imports='from unicodedata import normalize',
            breaks='unknown', expect='nobody has set this station'),
-    Mutant('silent_after_a_hundred', edits=(("lambda: self.publisher.publish(String(data=self.state))", 'self.on_timer'), ('    def value(self, name):', """
+    Mutant('silent_after_a_hundred', edits=((TICK, 'self.on_timer'), ('    def value(self, name):', """
            def on_timer(self):
                self.count = getattr(self, 'count', 0) + 1
                if self.count <= 100:
@@ -193,7 +194,7 @@ if len(self.stations) > 5:
 
            def value(self, name):
            """)), breaks='status-period', expect='it goes on as long as the robot runs'),
-    Mutant('the_first_hundred_states', edits=(("lambda: self.publisher.publish(String(data=self.state))", 'self.on_timer'), ('    def value(self, name):', """
+    Mutant('the_first_hundred_states', edits=((TICK, 'self.on_timer'), ('    def value(self, name):', """
            def on_timer(self):
                self.count = getattr(self, 'count', 0) + 1
                self.told = self.state if self.count <= 100 else self.told

@@ -148,16 +148,18 @@ def test_what_takes_long_runs_once_in_a_solved_notebook_that_runs_twice_and_neve
 def test_a_sample_runs_each_solved_notebook_and_draws_a_second_run_or_a_learners_notebook():
     found = [Path(folder, f'{number:02}.ipynb') for folder in ('solutions', 'notebooks') for number in range(1, 9)]
     solved, learners = found[:8], found[8:]
-    seen_twice, seen_unsolved = set(), set()
+    seen_twice, seen_unsolved, drawn = set(), set(), 0
     for seed in map(str, range(200)):
         runs = repeated.sample(found, seed)
         twice = {path.stem for path in solved if runs(path) == ('first', 'second')}
         unsolved = {path.stem for path in learners if runs(path) == ('first',)}
         assert len(twice) + len(unsolved) <= 1
+        drawn += len(twice) + len(unsolved)
         assert all(runs(path) for path in solved)
         seen_twice |= twice
         seen_unsolved |= unsolved
     assert seen_twice == seen_unsolved == {path.stem for path in found}
+    assert 70 < drawn < 130  # in about half of the samples
     assert {repeated.all_twice(path) for path in solved} == {('first', 'second')}
     assert {repeated.all_twice(path) for path in learners} == {('first',)}
 

@@ -369,7 +369,10 @@ def _while_a_server_is_silent(gripper, first, pause):
 
 
 def check_bursts(learner, close, server, states) -> None:
-    """Five times ten commands come before the node can look: none is lost, and the last one of ten is reported."""
+    """No command is lost, of which ten come before the node can look, five times over, and then thirty one by one.
+
+    Of ten at one moment the last one is reported, of the others each one.
+    """
     server.answer, server.delay = {'success': True}, 0.0
     for number in range(5):
         server.stamps.clear()

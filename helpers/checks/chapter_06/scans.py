@@ -65,9 +65,9 @@ class Laser:
         self.learner.settle()
         return scan
 
-    def scan_together(self, scans: list, seconds: list) -> list[LaserScan]:
-        """Send several scans before the node can look: their distances, and the times at which they were measured."""
-        messages = [self._scan(*scan) for scan in zip(scans, seconds, strict=True)]
+    def scan_together(self, ranges: list[list[float]], seconds: list[float]) -> list[LaserScan]:
+        """Send several scans before the node can look: the distances of each, in m, and when it was measured, in s."""
+        messages = [self._scan(*scan) for scan in zip(ranges, seconds, strict=True)]
         self._scans.send(*messages)
         self.learner.settle()
         return messages
