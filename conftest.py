@@ -93,7 +93,8 @@ def _sample(config, items):
         if item.get_closest_marker('thorough'):
             left_out.append(item)
         elif sample and 'group' in sample.kwargs:
-            left_out += [] if _drawn(_module(item), sample.kwargs['group'], sample.args[0]) else [item]
+            drawn = _drawn(sample.kwargs.get('of', _module(item)), sample.kwargs['group'], sample.args[0])
+            left_out += [] if drawn else [item]
         elif sample:
             left_out += [] if _drawn(name, seen[name], sample.args[0]) else [item]
         seen[name] += 1

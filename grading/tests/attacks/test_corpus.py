@@ -1,5 +1,6 @@
 """Every attack of the corpus: no mark gained, nothing found, nothing left, nothing changed, nobody else hurt."""
 
+import itertools
 import re
 from functools import cache
 
@@ -9,7 +10,7 @@ from grading.tests.attacks import arena
 
 pytestmark = pytest.mark.early
 ATTACKS = arena.attacks()
-FAMILIES = sorted({attack.family for attack in ATTACKS})
+MOST = 8  # attacks in a batch, so that no sample gets a whole large family
 _HANDLERS = re.compile(r'<[^>]*\son\w+\s*=', re.IGNORECASE)
 
 
@@ -18,32 +19,46 @@ def learner(attack):
     return f'{attack.family}-{attack.name}'
 
 
-def drawn(value, family):
-    """A parameter that runs if the seed draws its family: the whole batch of it, or nothing, is graded."""
-    return pytest.param(value, marks=pytest.mark.one_of(10, group=FAMILIES.index(family)))
+def batches():
+    """The attacks that are graded together, by name: those of one family, and not too many."""
+    found = {}
+    for family, attacks in itertools.groupby(ATTACKS, key=lambda attack: attack.family):
+        whole = list(attacks)
+        for part in range(0, len(whole), MOST):
+            found[f'{family}-{part // MOST}'] = whole[part : part + MOST]
+    return found
+
+
+BATCHES = batches()
+
+
+def drawn(name, *values, id):
+    """Parameters that run if the seed draws their batch: the whole of it, or nothing, is graded."""
+    return pytest.param(*values, marks=pytest.mark.one_of(16, group=list(BATCHES).index(name)), id=id)
 
 
 @pytest.fixture(scope='module')
 def batch_of(tmp_path_factory):
-    """The batch of a family, graded when it is first asked for."""
+    """The batch of a name, graded when it is first asked for."""
 
     @cache
-    def graded(family):
+    def graded(name):
         cookie = arena.new_cookie()
         works = {
-            f'{learner(attack)}.ipynb': arena.notebook({attack.aim: attack.source}, cookie)
-            for attack in ATTACKS
-            if attack.family == family
+            f'{learner(attack)}.ipynb': arena.notebook({attack.aim: attack.source}, cookie) for attack in BATCHES[name]
         }
-        return arena.grade_batch(tmp_path_factory.mktemp(family), works, cookie)
+        return arena.grade_batch(tmp_path_factory.mktemp(name), works, cookie)
 
     return graded
 
 
 @pytest.mark.timeout(600)
-@pytest.mark.parametrize('attack', [drawn(attack, attack.family) for attack in ATTACKS], ids=learner)
-def test_attack(batch_of, attack):
-    batch = batch_of(attack.family)
+@pytest.mark.parametrize(
+    ('among', 'attack'),
+    [drawn(name, name, attack, id=learner(attack)) for name, attacks in BATCHES.items() for attack in attacks],
+)
+def test_attack(batch_of, among, attack):
+    batch = batch_of(among)
     name = learner(attack)
     record, exercise = batch.records[name], batch.exercise(name, attack.aim)
     # No mark gained
@@ -68,10 +83,10 @@ def test_attack(batch_of, attack):
 
 
 @pytest.mark.timeout(600)
-@pytest.mark.parametrize('family', [drawn(family, family) for family in FAMILIES])
-def test_the_others(batch_of, family):
-    """Around a family's attacks: the honest learner, the processes, the files, the pages."""
-    batch = batch_of(family)
+@pytest.mark.parametrize('name', [drawn(name, name, id=name) for name in BATCHES])
+def test_the_others(batch_of, name):
+    """Around a batch of attacks: the honest learner, the processes, the files, the pages."""
+    batch = batch_of(name)
     assert batch.records[arena.HONEST].score == 30, _story(batch, arena.HONEST)
     assert not batch.left
     assert not batch.planted

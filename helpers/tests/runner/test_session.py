@@ -168,7 +168,7 @@ def reference(exercise):
 @pytest.mark.parametrize('text', [COMPUTES, STUCK_IN_C], ids=['dies', 'stuck'])
 def test_who_alone_makes_a_fault_fails(tmp_path, text):
     small.write_tests(tmp_path, ONE + text)
-    wrong = {'program': "def Talker():\n    return 'text'\n", 'test_timeout': 4.0}
+    wrong = {'program': "def Talker():\n    return 'text'\n", 'test_timeout': 1.5}
     assert run(tmp_path, **wrong).exercises[0].score is None  # nothing to compare with
     report = run(tmp_path, **wrong, reference=reference)
     (result,) = report.exercises
