@@ -13,6 +13,7 @@ from helpers.checks.chapter_03.maps import (
     check_once,
     grid_of,
     large_rows,
+    one_row,
     random_rows,
     walls,
 )
@@ -114,6 +115,7 @@ def test_reader_every_map(learner):
     maps = [['#..'], ['###'], ['...', '?#.'], ['?'], ['##', '#.'], ['###'], ['+#', '#+', '++'], ['*#', '..', '#*']]
     learner.random.shuffle(maps)
     maps.append(maps[-1])
+    maps += [one_row(learner.random) for _ in range(learner.random.randint(45, 60))]
     frames = [learner.random.choice(('map', 'world', '')) for _ in maps[2:]] + ['world', 'map']  # both of them
     for rows, frame in zip(maps, frames, strict=True):
         server.send(grid_of(rows, frame))

@@ -103,6 +103,12 @@ MUTANTS = [
             if grid.header.frame_id != 'map':
                 return
         """, expect='each map gets one', breaks='walls'),
+    Mutant('forty_maps', breaks='walls', old='def on_map(self, grid):', new="""
+        def on_map(self, grid):
+            self.number = getattr(self, 'number', 0) + 1
+            if self.number > 40:
+                return
+        """, expect='That many came, one after the other'),
     Mutant('fifty_rows_at_most', old='cell] for row in rows for cell in row', new='cell] for row in rows[:50] for cell in row',
            expect='values, expected', breaks='cells'),
     Mutant('hundred_columns_at_most', breaks='size', old='width=len(rows[0])', new='width=min(len(rows[0]), 100)',

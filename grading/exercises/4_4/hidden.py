@@ -229,6 +229,21 @@ def test_a_guard_counts_for_itself(learner):
     check_second_guard(learner, first, lock, enter, 1)
 
 
+@pytest.mark.rules('welcome', 'leave')
+@about('welcome')
+@waiting('one-thread')
+def test_all_day(learner):
+    """Many people come and go, one after the other, and each of them finds a place.
+
+    What a guard knows of the day is how many are inside now.
+    """
+    room = Room(learner, learner.random.randint(1, 3))
+    visits = learner.random.randint(45, 60)
+    for number in range(visits):
+        room.enter('welcome', 'leave', f'nobody inside, {people(number)} came and left before')
+        room.leave('the only one leaves')
+
+
 @pytest.mark.rules('leave', 'locked')
 @about('leave')
 @waiting('one-thread')

@@ -121,6 +121,13 @@ MUTANTS = [
     Mutant('a_refusal_takes_one_out', breaks='locked', old='self.inside += answer.success', new="""
         self.inside = self.inside + 1 if answer.success else max(0, self.inside - 1)
         """, expect='the lock has refused some before', also=('leave',)),
+    Mutant('tired_after_forty', breaks='welcome', also=('leave', 'full'), old=ASK, new=f"""
+        self.visits = getattr(self, 'visits', 0) + 1
+        if self.visits > 40:
+            response.message = 'locked'
+            return response
+        {ASK}
+        """, expect='people inside: enter was called, and the lock was not asked'),
     Mutant('believes_words', breaks='welcome', old='response.success = answer.success',
            new='response.success = answer.success and bool(answer.message)', also=('capacity', 'full', 'leave', 'locked', 'names', 'one-thread', 'open'),
            expect="'welcome'"),

@@ -380,17 +380,18 @@ def test_poses(learner):
         'steer',
     )
     check_newest(commands.messages, (1.5 * distance, 0.0), f'{distance:.2f} m are left')
-    poses.send(Pose(x=8.92, y=0.92))
+    outside, inside = draw.uniform(0.102, 0.106), draw.uniform(0.095, 0.098)
+    poses.send(Pose(x=9.0 - outside * math.sqrt(0.5), y=1.0 - outside * math.sqrt(0.5)))
     learner.run(0.3)
     expect(
         not goal.done,
-        f'The turtle was 0.08 m from the place in x, and 0.08 m in y, so 0.11 m away; the goal ended as {goal.status}.',
+        f'The turtle was {outside:.3f} m from the place, the same way in x and in y; the goal ended as {goal.status}.',
         'arrive',
     )
-    poses.send(Pose(x=8.96, y=0.97, linear_velocity=draw.uniform(0.5, 2.0)))  # it still moves
+    poses.send(Pose(x=9.0 - 0.8 * inside, y=1.0 - 0.6 * inside, linear_velocity=draw.uniform(0.5, 2.0)))  # it moves
     learner.run(0.3)
     expect(
         goal.status == 'succeeded',
-        f'The turtle is 0.05 m from the place; 0.3 s later the goal is {goal.status or "still running"}.',
+        f'The turtle is {inside:.3f} m from the place; 0.3 s later the goal is {goal.status or "still running"}.',
         'arrive',
     )

@@ -24,7 +24,7 @@ MUTANTS = [
             there = max(abs(self.pose.x - goal.request.x), abs(self.pose.y - goal.request.y)) < 0.1
             '''), ('if goal.is_cancel_requested or distance < 0.1:', 'if goal.is_cancel_requested or there:'),
            ('goal.succeed if distance < 0.1 else', 'goal.succeed if there else')),
-           expect='0.09 m in x, and 0.09 m in y'),
+           expect='the same way in x and in y'),
     Mutant('forgets_the_pose', breaks='next', also=('no-pose', 'give-up', 'arrive', 'busy', 'zeros', 'field'),
            old='self.busy = False', new='self.busy, self.pose = False, None',
            expect='the newest pose stays'),
@@ -65,6 +65,12 @@ MUTANTS = [
     Mutant('arrives_early', breaks='arrive', also='result',
            edits=(('distance < 0.1:', 'distance < 0.3:'), ('if distance < 0.1 else', 'if distance < 0.3 else')),
            expect='expected to go on until the distance is below 0.1 m'),
+    Mutant('arrives_a_centimetre_early', breaks='arrive', also='result',
+           edits=(('distance < 0.1:', 'distance < 0.11:'), ('if distance < 0.1 else', 'if distance < 0.11 else')),
+           expect='expected to go on until the distance is below 0.1 m'),
+    Mutant('arrives_a_centimetre_late', breaks='arrive', also=('result', 'zeros', 'next'),
+           edits=(('distance < 0.1:', 'distance < 0.09:'), ('if distance < 0.1 else', 'if distance < 0.09 else')),
+           expect='m from the place; 0.3 s later the goal is still running'),
     Mutant('busy_for_ever', breaks='next', also=('cancel', 'field'), old='self.busy = False', new='',
            expect='A goal that came after a cancelled one was rejected'),
     Mutant('commands_after_end', breaks='zeros', also=('cancel', 'result'), edits=((

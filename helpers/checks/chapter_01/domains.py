@@ -331,7 +331,7 @@ def _texts(random: Random, count: int) -> list[str]:
     """Texts of all kinds, `count` short ones with blanks and other alphabets among them."""
     texts = [f'  {word} {random.randint(0, 999)} \n' for word in ('north', 'Süd', '東', *(count - 3) * ['EAST'])]
     texts += ['', texts[0], texts[0]]  # what was said before is said again, and twice in a row
-    return [*texts, f'{random.random()} ' * random.randint(20, 200), *map(str, range(random.randint(20, 40)))]
+    return [*texts, f'{random.random()} ' * random.randint(20, 200), *map(str, range(random.randint(60, 80)))]
 
 
 def _check_texts(got: list[str], texts: list[str]) -> None:

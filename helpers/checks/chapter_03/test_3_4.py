@@ -107,6 +107,11 @@ def test_reader(learner):
         note = f' The last one has the frame_id {frame!r} and the resolution {resolution:g}.'
         note = ' The last one is equal to the one before.' if rows == maps[number - 2] else note
         check_answers(answers.data, maps[:number], note)
+    many = [one_row(random) for _ in range(random.randint(60, 70))]
+    for rows in many:
+        server.send(grid_of(rows))
+        learner.settle()
+    check_answers(answers.data, maps + many, ' That many came, one after the other.')
     learner.run(61.0, step=10.0)
-    check_answers(answers.data, maps)
+    check_answers(answers.data, maps + many)
     check_nothing_else(learner, {f'{space}/walls'}, 'walls')

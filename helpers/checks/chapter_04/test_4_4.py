@@ -167,7 +167,7 @@ def test_many_places(learner):
 
     The number of places is the argument of the constructor.
     """
-    room = Room(learner, learner.random.randint(11, 14))
+    room = Room(learner, learner.random.randint(44, 60))
     for number in range(room.capacity):
         room.enter('welcome', 'welcome', f'{people(number)} inside')
     room.enter('full', 'full', f'{people(room.capacity)} inside')

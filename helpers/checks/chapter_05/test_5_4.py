@@ -265,24 +265,26 @@ def _cancel(learner, robot, seconds, distance, x, way):
     check_cancel(learner, robot.client, goal, story)
     robot.check_end(goal, story, distance)
     robot.stand(x, 5.0, yaw)
-    goal = robot.client.send(x=x + way * 0.09, y=5.09)
+    # Just not there, and less than 0.1 m away in x and in y; then just there, and together more than 0.1 m.
+    outside, inside = learner.random.uniform(0.102, 0.106), learner.random.uniform(0.095, 0.098)
+    goal = robot.client.send(x=x + way * outside * math.sqrt(0.5), y=5.0 + outside * math.sqrt(0.5))
     learner.run(0.5)
     expect(goal.accepted, 'A goal that came after a cancelled one was rejected.', 'next')
     expect(
         not goal.done,
-        f'A goal 0.13 m away (0.09 m in x, and 0.09 m in y) ended as {goal.status}, expected to go on until the '
-        'distance is below 0.1 m.',
+        f'A goal {outside:.3f} m away (the same way in x and in y) ended as {goal.status}, expected to go on until '
+        'the distance is below 0.1 m.',
         'arrive',
     )
-    robot.stand(x + way * 0.04, 5.03, yaw)
+    robot.stand(goal.request.x - way * 0.8 * inside, goal.request.y - 0.6 * inside, yaw)
     learner.run(0.3)
     expect(
         goal.status == 'succeeded',
-        f'The robot is 0.08 m from the place; 0.3 s later the goal is '
+        f'The robot is {inside:.3f} m from the place; 0.3 s later the goal is '
         f'{goal.status or "still running"}, expected succeeded.',
         'arrive',
     )
-    robot.check_end(goal, 'A goal succeeded: ', 0.08)
+    robot.check_end(goal, 'A goal succeeded: ', inside)
     robot.stand(x, 5.0, yaw)
     goal = robot.client.send(x=x, y=5.03)
     learner.run(0.3)
