@@ -85,33 +85,30 @@ def _compiling() -> Iterator[None]:
 
 def _plan():
     complete = find_spec('grading') is not None  # the learner's edition has neither sources nor reference outputs
-    yield _format
-    yield _style
-    if complete:
-        yield _types
-        yield _in_step
-        yield _rules
+    yield _texts_and_types if complete else _texts
     yield _tests_and_notebooks if complete else _tests
 
 
-def _format(scratch: Path) -> list[Step]:
-    return [_command('format', ['-m', 'ruff', 'format', '--check', '.'])]
+def _texts(scratch: Path) -> list[Step]:
+    return [
+        _command('format', ['-m', 'ruff', 'format', '--check', '.']),
+        _command('style', ['-m', 'ruff', 'check', '.']),
+    ]
 
 
-def _style(scratch: Path) -> list[Step]:
-    return [_command('style', ['-m', 'ruff', 'check', '.'])]
-
-
-def _types(scratch: Path) -> list[Step]:
-    return [_command('types', ['-m', 'mypy'])]
-
-
-def _in_step(scratch: Path) -> list[Step]:
-    return [_command('build --check', ['-m', 'helpers.cli', 'build', '--check'])]
-
-
-def _rules(scratch: Path) -> list[Step]:
-    return [_command('build --rules', ['-m', 'helpers.cli', 'build', '--rules'])]
+def _texts_and_types(scratch: Path) -> list[Step]:
+    """What looks at texts only, and beside it the types, which take longer."""
+    output = scratch / 'types.log'
+    with ThreadPoolExecutor(1) as pool, output.open('w', encoding='utf-8') as file:
+        types = pool.submit(_command, 'types', ['-m', 'mypy'], file)
+        steps = [
+            *_texts(scratch),
+            _command('build --check', ['-m', 'helpers.cli', 'build', '--check']),
+            _command('build --rules', ['-m', 'helpers.cli', 'build', '--rules']),
+        ]
+        steps.append(types.result())
+    print(output.read_text(encoding='utf-8', errors='replace'), flush=True)
+    return steps
 
 
 def _tests(scratch: Path) -> list[Step]:
@@ -225,10 +222,10 @@ def _workers() -> int:
     return max(2, min(12, 3 * len(os.sched_getaffinity(0))))
 
 
-def _command(name: str, arguments: list[str]) -> Step:
-    _heading(name)
+def _command(name: str, arguments: list[str], output: IO[str] | None = None) -> Step:
+    _heading(name, output)
     begin = time.monotonic()
-    status = subprocess.call([sys.executable, *arguments])
+    status = subprocess.call([sys.executable, *arguments], stdout=output, stderr=output)
     return Step(name, passed=int(status == 0), failed=int(status != 0), seconds=time.monotonic() - begin)
 
 

@@ -161,9 +161,9 @@ def test_many_failures_are_no_accident(monkeypatch, tmp_path, capfd):
 
 def test_the_learners_edition_leaves_out_what_it_lacks(monkeypatch):
     names = [step.__name__ for step in command._plan()]
-    assert names == ['_format', '_style', '_types', '_in_step', '_rules', '_tests_and_notebooks']
+    assert names == ['_texts_and_types', '_tests_and_notebooks']
     monkeypatch.setattr(command, 'find_spec', lambda name: None)
-    assert [step.__name__ for step in command._plan()] == ['_format', '_style', '_tests']
+    assert [step.__name__ for step in command._plan()] == ['_texts', '_tests']
 
 
 def test_notebooks_that_are_not_there_are_a_failure(monkeypatch, tmp_path, capsys):
