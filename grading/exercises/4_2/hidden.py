@@ -7,8 +7,8 @@ from rclpy.qos import DurabilityPolicy, QoSProfile
 from sensor_msgs.msg import CameraInfo
 from sensor_msgs.srv import SetCameraInfo
 
+from helpers.checks.chapter_03.endpoints import check_lifespan
 from helpers.checks.chapter_04.cameras import OTHER_MODELS, check_drawn, fill_others
-from helpers.checks.chapter_04.test_4_2 import check_lifespan
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('4.2'), pytest.mark.wiring(type='publish', qos='latched', namespace='names')]
@@ -163,7 +163,8 @@ def test_latched(learner):
     RELIABLE, TRANSIENT_LOCAL, depth 1.
     """
     heard, client = camera(learner)
-    check_lifespan(learner, '/camera_info')
+    for publisher in learner.endpoints('/camera_info').publishers:
+        check_lifespan(publisher, 'latched')
     learner.run(1.0)
     expect(not heard.messages, 'Something was published on /camera_info before a calibration was set.', 'publish')
     for number in range(3):

@@ -127,7 +127,7 @@ MUTANTS = [
             response.message = 'locked'
             return response
         {ASK}
-        """, expect='people inside: enter was called, and the lock was not asked'),
+        """, expect="40 people inside: enter gives (False, 'locked'), expected (True, 'welcome')"),
     Mutant('believes_words', breaks='welcome', old='response.success = answer.success',
            new='response.success = answer.success and bool(answer.message)', also=('capacity', 'full', 'leave', 'locked', 'names', 'one-thread', 'open'),
            expect="'welcome'"),
