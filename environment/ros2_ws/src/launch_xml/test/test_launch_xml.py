@@ -14,6 +14,7 @@ from launch.launch_description_sources import (
     get_launch_description_from_any_launch_file,
 )
 from launch_xml import Parser as XmlParser
+from launch_xml.launch_description_sources import XMLLaunchDescriptionSource
 
 
 @pytest.fixture(autouse=True)
@@ -163,3 +164,16 @@ def test_a_file_of_no_format_is_refused(tmp_path):
         Parser.load(str(tmp_path / 'a.txt'))
     (tmp_path / 'b.txt').write_text('<launch/>')
     assert Parser.load(str(tmp_path / 'b.txt'))[0].type_name == 'launch'
+
+
+def test_a_python_file_includes_one_of_any_name(tmp_path, capsys):
+    """Tutorial, Using different formats."""
+    (tmp_path / 'robot').write_text('<launch><arg name="who"/><log message="$(var who)"/></launch>')
+    source = XMLLaunchDescriptionSource([str(tmp_path), '/robot'])
+    assert source.method == 'interpreted XML launch file'
+    service = LaunchService()
+    service.include_launch_description(
+        LaunchDescription([IncludeLaunchDescription(source, launch_arguments={'who': 'a robot'}.items())])
+    )
+    assert service.run() == 0
+    assert '[INFO] [launch.user]: a robot' in capsys.readouterr().out

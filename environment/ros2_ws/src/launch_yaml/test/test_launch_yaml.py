@@ -10,6 +10,7 @@ from launch.actions import IncludeLaunchDescription
 from launch.frontend import Entity as BaseEntity
 from launch.launch_description_sources import AnyLaunchDescriptionSource, get_launch_description_from_any_launch_file
 from launch_yaml import Parser as YamlParser
+from launch_yaml.launch_description_sources import YAMLLaunchDescriptionSource
 
 
 @pytest.fixture(autouse=True)
@@ -114,3 +115,16 @@ def test_faults_are_told_with_the_format(tmp_path, text, kind, message):
     told = str(caught.value)
     assert told.startswith('Caught multiple exceptions when trying to load file of format [yaml]:\n - ')
     assert f' - {kind}: ' in told and message in told
+
+
+def test_a_python_file_includes_one_of_any_name(tmp_path, capsys):
+    """Tutorial, Using different formats."""
+    (tmp_path / 'robot').write_text('launch: [{arg: {name: who}}, {log: {message: $(var who)}}]')
+    source = YAMLLaunchDescriptionSource([str(tmp_path), '/robot'])
+    assert source.method == 'interpreted YAML launch file'
+    service = LaunchService()
+    service.include_launch_description(
+        LaunchDescription([IncludeLaunchDescription(source, launch_arguments={'who': 'a robot'}.items())])
+    )
+    assert service.run() == 0
+    assert '[INFO] [launch.user]: a robot' in capsys.readouterr().out

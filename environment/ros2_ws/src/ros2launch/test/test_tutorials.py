@@ -379,10 +379,38 @@ GROUPS = {
                     - {name: ns, value: b}
                     - {name: background_r, value: "30"}
         """,
+    'py': """
+        from launch import LaunchDescription
+        from launch.actions import DeclareLaunchArgument, GroupAction, IncludeLaunchDescription
+        from launch.substitutions import PathJoinSubstitution, TextSubstitution
+        from launch_ros.actions import PushROSNamespace, SetParameter, SetRemap
+        from launch_ros.substitutions import FindPackageShare
+        from launch_xml.launch_description_sources import XMLLaunchDescriptionSource
+        from launch_yaml.launch_description_sources import YAMLLaunchDescriptionSource
+
+        SOURCES = {'xml': XMLLaunchDescriptionSource, 'yaml': YAMLLaunchDescriptionSource}
+
+
+        def world(**arguments):
+            path = PathJoinSubstitution([FindPackageShare('launch_tutorial'), 'launch', 'world_launch.KIND'])
+            return IncludeLaunchDescription(SOURCES['KIND'](path), launch_arguments=arguments.items())
+
+
+        def generate_launch_description():
+            return LaunchDescription([
+                DeclareLaunchArgument('background_r', default_value=TextSubstitution(text='20')),
+                GroupAction([PushROSNamespace('left'), world(ns='a')]),
+                GroupAction([
+                    PushROSNamespace('right'), SetParameter('holonomic', True), SetRemap('turtle1/pose', 'where'),
+                    world(ns='b', background_r='30')]),
+            ])
+        """,
 }
 
 
-@pytest.mark.parametrize('outer, inner', [('xml', 'yaml'), ('yaml', 'py'), ('xml', 'xml')])
+@pytest.mark.parametrize(
+    'outer, inner', [('xml', 'yaml'), ('yaml', 'py'), ('xml', 'xml'), ('py', 'xml'), ('py', 'yaml')]
+)
 def test_groups_have_namespaces_parameters_and_remappings(package, start, peer, outer, inner):
     package('config/turtlesim.yaml', CONFIG)
     package(f'launch/world_launch.{inner}', WORLD[inner])

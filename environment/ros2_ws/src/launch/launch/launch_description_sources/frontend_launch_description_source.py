@@ -10,10 +10,22 @@ from launch.some_substitutions_type import SomeSubstitutionsType
 
 
 class FrontendLaunchDescriptionSource(LaunchDescriptionSource):
-    """A launch file that is no program."""
+    """
+    A launch file that is no program.
 
-    def __init__(self, launch_file_path: SomeSubstitutionsType, *, parser: type[Parser] = Parser):
-        super().__init__(location=launch_file_path, method='interpreted frontend launch file')
+    :param launch_file_path: its path
+    :param method: how the description came to be, for messages
+    :param parser: reads the file; the base class finds the one that fits the file
+    """
+
+    def __init__(
+        self,
+        launch_file_path: SomeSubstitutionsType,
+        *,
+        method: str = 'interpreted frontend launch file',
+        parser: type[Parser] = Parser,
+    ):
+        super().__init__(location=launch_file_path, method=method)
         self._parser = parser
 
     def _load(self, path: str) -> LaunchDescription:
