@@ -204,7 +204,7 @@ def test_one_at_a_time(learner):
     expect(far < 0.2, f'The goal (7, 5.5) succeeded {far:.1f} m away from it, expected less than 0.1 m.', 'arrive')
 
 
-@pytest.mark.rules('cancel', 'feedback', 'arrive')
+@pytest.mark.rules('cancel', 'feedback', 'arrive', 'give-up')
 @about('cancel')
 def test_near_and_late(learner):
     """Also near its place, and long after its start, a goal gives feedback and can be cancelled.
@@ -219,6 +219,12 @@ def test_near_and_late(learner):
     distance, seconds = learner.random.uniform(0.15, 0.3), learner.random.uniform(11.0, 18.0)
     goal = client.send(x=4.0 + distance, y=4.0)
     learner.run(seconds)
+    expect(
+        goal.status != 'aborted',
+        f'The turtle was {distance:.2f} m away from the place, and the goal was given up within {seconds:.1f} s, '
+        'expected after 20 s.',
+        'give-up',
+    )
     expect(
         not goal.done,
         f'The turtle was {distance:.2f} m away from the place, and the goal ended as {goal.status}: it arrives when '
