@@ -15,7 +15,7 @@ from helpers.programs.faults.fault import START, Fault, Verdict
 from helpers.programs.faults.finding import number_of
 from helpers.programs.faults.hang import waits_in_call
 from helpers.programs.faults.machine import BASHRC, SETUP
-from helpers.programs.faults.rates import ENOUGH
+from helpers.programs.faults.rates import ENOUGH, TOO_MANY
 
 MACHINES = ('robot', 'panel')
 SENSOR, ROOMS = 'sensor.py', 'rooms.sh'
@@ -420,6 +420,8 @@ def lacks(output: list[str], answer: str = '', begin: float = 0.0, first: int = 
         return 'what the robot measures is not there'
     if not any(_number(line.rate) > ENOUGH for line in shown):
         return 'the robot publishes less than ten times a second'
+    if all(_number(line.rate) > TOO_MANY for line in shown):
+        return 'the robot publishes more than ten times a second'
     if last.answer == '-' or answer and last.answer != answer:
         return 'the answer of the service is not there'
     known = [line.place for line in shown if line.place.endswith(' m')]  # others are not known yet, or too old

@@ -67,7 +67,7 @@ try:
 except (KeyboardInterrupt, ExternalShutdownException):
     pass
 '''
-ENOUGH = 8.0  # messages a second; with a timer of 0.1 s there are ten
+ENOUGH, TOO_MANY = 8.0, 14.0  # messages a second; with a timer of 0.1 s there are ten
 _RATE = re.compile(r'(?<![\d.])([\d.]+) messages a second')
 
 
@@ -108,9 +108,9 @@ class TooSlow(Fault):
         return [float(found[1]) for line in self.lines(self.listener) if (found := _RATE.search(line))]
 
     def works(self, timeout: float) -> Verdict:
-        enough = self.watch(lambda: any(rate > ENOUGH for rate in self.rates()[-3:]), timeout)
+        works = self.watch(lambda: any(ENOUGH < rate < TOO_MANY for rate in self.rates()[-3:]), timeout)
         told = f'{self.rates()[-1]:.0f} messages' if self.rates() else 'no messages'
-        return Verdict(enough, 'ten messages a second' if enough else f'{told} a second, not ten')
+        return Verdict(works, 'ten messages a second' if works else f'{told} a second, not ten')
 
     def show_symptom(self) -> None:
         self.watch(lambda: len(self.rates()) >= 3, self.patience)

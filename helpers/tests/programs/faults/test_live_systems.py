@@ -278,6 +278,7 @@ def test_what_the_panel_lacks_is_said():
         (shown(value='-'), 'measures is not there'),
         (shown(rate='2.0'), 'less than ten'),
         (shown(rate='-'), 'less than ten'),
+        (shown(rate='200.0'), 'more than ten'),
         (shown(answer='-'), 'answer of the service'),
         (shown(step=0.0), 'does not drive ahead'),
         (shown(begin=-3.0), 'does not drive ahead'),
