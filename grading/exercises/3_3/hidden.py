@@ -4,6 +4,7 @@ import pytest
 from std_msgs.msg import Bool, Empty, Int32
 
 from helpers.checks.chapter_03.endpoints import check_name, check_queue, check_topic
+from helpers.checks.chapter_03.test_3_3 import press
 from helpers.runner import expect, waiting
 
 pytestmark = [pytest.mark.exercise('3.3'), pytest.mark.wiring(type='topics', qos='qos', namespace='topics')]
@@ -73,6 +74,15 @@ def test_reset_keeps_the_rhythm(learner):
     expect(
         uptime.data[count:] == [1, 2, 3],
         f'After a reset uptime says {uptime.data[count:]}, expected [1, 2, 3].',
+        'reset',
+    )
+    for _ in range(3):
+        press(learner, button, learner.random.randint(25, 30))
+        learner.run(1.0)
+    learner.run(1.0)
+    expect(
+        uptime.data[count + 3 :] == [1, 1, 1, 2],
+        f'In each of three seconds came many resets; uptime says {uptime.data[count + 3 :]}, expected [1, 1, 1, 2].',
         'reset',
     )
 

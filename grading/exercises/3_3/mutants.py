@@ -185,6 +185,14 @@ MUTANTS = [
     Mutant('with_a_deadline', breaks='qos', old="(Bool, 'led', 10)",
            new="(Bool, 'led', QoSProfile(depth=10, deadline=Duration(seconds=1)))",
            imports='from rclpy.duration import Duration\nfrom rclpy.qos import QoSProfile', expect='policy deadline 1 s'),
+    Mutant('forty_resets', breaks='reset', old='''
+        def on_reset(self, msg):
+            self.seconds = 0
+        ''', new='''
+        def on_reset(self, msg):
+            self.resets = getattr(self, 'resets', 0) + 1
+            self.seconds = 0 if self.resets <= 40 else self.seconds
+        ''', expect='the next one must be 1, then 2'),
     Mutant('light_by_the_clock', old='self.lit = not self.lit',
            new='self.lit = round(self.get_clock().now().nanoseconds / 250_000_000) % 2 == 1',
            expect='whenever it starts', breaks='led', also=('own-state',)),

@@ -364,3 +364,26 @@ def test_two_clients(learner):
         said == ['succeeded', 'canceled'],
         f'Two clients with a short and a long goal said {left.data} and {right.data}.',
     )
+
+
+@pytest.mark.rules('lost', 'numbers')
+@about('lost')
+def test_lost_after_long(learner):
+    """A goal that is lost after much feedback has the numbers of the last one.
+
+    Each feedback replaces the one before, however many there were.
+    """
+    draw = learner.random
+    patience, first = draw.choice([23.2, 28.7]), draw.randint(1, 99)
+    steps = [(0.5, Fibonacci.Feedback(sequence=[first + n])) for n in range(80)]
+    outcome, server, _ = begin(learner, 30, patience, steps, cancel='ignore')
+    server.late = {'cancel': 4.0}
+    learner.run(patience + 2.0, step=5.0)
+    expect(server.goals and outcome.data, f'{patience + 1:g} s after the goal /outcome says nothing.', 'lost')
+    wanted = f'lost [{first + int((patience + 1.0) / 0.5) - 1}]'
+    expect(
+        outcome.data == [wanted],
+        f'The cancel request was not answered, after {int(patience / 0.5)} times feedback; /outcome said '
+        f'{outcome.data}, expected {wanted!r}.',
+        'numbers' if outcome.data[0].startswith('lost [') else 'lost',
+    )

@@ -32,6 +32,11 @@ MUTANTS = [
             self.create_subscription(
                 Fibonacci.Impl.FeedbackMessage, 'fibonacci/_action/feedback', self.on_feedback, 10)
             ''')), expect='another client has a goal with the same server'),
+    Mutant('ten_times_feedback', breaks='numbers', also='lost', old='self.numbers = message.feedback.sequence', new="""
+        self.heard = getattr(self, 'heard', 0) + 1
+        if self.heard <= 10:
+            self.numbers = message.feedback.sequence
+        """, expect='The numbers are those of the last feedback'),
     Mutant('longest_feedback', breaks='numbers', old='self.numbers = message.feedback.sequence',
            new='self.numbers = max(self.numbers, message.feedback.sequence, key=len)',
            expect='also if there was a longer one before'),

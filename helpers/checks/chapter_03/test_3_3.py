@@ -113,12 +113,10 @@ def check_minute(learner, led, uptime):
 
 
 def check_resets(learner, led, uptime, button):
-    """Resets in both halves of a second, while the LED is on and while it is off, and two in a row."""
-    for presses, rest in ((1, 2.25), (2, 1.5), (1, 3.0)):
+    """Resets in both halves of a second, while the LED is on and while it is off, two in a row, and many."""
+    for presses, rest in ((1, 2.25), (2, 1.5), (learner.random.randint(45, 60), 2.25), (1, 3.0)):
         counts, at = (len(led), len(uptime)), learner.now / 1e9
-        button.send(*presses * [Empty()])
-        with waiting('no-wait'):
-            learner.settle()
+        press(learner, button, presses)
         expect(
             (len(led), len(uptime)) == counts,
             'The reset itself published something: only the timers publish.',
@@ -154,6 +152,14 @@ def check_resets(learner, led, uptime, button):
             'reset',
         )
     expect(not learner.slept, 'A callback sleeps, or waits in a loop. The timers do the waiting.', 'no-wait')
+
+
+def press(learner, button, presses: int) -> None:
+    """So many messages on reset at one moment; no more at a time than the queue holds."""
+    for begin in range(0, presses, 9):
+        button.send(*min(9, presses - begin) * [Empty()])
+        with waiting('no-wait'):
+            learner.settle()
 
 
 def check_second(learner, led, uptime, button, node):

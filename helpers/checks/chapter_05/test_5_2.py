@@ -238,7 +238,7 @@ def _answers_late(learner, rounds):
     draw, server = learner.random, rounds.server
     server.cancel, server.late = 'ignore', {'cancel': 1.5}
     server.cancel_delay = 0.0
-    patience = draw.choice([1.2, 1.7])
+    patience = draw.choice([24.2, 26.7])  # about fifty times feedback
     seen, value = _uneven(int(patience / 0.5 + 1)), draw.randint(10, 99)
     server.plan = uneven
     foreign = Fibonacci.Impl.FeedbackMessage(
@@ -270,7 +270,7 @@ def _answers_late(learner, rounds):
     )
     learner.run(2.0, step=1.0)
     rounds.expect(f'lost {seen}', 'once')
-    server.cancel, server.late = 'accept', {'cancel': 0.8}
+    server.cancel, server.late, patience = 'accept', {'cancel': 0.8}, draw.choice([1.2, 1.7])
     rounds.begin(30, patience, 'a server that needs 0.8 s to answer the cancel request')
     learner.run(patience + 3.0, step=1.0)
     rounds.expect(f'canceled {list(server.partial.sequence)}', 'lost', 'The answer came in time.')
