@@ -90,7 +90,7 @@ def test_a_failing_test_is_told_and_the_build_is_quiet(workspace, line):
     assert (result.returncode, '1 test, 0 errors, 1 failure' in result.stdout) == (1, True)
 
 
-@pytest.mark.one_of(6, group=7, of='builds')
+@pytest.mark.one_of(10, group=7, of='builds')
 def test_a_passing_test_passes(workspace):
     python_package(workspace, 'subject', LINES['tests_require'], 'def test_sum():\n    assert 1 + 1 == 2\n')
     assert colcon(workspace, 'build').returncode == 0
@@ -119,7 +119,7 @@ def results(workspace: Path) -> dict[str, tuple[int, int, int]]:
     return found
 
 
-@pytest.mark.one_of(6, group=0, of='builds')
+@pytest.mark.one_of(10, group=0, of='builds')
 @pytest.mark.early
 def test_new_packages_build_and_pass_their_tests(workspace):
     def create(*words):
@@ -159,7 +159,7 @@ def test_new_packages_build_and_pass_their_tests(workspace):
     assert found['python/pytest.xml'] == (3, 0, 1)  # the copyright test, until the files have a header
 
 
-@pytest.mark.one_of(6, group=1, of='builds')
+@pytest.mark.one_of(10, group=1, of='builds')
 def test_the_linters_of_a_new_package_find_what_is_wrong(workspace):
     subprocess.run(
         [ROS2, 'pkg', 'create', 'subject', '--build-type', 'ament_python', '--license', 'Apache-2.0'],
@@ -227,7 +227,7 @@ def write_survey_msgs(root: Path) -> None:
     )
 
 
-@pytest.mark.one_of(6, group=2, of='builds')
+@pytest.mark.one_of(10, group=2, of='builds')
 @pytest.mark.early
 @pytest.mark.timeout(900)
 def test_an_interface_package_as_upstream_writes_it_builds(workspace):
@@ -289,7 +289,7 @@ ament_package()
 """
 
 
-@pytest.mark.one_of(6, group=3, of='builds')
+@pytest.mark.one_of(10, group=3, of='builds')
 @pytest.mark.early
 def test_launch_tests_of_a_cmake_package_are_run_and_told(workspace):
     """The CMakeLists.txt of the tutorial on integration tests, and a launch test that fails."""

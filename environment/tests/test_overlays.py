@@ -39,8 +39,8 @@ UPSTREAM = {
     'launch.launch_context': 'LaunchContext',
     'launch.launch_description': 'LaunchDescription',
     'launch.launch_description_entity': 'LaunchDescriptionEntity',
-    'launch.launch_description_sources': 'AnyLaunchDescriptionSource InvalidLaunchFileError '
-    'InvalidPythonLaunchFileError get_launch_description_from_any_launch_file',
+    'launch.launch_description_sources': 'AnyLaunchDescriptionSource FrontendLaunchDescriptionSource '
+    'InvalidLaunchFileError InvalidPythonLaunchFileError get_launch_description_from_any_launch_file',
     'launch.substitutions': 'FindExecutable TextSubstitution',
     'launch.utilities.type_utils': 'get_typed_value is_instance_of',
     'launch_ros.actions': 'Node',
@@ -138,7 +138,7 @@ class Overlaid:
         return all(version == VERSION and Path(file).is_relative_to(self.workspace) for version, file in lines)
 
 
-@pytest.mark.one_of(6, group=4, of='builds')
+@pytest.mark.one_of(10, group=4, of='builds')
 @pytest.mark.early
 def test_launch_and_launch_ros_from_a_workspace(domain, tmp_path):
     overlay(tmp_path, LAUNCH)
@@ -164,7 +164,7 @@ def test_launch_and_launch_ros_from_a_workspace(domain, tmp_path):
     assert 'test_it_is_heard' in tested.stderr
 
 
-@pytest.mark.one_of(6, group=5, of='builds')
+@pytest.mark.one_of(10, group=5, of='builds')
 @pytest.mark.early
 def test_ros2cli_from_a_workspace(domain, tmp_path):
     some = ('ros2cli', 'ros2node', 'ros2pkg', 'ros2topic')

@@ -319,7 +319,7 @@ TALKER = """
 """
 
 
-@pytest.mark.one_of(3)
+@pytest.mark.one_of(10, group=9, of='builds')
 @pytest.mark.early
 def test_a_package_of_the_learners_own(ros2, tmp_path):  # noqa: F811
     """Creating a package, publisher and subscriber, parameters in a class, testing: from nothing to a passing test."""

@@ -154,13 +154,9 @@ class Bridge(Node):
                                   ('self.publisher.publish, 10', 'lambda msg: Bridge.out.publish(msg), 10')),
            expect='a publisher of its own', breaks='carries'),
     Mutant('fifty_messages', old="self.create_subscription(String, 'chatter', self.publisher.publish, 10)", new="""
-            self.left = 50
-            self.create_subscription(String, 'chatter', self.carry, 10)
-
-        def carry(self, msg):
-            self.left -= 1
-            if self.left >= 0:
-                self.publisher.publish(msg)
+        left = list(range(50))
+        self.create_subscription(
+            String, 'chatter', lambda msg: left and (left.pop(), self.publisher.publish(msg)), 10)
         """, expect='each one, once', breaks='carries'),
     Mutant('long_texts_are_cut', old="(String, 'chatter', self.publisher.publish, 10)",
            new="(String, 'chatter', lambda msg: self.publisher.publish(String(data=msg.data[:100])), 10)",

@@ -213,6 +213,9 @@ NAMES = [
 ]
 
 
+half_of_the_samples = pytest.mark.one_of(2, group=0)  # all of these need the batch
+
+
 @pytest.fixture(scope='module')
 def batch(tmp_path_factory):
     """All hostile files, graded at once."""
@@ -251,17 +254,20 @@ def _invalid(batch, learner, fragment):
     assert fragment in batch.page(learner)
 
 
+@half_of_the_samples
 @pytest.mark.timeout(300)
 @pytest.mark.parametrize('name', ARCHIVES)
 def test_archive(batch, name):
     _invalid(batch, name, ARCHIVES[name][1])
 
 
+@half_of_the_samples
 @pytest.mark.parametrize('name', NOTEBOOKS)
 def test_notebook(batch, name):
     _invalid(batch, f'nb-{name}', NOTEBOOKS[name][1])
 
 
+@half_of_the_samples
 @pytest.mark.parametrize('name', CELLS)
 def test_cell(batch, name):
     found = batch.exercise(f'cell-{name}', '90.1')
@@ -270,12 +276,14 @@ def test_cell(batch, name):
     assert [batch.exercise(f'cell-{name}', other).verdict for other in ('90.2', '90.3')] == ['not_attempted'] * 2
 
 
+@half_of_the_samples
 def test_doubled_exercise(batch):
     found = batch.exercise('doubled', '90.1')
     assert (found.verdict, found.score) == ('invalid_submission', 0)
     assert 'cells 2 and 3' in found.message
 
 
+@half_of_the_samples
 def test_another_learners_name(batch):
     """An id in a zip that is somebody else's neither takes their mark nor changes it."""
     assert batch.records[arena.HONEST].score == 30
@@ -283,16 +291,19 @@ def test_another_learners_name(batch):
     assert any('eve' in line and arena.HONEST in line for line in batch.log)
 
 
+@half_of_the_samples
 @pytest.mark.parametrize('name', ['slip', 'absolute', 'windows'])
 def test_paths_in_archives_are_only_names(batch, name):
     assert {result.verdict for result in batch.records[name].exercises} == {'not_attempted'}
 
 
+@half_of_the_samples
 def test_links_and_pipes_are_not_followed(batch):
     assert 'links' not in batch.records or batch.records['links'].score == 0
     assert batch.records['pipe'].score == 0
 
 
+@half_of_the_samples
 def test_around(batch):
     """The honest learner, the files outside, and what was written about all of them."""
     assert batch.records[arena.HONEST].score == 30

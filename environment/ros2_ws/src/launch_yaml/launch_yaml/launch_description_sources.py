@@ -1,7 +1,7 @@
 """Launch files in YAML, to be included."""
 
+from launch import SomeSubstitutionsType
 from launch.launch_description_sources import FrontendLaunchDescriptionSource
-from launch.some_substitutions_type import SomeSubstitutionsType
 
 from launch_yaml.parser import Parser
 
