@@ -227,7 +227,7 @@ def write_survey_msgs(root: Path) -> None:
     )
 
 
-@pytest.mark.one_of(10, group=2, of='builds')
+@pytest.mark.one_of(16, group=7, of='what costs most')  # its C++ takes minutes
 @pytest.mark.early
 @pytest.mark.timeout(900)
 def test_an_interface_package_as_upstream_writes_it_builds(workspace):

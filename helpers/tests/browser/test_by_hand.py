@@ -105,7 +105,7 @@ def learner(newcomer, address):
     return learner
 
 
-@pytest.mark.one_of(16, group=0, of='browser')
+@pytest.mark.one_of(16, group=0, of='what costs most')
 def test_an_arrow_button_drives_the_turtle_while_a_cell_runs_and_a_key_when_the_view_has_the_focus(learner):
     learner.run('turtle')
     view = learner.page.locator('.turtle-view')
@@ -124,7 +124,7 @@ def test_an_arrow_button_drives_the_turtle_while_a_cell_runs_and_a_key_when_the_
     learner.output('turtle').locator('img, svg').first.wait_for()
 
 
-@pytest.mark.one_of(16, group=1, of='browser')
+@pytest.mark.one_of(16, group=1, of='what costs most')
 def test_a_slider_calls_its_function_and_a_view_can_be_turned_after_its_block_until_the_next_view(learner):
     page = learner.page
     learner.run('sliders')
@@ -154,7 +154,7 @@ def test_a_slider_calls_its_function_and_a_view_can_be_turned_after_its_block_un
     learner.sees('sliders', 'the cup is at 1, 0')
 
 
-@pytest.mark.one_of(16, group=0, of='browser')
+@pytest.mark.one_of(16, group=0, of='what costs most')
 def test_a_plot_has_no_background_on_a_dark_page_and_lines_break_between_words(learner):
     learner.run('plot')
     plot = learner.output('plot').locator('img')
@@ -165,7 +165,7 @@ def test_a_plot_has_no_background_on_a_dark_page_and_lines_break_between_words(l
     assert words.evaluate('pre => getComputedStyle(pre).wordBreak') == 'normal'
 
 
-@pytest.mark.one_of(16, group=1, of='browser')
+@pytest.mark.one_of(16, group=1, of='what costs most')
 def test_a_cell_with_a_file_tells_a_mistake_with_its_line_and_writes_the_file(learner, folder):
     (folder / 'config').mkdir()
     for text in (WRONG, RIGHT):
@@ -228,7 +228,7 @@ def written(package: dict[str, str]) -> str:
     return '\n'.join(f"cat > 'patrol/{path}' <<'END'\n{text.rstrip()}\nEND" for path, text in package.items())
 
 
-@pytest.mark.one_of(16, group=4, of='browser')
+@pytest.mark.one_of(16, group=4, of='what costs most')
 def test_a_second_terminal_is_opened_beside_the_first(newcomer, address, folder):
     learner, shells = newcomer(), []
     # A notebook that no other test changes: else a dialog about that may cover the terminals.
@@ -242,7 +242,7 @@ def test_a_second_terminal_is_opened_beside_the_first(newcomer, address, folder)
 
 
 @needs_solutions
-@pytest.mark.one_of(16, group=2, of='browser')  # the check itself builds the package several times
+@pytest.mark.one_of(16, group=2, of='what costs most')  # the check itself builds the package several times
 def test_a_package_is_made_in_the_terminal_and_its_check_passes(newcomer, address, folder):
     learner, names = newcomer(), {}
     exec(solution('02_workspace_and_packages')['ex-2-5'].partition('\nmy_ws = ')[0], names)
@@ -267,7 +267,7 @@ def test_a_package_is_made_in_the_terminal_and_its_check_passes(newcomer, addres
 SOLVED_ALL = re.compile(r'Solved: (\d+) of \1 rules are kept')
 
 
-@pytest.mark.one_of(16, group=3, of='browser')
+@pytest.mark.one_of(16, group=3, of='what costs most')
 @needs_solutions
 def test_the_capstone_goes_on_after_a_restart_of_the_kernel(newcomer, address, folder):
     learner = newcomer()

@@ -57,7 +57,7 @@ def failed(outputs, notebook):
     ]
 
 
-@pytest.mark.one_of(16, group=5, of='browser')
+@pytest.mark.one_of(16, group=5, of='what costs most')
 @pytest.mark.skipif(not SOLUTION.is_file(), reason="the learner's edition has no solutions")
 def test_chapter_3_from_the_start_page_to_a_submission(learners, folder, tmp_path):
     learner = learners[3]
@@ -106,7 +106,7 @@ def moved(before, after):
     return sum(ImageChops.difference(*pictures).histogram()[64:])
 
 
-@pytest.mark.one_of(16, group=6, of='browser')
+@pytest.mark.one_of(16, group=6, of='what costs most')
 def test_chapter_6_runs_and_its_frames_move(learners, folder):
     learner = learners[6]
     learner.wait_until_all_ran()
