@@ -31,7 +31,8 @@ NEEDED = [
         reason='no Playwright for the tests in a browser; run: .venv/bin/pip install -r environment/browser.lock',
     ),
 ]
-# No display, no GPU; and no connections of the browser's own.
+# No display, no GPU; and no connections of the browser's own. WebGL is computed by SwiftShader, which is slow: so pages
+# are composed without it.
 FLAGS = [
     '--no-sandbox',
     '--use-gl=angle',

@@ -167,7 +167,7 @@ def test_a_file_of_no_format_is_refused(tmp_path):
 
 
 def test_a_python_file_includes_one_of_any_name(tmp_path, capsys):
-    """Tutorial, Using different formats."""
+    """Upstream's guide, Using XML, YAML, and Python for ROS 2 Launch Files."""
     (tmp_path / 'robot').write_text('<launch><arg name="who"/><log message="$(var who)"/></launch>')
     source = XMLLaunchDescriptionSource([str(tmp_path), '/robot'])
     assert source.method == 'interpreted XML launch file'

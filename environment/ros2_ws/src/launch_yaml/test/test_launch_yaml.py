@@ -118,7 +118,7 @@ def test_faults_are_told_with_the_format(tmp_path, text, kind, message):
 
 
 def test_a_python_file_includes_one_of_any_name(tmp_path, capsys):
-    """Tutorial, Using different formats."""
+    """Upstream's guide, Using XML, YAML, and Python for ROS 2 Launch Files."""
     (tmp_path / 'robot').write_text('launch: [{arg: {name: who}}, {log: {message: $(var who)}}]')
     source = YAMLLaunchDescriptionSource([str(tmp_path), '/robot'])
     assert source.method == 'interpreted YAML launch file'
