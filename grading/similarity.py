@@ -32,7 +32,7 @@ from itertools import combinations
 
 from grading import reader
 from helpers import paths
-from helpers.exercises import packages, program
+from helpers.exercises import cell_python, packages, program
 from helpers.exercises.manifest import Exercise
 from helpers.exercises.notebooks import NotebookCell
 
@@ -93,7 +93,7 @@ def _pairs(exercise: str, prints: dict[str, set[int]]) -> list[Pair]:
 def fingerprints(source: str) -> set[int]:
     """The hashes of a cell; none if it is not Python."""
     try:
-        tree = program.syntax_tree(source)
+        tree = cell_python.syntax_tree(source)
         tokens = _Tokens(tree).tokens if tree is not None else []
     except RecursionError:
         return set()
@@ -153,7 +153,7 @@ class _Tokens:
     def _text(self, text: str) -> None:
         """The tokens of a text that is an answer, or a part of one: a program, or something that is none."""
         outer, begin = self._own, len(self.tokens)
-        if (tree := program.syntax_tree(text)) is not None:
+        if (tree := cell_python.syntax_tree(text)) is not None:
             try:
                 self._own = outer | set(_names(tree))
                 self._node(tree)

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 from grading.authoring import cards, indexes, regions, relative_links
 from grading.authoring.chapter import QUESTIONS, Chapter, SourceCell
 from grading.authoring.chapter_errors import AuthoringError
-from helpers.exercises import file_answers, file_syntax, program
+from helpers.exercises import definitions, file_answers, file_syntax
 
 MAX_LINES = 15  # without the line of a `%%writefile`
 MAX_EXERCISE_LINES = 50  # a class that is an answer cannot be split, and a cell may hold the texts of files
@@ -156,5 +156,5 @@ def _programs(cell: SourceCell, card: cards.Card):
         if ast.dump(trees['solution']) == ast.dump(trees['stub']):
             yield f'{label} leaves nothing to do, its stub is its solution', 'mark the solution'
         for name in card.names:
-            if name not in program.defined(trees['solution'].body):
+            if name not in definitions.defined(trees['solution'].body):
                 yield f'{label} does not define {name}', 'define it in this cell or take it from :names:'

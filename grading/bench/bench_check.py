@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from helpers import paths
-from helpers.exercises import manifest, notebooks, program
+from helpers.exercises import definitions, manifest, notebooks, program
 from helpers.tests.kernels import Kernel
 
 CHAPTER = 3
@@ -26,7 +26,7 @@ def measure() -> Iterator[tuple[str, float, str]]:
         for cell in notebooks.read(paths.ROOT / 'solutions' / exercises[0].notebook):
             identifier = program.exercise_id(cell)
             # Of the other cells only what a check looks at: their text. What they need need not be there.
-            kernel.run(cell.source if identifier else '\n'.join(text for _, text in program.definitions(cell)))
+            kernel.run(cell.source if identifier else '\n'.join(text for _, text in definitions.of_cell(cell)))
             if identifier is None:
                 continue
             if not medians:

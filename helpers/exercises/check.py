@@ -63,11 +63,11 @@ def run_tests(exercise_id: str):
 
 def _not_run(exercise) -> str:
     """What to do where no cell of the exercise has been run, or where it has lost its first line."""
-    from helpers.exercises import program
+    from helpers.exercises import definitions
 
     heading = f'# Exercise {exercise.id}: {exercise.title}'
     for noted in reversed(journal.cells):
-        if set(exercise.names) <= program.names_in(noted.source):
+        if set(exercise.names) <= definitions.names_in(noted.source):
             return (
                 f'A cell that you ran defines `{exercise.names[0]}`, but its first line is not `{heading}`. The '
                 'check knows the cell by this line: write it back, run the cell, and check again.'

@@ -33,11 +33,11 @@ def explain(result) -> None:
         print(DESTROYED)
     if not isinstance(error, NameError) or not error.name:
         return
-    from helpers.exercises import program, resuming
+    from helpers.exercises import definitions, resuming
 
     ran = {cell.source for cell in journal.cells}
     for cell in reversed(resuming.cells_above() or []):
-        if cell.source not in ran and error.name in program.names_in(cell.source):
+        if cell.source not in ran and error.name in definitions.names_in(cell.source):
             first = cell.source.strip().partition('\n')[0]
             print(f'`{error.name}` comes from a cell above that has not run since the kernel started: {first}')
             print(ADVICE if error.name in resuming.brought_back(cell) else AGAIN)

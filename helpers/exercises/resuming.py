@@ -6,10 +6,10 @@ file, as it was last saved.
 """
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from pathlib import Path
 
-from helpers.exercises import notebooks, program
+from helpers.exercises import definitions, notebooks
 from helpers.exercises.notebooks import NotebookCell
 from helpers.kernel import journal
 
@@ -68,16 +68,16 @@ def cells_above() -> list[NotebookCell] | None:
     return None
 
 
-def brought_back(cell: NotebookCell) -> set[str]:
+def brought_back(cell: NotebookCell) -> Set[str]:
     """The names that `resume` takes from a cell."""
     if WHOLE in cell.tags:
-        return program.names_in(cell.source)
-    return {name for _, text in program.definitions(cell) for name in program.names_in(text)}
+        return definitions.names_in(cell.source)
+    return {name for _, text in definitions.of_cell(cell) for name in definitions.names_in(text)}
 
 
 def _demonstrated(name: str | None, cells: list[NotebookCell]) -> bool:
     """Whether these cells define a name, and only in demonstrations."""
-    return any(name in program.names_in(cell.source) for cell in cells) and not any(
+    return any(name in definitions.names_in(cell.source) for cell in cells) and not any(
         name in brought_back(cell) for cell in cells
     )
 
@@ -92,7 +92,7 @@ def _notebooks() -> Iterator[Path]:
 
 def _run_definitions(shell, cell: NotebookCell) -> list[tuple[NotebookCell, Exception]]:
     problems = []
-    for line, text in program.definitions(cell):
+    for line, text in definitions.of_cell(cell):
         try:
             # Empty lines before it, so that a traceback names the line of the cell.
             exec(compile('\n' * (line - 1) + text, f'<{cell.label}>', 'exec'), shell.user_ns)

@@ -278,14 +278,12 @@ _SENTENCES = (
 )
 
 
-def explain(
-    kind: str, text: str, early: str = '', elsewhere: Mapping[str, str] | None = None, callback: str = ''
-) -> str:
+def explain(kind: str, text: str, early: str = '', absent: Mapping[str, str] | None = None, callback: str = '') -> str:
     """A sentence on an exception of the type `kind` with this text; '' if there is nothing to add.
 
-    `early`: where the program read the result of a future that had none yet. `elsewhere`: by name, the cell of the
-    notebook that defines it and that has not been run. `callback`: of what it is the callback, if rclpy has called it
-    and it has begun with no line of its own, such as `timer of 0.5 s`.
+    `early`: where the program read the result of a future that had none yet. `absent`: by name, why a name
+    is not there that some cell binds. `callback`: of what it is the callback, if rclpy has called it and it has begun
+    with no line of its own, such as `timer of 0.5 s`.
     """
     if kind == 'AttributeError' and (
         found := re.search(r"property '(\w+)' of (?:.* has no setter|Node)|can't set attribute '?(\w+)?", text)
@@ -328,7 +326,7 @@ def explain(
         )
     if kind == 'NameError' and (found := re.match(r"name '(\w+)' is not defined", text)):
         name = found[1]
-        return not_run(name, elsewhere or {}) or (
+        return (absent or {}).get(name) or (
             'The first argument of a method is `self`.'
             if name == 'self'
             else f'No cell that the check uses defines `{name}`. Is it a typing error, or is a cell gone that came '
@@ -338,9 +336,3 @@ def explain(
         if kind == known and (found := re.match(pattern, text)):
             return sentence.format(*found.groups())
     return ''
-
-
-def not_run(name: str, elsewhere: Mapping[str, str]) -> str:
-    """A sentence on a name that a cell of the notebook defines which has not been run; '' if there is none."""
-    where = elsewhere.get(name)
-    return f'`{name}` is defined in {where}: run that cell first, then check again.' if where else ''

@@ -236,7 +236,7 @@ class ProgramProcess:
         """
         self.server = server
         self.title = program['title']
-        self.elsewhere = program.get('elsewhere', {})
+        self.absent = program.get('absent', {})
         self.key, sock, output = server.fork(preloading.on_demand(program['cells']))
         self.channel = Channel(sock)
         self.output = Output(output, server.limits.output)
@@ -359,8 +359,7 @@ class ProgramProcess:
         name = str(problem.get('name', arguments.get('name', '')))[:200]
         match problem.get('kind'):
             case 'missing':
-                where = explanations.not_run(name, self.elsewhere)
-                return InvalidProgram(where or f'{self.title} does not define `{name}`.')
+                return InvalidProgram(self.absent.get(name) or f'{self.title} does not define `{name}`.')
             case 'waits':
                 return self._waits(problem)
             case 'no_node':
@@ -436,7 +435,7 @@ class ProgramProcess:
         notes = problem.get('notes')
         notes = notes[:5] if isinstance(notes, list) and kind in ('NameError', 'ImportError') else []
         called = '' if lines else str(problem.get('callback', ''))[:100]
-        more = explanations.explain(kind, text, str(problem.get('early', ''))[:200], self.elsewhere, called)
+        more = explanations.explain(kind, text, str(problem.get('early', ''))[:200], self.absent, called)
         return LearnerCrashed(
             f'{where.get(problem.get("where"), "Then")} your code raised {error}{at}. {more}'.strip(),
             '\n'.join([_stack(lines), error, *(f'Not loaded: {note}' for note in notes)]),

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 
-from helpers.exercises import file_answers, file_syntax, manifest, program
+from helpers.exercises import definitions, file_answers, file_syntax, manifest, program
 from helpers.exercises.notebooks import NotebookCell
 from helpers.tests import small
 
@@ -58,7 +58,7 @@ def test_both_forms_are_the_same_program():
     for one, names in zip(made, found, strict=True):
         exec(one.cells[-1]['source'], names)
     assert {found[0][name] == found[1][name] for name in ('CONFIG', 'CODE')} == {True}
-    assert program.names_in(CELL) == program.names_in(QUOTED) == {'re', 'CONFIG', 'CODE'}
+    assert definitions.names_in(CELL) == definitions.names_in(QUOTED) == {'re', 'CONFIG', 'CODE'}
 
 
 def test_a_stub_in_quotes_of_an_earlier_version_is_not_attempted():
@@ -69,9 +69,9 @@ def test_a_stub_in_quotes_of_an_earlier_version_is_not_attempted():
 
 
 def test_a_file_is_a_constant_for_later_exercises():
-    texts = [text.strip() for _, text in program.definitions(NotebookCell(CELL, 1))]
+    texts = [text.strip() for _, text in definitions.of_cell(NotebookCell(CELL, 1))]
     assert texts == ['import re', f'CONFIG = {YAML!r}', f'CODE = {PYTHON!r}']
-    assert program.definitions(NotebookCell('%%bash\nA = 1', 1)) == ()
+    assert definitions.of_cell(NotebookCell('%%bash\nA = 1', 1)) == ()
 
 
 @pytest.mark.parametrize(

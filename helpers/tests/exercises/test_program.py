@@ -8,104 +8,6 @@ from helpers.exercises.program import InvalidExercise, NotAttempted
 from helpers.tests import small
 
 
-def kept(source):
-    return [text.strip() for _, text in program.definitions(NotebookCell(source, 1))]
-
-
-@pytest.mark.parametrize(
-    'source',
-    [
-        'import os',
-        'from a import b',
-        'def f():\n    return 1',
-        'async def f():\n    pass',
-        'class A:\n    x = 1',
-        '@decorated\nclass A:\n    pass',
-        'X = 1',
-        'X = -1.5 + 2j',
-        'X, Y = 1, 2',
-        'X, (Y, *Z) = A',
-        'X: int = 3',
-        "X = {'a': [1, (2,)]}",
-        'QOS = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)',
-        'T = rclpy.time.Time(seconds=3)',
-        'D = Duration(seconds=0.5)',
-        'Alias = some.module.Class',
-        'now = lambda: 5',
-        'A = B = 3',
-        'X = Y[0]',
-    ],
-)
-def test_definitions_are_kept(source):
-    assert kept(source) == [source]
-
-
-@pytest.mark.parametrize(
-    'source',
-    [
-        'print(1)',
-        'rclpy.init()',
-        "node = Node('x')",
-        'x = f()',
-        'x += 1',
-        'for i in range(3):\n    y = i',
-        'with spinning(node):\n    pass',
-        'node.x = 1',
-        'node.x, node.y = 1, 2',
-        'x, (y, *node.z) = 1, (2, 3)',
-        'd["a"] = 1',
-        'del x',
-        'assert x',
-        'x = [f() for _ in y]',
-        'if True:\n    import os',
-        'while True: pass',
-        'QOS = QoSProfile(depth=f())',
-        'x = await y',
-        'await y',
-        '%%bash\nls',
-        '!rm -rf x',
-        'def broken(:',
-        '"just text"',
-        'x = (y := 3)',
-        'raise SystemExit',
-    ],
-)
-def test_demonstrations_are_dropped(source):
-    assert kept(source) == []
-
-
-def test_notebook_commands_are_dropped_line_by_line():
-    commands = '%matplotlib inline\nimport os\n!ls\nx = !ls\nfiles = %sx ls\nos?\n?os\nY = 2'
-    assert kept(commands) == ['import os', 'Y = 2']
-    assert kept('text = """\n%not a command\n"""') == ['text = """\n%not a command\n"""']
-    assert kept('x = 7 \\\n % 2') == ['x = 7 \\\n % 2']
-
-
-@pytest.mark.parametrize('head', ['%%time\n', '%%capture out\n', '\n%%capture\n%%time\n'])
-def test_a_cell_that_runs_below_a_magic_counts(head):
-    """As it does in the notebook. What a shell gets does not."""
-    found = program.definitions(NotebookCell(f'{head}import os\ndef f():\n    return 3\n', 1))
-    assert [text.partition('\n')[0] for _, text in found] == ['import os', 'def f():']
-    assert found[0][0] == head.count('\n') + 1
-    assert program.definitions(NotebookCell('%%bash\nimport os\n', 1)) == ()
-
-
-def test_commands_within_functions_do_not_cost_them():
-    source = 'def f():\n    !ls -la \\\n        /tmp\n    %timeit 1\n    return 3\n\ndef g():\n    !ls\n'
-    found = program.definitions(NotebookCell(source, 1))
-    assert [line for line, _ in found] == [1, 7]
-    namespace = {}
-    exec(found[0][1], namespace)
-    assert namespace['f']() == 3
-
-
-def test_line_numbers_are_kept():
-    cell = NotebookCell('print(1)\n\ndef f():\n    pass\nprint(2)', 1)
-    assert program.definitions(cell) == ((3, 'def f():\n    pass\n'),)
-    cell = NotebookCell('import a; print(1); import b', 1)
-    assert program.definitions(cell) == ((1, 'import a\n'), (1, 'import b\n'))
-
-
 def build(*cells, **changes):
     return program.build(list(cells), small.exercise(**changes))
 
@@ -121,6 +23,47 @@ def test_exercise_whole_and_others_filtered_in_order():
         ('# Exercise 90.1: a talker\nclass Talker: pass\nprint("mine")', True),
     ]
     assert made.cells[1]['label'] == 'Exercise 90.1'
+
+
+def test_what_the_program_needs_of_the_cells_below():
+    """Cells can be run in any order; what stands below costs nothing if nobody needs it."""
+    made = build(
+        NotebookCell('def above(): return UNIT', 1),
+        small.cell('class Talker:\n    def f(self): return above() + below() + len([])'),
+        NotebookCell('import heavy\nUNIT = 1\nprint(3)', 3),
+        NotebookCell('import math\ndef below(): return math.pi * FACTOR', 4),
+        NotebookCell('def above(): return 2\ndef unused(): pass\nFACTOR = 3', 5),
+        NotebookCell('def len(x): pass', 6),
+    )
+    assert [part['source'].strip() for part in made.cells] == [
+        'def above(): return UNIT',
+        'UNIT = 1',
+        'import math',
+        'def below(): return math.pi * FACTOR',
+        'FACTOR = 3',
+        made.cells[-1]['source'].strip(),
+    ]
+    assert made.cells[-1]['required'] and not made.absent
+
+
+@pytest.mark.parametrize(
+    'demonstration',
+    [
+        'GOOD = compute()',
+        'for GOOD in [1, 2]: pass',
+        'with compute() as GOOD: pass',
+        'if True:\n    print(1)\n    GOOD = 2',
+        '%matplotlib inline\nGOOD = compute()',
+    ],
+)
+@pytest.mark.parametrize('below', [False, True])
+def test_why_a_name_is_not_there(demonstration, below):
+    """A learner takes for there what another cell has computed."""
+    cells = [NotebookCell(demonstration, 7), small.cell('class Talker:\n    x = GOOD')]
+    absent = build(*(cells[::-1] if below else cells)).absent
+    assert list(absent) == ['GOOD'] and '`GOOD` is made in cell 7' in absent['GOOD']
+    assert not build(cells[0], small.cell('class Talker: pass')).absent
+    assert not build(cells[0], small.cell('GOOD = 1\nclass Talker:\n    x = GOOD')).absent
 
 
 @pytest.mark.parametrize('head', ['%%time\n', '%%capture out\n%%time\n'])

@@ -1,0 +1,154 @@
+"""What counts as a definition: what the check of an exercise, and `resume()`, take from the other cells.
+
+Imports, functions, classes and constants. Everything else only demonstrates something, and runs only where the learner
+runs it. Nothing is executed here.
+"""
+
+import ast
+import re
+from collections.abc import Iterable
+from functools import lru_cache
+
+from helpers.exercises import cell_python
+from helpers.exercises.notebooks import NotebookCell
+
+_LINE = re.compile(r'[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+')  # as Python counts lines
+# Calls that make a constant when their arguments are constant: quickly, and of which nobody else notices anything.
+_VALUE_TYPES = {
+    *('QoSProfile', 'Duration', 'Time', 'Path', 'timedelta', 'namedtuple', 'partial', 'array', 'compile'),
+    *('bool', 'bytes', 'complex', 'dict', 'float', 'frozenset', 'int', 'list', 'range', 'set', 'str', 'tuple'),
+    *('abs', 'len', 'max', 'min', 'round', 'sorted', 'zip', 'cos', 'degrees', 'radians', 'sin', 'sqrt'),
+}
+_VALUE_METHODS = {'format', 'items', 'join', 'keys', 'split', 'values'}  # of texts and dictionaries
+
+
+@lru_cache(maxsize=512)
+def of_cell(cell: NotebookCell) -> tuple[tuple[int, str], ...]:
+    """Imports, functions, classes and constant assignments of a cell; none if it is not Python.
+
+    Each is its first line's number in the cell, so that line numbers in messages are the learner's, and its text.
+    """
+    text = cell_python.as_python(cell)
+    tree = cell_python.syntax_tree(text)
+    if tree is None:
+        return ()
+    lines = _LINE.findall(text)
+    found = []
+    for node in tree.body:
+        if _is_definition(node):
+            first = min([node.lineno, *(d.lineno for d in getattr(node, 'decorator_list', ()))])
+            part = lines[first - 1 : node.end_lineno]
+            if len(part) == 1:  # a neighbour on the same line is cut off
+                part = [part[0].encode()[node.col_offset : node.end_col_offset].decode()]
+            found.append((first, ''.join(part).rstrip('\r\n') + '\n'))
+    return tuple(found)
+
+
+@lru_cache(maxsize=4096)
+def names_in(text: str) -> frozenset[str]:
+    """The names that a text binds; none if it is not Python."""
+    tree = cell_python.syntax_tree(text)
+    return frozenset(defined(tree.body) if tree is not None else ())
+
+
+@lru_cache(maxsize=4096)
+def names_used(text: str) -> frozenset[str]:
+    """The names that a text needs and does not bind, of itself or as an argument; none if it is not Python."""
+    tree = cell_python.syntax_tree(text)
+    nodes = list(ast.walk(tree)) if tree is not None else []
+    bound = {node.arg for node in nodes if isinstance(node, ast.arg)} | defined(nodes)
+    names = [node for node in nodes if isinstance(node, ast.Name)]
+    bound |= {name.id for name in names if not isinstance(name.ctx, ast.Load)}
+    return frozenset({name.id for name in names} - bound)
+
+
+def defined(body: Iterable[ast.AST]) -> set[str]:
+    """The names that these statements bind at module level, in blocks such as `if` and `try` too."""
+    names: set[str] = set()
+    for node in body:
+        match node:
+            case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
+                names.add(name)
+            case ast.Import(names=aliases) | ast.ImportFrom(names=aliases):
+                names |= {alias.asname or alias.name.partition('.')[0] for alias in aliases}
+            case ast.Assign() | ast.AnnAssign() | ast.AugAssign():
+                targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+                names |= {part.id for target in targets for part in ast.walk(target) if isinstance(part, ast.Name)}
+            case ast.If() | ast.For() | ast.While() | ast.With() | ast.Try():
+                targets = [node.target] if isinstance(node, ast.For) else []
+                if isinstance(node, ast.With):
+                    targets = [item.optional_vars for item in node.items if item.optional_vars]
+                names |= {part.id for target in targets for part in ast.walk(target) if isinstance(part, ast.Name)}
+                for part in ('body', 'orelse', 'finalbody'):
+                    names |= defined(getattr(node, part, []))
+                for handler in getattr(node, 'handlers', []):
+                    names |= defined(handler.body)
+    return names
+
+
+def _is_definition(node: ast.stmt) -> bool:
+    match node:
+        case ast.Import() | ast.ImportFrom() | ast.FunctionDef() | ast.AsyncFunctionDef() | ast.ClassDef():
+            return True
+        case ast.Assign(targets=targets, value=value):
+            return all(map(_is_name, targets)) and _is_constant(value)
+        case ast.AnnAssign(target=ast.Name(), value=value):
+            return value is None or _is_constant(value)
+        case ast.If(test=test, body=body, orelse=rest):  # such as a version of Python
+            return _is_constant(test) and all(map(_is_definition, [*body, *rest]))
+        case ast.Try(body=body, handlers=handlers, orelse=rest, finalbody=last):  # a library may be missing
+            parts = [*body, *(part for handler in handlers for part in handler.body), *rest, *last]
+            return all(isinstance(part, ast.Pass) or _is_definition(part) for part in parts)
+    return False
+
+
+def _is_name(target: ast.expr) -> bool:
+    """Names that are bound: an attribute of an object is none, which a demonstration has made."""
+    match target:
+        case ast.Tuple(elts=parts) | ast.List(elts=parts):
+            return all(map(_is_name, parts))
+        case ast.Starred(value=part):
+            return _is_name(part)
+    return isinstance(target, ast.Name)
+
+
+def _is_constant(node: ast.expr) -> bool:
+    """A literal, names and attributes, what is computed of these by signs, or a value such as a QoSProfile of them."""
+    match node:
+        case ast.Constant() | ast.Name():
+            return True
+        case ast.Attribute(value=value) | ast.UnaryOp(operand=value) | ast.Starred(value=value):
+            return _is_constant(value)
+        case ast.BinOp(left=left, right=right):
+            return _is_constant(left) and _is_constant(right)
+        case ast.Compare(left=left, comparators=others):
+            return all(map(_is_constant, [left, *others]))
+        case ast.IfExp(test=test, body=one, orelse=other):
+            return all(map(_is_constant, [test, one, other]))
+        case ast.Subscript(value=value, slice=key):
+            return _is_constant(value) and _is_constant(key)
+        case ast.Slice(lower=lower, upper=upper, step=step):
+            return all(part is None or _is_constant(part) for part in (lower, upper, step))
+        case ast.Tuple(elts=items) | ast.List(elts=items) | ast.Set(elts=items):
+            return all(map(_is_constant, items))
+        case ast.BoolOp(values=items) | ast.JoinedStr(values=items):
+            return all(map(_is_constant, items))
+        case ast.FormattedValue(value=value, format_spec=spec):
+            return _is_constant(value) and (spec is None or _is_constant(spec))
+        case ast.ListComp(elt=item, generators=loops) | ast.SetComp(elt=item, generators=loops):
+            return _is_constant(item) and all(map(_is_loop, loops))
+        case ast.DictComp(key=key, value=value, generators=loops):
+            return _is_constant(key) and _is_constant(value) and all(map(_is_loop, loops))
+        case ast.Dict(keys=keys, values=values):
+            return all(_is_constant(item) for item in [*keys, *values] if item is not None)
+        case ast.Lambda():
+            return True
+        case ast.Call(func=ast.Name(id=name) | ast.Attribute(attr=name) as made, args=args, keywords=keywords):
+            known = name in _VALUE_TYPES or isinstance(made, ast.Attribute) and name in _VALUE_METHODS
+            return known and all(map(_is_constant, [made, *args, *(keyword.value for keyword in keywords)]))
+    return False
+
+
+def _is_loop(loop: ast.comprehension) -> bool:
+    """A part of a comprehension that goes through a constant."""
+    return not loop.is_async and _is_name(loop.target) and all(map(_is_constant, [loop.iter, *loop.ifs]))
