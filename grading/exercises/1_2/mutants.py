@@ -11,6 +11,11 @@ MUTANTS = [
     Mutant('path_of_cmake_too', old="prefixes = environ.get('AMENT_PREFIX_PATH', '')", breaks='workspace',
            new="prefixes = ':'.join(filter(None, map(environ.get, ('AMENT_PREFIX_PATH', 'CMAKE_PREFIX_PATH'))))",
            expect='only AMENT_PREFIX_PATH and PYTHONPATH count'),
+    Mutant('version_of_ros', old='    return faults', expect='none of the four that can be wrong', breaks='dictionary', new="""
+        if environ.get('ROS_VERSION', '2') != '2':
+            faults['ROS_VERSION'] = 'old'
+        return faults
+        """),
     Mutant('any_case', old=REACH, new='''
         reach = environ.get('ROS_AUTOMATIC_DISCOVERY_RANGE') or 'SUBNET'
         reach = reach.upper()

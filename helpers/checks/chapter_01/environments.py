@@ -273,7 +273,7 @@ def _others(random: Random, distro: str) -> dict:
     second = other(random, DISTROS, distro)
     return {
         'ROS_LOCALHOST_ONLY': '1',
-        'ROS_VERSION': '2',
+        'ROS_VERSION': '1',
         'ROS_PYTHON_VERSION': '2',
         'CMAKE_PREFIX_PATH': f'/opt/ros/{second}',
         'LD_LIBRARY_PATH': f'/opt/ros/{second}/lib',
