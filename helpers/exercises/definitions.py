@@ -12,7 +12,7 @@ from functools import lru_cache
 from helpers.exercises import cell_python
 from helpers.exercises.notebooks import NotebookCell
 
-_LINE = re.compile(r'[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+')  # as Python counts lines
+_LINE = re.compile(r'[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+')
 # Calls that make a constant when their arguments are constant: quickly, and of which nobody else notices anything.
 _VALUE_TYPES = {
     *('QoSProfile', 'Duration', 'Time', 'Path', 'timedelta', 'namedtuple', 'partial', 'array', 'compile'),
@@ -32,16 +32,26 @@ def of_cell(cell: NotebookCell) -> tuple[tuple[int, str], ...]:
     tree = cell_python.syntax_tree(text)
     if tree is None:
         return ()
-    lines = _LINE.findall(text)
     found = []
     for node in tree.body:
-        if _is_definition(node):
-            first = min([node.lineno, *(d.lineno for d in getattr(node, 'decorator_list', ()))])
-            part = lines[first - 1 : node.end_lineno]
+        if is_definition(node):
+            first = first_line(node)
+            part = lines(text)[first - 1 : node.end_lineno]
             if len(part) == 1:  # a neighbour on the same line is cut off
                 part = [part[0].encode()[node.col_offset : node.end_col_offset].decode()]
             found.append((first, ''.join(part).rstrip('\r\n') + '\n'))
     return tuple(found)
+
+
+@lru_cache(maxsize=8)
+def lines(text: str) -> list[str]:
+    """The lines of a text, with their ends, as Python counts them."""
+    return _LINE.findall(text)
+
+
+def first_line(node: ast.stmt) -> int:
+    """The number of a statement's first line, the first decorator's if it has one."""
+    return min([node.lineno, *(decorator.lineno for decorator in getattr(node, 'decorator_list', ()))])
 
 
 @lru_cache(maxsize=4096)
@@ -86,7 +96,8 @@ def defined(body: Iterable[ast.AST]) -> set[str]:
     return names
 
 
-def _is_definition(node: ast.stmt) -> bool:
+def is_definition(node: ast.stmt) -> bool:
+    """Whether a statement only imports, defines, or binds names to constants."""
     match node:
         case ast.Import() | ast.ImportFrom() | ast.FunctionDef() | ast.AsyncFunctionDef() | ast.ClassDef():
             return True
@@ -95,11 +106,14 @@ def _is_definition(node: ast.stmt) -> bool:
         case ast.AnnAssign(target=ast.Name(), value=value):
             return value is None or _is_constant(value)
         case ast.If(test=test, body=body, orelse=rest):  # such as a version of Python
-            return _is_constant(test) and all(map(_is_definition, [*body, *rest]))
+            return _is_constant(test) and _only_defines([*body, *rest])
         case ast.Try(body=body, handlers=handlers, orelse=rest, finalbody=last):  # a library may be missing
-            parts = [*body, *(part for handler in handlers for part in handler.body), *rest, *last]
-            return all(isinstance(part, ast.Pass) or _is_definition(part) for part in parts)
+            return _only_defines([*body, *(part for handler in handlers for part in handler.body), *rest, *last])
     return False
+
+
+def _only_defines(body: list[ast.stmt]) -> bool:
+    return all(isinstance(node, ast.Pass) or is_definition(node) for node in body)
 
 
 def _is_name(target: ast.expr) -> bool:

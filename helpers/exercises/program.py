@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from helpers.exercises import cell_python, definitions, file_answers
+from helpers.exercises import cell_python, definitions, file_answers, trials
 from helpers.exercises.manifest import Exercise, stub_digest
 from helpers.exercises.notebooks import NotebookCell
 
@@ -93,10 +93,16 @@ def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[Note
         )
     place = cells.index(cell)
     above = [part for other in cells[:place] for part in _parts(other)]
-    mine = {'label': cell.label, 'source': own, 'line': 1, 'required': True}
-    below = _needed([part for other in cells[place + 1 :] for part in _parts(other)], [*above, mine])
-    program = Program(exercise, [*above, *below, mine])
+    mine = trials.parts(own, exercise.names)
+    below = _needed([part for other in cells[place + 1 :] for part in _parts(other)], [*above, {'source': own}])
+    program = Program(exercise, [*above, *below])
+    program.cells += [
+        {'label': cell.label, 'source': part.text, 'line': part.line, 'required': part.required}
+        for part in mine
+        if not part.left_out
+    ]
     program.notes = [_on_left_out(exercise, *command) for command in commands[:3]]
+    program.notes += [_on_trial(exercise, part) for part in mine if part.left_out][:3]
     program.absent = _absent(program.cells, cells, notebook)
     return program
 
@@ -216,6 +222,14 @@ def _on_left_out(exercise: Exercise, number: int, line: str) -> str:
     return (
         f'Exercise {exercise.id}, line {number}: the notebook command `{line[:60]}` was left out, because only Python '
         'is tested. It is better off in a cell of its own.'
+    )
+
+
+def _on_trial(exercise: Exercise, part: trials.Part) -> str:
+    line = part.text.strip().split('\n')[0]
+    return (
+        f'Exercise {exercise.id}, line {part.line}: `{line[:60]}` was left out: while a check loads the cell, nothing '
+        'spins and no program is started. It is better off in a cell of its own.'
     )
 
 

@@ -13,7 +13,10 @@ import sys
 import traceback
 import types
 from collections.abc import Sequence
+from contextlib import suppress
 from typing import Any
+
+from rclpy.node import Node
 
 from helpers.runner.mistakes import WaitsInCallback, Watch
 
@@ -101,6 +104,16 @@ class LoadedProgram:
             return getattr(self.module, name)
         except AttributeError:
             raise RequestError('missing', name=name) from None
+
+    def destroy_instances(self, of: Any) -> None:
+        """Destroy the nodes of this class that a name is bound to, or a list: with them the cell tried its answer."""
+        if not (isinstance(of, type) and issubclass(of, Node)):
+            return
+        for value in list(vars(self.module).values()):
+            for node in value if isinstance(value, (list, tuple)) else [value]:
+                if type(node) is of:
+                    with suppress(Exception):  # the learner's destroy_node may raise; or it is destroyed
+                        node.destroy_node()
 
     def error(self, where: str, error: BaseException, **fields) -> RequestError:
         """A RequestError that tells of `error` with the learner's own lines only."""

@@ -163,6 +163,8 @@ class Worker:
         :param ros_args: for these nodes only.
         """
         factory = self._loaded().find(name)
+        if not self.started:
+            self._loaded().destroy_instances(factory)
         seen = self._loaded().watch
         if seen:
             seen.begins()

@@ -1,0 +1,61 @@
+"""An exercise's cell with which its learner also tries the answer: what stands below it must not cost marks.
+
+In the notebook a class may be tried in the cell that defines it. In a check such a trial cannot work: nothing spins
+while the program is loaded, time stands still, and programs beside it would be strangers.
+"""
+
+import ast
+from collections.abc import Collection
+from dataclasses import dataclass, replace
+
+from helpers.exercises import definitions
+
+# Functions of `helpers` that wait, spin nodes or start programs.
+_TRYING = {'background', 'collect', 'spin_for', 'spinning', 'timeline', 'wait_for'}
+
+
+@dataclass(frozen=True)
+class Part:
+    """Statements of a cell."""
+
+    line: int  # of the cell, the first one is 1
+    text: str
+    required: bool  # an exception in it means that the program cannot be loaded
+    left_out: bool = False  # it waits, spins nodes or starts programs
+
+
+def parts(source: str, names: Collection[str]) -> list[Part]:
+    """The parts of an exercise's cell, which is Python and defines `names`: the answer, and below it each trial alone.
+
+    What stands below the names and only defines, or binds one of them anew, is a part of the answer.
+    """
+    body, missing, first = ast.parse(source).body, set(names), 0
+    while missing or first < len(body) and not _is_trial(body[first], names):
+        if first == len(body):
+            return [Part(1, source, True)]
+        missing -= definitions.defined([body[first]])
+        first += 1
+    if first == len(body):
+        return [Part(1, source, True)]
+    lines, ends = definitions.lines(source), body[first - 1].end_lineno or 0
+    found = [Part(1, ''.join(lines[:ends]), True)]
+    for node in body[first:]:
+        start, end, trial = definitions.first_line(node), node.end_lineno or 0, _is_trial(node, names)
+        if start > ends:
+            found.append(Part(start, ''.join(lines[start - 1 : end]), not trial, trial and _tries(node)))
+        else:  # it begins in the line in which the one before ends
+            one = found.pop()
+            left_out = one.left_out or trial and _tries(node)
+            found.append(Part(one.line, one.text + ''.join(lines[ends:end]), one.required or not trial, left_out))
+        ends = end
+    return [replace(one, left_out=one.left_out and not one.required) for one in found]
+
+
+def _is_trial(node: ast.stmt, names: Collection[str]) -> bool:
+    harmless = isinstance(node, ast.Pass) or definitions.is_definition(node)
+    return not harmless and not definitions.defined([node]) & set(names)
+
+
+def _tries(node: ast.stmt) -> bool:
+    calls = (part.func for part in ast.walk(node) if isinstance(part, ast.Call))
+    return any(isinstance(called, ast.Name) and called.id in _TRYING for called in calls)

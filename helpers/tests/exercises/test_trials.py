@@ -1,0 +1,81 @@
+"""An exercise's cell in which its learner also tries the answer."""
+
+import pytest
+
+from helpers.exercises import program, trials
+from helpers.exercises.notebooks import NotebookCell
+from helpers.tests import small
+
+ANSWER = 'X = 1\nclass Talker:\n    pass\n'
+
+
+def parts(source):
+    return [(part.line, part.text, part.required) for part in trials.parts(source, ['Talker']) if not part.left_out]
+
+
+@pytest.mark.parametrize(
+    'source',
+    [
+        ANSWER,
+        f'print(0)\n{ANSWER}',
+        f'{ANSWER}\nimport os\n\ndef helper():\n    return 3\nY = 2\n',
+        f'{ANSWER}Talker = decorated(Talker)\n',
+        f'{ANSWER}pass\n# the end',
+        'class Listener:\n    pass\nprint(1)',  # the name is in another cell
+        'if True:\n    class Talker: pass\n',
+    ],
+)
+def test_an_answer_without_a_trial_is_one_part(source):
+    assert parts(source) == [(1, source, True)]
+
+
+def test_each_trial_is_a_part_of_its_own():
+    """What comes between is needed, and so is a name that is bound anew; lines keep their numbers."""
+    source = f'{ANSWER}\nprint(Talker)\n@some\ndef f():\n    pass\nassert f()\nTalker = better(Talker)\nT["x"] = 1\n'
+    assert parts(source) == [
+        (1, ANSWER, True),
+        (5, 'print(Talker)\n', False),
+        (6, '@some\ndef f():\n    pass\n', True),
+        (9, 'assert f()\n', False),
+        (10, 'Talker = better(Talker)\n', True),
+        (11, 'T["x"] = 1\n', False),
+    ]
+
+
+@pytest.mark.parametrize(
+    'trial',
+    [
+        'with spinning(Talker()):\n    print(1)',
+        'with spinning(Talker()), timeline() as chart:\n    pass',
+        'spin_for(1, node)',
+        'value = wait_for(lambda: heard)',
+        'for _ in range(3):\n    spin_for(1)',
+        'simulator = background("ros2 run turtlesim turtlesim_node")',
+    ],
+)
+def test_what_waits_is_left_out(trial):
+    assert parts(f'{ANSWER}{trial}\nprint(2)') == [(1, ANSWER, True), (trial.count('\n') + 5, 'print(2)', False)]
+    cell = NotebookCell(f'# Exercise 90.1: a talker\n{ANSWER}{trial}', 1)
+    (note,) = program.build([cell], small.exercise()).notes
+    first = trial.partition('\n')[0]
+    assert f'line 5: `{first}` was left out' in note
+
+
+@pytest.mark.parametrize(
+    ('source', 'expected'),
+    [
+        (
+            'class Talker: pass\nprint(1); print(2)',
+            [(1, 'class Talker: pass\n', True), (2, 'print(1); print(2)', False)],
+        ),
+        ('class Talker: pass\nprint(1); X = 2', [(1, 'class Talker: pass\n', True), (2, 'print(1); X = 2', True)]),
+        ('class Talker: pass; print(1)', [(1, 'class Talker: pass; print(1)', True)]),
+        ('Talker = 1; spin_for(1)', [(1, 'Talker = 1; spin_for(1)', True)]),
+        (
+            'Talker = 1\nprint(1); spin_for([\n1]); print(\n2)\nprint(3)',
+            [(1, 'Talker = 1\n', True), (5, 'print(3)', False)],
+        ),
+    ],
+)
+def test_statements_in_one_line_stay_together(source, expected):
+    assert parts(source) == expected
