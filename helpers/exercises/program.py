@@ -68,6 +68,11 @@ def of_exercise(cells: list[NotebookCell], exercise: Exercise) -> list[NotebookC
     ]
 
 
+def defines_all(cell: NotebookCell, exercise: Exercise) -> bool:
+    """Whether a cell binds all names that an exercise asks for."""
+    return definitions.names_in(cell_python.as_python(cell)).issuperset(exercise.names)
+
+
 def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[NotebookCell] = ()) -> Program:
     """Return the program for ``exercise`` from a notebook's code cells, in their order.
 
@@ -170,10 +175,12 @@ def _only_cell(cells: list[NotebookCell], exercise: Exercise) -> NotebookCell:
     if not found:
         raise InvalidExercise(f'The cell of exercise {exercise.id} was not found: its first line must be `{heading}`.')
     answers = list({cell.source.strip(): cell for cell in found if _is_answer(cell, exercise)}.values())
+    answers = [cell for cell in answers if defines_all(cell, exercise)] or answers  # not those that only try the answer
     if len(found) > 1 and len(answers) != 1:
-        numbers = ' and '.join(str(cell.number) for cell in found if cell.number)
+        several = answers or found
+        numbers = ' and '.join(str(cell.number) for cell in several if cell.number)
         raise InvalidExercise(
-            f'Exercise {exercise.id} is there {len(found)} times'
+            f'Exercise {exercise.id} is there {len(several)} times'
             + (f' (cells {numbers})' if numbers else '')
             + f': keep one cell that begins with `{heading}`.'
         )

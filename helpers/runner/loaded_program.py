@@ -77,8 +77,10 @@ class LoadedProgram:
     def load(self, cells: list[dict]) -> None:
         """Run the cells; they have `label`, `source`, `line` (of the source's beginning) and `required`.
 
-        An exception in a cell that is not required is remembered in `notes`; in the required one it is a RequestError.
+        An exception in a cell that is not required is remembered in `notes`; in the required one it is a RequestError,
+        and so is the end of the process in a trial below the answer.
         """
+        own = cells[-1]['label']
         flags = 0  # of `from __future__ import …`, which holds for all later cells, as in the notebook
         for number, cell in enumerate(cells):
             filename = f'<cell {number}>'
@@ -94,7 +96,7 @@ class LoadedProgram:
                 if inspect.iscoroutine(awaited):
                     asyncio.run(awaited)
             except BaseException as error:  # noqa: BLE001 - SystemExit in a cell, too
-                if cell['required']:
+                if cell['required'] or cell['label'] == own and not isinstance(error, Exception):
                     raise self.error('load', error) from None
                 self.notes.append((cell['source'], f'{cell["label"]}: {type(error).__name__}: {_text(error)}'))
 

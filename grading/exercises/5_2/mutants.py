@@ -42,7 +42,7 @@ MUTANTS = [
            expect='also if there was a longer one before'),
     Mutant('numbers_of_the_first_three', breaks='numbers', old='self.numbers = message.feedback.sequence',
            new='self.numbers = message.feedback.sequence[:3]', expect='The numbers are those of the last feedback'),
-    Mutant('at_most_two_seconds', breaks='deadline', also=('result',),
+    Mutant('at_most_two_seconds', breaks='deadline', also=('result', 'numbers'),
            old='self.timer = self.create_timer(self.patience, self.give_up)',
            new='self.timer = self.create_timer(min(self.patience, 2.0), self.give_up)',
            expect='the cancel request came 2.00 s after the goal was accepted'),
@@ -77,7 +77,7 @@ MUTANTS = [
            expect='without a leading slash'),
     Mutant('believes_the_request', breaks='result', also='lost', old=STATUS,
            new=f"'canceled' if self.timer.is_canceled() else {STATUS}", expect='A cancel request is only a request'),
-    Mutant('constant_patience', breaks='deadline', also=('lost', 'result', 'names'),
+    Mutant('constant_patience', breaks='deadline', also=('lost', 'result', 'names', 'numbers'),
            old='self.create_timer(self.patience, self.give_up)', new='self.create_timer(2.0, self.give_up)',
            expect='cancel request'),
     Mutant('deadline_from_sending', breaks='deadline', also=('lost', 'once', 'result'), edits=((

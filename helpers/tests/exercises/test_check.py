@@ -149,6 +149,23 @@ def test_the_latest_cells_of_a_kernel(monkeypatch):
     assert check.executed(exercise) is None
 
 
+@pytest.mark.parametrize(
+    ('cells', 'expected'),
+    [
+        ([('x', 'class Talker: pass'), ('t', 'X = 1\nTalker()')], ['t', 'x']),  # tried in a cell with the same heading
+        ([('t', 'X = 1\nTalker()'), ('x', 'class Talker: pass')], ['t', 'x']),
+        ([('x', 'class Talker: pass'), ('x', 'class Talkre: pass')], ['x']),  # the name has got lost
+        ([('x', 'class Talker: old'), ('c', 'class Talker: new')], ['c']),  # a copy
+        ([('x', 'pass'), ('t', 'Talker()')], ['t']),
+    ],
+)
+def test_cells_with_one_heading(monkeypatch, cells, expected):
+    heading = '# Exercise 90.1: a talker\n'
+    monkeypatch.setattr(check.journal, 'cells', [ExecutedCell(name, heading + text) for name, text in cells])
+    found = check.executed(small.exercise())
+    assert [cell.id for cell in found] == expected and found[-1].source.endswith(dict(cells)[expected[-1]])
+
+
 def test_check_never_raises(monkeypatch, capsys):
     check.check('99.9')
     assert 'there is no exercise' in capsys.readouterr().out

@@ -116,6 +116,15 @@ def test_a_copy_that_is_no_answer_does_not_matter(copy):
         assert 'x = 1' in build(*cells, stub=stub).cells[-1]['source']
 
 
+def test_a_cell_that_only_tries_the_answer_does_not_matter():
+    """It may have the same heading, above or below; two answers are refused all the same."""
+    answer, trial = small.cell('class Talker: x = STEP'), small.cell('STEP = 1\nassert Talker().x')
+    for cells in ((answer, trial), (trial, answer)):
+        assert [part['source'].strip() for part in build(*cells).cells] == ['STEP = 1', answer.source]
+    with pytest.raises(InvalidExercise, match='is there 2 times'):
+        build(answer, trial, small.cell('class Talker: x = 2'))
+
+
 def test_other_exercises_count_as_other_cells():
     made = build(small.cell('def helper(): pass\nhelper()', 2), small.cell('class Talker: pass'))
     assert [part['source'].strip() for part in made.cells[:-1]] == ['def helper(): pass']
