@@ -18,7 +18,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from helpers import paths
-from helpers.exercises import cell_ids, file_answers, manifest, notebooks, packages, program
+from helpers.exercises import cell_ids, definitions, file_answers, manifest, notebooks, packages, program
 from helpers.runner.text import clean
 
 MOST_POINTS = 1000  # that anybody declares
@@ -116,6 +116,7 @@ class _Migration:
     def __init__(self, before: dict, target: dict, known: dict, stubs: dict[str, str]):
         self.before, self.target, self.known, self.stubs = before, target, known, stubs
         self.report = MigrationReport()
+        self.trials = {identity for notebook in before.values() for identity in _trials(notebook['cells'], known)}
 
     def run(self) -> MigrationReport:
         answers = [answer for name in self.before for answer in self._answers(name)]
@@ -140,10 +141,14 @@ class _Migration:
 
     # Answers
 
+    def _exercise(self, cell: dict) -> str | None:
+        """The id of the exercise whose answer this cell is."""
+        return None if id(cell) in self.trials else _exercise(cell)
+
     def _answers(self, name: str) -> list[_Answer]:
         found, card, after = [], None, None
         for cell in self.before[name]['cells']:
-            exercise = _exercise(cell)
+            exercise = self._exercise(cell)
             if exercise:
                 title = _TITLE.match(cell['source'])
                 found.append(
@@ -267,7 +272,7 @@ class _Migration:
         new = self._new_name(name)
         count, anchor = 0, None
         for cell in cells:
-            exercise = _exercise(cell)
+            exercise = self._exercise(cell)
             identity = cell.setdefault('id', cell_ids.of_given(cell['cell_type'], cell['source'], 0))
             given = exercise or cell_ids.untouched(cell['cell_type'], cell['source'], identity)
             if not given and cell['source'].strip() and not identity.startswith('old-'):
@@ -309,6 +314,22 @@ def _exercise(cell: dict) -> str | None:
     heading = program.exercise_id(notebooks.NotebookCell(cell['source'], 0))
     match = re.fullmatch(r'ex-([0-9]{1,4})-([0-9]{1,4})', cell.get('id') or '')
     return heading or (f'{match[1]}.{match[2]}' if match else None)
+
+
+def _trials(cells: list[dict], known: dict[str, manifest.Exercise]) -> set[int]:
+    """The cells, by `id()`, that have an exercise's heading and only try its answer: another one has the names."""
+    claiming: dict[str, list[dict]] = {}
+    for cell in cells:
+        if exercise := _exercise(cell):
+            claiming.setdefault(exercise, []).append(cell)
+    found = set()
+    for exercise, several in claiming.items():
+        wanted = known[exercise].names if exercise in known else ()
+        names = next((said['names'] for cell in several if 'names' in (said := _declared(cell['metadata']))), wanted)
+        answers = [cell for cell in several if names and definitions.names_in(cell['source']).issuperset(names)]
+        if len(answers) == 1:
+            found |= {id(cell) for cell in several if cell is not answers[0]}
+    return found
 
 
 def _declared(metadata: dict) -> dict:

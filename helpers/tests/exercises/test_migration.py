@@ -234,6 +234,14 @@ def test_a_doubled_exercise_is_named(case):
     assert case.sources() == [STUB]
 
 
+def test_a_cell_that_tries_an_answer_is_one_of_ones_own(case):
+    """Although it has the exercise's heading."""
+    trial = own('# Exercise 3.1: a beacon\nassert beacon() == 42')
+    report = case.migrate([TITLE, exercise(ANSWER), trial], [TITLE, exercise(), END])
+    assert not report.exercises[0].lost and report.own == {NAME: 1}
+    assert case.sources() == [TITLE['source'], ANSWER, trial['source'], END['source']]
+
+
 def test_a_notebook_without_ids_gives_its_exercises(case):
     case.write(case.new, [TITLE, exercise()])
     cells = [
