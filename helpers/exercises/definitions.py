@@ -29,7 +29,7 @@ def of_cell(cell: NotebookCell) -> tuple[tuple[int, str], ...]:
     Each is its first line's number in the cell, so that line numbers in messages are the learner's, and its text.
     """
     text = cell_python.as_python(cell)
-    tree = cell_python.syntax_tree(text)
+    tree = _tree(text)
     if tree is None:
         return ()
     found = []
@@ -54,17 +54,22 @@ def first_line(node: ast.stmt) -> int:
     return min([node.lineno, *(decorator.lineno for decorator in getattr(node, 'decorator_list', ()))])
 
 
+@lru_cache(maxsize=512)
+def _tree(text: str) -> ast.Module | None:
+    return cell_python.syntax_tree(text)
+
+
 @lru_cache(maxsize=4096)
 def names_in(text: str) -> frozenset[str]:
     """The names that a text binds; none if it is not Python."""
-    tree = cell_python.syntax_tree(text)
+    tree = _tree(text)
     return frozenset(defined(tree.body) if tree is not None else ())
 
 
 @lru_cache(maxsize=4096)
 def names_used(text: str) -> frozenset[str]:
     """The names that a text needs and does not bind, of itself or as an argument; none if it is not Python."""
-    tree = cell_python.syntax_tree(text)
+    tree = _tree(text)
     nodes = list(ast.walk(tree)) if tree is not None else []
     bound = {node.arg for node in nodes if isinstance(node, ast.arg)} | defined(nodes)
     names = [node for node in nodes if isinstance(node, ast.Name)]
