@@ -3,7 +3,7 @@
 import os
 import time
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine
 from typing import Any
 
 from rclpy.clock import ROSClock
@@ -227,6 +227,11 @@ def _explained(error: BaseException) -> BaseException:
     if last.tb_frame.f_code.co_name != 'send_response':
         return error
     response = last.tb_frame.f_locals.get('response')
+    if isinstance(response, Coroutine):
+        return TypeError(
+            'the callback of the service returned a coroutine: rclpy awaits a callback that is itself an `async def`, '
+            'not one that another function, such as a lambda, calls'
+        )
     what = 'nothing (None)' if response is None else f'an object of type {type(response).__name__}'
     return TypeError(f'the callback of the service returned {what}; its last line must be `return response`')
 

@@ -13,12 +13,13 @@ import sys
 import traceback
 import types
 from collections.abc import Sequence
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from typing import Any
 
 from rclpy.node import Node
 
 from helpers.runner.mistakes import WaitsInCallback, Watch
+from helpers.runner.rclpy_changes import nothing_published
 
 
 class RequestError(Exception):
@@ -92,9 +93,10 @@ class LoadedProgram:
                 # Names are resolved when a function runs, so annotations and defaults behave as in the notebook.
                 code = _compiled(cell['source'], cell['line'], filename, flags)
                 flags |= code.co_flags & _FUTURE
-                awaited = eval(code, self.module.__dict__)  # noqa: S307 - the code is the learner's, and is to run
-                if inspect.iscoroutine(awaited):
-                    asyncio.run(awaited)
+                with nullcontext() if cell['required'] else nothing_published():
+                    awaited = eval(code, self.module.__dict__)  # noqa: S307 - the code is the learner's, and is to run
+                    if inspect.iscoroutine(awaited):
+                        asyncio.run(awaited)
             except BaseException as error:  # noqa: BLE001 - SystemExit in a cell, too
                 if cell['required'] or cell['label'] == own and not isinstance(error, Exception):
                     raise self.error('load', error) from None

@@ -103,6 +103,17 @@ class Outgoing:
         return self.clients or not self.topics.isdisjoint(topics) or any('/_action/' in topic for topic in topics)
 
 
+@contextmanager
+def nothing_published() -> Iterator[None]:
+    """Keep back what is published meanwhile: tests would hear a cell that tries its answer while it is loaded."""
+    plain = Publisher.publish
+    Publisher.publish = lambda publisher, msg: None  # type: ignore[method-assign,assignment]  # of all publishers
+    try:
+        yield
+    finally:
+        Publisher.publish = plain  # type: ignore[method-assign]
+
+
 def _followed_by(note: Callable[[Any], Any], init: Callable):
     """The constructor `init`, after which `note` is called with what has been made."""
 

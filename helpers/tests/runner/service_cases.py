@@ -177,6 +177,12 @@ learner.client('/twice', AddTwoInts).call(a=1, timeout=2.0)
         'learner_crashed',
         ('In a callback (service add of node `talker`)', 'returned nothing (None)', 'return response'),
     ),
+    'a service behind a lambda that nobody awaits': Case(
+        SERVER.replace('self.add)', 'lambda *both: self.add(*both))').replace('    def add(', '    async def add('),
+        CALL,
+        'learner_crashed',
+        ('In a callback (service add of node `talker`)', 'returned a coroutine', 'such as a lambda'),
+    ),
     'an exception in a service': Case(
         SERVER.replace('request.a +', '1 / 0 +'),
         CALL,
