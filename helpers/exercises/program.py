@@ -1,8 +1,8 @@
 """From cells to the program that is run for one exercise.
 
-The exercise's cell is taken whole. From the cells before it come only definitions, and from those after it the
-definitions that the program needs: statements that only demonstrate something never run. The exercise's own cell must
-define the names that the exercise asks for. Nothing is executed here.
+The exercise's cell is taken whole, but for waits below the answer. From the cells before it come only definitions,
+and from those after it the definitions that the program needs: statements that only demonstrate something never run.
+The exercise's own cell must define the names that the exercise asks for. Nothing is executed here.
 """
 
 import ast

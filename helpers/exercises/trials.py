@@ -12,6 +12,7 @@ from helpers.exercises import definitions
 
 # Functions of `helpers` that wait, spin nodes or start programs.
 _TRYING = {'background', 'collect', 'spin_for', 'spinning', 'timeline', 'wait_for'}
+_MOST = 200  # parts; nobody writes so many by hand
 
 
 @dataclass(frozen=True)
@@ -27,7 +28,10 @@ class Part:
 def parts(source: str, names: Collection[str]) -> list[Part]:
     """The parts of an exercise's cell, which is Python and defines `names`: the answer, and below it each trial alone.
 
-    What stands below the names and only defines, or binds one of them anew, is a part of the answer.
+    What stands below the names and only defines, or binds one of them anew, is a part of the answer. A cell without a
+    trial, or with very many, is one part.
+
+    :raises SyntaxError: it is not Python.
     """
     body, missing, first = ast.parse(source).body, set(names), 0
     while missing or first < len(body) and not _is_trial(body[first], names):
@@ -48,6 +52,8 @@ def parts(source: str, names: Collection[str]) -> list[Part]:
             left_out = one.left_out or trial and _tries(node)
             found.append(Part(one.line, one.text + ''.join(lines[ends:end]), one.required or not trial, left_out))
         ends = end
+    if len(found) > _MOST:
+        return [Part(1, source, True)]
     return [replace(one, left_out=one.left_out and not one.required) for one in found]
 
 

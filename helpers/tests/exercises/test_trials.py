@@ -23,6 +23,7 @@ def parts(source):
         f'{ANSWER}pass\n# the end',
         'class Listener:\n    pass\nprint(1)',  # the name is in another cell
         'if True:\n    class Talker: pass\n',
+        f'{ANSWER}' + 'print(1)\n' * 1000,
     ],
 )
 def test_an_answer_without_a_trial_is_one_part(source):
