@@ -24,7 +24,7 @@ def check(exercise_id: str) -> None:
         print(f'The check could not run: {error}')
     else:
         _show(report.exercises)
-        for line in remarks.after(report.exercises, _all_executed()):
+        for line in [*remarks.after(report.exercises, _all_executed()), *_lost(report.exercises)]:
             print(line)
         # Not for copies, nor when an instructor's solutions are built.
         if Path.cwd() == paths.NOTEBOOKS and os.environ.get('COURSE_PROGRESS') != 'off':
@@ -83,6 +83,15 @@ def _saved(exercise) -> list:
         return notebooks.read(paths.NOTEBOOKS / exercise.notebook)
     except notebooks.InvalidSubmission:
         return []
+
+
+def _lost(results: list) -> list[str]:
+    """What is said of the cells that a right answer needs and that are no longer in the notebook."""
+    from helpers.exercises import manifest
+
+    exercises = [manifest.load().get(result.id) for result in results if result.passed]
+    cells = {one: executed(one) for one in exercises if one is not None and not one.folder}
+    return [line for one, ran in cells.items() if ran for line in remarks.lost(ran, _saved(one))]
 
 
 def _stand_by(result) -> None:
