@@ -148,8 +148,8 @@ def of_files(exercise: Exercise, files: Mapping[str, bytes]) -> program.Program:
             f'There is no package yet: the folder {exercise.folder} is not there. Make it in a terminal, as the card '
             'says; there is no cell to fill in.'
         )
-    cell = {'label': 'your package', 'source': source(exercise, texts(files)), 'line': 1, 'required': True}
-    return program.Program(exercise, [cell])
+    text = source(exercise, texts(files))
+    return program.Program(exercise, [{'label': 'your package', 'source': text, 'line': 1, 'required': True}], text)
 
 
 def of_folder(exercise: Exercise, notebooks: Path) -> program.Program:

@@ -32,7 +32,8 @@ class Program:
     """What the learner's process loads for one exercise."""
 
     exercise: Exercise
-    cells: list[dict] = field(default_factory=list)  # label, source, line (of its beginning in the cell), required
+    cells: list[dict]  # label, source, line (of its beginning in the cell), required
+    answer: str  # the text of the exercise's cell, for tests that read it
     absent: dict[str, str] = field(default_factory=dict)  # why names are not there that cells bind: for messages
     # For the learner: what was done with the cell; no mark depends on it.
     notes: list[str] = field(default_factory=list)
@@ -44,7 +45,13 @@ class Program:
 
     def as_dict(self) -> dict:
         """The program as a JSON value."""
-        return {'title': self.title, 'cells': self.cells, 'absent': self.absent, 'notes': self.notes}
+        return {
+            'title': self.title,
+            'cells': self.cells,
+            'answer': self.answer,
+            'absent': self.absent,
+            'notes': self.notes,
+        }
 
 
 def unsolved(exercise: str) -> str:
@@ -100,7 +107,7 @@ def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[Note
     above = [part for other in cells[:place] for part in _parts(other)]
     mine = trials.parts(own, exercise.names)
     below = _needed([part for other in cells[place + 1 :] for part in _parts(other)], [*above, {'source': own}])
-    program = Program(exercise, [*above, *below])
+    program = Program(exercise, [*above, *below], own)
     program.cells += [
         {'label': cell.label, 'source': part.text, 'line': part.line, 'required': part.required}
         for part in mine

@@ -269,7 +269,7 @@ class Workspaces:
         One that stands there as it is is read, and the cell does not run. Else it comes from a process that is ended
         before anything else is done with the text.
         """
-        found = _constant(self.program['cells'], name)
+        found = _constant(self.program['answer'], name)
         if found is None:
             found = self.value(name)
             self.end_calls()
@@ -282,7 +282,7 @@ class Workspaces:
     def files(self, name: str = packages.NAME) -> dict[str, str]:
         """The texts of the package that is the learner's answer, by path in the package. Nothing of it is run."""
         try:
-            statements = ast.parse(self.program['cells'][-1]['source']).body
+            statements = ast.parse(self.program['answer']).body
             found = next(
                 ast.literal_eval(one.value)
                 for one in statements
@@ -332,10 +332,10 @@ class Workspaces:
         return found
 
 
-def _constant(cells: list[dict], name: str) -> str | None:
+def _constant(answer: str, name: str) -> str | None:
     """The text that the exercise's cell assigns to a name, if it is plainly there and nothing else is done with it."""
     try:
-        tree = ast.parse(cells[-1]['source'])
+        tree = ast.parse(answer)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return None
     bound = sum(

@@ -52,7 +52,7 @@ def test_a_package_becomes_a_program_that_holds_it(tmp_path):
 )
 def test_a_cell_that_is_no_package_is_not_run(source):
     learner = Learner.__new__(Learner)
-    learner.program = {'cells': [{'source': source}]}
+    learner.program = {'answer': source}
     with pytest.raises(InvalidProgram):
         learner.files()
 

@@ -4,6 +4,7 @@ import pytest
 
 from helpers.exercises import program, trials
 from helpers.exercises.notebooks import NotebookCell
+from helpers.runner.learner import Learner
 from helpers.tests import small
 
 ANSWER = 'X = 1\nclass Talker:\n    pass\n'
@@ -80,3 +81,12 @@ def test_what_waits_is_left_out(trial):
 )
 def test_statements_in_one_line_stay_together(source, expected):
     assert parts(source) == expected
+
+
+def test_a_text_is_read_from_a_cell_with_a_trial():
+    """It stands there as it is, and nothing of the cell runs."""
+    source = f'{small.cell("").source}CONFIG = "rate: 1"\nPACKAGE = {{"a.py": "x = 1"}}\nprint(CONFIG)\n1 / 0\n'
+    made = program.build([NotebookCell(source, 1)], small.exercise(names=('CONFIG', 'PACKAGE')))
+    learner = Learner.__new__(Learner)
+    learner.program = made.as_dict()
+    assert learner.text('CONFIG') == 'rate: 1' and learner.files() == {'a.py': 'x = 1'}
