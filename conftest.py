@@ -2,7 +2,7 @@
 
 It also chooses what runs: everything with COURSE_ALL_TESTS=1 in the environment, else a sample of what costs much. The
 sample is drawn anew for each run; its seed is printed, and COURSE_SAMPLE=SEED draws the same again. A test that is
-named, as in `pytest FILE::TEST`, runs.
+named, as in `pytest FILE::TEST`, runs, and so does one that has failed, with `pytest --last-failed`.
 """
 
 import os
@@ -60,7 +60,9 @@ def _named(folder, config):
 
 def pytest_collection_modifyitems(config, items):
     """Leave out what is sampled; with several workers, bring the rest into an order that keeps all of them busy."""
-    if not os.environ.get('COURSE_ALL_TESTS') and not any('::' in argument for argument in config.args):
+    again = config.getoption('lf', False) and config.cache.get('cache/lastfailed', None)
+    named = any('::' in argument for argument in config.args)
+    if not (os.environ.get('COURSE_ALL_TESTS') or again or named):
         _sample(config, items)
     if hasattr(config, 'workerinput'):
         # What takes long first, lest it be still running when all else is done; then, as xdist does, large modules.

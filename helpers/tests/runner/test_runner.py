@@ -582,7 +582,7 @@ learner.settle()
         ("While `Talker(…)` ran your code raised KeyError: 'key'",),
     ),
     'exception in the cell': Case(
-        'Talker = 1\nundefined\n',
+        'x = 1\nundefined\nTalker = 1\n',
         START,
         'learner_crashed',
         ('While the cell was run your code raised NameError', 'line 3'),
