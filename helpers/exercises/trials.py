@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from helpers.exercises import definitions
 
 # Functions of `helpers` that wait, spin nodes or start programs.
-_TRYING = {'background', 'collect', 'spin_for', 'spinning', 'timeline', 'wait_for'}
+_LIVE = {'background', 'collect', 'spin_for', 'spinning', 'timeline', 'wait_for'}
 _MOST = 200  # parts; nobody writes so many by hand
 
 
@@ -46,10 +46,10 @@ def parts(source: str, names: Collection[str]) -> list[Part]:
     for node in body[first:]:
         start, end, trial = definitions.first_line(node), node.end_lineno or 0, _is_trial(node, names)
         if start > ends:
-            found.append(Part(start, ''.join(lines[start - 1 : end]), not trial, trial and _tries(node)))
+            found.append(Part(start, ''.join(lines[start - 1 : end]), not trial, trial and _is_live(node)))
         else:  # it begins in the line in which the one before ends
             one = found.pop()
-            left_out = one.left_out or trial and _tries(node)
+            left_out = one.left_out or trial and _is_live(node)
             found.append(Part(one.line, one.text + ''.join(lines[ends:end]), one.required or not trial, left_out))
         ends = end
     if len(found) > _MOST:
@@ -58,10 +58,12 @@ def parts(source: str, names: Collection[str]) -> list[Part]:
 
 
 def _is_trial(node: ast.stmt, names: Collection[str]) -> bool:
+    """Whether a statement below the answer does more than define, and does not bind one of its names anew."""
     harmless = isinstance(node, ast.Pass) or definitions.is_definition(node)
     return not harmless and not definitions.defined([node]) & set(names)
 
 
-def _tries(node: ast.stmt) -> bool:
+def _is_live(node: ast.stmt) -> bool:
+    """Whether a statement calls a function that waits, spins nodes or starts programs."""
     calls = (part.func for part in ast.walk(node) if isinstance(part, ast.Call))
-    return any(isinstance(called, ast.Name) and called.id in _TRYING for called in calls)
+    return any(isinstance(called, ast.Name) and called.id in _LIVE for called in calls)

@@ -163,7 +163,7 @@ class Worker:
         :param ros_args: for these nodes only.
         """
         factory = self._loaded().find(name)
-        if not self.started:
+        if not self.started:  # later ones may be kept by the program itself
             self._loaded().destroy_instances(factory)
         seen = self._loaded().watch
         if seen:
