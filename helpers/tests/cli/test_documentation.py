@@ -163,7 +163,7 @@ def test_named_files_exist(guide):
             continue  # a name of something else, such as a folder of results
         pattern = ANY.sub('*', name).rstrip('/')
         base = (guide.parent, paths.ROOT)
-        if first == '.venv' or any(True for folder in base if _exists(folder, pattern)):
+        if first in ('.venv', '.home') or any(True for folder in base if _exists(folder, pattern)):
             continue
         if not FULL and re.match(r'(\.github|grading|solutions)\b', name):
             continue
