@@ -139,6 +139,12 @@ _SENTENCES = (
         'Messages are in {0}.msg, services in {0}.srv, and actions in {0}.action.',
     ),
     (
+        'ModuleNotFoundError',
+        r"No module named '([A-Za-z]\w*)'$",
+        'Only the cells of the notebook count: a file of your own beside it ({0}.py), and a package that you have '
+        'installed, is not there when the exercise is judged. Write what you need of it into the cell.',
+    ),
+    (
         'OverflowError',
         r'(?:un)?signed \w+ is (?:greater|less) than',
         'A number does not fit into the field: `ros2 interface show` tells its type.',
