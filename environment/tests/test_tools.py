@@ -297,6 +297,42 @@ def test_the_own_guard_stays(tmp_path):
     assert env == before
 
 
+def test_the_bootstrapper_is_left_out_where_the_libraries_are_known(tmp_path):
+    packages = tmp_path / 'lib' / 'python3.12' / 'site-packages'
+    (packages / 'ros_rcl.libs').mkdir(parents=True)
+    (packages / 'rclpy').mkdir()
+    own, of_rcl = str(tmp_path / 'lib'), str(packages / 'ros_rcl.libs')
+    for libraries, guard, known in (
+        ('', None, False),
+        (own, None, False),  # what sourcing sets
+        (of_rcl, None, False),
+        (f'{of_rcl}:/opt/lib:{own}', None, True),
+        (own, '1', True),
+        ('/opt/lib', '1', False),
+    ):
+        env, modules = {'LD_LIBRARY_PATH': libraries}, {}
+        if guard:
+            env[startup.GUARD] = guard
+        startup.spare_the_bootstrapper(env, str(tmp_path), str(packages), modules)
+        assert (startup.BOOTSTRAPPER in modules) == known, (libraries, guard)
+        assert env.get(startup.GUARD) == ('1' if known else guard)
+
+
+def test_in_a_terminal_python_starts_once(clean_environ):
+    """In the real environment: the libraries are those that the bootstrapper finds, also without its guard."""
+    code = 'import json, os, sys; print(json.dumps([dict(os.environ), "pathlib" in sys.modules])); import rclpy'
+    seen = []
+    for env in (clean_environ, None):
+        if env is None:  # as what the first one has started, in a terminal
+            env = {name: value for name, value in seen[0][0].items() if name != startup.GUARD}
+        answer = subprocess.run([sys.executable, '-c', code], env=env, capture_output=True, text=True, timeout=60)
+        assert answer.returncode == 0, answer.stderr
+        seen.append(json.loads(answer.stdout))
+    (first, _), (second, loaded) = seen
+    assert first['LD_LIBRARY_PATH'] == second['LD_LIBRARY_PATH']
+    assert second[startup.GUARD] == '1' and not loaded
+
+
 def test_the_environments_python_repairs_an_inherited_guard(clean_environ):
     """In the real environment: a guard from elsewhere must not keep rclpy from its libraries."""
     env = {**clean_environ, '_ROS_WHEELS_BOOTSTRAP_COMPLETE': '1', 'LD_LIBRARY_PATH': '/nowhere'}

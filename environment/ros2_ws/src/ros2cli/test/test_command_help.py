@@ -8,6 +8,7 @@ import sys
 import pytest
 
 from environment.tests.running import ROS2
+from helpers import background
 
 VERBS = {
     'bag': ('burst', 'convert', 'info', 'list', 'play', 'record', 'reindex'),
@@ -177,3 +178,14 @@ def test_the_hook_for_bash_is_installed_and_registers_ros2(ros2):
         text=True,
     )
     assert done.stdout.endswith(' ros2\n'), done
+
+
+def test_the_first_tab_completes_and_so_does_the_second(ros2):
+    prefix = ros2.output('pkg', 'prefix', 'ros2cli').strip()
+    environ = {**ros2.environ, 'PATH': f'{os.path.dirname(ROS2)}:{os.environ["PATH"]}', 'TERM': 'dumb'}
+    with background(['bash', '--norc', '--noprofile', '-i'], env=environ, terminal=True) as terminal:
+        terminal.type(f'source {prefix}/share/ros2cli/environment/ros2-argcomplete.bash\n')
+        terminal.type('ros2 pkg prefix ros2topi\t\n')
+        terminal.wait_for_output(lambda line: line.strip() == prefix, timeout=60)
+        terminal.type('ros2 interface show std_srvs/srv/Set\t\n')
+        terminal.wait_for_output('bool success', timeout=60)
