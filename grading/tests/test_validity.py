@@ -168,6 +168,7 @@ def test_who_does_nothing_gets_nothing(number, given):
     assert not passed
 
 
+@pytest.mark.one_of(2)
 @pytest.mark.parametrize('number,mutants', layers('mutants'))
 def test_wrong_solutions_are_rejected_with_the_right_words(number, mutants):
     named = {} if ALL_TESTS else {answer.exercise: answer.tests() for answer in mutants}
@@ -179,7 +180,7 @@ def test_wrong_solutions_are_rejected_with_the_right_words(number, mutants):
     assert not doubtful
 
 
-@pytest.mark.one_of(3)
+@pytest.mark.one_of(4)
 @pytest.mark.parametrize('number,alternatives', layers('alternatives'))
 def test_alternatives_get_full_marks(number, alternatives):
     results = judge(number, trial.varied(number, alternatives), {answer.exercise for answer in alternatives})
@@ -194,6 +195,7 @@ def test_there_are_enough_of_them():
     assert folders == {identity.replace('.', '_') for identity in EXERCISES}
 
 
+@pytest.mark.one_of(2)
 @pytest.mark.parametrize('identity', EXERCISES)
 def test_variants_are_cells(identity):
     """Each fits the solution, is recognised as its exercise, and is no stub."""

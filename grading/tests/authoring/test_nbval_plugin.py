@@ -10,6 +10,7 @@ import pytest
 from helpers import paths
 
 
+@pytest.mark.one_of(2)
 @pytest.mark.timeout(180)
 @pytest.mark.parametrize('workers', [[], ['-n2']], ids=['one process', 'two workers'])
 def test_the_plain_command_of_nbval_compares_as_the_build_does(tmp_path, workers):

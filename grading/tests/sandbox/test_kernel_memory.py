@@ -120,6 +120,7 @@ def test_bounded(learner):
 '''
 
 
+@pytest.mark.one_of(3)
 @pytest.mark.timeout(300)
 def test_the_kernels_objects_are_counted_or_bounded(tmp_path):
     report = session.run(

@@ -360,6 +360,7 @@ def test_whoever_is_known_to_sleep_sleeps_shortly():
     assert seen.shortened(frame, 5.0) == 5.0, 'a constructor, whose own sleep is another matter'
 
 
+@pytest.mark.one_of(3)
 def test_who_looks_at_the_clock_does_not_wait(tmp_path):
     """A measurement in each callback, or a loop over few things, is no wait."""
     source = (

@@ -779,7 +779,7 @@ QUICK = '    from helpers.runner.timeouts import Timeouts\n    learner.timeouts 
 
 
 @pytest.mark.timeout(600)
-@pytest.mark.one_of(2)
+@pytest.mark.one_of(3)
 @pytest.mark.parametrize('name', CASES)
 def test_case(judged, name):
     case, result = CASES[name], judged[name]

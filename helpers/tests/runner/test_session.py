@@ -79,6 +79,7 @@ def test_a_fault_of_the_tests_is_no_mark(tmp_path, text, log):
     assert all(not test.message for test in bad.tests)
 
 
+@pytest.mark.one_of(3)
 def test_a_test_that_takes_too_long_is_tried_again_and_then_judged(tmp_path):
     """Whatever of the learner's it waits for, or reads: also in a regular expression."""
     small.write_tests(
