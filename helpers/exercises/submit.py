@@ -28,7 +28,7 @@ class Packed:
     path: Path
     learner: str
     exercises: list = field(default_factory=list)  # ExerciseResult
-    warnings: list[str] = field(default_factory=list)  # what is not in it
+    warnings: list[str] = field(default_factory=list)  # what is not in it, or not as it was checked
     packages: dict[str, Any] = field(default_factory=dict)  # by folder: `helpers.exercises.packages.Package`
 
     def lists(self) -> list[str]:
@@ -101,6 +101,7 @@ def pack(
         if test:
             options = session.Options(processes=2, folder=notebooks_folder)
             packed.exercises += session.run(cells, mine, options).exercises
+    packed.warnings += _not_saved(packed.exercises, notebooks_folder)
     for exercise in exercises.values():
         if not exercise.folder:
             continue
@@ -121,6 +122,22 @@ def pack(
     members['submission.json'] = json.dumps(label, indent=2).encode()
     _write(output, members)
     return packed
+
+
+def _not_saved(results: list, folder: Path) -> list[str]:
+    """What is said of exercises that a check has found solved, but not as the notebook lies on the disk.
+
+    JupyterLab saves every two minutes, and a check judges the cell that was run.
+    """
+    from helpers.exercises import manifest, progress_file
+
+    marks, exercises = progress_file.load(folder), manifest.load()
+    return [
+        f'Exercise {result.id}: its last check found it solved, and what is saved does not pass. Save '
+        f'{exercises[result.id].notebook} (Ctrl+S), and submit again.'
+        for result in results
+        if not result.passed and result.id in marks and marks[result.id].passed
+    ]
 
 
 def _login() -> str:

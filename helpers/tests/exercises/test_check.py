@@ -16,7 +16,7 @@ from typer.testing import CliRunner
 from helpers import paths
 from helpers.cli import Refusal
 from helpers.cli.app import make_app
-from helpers.exercises import manifest, notebooks, result_display
+from helpers.exercises import manifest, notebooks, progress_file, result_display
 from helpers.kernel.journal import ExecutedCell
 from helpers.runner import results
 from helpers.runner.results import ExerciseResult, TestResult
@@ -233,6 +233,20 @@ def test_submit(tmp_path):
         saved = max(path.stat().st_mtime for path in paths.NOTEBOOKS.glob('*.ipynb'))
         assert label.pop('saved') == time.strftime('%Y-%m-%dT%H:%M:%SZ', time.gmtime(saved))
         assert label == {'format': 1, 'learner': 'ada'}
+
+
+@pytest.mark.timeout(300)
+def test_submit_names_what_a_check_has_found_solved_and_nobody_has_saved(tmp_path):
+    first, second = list(manifest.load().values())[:2]
+    shutil.copy(paths.NOTEBOOKS / first.notebook, tmp_path)
+    marks = {
+        first.id: progress_file.Mark(first.points, first.points, passed=True),
+        second.id: progress_file.Mark(second.points, 0.0, passed=False),
+    }
+    (tmp_path / progress_file.FILE).write_text(json.dumps({one: dataclasses.asdict(mark) for one, mark in marks.items()}))
+    packed = submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
+    (said,) = packed.warnings
+    assert said.startswith(f'Exercise {first.id}: its last check found it solved') and first.notebook in said
 
 
 @pytest.mark.parametrize('learner', ['../x', '=1', 'a b', 'ü', '', 'x' * 65])
