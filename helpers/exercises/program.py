@@ -105,7 +105,7 @@ def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[Note
         )
     place = cells.index(cell)
     above = [part for other in cells[:place] for part in _parts(other)]
-    mine = trials.parts(own, exercise.names)
+    mine = trials.parts(own, exercise.names, [part['source'] for part in above])
     below = _needed([part for other in cells[place + 1 :] for part in _parts(other)], [*above, {'source': own}])
     program = Program(exercise, [*above, *below], own)
     program.cells += [

@@ -243,7 +243,9 @@ def test_submit_names_what_a_check_has_found_solved_and_nobody_has_saved(tmp_pat
         first.id: progress_file.Mark(first.points, first.points, passed=True),
         second.id: progress_file.Mark(second.points, 0.0, passed=False),
     }
-    (tmp_path / progress_file.FILE).write_text(json.dumps({one: dataclasses.asdict(mark) for one, mark in marks.items()}))
+    (tmp_path / progress_file.FILE).write_text(
+        json.dumps({one: dataclasses.asdict(mark) for one, mark in marks.items()})
+    )
     packed = submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
     (said,) = packed.warnings
     assert said.startswith(f'Exercise {first.id}: its last check found it solved') and first.notebook in said

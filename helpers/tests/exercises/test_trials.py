@@ -53,6 +53,12 @@ def test_each_trial_is_a_part_of_its_own():
         'value = wait_for(lambda: heard)',
         'for _ in range(3):\n    spin_for(1)',
         'simulator = background("ros2 run turtlesim turtlesim_node")',
+        'rclpy.spin(Talker())',
+        'for _ in range(9):\n    rclpy.spin_once(node, timeout_sec=0.5)',
+        'executor.spin_until_future_complete(future)',
+        'time.sleep(5)',
+        'answer = client.call(Trigger.Request())',
+        'found = client.wait_for_service(timeout_sec=5)',
     ],
 )
 def test_what_waits_is_left_out(trial):
@@ -61,6 +67,20 @@ def test_what_waits_is_left_out(trial):
     (note,) = program.build([cell], small.exercise()).notes
     first = trial.partition('\n')[0]
     assert f'line 5: `{first}` was left out' in note
+
+
+def test_a_function_that_waits_is_known_by_what_it_calls():
+    """Wherever it stands: above, below or in another cell, and over any number of calls."""
+    source = f'{ANSWER}def main():\n    rclpy.spin(Talker())\n\nmain()\nprint(2)\ntry_it()\nshow(Talker)\n'
+    others = [
+        'def show(kind):\n    return look(kind)\n',
+        'def look(kind):\n    with spinning(kind()):\n        pass\n',
+        'def try_it():\n    return try_it\n',
+    ]
+    left_out = [part.text for part in trials.parts(source, ['Talker'], others) if part.left_out]
+    assert left_out == ['main()\n', 'show(Talker)\n']
+    cells = [NotebookCell(text, 1) for text in (*others, f'# Exercise 90.1: a talker\n{source}')]
+    assert len(program.build(cells, small.exercise()).notes) == 2
 
 
 @pytest.mark.parametrize(
