@@ -6,8 +6,6 @@ import stat
 from dataclasses import dataclass
 from pathlib import Path
 
-import nbformat
-
 MAX_BYTES = 10 * 2**20
 MAX_CELLS = 2000
 MAX_SOURCE = 200_000  # characters of one cell
@@ -121,6 +119,8 @@ def _json(data: bytes, name: str):
 def _current(notebook):
     """A notebook of format 3 in format 4; another one, and one that cannot be converted, as it is."""
     if isinstance(notebook, dict) and notebook.get('nbformat') == 3 and notebook.get('worksheets'):
+        import nbformat
+
         try:
             return json.loads(json.dumps(nbformat.convert(nbformat.from_dict(notebook), 4)))
         except Exception:  # noqa: BLE001 - nbformat raises many types; the caller says what is wrong
@@ -130,6 +130,8 @@ def _current(notebook):
 
 def _validate(notebook: dict, name: str) -> None:
     """Check the form of all but the outputs, which are not read."""
+    import nbformat  # here, as it takes longer than all else that a server of the runner imports
+
     bare: dict = {'nbformat': 4, 'nbformat_minor': 5, 'metadata': {}, 'cells': []}
     for number, cell in enumerate(notebook['cells'], 1):
         if not isinstance(cell, dict):
