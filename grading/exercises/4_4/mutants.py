@@ -15,6 +15,13 @@ MUTANTS = [
 
          '''), ('self.inside += answer.success', 'DoorGuard.inside += answer.success'),
         (LEAVE, 'DoorGuard.inside = max(0, self.inside - 1)')), expect='Each guard counts for itself'),
+    Mutant('one_capacity_for_all_guards', breaks='full', edits=(
+        ('self.capacity, self.inside = capacity, 0', 'DoorGuard.capacity, self.inside = capacity, 0'),
+        ('class DoorGuard(Node):', '''
+         class DoorGuard(Node):
+             capacity = 2
+
+         ''')), expect='a capacity of its own'),
     Mutant('absolute_lock', breaks='names', also=('one-thread', 'capacity'), old="SetBool, 'lock', callback_group",
            new="SetBool, '/lock', callback_group", expect='without a leading slash'),
     Mutant('absolute_leave', breaks='names', old="Trigger, 'leave'", new="Trigger, '/leave'",

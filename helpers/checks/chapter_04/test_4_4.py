@@ -233,20 +233,23 @@ def test_all_at_once(learner):
     check_second_guard(learner, node, lock, enter)
 
 
-def check_second_guard(learner, node, lock, enter, *args):
-    """The first guard's room is full; a second guard in the same program begins with an empty one, and only he asks.
+def check_second_guard(learner, node, lock, enter, inside=2):
+    """The first guard's room is full; a second guard of a larger one begins with an empty room, and only he asks.
 
     Both hear the same call, so the requests to the lock tell who let somebody in.
     """
-    learner.start('DoorGuard', *args, beside=node)
+    larger, lock.answer = inside + learner.random.choice([1, 2, 3]), {'success': True}
+    learner.start('DoorGuard', larger, beside=node)
     before = len(lock.requests)
-    enter.send()
-    learner.run(lock.delay + 0.5, step=1.0)
+    for _ in range(larger + 1):
+        enter.send()
+        learner.run(lock.delay + 0.5, step=1.0)
     asked = len(lock.requests) - before
     expect(
-        asked == 1,
-        "The first guard's room is full. A second DoorGuard, in the same program, begins with an empty room. Somebody "
-        f'called enter at both, and the lock was asked {asked} times, expected once, by the second guard. Each guard '
-        'counts for itself: in an attribute of the object (self.inside), not of the class.',
+        asked == larger,
+        f"The first guard's room is full: {inside} of {inside}. A second DoorGuard, in the same program, begins with "
+        f'an empty room for {larger} people. {larger + 1} people called enter at both, one after the other, and the '
+        f'lock was asked {asked} times, expected {larger} times, by the second guard. Each guard counts for itself, '
+        'and has a capacity of its own: in attributes of the object (self.inside), not of the class.',
         'full',
     )
