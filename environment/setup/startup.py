@@ -156,8 +156,8 @@ def spare_the_bootstrapper(environ, prefix, packages, modules=sys.modules):
     if not environ.get(GUARD):
         with os.scandir(packages) as entries:
             libraries = [entry.path for entry in entries if of_wheels(entry.path)]
-        if not known.issuperset(map(os.path.realpath, libraries)):
-            return
+        if not libraries or not known.issuperset(map(os.path.realpath, libraries)):
+            return  # without any, ROS is not that of the wheels
         environ[GUARD] = '1'
     modules.setdefault(BOOTSTRAPPER, type(sys)(BOOTSTRAPPER))
 

@@ -316,6 +316,9 @@ def test_the_bootstrapper_is_left_out_where_the_libraries_are_known(tmp_path):
         startup.spare_the_bootstrapper(env, str(tmp_path), str(packages), modules)
         assert (startup.BOOTSTRAPPER in modules) == known, (libraries, guard)
         assert env.get(startup.GUARD) == ('1' if known else guard)
+    env, modules = {'LD_LIBRARY_PATH': own}, {}
+    startup.spare_the_bootstrapper(env, str(tmp_path), str(tmp_path), modules)  # on a stock ROS there are no wheels
+    assert env == {'LD_LIBRARY_PATH': own} and not modules
 
 
 def test_in_a_terminal_python_starts_once(clean_environ):
