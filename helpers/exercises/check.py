@@ -17,7 +17,7 @@ def check(exercise_id: str) -> None:
     if 'COURSE_RUNNER' in os.environ:
         return  # the cell is itself being tested
     try:
-        report = run_tests(str(exercise_id))
+        report = run_tests(_identity(exercise_id))
     except KeyboardInterrupt:
         print('The check was stopped.')
     except Exception as error:  # noqa: BLE001 - a check never breaks the notebook
@@ -29,6 +29,20 @@ def check(exercise_id: str) -> None:
         # Not for copies, nor when an instructor's solutions are built.
         if Path.cwd() == paths.NOTEBOOKS and os.environ.get('COURSE_PROGRESS') != 'off':
             start_page.keep(report)
+
+
+def _identity(given) -> str:
+    """The number of an exercise as its text, also if it was given as a number.
+
+    :raises LookupError: it may be that of two: as numbers, 8.1 and 8.10 are one.
+    """
+    from helpers.exercises import manifest
+
+    if isinstance(given, float) and f'{given}0' in manifest.load():
+        raise LookupError(
+            f'{given} and {given}0 are the same number. Write quotes: check("{given}") or check("{given}0").'
+        )
+    return str(given)
 
 
 def run_tests(exercise_id: str):

@@ -169,6 +169,10 @@ def test_cells_with_one_heading(monkeypatch, cells, expected):
 def test_check_never_raises(monkeypatch, capsys):
     check.check('99.9')
     assert 'there is no exercise' in capsys.readouterr().out
+    check.check(8.10)
+    assert 'Write quotes: check("8.1") or check("8.10")' in capsys.readouterr().out
+    check.check(99.9)
+    assert "there is no exercise '99.9'" in capsys.readouterr().out
     for error, text in ((RuntimeError('boom'), 'The check could not run: boom'), (KeyboardInterrupt(), 'was stopped')):
 
         def fail(exercise_id, error=error):
