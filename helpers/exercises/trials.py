@@ -8,7 +8,7 @@ import ast
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass, replace
 
-from helpers.exercises import definitions
+from helpers.exercises import cell_python, definitions
 
 # Functions of `helpers` that wait, spin nodes or start programs, and what others call so: `rclpy.spin`, `time.sleep`.
 _LIVE = frozenset({'background', 'collect', 'spin_for', 'spinning', 'timeline', 'wait_for'})
@@ -35,7 +35,7 @@ def parts(source: str, names: Collection[str], others: Iterable[str] = ()) -> li
     What stands below the names and only defines, or binds one of them anew, is a part of the answer. A cell without a
     trial, or with very many, is one part.
 
-    :param others: definitions of other cells, which are Python
+    :param others: definitions of other cells
     :raises SyntaxError: it is not Python.
     """
     body, missing, first = ast.parse(source).body, set(names), 0
@@ -47,10 +47,8 @@ def parts(source: str, names: Collection[str], others: Iterable[str] = ()) -> li
     if first == len(body):
         return [Part(1, source, True)]
     lines, ends = definitions.lines(source), body[first - 1].end_lineno or 0
-    found, live = (
-        [Part(1, ''.join(lines[:ends]), True)],
-        _live_functions([body, *(ast.parse(one).body for one in others)]),
-    )
+    live = _live_functions([body, *map(_body, others)])
+    found = [Part(1, ''.join(lines[:ends]), True)]
     for node in body[first:]:
         start, end, trial = definitions.first_line(node), node.end_lineno or 0, _is_trial(node, names)
         if start > ends:
@@ -63,6 +61,11 @@ def parts(source: str, names: Collection[str], others: Iterable[str] = ()) -> li
     if len(found) > _MOST:
         return [Part(1, source, True)]
     return [replace(one, left_out=one.left_out and not one.required) for one in found]
+
+
+def _body(source: str) -> list[ast.stmt]:
+    tree = cell_python.syntax_tree(source)
+    return tree.body if tree else []
 
 
 def _is_trial(node: ast.stmt, names: Collection[str]) -> bool:
