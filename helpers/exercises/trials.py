@@ -76,6 +76,10 @@ def _is_trial(node: ast.stmt, names: Collection[str]) -> bool:
 
 def _is_live(node: ast.stmt, live: Collection[str]) -> bool:
     """Whether a statement calls something that waits, spins nodes or starts programs; `live` are functions that do."""
+    if isinstance(node, ast.If) and any(
+        isinstance(part, ast.Name) and part.id == '__name__' for part in ast.walk(node.test)
+    ):
+        return False  # it is for a program that is started by itself, and does nothing in a check
     called = [part.func for part in ast.walk(node) if isinstance(part, ast.Call)]
     return any(one.attr in _LIVE_METHODS for one in called if isinstance(one, ast.Attribute)) or any(
         one.id in live for one in called if isinstance(one, ast.Name)

@@ -69,6 +69,13 @@ def test_what_waits_is_left_out(trial):
     assert f'line 5: `{first}` was left out' in note
 
 
+def test_what_only_a_program_by_itself_does_is_not_mentioned():
+    main = "if __name__ == '__main__':\n    rclpy.spin(Talker())\n"
+    assert parts(f'{ANSWER}{main}') == [(1, ANSWER, True), (4, main, False)]
+    cell = NotebookCell(f'# Exercise 90.1: a talker\n{ANSWER}{main}', 1)
+    assert program.build([cell], small.exercise()).notes == []
+
+
 def test_a_function_that_waits_is_known_by_what_it_calls():
     """Wherever it stands: above, below or in another cell, and over any number of calls."""
     source = f'{ANSWER}def main():\n    rclpy.spin(Talker())\n\nmain()\nprint(2)\ntry_it()\nshow(Talker)\n'
