@@ -163,6 +163,7 @@ def test_command_line(ros2, tutorial, line, pattern):  # noqa: F811
     assert re.fullmatch(pattern, done.stdout), done.stdout
 
 
+@pytest.mark.one_of(2)
 @pytest.mark.usefixtures('turtlesim')
 def test_a_second_turtle_comes_and_goes(ros2):  # noqa: F811
     """One test, as the other lines expect the first turtle only."""
@@ -220,6 +221,7 @@ def test_command_line_that_goes_on(ros2, line, pattern):  # noqa: F811
         process.wait_for_output(lambda text: re.match(pattern, text.strip()), PATIENCE)
 
 
+@pytest.mark.one_of(2)
 def test_parameters_are_saved_and_loaded(ros2, turtlesim):  # noqa: F811
     saved = ros2.output('param', 'dump', '/turtlesim')
     (ros2.directory / 'turtlesim.yaml').write_text(saved.replace('background_b: 255', 'background_b: 30'))
@@ -234,6 +236,7 @@ def test_parameters_are_saved_and_loaded(ros2, turtlesim):  # noqa: F811
     assert ros2.output('param', 'get', '/turtlesim', 'background_b') == 'Integer value is: 30\n'
 
 
+@pytest.mark.one_of(2)
 def test_a_second_turtlesim_is_remapped(ros2, turtlesim):  # noqa: F811
     with ros2.start('run', 'turtlesim', 'turtlesim_node', '--ros-args', '--remap', '__node:=my_turtle') as other:
         other.wait_for_output('Spawning turtle [turtle1]', PATIENCE)

@@ -18,7 +18,7 @@ from launch_ros.descriptions import ComposableNode
 from environment.tests.running import PATIENCE, ROS2
 from helpers.programs.processes import background
 
-pytestmark = pytest.mark.timeout(300)
+pytestmark = [pytest.mark.early, pytest.mark.timeout(300)]  # its workspace takes more than a minute to build
 
 PACKAGE_XML = """<package format="3">
   <name>composition_interfaces</name>
