@@ -105,9 +105,9 @@ def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[Note
         )
     place = cells.index(cell)
     above = [part for other in cells[:place] for part in _parts(other)]
-    mine = trials.parts(own, exercise.names, [part['source'] for part in above])
-    below = _needed([part for other in cells[place + 1 :] for part in _parts(other)], [*above, {'source': own}])
-    program = Program(exercise, [*above, *below], own)
+    below = [part for other in cells[place + 1 :] for part in _parts(other)]
+    mine = trials.parts(own, exercise.names, [part['source'] for part in (*above, *below)])
+    program = Program(exercise, [*above, *_needed(below, [*above, {'source': own}])], own)
     program.cells += [
         {'label': cell.label, 'source': part.text, 'line': part.line, 'required': part.required}
         for part in mine

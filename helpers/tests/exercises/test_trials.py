@@ -88,6 +88,7 @@ def test_a_function_that_waits_is_known_by_what_it_calls():
     assert left_out == ['main()\n', 'show(Talker)\n']
     cells = [NotebookCell(text, 1) for text in (*others, f'# Exercise 90.1: a talker\n{source}')]
     assert len(program.build(cells, small.exercise()).notes) == 2
+    assert len(program.build(cells[::-1], small.exercise()).notes) == 2
 
 
 @pytest.mark.parametrize(
