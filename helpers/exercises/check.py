@@ -1,6 +1,7 @@
 """`check("3.1")`: the visible tests of an exercise, run against the cells of this kernel."""
 
 import os
+from functools import lru_cache
 from pathlib import Path
 
 from helpers import paths
@@ -24,7 +25,7 @@ def check(exercise_id: str) -> None:
         print(f'The check could not run: {error}')
     else:
         _show(report.exercises)
-        for line in [*remarks.after(report.exercises, _all_executed()), *_lost(report.exercises)]:
+        for line in [*remarks.after(report.exercises, _all_executed()), *_unlike_saved(report.exercises)]:
             print(line)
         # Not for copies, nor when an instructor's solutions are built.
         if Path.cwd() == paths.NOTEBOOKS and os.environ.get('COURSE_PROGRESS') != 'off':
@@ -91,21 +92,56 @@ def _not_run(exercise) -> str:
 
 def _saved(exercise) -> list:
     """The cells of the exercise's notebook as it was last saved; none if it cannot be read."""
+    path = paths.NOTEBOOKS / exercise.notebook
+    return _read(path, _saved_at(path))
+
+
+def _saved_at(path: Path) -> float:
+    """When a file was last changed, in seconds since 1970; 0 if it is not there."""
+    try:
+        return path.stat().st_mtime
+    except OSError:
+        return 0.0
+
+
+@lru_cache(maxsize=8)
+def _read(path: Path, moment: float) -> list:  # by its time, as a check needs it twice and validation takes a while
     from helpers.exercises import notebooks
 
     try:
-        return notebooks.read(paths.NOTEBOOKS / exercise.notebook)
+        return notebooks.read(path)
     except notebooks.InvalidSubmission:
         return []
 
 
-def _lost(results: list) -> list[str]:
-    """What is said of the cells that a right answer needs and that are no longer in the notebook."""
+def _unlike_saved(results: list) -> list[str]:
+    """What is said of an answer, and of cells that a right one needs, if the saved notebook has other ones."""
     from helpers.exercises import manifest
 
-    exercises = [manifest.load().get(result.id) for result in results if result.passed]
-    cells = {one: executed(one) for one in exercises if one is not None and not one.folder}
-    return [line for one, ran in cells.items() if ran for line in remarks.lost(ran, _saved(one))]
+    said: list[str] = []
+    for result in results:
+        exercise = manifest.load().get(result.id)
+        ran = executed(exercise) if exercise is not None and not exercise.folder else None
+        if exercise is None or not ran:
+            continue
+        saved = _saved(exercise)
+        edited = _edited_since(exercise, saved)
+        if ran[-1].id in edited:
+            said.append('The cell of this exercise was changed and saved after you ran it. Run it, and check again.')
+        elif result.passed:
+            said += [*remarks.lost(ran, saved), *remarks.changed(ran, saved, edited)]
+    return said
+
+
+def _edited_since(exercise, saved: list) -> set[str]:
+    """The ids of cells whose text was changed, and saved, after they were last run."""
+    moment = _saved_at(paths.NOTEBOOKS / exercise.notebook)
+    latest = {noted.id: noted for noted in journal.cells if noted.id}
+    return {
+        cell.id
+        for cell in saved
+        if (noted := latest.get(cell.id)) and 0 < noted.moment < moment and noted.source.strip() != cell.source.strip()
+    }
 
 
 def _stand_by(result) -> None:

@@ -7,6 +7,7 @@ with ``store_history=False`` and then IPython's own history stays empty.
 
 import re
 import sys
+import time
 from typing import NamedTuple
 
 
@@ -15,6 +16,7 @@ class ExecutedCell(NamedTuple):
 
     id: str | None  #: the notebook's cell id; None if the front end does not send it (nbval, nbclient)
     source: str
+    moment: float = 0.0  #: when it began, in seconds since 1970; 0 if it ran before anybody listened
 
 
 _ADDED = re.compile(r'[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}')
@@ -67,7 +69,7 @@ def start() -> None:
 
 
 def _note(info) -> None:
-    cells.append(ExecutedCell(getattr(info, 'cell_id', None), info.raw_cell))
+    cells.append(ExecutedCell(getattr(info, 'cell_id', None), info.raw_cell, time.time()))
 
 
 def _running_cell(ipython) -> ExecutedCell | None:

@@ -3,6 +3,7 @@
 import dataclasses
 import importlib
 import json
+import os
 import re
 import shutil
 import time
@@ -164,6 +165,35 @@ def test_cells_with_one_heading(monkeypatch, cells, expected):
     monkeypatch.setattr(check.journal, 'cells', [ExecutedCell(name, heading + text) for name, text in cells])
     found = check.executed(small.exercise())
     assert [cell.id for cell in found] == expected and found[-1].source.endswith(dict(cells)[expected[-1]])
+
+
+@pytest.mark.parametrize(
+    ('rate', 'answer', 'ran', 'verdict', 'expected'),
+    [
+        (5, 'rate = RATE', 900.0, 'passed', []),
+        (6, 'rate = RATE', 900.0, 'passed', ['The cell that defines `RATE` was changed']),
+        (6, 'rate = RATE', 1100.0, 'passed', []),  # run after the notebook was saved: the next saving brings it
+        (6, 'rate = RATE', 0.0, 'passed', []),
+        (6, 'rate = RATE', 900.0, 'failed', []),
+        (5, 'rate = 7', 900.0, 'failed', ['The cell of this exercise was changed and saved after you ran it.']),
+        (5, 'rate = 7', 900.0, 'passed', ['The cell of this exercise was changed and saved after you ran it.']),
+        (5, 'rate = 7', 1100.0, 'failed', []),
+    ],
+)
+def test_a_cell_that_was_edited_and_not_run_is_named(tmp_path, monkeypatch, rate, answer, ran, verdict, expected):
+    exercise = small.exercise()
+    heading = '# Exercise 90.1: a talker\nclass Talker:\n    '
+    sources = {'helper': f'RATE = {rate}', 'answer': heading + answer}
+    cells = [nbformat.v4.new_code_cell(source, id=name) for name, source in sources.items()]
+    path = tmp_path / exercise.notebook
+    nbformat.write(nbformat.v4.new_notebook(cells=cells), path)
+    os.utime(path, (1000, 1000))
+    monkeypatch.setattr(check.paths, 'NOTEBOOKS', tmp_path)
+    monkeypatch.setattr(manifest, 'load', lambda: {exercise.id: exercise})
+    noted = [ExecutedCell('helper', 'RATE = 5', ran), ExecutedCell('answer', heading + 'rate = RATE', ran)]
+    monkeypatch.setattr(check.journal, 'cells', noted)
+    said = check._unlike_saved([result(verdict, tests=[])])
+    assert [line.startswith(words) for line, words in zip(said, expected, strict=True)] == [True] * len(expected)
 
 
 def test_check_never_raises(monkeypatch, capsys):
