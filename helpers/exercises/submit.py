@@ -127,7 +127,8 @@ def pack(
 def _not_saved(results: list, folder: Path) -> list[str]:
     """What is said of exercises that a check has found solved, but not as the notebook lies on the disk.
 
-    JupyterLab saves every two minutes, and a check judges the cell that was run.
+    JupyterLab saves every 20 seconds (another server than that of the course: every two minutes), and a check judges
+    the cell that was run.
     """
     from helpers.exercises import manifest, progress_file
 
