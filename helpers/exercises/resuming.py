@@ -6,6 +6,7 @@ file, as it was last saved.
 """
 
 import os
+import time
 from collections.abc import Iterator, Set
 from pathlib import Path
 
@@ -39,7 +40,7 @@ def resume() -> None:
     running = journal.cells.pop() if journal.cells else None
     for cell in above:
         problems += _run_whole(shell, cell) if WHOLE in cell.tags else _run_definitions(shell, cell)
-        journal.cells.append(journal.ExecutedCell(cell.id, cell.source))  # for checks
+        journal.cells.append(journal.ExecutedCell(cell.id, cell.source, time.time()))  # for checks
     if running:
         journal.cells.append(running)
     print(_summary(len(above), sorted(set(shell.user_ns) - before)))
