@@ -19,7 +19,7 @@ from typing import Any
 from rclpy.node import Node
 
 from helpers.runner.mistakes import WaitsInCallback, Watch
-from helpers.runner.rclpy_changes import nothing_published
+from helpers.runner.rclpy_changes import on_trial
 
 
 class RequestError(Exception):
@@ -63,6 +63,11 @@ def _compiled(source: str, line: int, filename: str, flags: int):
     return compile(tree, filename, 'exec', flags, dont_inherit=True)
 
 
+def _destroy(node: Node) -> None:
+    with suppress(Exception):  # the learner's destroy_node may raise; or it is destroyed
+        node.destroy_node()
+
+
 class LoadedProgram:
     """The learner's code, loaded into a module of its own."""
 
@@ -82,6 +87,7 @@ class LoadedProgram:
         and so is the end of the process in a trial below the answer.
         """
         own = cells[-1]['label']
+        tried: list[Node] = []
         flags = 0  # of `from __future__ import …`, which holds for all later cells, as in the notebook
         for number, cell in enumerate(cells):
             filename = f'<cell {number}>'
@@ -93,7 +99,7 @@ class LoadedProgram:
                 # Names are resolved when a function runs, so annotations and defaults behave as in the notebook.
                 code = _compiled(cell['source'], cell['line'], filename, flags)
                 flags |= code.co_flags & _FUTURE
-                with nullcontext() if cell['required'] else nothing_published():
+                with nullcontext() if cell['required'] else on_trial(tried):
                     awaited = eval(code, self.module.__dict__)  # noqa: S307 - the code is the learner's, and is to run
                     if inspect.iscoroutine(awaited):
                         asyncio.run(awaited)
@@ -101,6 +107,8 @@ class LoadedProgram:
                 if cell['required'] or cell['label'] == own and not isinstance(error, Exception):
                     raise self.error('load', error) from None
                 self.notes.append((cell['source'], f'{cell["label"]}: {type(error).__name__}: {_text(error)}'))
+        for node in tried:  # before a test listens, so that it never knows of them
+            _destroy(node)
 
     def find(self, name: str):
         """The learner's object of that name; RequestError `missing` if there is none."""
@@ -116,8 +124,7 @@ class LoadedProgram:
         for value in list(vars(self.module).values()):
             for node in value if isinstance(value, (list, tuple)) else [value]:
                 if type(node) is of:
-                    with suppress(Exception):  # the learner's destroy_node may raise; or it is destroyed
-                        node.destroy_node()
+                    _destroy(node)
 
     def error(self, where: str, error: BaseException, **fields) -> RequestError:
         """A RequestError that tells of `error` with the learner's own lines only."""

@@ -104,14 +104,19 @@ class Outgoing:
 
 
 @contextmanager
-def nothing_published() -> Iterator[None]:
-    """Keep back what is published meanwhile: tests would hear a cell that tries its answer while it is loaded."""
-    plain = Publisher.publish
+def on_trial(nodes: list[Node]) -> Iterator[None]:
+    """Keep back what is published meanwhile: tests would hear a cell that tries its answer while it is loaded.
+
+    :param nodes: is given the nodes that are made meanwhile.
+    """
+    plain, made = Publisher.publish, Node.__init__
     Publisher.publish = lambda publisher, msg: None  # type: ignore[method-assign,assignment]  # of all publishers
+    Node.__init__ = _followed_by(nodes.append, made)  # type: ignore[method-assign]  # put around it
     try:
         yield
     finally:
         Publisher.publish = plain  # type: ignore[method-assign]
+        Node.__init__ = made  # type: ignore[method-assign]
 
 
 def _followed_by(note: Callable[[Any], Any], init: Callable):

@@ -19,6 +19,14 @@ def test_talker(learner):
 '''
 
 
+OTHER = """class Echo(Node):
+    def __init__(self):
+        super().__init__('echo')
+        self.publisher = self.create_publisher(String, 'chatter', 10)
+
+"""
+
+
 @pytest.mark.parametrize(
     'trial',
     [
@@ -29,6 +37,9 @@ def test_talker(learner):
         'simulator = background("sleep 60")\nprint(simulator.nothing)',
         'mine = Talker()\nmine.nothing()\nmine.destroy_node()',
         'mine = Talker()\nfor _ in range(5):\n    mine.tick()\nmine.destroy_node()',
+        'kept = {"mine": Talker()}',
+        f'{OTHER}echo = Echo()',
+        'rclpy.spin(Talker())',
     ],
 )
 def test_a_trial_below_the_answer_costs_nothing(tmp_path, trial):
