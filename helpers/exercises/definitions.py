@@ -6,7 +6,7 @@ runs it. Nothing is executed here.
 
 import ast
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import lru_cache
 
 from helpers.exercises import cell_python
@@ -75,6 +75,16 @@ def names_used(text: str) -> frozenset[str]:
     names = [node for node in nodes if isinstance(node, ast.Name)]
     bound |= {name.id for name in names if not isinstance(name.ctx, ast.Load)}
     return frozenset({name.id for name in names} - bound)
+
+
+def reached(names: Iterable[str], following: Callable[[str], Iterable[str]]) -> set[str]:
+    """These names, and all that lead on from them: `following` gives the next ones of a name."""
+    found, todo = set[str](), list(names)
+    while todo:
+        if (name := todo.pop()) not in found:
+            found.add(name)
+            todo += following(name)
+    return found
 
 
 def defined(body: Iterable[ast.AST]) -> set[str]:

@@ -136,16 +136,18 @@ def _needed(below: list[dict], there: list[dict]) -> list[dict]:
         return []
     mine = there[-1]['source']
     above, last = _by_name(there[:-1]), _by_name(below)
-    seen, chosen = {*definitions.names_in(mine), *_BUILTINS}, set[int]()
-    needed = list(definitions.names_used(mine))
-    while needed:
-        name = needed.pop()
-        if name not in seen:
-            seen.add(name)
-            places = last.get(name, []) if name not in above else []
-            chosen.update(places)
-            parts = [below[place] for place in places] or [there[place] for place in above.get(name, [])]
-            needed += [used for part in parts for used in definitions.names_used(part['source'])]
+    own = {*definitions.names_in(mine), *_BUILTINS}
+
+    def parts_of(name: str) -> list[dict]:
+        if name in own:
+            return []
+        return [there[place] for place in above.get(name, ())] or [below[place] for place in last.get(name, ())]
+
+    needed = definitions.reached(
+        definitions.names_used(mine),
+        lambda name: [used for part in parts_of(name) for used in definitions.names_used(part['source'])],
+    )
+    chosen = {place for name in needed - own - above.keys() for place in last.get(name, ())}
     return [below[place] for place in sorted(chosen)]
 
 

@@ -107,12 +107,6 @@ def _needed(
         for cell in group:
             for _, text in definitions.of_cell(cell):
                 made |= dict.fromkeys(definitions.names_in(text), (cell, text))
-    own = cell_python.as_python(answer)
-    todo = set(definitions.names_used(own))
-    found: dict[str, tuple[NotebookCell, str]] = {}
-    while todo:
-        name = todo.pop()
-        if name in made and name not in found:
-            found[name] = made[name]
-            todo |= definitions.names_used(made[name][1])
-    return found
+    used = definitions.names_used(cell_python.as_python(answer))
+    needed = definitions.reached(used, lambda name: definitions.names_used(made[name][1]) if name in made else ())
+    return {name: made[name] for name in needed if name in made}

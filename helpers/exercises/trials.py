@@ -96,10 +96,5 @@ def _live_functions(bodies: Iterable[list[ast.stmt]]) -> set[str]:
         for part in ast.walk(node):
             if isinstance(part, ast.Call) and isinstance(part.func, ast.Name):
                 callers.setdefault(part.func.id, set()).add(name)
-    live = set(_LIVE)
-    new = [name for name, node in functions.items() if _is_live(node, live)]
-    while new:
-        if (name := new.pop()) not in live:
-            live.add(name)
-            new += callers.get(name, ())
-    return live
+    waiting = [name for name, node in functions.items() if _is_live(node, _LIVE)]
+    return definitions.reached([*_LIVE, *waiting], lambda name: callers.get(name, ()))

@@ -118,7 +118,7 @@ class LoadedProgram:
             raise RequestError('missing', name=name) from None
 
     def destroy_instances(self, of: Any) -> None:
-        """Destroy the nodes of this class that a name is bound to, or a list: with them the cell tried its answer."""
+        """Destroy the nodes of this class that a name is bound to, or a list: the cell tried it above its last name."""
         if not (isinstance(of, type) and issubclass(of, Node)):
             return
         for value in list(vars(self.module).values()):

@@ -50,6 +50,13 @@ def test_a_trial_below_the_answer_costs_nothing(tmp_path, trial):
     assert test.verdict == 'passed', test.message
 
 
+def test_a_trial_between_two_names_of_the_answer_costs_nothing(tmp_path):
+    cells = small.cells(f'{small.TALKER}\nmine = Talker()\n\n\nclass Ear:\n    pass\n')
+    options = session.Options(visible=small.write_tests(tmp_path, ONE_TALKER))
+    (result,) = session.run(cells, [small.exercise(names=('Talker', 'Ear'))], options).exercises
+    assert result.tests[0].verdict == 'passed', result.tests[0].message
+
+
 def test_what_the_answer_is_made_of_is_no_trial(tmp_path):
     """An error above the answer, or in a function that it needs, is told."""
     cells = small.cells(f'1 / 0\n{small.TALKER}')

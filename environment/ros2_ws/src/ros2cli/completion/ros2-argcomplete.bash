@@ -1,4 +1,4 @@
-# Completion of `ros2` by the Tab key. The first Tab asks argcomplete for it, since asking takes as long as a `ros2 --help`,
+# Completion of `ros2` by the Tab key. The first Tab asks argcomplete for it: asking takes as long as a `ros2 --help`,
 # and most terminals that source this file never need it.
 _ros2_first_completion() {
   local register
