@@ -1,6 +1,7 @@
 """Patches of installed packages: corrections that the ROS wheels lack, upstream's and ours, and of the test tools.
 
-Each patch is a module that is put beside the packages, and a few lines that put it to use.
+Each patch of a module is a module that is put beside the packages, and a few lines that put it to use. In a CMake file
+one line takes the place of another.
 """
 
 from pathlib import Path
@@ -35,6 +36,15 @@ _PATCHES = {
         for program in ('cppcheck', 'uncrustify')
     },
 }
+# For each patched CMake file, below the prefix, the line that is replaced, and the new one.
+_CMAKE = {
+    # CMake's STRINGS ends at the first letter that is not ASCII, unless it is told the encoding: no interface package
+    # could be built in a folder such as /home/jörg or ~/机器人.
+    'share/rosidl_adapter/cmake/rosidl_adapt_interfaces.cmake': (
+        'file(STRINGS "${idl_output}" idl_tuples)',
+        'file(STRINGS "${idl_output}" idl_tuples ENCODING UTF-8)',
+    )
+}
 _TESTS = '_course_python_tests'
 # What tells setuptools and colcon of the entry points: the record of an installed distribution.
 _DISTRIBUTION = {
@@ -53,10 +63,14 @@ def text() -> str:
     return ''.join([*(Path(file).read_text() for file in files), *_DISTRIBUTION.values()])
 
 
-def apply(site: Path) -> list[str]:
-    """Patch the packages in `site` (site-packages); returns the modules that were. A second call writes the same."""
+def apply(prefix: Path, site: Path) -> list[str]:
+    """Patch the packages below `prefix`, whose Python modules are in `site` (site-packages).
+
+    Returns the files that were patched. A second call writes the same.
+    """
     install_python_tests(site)
-    return [path for path, patch in _PATCHES.items() if _patch(site, path, *patch)]
+    modules = [path for path, patch in _PATCHES.items() if _patch(site, path, *patch)]
+    return modules + [path for path, lines in _CMAKE.items() if _patch_cmake(prefix / path, *lines)]
 
 
 def _patch(site: Path, path: str, patch, mark: str | None, tail: str) -> bool:
@@ -71,6 +85,13 @@ def _patch(site: Path, path: str, patch, mark: str | None, tail: str) -> bool:
         return False
     (site / f'{name}.py').write_text(Path(patch.__file__).read_text())
     replace(module, (old + tail).encode())
+    return True
+
+
+def _patch_cmake(file: Path, line: str, new: str) -> bool:
+    if not file.is_file() or line not in (old := file.read_text()):
+        return False
+    replace(file, old.replace(line, new).encode())
     return True
 
 

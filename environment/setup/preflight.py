@@ -68,6 +68,29 @@ def check_space(directory: Path, needed: int = SPACE_NEEDED) -> None:
         )
 
 
+def check_path(root: Path, underlay: Underlay) -> None:
+    """Raise PreflightError unless the tools of ROS can work in a folder with this path.
+
+    They hand paths to shells without quotes (ament_cmake_python) and to linkers between commas (CMake), and write them
+    into the first lines of scripts, which the kernel ends at a space.
+    """
+    bad = next((char for char in str(root) if not _usual(char, underlay.stock)), None)
+    if bad is not None:
+        name = 'a space' if bad == ' ' else repr(bad)
+        path = os.fsencode(root).decode(errors='backslashreplace')
+        raise PreflightError(
+            f'the path of this folder has {name}, and the tools of ROS cannot work with that: {path}',
+            'move or rename the folder (letters, digits and - _ . + are fine), then run ./course again',
+        )
+
+
+def _usual(char: str, stock: bool) -> bool:
+    """A stock rosidl_adapter reads the paths of interfaces as ASCII; `backports` mends that of the wheels."""
+    if char.isascii():
+        return char.isalnum() or char in '/._-+@~'
+    return char.isprintable() and not char.isspace() and not stock
+
+
 def check_writable(root: Path) -> None:
     """Raise PreflightError unless the checkout can be written to."""
     if not os.access(root, os.W_OK) or not os.access(root / 'environment', os.W_OK):
@@ -78,6 +101,7 @@ def check(root: Path, environ: Mapping[str, str], underlay: Underlay, needed: in
     """All of them, the cheap ones first."""
     if not underlay.stock:
         check_platform()
+    check_path(root, underlay)
     check_writable(root)
     check_space(root, needed)
     check_compiler(environ)

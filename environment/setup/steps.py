@@ -214,7 +214,7 @@ class Setup:
 
     def backport(self) -> None:
         self.stamps.remove('backports')
-        backports.apply(self.layout.site_packages())
+        backports.apply(self.layout.prefix, self.layout.site_packages())
         self.stamps.write('backports', self.backports_key(self.foundation(self.lock())))
 
     # The course's own packages.

@@ -4,8 +4,10 @@ import os
 import subprocess
 import sys
 import threading
+from pathlib import Path
 
 import pytest
+from ament_index_python import get_package_prefix
 
 from environment.setup import action_client, backports, signal_end
 from environment.setup.stamps import digest
@@ -23,10 +25,10 @@ def site(tmp_path):
 def test_a_client_without_a_lock_is_patched_once(site):
     cached = site / 'cached'
     os.link(site / 'rclpy' / 'action' / 'client.py', cached)
-    assert backports.apply(site) == ['rclpy/action/client.py']
+    assert backports.apply(site, site) == ['rclpy/action/client.py']
     once = (site / 'rclpy' / 'action' / 'client.py').read_text()
     assert once.count('patch(ActionClient)') == 1
-    assert backports.apply(site) == ['rclpy/action/client.py']
+    assert backports.apply(site, site) == ['rclpy/action/client.py']
     assert (site / 'rclpy' / 'action' / 'client.py').read_text() == once
     assert 'patch' not in cached.read_text()  # the installer's own copy
 
@@ -38,21 +40,21 @@ def test_a_newer_patch_takes_the_place_of_an_older_one(site, monkeypatch):
     older = (patch, mark, tail.replace('patch', 'old'))
     with monkeypatch.context() as context:
         context.setitem(backports._PATCHES, 'rclpy/action/client.py', older)
-        backports.apply(site)
+        backports.apply(site, site)
     assert 'old(ActionClient)' in client.read_text()
-    backports.apply(site)
+    backports.apply(site, site)
     assert client.read_text() == before + tail.format(name='_course_action_client')
 
 
 def test_a_client_with_a_lock_is_left_alone(site):
     client = site / 'rclpy' / 'action' / 'client.py'
     client.write_text('lock = threading.Lock()\n')
-    assert backports.apply(site) == []
+    assert backports.apply(site, site) == []
     assert client.read_text() == 'lock = threading.Lock()\n'
 
 
 def test_without_rclpy_there_is_nothing_to_patch(tmp_path):
-    assert backports.apply(tmp_path) == []
+    assert backports.apply(tmp_path, tmp_path) == []
 
 
 def test_another_patch_is_due_again(monkeypatch):
@@ -146,12 +148,32 @@ def test_rclpy_itself_waits_for_the_shutdown():
     assert isinstance(SignalHandlerGuardCondition._executor_triggered, property)
 
 
+def test_interfaces_may_be_anywhere(tmp_path):
+    share = tmp_path / 'share' / 'rosidl_adapter' / 'cmake'
+    share.mkdir(parents=True)
+    file = share / 'rosidl_adapt_interfaces.cmake'
+    file.write_text('  file(STRINGS "${idl_output}" idl_tuples)\n\n  set(${idl_var} ${idl_tuples} PARENT_SCOPE)\n')
+    cached = tmp_path / 'cached'
+    os.link(file, cached)
+    before = cached.read_text()
+    assert backports.apply(tmp_path, tmp_path) == ['share/rosidl_adapter/cmake/rosidl_adapt_interfaces.cmake']
+    assert file.read_text() == before.replace('idl_tuples)', 'idl_tuples ENCODING UTF-8)', 1)
+    assert cached.read_text() == before  # the installer's own copy
+    assert backports.apply(tmp_path, tmp_path) == []
+
+
+def test_the_installed_adapter_is_patched():
+    adapter = Path(get_package_prefix('rosidl_adapter'), 'share/rosidl_adapter/cmake/rosidl_adapt_interfaces.cmake')
+    if adapter.is_relative_to(sys.prefix):  # else a stock Jazzy's
+        assert 'idl_tuples ENCODING UTF-8)' in adapter.read_text()
+
+
 def test_xacro_can_tell_its_errors(tmp_path):
     module = tmp_path / 'xacro' / '__init__.py'
     module.parent.mkdir()
     module.write_text('import xml.dom.minidom\n')
-    assert backports.apply(tmp_path) == ['xacro/__init__.py']
+    assert backports.apply(tmp_path, tmp_path) == ['xacro/__init__.py']
     told = 'import xml, xacro; xml.parsers.expat.ExpatError'
     subprocess.run([sys.executable, '-c', told], check=True, env={'PYTHONPATH': str(tmp_path)})
     module.write_text('import xml.parsers.expat\n')
-    assert backports.apply(tmp_path) == []  # a newer one that needs nothing
+    assert backports.apply(tmp_path, tmp_path) == []  # a newer one that needs nothing

@@ -30,7 +30,7 @@ def test_a_clone_is_interrupted_resumed_changed_and_moved(tmp_path, clean_enviro
     # What other copies have built is not seen, so that there is something to build; what was downloaded is.
     downloads = cache.folder(clean_environ).with_name('uv')
     environ = {'UV_CACHE_DIR': str(downloads), **clean_environ, 'XDG_CACHE_HOME': str(tmp_path / 'cache')}
-    clone = tmp_path / 'a clone'
+    clone = tmp_path / 'Jörgs-机器人'  # rosidl_adapter, unpatched, reads the paths of interfaces as ASCII
     subprocess.run(['git', 'clone', '-q', ROOT, clone], check=True)
     interesting = 'import tf2_msgs.action, example_interfaces.srv; print("works")'
     command = ('shell', '--', 'python3', '-c', interesting)
@@ -64,6 +64,8 @@ def test_a_clone_is_interrupted_resumed_changed_and_moved(tmp_path, clean_enviro
     assert out == 'works\n'
     assert err == ''
     assert time.monotonic() - started < 10
+    script = start(clone, environ, 'shell', '--', 'ros2', 'pkg', 'prefix', 'tf2_ros')
+    assert script.communicate(timeout=60) == (f'{clone}/.venv\n', '')
 
     # One package changed.
     with (clone / 'environment/ros2_ws/src/tf2_msgs/msg/TFMessage.msg').open('a') as file:

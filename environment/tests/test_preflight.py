@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -13,6 +14,7 @@ from environment.setup.layout import Layout
 from environment.setup.main import ROOT
 from environment.setup.stamps import Stamps
 from environment.setup.steps import VERSION
+from environment.setup.underlay import Underlay
 
 
 @pytest.mark.parametrize(
@@ -62,6 +64,39 @@ def test_no_room(tmp_path):
     preflight.check_space(tmp_path, 0)
     with pytest.raises(PreflightError, match='no room'):
         preflight.check_space(tmp_path, 10**18)
+
+
+@pytest.mark.parametrize('name', ['ros2-course', 'Jörg', 'ROS学习', 'a_b.c-d+e', 'a@b~c'])
+def test_folders_of_any_language_are_fine(name):
+    preflight.check_path(Path('/home', name), Underlay())
+
+
+@pytest.mark.parametrize(
+    ('name', 'named'),
+    [
+        ('My Courses', 'a space'),
+        ('course(1)', r"'\('"),
+        ("it's", '"\'"'),
+        ('a,b', "','"),
+        ('a;b', "';'"),
+        ('a:b', "':'"),
+        ('a=b', "'='"),
+        ('a#b', "'#'"),  # apt's lists of sources, and much else, end there
+        ('a\u00a0b', r"'\\xa0'"),  # a space that looks like one, and is another character
+        ('a\nb', r"'\\n'"),
+        (os.fsdecode(b'J\xf6rg'), r"'\\udcf6'"),  # not UTF-8
+    ],
+)
+def test_folders_that_the_tools_of_ros_cannot_read(name, named):
+    with pytest.raises(PreflightError, match=f'has {named}, and the tools of ROS') as error:
+        preflight.check_path(Path('/home', name), Underlay())
+    str(error.value).encode()  # it can be printed
+    assert error.value.remedy.startswith('move or rename the folder')
+
+
+def test_a_stock_ros_reads_ascii_only(tmp_path):
+    with pytest.raises(PreflightError, match="has 'ö'"):
+        preflight.check_path(Path('/home/Jörg'), Underlay((tmp_path,)))
 
 
 def test_the_script_names_a_missing_python(tmp_path):

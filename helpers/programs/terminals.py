@@ -1,6 +1,7 @@
 """How a command is run as in a new terminal with ROS: for `Workspace` in a notebook, and for the tests of exercises."""
 
 import json
+import shlex
 import shutil
 import sys
 from pathlib import Path
@@ -20,7 +21,7 @@ def underlay() -> Path | None:
 def shell(script: str) -> list[str]:
     """The command that runs a script in bash after sourcing the ROS installation."""
     setup = underlay()
-    return ['bash', '-c', f'source {json.dumps(str(setup))}\n{script}' if setup else script]
+    return ['bash', '-c', f'source {shlex.quote(str(setup))}\n{script}' if setup else script]
 
 
 def colcon_defaults() -> str:
