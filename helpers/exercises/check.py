@@ -25,7 +25,8 @@ def check(exercise_id: str) -> None:
         print(f'The check could not run: {error}')
     else:
         _show(report.exercises)
-        for line in [*remarks.after(report.exercises, _all_executed()), *_unlike_saved(report.exercises)]:
+        said = [*remarks.after(report.exercises, _all_executed()), *_unlike_saved(report.exercises)]
+        for line in [*said, *_elsewhere(report.exercises)]:
             print(line)
         # Not for copies, nor when an instructor's solutions are built.
         if Path.cwd() == paths.NOTEBOOKS and os.environ.get('COURSE_PROGRESS') != 'off':
@@ -131,6 +132,26 @@ def _unlike_saved(results: list) -> list[str]:
         elif result.passed:
             said += [*remarks.lost(ran, saved), *remarks.changed(ran, saved, edited)]
     return said
+
+
+def _elsewhere(results: list) -> list[str]:
+    """What is said of a right answer in a notebook that is not handed in, such as a copy under another name."""
+    from helpers.exercises import manifest
+
+    here = journal.notebook()
+    if here is None or not here.is_file() or here.parent.samefile(paths.ROOT / 'solutions'):
+        return []
+    here, folder = here.resolve(), paths.NOTEBOOKS.resolve()
+    exercises = manifest.load()
+    return [
+        f'This notebook is {os.path.relpath(here, folder)}, and only {exercises[result.id].notebook} is '
+        'handed in: copy this cell into it, run it there, and save.'
+        for result in results
+        if result.passed
+        and result.id in exercises
+        and not exercises[result.id].folder
+        and here != folder / exercises[result.id].notebook
+    ]
 
 
 def _edited_since(exercise, saved: list) -> set[str]:

@@ -80,6 +80,13 @@ def defines_all(cell: NotebookCell, exercise: Exercise) -> bool:
     return definitions.names_in(cell_python.as_python(cell)).issuperset(exercise.names)
 
 
+def is_answer(cell: NotebookCell, exercise: Exercise) -> bool:
+    """Whether there is more in a cell than comments, and other things than what was given."""
+    text = cell_python.below_magics(cell.source)
+    tree = cell_python.syntax_tree(text)
+    return tree is None or bool(tree.body) and not exercise.is_stub(stub_digest(text))
+
+
 def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[NotebookCell] = ()) -> Program:
     """Return the program for ``exercise`` from a notebook's code cells, in their order.
 
@@ -183,7 +190,7 @@ def _only_cell(cells: list[NotebookCell], exercise: Exercise) -> NotebookCell:
     found = of_exercise(cells, exercise) or _with_heading_inside(cells, exercise)
     if not found:
         raise InvalidExercise(f'The cell of exercise {exercise.id} was not found: its first line must be `{heading}`.')
-    answers = list({cell.source.strip(): cell for cell in found if _is_answer(cell, exercise)}.values())
+    answers = list({cell.source.strip(): cell for cell in found if is_answer(cell, exercise)}.values())
     answers = [cell for cell in answers if defines_all(cell, exercise)] or answers  # not those that only try the answer
     if len(found) > 1 and len(answers) != 1:
         several = answers or found
@@ -194,13 +201,6 @@ def _only_cell(cells: list[NotebookCell], exercise: Exercise) -> NotebookCell:
             + f': keep one cell that begins with `{heading}`.'
         )
     return found[0] if len(found) == 1 else answers[0]
-
-
-def _is_answer(cell: NotebookCell, exercise: Exercise) -> bool:
-    """Whether there is more in a cell than comments, and other things than what was given."""
-    text = cell_python.below_magics(cell.source)
-    tree = cell_python.syntax_tree(text)
-    return tree is None or bool(tree.body) and not exercise.is_stub(stub_digest(text))
 
 
 def _with_heading_inside(cells: list[NotebookCell], exercise: Exercise) -> list[NotebookCell]:

@@ -85,9 +85,8 @@ def _demonstrated(name: str | None, cells: list[NotebookCell]) -> bool:
 
 def _notebooks() -> Iterator[Path]:
     """The notebook of this kernel, if its front end says which that is; then all of this folder."""
-    shell = journal.shell()
-    said = [os.environ.get('JPY_SESSION_NAME'), shell and shell.user_ns.get('__vsc_ipynb_file__')]
-    yield from (Path(name) for name in said if isinstance(name, str) and name.endswith('.ipynb'))
+    if own := journal.notebook():
+        yield own
     yield from sorted(Path.cwd().glob('*.ipynb'))
 
 

@@ -90,11 +90,13 @@ def pack(
         raise SubmissionError(f'no notebook of the course is in {notebooks_folder}: save your work there.')
     packed = Packed(output, learner)
     members, saved = {}, 0.0
+    handed_in: list = []  # cells
     for name, path in found.items():
         try:
             cells = notebooks.read(path)
         except notebooks.InvalidSubmission as error:
             raise SubmissionError(str(error)) from None
+        handed_in += cells
         members[name] = _without_outputs(path)
         saved = max(saved, path.stat().st_mtime)
         mine = [exercise for exercise in exercises.values() if exercise.notebook == name]
@@ -102,6 +104,7 @@ def pack(
             options = session.Options(processes=2, folder=notebooks_folder)
             packed.exercises += session.run(cells, mine, options).exercises
     packed.warnings += _not_saved(packed.exercises, notebooks_folder)
+    packed.warnings += _in_copies(notebooks_folder, handed_in)
     for exercise in exercises.values():
         if not exercise.folder:
             continue
@@ -139,6 +142,35 @@ def _not_saved(results: list, folder: Path) -> list[str]:
         for result in results
         if not result.passed and result.id in marks and marks[result.id].passed
     ]
+
+
+def _in_copies(folder: Path, handed_in: list) -> list[str]:
+    """What is said of notebooks with other names, such as JupyterLab's copies, if they have answers of their own."""
+    from helpers.exercises import manifest, notebooks, program
+
+    exercises = manifest.load().values()
+    there = {cell.source.strip() for cell in handed_in}
+    said = []
+    for path in sorted(set(folder.glob('*.ipynb')) - {folder / exercise.notebook for exercise in exercises}):
+        try:
+            cells = notebooks.read(path)
+        except notebooks.InvalidSubmission:
+            continue
+        own = [
+            exercise.id
+            for exercise in exercises
+            if any(
+                program.is_answer(cell, exercise) and cell.source.strip() not in there
+                for cell in program.of_exercise(cells, exercise)
+            )
+        ]
+        if own:
+            said.append(
+                f'{path.name} is not in the file: only notebooks with the names that the course gave them are handed '
+                f'in. It has other cells of {", ".join(own)}: copy into those notebooks what you want to hand in, save '
+                'them, and submit again.'
+            )
+    return said
 
 
 def _login() -> str:

@@ -5,9 +5,11 @@ from it whether a node was made in an earlier cell. IPython's ``pre_run_cell`` e
 with ``store_history=False`` and then IPython's own history stays empty.
 """
 
+import os
 import re
 import sys
 import time
+from pathlib import Path
 from typing import NamedTuple
 
 
@@ -34,6 +36,16 @@ def shell():
 def in_kernel() -> bool:
     """Tell whether this process is an IPython session (a Jupyter kernel or a terminal)."""
     return shell() is not None
+
+
+def notebook() -> Path | None:
+    """The file of this kernel's notebook, under the name that it had at the kernel's start; None if nobody says it.
+
+    JupyterLab says it in the environment, VS Code in a variable of the notebook.
+    """
+    ipython = shell()
+    said = [os.environ.get('JPY_SESSION_NAME'), ipython and ipython.user_ns.get('__vsc_ipynb_file__')]
+    return next((Path(name) for name in said if isinstance(name, str) and name.endswith('.ipynb')), None)
 
 
 def number() -> int:

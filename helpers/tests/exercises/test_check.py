@@ -196,6 +196,32 @@ def test_a_cell_that_was_edited_and_not_run_is_named(tmp_path, monkeypatch, rate
     assert [line.startswith(words) for line, words in zip(said, expected, strict=True)] == [True] * len(expected)
 
 
+@pytest.mark.parametrize(
+    ('here', 'verdict', 'said'),
+    [
+        ('notebooks/90.ipynb', 'passed', ''),
+        ('link/90.ipynb', 'passed', ''),  # the same file
+        ('notebooks/90-Copy1.ipynb', 'passed', 'This notebook is 90-Copy1.ipynb, and only 90.ipynb is handed in: copy'),
+        ('notebooks/old/90.ipynb', 'passed', f'This notebook is old{os.sep}90.ipynb, and only 90.ipynb is handed in'),
+        ('notebooks/90-Copy1.ipynb', 'failed', ''),
+        ('notebooks/renamed.ipynb', 'passed', ''),  # not there: it has another name by now
+        ('solutions/90.ipynb', 'passed', ''),
+    ],
+)
+def test_a_right_answer_in_another_notebook_is_not_handed_in(tmp_path, monkeypatch, here, verdict, said):
+    exercise = dataclasses.replace(small.exercise(), notebook='90.ipynb')
+    for name in ('notebooks/90.ipynb', 'notebooks/90-Copy1.ipynb', 'notebooks/old/90.ipynb', 'solutions/90.ipynb'):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).touch()
+    (tmp_path / 'link').symlink_to(tmp_path / 'notebooks')
+    monkeypatch.setattr(check.paths, 'ROOT', tmp_path)
+    monkeypatch.setattr(check.paths, 'NOTEBOOKS', tmp_path / 'notebooks')
+    monkeypatch.setattr(manifest, 'load', lambda: {exercise.id: exercise})
+    monkeypatch.setenv('JPY_SESSION_NAME', str(tmp_path / here))
+    told = check._elsewhere([result(verdict, tests=[])])
+    assert [line.startswith(said) for line in told] == [True] * bool(said)
+
+
 def test_check_never_raises(monkeypatch, capsys):
     check.check('99.9')
     assert 'there is no exercise' in capsys.readouterr().out
@@ -283,6 +309,23 @@ def test_submit_names_what_a_check_has_found_solved_and_nobody_has_saved(tmp_pat
     packed = submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
     (said,) = packed.warnings
     assert said.startswith(f'Exercise {first.id}: its last check found it solved') and first.notebook in said
+
+
+def test_submit_names_answers_in_copies(tmp_path):
+    """JupyterLab's *Duplicate* makes notebooks with other names, which nobody grades."""
+    exercise = manifest.load()['3.1']
+    original = nbformat.read(paths.NOTEBOOKS / exercise.notebook, as_version=4)
+    nbformat.write(original, tmp_path / exercise.notebook)
+    nbformat.write(original, tmp_path / 'unsolved-Copy1.ipynb')
+    (tmp_path / 'broken.ipynb').write_text('{')
+    cell = next(cell for cell in original.cells if cell.source.startswith('# Exercise 3.1'))
+    cell.source += '\nanswer = 42'
+    nbformat.write(original, tmp_path / 'solved-Copy1.ipynb')
+    packed = submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path, test=False)
+    (said,) = packed.warnings
+    assert said.startswith('solved-Copy1.ipynb is not in the file') and 'other cells of 3.1: copy' in said
+    nbformat.write(original, tmp_path / exercise.notebook)
+    assert not submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path, test=False).warnings
 
 
 @pytest.mark.parametrize('learner', ['../x', '=1', 'a b', 'ü', '', 'x' * 65])
