@@ -18,6 +18,7 @@ from dataclasses import asdict
 from importlib import import_module
 from pathlib import Path
 
+from environment.setup.startup import HOME
 from helpers.kernel import domains
 from helpers.runner import preloading, servers, start_processes
 from helpers.runner.forked import Forked
@@ -96,6 +97,16 @@ def _environment(domain: int) -> dict[str, str]:
     }
 
 
+def folder_for_programs() -> str:
+    """In which folder temporary ones are made that hold programs: the usual one, unless it is mounted `noexec`."""
+    usual = tempfile.gettempdir()
+    if not os.statvfs(usual).f_flag & os.ST_NOEXEC:
+        return usual
+    own = start_processes.ROOT / HOME / 'tmp'
+    own.mkdir(parents=True, exist_ok=True)
+    return str(own)
+
+
 def start_tests(job, events: int, printed, *, cwd: str, environment: dict[str, str], folders: Sequence[Path]) -> Forked:
     """Start a tests' process (`helpers.runner.tester`): `job` is its input, `events` and `printed` its outputs.
 
@@ -127,7 +138,10 @@ class TestsProcess:
             domain = stack.enter_context(domains.claim())
             self.cwd = stack.enter_context(tempfile.TemporaryDirectory(prefix='course-tests-'))
             # Where the learner's side may write.
-            home = stack.enter_context(tempfile.TemporaryDirectory(prefix='course-', ignore_cleanup_errors=True))
+            place = folder_for_programs()
+            home = stack.enter_context(
+                tempfile.TemporaryDirectory(prefix='course-', dir=place, ignore_cleanup_errors=True)
+            )
             self._printed = stack.enter_context(open(Path(self.cwd, 'printed'), 'w+b'))
             self.events, events = os.pipe()
             stack.callback(os.close, self.events)

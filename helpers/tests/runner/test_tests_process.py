@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+from types import SimpleNamespace
 
 import psutil
 import pytest
@@ -33,6 +34,16 @@ def both() -> list[subprocess.Popen]:
     """The processes of the servers; they must be there."""
     assert tests_process._servers is not None
     return tests_process._servers._processes
+
+
+@pytest.mark.parametrize('flag', [0, os.ST_NOEXEC])
+def test_programs_are_not_put_where_none_may_run(tmp_path, monkeypatch, flag):
+    """Of a package that a learner has built, each program is a script that the kernel is asked to run."""
+    monkeypatch.setattr(start_processes, 'ROOT', tmp_path / 'course')
+    monkeypatch.setattr(tests_process.tempfile, 'tempdir', str(tmp_path))
+    monkeypatch.setattr(os, 'statvfs', lambda path: SimpleNamespace(f_flag=flag))
+    expected = tmp_path / 'course' / '.home' / 'tmp' if flag else tmp_path
+    assert tests_process.folder_for_programs() == str(expected) and expected.is_dir()
 
 
 def test_two_servers_are_enough_for_all_checks(tmp_path):
