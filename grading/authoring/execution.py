@@ -62,7 +62,13 @@ def execute(
     with domains.claim() as domain_id, _own_packages(chapter, folder):
         try:
             client.execute(
-                env={**os.environ, **(environment or {}), 'ROS_DOMAIN_ID': str(domain_id), 'COURSE_PROGRESS': 'off'}
+                env={
+                    **os.environ,
+                    'LC_ALL': 'C.UTF-8',  # the outputs that are kept are English
+                    **(environment or {}),
+                    'ROS_DOMAIN_ID': str(domain_id),
+                    'COURSE_PROGRESS': 'off',
+                }
             )
         except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
             raise _explain(error, notebook, chapter, timeout) from None

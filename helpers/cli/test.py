@@ -25,6 +25,9 @@ NO_TESTS = 5  # pytest's status if nothing was collected
 Arguments = Annotated[list[str] | None, typer.Argument(metavar='[PYTEST ARGS]', help='Run pytest with these only.')]
 
 
+ENGLISH = 'C.UTF-8'  # the locale of the outputs that are compared: `cat` and `bash` speak the user's language
+
+
 @dataclass
 class Step:
     """One step's outcome. A step that is no pytest run counts as one test."""
@@ -57,6 +60,7 @@ def test(arguments: Arguments = None):
     With arguments, only pytest runs, with these.
     """
     os.chdir(paths.ROOT)
+    os.environ['LC_ALL'] = ENGLISH
     if arguments:
         raise typer.Exit(min(subprocess.call([sys.executable, '-m', 'pytest', *arguments]), 2))
     (paths.ROOT / 'build').mkdir(exist_ok=True)
