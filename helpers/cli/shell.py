@@ -1,7 +1,6 @@
 """``./course shell``: a second terminal, or one command in it."""
 
 import os
-import shlex
 from pathlib import Path
 from typing import Annotated
 
@@ -20,7 +19,7 @@ def shell(
     command: Annotated[list[str] | None, typer.Argument(metavar='[-- COMMAND ...]', help='Instead of a shell.')] = None,
     stock: Annotated[bool, typer.Option('--stock', help="ROS with its own defaults instead of the course's.")] = False,
 ) -> None:
-    """Open a shell in which .venv/setup.bash is sourced, or run one command so; ends with its exit status."""
+    """Open a bash in which .venv/setup.bash is sourced, or run one command so; ends with its exit status."""
     setup = ROOT / '.venv' / 'setup.bash'
     environ = {name: value for name, value in os.environ.items() if name != '_ROS_WHEELS_BOOTSTRAP_COMPLETE'}
     if stock:
@@ -28,13 +27,10 @@ def shell(
     else:
         own.enter(environ)
     environ['COURSE_SETUP'] = str(setup)
-    login = os.path.basename(environ.get('SHELL', 'bash'))
     if command:
         argv = ['bash', '-c', 'source "$0" && exec -- "$@"', str(setup), *command]
-    elif login in ('bash', 'sh', 'dash'):
+    else:  # whatever the login shell is: in zsh and fish the chapters' `source install/setup.bash` does not work
         argv = ['bash', '--rcfile', str(BASHRC), '-i']
-    else:
-        argv = ['bash', '-c', f'source "$0" && exec {shlex.quote(environ["SHELL"])} -i', str(setup)]
     if not command:
         typer.echo('ROS 2 is set up in this shell; leave it with exit.', err=True)
     try:

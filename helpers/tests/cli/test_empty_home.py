@@ -161,6 +161,13 @@ def test_nothing_is_written_into_the_home(environ, tmp_path):
     assert (paths.ROOT / '.home' / 'ros' / 'log').is_dir()
 
 
+@pytest.mark.parametrize('login', ['/bin/bash', '/usr/bin/zsh', '/no/fish'])
+def test_the_shell_is_one_that_the_chapters_lines_are_for(environ, login):
+    opened = course({**environ, 'SHELL': login}, 'shell', input='echo "bash $BASH_VERSION"; command -v ros2\nexit 3\n')
+    assert opened.returncode == 3
+    assert re.search(r'bash \d', opened.stdout) and str(paths.ROOT / '.venv' / 'bin' / 'ros2') in opened.stdout
+
+
 def test_a_domain_of_the_users_own_wins(environ):
     chosen = course({**environ, 'ROS_DOMAIN_ID': '42'}, 'shell', '--', 'printenv', 'ROS_DOMAIN_ID')
     assert chosen.stdout == '42\n'
