@@ -1,6 +1,7 @@
 """Ties the environment to the course: import path, start-up hook, Jupyter kernel, JupyterLab's settings."""
 
 import json
+import os
 from pathlib import Path
 
 from environment.setup import startup
@@ -22,7 +23,9 @@ def install(layout: Layout) -> None:
     # A copy, as a sandbox may show the environment without the repository.
     (site / f'{HOOK}.py').write_text(Path(startup.__file__).read_text())
     # Named so that it runs before ros_wheels_bootstrapper.pth, whose guard it looks after.
-    (site / 'course.pth').write_text(f'{layout.root}\nimport {HOOK}; {HOOK}.start()\n')
+    # The root by a relative path: in a terminal with the locale C, a Python 3.11 could not read one with an umlaut.
+    root = os.path.relpath(layout.root, site)
+    (site / 'course.pth').write_text(f'{root}\nimport {HOOK}; {HOOK}.start()\n')
     copies = {PROFILE: startup.PROFILE, SETTINGS: 'share/jupyter/lab/settings/overrides.json'}
     for source, target in copies.items():
         (layout.prefix / target).parent.mkdir(parents=True, exist_ok=True)

@@ -1,5 +1,6 @@
 """What the set-up needs of a machine, checked before it starts; what is missing is told in one line with a remedy."""
 
+import locale
 import os
 import platform
 import shutil
@@ -68,12 +69,20 @@ def check_space(directory: Path, needed: int = SPACE_NEEDED) -> None:
         )
 
 
-def check_path(root: Path, underlay: Underlay) -> None:
+def check_path(root: Path, underlay: Underlay, encoding: str | None = None) -> None:
     """Raise PreflightError unless the tools of ROS can work in a folder with this path.
 
     They hand paths to shells without quotes (ament_cmake_python) and to linkers between commas (CMake), and write them
     into the first lines of scripts, which the kernel ends at a space.
+
+    `encoding` is that of the terminal's locale.
     """
+    encoding = encoding or locale.nl_langinfo(locale.CODESET)
+    if not os.fsencode(root).isascii() and encoding != 'UTF-8':
+        raise PreflightError(
+            f'the path of this folder has letters that this terminal does not know: its locale is {encoding}',
+            'run: export LC_ALL=C.UTF-8, then ./course again',
+        )
     bad = next((char for char in str(root) if not _usual(char, underlay.stock)), None)
     if bad is not None:
         name = 'a space' if bad == ' ' else repr(bad)

@@ -68,7 +68,7 @@ def test_no_room(tmp_path):
 
 @pytest.mark.parametrize('name', ['ros2-course', 'Jörg', 'ROS学习', 'a_b.c-d+e', 'a@b~c'])
 def test_folders_of_any_language_are_fine(name):
-    preflight.check_path(Path('/home', name), Underlay())
+    preflight.check_path(Path('/home', name), Underlay(), 'UTF-8')
 
 
 @pytest.mark.parametrize(
@@ -89,14 +89,22 @@ def test_folders_of_any_language_are_fine(name):
 )
 def test_folders_that_the_tools_of_ros_cannot_read(name, named):
     with pytest.raises(PreflightError, match=f'has {named}, and the tools of ROS') as error:
-        preflight.check_path(Path('/home', name), Underlay())
+        preflight.check_path(Path('/home', name), Underlay(), 'UTF-8')
     str(error.value).encode()  # it can be printed
     assert error.value.remedy.startswith('move or rename the folder')
 
 
+@pytest.mark.parametrize('encoding', ['ISO-8859-1', 'ANSI_X3.4-1968'])
+def test_letters_that_the_locale_does_not_have(encoding):
+    preflight.check_path(Path('/home/jorg'), Underlay(), encoding)
+    with pytest.raises(PreflightError, match=f'its locale is {encoding}') as error:
+        preflight.check_path(Path('/home/Jörg'), Underlay(), encoding)
+    assert error.value.remedy.startswith('run: export LC_ALL=C.UTF-8')
+
+
 def test_a_stock_ros_reads_ascii_only(tmp_path):
     with pytest.raises(PreflightError, match="has 'ö'"):
-        preflight.check_path(Path('/home/Jörg'), Underlay((tmp_path,)))
+        preflight.check_path(Path('/home/Jörg'), Underlay((tmp_path,)), 'UTF-8')
 
 
 def test_the_script_names_a_missing_python(tmp_path):
