@@ -139,9 +139,11 @@ def _elsewhere(results: list) -> list[str]:
     from helpers.exercises import manifest
 
     here = journal.notebook()
-    if here is None or not here.is_file() or here.parent.samefile(paths.ROOT / 'solutions'):
+    if here is None or not here.is_file():
         return []
     here, folder = here.resolve(), paths.NOTEBOOKS.resolve()
+    if here.parent == (paths.ROOT / 'solutions').resolve():  # an instructor's
+        return []
     exercises = manifest.load()
     return [
         f'This notebook is {os.path.relpath(here, folder)}, and only {exercises[result.id].notebook} is '
