@@ -169,7 +169,9 @@ def _ports() -> set[int]:
 
 
 def _folder() -> Path:
-    folder = Path(os.environ.get('COURSE_DOMAINS_DIR') or Path(tempfile.gettempdir()) / 'ros-domains')
+    # /tmp also where TMPDIR names another place: that is often one user's or one job's, and the ids are the machine's.
+    public = '/tmp' if os.access('/tmp', os.W_OK) else tempfile.gettempdir()
+    folder = Path(os.environ.get('COURSE_DOMAINS_DIR') or Path(public, 'ros-domains'))
     folder.mkdir(parents=True, exist_ok=True)
     with suppress(PermissionError):  # another user's folder already has the mode
         folder.chmod(0o1777)

@@ -9,6 +9,7 @@ job, or with `close`.
 import atexit
 import json
 import os
+import re
 import subprocess
 import tempfile
 import threading
@@ -98,9 +99,13 @@ def _environment(domain: int) -> dict[str, str]:
 
 
 def folder_for_programs() -> str:
-    """In which folder temporary ones are made that hold programs: the usual one, unless it is mounted `noexec`."""
+    """In which folder temporary ones are made that hold programs: the usual one, unless it is not fit for them.
+
+    It may be mounted `noexec`, or its path may have a space or such: the tools of ROS cannot work there (see
+    `environment.setup.preflight.check_path`), and a learner's shell script need not know it.
+    """
     usual = tempfile.gettempdir()
-    if not os.statvfs(usual).f_flag & os.ST_NOEXEC:
+    if re.fullmatch(r'[\w./+-]+', usual, re.ASCII) and not os.statvfs(usual).f_flag & os.ST_NOEXEC:
         return usual
     own = start_processes.ROOT / HOME / 'tmp'
     own.mkdir(parents=True, exist_ok=True)

@@ -115,6 +115,15 @@ def test_an_id_in_which_somebody_speaks_comes_last(monkeypatch):
             assert (one, two) == (FIRST, FIRST + 1), 'rather such a one than none'
 
 
+@pytest.mark.skipif(not os.access('/tmp', os.W_OK), reason='nobody may write to /tmp here')
+def test_folders_for_temporary_files_of_one_user_do_not_part_the_ids(tmp_path, monkeypatch, holder):
+    """As pam_tmpdir gives each user one, and a queue of jobs each job."""
+    monkeypatch.delenv('COURSE_DOMAINS_DIR')
+    process, number = holder(environ={'TMPDIR': str(tmp_path)})
+    opened = [os.readlink(path) for path in Path(f'/proc/{process.pid}/fd').iterdir()]
+    assert f'/tmp/ros-domains/{number}.lock' in opened
+
+
 def claim_in(public, monkeypatch):
     """Claim an id in a folder that other users can reach, unlike pytest's."""
     os.chmod(public, 0o755)

@@ -36,13 +36,18 @@ def both() -> list[subprocess.Popen]:
     return tests_process._servers._processes
 
 
-@pytest.mark.parametrize('flag', [0, os.ST_NOEXEC])
-def test_programs_are_not_put_where_none_may_run(tmp_path, monkeypatch, flag):
+@pytest.mark.parametrize(
+    ('name', 'flag', 'own'),
+    [('tmp', 0, False), ('tmp', os.ST_NOEXEC, True), ('my tmp', 0, True), ('tmp$', 0, True), ('übung', 0, True)],
+)
+def test_programs_are_not_put_where_none_may_run(tmp_path, monkeypatch, name, flag, own):
     """Of a package that a learner has built, each program is a script that the kernel is asked to run."""
+    usual = tmp_path / name
+    usual.mkdir()
     monkeypatch.setattr(start_processes, 'ROOT', tmp_path / 'course')
-    monkeypatch.setattr(tests_process.tempfile, 'tempdir', str(tmp_path))
+    monkeypatch.setattr(tests_process.tempfile, 'tempdir', str(usual))
     monkeypatch.setattr(os, 'statvfs', lambda path: SimpleNamespace(f_flag=flag))
-    expected = tmp_path / 'course' / '.home' / 'tmp' if flag else tmp_path
+    expected = tmp_path / 'course' / '.home' / 'tmp' if own else usual
     assert tests_process.folder_for_programs() == str(expected) and expected.is_dir()
 
 
