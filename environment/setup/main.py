@@ -46,7 +46,11 @@ def main(arguments: list[str], root: Path = ROOT) -> int:
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
     python = str(layout.python)
-    os.execve(python, [python, '-c', _START, str(root), *arguments], activated(layout, underlay, os.environ))
+    env = activated(layout, underlay, os.environ)
+    middleware = os.environ.get('RMW_IMPLEMENTATION')
+    if middleware and 'RMW_IMPLEMENTATION' not in env:
+        console.line(f'course: RMW_IMPLEMENTATION={middleware} does not count: this ROS has Fast DDS, and runs on that')
+    os.execve(python, [python, '-c', _START, str(root), *arguments], env)
 
 
 def _ready(layout: Layout, environ: Mapping[str, str]) -> bool:
@@ -171,6 +175,7 @@ def activated(layout: Layout, underlay: underlays.Underlay, environ: Mapping[str
     else:
         env.update(startup.OF_ROS)
     startup.activate(env, str(layout.prefix))
+    startup.drop_settings_of_another_ros(env, str(layout.prefix))
     first = str(layout.prefix / 'bin')
     env['PATH'] = os.pathsep.join([first, *(p for p in env.get('PATH', os.defpath).split(os.pathsep) if p != first)])
     env['VIRTUAL_ENV'] = str(layout.prefix)

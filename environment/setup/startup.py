@@ -100,9 +100,26 @@ def complete_kernel(environ, prefix):
         environ['PATH'] = os.pathsep.join([first, *folders])
     for name, value in OF_ROS.items():
         environ.setdefault(name, value)
+    drop_settings_of_another_ros(environ, prefix)
     # A kernel asks the programs of its cells for colours (FORCE_COLOR), and from 3.13 on Python's tracebacks have some:
     # what a program prints is to be the same text everywhere.
     environ.setdefault('PYTHON_COLORS', '0')
+
+
+def drop_settings_of_another_ros(environ, prefix):
+    """Replace what many have in their .bashrc for an older ROS of theirs, or for one with other parts.
+
+    With a middleware that is not here rcl ends each program (status 102) before it can say anything, and so each
+    kernel. ROS_LOCALHOST_ONLY brings two warnings in each program; LOCALHOST is the same. This is for what a person
+    starts; a program that is started with such a value meets what it meets on every Jazzy.
+    """
+    if environ.get('ROS_LOCALHOST_ONLY') == '1':
+        del environ['ROS_LOCALHOST_ONLY']
+        environ['ROS_AUTOMATIC_DISCOVERY_RANGE'] = 'LOCALHOST'
+    folders = [*environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep), prefix]
+    library = f'lib{environ.get("RMW_IMPLEMENTATION")}.so'
+    if not any(os.path.exists(os.path.join(folder, 'lib', library)) for folder in folders if folder):
+        environ.pop('RMW_IMPLEMENTATION', None)
 
 
 def choose_generator(environ, prefix):

@@ -265,6 +265,33 @@ def test_cmake_builds_with_ninja_where_there_is_no_make(tmp_path):
     assert 'CMAKE_GENERATOR' not in env
 
 
+def test_a_middleware_that_is_not_here_does_not_count_for_who_starts_a_kernel(tmp_path):
+    prefix, overlay = tmp_path / 'prefix', tmp_path / 'overlay'
+    for library in (prefix / 'lib' / 'librmw_fastrtps_cpp.so', overlay / 'lib' / 'librmw_zenoh_cpp.so'):
+        library.parent.mkdir(parents=True)
+        library.touch()
+    for given, kept in (('rmw_fastrtps_cpp', True), ('rmw_zenoh_cpp', True), ('rmw_cyclonedds_cpp', False), ('', False)):
+        env = {'RMW_IMPLEMENTATION': given, 'AMENT_PREFIX_PATH': f'{overlay}:/gone'}
+        startup.activate(env, str(prefix))
+        assert env['RMW_IMPLEMENTATION'] == given, 'any program but a kernel'
+        startup.complete_kernel(env, str(prefix))
+        assert ('RMW_IMPLEMENTATION' in env) == kept, given
+
+
+def test_only_this_machine_is_said_in_the_words_of_jazzy_to_a_kernel(tmp_path):
+    for given, left in (
+        ({'ROS_LOCALHOST_ONLY': '1'}, {}),
+        ({'ROS_LOCALHOST_ONLY': '1', 'ROS_AUTOMATIC_DISCOVERY_RANGE': 'SUBNET'}, {}),
+        ({'ROS_LOCALHOST_ONLY': '0'}, {'ROS_LOCALHOST_ONLY': '0'}),
+    ):
+        env = dict(given)
+        startup.activate(env, str(tmp_path))
+        assert env.items() >= given.items(), 'any program but a kernel'
+        startup.complete_kernel(env, str(tmp_path))
+        assert env['ROS_AUTOMATIC_DISCOVERY_RANGE'] == 'LOCALHOST'
+        assert {name: value for name, value in env.items() if name == 'ROS_LOCALHOST_ONLY'} == left
+
+
 def test_programs_of_a_kernel_print_tracebacks_without_colours(tmp_path):
     env = {'PATH': os.defpath, 'FORCE_COLOR': '1'}
     startup.complete_kernel(env, str(tmp_path))
