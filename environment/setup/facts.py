@@ -205,6 +205,16 @@ def discovery(environ: Mapping[str, str]) -> Fact:
     return Fact('discovery range', True, f'{text} ({reach.get(text, "as the DDS profile says")})')
 
 
+# With these a user may have parted nodes that are on one machine.
+_ON_THE_WIRE = (
+    'ROS_DOMAIN_ID',
+    'ROS_STATIC_PEERS',
+    'ROS_SECURITY_ENABLE',
+    'RMW_IMPLEMENTATION',
+    'FASTDDS_BUILTIN_TRANSPORTS',
+    'FASTDDS_DEFAULT_PROFILES_FILE',
+    'FASTRTPS_DEFAULT_PROFILES_FILE',
+)
 # Two nodes, each in its own participant, so that the message takes the way it takes between two programs.
 _EXCHANGE = """
 import os, time, rclpy
@@ -242,7 +252,8 @@ def wire(layout: Layout, environ: Mapping[str, str]) -> Fact:
     if trial.stdout.strip() == 'heard':
         return Fact('a message by ROS', True, 'sent and received')
     reason = (trial.stderr.strip().splitlines() or ['no message within 10 s'])[-1]
-    remedy = 'unset ROS_DOMAIN_ID, FASTRTPS_DEFAULT_PROFILES_FILE, RMW_IMPLEMENTATION; let the firewall pass UDP on lo'
+    chosen = ' '.join(name for name in _ON_THE_WIRE if name in environ)
+    remedy = f'{f"run: unset {chosen}; " if chosen else ""}let the firewall pass UDP on lo'
     return Fact('a message by ROS', False, reason, remedy)
 
 

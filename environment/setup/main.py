@@ -21,6 +21,12 @@ FAILED, UNUSABLE = 1, 2
 # or hold a json.py of a learner's.
 _START = 'import sys; sys.path[0] = sys.argv.pop(1); from helpers.cli.app import main; sys.exit(main())'
 
+# Of the settings that `startup.drop_settings_of_another_ros` drops those whose owner has to know.
+_DROPPED = {
+    'RMW_IMPLEMENTATION': 'this ROS does not have it, and runs on Fast DDS',
+    'ROS_DISCOVERY_SERVER': "the course's nodes find each other without a server",
+}
+
 
 def main(arguments: list[str], root: Path = ROOT) -> int:
     """Returns an exit status; on success it does not return, as this process becomes the command line."""
@@ -47,9 +53,9 @@ def main(arguments: list[str], root: Path = ROOT) -> int:
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
     python = str(layout.python)
     env = activated(layout, underlay, os.environ)
-    middleware = os.environ.get('RMW_IMPLEMENTATION')
-    if middleware and 'RMW_IMPLEMENTATION' not in env:
-        console.line(f'course: RMW_IMPLEMENTATION={middleware} does not count: this ROS has Fast DDS, and runs on that')
+    for name, why in _DROPPED.items():
+        if os.environ.get(name) and name not in env:
+            console.line(f'course: {name}={os.environ[name]} does not count here: {why}')
     os.execve(python, [python, '-c', _START, str(root), *arguments], env)
 
 

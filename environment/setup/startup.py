@@ -110,9 +110,12 @@ def drop_settings_of_another_ros(environ, prefix):
     """Replace what many have in their .bashrc for an older ROS of theirs, or for one with other parts.
 
     With a middleware that is not here rcl ends each program (status 102) before it can say anything, and so each
-    kernel. ROS_LOCALHOST_ONLY brings two warnings in each program; LOCALHOST is the same. This is for what a person
-    starts; a program that is started with such a value meets what it meets on every Jazzy.
+    kernel. With a discovery server nodes know only those that it knows. ROS_LOCALHOST_ONLY brings two warnings in each
+    program; LOCALHOST is the same. This is for what a person starts; a program that is started with such a value meets
+    what it meets on every Jazzy.
     """
+    environ.pop('ROS_DISCOVERY_SERVER', None)
+    environ.pop('ROS_SUPER_CLIENT', None)
     if environ.get('ROS_LOCALHOST_ONLY') == '1':
         del environ['ROS_LOCALHOST_ONLY']
         environ['ROS_AUTOMATIC_DISCOVERY_RANGE'] = 'LOCALHOST'
@@ -187,8 +190,22 @@ def of_wheels(directory):
     return tail == 'lib' and os.path.exists(os.path.join(head, 'pyvenv.cfg'))
 
 
+def print_settings_of_another_ros():
+    """Print the lines by which a shell drops them, when it has read the user's own start-up file."""
+    left = dict(os.environ)
+    drop_settings_of_another_ros(left, sys.prefix)
+    for name in os.environ.keys() - left.keys():
+        print('unset', name)
+    for name, value in left.items() - os.environ.items():
+        print(f'export {name}={value}')
+
+
 def start():
     """Complete the environment of this process, if its Python is that of a virtual environment."""
     if sys.prefix != sys.base_prefix:
         activate()
         spare_the_bootstrapper(os.environ, sys.prefix, os.path.dirname(__file__))
+
+
+if __name__ == '__main__':
+    print_settings_of_another_ros()

@@ -270,7 +270,8 @@ def test_a_middleware_that_is_not_here_does_not_count_for_who_starts_a_kernel(tm
     for library in (prefix / 'lib' / 'librmw_fastrtps_cpp.so', overlay / 'lib' / 'librmw_zenoh_cpp.so'):
         library.parent.mkdir(parents=True)
         library.touch()
-    for given, kept in (('rmw_fastrtps_cpp', True), ('rmw_zenoh_cpp', True), ('rmw_cyclonedds_cpp', False), ('', False)):
+    middleware = {'rmw_fastrtps_cpp': True, 'rmw_zenoh_cpp': True, 'rmw_cyclonedds_cpp': False, '': False}
+    for given, kept in middleware.items():
         env = {'RMW_IMPLEMENTATION': given, 'AMENT_PREFIX_PATH': f'{overlay}:/gone'}
         startup.activate(env, str(prefix))
         assert env['RMW_IMPLEMENTATION'] == given, 'any program but a kernel'
@@ -278,18 +279,20 @@ def test_a_middleware_that_is_not_here_does_not_count_for_who_starts_a_kernel(tm
         assert ('RMW_IMPLEMENTATION' in env) == kept, given
 
 
-def test_only_this_machine_is_said_in_the_words_of_jazzy_to_a_kernel(tmp_path):
+def test_settings_of_another_ros_do_not_count_for_who_starts_a_kernel(tmp_path):
     for given, left in (
         ({'ROS_LOCALHOST_ONLY': '1'}, {}),
         ({'ROS_LOCALHOST_ONLY': '1', 'ROS_AUTOMATIC_DISCOVERY_RANGE': 'SUBNET'}, {}),
         ({'ROS_LOCALHOST_ONLY': '0'}, {'ROS_LOCALHOST_ONLY': '0'}),
+        ({'ROS_DISCOVERY_SERVER': '10.0.0.5:11811;', 'ROS_SUPER_CLIENT': 'True'}, {}),
     ):
         env = dict(given)
         startup.activate(env, str(tmp_path))
         assert env.items() >= given.items(), 'any program but a kernel'
         startup.complete_kernel(env, str(tmp_path))
         assert env['ROS_AUTOMATIC_DISCOVERY_RANGE'] == 'LOCALHOST'
-        assert {name: value for name, value in env.items() if name == 'ROS_LOCALHOST_ONLY'} == left
+        others = ('ROS_LOCALHOST_ONLY', 'ROS_DISCOVERY_SERVER', 'ROS_SUPER_CLIENT')
+        assert {name: value for name, value in env.items() if name in others} == left
 
 
 def test_programs_of_a_kernel_print_tracebacks_without_colours(tmp_path):

@@ -18,7 +18,7 @@ PROFILE = Path(__file__).with_name('fastdds.xml')
 SIGNALS = 4096  # that wait, timers included, of all processes in a sandbox
 
 # Kept from the caller's environment: what makes Python and the ROS installation work, nothing else.
-_KEPT = (
+KEPT = (
     'PATH',
     'LANG',
     'LC_ALL',
@@ -93,7 +93,7 @@ def ros_environment(domain_id: int) -> dict[str, str]:
 
 def environment(domain_id: int, home: str) -> dict[str, str]:
     """The learner's side's whole environment: nothing of the caller's but what Python and ROS need."""
-    kept = {name: os.environ[name] for name in _KEPT if name in os.environ}
+    kept = {name: os.environ[name] for name in KEPT if name in os.environ}
     path = os.pathsep.join([str(ROOT), *filter(None, [kept.get('PYTHONPATH')])])
     return {
         **kept,

@@ -26,6 +26,7 @@ from helpers.runner.forked import Forked
 
 PLAIN = 'helpers.runner.start_processes:start'  # the launcher without a sandbox
 SPARE = 300.0  # seconds
+OF_THE_CALLER = ('PYTEST_', 'COV_', 'PYTHON', 'ROS_', 'RCUTILS_', 'RMW_', 'FASTDDS_', 'FASTRTPS_')  # how names begin
 
 
 def _popen(environment: dict[str, str]) -> servers.Start:
@@ -88,10 +89,18 @@ def _running_servers() -> servers.Servers:
 
 
 def _environment(domain: int) -> dict[str, str]:
-    """The environment of tests' processes: the caller's, and what makes both sides find each other."""
+    """The environment of tests' processes: the caller's, and what makes both sides find each other.
+
+    Of the caller's settings of ROS and Python it has only those that a learner's program gets, too: with another
+    discovery server, for example, the two would not meet.
+    """
     path = os.pathsep.join(filter(None, [str(start_processes.ROOT), os.environ.get('PYTHONPATH')]))
     return {
-        **{name: value for name, value in os.environ.items() if not name.startswith(('PYTEST_', 'COV_'))},
+        **{
+            name: value
+            for name, value in os.environ.items()
+            if name in start_processes.KEPT or not name.startswith(OF_THE_CALLER)
+        },
         **start_processes.ros_environment(domain),
         'PYTEST_DISABLE_PLUGIN_AUTOLOAD': '1',
         'PYTHONPATH': path,

@@ -51,6 +51,22 @@ def test_programs_are_not_put_where_none_may_run(tmp_path, monkeypatch, name, fl
     assert tests_process.folder_for_programs() == str(expected) and expected.is_dir()
 
 
+def test_settings_of_ros_and_python_disturb_no_check(tmp_path, monkeypatch):
+    """Owners of a robot have such ones in their .bashrc; with them, tests and programs would not meet, or not begin."""
+    for name, value in {
+        'ROS_DISCOVERY_SERVER': '127.0.0.1:11811',
+        'ROS_SUPER_CLIENT': 'TRUE',
+        'ROS_SECURITY_ENABLE': 'true',
+        'ROS_SECURITY_STRATEGY': 'Enforce',
+        'ROS_LOCALHOST_ONLY': '1',
+        'FASTDDS_BUILTIN_TRANSPORTS': 'SHM',
+        'PYTHONWARNINGS': 'error',
+    }.items():
+        monkeypatch.setenv(name, value)
+    report = judge(tmp_path)
+    assert report.exercises[0].passed and not report.log
+
+
 def test_two_servers_are_enough_for_all_checks(tmp_path):
     tests_process.stand_by()
     first = both()
