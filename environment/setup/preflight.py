@@ -106,11 +106,29 @@ def check_writable(root: Path) -> None:
         raise PreflightError(f'{root} is not writable for you', f'run: sudo chown -R $(id -un) {root}')
 
 
+def check_file_system(root: Path) -> None:
+    """Raise PreflightError unless a virtual environment and built packages can be in this folder.
+
+    They need links and programs. FAT and exFAT have no links, nor have most folders that a virtual machine shares with
+    its host; disks are sometimes mounted without the right to start programs.
+    """
+    remedy = 'copy the course to a folder in your home on this machine, then run ./course there'
+    if os.statvfs(root).f_flag & os.ST_NOEXEC:
+        raise PreflightError(f'the disk of {root} is mounted so that no program on it can be started (noexec)', remedy)
+    with tempfile.TemporaryDirectory(dir=root, prefix='.probe-') as folder:
+        try:
+            os.symlink('nothing', Path(folder, 'link'))
+        except OSError as error:
+            reason = error.strerror.lower()
+            raise PreflightError(f'the disk of {root} does not take symbolic links ({reason})', remedy) from None
+
+
 def check(root: Path, environ: Mapping[str, str], underlay: Underlay, needed: int = SPACE_NEEDED) -> None:
     """All of them, the cheap ones first."""
     if not underlay.stock:
         check_platform()
     check_path(root, underlay)
     check_writable(root)
+    check_file_system(root)
     check_space(root, needed)
     check_compiler(environ)

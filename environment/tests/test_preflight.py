@@ -1,10 +1,12 @@
 """What a machine does not have: one line, its remedy, and status 2 before anything is made."""
 
+import errno
 import json
 import os
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -100,6 +102,25 @@ def test_letters_that_the_locale_does_not_have(encoding):
     with pytest.raises(PreflightError, match=f'its locale is {encoding}') as error:
         preflight.check_path(Path('/home/Jörg'), Underlay(), encoding)
     assert error.value.remedy.startswith('run: export LC_ALL=C.UTF-8')
+
+
+def test_a_disk_without_links_is_refused(tmp_path, monkeypatch):
+    def no_link(*_):
+        raise PermissionError(errno.EPERM, os.strerror(errno.EPERM))
+
+    preflight.check_file_system(tmp_path)
+    monkeypatch.setattr(os, 'symlink', no_link)
+    with pytest.raises(PreflightError) as refusal:
+        preflight.check_file_system(tmp_path)
+    assert 'symbolic links (operation not permitted)' in refusal.value.what and 'home' in refusal.value.remedy
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_disk_without_programs_is_refused(tmp_path, monkeypatch):
+    monkeypatch.setattr(os, 'statvfs', lambda path: SimpleNamespace(f_flag=os.ST_NOEXEC))
+    with pytest.raises(PreflightError) as refusal:
+        preflight.check_file_system(tmp_path)
+    assert 'noexec' in refusal.value.what
 
 
 def test_a_stock_ros_reads_ascii_only(tmp_path):

@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 
@@ -27,6 +28,19 @@ def test_what_is_in_it(edition):
     assert not there & {'solutions', 'grading', '.ci', '.git', '.venv', 'build'}
     assert list((edition / 'helpers' / 'checks').rglob('test_*.py'))
     assert os.access(edition / 'course', os.X_OK)
+
+
+def test_scripts_keep_their_line_ends_on_windows(edition, tmp_path):
+    """Git for Windows writes those of Windows if nothing says otherwise; WSL then finds no program for `course`."""
+    course = tmp_path / 'course'
+    course.mkdir()
+    for name in ('.gitattributes', 'course', 'README.md'):
+        shutil.copy(edition / name, course)
+    git = ['git', '-c', 'core.autocrlf=true', '-c', 'user.name=ada', '-c', 'user.email=ada@example.org']
+    for command in (['init', '-q'], ['add', '-A'], ['commit', '-q', '-m', 'the course']):
+        subprocess.run([*git, *command], cwd=course, check=True)
+    subprocess.run([*git, 'clone', '-q', course, tmp_path / 'clone'], check=True)
+    assert not [path.name for path in (tmp_path / 'clone').iterdir() if path.is_file() and b'\r' in path.read_bytes()]
 
 
 def test_no_solution_and_no_hidden_test(edition):
