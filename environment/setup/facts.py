@@ -89,9 +89,14 @@ def _base(layout: Layout) -> Path:
     return Path(os.path.realpath(layout.python))
 
 
-def closed_to_others(path: Path) -> Path | None:
-    """The first directory on the way to `path`, or `path` itself, that other users cannot enter or read."""
+def closed_to_others(path: Path, within: Path | None = None) -> Path | None:
+    """The first directory on the way to `path`, or `path` itself, that other users cannot enter or read.
+
+    :param within: the folder at which the way begins
+    """
     for step in [*reversed(path.parents), path]:
+        if within and not step.is_relative_to(within):
+            continue
         mode = step.stat().st_mode
         needed = stat.S_IXOTH if step != path or not path.is_dir() else stat.S_IXOTH | stat.S_IROTH
         if mode & needed != needed:
@@ -107,10 +112,11 @@ def readable_by_others(layout: Layout) -> Fact:
         text = f'{closed} is private, so that a sandbox under another user cannot run {_base(layout)}'
         remedy = 'to grade in a sandbox: COURSE_PYTHON=/usr/bin/python3 ./course doctor (makes the environment anew)'
         return Fact(name, False, text, remedy, required=False, instructors=True)
-    closed = closed_to_others(layout.prefix)
+    closed = closed_to_others(layout.prefix, layout.root)  # a sandbox is shown this folder wherever it is
     if closed:
         text = f'{closed} is private, so that a sandbox under another user cannot read the environment'
-        return Fact(name, False, text, f'to grade in a sandbox: chmod o+rx {closed}', required=False, instructors=True)
+        remedy = f'to grade in a sandbox: chmod -R o+rX {layout.root}'
+        return Fact(name, False, text, remedy, required=False, instructors=True)
     return Fact(name, True, 'readable', instructors=True)
 
 

@@ -35,6 +35,8 @@ def test_a_private_home_is_found(tmp_path):
     assert facts.closed_to_others(python) == outside
     (tmp_path / 'home').chmod(0o700)
     assert facts.closed_to_others(python) == (outside or tmp_path / 'home')
+    assert facts.closed_to_others(python, tmp_path / 'home') == tmp_path / 'home'
+    assert facts.closed_to_others(python, inner) is None
 
 
 def test_system_files_are_open():
