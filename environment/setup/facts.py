@@ -258,9 +258,11 @@ def wire(layout: Layout, environ: Mapping[str, str]) -> Fact:
     if trial.stdout.strip() == 'heard':
         return Fact('a message by ROS', True, 'sent and received')
     reason = (trial.stderr.strip().splitlines() or ['no message within 10 s'])[-1]
-    chosen = ' '.join(name for name in _ON_THE_WIRE if name in environ)
-    remedy = f'{f"run: unset {chosen}; " if chosen else ""}let the firewall pass UDP on lo'
-    return Fact('a message by ROS', False, reason, remedy)
+    usual: dict[str, str] = {}
+    startup.give_defaults(usual, str(layout.prefix))
+    chosen = [name for name in _ON_THE_WIRE if environ.get(name) not in (None, usual.get(name))]
+    remedies = [f'run: unset {" ".join(chosen)}'] if chosen else []
+    return Fact('a message by ROS', False, reason, '; '.join([*remedies, 'let the firewall pass UDP on lo']))
 
 
 def port(user: str, number: int) -> Fact:

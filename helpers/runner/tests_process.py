@@ -26,7 +26,8 @@ from helpers.runner.forked import Forked
 
 PLAIN = 'helpers.runner.start_processes:start'  # the launcher without a sandbox
 SPARE = 300.0  # seconds
-OF_THE_CALLER = ('PYTEST_', 'COV_', 'PYTHON', 'ROS_', 'RCUTILS_', 'RMW_', 'FASTDDS_', 'FASTRTPS_')  # how names begin
+# How the names of the caller's variables begin that tests do not get.
+_LEFT_OUT = ('PYTEST_', 'COV_', 'PYTHON', 'ROS_', 'RCUTILS_', 'RMW_', 'FASTDDS_', 'FASTRTPS_')
 
 
 def _popen(environment: dict[str, str]) -> servers.Start:
@@ -99,7 +100,7 @@ def _environment(domain: int) -> dict[str, str]:
         **{
             name: value
             for name, value in os.environ.items()
-            if name in start_processes.KEPT or not name.startswith(OF_THE_CALLER)
+            if name in start_processes.KEPT or not name.startswith(_LEFT_OUT)
         },
         **start_processes.ros_environment(domain),
         'PYTEST_DISABLE_PLUGIN_AUTOLOAD': '1',

@@ -182,7 +182,8 @@ OF_ANOTHER_ROS = {
 @pytest.mark.parametrize('arguments', [[], ['--', 'bash']])
 def test_settings_for_another_ros_do_not_count(environ, arguments):
     lines = [f'export {name}="{value}"\n' for name, value in OF_ANOTHER_ROS.items()]
-    Path(environ['HOME'], '.bashrc').write_text(''.join(lines))
+    Path(environ['HOME'], '.bashrc').write_text(''.join([*lines, 'cd\n']))
+    Path(environ['HOME'], 'environment.py').write_text('raise SystemExit("not a module of the course")')
     opened = course({**environ, **OF_ANOTHER_ROS}, 'shell', *arguments, input='env\nros2 topic list\n')
     assert '/rosout' in opened.stdout.splitlines(), opened.stderr
     assert not [name for name in OF_ANOTHER_ROS if f'{name}=' in opened.stdout]
