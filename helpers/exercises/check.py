@@ -171,6 +171,8 @@ def _stand_by(result) -> None:
     """After the cell of an exercise, prepare for its check."""
     from helpers.exercises import program
 
+    if result is None:  # IPython has none where a cell is interrupted before it begins
+        return
     first = (result.info.raw_cell or '').lstrip().partition('\n')[0]
     if program.HEADING.match(first):
         from helpers.runner import tests_process

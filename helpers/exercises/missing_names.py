@@ -28,7 +28,7 @@ def unload_ipython_extension(shell) -> None:
 
 def explain(result) -> None:
     """Say where the name is defined that a cell has missed, if that is in a cell above which has not run."""
-    error = result.error_in_exec
+    error = getattr(result, 'error_in_exec', None)  # IPython has no result of a cell interrupted before it begins
     if type(error).__name__ == 'InvalidHandle':  # rclpy's; cells run out of order, or one is run again alone
         print(DESTROYED)
     if not isinstance(error, NameError) or not error.name:

@@ -69,6 +69,13 @@ def test_a_missing_name_says_where_it_comes_from(folder, kernel):
     kernel.ok('Talker()')
 
 
+def test_a_cell_interrupted_before_it_begins(folder, kernel):
+    """IPython then has no result for those who listen to the ends of cells."""
+    kernel.ok('%load_ext helpers.exercises.missing_names\nimport helpers.exercises.check')
+    told = kernel.ok('get_ipython().events.trigger("post_run_cell", None)')
+    assert told.stdout == told.stderr == ''
+
+
 def test_a_node_that_was_destroyed_is_told(kernel):
     """Cells that are run out of order meet it; rclpy's own message names no node."""
     kernel.ok('%load_ext helpers.exercises.missing_names\nimport helpers, rclpy\nhelpers.ros.start()')
