@@ -1,10 +1,13 @@
 """One set-up at a time."""
 
+import errno
 import fcntl
 import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+
+NO_LOCKS = (errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP)  # flock(2) on a disk that has none, such as some of NFS
 
 
 @contextmanager
@@ -13,7 +16,7 @@ def exclusive(path: Path, on_wait: Callable[[str], None]) -> Iterator[int]:
     '' while the other one has just started).
 
     Yields the file descriptor. Children get it too (`pass_fds`): should this process be killed, the lock stays
-    taken until the last child that it started has ended.
+    taken until the last child that it started has ended. On a disk without locks nobody waits.
     """
     descriptor = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
     try:
@@ -22,6 +25,9 @@ def exclusive(path: Path, on_wait: Callable[[str], None]) -> Iterator[int]:
         except BlockingIOError:
             on_wait(os.pread(descriptor, 32, 0).decode(errors='replace').strip())
             fcntl.flock(descriptor, fcntl.LOCK_EX)
+        except OSError as error:
+            if error.errno not in NO_LOCKS:
+                raise
         os.ftruncate(descriptor, 0)
         os.pwrite(descriptor, f'{os.getpid()}\n'.encode(), 0)
         yield descriptor

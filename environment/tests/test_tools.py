@@ -1,5 +1,8 @@
 """The tools that the set-up runs: their environment, their output, their failures, their end."""
 
+import contextlib
+import errno
+import fcntl
 import io
 import json
 import os
@@ -150,6 +153,19 @@ def test_an_interruption_ends_the_tool_and_its_children(tmp_path):
     assert time.monotonic() - started < tool_processes.GRACE + 5
     child = int((tmp_path / 'child').read_text())
     assert gone(child)
+
+
+@pytest.mark.parametrize('number', [errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP, errno.EIO])
+def test_a_disk_without_locks_stops_no_set_up(tmp_path, monkeypatch, number):
+    """A home on NFS whose server has no lock daemon, and others; a disk that is broken is told."""
+
+    def flock(*arguments):
+        raise OSError(number, os.strerror(number))
+
+    monkeypatch.setattr(fcntl, 'flock', flock)
+    raised = pytest.raises(OSError) if number == errno.EIO else contextlib.nullcontext()
+    with raised, mutex.exclusive(tmp_path / 'lock', print) as descriptor:
+        assert os.fstat(descriptor)
 
 
 def test_a_second_one_waits_for_the_lock(tmp_path):

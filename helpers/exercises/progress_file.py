@@ -6,10 +6,12 @@
 import json
 import os
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+from environment.setup import mutex
 from helpers import paths
 
 FILE = '.progress.json'
@@ -60,8 +62,6 @@ def note(report, folder: Path = paths.NOTEBOOKS) -> None:
 
     :raises OSError: the folder cannot be written to.
     """
-    from filelock import FileLock
-
     news = {
         result.id: Mark(
             result.points,
@@ -74,8 +74,25 @@ def note(report, folder: Path = paths.NOTEBOOKS) -> None:
         for result in report.exercises
         if result.score is not None
     }
-    with FileLock(folder / f'{FILE}.lock', timeout=10):
+    with _alone(folder):
         marks = {**load(folder), **news}
         with tempfile.NamedTemporaryFile('w', dir=folder, prefix=FILE, delete=False, encoding='utf-8') as file:
             json.dump({exercise: asdict(mark) for exercise, mark in sorted(marks.items())}, file, indent=1)
         os.replace(file.name, folder / FILE)
+
+
+@contextmanager
+def _alone(folder: Path) -> Iterator[None]:
+    """Hold the file's lock. On a disk without locks nobody is kept out: a result of two checks at once may be lost."""
+    from filelock import FileLock
+
+    lock = FileLock(folder / f'{FILE}.lock', timeout=10)
+    try:
+        lock.acquire()
+    except OSError as error:  # Timeout is one, too, without a number
+        if error.errno not in mutex.NO_LOCKS:
+            raise
+    try:
+        yield
+    finally:
+        lock.release()

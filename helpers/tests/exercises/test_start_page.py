@@ -1,5 +1,7 @@
 """The learner's progress: what checks leave behind, and the page that JupyterLab opens on."""
 
+import errno
+import fcntl
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
@@ -47,6 +49,15 @@ def test_a_failed_check_keeps_its_values_until_it_passes(tmp_path):
     assert (progress_file.load(tmp_path)[FIRST.id].kept, progress_file.load(tmp_path)[FIRST.id].rules) == (1, 2)
     progress_file.note(report(result(FIRST, FIRST.points)), tmp_path)
     assert progress_file.seeds([FIRST.id], tmp_path) == {}
+
+
+def test_a_disk_without_locks_keeps_marks(tmp_path, monkeypatch):
+    def flock(*arguments):
+        raise OSError(errno.ENOLCK, 'No locks available')
+
+    monkeypatch.setattr(fcntl, 'flock', flock)
+    progress_file.note(report(result(FIRST, FIRST.points)), tmp_path)
+    assert progress_file.load(tmp_path)[FIRST.id].passed
 
 
 def test_a_check_that_could_not_run_changes_nothing(tmp_path):
