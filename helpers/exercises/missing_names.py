@@ -1,5 +1,5 @@
 """After a NameError: which cell above would have defined the name, and how to get it back. After an InvalidHandle: what
-has become of the node.
+has become of the node. After an import that the stop button has cut: why it fails from now on.
 
 The kernel `course` loads this as an IPython extension when it starts, as a person who goes on in the middle of a
 notebook after a restart has not imported `helpers` yet.
@@ -12,6 +12,13 @@ ADVICE = """To bring back what the cells above define, without their demonstrati
 DESTROYED = """This cell uses a node, or a part of one, that has been destroyed: by a cell that ran since, or by
 the end of its spinning. Run the cell that makes it again, then this one."""
 AGAIN = 'It is part of a demonstration: run that cell again.'
+HALF_IMPORTED = """A package was stopped in the middle of its import, and Python cannot import it again in this kernel.
+Restart the kernel (in the menu: Kernel, Restart Kernel). Then run the cells from the top, or in a cell here:
+    from helpers import resume; resume()"""
+# What Python and pybind11 say of a compiled module that was imported by half; the last text has other causes, too.
+_CUT = 'cannot load module more than once per process', 'is already registered!', 'initialization failed'
+_CUT_IF_STOPPED = 'partially initialized module'
+_stopped = False  # whether a cell has been stopped in this kernel
 
 
 def load_ipython_extension(shell) -> None:
@@ -31,6 +38,8 @@ def explain(result) -> None:
     error = getattr(result, 'error_in_exec', None)  # IPython has no result of a cell interrupted before it begins
     if type(error).__name__ == 'InvalidHandle':  # rclpy's; cells run out of order, or one is run again alone
         print(DESTROYED)
+    if _is_half_imported(error):
+        print(HALF_IMPORTED)
     if not isinstance(error, NameError) or not error.name:
         return
     from helpers.exercises import definitions, resuming
@@ -42,3 +51,11 @@ def explain(result) -> None:
             print(f'`{error.name}` comes from a cell above that has not run since the kernel started: {first}')
             print(ADVICE if error.name in resuming.brought_back(cell) else AGAIN)
             return
+
+
+def _is_half_imported(error: BaseException | None) -> bool:
+    """Whether an import fails because an earlier one was stopped in its middle."""
+    global _stopped
+    _stopped |= isinstance(error, KeyboardInterrupt)
+    texts = (*_CUT, _CUT_IF_STOPPED) if _stopped else _CUT
+    return isinstance(error, ImportError | AttributeError) and any(text in str(error) for text in texts)

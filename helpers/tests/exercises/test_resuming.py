@@ -69,6 +69,30 @@ def test_a_missing_name_says_where_it_comes_from(folder, kernel):
     kernel.ok('Talker()')
 
 
+STOPPED_IMPORT = """
+import signal
+signal.signal(signal.SIGALRM, signal.default_int_handler)
+class Stop:
+    def find_spec(self, name, *rest):
+        if name == 'numpy.dtypes':
+            signal.raise_signal(signal.SIGALRM)
+import sys; sys.meta_path.insert(0, Stop())
+import numpy
+"""
+
+
+def test_an_import_that_was_stopped_is_told(kernel):
+    """A compiled package cannot be imported again then."""
+    kernel.ok('%load_ext helpers.exercises.missing_names')
+    circular = 'raise ImportError("cannot import name \'x\' from partially initialized module \'y\'")'
+    assert kernel.run(circular).stdout == '', 'nothing was stopped: it is the own program'
+    assert kernel.run(STOPPED_IMPORT).error == 'KeyboardInterrupt'
+    kernel.ok('del sys.meta_path[0]')
+    missed = kernel.run('import numpy')
+    assert missed.error == 'ImportError' and missed.stdout.startswith('A package was stopped in the middle of its import')
+    assert kernel.run(circular).stdout.startswith('A package was stopped')
+
+
 def test_a_cell_interrupted_before_it_begins(folder, kernel):
     """IPython then has no result for those who listen to the ends of cells."""
     kernel.ok('%load_ext helpers.exercises.missing_names\nimport helpers.exercises.check')
