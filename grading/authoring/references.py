@@ -12,6 +12,8 @@ from grading.authoring import glossary
 from grading.authoring.book import ROLE, Book, prose, target
 from grading.authoring.chapter_errors import CellError
 
+_REST_OF_LINK = re.compile(r'[^\[\]]*\]\(')  # what follows a role in the text of a link
+
 ROLES = ('section', 'exercise-ref', 'chapter', 'term')
 _ELSEWHERE = ('rule',)  # roles that others read
 
@@ -19,7 +21,7 @@ _ELSEWHERE = ('rule',)  # roles that others read
 def render(source: str, book: Book) -> str:
     """Return `source` with its roles as links, line by line.
 
-    :raises CellError: an unknown role, or what it refers to does not exist.
+    :raises CellError: an unknown role, one within a link, or what it refers to does not exist.
     """
     lines = source.split('\n')
     for offset, line in prose(lines):
@@ -33,6 +35,9 @@ def _link(match: re.Match, offset: int, book: Book) -> str:
         return match[0]
     if role not in ROLES:
         raise CellError(offset, f'unknown role {role!r}', f'use one of {", ".join((*ROLES, *_ELSEWHERE))}')
+    if _REST_OF_LINK.match(match.string, match.end()):
+        problem = f'the role {role!r} is in the text of a link: Markdown has no link in a link'
+        raise CellError(offset, problem, 'write one after the other')
     wanted, text = target(content)
     if role == 'term':
         if wanted not in book.terms:

@@ -31,6 +31,7 @@ def cell(tree, text):
         ('{section}`A8.2`', '[section A8.2](08_other.ipynb#heading=A8.2-cmd:-not-found)'),
         ('{exercise-ref}`7.1`', '[exercise 7.1](07_tiny.ipynb#heading=Exercise-7.1:-twice-as-much-(10-points))'),
         ('{chapter}`8`', '[chapter 8](08_other.ipynb)'),
+        ('({chapter}`8`) of [a](08_other.ipynb)', '([chapter 8](08_other.ipynb)) of [a](08_other.ipynb)'),
         ('`ws/{section}` and `{term}`', '`ws/{section}` and `{term}`'),
     ],
 )
@@ -45,6 +46,8 @@ def test_a_role_becomes_a_link(tree, role, link):
         ('{exercise-ref}`7.2`', "there is no exercise '7.2'", 'there are: 7.1'),
         ('{chapter}`9`', "there is no chapter '9'", 'one that exists'),
         ('{secton}`8.10`', "unknown role 'secton'", 'use one of section'),
+        ('[{section}`8.10`](https://example.org)', "role 'section' is in the text of a link", 'one after the other'),
+        ('[the {chapter}`8` of it](https://example.org)', 'Markdown has no link in a link', 'one after the other'),
         ('[a](08_other.ipynb#8.10-Record)', 'has no such heading', '{section}'),
         ('[a](09_gone.ipynb)', "link to '09_gone.ipynb', which does not exist", 'mend its path'),
         ('[a](#nowhere)', '07_tiny.ipynb has no such heading', '{section}'),
