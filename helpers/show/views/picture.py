@@ -143,6 +143,7 @@ class _ScenePicture:
                         part.layer = _ON_TOP
         body += order(self.parts, VIEW_FROM)
         named = [item for item in self.items if isinstance(item.shape, Label) and item.shape.text]
+        named.sort(key=lambda item: item.shape.height is None)  # last: names that make room for the others
         body += [_HALO, *map(self._name, named), '</g>']
         lines = [
             f'<text x="12" y="{22 + 17 * number}" fill="{_PROBLEM}">{escape(line)}</text>'
@@ -157,8 +158,10 @@ class _ScenePicture:
             )
         if not self.empty:
             caption = f'{caption} · grid {self.step:g} m' if caption else f'grid {self.step:g} m'
-            lines.append(f'<text x="12" y="{self.height - 12}" fill="{_GREY_TEXT}">{escape(caption)}</text>')
-            lines += self._legend(legend)
+            marks, free = self._legend(legend)
+            x = self._caption_place(caption, free)
+            lines.append(f'<text x="{x}" y="{self.height - 12}" fill="{_GREY_TEXT}">{escape(caption)}</text>')
+            lines += marks
         drawing = '\n'.join(
             (
                 f'<rect width="{self.width}" height="{self.height}" rx="6" fill="{_PAPER}" stroke="{_BORDER}"/>',
@@ -179,7 +182,17 @@ class _ScenePicture:
             )
         )
 
-    def _legend(self, legend) -> list[str]:
+    def _caption_place(self, caption: str, end: float) -> int:
+        """Where the line below the picture begins, so that it ends before `end` and covers no name, if it can."""
+        long = math.ceil(0.54 * 13 * len(caption))
+        row = self.height - 26, self.height - 6
+        for x in range(12, int(end) - long, 12):
+            if not any(_overlap((x - 6, row[0], x + long + 6, row[1]), other) for other in self.boxes):
+                return x
+        return 12
+
+    def _legend(self, legend) -> tuple[list[str], float]:
+        """What explains the kinds of arrows, and where it begins."""
         x, parts = self.width - 12.0, []
         for what, colour, dashed in reversed(legend):
             x -= 7 * len(what) + 46
@@ -188,7 +201,7 @@ class _ScenePicture:
                 f'<path d="M{x:.0f} {self.height - 16}h20" stroke="{_hex(colour)}" stroke-width="2.5"{dash}/>'
                 f'<text x="{x + 26:.0f}" y="{self.height - 12}" fill="{_GREY_TEXT}">{escape(what)}</text>'
             )
-        return parts
+        return parts, x
 
     def _ground(self) -> str:
         wide = max(*(self.high - self.low)[:2], 0.1)
@@ -391,6 +404,7 @@ class _ScenePicture:
         long, tall = (0.58 if shape.bold else 0.54) * size * len(shape.text), 1.15 * size
         if shape.height is not None:  # a label with a height of its own is not moved
             left, middle, line = x - long / 2, y, ''
+            self.boxes.append((left, middle - tall / 2, left + long, middle + tall / 2))
         else:
             place = self._free_place(x, y, long, tall)
             if place is None:

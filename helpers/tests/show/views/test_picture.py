@@ -136,6 +136,29 @@ def test_names_at_one_place_do_not_cover_each_other():
         assert all(abs(x - u) > 100 or abs(y - v) > 12 for u, v in places[:i])
 
 
+@pytest.mark.parametrize('legend', [[], [('moves', RED, False), ('static', BLUE, True)]])
+@pytest.mark.parametrize('across', np.linspace(-0.6, 0.6, 7))
+def test_the_line_below_the_picture_makes_room_for_a_label_that_has_its_size(across, legend):
+    scene = Scene()
+    scene.set('storage', Label('storage', 0.1))
+    scene.pose('storage', poses.matrix(tuple(across * picture._RIGHT - 0.83 * picture._UP)))
+    text = picture.svg(scene, 'fixed frame: map', legend=legend, around=(np.zeros(3), 1.5))
+    label, line = [element for element in elements(text, 'text') if element.text.startswith(('storage', 'fixed'))]
+    size, left, x = float(label.get('font-size')), float(label.get('x')), float(line.get('x'))
+    assert -0.2 * size < float(label.get('y')) - float(line.get('y')) < 0.5 * size, 'they are at one height'
+    assert x > left + 0.5 * size * len('storage') or x + 6.5 * len(line.text) < left
+    assert 12 <= x < 720 - 6.5 * len(line.text)
+
+
+def test_a_name_makes_room_for_a_label_that_has_its_size():
+    scene = Scene()
+    scene.set('name', Label('name'))
+    scene.set('storage', Label('storage', 0.1))
+    places = {element.text: element for element in elements(picture.svg(scene), 'text')}
+    name, storage = (float(places[text].get('y')) for text in ('name', 'storage'))
+    assert abs(name - storage) > 0.6 * float(places['storage'].get('font-size'))
+
+
 def test_the_picture_stays_small():
     scene = Scene()
     scene.set('cloud', Points(RNG.random((50_000, 3)), RNG.random((50_000, 3))))
