@@ -75,7 +75,8 @@ LIMITS = Limits()
 def ros_environment(domain_id: int) -> dict[str, str]:
     """Environment variables that tests and learner's side share, so that they find each other.
 
-    UDP only, and range SUBNET: with LOCALHOST Fast DDS brings shared memory back, which a sandbox does not share.
+    UDP only, and range SUBNET: with LOCALHOST Fast DDS brings shared memory back, which a sandbox does not share. It is
+    the profile that keeps them to this machine.
     """
     return {
         **DEFAULTS,
