@@ -35,9 +35,11 @@ def unload_ipython_extension(shell) -> None:
 
 def explain(result) -> None:
     """Say where the name is defined that a cell has missed, if that is in a cell above which has not run."""
+    global _stopped
     error = getattr(result, 'error_in_exec', None)  # IPython has no result of a cell interrupted before it begins
     if type(error).__name__ == 'InvalidHandle':  # rclpy's; cells run out of order, or one is run again alone
         print(DESTROYED)
+    _stopped |= isinstance(error, KeyboardInterrupt)
     if _is_half_imported(error):
         print(HALF_IMPORTED)
     if not isinstance(error, NameError) or not error.name:
@@ -55,7 +57,5 @@ def explain(result) -> None:
 
 def _is_half_imported(error: BaseException | None) -> bool:
     """Whether an import fails because an earlier one was stopped in its middle."""
-    global _stopped
-    _stopped |= isinstance(error, KeyboardInterrupt)
     texts = (*_CUT, _CUT_IF_STOPPED) if _stopped else _CUT
     return isinstance(error, ImportError | AttributeError) and any(text in str(error) for text in texts)
