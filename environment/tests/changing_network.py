@@ -15,8 +15,8 @@ import time
 import rclpy
 from std_msgs.msg import String
 
-# Requests and flags of netdevice(7).
-_SET_FLAGS, _SET_ADDRESS, _UP = 0x8914, 0x8916, 1
+# Requests of netdevice(7).
+_SET_FLAGS, _SET_ADDRESS = 0x8914, 0x8916
 _ALIAS = b'lo:1'  # a second address of the only device there is
 PATIENCE = 20.0  # s
 
@@ -44,6 +44,7 @@ def set_address(address: str) -> None:
 
 
 def remove_address() -> None:
+    """Without the flag that it is up, an alias is gone."""
     _ask(_SET_FLAGS, struct.pack('h', 0))
 
 
