@@ -22,7 +22,7 @@ _stopped = False  # whether a cell has been stopped in this kernel
 
 
 def load_ipython_extension(shell) -> None:
-    """Explain each NameError and InvalidHandle of a cell from now on; idempotent."""
+    """Explain each NameError, InvalidHandle and cut import of a cell from now on; idempotent."""
     unload_ipython_extension(shell)
     shell.events.register('post_run_cell', explain)
 
@@ -34,9 +34,13 @@ def unload_ipython_extension(shell) -> None:
 
 
 def explain(result) -> None:
-    """Say where the name is defined that a cell has missed, if that is in a cell above which has not run."""
+    """Say where the name is defined that a cell has missed, if that is in a cell above which has not run; or that its
+    node is destroyed; or that an import was stopped.
+
+    :param result: IPython's of the cell; None if it was interrupted before it began
+    """
     global _stopped
-    error = getattr(result, 'error_in_exec', None)  # IPython has no result of a cell interrupted before it begins
+    error = result.error_in_exec if result else None
     if type(error).__name__ == 'InvalidHandle':  # rclpy's; cells run out of order, or one is run again alone
         print(DESTROYED)
     _stopped |= isinstance(error, KeyboardInterrupt)

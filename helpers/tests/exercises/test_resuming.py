@@ -85,7 +85,7 @@ def test_an_import_that_was_stopped_is_told(kernel):
     """A compiled package cannot be imported again then."""
     kernel.ok('%load_ext helpers.exercises.missing_names')
     circular = "raise ImportError(\"cannot import name 'x' from partially initialized module 'y'\")"
-    assert kernel.run(circular).stdout == '', 'nothing was stopped: it is the own program'
+    assert kernel.run(circular).stdout == '', 'nothing was stopped: it is a fault of the program itself'
     assert kernel.run(STOPPED_IMPORT).error == 'KeyboardInterrupt'
     kernel.ok('del sys.meta_path[0]')
     missed = kernel.run('import numpy')
