@@ -69,7 +69,7 @@ def grade(
     from grading import grade as grader
     from grading import late as lateness
     from grading.submissions import find
-    from helpers.runner import bytecode
+    from helpers.runner import bytecode, stopping
 
     refused = _refused()
     console = Console(highlight=False, soft_wrap=True)
@@ -102,7 +102,8 @@ def grade(
         raise Refusal(f'{error.filename or output} cannot be read or written: {error.strerror or error}') from None
     except KeyboardInterrupt:
         console.print('Stopped. What is graded is kept: run the same command to go on.')
-        os._exit(130)  # at once: the tests that still run end with this process
+        stopping.everything(patience=10.0)
+        os._exit(130)  # without waiting for a submission that is being read
     console.print(f'{output / "gradebook.csv"}: {len(records)} learners', markup=False)
     raise typer.Exit(_summary(records, console))
 

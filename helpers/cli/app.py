@@ -1,5 +1,6 @@
 """Puts the commands together."""
 
+import signal
 import sys
 from importlib import import_module
 from importlib.util import find_spec
@@ -36,6 +37,9 @@ def make_app() -> typer.Typer:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line and return its exit status: 0 done, 1 something failed, 2 wrong usage or unusable input."""
+    for number in (signal.SIGTERM, signal.SIGHUP):  # the end of a terminal or of a session: tidied up as after Ctrl+C
+        if signal.getsignal(number) is signal.SIG_DFL:  # nohup has it ignored
+            signal.signal(number, signal.default_int_handler)
     try:
         return make_app()(args=arguments, prog_name='./course', standalone_mode=True) or 0
     except Refusal as refusal:

@@ -13,6 +13,7 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import contextmanager
 
+from helpers import process_tree
 from helpers.kernel import journal
 
 #: What a terminal sends for the keys that have no letter.
@@ -165,8 +166,8 @@ class BackgroundProcess:
             try:
                 self._popen.wait(timeout)
             except subprocess.TimeoutExpired:
-                pass
-        self._signal(signal.SIGKILL)  # the rest of the group, too
+                process_tree.kill_family(self._popen.pid)
+        process_tree.kill_group(self._popen.pid)  # what it has left there
         status = self._popen.wait()
         self._reader.join(5.0)  # to the end of its output; only a process outside of the group may still have it open
         tell_reaper(f'-{self._popen.pid}')

@@ -16,6 +16,7 @@ import tempfile
 import time
 from pathlib import Path
 
+from helpers import process_tree
 from helpers.kernel import journal
 from helpers.programs import processes
 
@@ -136,8 +137,9 @@ def _end(program: subprocess.Popen, output: _Output) -> None:
             time.sleep(0.02)  # `read` returns at once when nobody can print any more
     except KeyboardInterrupt:  # pressed again
         pass
-    if _living(program):
-        _signal(program, signal.SIGKILL)
+    if living := _living(program):
+        for pid in living:
+            process_tree.kill_family(pid)
         print('The stop button was pressed, and the program did not end: it was killed.', file=sys.stderr)
     program.wait()
     output.read(1.0)  # to the end, unless something outside of the group may still print

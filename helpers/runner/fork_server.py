@@ -30,6 +30,7 @@ import sys
 from collections.abc import Callable
 from contextlib import suppress
 
+from helpers import process_tree
 from helpers.runner import commands, forked, preloading, sourced_environment
 from helpers.runner.lifetime import die_with_parent
 from helpers.runner.start_processes import Limits
@@ -62,7 +63,7 @@ class ProgramProcesses:
 
     def kill(self, pid: int) -> None:
         """End a program's process and what it has started."""
-        kill_group(pid)
+        process_tree.kill_family(pid)
 
     def signal(self, pid: int, number: int) -> None:
         """Send a signal to the process of a task."""
@@ -70,11 +71,16 @@ class ProgramProcesses:
             os.kill(pid, number)
 
     def ended(self, pid: int) -> None:
-        """A program's process has ended: end what it has started."""
-        kill_group(pid)
+        """A program's process has ended: end what it has left in its group. `clear` ends the rest."""
+        process_tree.kill_group(pid)
 
     def clear(self, place: str | None = None) -> None:
-        """End whatever is left of the programs, all of which have ended; or of the tasks in a place."""
+        """End whatever is left of the programs, all of which have ended; or of the tasks in a place.
+
+        What a program of a task has put into a session of its own ends with the last place: whose it was is not known.
+        """
+        if place is None:
+            self.close()
 
     def forget(self, place: str) -> None:
         """Remove a place."""
@@ -89,6 +95,8 @@ class ProgramProcesses:
 
     def close(self) -> None:
         """The last call."""
+        for pid in process_tree.children(os.getpid()):
+            process_tree.kill_family(pid)
 
 
 def serve(control: socket.socket, programs: ProgramProcesses) -> None:
@@ -111,7 +119,16 @@ class _Server:
         woken, wake = os.pipe2(os.O_NONBLOCK | os.O_CLOEXEC)
         signal.signal(signal.SIGCHLD, lambda *_: None)
         signal.set_wakeup_fd(wake, warn_on_full_buffer=False)
-        sources: list[socket.socket | int] = [self._control, woken]
+        try:
+            self._serve([self._control, woken], woken)
+        except ConnectionError:  # the tests' process was killed while it was told something
+            pass
+        for pid in self._children:
+            self._programs.kill(pid)
+        self._programs.close()
+
+    def _serve(self, sources: list[socket.socket | int], woken: int) -> None:
+        """Answer until the control socket closes. `woken` is the one of the sources that signals write to."""
         while True:
             ready, _, _ = select.select(sources, [], [], self._programs.patience if self._children else None)
             if woken in ready:
@@ -121,13 +138,10 @@ class _Server:
                 continue
             data, ancillary, _, _ = socket_receive(self._control)
             if not data:
-                break
+                return
             self._answer(json.loads(data), ancillary)
             for descriptor in ancillary:
                 os.close(descriptor)
-        for pid in self._children:
-            self._programs.kill(pid)
-        self._programs.close()
 
     def _tell(self, **event) -> None:
         self._control.sendall(json.dumps(event).encode())
@@ -193,14 +207,6 @@ def leave_server() -> None:
     """In a forked child: undo what the server has set for itself."""
     signal.set_wakeup_fd(-1)
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
-
-
-def kill_group(pid: int) -> None:
-    """Kill a process group, if it is still there."""
-    try:
-        os.killpg(pid, signal.SIGKILL)
-    except ProcessLookupError:
-        pass
 
 
 def socket_receive(control: socket.socket):

@@ -6,6 +6,7 @@ Plain processes with limits: enough for a learner's own work in their own notebo
 import socket
 
 from helpers.runner import fork_server, forked, preloading
+from helpers.runner.lifetime import adopt_orphans
 from helpers.runner.start_processes import environment
 
 
@@ -21,5 +22,6 @@ def prepare(request: dict) -> None:
 def run(request: dict, control: int, printed: int) -> None:
     """Serve one session's tests. The request has `domain`, `home` and `modules` (`preloading.on_demand`)."""
     forked.stand_alone(printed, [control])
+    adopt_orphans()
     forked.move(request['home'], environment(request['domain'], request['home']))
     fork_server.serve(socket.socket(fileno=control), fork_server.ProgramProcesses())

@@ -17,7 +17,7 @@ from pathlib import Path
 
 from helpers.exercises import manifest, notebooks, packages, program
 from helpers.exercises.manifest import Exercise
-from helpers.runner import results, seeds, start_processes, tests_process, verdicts
+from helpers.runner import results, seeds, start_processes, stopping, tests_process, verdicts
 from helpers.runner.forked import Forked
 from helpers.runner.results import ExerciseResult, TestResult
 from helpers.runner.text import LEFT_OUT, MAX_OUTPUT, clean
@@ -101,6 +101,7 @@ def judge(
 
     :param programs: by exercise, what the learner's process loads (`helpers.exercises.program`).
     :param without: by exercise, why there is no program: a verdict, and a message for the learner.
+    :raises stopping.Stopped: another thread has stopped it.
     """
     options = options or Options()
     options = replace(options, seed=options.seed or seeds.fresh())
@@ -114,9 +115,10 @@ def judge(
     lanes = options.processes + _WAITING if options.processes > 1 else 1
     shares = _shares(running, lanes)
     deadline = time.monotonic() + options.total_timeout
+    stop = stopping.Stop()
 
     def collect(share: list[Exercise]) -> _Collection:
-        collection = _Collection(options, deadline)
+        collection = _Collection(options, stop, deadline)
         places = [options.visible / f'chapter_{chapter:02}' for chapter in sorted({one.chapter for one in share})]
         if options.hidden:
             places += [manifest.hidden_tests(options.hidden, exercise.id) for exercise in share]
@@ -130,11 +132,16 @@ def judge(
                 collection.compare(exercise, programs[exercise.id], options.reference, places, say)
         return collection
 
-    if len(shares) <= 1:  # in the caller's thread, so that the stop button ends it at once
-        collections = [collect(share) for share in shares]
-    else:
-        with ThreadPoolExecutor(lanes) as pool:
-            collections = list(pool.map(collect, shares))
+    with stop:
+        if len(shares) <= 1:  # in the caller's thread, so that the stop button ends it at once
+            collections = [collect(share) for share in shares]
+        else:
+            with ThreadPoolExecutor(lanes) as pool:
+                try:
+                    collections = list(pool.map(collect, shares))
+                except BaseException:  # Ctrl+C: the pool waits for its threads
+                    stop.now()
+                    raise
     for share, collection in zip(shares, collections, strict=True):
         for exercise in share:
             found = results.scored(exercise, collection.of(exercise.id), collection.unseen[exercise.id])
@@ -171,9 +178,9 @@ def _shares(exercises: list[Exercise], lanes: int) -> list[list[Exercise]]:
 class _Collection:
     """The tests of one session and what became of them."""
 
-    def __init__(self, options: Options, deadline: float = math.inf):
+    def __init__(self, options: Options, stop: stopping.Stop, deadline: float = math.inf):
         """`deadline`: until when its tests may run, by the monotonic clock."""
-        self.options, self._deadline = options, deadline
+        self.options, self._stop, self._deadline = options, stop, deadline
         self.tests: dict[str, TestResult] = {}
         self.sandbox = ''
         self.log: list[str] = []
@@ -250,7 +257,7 @@ class _Collection:
         places: list[Path],
         say: Callable[[str], None],
     ) -> None:
-        other = _Collection(self.options, self._deadline)
+        other = _Collection(self.options, self._stop, self._deadline)
         other._round({exercise: right}, places, [test.test], lambda name: None)
         if test.test in other.tests and other.tests[test.test].passed:
             self._round({exercise: program}, places, [test.test], say)
@@ -277,9 +284,12 @@ class _Collection:
         judged: set[str] = set()
         running, begun = '', 0.0
         folders = [folder for folder in (self.options.visible, self.options.hidden) if folder]
-        with tests_process.running(
-            self._job(programs, places, only), self.options.launcher, self.options.limits, folders
-        ) as tests:
+        with (
+            tests_process.running(
+                self._job(programs, places, only), self.options.launcher, self.options.limits, folders
+            ) as tests,
+            self._stop.watching(tests.process.kill),
+        ):
             try:
                 for event in _events(tests.process, tests.events, self.options.test_timeout, self._deadline):
                     match event['event']:

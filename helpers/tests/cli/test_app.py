@@ -1,5 +1,7 @@
 """Which commands there are, and the exit statuses of the command line."""
 
+import os
+import signal
 import subprocess
 import sys
 
@@ -72,3 +74,21 @@ def test_exit_status(monkeypatch, capsys, outcome, status):
     assert app.main([]) == status
     if isinstance(outcome, Refusal):
         assert capsys.readouterr().err == 'course: no port is free\n'
+
+
+@pytest.fixture(params=[signal.SIGTERM, signal.SIGHUP])
+def number(request):
+    """A signal; what it does in this process is afterwards as it was before."""
+    before = signal.getsignal(request.param)
+    yield request.param
+    signal.signal(request.param, before)
+
+
+@pytest.mark.parametrize(('before', 'status'), [(signal.SIG_DFL, 130), (signal.SIG_IGN, 0)])
+def test_the_end_of_a_terminal_is_as_ctrl_c(monkeypatch, number, before, status):
+    """What is tidied up after Ctrl+C is then, too. `nohup` has SIGHUP ignored."""
+    application = typer.Typer()
+    application.command()(lambda: os.kill(os.getpid(), number))
+    monkeypatch.setattr(app, 'make_app', lambda: application)
+    signal.signal(number, before)
+    assert app.main([]) == status

@@ -214,6 +214,31 @@ def test_children_end_with_a_killed_kernel(course):
     assert psutil.wait_procs(family, timeout=30)[1] == []
 
 
+# It ends what it has started when it is asked to, as `ros2 launch` does; or it has to be killed.
+LAUNCHES = """
+import signal, subprocess, sys, time
+child = subprocess.Popen(['sleep', '600'], start_new_session=True)
+try:
+    if 'deaf' in sys.argv:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+    print('ready', flush=True)
+    time.sleep(600)
+finally:
+    child.kill()
+"""
+
+
+@pytest.mark.parametrize('how', ['asked', 'deaf'])
+def test_what_children_have_started_ends_with_a_killed_kernel(course, how):
+    course.ok(f'import sys\nchild = background([sys.executable, "-c", {LAUNCHES!r}, {how!r}])')
+    course.ok('child.wait_for_output("ready", timeout=30)')
+    family = psutil.Process(course.process.pid).children(recursive=True)
+    assert len(family) == 3, 'the child, its own one and the reaper'
+    course.process.kill()
+    course.process.wait(30)
+    assert psutil.wait_procs(family, timeout=30)[1] == []
+
+
 MEASURE = """
 import collections, gc, json, psutil
 from rclpy.executors import Executor

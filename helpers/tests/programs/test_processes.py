@@ -90,11 +90,14 @@ def test_stop_asks_also_where_sigint_is_ignored():
         signal.signal(signal.SIGINT, before)
 
 
-def test_stop_ends_also_what_ignores_it_and_its_children():
+@pytest.mark.parametrize('own_session', [False, True])
+def test_stop_ends_also_what_ignores_it_and_its_children(own_session):
+    """`ros2 launch` gives each of its programs a session of its own."""
     child = python(
         'import signal, subprocess, sys, time\n'
         'signal.signal(signal.SIGINT, signal.SIG_IGN)\n'
-        'p = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(600)"])\n'
+        f'command, apart = [sys.executable, "-c", "import time; time.sleep(600)"], {own_session}\n'
+        'p = subprocess.Popen(command, start_new_session=apart)\n'
         'print("up")\n'
         'time.sleep(600)'
     )
