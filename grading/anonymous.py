@@ -11,7 +11,7 @@ import secrets
 from collections.abc import Iterable
 from pathlib import Path
 
-from grading import record
+from environment.setup import whole_file
 
 
 class AnonymousError(Exception):
@@ -35,7 +35,7 @@ def pseudonyms(learners: Iterable[str], output: Path) -> dict[str, str]:
         folder.chmod(0o700)
         salt_file, map_file = folder / 'salt', folder / 'learners.csv'
         if not salt_file.exists():
-            record.write(salt_file, secrets.token_hex(32) + '\n', sync=True)
+            whole_file.update(salt_file, secrets.token_hex(32) + '\n', sync=True)
             salt_file.chmod(0o600)
         salt = bytes.fromhex(salt_file.read_text().strip())
         if len(salt) < 16:
@@ -51,7 +51,7 @@ def pseudonyms(learners: Iterable[str], output: Path) -> dict[str, str]:
         writer = csv.writer(text, lineterminator='\n')
         writer.writerow(['pseudonym', 'learner'])
         writer.writerows(sorted((name, learner) for learner, name in known.items()))
-        record.write(map_file, text.getvalue(), sync=True)
+        whole_file.update(map_file, text.getvalue(), sync=True)
         map_file.chmod(0o600)
     except (OSError, ValueError, KeyError, csv.Error) as error:
         reason = getattr(error, 'strerror', None) or error

@@ -14,6 +14,7 @@ from pathlib import Path
 
 from filelock import FileLock, Timeout
 
+from environment.setup import whole_file
 from grading import record as records
 from grading.record import Record
 from helpers.runner import seeds
@@ -66,7 +67,7 @@ class Folder:
             raise FolderError(f'{self.path} cannot be written: {error.strerror}') from None
         try:
             (self.path / '.lock').write_text(f'{os.getpid()}\n')
-            for left in self.path.rglob(f'.*{records.TEMPORARY}'):  # of a run that was killed
+            for left in self.path.rglob(f'.*{whole_file.TEMPORARY}'):  # of a run that was killed
                 left.unlink()
             log = logging.Logger('grade', logging.INFO)
             handler = logging.FileHandler(self.path / 'run.log', encoding='utf-8')
@@ -110,7 +111,7 @@ class Folder:
             )
         seed = seed or (known.seed if known else '') or seeds.fresh()
         settings = _Known(seed, anonymous, self.chapters(chapters))
-        records.write(
+        whole_file.update(
             self.path / 'run.json', json.dumps({'schema': records.SCHEMA} | asdict(settings)) + '\n', sync=True
         )
         return seed
@@ -133,4 +134,4 @@ class Folder:
 
     def write(self, record: Record) -> None:
         """Write a record, as a whole or not at all."""
-        records.write(self.path / RESULTS / f'{record.learner}.json', record.dumps(), sync=True)
+        whole_file.update(self.path / RESULTS / f'{record.learner}.json', record.dumps(), sync=True)

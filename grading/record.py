@@ -5,7 +5,6 @@ The file's format has a number, SCHEMA. A file of another number is not read: it
 
 import json
 import math
-import os
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
@@ -17,7 +16,6 @@ from helpers.runner.results import ExerciseResult
 
 SCHEMA = 2
 MAX_BYTES = 64 * 2**20  # of a record: no grader writes so much
-TEMPORARY = '.part'  # the end of the name of a file that is not whole yet
 
 
 @dataclass(frozen=True)
@@ -157,24 +155,3 @@ def _bounded(text: str) -> int:
 def _total(marks: list[float | None]) -> float | None:
     known = [mark for mark in marks if mark is not None]
     return round(sum(known), 2) if len(known) == len(marks) else None
-
-
-def write(path: Path, text: str, sync: bool = False) -> None:
-    """Write a file as a whole or not at all, also if the process is killed; not at all if it has this text already.
-
-    `sync`: wait until it is on the disk, so that it outlives the machine's end, too.
-    """
-    text = text.encode('utf-8', 'replace').decode()  # half a surrogate pair, which no file can hold
-    try:
-        if path.read_bytes() == text.encode():
-            return
-    except OSError:
-        pass
-    path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f'.{path.name}.{os.getpid()}{TEMPORARY}')
-    with open(temporary, 'w', encoding='utf-8', newline='') as file:
-        file.write(text)
-        file.flush()
-        if sync:
-            os.fsync(file.fileno())
-    os.replace(temporary, path)

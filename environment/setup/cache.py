@@ -14,11 +14,11 @@ import pwd
 import re
 import stat
 import tarfile
-import tempfile
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from pathlib import Path, PurePosixPath
 
+from environment.setup import whole_file
 from environment.setup.relocation import replace
 
 LIMIT = 200_000_000  # bytes; a whole set of packages has about 6 MB
@@ -94,12 +94,10 @@ class Cache:
             if data is None:
                 return False
             self.directory.mkdir(mode=0o700, parents=True, exist_ok=True)
-            with tempfile.NamedTemporaryFile(dir=self.directory, delete=False) as file:
-                file.write(hashlib.sha256(data).hexdigest().encode() + data)
-            os.replace(file.name, self.directory / f'{key}{_SUFFIX}')
+            whole_file.write(
+                self.directory / f'{key}{_SUFFIX}', hashlib.sha256(data).hexdigest().encode() + data, rights=0o600
+            )
         except OSError:  # a full disk, say
-            with suppress(OSError, UnboundLocalError):
-                os.unlink(file.name)
             return False
         return True
 

@@ -6,10 +6,12 @@ include directory. Files are replaced, never written into: the installer may hav
 
 import os
 import re
-import shutil
+import stat
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+
+from environment.setup import whole_file
 
 # The machine's Python, its numpy, and the prefix that the packages were installed into.
 _INCLUDE = re.compile(rb'/opt/python/cp3\d+-cp3\d+/include/python3\.\d+')
@@ -97,7 +99,4 @@ def let_scripts_ask(prefix: Path, python: Path) -> None:
 
 def replace(path: Path, content: bytes) -> None:
     """Put a new file in place of `path`, with the same rights; who holds a link to the old one keeps the old one."""
-    partial = path.with_name(f'.{path.name}.partial')
-    partial.write_bytes(content)
-    shutil.copymode(path, partial)
-    partial.replace(path)
+    whole_file.write(path, content, rights=stat.S_IMODE(path.stat().st_mode))

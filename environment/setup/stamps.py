@@ -10,6 +10,8 @@ import os
 from collections.abc import Iterable
 from pathlib import Path
 
+from environment.setup import whole_file
+
 
 def digest(*parts: str | bytes) -> str:
     """Digest of a sequence of texts; where one ends and the next begins counts."""
@@ -56,9 +58,7 @@ class Stamps:
 
     def write(self, name: str, text: str) -> None:
         self.directory.mkdir(parents=True, exist_ok=True)
-        partial = self.directory / f'.{name}.partial'
-        partial.write_text(text)
-        partial.replace(self.directory / name)
+        whole_file.write(self.directory / name, text)
 
     def remove(self, name: str) -> None:
         (self.directory / name).unlink(missing_ok=True)

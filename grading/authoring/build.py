@@ -1,7 +1,6 @@
 """Builds the chapters: sources to solved notebooks, learner's notebooks and the list of exercises."""
 
 import json
-import os
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,6 +9,7 @@ from pathlib import Path
 import nbformat
 from nbformat import NotebookNode
 
+from environment.setup import whole_file
 from grading.authoring import book as books
 from grading.authoring import chapter as chapters
 from grading.authoring import execution, figures, indexes, notebooks, outputs, rules
@@ -107,22 +107,22 @@ def build(
     :raises ChapterErrors: mistakes in the sources, a failing cell, a notebook that is too big.
     """
     all_chapters = read_all(tree)
-    _write(tree.manifest, manifest.dumps(row for chapter in all_chapters for row in chapter.exercises()))
+    whole_file.update(tree.manifest, manifest.dumps(row for chapter in all_chapters for row in chapter.exercises()))
     _draw(tree)
     for name, text in pages(tree).items():
-        _write(tree.notebooks / name, text)
+        whole_file.update(tree.notebooks / name, text)
     errors = []
     for chapter in all_chapters:
         if selected is not None and chapter.number not in selected:
             continue
         for text in rules.advice(chapter):
             say(text)
-        _write(tree.learner(chapter), notebooks.dumps(notebooks.learner(chapter)))
+        whole_file.update(tree.learner(chapter), notebooks.dumps(notebooks.learner(chapter)))
         if not force and not solved_drift(tree, chapter):
             say(f'{chapter.name}: unchanged')
             continue
         try:
-            _write(tree.solved(chapter), _executed(tree, chapter, timeout, not force, say))
+            whole_file.update(tree.solved(chapter), _executed(tree, chapter, timeout, not force, say))
         except AuthoringError as error:
             errors.append(error)
     if errors:
@@ -181,7 +181,7 @@ def _draw(tree: Tree) -> None:
     """Write all figures, and remove the pictures of those that are gone."""
     pictures = figures.pictures(tree.figures)
     for name, text in pictures.items():
-        _write(tree.pictures / name, text)
+        whole_file.update(tree.pictures / name, text)
     for path in tree.pictures.glob('*.svg'):
         if path.name not in pictures:
             path.unlink()
@@ -226,13 +226,3 @@ def _keep_outputs(path: Path, notebook: NotebookNode) -> bool:
     for one, other in pairs:
         other.outputs, other.execution_count = one.outputs, one.execution_count
     return True
-
-
-def _write(path: Path, text: str) -> None:
-    """Write a file in one step, and only if it changes."""
-    if path.exists() and path.read_text(encoding='utf-8') == text:
-        return
-    path.parent.mkdir(parents=True, exist_ok=True)
-    partial = path.with_name(f'.{path.name}.partial')
-    partial.write_text(text, encoding='utf-8')
-    os.replace(partial, path)

@@ -12,7 +12,8 @@ import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from grading.record import Record, write
+from environment.setup import whole_file
+from grading.record import Record
 from grading.reports import gradescope
 from helpers import paths
 
@@ -72,7 +73,7 @@ def main(root: Path) -> int:
         return 1
     # `grade` has warned the instructor already, at the top of the output.
     warnings = ['Sandbox: none.'] if record.sandbox == 'none' else []
-    write(root / 'results' / 'results.json', gradescope.dumps(record, config.hidden, warnings))
+    whole_file.update(root / 'results' / 'results.json', gradescope.dumps(record, config.hidden, warnings))
     print(
         f'sandbox {record.sandbox}, seed {record.seed or "unknown"}, status {record.status}, '
         f'{"unknown" if record.score is None else format(record.score, "g")} of {record.points:g} points'

@@ -5,8 +5,9 @@ gradebook, and the class summary.
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
+from environment.setup import whole_file
 from grading import gradebook, reports, similarity
-from grading.record import Record, write
+from grading.record import Record
 from grading.reports import summary
 from helpers.exercises.manifest import Exercise
 
@@ -25,9 +26,9 @@ def write_all(
     records, exercises = list(records), list(exercises)
     for record in records:
         for folder, suffix, make in reports.KINDS:
-            write(output / folder / f'{record.learner}{suffix}', make(record))
-    write(output / 'gradebook.csv', gradebook.dumps(records, exercises))
+            whole_file.update(output / folder / f'{record.learner}{suffix}', make(record))
+    whole_file.update(output / 'gradebook.csv', gradebook.dumps(records, exercises))
     alike = similarity.find(prints or {}, similarity.stubs_of(exercises))
     seen = summary.data(records, exercises, alike)
-    write(output / 'summary.json', summary.dumps(seen))
-    write(output / 'summary.html', summary.html(seen))
+    whole_file.update(output / 'summary.json', summary.dumps(seen))
+    whole_file.update(output / 'summary.html', summary.html(seen))

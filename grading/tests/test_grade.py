@@ -15,10 +15,11 @@ from xml.etree import ElementTree
 import psutil
 import pytest
 
+from environment.setup import whole_file
 from grading import grade, gradebook, reports, submissions
 from grading.adjustments import Adjustment
 from grading.late import Late, Policy
-from grading.record import Attempt, Record, write
+from grading.record import Attempt, Record
 from grading.tests.test_reports import validate
 from helpers import paths
 from helpers.runner import results
@@ -265,7 +266,7 @@ def test_every_report_escapes(folder, suffix, make):
 
 
 def test_record_round_trip(tmp_path):
-    write(tmp_path / 'ada.json', record().dumps())
+    whole_file.write(tmp_path / 'ada.json', record().dumps())
     assert Record.load(tmp_path / 'ada.json') == record()
     full = record(
         seed='s',
@@ -276,7 +277,7 @@ def test_record_round_trip(tmp_path):
         attempts=[Attempt('a.zip', 'd' * 64, '2026-11-18T10:00:00Z', 1.0)],
         adjustments=[Adjustment('ada', '90.1', None, 1.0, 'r')],
     )
-    write(tmp_path / 'ada.json', full.dumps())
+    whole_file.write(tmp_path / 'ada.json', full.dumps())
     assert Record.load(tmp_path / 'ada.json') == full
     assert sorted(path.name for path in tmp_path.iterdir()) == ['ada.json']
     assert Record.load(tmp_path / 'none.json') is None

@@ -11,12 +11,12 @@ Nothing that the learner wrote is lost: an answer without a place becomes a raw 
 
 import copy
 import json
-import os
 import re
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from environment.setup import whole_file
 from helpers import paths
 from helpers.exercises import cell_ids, definitions, file_answers, manifest, notebooks, packages, program
 from helpers.runner.text import clean
@@ -501,10 +501,8 @@ def _write(report: MigrationReport, folder: Path, changed: dict[str, dict]) -> N
             (report.backup / name).write_bytes((folder / name).read_bytes())
         for name, notebook in changed.items():
             text = nbformat.writes(nbformat.from_dict(notebook)).rstrip('\n') + '\n'
-            temporary = folder / f'{name}.part'
             # Half of a surrogate pair is no UTF-8, and is written as JSON can say it.
-            temporary.write_text(text, encoding='utf-8', errors='backslashreplace')
-            os.replace(temporary, folder / name)
+            whole_file.write(folder / name, text.encode('utf-8', 'backslashreplace'))
             report.written.append(folder / name)
     except OSError as error:
         raise MigrationError(

@@ -4,14 +4,12 @@
 """
 
 import json
-import os
-import tempfile
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from environment.setup import mutex
+from environment.setup import mutex, whole_file
 from helpers import paths
 
 FILE = '.progress.json'
@@ -76,9 +74,8 @@ def note(report, folder: Path = paths.NOTEBOOKS) -> None:
     }
     with _alone(folder):
         marks = {**load(folder), **news}
-        with tempfile.NamedTemporaryFile('w', dir=folder, prefix=FILE, delete=False, encoding='utf-8') as file:
-            json.dump({exercise: asdict(mark) for exercise, mark in sorted(marks.items())}, file, indent=1)
-        os.replace(file.name, folder / FILE)
+        rows = {exercise: asdict(mark) for exercise, mark in sorted(marks.items())}
+        whole_file.write(folder / FILE, json.dumps(rows, indent=1))
 
 
 @contextmanager

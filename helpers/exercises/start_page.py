@@ -5,13 +5,12 @@ always agrees with them.
 """
 
 import json
-import os
 import re
-import tempfile
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from environment.setup import whole_file
 from helpers import paths
 from helpers.exercises import manifest, progress_file
 
@@ -118,15 +117,7 @@ def write(folder: Path = paths.NOTEBOOKS) -> Path:
     :raises OSError: the folder cannot be written to.
     :raises helpers.exercises.manifest.ManifestError: the list of exercises is damaged.
     """
-    with tempfile.NamedTemporaryFile('w', dir=folder, prefix=f'.{FILE}', delete=False, encoding='utf-8') as file:
-        try:
-            file.write(text(folder))
-            file.flush()
-            os.chmod(file.name, 0o644)
-            os.replace(file.name, folder / FILE)  # as a whole: a full disk leaves the old page
-        except BaseException:
-            os.unlink(file.name)
-            raise
+    whole_file.write(folder / FILE, text(folder))
     return folder / FILE
 
 

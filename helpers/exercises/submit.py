@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from environment.setup import whole_file
 from helpers import paths
 
 LEARNER = re.compile(r'[A-Za-z0-9][A-Za-z0-9._@-]{0,63}')
@@ -194,10 +195,8 @@ def _write(output: Path, members: dict[str, bytes]) -> None:
     with zipfile.ZipFile(data, 'w', zipfile.ZIP_DEFLATED) as archive:
         for name, content in members.items():
             archive.writestr(zipfile.ZipInfo(name, (2000, 1, 1, 0, 0, 0)), content, zipfile.ZIP_DEFLATED)
-    temporary = output.with_name(output.name + '.part')
     try:
         output.parent.mkdir(parents=True, exist_ok=True)
-        temporary.write_bytes(data.getvalue())
-        os.replace(temporary, output)
+        whole_file.write(output, data.getvalue())
     except OSError as error:
         raise SubmissionError(f'{output} cannot be written: {error.strerror}.') from None

@@ -10,12 +10,12 @@ import json
 import os
 import random
 import re
-import tempfile
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+from environment.setup import whole_file
 from helpers import paths
 from helpers.programs.faults.finding import Finding
 from helpers.programs.faults.mystery import Mystery
@@ -322,9 +322,7 @@ class Records:
         for who in self._names or ():
             self.passed(who)
         with suppress(OSError):
-            with tempfile.NamedTemporaryFile('w', dir=paths.NOTEBOOKS, prefix=FILE, delete=False) as file:
-                json.dump(self._names, file, indent=1)
-            os.replace(file.name, paths.NOTEBOOKS / FILE)
+            whole_file.write(paths.NOTEBOOKS / FILE, json.dumps(self._names, indent=1))
 
 
 def _load() -> dict[str, dict[str, Any]]:

@@ -3,6 +3,7 @@
 import errno
 import fcntl
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import pytest
 
@@ -94,7 +95,7 @@ def test_the_page_tells_the_chapters_from_their_notebooks(folder):
 
 def test_a_page_that_cannot_be_written_leaves_the_old_one(folder, monkeypatch):
     old = start_page.write(folder).read_text()
-    monkeypatch.setattr(start_page.os, 'replace', lambda *_: (_ for _ in ()).throw(OSError(28, 'No space left')))
+    monkeypatch.setattr(Path, 'replace', lambda *_: (_ for _ in ()).throw(OSError(28, 'No space left')))
     with pytest.raises(OSError, match='No space left'):
         start_page.write(folder)
     assert (folder / start_page.FILE).read_text() == old
