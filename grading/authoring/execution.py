@@ -47,6 +47,7 @@ def execute(
     :param timeout: longest time of one cell, in seconds.
     :param environment: variables for the kernel beside those of this process.
     :raises AuthoringError: a cell failed or took too long; the message names the line in the source.
+    :raises KeyboardInterrupt: Ctrl+C, or a request to end.
     """
     metadata = dict(notebook.metadata)
     client = _Client(
@@ -70,8 +71,12 @@ def execute(
                     'COURSE_PROGRESS': 'off',
                 }
             )
-        except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
-            raise _explain(error, notebook, chapter, timeout) from None
+        except Exception as error:
+            if client.interrupted:
+                raise KeyboardInterrupt from None
+            if isinstance(error, CellExecutionError | CellTimeoutError | DeadKernelError):
+                raise _explain(error, notebook, chapter, timeout) from None
+            raise
     notebook.metadata.clear()
     notebook.metadata.update(metadata)  # nbclient writes the kernel's version there
 
@@ -102,6 +107,11 @@ class _Client(NotebookClient):
     def __init__(self, chapter: Chapter, notebook: NotebookNode, **options):
         super().__init__(notebook, **options)
         self._chapter, self._recording = chapter, not any(cell.checked for cell in chapter.cells)
+
+    @property
+    def interrupted(self) -> bool:
+        """Whether a signal came. nbclient ends the kernel then, and meets errors of its own in what follows."""
+        return '_async_cleanup_kernel_future' in vars(self)  # its attribute from then on
 
     async def async_execute_cell(self, cell, cell_index, *args, **kwargs):
         if not self._recording:

@@ -9,6 +9,8 @@ import typer
 
 from helpers.cli import Refusal
 
+INTERRUPTED = 128 + signal.SIGINT  # typer ends with it, too
+
 # In the order of --help. The instructor's commands exist only where the instructor's half is.
 LEARNER = ('lab', 'test', 'setup', 'doctor', 'shell', 'check', 'submit', 'migrate')
 INSTRUCTOR = ('release', 'grade', 'build', 'answers', 'bench')
@@ -41,11 +43,14 @@ def main(arguments: list[str] | None = None) -> int:
         if signal.getsignal(number) is signal.SIG_DFL:  # nohup has it ignored
             signal.signal(number, signal.default_int_handler)
     try:
-        return make_app()(args=arguments, prog_name='./course', standalone_mode=True) or 0
+        status = make_app()(args=arguments, prog_name='./course', standalone_mode=True) or 0
     except Refusal as refusal:
         print(f'course: {refusal}', file=sys.stderr)
         return 2
     except KeyboardInterrupt:
-        return 130
+        status = INTERRUPTED
     except SystemExit as end:
-        return end.code if isinstance(end.code, int) else int(end.code is not None)
+        status = end.code if isinstance(end.code, int) else int(end.code is not None)
+    if status == INTERRUPTED:
+        print('course: interrupted', file=sys.stderr)
+    return status

@@ -163,6 +163,13 @@ def test_a_cell_that_ends_the_kernel_is_named(tree):
         build.build(tree, say=quiet)
 
 
+def test_ctrl_c_is_no_error_of_the_notebook(tree):
+    write(tree, TINY.replace('1 / 0', 'import os, signal, time; os.kill(os.getppid(), signal.SIGINT); time.sleep(60)'))
+    with pytest.raises(KeyboardInterrupt):
+        build.build(tree, say=quiet)
+    assert not tree.solved(only(tree)).exists()
+
+
 def test_a_notebook_over_one_megabyte_is_refused(tree):
     write(tree, TINY.replace("print('before')", "print('x' * 1_000_001)"))
     with pytest.raises(ChapterErrors, match='has 1.0 MB with outputs, 1 MB is allowed'):
