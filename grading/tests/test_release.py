@@ -62,15 +62,17 @@ def test_each_notebook_has_its_figures(edition):
     assert addresses and addresses == set((edition / 'notebooks' / 'figures').iterdir())
 
 
-def test_it_works_by_itself(edition):
-    """Commands of the learner's are there, the instructor's are not, and a check runs."""
+@pytest.fixture(scope='module')
+def run_there(edition):
+    """Runs a function of the edition, by its full name, with arguments."""
     environment = {**os.environ, 'PYTHONPATH': str(edition), 'PYTHONDONTWRITEBYTECODE': '1'}
 
-    def course(*arguments):
+    def run(function, *arguments):
+        module, _, name = function.rpartition('.')
         # Isolated from this checkout, which the environment's own path file would add.
         code = (
             f'import sys; sys.path[:] = [{str(edition)!r}] + [p for p in sys.path if p != {str(paths.ROOT)!r}]; '
-            'from helpers.cli.app import main; sys.exit(main(sys.argv[1:]))'
+            f'from {module} import {name}; sys.exit({name}(sys.argv[1:]))'
         )
         return subprocess.run(
             [sys.executable, '-c', code, *arguments],
@@ -78,13 +80,37 @@ def test_it_works_by_itself(edition):
             env=environment,
             capture_output=True,
             text=True,
-            timeout=120,
+            timeout=250,
         )
 
-    text = course('--help').stdout
+    return run
+
+
+def test_it_works_by_itself(run_there):
+    """Commands of the learner's are there, the instructor's are not, and a check runs."""
+    text = run_there('helpers.cli.app.main', '--help').stdout
     assert 'check' in text and 'submit' in text and 'grade' not in text and 'release' not in text
-    found = course('check', '3.1')
+    found = run_there('helpers.cli.app.main', 'check', '3.1')
     assert 'Not solved yet' in found.stdout and found.returncode == 1, found.stderr
+
+
+def test_its_own_tests_pass(edition, run_there):
+    """Those that name what only the full course has; and its style."""
+    tests = [
+        str(path)
+        for folder in ('helpers/tests/exercises', 'helpers/tests/cli', 'environment/tests')
+        for path in (edition / folder).rglob('test_*.py')
+        if re.search(r'grading|INSTRUCTOR|solutions', path.read_text()) and path.name != 'test_documentation.py'
+    ]
+    assert len(tests) > 2
+    # The programs that tests start see this checkout, too.
+    few = 'not in_a_kernel and not help_names_every_command'
+    found = run_there('pytest.main', '-q', '-p', 'no:cacheprovider', '-k', few, *tests)
+    assert found.returncode == 0, found.stdout
+    style = subprocess.run(
+        [sys.executable, '-m', 'ruff', 'check', '--no-cache', edition], capture_output=True, text=True
+    )
+    assert style.returncode == 0, style.stdout
 
 
 def test_refusals(tmp_path):

@@ -6,7 +6,6 @@ Ctrl+C reaches the main thread only. A pool of threads that wait for tests would
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Self
 
 
 class Stopped(Exception):
@@ -21,7 +20,7 @@ class Stop:
         self._stopped = False
         self._kills: list[Callable[[], None]] = []
 
-    def __enter__(self) -> Self:
+    def __enter__(self) -> 'Stop':
         with _changed:
             _sessions.append(self)
         return self

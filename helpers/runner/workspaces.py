@@ -95,7 +95,7 @@ class ExerciseWorkspace:
 
         All builds of an exercise that do not come to their end take little longer together than one of them.
         """
-        key = (self.name, *arguments)
+        key, shadows = (self.name, *arguments), (self.name, 'shadows', *arguments)
         if key not in self._cache:
             hanging = self._cache.setdefault(('hanging', self._learner.program['title']), [])
             try:
@@ -110,12 +110,12 @@ class ExerciseWorkspace:
                 self._cache[key] = hanging[0]
             else:
                 if self._cache[key].status == 0:
-                    self._cache[(self.name, 'shadows', *arguments)] = self._shadows()
+                    self._cache[shadows] = self._shadows()
         done = self._cache[key]
         if isinstance(done, LearnerTimeout):
             raise LearnerTimeout(done.message, done.details)
-        if shadows := self._cache.get((self.name, 'shadows', *arguments)):
-            raise LearnerError(shadows)
+        if found := self._cache.get(shadows):
+            raise LearnerError(found)
         if check and done.status != 0:
             raise LearnerError(f'colcon build failed: {self.why(done)}', clean(done.output, 6000))
         return done

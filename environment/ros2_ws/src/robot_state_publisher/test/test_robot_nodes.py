@@ -98,7 +98,7 @@ def test_robot_state_publisher(start, listener, arm_file):
     until(lambda: listener.static and listener.descriptions, 'the static transforms and the description')
     assert listener.descriptions == [ARM]
     assert [(t.header.frame_id, t.child_frame_id) for t in listener.static] == [('base', 'camera')]
-    assert '[INFO] [robot_state_publisher]: Robot initialized' in process.output
+    process.wait_for_output('[INFO] [robot_state_publisher]: Robot initialized', PATIENCE)
     declared = listener.peer.call(
         GetParameters,
         '/robot_state_publisher/get_parameters',
