@@ -5,8 +5,10 @@ The library writes what it has collected when it is told to close. Here the coll
 second, so that a killed program loses no more than that; `ros2 bag reindex` gives such a file its end.
 """
 
+import os
 import sqlite3
 import struct
+import tempfile
 import time
 from pathlib import Path
 from typing import Any
@@ -14,7 +16,7 @@ from typing import Any
 from rosbags.interfaces import Connection
 from rosbags.rosbag2.enums import CompressionMode
 from rosbags.rosbag2.metadata import dump_qos_v9
-from rosbags.rosbag2.storage_mcap import McapWriter
+from rosbags.rosbag2.storage_mcap import McapReader, McapWriter
 from rosbags.rosbag2.storage_sqlite3 import Sqlite3Writer
 
 from rosbag2_py.metadata import BagError, dump
@@ -95,7 +97,7 @@ class DataFile:
 
 # MCAP's specification: a file is its magic, then records (opcode, length of 8 bytes, content), then its magic again.
 _MAGIC = b'\x89MCAP0\r\n'
-_FOOTER, _DATA_END = 0x02, 0x0F
+_FOOTER, _CHUNK, _DATA_END = 0x02, 0x06, 0x0F
 _END = struct.pack('<BQI', _DATA_END, 4, 0) + struct.pack('<BQQQI', _FOOTER, 20, 0, 0, 0) + _MAGIC
 
 
@@ -103,7 +105,7 @@ def end_mcap(path: Path) -> bool:
     """
     Give an MCAP file that was left without an end one; whether that was needed.
 
-    A record that was not written to its end is cut off. The end has no index: readers scan the file.
+    A record that was not written to its end is cut off. The end has no index (see `index_mcap`): readers scan the file.
 
     :raises BagError: if it is no MCAP file, or has no whole record.
     """
@@ -131,3 +133,41 @@ def end_mcap(path: Path) -> bool:
         file.seek(end)
         file.write(_END)
     return True
+
+
+def index_mcap(path: Path, metadata: str) -> None:
+    """
+    Write an MCAP file without an index anew, with one, and with the bag's metadata.
+
+    Who scans a file may need its messages in the order of their times, as the library rosbags does. On a busy machine
+    those of two topics can be recorded in another order.
+
+    :raises OSError: there is no room; the file is as before.
+    """
+    reader = McapReader(path)
+    reader.open()
+    try:
+        with tempfile.TemporaryDirectory(prefix='.reindex_', dir=path.parent) as folder:
+            file = DataFile(Path(folder), path.stem, 'mcap', _compressed(path))
+            for connection in reader.connections:
+                file.add(connection)
+            for connection, timestamp, data in reader.messages_scan(reader.connections):
+                file.write(connection, timestamp, data)
+            file.close(9, metadata)
+            file.path.replace(path)
+    finally:
+        reader.close()
+
+
+def _compressed(path: Path) -> bool:
+    """Return whether the first chunk of an MCAP file that has an end is compressed."""
+    with path.open('rb') as file:
+        file.seek(len(_MAGIC))
+        while True:
+            opcode, length = struct.unpack('<BQ', file.read(9))
+            if opcode == _CHUNK:
+                file.seek(28, os.SEEK_CUR)  # times, size, checksum; then comes the compression's name
+                return struct.unpack('<I', file.read(4))[0] > 0
+            if opcode == _DATA_END:
+                return False
+            file.seek(length, os.SEEK_CUR)

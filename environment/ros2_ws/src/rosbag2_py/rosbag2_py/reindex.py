@@ -2,13 +2,14 @@
 
 import os
 import re
+from contextlib import suppress
 from pathlib import Path
 
 from rclpy.time import Time
 
 from rosbag2_py import metadata as metadata_file
 from rosbag2_py.compression import FORMAT, CompressionMode, is_compressed
-from rosbag2_py.files import SUFFIXES, end_mcap
+from rosbag2_py.files import SUFFIXES, end_mcap, index_mcap
 from rosbag2_py.metadata import BagError
 from rosbag2_py.options import BagMetadata, StorageOptions, TopicInformation
 from rosbag2_py.reader import open_reader, read_metadata
@@ -42,8 +43,13 @@ def _number(file: Path) -> tuple[int, str]:
 
 
 def _read(file: Path, storage: str) -> BagMetadata:
-    if storage == 'mcap':
-        end_mcap(file)
+    if storage == 'mcap' and end_mcap(file):
+        with suppress(OSError):  # a full disk; it is scanned then
+            index_mcap(file, metadata_file.dump(metadata_file.inner(_facts(file))))
+    return _facts(file)
+
+
+def _facts(file: Path) -> BagMetadata:
     reader = open_reader(file)
     try:
         metadata = read_metadata(file, reader)
