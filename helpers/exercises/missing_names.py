@@ -15,8 +15,13 @@ AGAIN = 'It is part of a demonstration: run that cell again.'
 HALF_IMPORTED = """A package was stopped in the middle of its import, and Python cannot import it again in this kernel.
 Restart the kernel (in the menu: Kernel, Restart Kernel). Then run the cells from the top, or in a cell here:
     from helpers import resume; resume()"""
-# What Python and pybind11 say of a compiled module that was imported by half; the last text has other causes, too.
-_CUT = 'cannot load module more than once per process', 'is already registered!', 'initialization failed'
+# What is said of a compiled module that was imported by half; the text below has other causes, too.
+_CUT = (
+    'cannot load module more than once per process',
+    'is already registered!',  # pybind11
+    'initialization failed',
+    'CPU dispatcher tracer already',  # numpy for Python 3.10
+)
 _CUT_IF_STOPPED = 'partially initialized module'
 _stopped = False  # whether a cell has been stopped in this kernel
 
@@ -62,4 +67,4 @@ def explain(result) -> None:
 def _is_half_imported(error: BaseException | None) -> bool:
     """Whether an import fails because an earlier one was stopped in its middle."""
     texts = (*_CUT, _CUT_IF_STOPPED) if _stopped else _CUT
-    return isinstance(error, ImportError | AttributeError) and any(text in str(error) for text in texts)
+    return isinstance(error, ImportError | AttributeError | RuntimeError) and any(text in str(error) for text in texts)

@@ -135,7 +135,7 @@ def generate_launch_description():
             for name, value in (('max_linear', 0.5), ('slow_linear', 0.2), ('rate', 10.0), ('mode', 'normal')):
                 node.declare_parameter(name, value)
             node.create_publisher(Twist, 'cmd_vel', 10)
-            node.create_subscription(Twist, 'cmd_vel_in', print, 10)
+            node.create_subscription(Twist, 'cmd_vel_in', lambda message: None, 10)
             rclpy.spin(node)
             """
 

@@ -7,14 +7,19 @@ slow: a beginning that fits, one sign many times, and an end that does not fit.
 import ast
 import itertools
 import re
+import sys
 import time
 from collections.abc import Callable, Iterator
-from re import _parser as parser  # type: ignore[attr-defined]
 from typing import NamedTuple
 
 import pytest
 
 from helpers import paths
+
+if sys.version_info >= (3, 11):
+    from re import _parser as parser  # type: ignore[attr-defined]
+else:
+    import sre_parse as parser
 
 pytestmark = pytest.mark.one_of(2)
 

@@ -29,15 +29,15 @@ def nodes(domain, monkeypatch):
 def test_a_node_that_only_says_and_hears_different_topics_hears_nothing_of_its_own(nodes):
     outgoing, left, right = nodes
     left.create_publisher(String, 'said', 10)
-    left.create_subscription(String, 'heard', print, 10)
-    right.create_service(Trigger, 'served', print)
+    left.create_subscription(String, 'heard', lambda message: None, 10)
+    right.create_service(Trigger, 'served', lambda request, response: response)
     assert not outgoing.reaches([left, right])
 
 
 def test_a_topic_of_another_node_of_the_same_process_arrives(nodes):
     outgoing, left, right = nodes
     left.create_publisher(String, 'said', 10)
-    right.create_subscription(String, '/said', print, 10)
+    right.create_subscription(String, '/said', lambda message: None, 10)
     assert outgoing.reaches([left, right])
     assert outgoing.reaches([right]), 'who says it need not be a node that runs'
     assert not outgoing.reaches([left])
@@ -46,7 +46,7 @@ def test_a_topic_of_another_node_of_the_same_process_arrives(nodes):
 def test_what_a_publisher_has_said_may_be_on_its_way_when_it_has_gone(nodes):
     outgoing, left, right = nodes
     left.destroy_publisher(left.create_publisher(String, 'said', 10))
-    right.create_subscription(String, 'said', print, 10)
+    right.create_subscription(String, 'said', lambda message: None, 10)
     assert outgoing.reaches([right])
 
 
@@ -55,7 +55,7 @@ def test_what_a_publisher_has_said_may_be_on_its_way_when_it_has_gone(nodes):
     [
         lambda node: node.create_client(Trigger, 'asked'),
         lambda node: ActionClient(node, Fibonacci, 'counted'),
-        lambda node: node.create_subscription(String, 'counted/_action/status', print, 10),
+        lambda node: node.create_subscription(String, 'counted/_action/status', lambda message: None, 10),
     ],
     ids=['client', 'action client', 'status of an action'],
 )
@@ -69,6 +69,6 @@ def test_requests_answers_and_goals_may_arrive(nodes, make):
 def test_a_destroyed_subscription_harms_nobody(nodes):
     outgoing, left, _ = nodes
     left.create_publisher(String, 'said', 10)
-    subscription = left.create_subscription(String, 'said', print, 10)
+    subscription = left.create_subscription(String, 'said', lambda message: None, 10)
     subscription.destroy()  # not by its node, which keeps it in its list
     assert not outgoing.reaches([left])

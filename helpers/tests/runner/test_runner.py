@@ -107,7 +107,7 @@ expect(third.name == node.name, third.name)
         NODE
         + """\
         self.p = self.create_publisher(String, 'said', 7)
-        self.create_subscription(String, 'heard', print, QoSProfile(depth=3))
+        self.create_subscription(String, 'heard', lambda message: None, QoSProfile(depth=3))
 """,
         """
 learner.start('Talker')
@@ -470,7 +470,7 @@ assert learner.call('Talker', 'set') == [1, 3] and learner.call('Talker', 'deque
         + """\
         self.p = self.create_publisher(String, 'a', qos_profile_sensor_data)
         latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-        self.create_subscription(Int32, 'b', print, latched)
+        self.create_subscription(Int32, 'b', lambda message: None, latched)
 """,
         """
 learner.start('Talker')
@@ -522,7 +522,7 @@ assert learner.wait_until(lambda: not learner.endpoints('/chatter').publishers)
         ('publisher on /chatter offers reliability BEST_EFFORT, the subscription asks for RELIABLE',),
     ),
     'strong request': Case(
-        NODE + "        self.create_subscription(String, 'x', print, 10)\n",
+        NODE + "        self.create_subscription(String, 'x', lambda message: None, 10)\n",
         """
 learner.talk('/x', String, qos_profile_sensor_data)
 learner.start('Talker')

@@ -525,7 +525,7 @@ import rclpy
 from std_msgs.msg import UInt64
 rclpy.init()
 node = rclpy.create_node('listener')
-heard = [node.create_subscription(UInt64, name, print, 10) for name in sys.argv[2:]]
+heard = [node.create_subscription(UInt64, name, lambda message: print(message), 10) for name in sys.argv[2:]]
 end = time.monotonic() + 2
 while time.monotonic() < end and not all(node.count_publishers(name) for name in sys.argv[2:]):
     time.sleep(0.01)

@@ -296,7 +296,7 @@ values = dict(max_linear=float(sys.argv[2]), slow_linear=0.2, rate=rate, mode=sy
 for name, value in values.items():
     node.declare_parameter(name, value)
 node.create_publisher(Twist, sys.argv[4], 10)
-node.create_subscription(Twist, 'cmd_vel_in', print, 10)
+node.create_subscription(Twist, 'cmd_vel_in', lambda message: None, 10)
 rclpy.spin(node)
 """
 
@@ -571,7 +571,7 @@ for path in Path(get_package_prefix('fleet')).rglob('governor.py'):
 for name, value in values.items():
     node.declare_parameter(name, value)
 node.create_publisher(Twist, sys.argv[4], 10)
-node.create_subscription(Twist, 'cmd_vel_in', print, 10)
+node.create_subscription(Twist, 'cmd_vel_in', lambda message: None, 10)
 rclpy.spin(node)
 """
 

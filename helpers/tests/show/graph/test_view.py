@@ -34,10 +34,10 @@ def system(ros):
     """Two nodes with a topic, a service and an action between them."""
     a, b = rclpy.create_node('a', namespace='robot'), rclpy.create_node('b')
     b.create_publisher(String, 'chatter', 10)
-    a.create_subscription(String, '/chatter', print, 10)
+    a.create_subscription(String, '/chatter', lambda message: None, 10)
     a.create_service(AddTwoInts, 'add', lambda request, response: response)
     b.create_client(AddTwoInts, 'robot/add')
-    ends = ActionServer(a, Fibonacci, 'count', print), ActionClient(b, Fibonacci, 'robot/count')
+    ends = ActionServer(a, Fibonacci, 'count', lambda goal: None), ActionClient(b, Fibonacci, 'robot/count')
     with spinning(a, b):
         yield ends
 
