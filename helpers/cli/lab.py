@@ -14,6 +14,7 @@ import typer
 from helpers import paths
 from helpers.cli import Refusal, own
 from helpers.exercises import manifest, start_page
+from helpers.kernel import shared_memory
 
 DEFAULT_PORT = 8888
 EXTENSIONS = paths.ROOT / 'helpers' / 'cli' / 'labextensions'  # the course's own
@@ -37,6 +38,7 @@ def lab(
     if not paths.NOTEBOOKS.is_dir():
         raise Refusal(f'{paths.NOTEBOOKS} is missing: get a complete copy of the course, or run ./course build')
     own.enter()
+    shared_memory.tidy()
     check_private_folders()
     chosen = choose_port(port, host)
     if port is None and chosen != DEFAULT_PORT:
