@@ -178,6 +178,7 @@ def shared_memory(directory: Path = Path('/dev/shm')) -> Fact:
     if not directory.is_dir() or not os.access(directory, os.W_OK):
         return Fact('shared memory', False, f'{directory} is not writable: large messages are slow', remedy, False)
     free = shutil.disk_usage(directory).free
+    remedy = f'start ./course lab again, which removes what killed programs have left there; or {remedy}'
     return Fact('shared memory', free >= 32_000_000, f'{free / 1e6:.0f} MB free in {directory}', remedy, False)
 
 
