@@ -66,7 +66,7 @@ def test_a_view_follows_the_simulator_of_another_process_and_leaves_nothing(simu
         twist = Twist()
         twist.linear.x = 2.0
         publisher.publish(twist)
-        wait_for(lambda: view.pose().x > 6.5, timeout=30)
+        wait_for(lambda: view.pose().x > 6.5 and not view.pose().linear_velocity, timeout=30)  # it stands: no new trail
         assert '<polyline' in TurtlePicture(view._world, 100)._repr_mimebundle_()[SVG], 'the trail is drawn'
         with spinning(driver):
             clear = driver.create_client(Empty, 'clear')
