@@ -77,7 +77,7 @@ class ProgramProcesses:
     def clear(self, place: str | None = None) -> None:
         """End whatever is left of the programs, all of which have ended; or of the tasks in a place.
 
-        What a program of a task has put into a session of its own ends with the last place: whose it was is not known.
+        An orphan in a session of its own does not tell from which place it is: it ends when all places are cleared.
         """
         if place is None:
             self.close()
@@ -94,7 +94,7 @@ class ProgramProcesses:
         return ''
 
     def close(self) -> None:
-        """The last call."""
+        """End all that this process has started, or taken over; also the last call."""
         for pid in process_tree.children(os.getpid()):
             process_tree.kill_family(pid)
 

@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import pytest
 
@@ -61,6 +62,5 @@ def test_what_fast_dds_holds_stays_and_what_it_has_left_goes(domain, monkeypatch
 
 
 def _of(path, pid):
-    """Whether a process has the file open, or the lock file's segment."""
-    name = str(path).removesuffix('_el')
-    return any(name in line for line in open(f'/proc/{pid}/maps'))
+    """Whether a process has mapped the segment, or that of the lock file."""
+    return str(path).removesuffix('_el') in Path(f'/proc/{pid}/maps').read_text()
