@@ -1,12 +1,13 @@
 """`python environment/setup ARGS`: what the script `course` runs."""
 
 import sys
-from pathlib import Path
-
-ROOT = Path(__file__).resolve().parents[2]
+from os.path import dirname, realpath
 
 if __name__ == '__main__':
-    sys.path[0] = str(ROOT)
+    sys.path[0] = dirname(dirname(dirname(realpath(__file__))))
+    from environment.setup import interruption
+
+    interruption.ends_at_once()  # before the imports that take longer
     from environment.setup.main import main
 
     sys.exit(main(sys.argv[1:]))

@@ -7,7 +7,7 @@ import subprocess
 from collections.abc import Mapping
 from pathlib import Path
 
-from environment.setup import interpreter, mutex, preflight, startup, tools, usage
+from environment.setup import interpreter, interruption, mutex, preflight, startup, tools, usage
 from environment.setup import underlay as underlays
 from environment.setup.console import Console
 from environment.setup.errors import BuildError, PreflightError
@@ -19,7 +19,11 @@ ROOT = Path(__file__).resolve().parents[2]
 FAILED, UNUSABLE = 1, 2
 # Not `python -m`: that would import first from the folder in which the command is given. This may be another checkout,
 # or hold a json.py of a learner's.
-_START = 'import sys; sys.path[0] = sys.argv.pop(1); from helpers.cli.app import main; sys.exit(main())'
+_START = (
+    'import sys; sys.path[0] = sys.argv.pop(1); '
+    'from environment.setup import interruption; interruption.ends_at_once(); '
+    'from helpers.cli.app import main; sys.exit(main())'
+)
 
 # Of the settings that `startup.drop_settings_of_another_ros` drops those whose owner has to know.
 _DROPPED = {
@@ -32,13 +36,13 @@ def main(arguments: list[str], root: Path = ROOT) -> int:
     """Returns an exit status; on success it does not return, as this process becomes the command line."""
     layout = Layout(root)
     console = Console()
-    signal.signal(signal.SIGTERM, _interrupt)
-    signal.signal(signal.SIGHUP, _interrupt)
+    interruption.raises()
     try:
         if usage.asked(arguments) and not _ready(layout, os.environ):
             print(usage.text(root))
             return 0
         underlay = ensure(layout, os.environ, console)
+        interruption.ends_at_once()
     except PreflightError as error:
         console.line(f'course: {error}')
         return UNUSABLE
@@ -49,23 +53,18 @@ def main(arguments: list[str], root: Path = ROOT) -> int:
     except KeyboardInterrupt:
         console.line('course: interrupted; the next ./course goes on from here')
         return 128 + signal.SIGINT
-    signal.signal(signal.SIGTERM, signal.SIG_DFL)
-    signal.signal(signal.SIGHUP, signal.SIG_DFL)
     python = str(layout.python)
     env = activated(layout, underlay, os.environ)
     for name, why in _DROPPED.items():
         if os.environ.get(name) and name not in env:
             console.line(f'course: {name}={os.environ[name]} does not count here: {why}')
+    interruption.waits()
     os.execve(python, [python, '-c', _START, str(root), *arguments], env)
 
 
 def _ready(layout: Layout, environ: Mapping[str, str]) -> bool:
     """Whether there is nothing to set up. Raises PreflightError, as `ensure` does."""
     return not Setup(layout, _underlay(layout, environ), environ).stale()
-
-
-def _interrupt(number, frame):
-    raise KeyboardInterrupt
 
 
 def ensure(layout: Layout, environ: Mapping[str, str], console: Console) -> underlays.Underlay:

@@ -7,6 +7,7 @@ from importlib.util import find_spec
 
 import typer
 
+from environment.setup import interruption
 from helpers.cli import Refusal
 
 INTERRUPTED = 128 + signal.SIGINT  # typer ends with it, too
@@ -39,9 +40,7 @@ def make_app() -> typer.Typer:
 
 def main(arguments: list[str] | None = None) -> int:
     """Run the command line and return its exit status: 0 done, 1 something failed, 2 wrong usage or unusable input."""
-    for number in (signal.SIGTERM, signal.SIGHUP):  # the end of a terminal or of a session: tidied up as after Ctrl+C
-        if signal.getsignal(number) is signal.SIG_DFL:  # nohup has it ignored
-            signal.signal(number, signal.default_int_handler)
+    interruption.raises()
     try:
         status = make_app()(args=arguments, prog_name='./course', standalone_mode=True) or 0
     except Refusal as refusal:
