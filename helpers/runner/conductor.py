@@ -191,7 +191,8 @@ class Conductor:
             self._sent_since_echo |= self.pool.run(handler, entity, node)  # it may have sent something before it waits
             return self._count_ended(self.pool)
         self.in_callback = node is not self.node
-        begin = time.thread_time()
+        watch = self.program.watch
+        begin = watch.processor_time() if watch else 0.0
         try:
             handler()
             if not handler.done():
@@ -201,8 +202,8 @@ class Conductor:
             error = raised
         finally:
             self.in_callback = False
-            if self.program.watch and node is not self.node:
-                self.program.watch.worked(_named(entity), time.thread_time() - begin, CALLBACK_WORK, STEADY_WORK)
+            if watch and node is not self.node:
+                watch.worked(_named(entity), watch.processor_time() - begin, CALLBACK_WORK, STEADY_WORK)
         return self._count(error, entity, node)
 
     def _count(self, error: BaseException | None, entity, node) -> int:

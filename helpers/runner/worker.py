@@ -168,14 +168,14 @@ class Worker:
         seen = self._loaded().watch
         if seen:
             seen.begins()
-        begin = time.thread_time()
+        begin = seen.processor_time() if seen else 0.0
         try:
             with arguments_of_nodes(ros_args) if ros_args else nullcontext():
                 made = factory(*map(values.decode, args), **{k: values.decode(v) for k, v in kwargs.items()})
         except BaseException as error:  # noqa: BLE001 - SystemExit in a constructor, too
             raise self._loaded().error('constructor', error, name=name) from None
         if seen:
-            seen.worked(name, time.thread_time() - begin, CONSTRUCTOR_WORK)
+            seen.worked(name, seen.processor_time() - begin, CONSTRUCTOR_WORK)
         nodes = list(made) if isinstance(made, (list, tuple)) else [made]
         for node in nodes:
             if not isinstance(node, Node):

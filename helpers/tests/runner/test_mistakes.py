@@ -402,6 +402,37 @@ def test_a_callback_that_always_keeps_the_processor_waits():
     assert (counted, seen.slept) == (0.0, 0.25)
 
 
+def test_log_lines_are_no_wait(tmp_path):
+    """For each line that a cell logs rclpy looks through all modules: 40 lines keep the processor for 20 ms and more.
+
+    What rclpy remembers of a line it remembers of each one by itself, such as that it comes only once.
+    """
+    source = """\
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.create_timer(0.1, self.tick)
+
+    def tick(self):
+        for _ in range(40):
+            self.get_logger().debug('here')
+            self.get_logger().info('here')
+        self.get_logger().warning('once', once=True)
+"""
+    test = judge(
+        tmp_path,
+        source,
+        '''
+def test_run(learner):
+    """It runs."""
+    learner.start('Talker')
+    learner.run(1.25)
+    expect(not learner.slept, f'{learner.slept} s')
+''',
+    )
+    assert test.verdict == 'passed', test.message
+
+
 def test_after_many_runs_the_limit_is_lower():
     """Of many runs the shortest tells how long the callback needs; who was quick once does not wait."""
     seen = Watch(lambda: True, lambda: False, lambda frame: True)
