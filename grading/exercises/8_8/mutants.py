@@ -14,6 +14,8 @@ MUTANTS = [
     Mutant('other_topic_of_the_motor', old="'cmd_vel'", new="'motor'", expect='nothing new', breaks='given'),
     Mutant('no_station_keeper', edits=(('class Courier(StationKeeper)', 'class Courier(Node)'),
            ('__init__(**options)', "__init__('delivery_robot', **options)")), expect='place', breaks='given'),
+    Mutant('no_options', old='super().__init__(**options)', new='super().__init__()', expect='hands **options on',
+           breaks='given'),
     Mutant('in_odom', old=".lookup_transform('map', '", new=".lookup_transform('odom', '",
            expect='In which frame did you ask', breaks='place', also=('unknown', 'old', 'again')),
     Mutant('swapped', old="map', 'base_footprint", new="base_footprint', 'map", expect='target and source are swapped',

@@ -81,6 +81,14 @@ def judge_given(learner) -> None:
             )
         name = ''.join(draw.choices('abcdefgh', k=6))
         expect(node.call('place', name) is None, f'Nobody has set {name}, and place({name!r}) is not None.', 'given')
+        args = ['--ros-args', '-r', f'__ns:=/{name}']
+        other = learner.start('Courier', beside=node, cli_args=args)
+        expect(
+            other.name == f'/{name}/delivery_robot',
+            f'Courier(cli_args={args}) is called {other.name}, expected /{name}/delivery_robot, as a StationKeeper '
+            'is: its constructor hands **options on.',
+            'given',
+        )
 
 
 def _speeds(twist: Twist) -> list[float]:
