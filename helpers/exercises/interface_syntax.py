@@ -19,6 +19,8 @@ def mistake(path: str, text: str) -> tuple[str, int] | None:
     for number, line in enumerate(lines, 1):
         if line == _DIVIDES:
             names = {}
+        elif line.strip() and not line.strip().strip('-'):
+            return f'`{_DIVIDES}` is three hyphens, and nothing else stands in its line, not even a blank', number
         elif found := _in_line(line, names):
             return found, number
     dividing, parts = lines.count(_DIVIDES), PARTS[suffix]

@@ -40,6 +40,7 @@ MUTANTS = [
             bool docked
             string message
             ''', '')), expect='above `---` is the request', breaks='request'),
+    Mutant('a_blank_after_the_line', old='---', new='--- ', expect='not even a blank', breaks='response'),
     Mutant('nothing_between', old='---', new='', expect='has no line `---`', breaks='response'),
     Mutant('message_forgotten', old='string message', new='',
            expect='The fields of the response of Dock are bool docked', breaks='response'),

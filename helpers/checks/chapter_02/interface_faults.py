@@ -41,7 +41,10 @@ def cause(output: str, reason: Callable[[str], str]) -> tuple[str, str]:
             f'std_msgs/{found[1]}.'
         ), 'charge'
     if 'Could not find separator' in text:
-        return 'Dock.srv has no line `---`. It divides the request from the response.', 'response'
+        return (
+            'Dock.srv has no line `---`. It divides the request from the response, and nothing else stands in it, not '
+            'even a blank.'
+        ), 'response'
     if '<member_of_group>' in text:
         return (
             'package.xml does not say that the package is a member of the group: it needs '

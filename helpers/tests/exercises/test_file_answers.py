@@ -180,6 +180,8 @@ def test_a_line_that_cannot_be_followed_is_refused(kernel, tmp_path, said):
         ('A.msg', 'uint8 a\nbool a\n', 2, '`a` is there twice'),
         ('A.msg', 'uint8 a\n---\nuint8 a\n', 0, 'a .msg file has no `---`'),
         ('A.srv', 'uint8 a\n', 0, 'a .srv file has 1 line `---` (request, response), and here are 0'),
+        ('A.srv', 'uint8 a\n--- \n', 2, 'not even a blank'),
+        ('A.srv', 'uint8 a\n----\n', 2, '`---` is three hyphens'),
         ('A.action', 'uint8 a\n---\nuint8 a\n', 0, '2 lines `---` (goal, result, feedback), and here are 1'),
         ('CMakeLists.txt', 'project(a)\nfind_package(b\nament_package()\n', 2, '`(` is not closed'),
         ('CMakeLists.txt', 'project(a))\n', 1, 'not `)`'),
