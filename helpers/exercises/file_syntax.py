@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 
 import yaml
 
-from helpers.exercises import cmake_syntax, interface_syntax
+from helpers.exercises import cmake_syntax, interface_syntax, syntax_words
 
 
 class Mistake(NamedTuple):
@@ -55,7 +55,7 @@ def _python(text: str) -> Mistake | None:
             warnings.simplefilter('ignore')  # of what is allowed, if odd
             compile(text, '<file>', 'exec', dont_inherit=True)
     except SyntaxError as error:
-        return Mistake(error.msg, error.lineno or 0, error.offset or 0)
+        return Mistake(syntax_words.said(error), error.lineno or 0, error.offset or 0)
     return None
 
 

@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from helpers.exercises import cell_python, definitions, file_answers, trials
+from helpers.exercises import cell_python, definitions, file_answers, syntax_words, trials
 from helpers.exercises.manifest import Exercise, stub_digest
 from helpers.exercises.notebooks import NotebookCell
 
@@ -287,7 +287,7 @@ def _parse_exercise(cell: NotebookCell, exercise: Exercise, commands: list[tuple
                 ) from None
         text = lines[error.lineno - 1].strip()[:80] if error.lineno and error.lineno <= len(lines) else ''
         raise InvalidExercise(
-            f'Exercise {exercise.id}, line {error.lineno}: Python cannot read `{text}` ({error.msg}).'
+            f'Exercise {exercise.id}, line {error.lineno}: Python cannot read `{text}` ({syntax_words.said(error)}).'
             + _on_lost_line(cell, exercise)
         ) from None
     except (ValueError, RecursionError, MemoryError):  # null bytes, very deep nesting

@@ -171,6 +171,7 @@ def test_a_line_that_cannot_be_followed_is_refused(kernel, tmp_path, said):
         ('a.cfg', 'x=1\n', 1, 'a section such as [install] must come first'),
         ('a.cfg', '[a]\nx=1\nx=2\n', 3, 'already exists'),
         ('a.py', '\0', 0, 'null bytes'),
+        ('a.py', "setup(name='a'，version='1')\n", 1, '(U+FF0C): type `,` in its place'),
         ('A.msg', 'uint8 FULL=100\nuint8 full=100\n', 2, '`full` is no name of a constant'),
         ('A.msg', '# charge\nuint8 FULL 100\n', 2, '`FULL` is no name of a field'),
         ('A.msg', 'std_msgs/msg/Header header\n', 1, 'written `std_msgs/Header`, without `/msg/`'),

@@ -142,6 +142,11 @@ def test_broken_other_exercise_does_not_matter():
         ('class Talker: pass\n%%bash\nls', 'line 3: `%%bash` is a notebook command'),
         ('class Talker: pass\n!ls\nx = 1 +', r'line 4: Python cannot read `x = 1 \+`'),
         ('class Talker: pass\n\0', 'cannot read'),
+        ('class Talker：pass', r'\(U\+FF1A\): type `:` in its place\)'),  # of a Chinese input method
+        ('x = “a”', r'\(U\+201C\): type `"` in its place\)'),
+        ('class\u00a0Talker: pass', r'U\+00A0: type a plain blank in its place\)'),
+        ('class Talker: pass\u200b', r'U\+200B: this sign has no width'),
+        ('x = 1 ½', r'\(U\+00BD\)\)'),  # there is no such key
         ('def f():\n    Talker = 1', 'must define `Talker`'),
         ('x = ' + '(' * 500 + ')' * 500, 'cannot read'),
     ],
