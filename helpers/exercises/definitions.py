@@ -16,6 +16,7 @@ _LINE = re.compile(r'[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+')
 # Calls that make a constant when their arguments are constant: quickly, and of which nobody else notices anything.
 _VALUE_TYPES = {
     *('QoSProfile', 'Duration', 'Time', 'Path', 'timedelta', 'namedtuple', 'partial', 'array', 'compile'),
+    *('Enum', 'IntEnum', 'defaultdict', 'deque'),
     *('bool', 'bytes', 'complex', 'dict', 'float', 'frozenset', 'int', 'list', 'range', 'set', 'str', 'tuple'),
     *('abs', 'len', 'max', 'min', 'round', 'sorted', 'zip', 'cos', 'degrees', 'radians', 'sin', 'sqrt'),
 }

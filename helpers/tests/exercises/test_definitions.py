@@ -39,6 +39,8 @@ def kept(source):
         'TURN = math.radians(40)',
         "WORD = re.compile('[a-z]+')",
         "Place = namedtuple('Place', 'x y')",
+        "State = Enum('State', 'IDLE DRIVING')",
+        'RECENT = collections.deque(maxlen=3)',
         'ANGLES = [math.radians(a) for a in range(0, 360, 45) if a]',
         'X = {name: len(value) for name, value in Y.items()}',
         "X = ', '.join(sorted(Y))",
