@@ -4,7 +4,8 @@ import re
 import unicodedata
 
 _CODE = re.compile(r'U\+([0-9A-F]{4,6})')
-# Signs of input methods, web pages and text programs that NFKC, Unicode's table of signs alike, leaves as they are.
+# Signs of input methods, web pages and text programs for which NFKC, Unicode's form of signs that are alike, has no key
+# of the keyboard, or not the one that is meant.
 _PLAIN = {
     **dict.fromkeys('“”„‟«»″〝〞', '"'),
     **dict.fromkeys('‘’‚‛´′‹›', "'"),
