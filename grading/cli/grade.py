@@ -93,7 +93,9 @@ def grade(
             cluster,
         )
         _warn(skipped, course.sandbox, console)
-        bytecode.store()
+        with console.status('Compiling Python modules'):
+            bytecode.store()
+            bytecode.store_installed()
         with progress.Shown(console) as shown:
             records = grader.grade(found, course, output, jobs, shown, settings)
     except refused as error:
