@@ -18,6 +18,7 @@ from grading.authoring.chapter import Chapter, SourceCell
 from grading.authoring.chapter_errors import AuthoringError
 from grading.authoring.kernels import AsyncLocalKernelManager
 from helpers.kernel import domains
+from helpers.programs.english import ENGLISH
 
 KERNEL = 'course'  # the kernelspec of the set-up; also what nbval uses
 CELL_TIMEOUT = 60  # seconds
@@ -65,7 +66,7 @@ def execute(
             client.execute(
                 env={
                     **os.environ,
-                    'LC_ALL': 'C.UTF-8',  # the outputs that are kept are English
+                    **ENGLISH,
                     **(environment or {}),
                     'ROS_DOMAIN_ID': str(domain_id),
                     'COURSE_PROGRESS': 'off',

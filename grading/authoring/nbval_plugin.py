@@ -2,11 +2,12 @@
 
     pytest --nbval -n 4 solutions
 
-Outputs are compared without what differs from run to run, a semicolon hides a value as in JupyterLab, the cells of one
-notebook stay in one kernel, tests have the names of their cells (the numbers of the cells of a repeated notebook mean
-nothing), and kernels have sockets of their own.
+Outputs are English and compared without what differs from run to run, a semicolon hides a value as in JupyterLab, the
+cells of one notebook stay in one kernel, tests have the names of their cells (the numbers of the cells of a repeated
+notebook mean nothing), and kernels have sockets of their own.
 """
 
+import os
 import tempfile
 
 import nbval.kernel
@@ -16,6 +17,7 @@ from nbval.plugin import IPyNbCell, IPyNbFile
 from grading.authoring import outputs
 from grading.authoring.kernels import LocalKernelManager
 from helpers import paths
+from helpers.programs.english import ENGLISH
 
 nbval.kernel.KernelManager = LocalKernelManager  # nbval has no option for it
 PREPARE = 'from grading.authoring import semicolons\nsemicolons.honour()\ndel semicolons'
@@ -59,7 +61,8 @@ def pytest_collect_file(file_path, parent):
 
 
 def pytest_configure(config):
-    """Let nbval compare as the build does, unless the command line names other sanitizers."""
+    """Let kernels speak English, and nbval compare as the build does, unless the command line says how."""
+    os.environ.update(ENGLISH)
     if config.option.nbval_sanitize_with is None:
         file = tempfile.NamedTemporaryFile('w', prefix='course-nbval-', suffix='.cfg', encoding='utf-8')
         config.add_cleanup(file.close)

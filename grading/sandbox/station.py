@@ -42,13 +42,7 @@ class Station(Servers):
 def environment() -> dict[str, str]:
     """What the servers and all that they fork have: nothing of the caller's but what Python and ROS need."""
     kept = start_processes.environment(0, str(mounts.HOME))
-    return {
-        **kept,
-        'PATH': f'{Path(sys.prefix, "bin")}:/usr/bin:/bin',
-        'LANG': 'C.UTF-8',
-        'TMPDIR': '/tmp',
-        'ROS_LOG_DIR': '/tmp/log',
-    }
+    return {**kept, 'PATH': f'{Path(sys.prefix, "bin")}:/usr/bin:/bin', 'TMPDIR': '/tmp', 'ROS_LOG_DIR': '/tmp/log'}
 
 
 MOST = 2  # stations at a time; a grader has one, tests of the grader have more

@@ -18,14 +18,12 @@ from typing import IO, Annotated
 import typer
 
 from helpers import paths
+from helpers.programs.english import ENGLISH
 
 SETTINGS = {'context_settings': {'ignore_unknown_options': True, 'help_option_names': ['--help']}}
 FEW = 16  # up to so many failed tests run once more, one at a time: a busy machine may be the cause
 NO_TESTS = 5  # pytest's status if nothing was collected
 Arguments = Annotated[list[str] | None, typer.Argument(metavar='[PYTEST ARGS]', help='Run pytest with these only.')]
-
-
-ENGLISH = 'C.UTF-8'  # the locale of the outputs that are compared: `cat` and `bash` speak the user's language
 
 
 @dataclass
@@ -60,7 +58,7 @@ def test(arguments: Arguments = None):
     With arguments, only pytest runs, with these.
     """
     os.chdir(paths.ROOT)
-    os.environ['LC_ALL'] = ENGLISH
+    os.environ.update(ENGLISH)
     if arguments:
         raise typer.Exit(min(subprocess.call([sys.executable, '-m', 'pytest', *arguments]), 2))
     (paths.ROOT / 'build').mkdir(exist_ok=True)

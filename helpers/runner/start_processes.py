@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from environment.setup.startup import DEFAULTS
+from helpers.programs.english import ENGLISH
 
 ROOT = Path(__file__).resolve().parents[2]
 PROFILE = Path(__file__).with_name('fastdds.xml')
@@ -20,8 +21,6 @@ SIGNALS = 4096  # that wait, timers included, of all processes in a sandbox
 # Kept from the caller's environment: what makes Python and the ROS installation work, nothing else.
 KEPT = (
     'PATH',
-    'LANG',
-    'LC_ALL',
     'LD_LIBRARY_PATH',
     'AMENT_PREFIX_PATH',
     'PYTHONPATH',
@@ -98,6 +97,7 @@ def environment(domain_id: int, home: str) -> dict[str, str]:
     path = os.pathsep.join([str(ROOT), *filter(None, [kept.get('PYTHONPATH')])])
     return {
         **kept,
+        **ENGLISH,
         **ros_environment(domain_id),
         'PYTHONPATH': path,
         'HOME': home,

@@ -1,5 +1,6 @@
 """The plain command of nbval, without options of ours."""
 
+import os
 import re
 import subprocess
 import sys
@@ -22,6 +23,7 @@ def test_the_plain_command_of_nbval_compares_as_the_build_does(tmp_path, workers
         ('print("Finished in 3.2s")', 'Finished in 9.7s\n'),
         ('print("Finished <<< greeter [3.2s]")', 'Finished <<< greeter [… s]\n'),
         ('x', 'print: 42'),
+        ('import os\nprint([os.environ[name] for name in ("LC_ALL", "LANGUAGE")])', "['C.UTF-8', '']\n"),
     ]
     nodes = []
     for number, (source, printed) in enumerate(cells):
@@ -32,6 +34,7 @@ def test_the_plain_command_of_nbval_compares_as_the_build_does(tmp_path, workers
     path = tmp_path / 'plain.ipynb'
     nbformat.write(nbformat.v4.new_notebook(cells=nodes), path)
     command = [sys.executable, '-m', 'pytest', '-q', '--nbval', *workers, '-p', 'conftest', '--color=no', str(path)]
-    done = subprocess.run(command, cwd=paths.ROOT, capture_output=True, text=True, timeout=170)
+    chinese = {**os.environ, 'LC_ALL': 'zh_CN.UTF-8', 'LANGUAGE': 'zh_CN:zh'}
+    done = subprocess.run(command, cwd=paths.ROOT, env=chinese, capture_output=True, text=True, timeout=170)
     failed = re.findall(r'^FAILED .*::(\S+)', done.stdout, re.MULTILINE)
     assert failed == ['cell-3', 'cell-5'], done.stdout + done.stderr  # another text, and a value in place of a text

@@ -101,12 +101,13 @@ def test_there_is_no_network_but_its_own(facts):
 
 def test_its_environment_is_the_same_for_all(facts, host):
     environment = facts['environment']
+    assert (environment['LC_ALL'], environment['LANGUAGE']) == ('C.UTF-8', '')
     assert host['name'] not in environment.values() and 'GRADER_TOKEN' not in environment
     assert environment['HOME'] == '/home/learner' and str(host['folder']) not in str(environment)
     assert set(environment) <= {
         *start_processes.ros_environment(0),
         'PATH',
-        'LANG',
+        'LANGUAGE',
         'LD_LIBRARY_PATH',
         'AMENT_PREFIX_PATH',
         '_ROS_WHEELS_BOOTSTRAP_COMPLETE',

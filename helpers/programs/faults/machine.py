@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 from helpers.programs import terminals
+from helpers.programs.english import ENGLISH
 from helpers.programs.workspace import Workspace
 
 BASHRC = '.bashrc'
@@ -56,7 +57,7 @@ class Machine(Workspace):
             'HOME': str(self.path),
             'PATH': self.system_path,
             'TERM': 'dumb',
-            'LC_ALL': 'C.UTF-8',
+            **ENGLISH,
             'PYTHONUNBUFFERED': '1',
             'RCUTILS_COLORIZED_OUTPUT': '0',
             'COLCON_DEFAULTS_FILE': str(self.path / terminals.DEFAULTS),

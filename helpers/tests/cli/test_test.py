@@ -47,13 +47,15 @@ def test_success_is_zero(monkeypatch):
 def test_all_that_runs_keeps_what_it_has_compiled_and_speaks_english(monkeypatch):
     monkeypatch.setenv('PYTHONDONTWRITEBYTECODE', '1')
     monkeypatch.setenv('LC_ALL', 'zh_CN.UTF-8')
+    monkeypatch.setenv('LANGUAGE', 'zh_CN:zh')
     seen = []
     plan(monkeypatch)
     monkeypatch.setattr(
         command, '_plan', lambda: [lambda scratch: seen.append(dict(os.environ)) or [command.Step('one', passed=1)]]
     )
     assert run() == 0
-    assert 'PYTHONDONTWRITEBYTECODE' not in seen[0] and seen[0]['LC_ALL'] == 'C.UTF-8'
+    assert 'PYTHONDONTWRITEBYTECODE' not in seen[0]
+    assert (seen[0]['LC_ALL'], seen[0]['LANGUAGE']) == ('C.UTF-8', '')
 
 
 def test_pytest_is_counted(tmp_path, capfd):
