@@ -18,6 +18,7 @@ from helpers.runner.program_process import Task
 
 _LAUNCH = re.compile(r'/launch_ros_\d+')  # ros2 launch's own node
 _STARTED = re.compile(r'^\[INFO\] \[([^]\n]*)-\d+\]: process started with pid', re.MULTILINE)
+LATE = 5.0  # s after its first nodes in which a launch may start another one
 _GONE = re.compile(r'^\[(?:INFO|ERROR)\] \[[^]\n]*\]: process has (?:died|finished)', re.MULTILINE)
 
 
@@ -58,18 +59,24 @@ class Observer:
         ]
         return sorted(name for name in found if not _LAUNCH.fullmatch(name))
 
-    def all_there(self, task: Task, timeout: float, more: Callable[[], int] = lambda: 0) -> list[str]:
+    def all_there(self, task: Task, timeout: float, more: Callable[[], int] = lambda: 0, wanted: int = 1) -> list[str]:
         """The nodes, when as many are there as processes of a `ros2 launch` are still running; or those of now.
 
         :param more: how many of these processes have no node, as is known.
+        :param wanted: how many a right launch starts; if it has started fewer, `LATE` seconds are left for the others,
+            which may stand in a TimerAction.
         """
+
+        def count() -> int:
+            return len(self.nodes()) + more()
 
         def arrived() -> bool:
             log = task.output
             started, gone = len(processes(log)), len(_GONE.findall(log))
-            return bool(started) and len(self.nodes()) + more() >= started - gone
+            return bool(started) and count() >= started - gone
 
         self.until(arrived, timeout, task)
+        self.until(lambda: arrived() and count() >= wanted, LATE, task)
         return self.nodes()
 
     def parameters(self, node: str, names: list[str], timeout: float = 20.0) -> dict:

@@ -31,4 +31,9 @@ def generate_launch_description():
     return description
 '''
 """),
+    Alternative('one_after_the_other', edits=(
+        ('import LaunchDescription', 'import LaunchDescription, actions'),
+        ("Node(namespace='robot2'", "actions.TimerAction(period=1.0, actions=[Node(namespace='robot2'"),
+        ("'base/cmd_vel')], **governor)", "'base/cmd_vel')], **governor)])"),
+    )),
 ]

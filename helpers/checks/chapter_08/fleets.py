@@ -257,7 +257,7 @@ def _launch(learner, workspace, before: str, what: str, *texts: str) -> tuple[st
     heard.release()
     task = workspace.start('bash', '-c', f'{before}; exec ros2 launch {what}', 'bash', *texts)
     with Observer(learner) as observer:
-        strangers = observer.all_there(task, PATIENCE, lambda: len(heard.starts(PROGRAM)))
+        strangers = observer.all_there(task, PATIENCE, lambda: len(heard.starts(PROGRAM)), len(ROBOTS))
     started = heard.starts(PROGRAM)
     task.signal(signal.SIGINT)
     heard.release()
