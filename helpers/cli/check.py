@@ -19,6 +19,7 @@ def check(
     """Run the visible tests of a chapter or an exercise, on the notebook as it was last saved."""
     from rich.console import Console
 
+    from helpers.cli.progress import counted
     from helpers.exercises import manifest, notebooks, result_display
     from helpers.runner import session
 
@@ -36,10 +37,11 @@ def check(
     seeds = progress_file.seeds(exercise.id for exercise in chosen) if own else {}
     launcher = session.Options.launcher if own else _launcher(notebooks_folder)
     options = session.Options(processes=2, seeds=seeds, launcher=launcher, folder=notebooks_folder)
-    report = session.run(cells, chosen, options)
+    console = Console(highlight=False, soft_wrap=True)
+    with counted(console, 'visible tests') as say:
+        report = session.run(cells, chosen, options, say)
     if own:
         start_page.keep(report)
-    console = Console(highlight=False, soft_wrap=True)
     for style, text in result_display.lines(report.exercises):
         console.print(text, style=style or None, markup=False)
     for line in remarks.after(report.exercises, cells) if own else ():

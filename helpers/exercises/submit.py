@@ -7,6 +7,7 @@ import os
 import re
 import time
 import zipfile
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -28,9 +29,11 @@ class Packed:
 
     path: Path
     learner: str
+    folder: Path  # of the notebooks
     exercises: list = field(default_factory=list)  # ExerciseResult
     warnings: list[str] = field(default_factory=list)  # what is not in it, or not as it was checked
     packages: dict[str, Any] = field(default_factory=dict)  # by folder: `helpers.exercises.packages.Package`
+    cells: dict[str, list] = field(default_factory=dict)  # by notebook: its NotebookCells
 
     def lists(self) -> list[str]:
         """What is in it beside the notebooks, and what is not: lines for the learner."""
@@ -52,25 +55,20 @@ def submit(learner: str | None = None) -> None:
 
     try:
         packed = pack(learner)
-        print(result_display.plain(packed.exercises))
-        print('', *packed.lists(), sep='\n')
         print(
-            f'\nPacked for {packed.learner}: {packed.path.name}. Hand in this file. '
+            f'Packed for {packed.learner}: {packed.path.name}. Hand in this file. '
             'It holds the notebooks as they were last saved'
-            f'{", and the packages that are listed." if packed.packages else "."}'
+            f'{", and the packages that are listed." if packed.packages else "."}\n'
         )
+        for results in tested(packed):
+            print(result_display.plain(results))
+        print('', *packed.lists(), sep='\n')
     except SubmissionError as error:
         print(error)
 
 
-def pack(
-    learner: str | None = None,
-    output: Path | None = None,
-    *,
-    notebooks_folder: Path = paths.NOTEBOOKS,
-    test: bool = True,
-) -> Packed:
-    """Write the zip file and run the visible tests (unless `test` is false).
+def pack(learner: str | None = None, output: Path | None = None, *, notebooks_folder: Path = paths.NOTEBOOKS) -> Packed:
+    """Write the zip file.
 
     Outputs of cells are left out. Packages that are answers are in it, as far as they can be handed in. The same work
     gives the same bytes.
@@ -78,7 +76,6 @@ def pack(
     :raises SubmissionError: no notebook of the course is there, one cannot be read, or the learner's id is unusable.
     """
     from helpers.exercises import manifest, notebooks, packages, program
-    from helpers.runner import session
 
     learner = learner or _login()
     if not LEARNER.fullmatch(learner):
@@ -89,23 +86,16 @@ def pack(
     found = {name: notebooks_folder / name for name in names if (notebooks_folder / name).is_file()}
     if not found:
         raise SubmissionError(f'no notebook of the course is in {notebooks_folder}: save your work there.')
-    packed = Packed(output, learner)
+    packed = Packed(output, learner, notebooks_folder)
     members, saved = {}, 0.0
-    handed_in: list = []  # cells
     for name, path in found.items():
         try:
-            cells = notebooks.read(path)
+            packed.cells[name] = notebooks.read(path)
         except notebooks.InvalidSubmission as error:
             raise SubmissionError(str(error)) from None
-        handed_in += cells
         members[name] = _without_outputs(path)
         saved = max(saved, path.stat().st_mtime)
-        mine = [exercise for exercise in exercises.values() if exercise.notebook == name]
-        if test:
-            options = session.Options(processes=2, folder=notebooks_folder)
-            packed.exercises += session.run(cells, mine, options).exercises
-    packed.warnings += _not_saved(packed.exercises, notebooks_folder)
-    packed.warnings += _in_copies(notebooks_folder, handed_in)
+    packed.warnings += _in_copies(notebooks_folder, [cell for cells in packed.cells.values() for cell in cells])
     for exercise in exercises.values():
         if not exercise.folder:
             continue
@@ -126,6 +116,25 @@ def pack(
     members['submission.json'] = json.dumps(label, indent=2).encode()
     _write(output, members)
     return packed
+
+
+def tested(packed: Packed, say: Callable[[str], None] = lambda test: None) -> Iterator[list]:
+    """Run the visible tests of what is packed, and yield the results of one notebook after the other.
+
+    Who stops them has a file to hand in all the same.
+
+    :param say: is told each test that has finished.
+    """
+    from helpers.exercises import manifest
+    from helpers.runner import session
+
+    exercises = manifest.load().values()
+    for name, cells in packed.cells.items():
+        mine = [exercise for exercise in exercises if exercise.notebook == name]
+        results = session.run(cells, mine, session.Options(processes=2, folder=packed.folder), say).exercises
+        packed.exercises += results
+        yield results
+    packed.warnings[:0] = _not_saved(packed.exercises, packed.folder)
 
 
 def _not_saved(results: list, folder: Path) -> list[str]:

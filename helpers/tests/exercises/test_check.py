@@ -19,7 +19,7 @@ from helpers.cli import Refusal
 from helpers.cli.app import make_app
 from helpers.exercises import manifest, notebooks, progress_file, result_display
 from helpers.kernel.journal import ExecutedCell
-from helpers.runner import results
+from helpers.runner import results, session
 from helpers.runner.results import ExerciseResult, TestResult
 from helpers.tests import small
 
@@ -288,7 +288,8 @@ def test_submit(tmp_path):
     """The packed file holds the notebooks without outputs, and is the same each time."""
     found = CliRunner().invoke(make_app(), ['submit', '--id', 'ada', '-o', str(tmp_path / 'ada.zip')])
     assert found.exit_code == 0 and '0 of' in found.output and 'Not solved yet' in found.output
-    again = submitting.pack('ada', tmp_path / 'again.zip', test=False)
+    assert found.output.index('Packed for ada') < found.output.index('Exercise 1.1') < found.output.index('0 of')
+    again = submitting.pack('ada', tmp_path / 'again.zip')
     assert again.path.read_bytes() == (tmp_path / 'ada.zip').read_bytes()
     with zipfile.ZipFile(again.path) as archive:
         label = json.loads(archive.read('submission.json'))
@@ -309,8 +310,20 @@ def test_submit_names_what_a_check_has_found_solved_and_nobody_has_saved(tmp_pat
         json.dumps({one: dataclasses.asdict(mark) for one, mark in marks.items()})
     )
     packed = submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
+    assert not packed.warnings and [len(results) for results in submitting.tested(packed)] == [4]
     (said,) = packed.warnings
     assert said.startswith(f'Exercise {first.id}: its last check found it solved') and first.notebook in said
+
+
+def test_who_stops_the_tests_of_submit_has_the_file(tmp_path, monkeypatch):
+    def stop(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(session, 'run', stop)
+    found = CliRunner().invoke(make_app(), ['submit', '--id', 'ada', '-o', str(tmp_path / 'ada.zip')])
+    assert 'Packed for ada' in found.output and found.exit_code
+    with zipfile.ZipFile(tmp_path / 'ada.zip') as archive:
+        assert archive.testzip() is None and 'submission.json' in archive.namelist()
 
 
 def test_submit_names_answers_in_copies(tmp_path):
@@ -323,11 +336,11 @@ def test_submit_names_answers_in_copies(tmp_path):
     cell = next(cell for cell in original.cells if cell.source.startswith('# Exercise 3.1'))
     cell.source += '\nanswer = 42'
     nbformat.write(original, tmp_path / 'solved-Copy1.ipynb')
-    packed = submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path, test=False)
+    packed = submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
     (said,) = packed.warnings
     assert said.startswith('solved-Copy1.ipynb is not in the file') and 'other cells of 3.1: copy' in said
     nbformat.write(original, tmp_path / exercise.notebook)
-    assert not submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path, test=False).warnings
+    assert not submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path).warnings
 
 
 @pytest.mark.parametrize('learner', ['../x', '=1', 'a b', 'ü', '', 'x' * 65])
@@ -342,7 +355,7 @@ def test_half_a_surrogate_pair_is_handed_in_as_it_is(tmp_path):
     """An emoji that was cut in two would make the whole notebook unreadable, if it were written as UTF-8."""
     name = next(iter(manifest.load().values())).notebook
     (tmp_path / name).write_bytes(small.notebook('x = "\ud83d"'))
-    packed = submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path, test=False)
+    packed = submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
     with zipfile.ZipFile(packed.path) as archive:
         assert 'x = "\ud83d"' in [cell.source for cell in notebooks.parse(archive.read(name), name)]
 
@@ -356,4 +369,4 @@ def test_nothing_to_submit(tmp_path):
         submitting.pack('ada', tmp_path / 'x.zip', notebooks_folder=tmp_path)
     (tmp_path / name).write_bytes(small.notebook('x'))
     with pytest.raises(submitting.SubmissionError, match='cannot be written'):
-        submitting.pack('ada', tmp_path / name / 'x.zip', notebooks_folder=tmp_path, test=False)
+        submitting.pack('ada', tmp_path / name / 'x.zip', notebooks_folder=tmp_path)

@@ -212,7 +212,7 @@ def handing_in(tmp_path, monkeypatch):
     (tmp_path / small.NOTEBOOK).write_bytes(small.notebook('x = 1'))
 
     def pack(name='x.zip'):
-        packed = submitting.pack('ada', tmp_path / name, notebooks_folder=tmp_path, test=False)
+        packed = submitting.pack('ada', tmp_path / name, notebooks_folder=tmp_path)
         with zipfile.ZipFile(packed.path) as archive:
             return packed, archive.namelist()
 
