@@ -68,14 +68,18 @@ class Trial:
 def answers(exercise: str, names: Iterable[str] = ()) -> list[Answer]:
     """The mutants and alternatives of an exercise; only those called so, if there are names.
 
-    :raises grading.variants.VariantError: their files are wrong.
+    :raises grading.variants.VariantError: their files are wrong, or an edit does not fit the solution.
     :raises LookupError: none has such a name.
     """
     found = [Answer(exercise, one) for one in (*variants.mutants(exercise), *variants.alternatives(exercise))]
     wanted = set(names)
     if unknown := wanted - {answer.variant.name for answer in found}:
         raise LookupError(f'exercise {exercise} has no mutant or alternative {min(unknown)!r}')
-    return [answer for answer in found if not wanted or answer.variant.name in wanted]
+    chosen = [answer for answer in found if not wanted or answer.variant.name in wanted]
+    solved = variants.solved_cells(paths.ROOT / 'solutions')[exercise] if chosen else ''
+    for answer in chosen:
+        answer.variant.applied(solved, exercise)
+    return chosen
 
 
 def run(exercise: Exercise, answer: Answer | None, seed: str = SEED) -> Trial:

@@ -1,6 +1,5 @@
 """``./course answers``: the tests of an exercise, tried on answers of which it is known what they are worth."""
 
-import sys
 from concurrent.futures import ThreadPoolExecutor
 from typing import Annotated
 
@@ -29,20 +28,19 @@ def answers(
     chosen = known[exercise]
     try:
         chosen_answers = [*([] if names else [None]), *trial.answers(exercise, names or ())]
-        with ThreadPoolExecutor(max(1, jobs)) as pool:
-            trials = list(pool.map(lambda answer: trial.run(chosen, answer, seed or trial.SEED), chosen_answers))
     except (variants.VariantError, LookupError) as error:
         raise Refusal(str(error)) from None
-    for one in trials:
-        broken = ', '.join(
-            dict.fromkeys(test.rule or trial.name_of(test) for test in one.result.tests if not test.passed)
-        )
-        print(f'{"FAULT" if one.faults else "ok":5} {one.name:32} {broken or one.result.verdict}')
-        for fault in one.faults:
-            print(f'      {fault}')
-        if verbose:
-            print(plain([one.result]))
-    wrong = sum(bool(one.faults) for one in trials)
-    print(f'{len(trials) - wrong} of {len(trials)} answers are judged as they must be')
-    sys.stdout.flush()
+    wrong = 0
+    with ThreadPoolExecutor(max(1, jobs)) as pool:
+        for one in pool.map(lambda answer: trial.run(chosen, answer, seed or trial.SEED), chosen_answers):
+            broken = ', '.join(
+                dict.fromkeys(test.rule or trial.name_of(test) for test in one.result.tests if not test.passed)
+            )
+            print(f'{"FAULT" if one.faults else "ok":5} {one.name:32} {broken or one.result.verdict}', flush=True)
+            for fault in one.faults:
+                print(f'      {fault}')
+            if verbose:
+                print(plain([one.result]))
+            wrong += bool(one.faults)
+    print(f'{len(chosen_answers) - wrong} of {len(chosen_answers)} answers are judged as they must be', flush=True)
     raise typer.Exit(1 if wrong else 0)

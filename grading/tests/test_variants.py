@@ -2,7 +2,8 @@
 
 import pytest
 
-from grading.variants import Mutant, VariantError
+from grading import trial, variants
+from grading.variants import Alternative, Mutant, VariantError
 
 SOLVED = """# Exercise 9.1: add
 def add(a, b):
@@ -45,3 +46,9 @@ def test_an_edit_takes_the_place_of_a_part_or_of_whole_lines(old, new, expected)
 def test_an_edit_that_does_not_fit_is_an_error(variant, message):
     with pytest.raises(VariantError, match=message):
         variant.applied(SOLVED, '9.1')
+
+
+def test_an_edit_that_does_not_fit_is_told_before_any_answer_is_judged(monkeypatch):
+    monkeypatch.setattr(variants, 'alternatives', lambda exercise: [Alternative('odd', old='no text', new='1')])
+    with pytest.raises(VariantError, match="exercise 1.1, alternative 'odd': the solution holds this text 0"):
+        trial.answers('1.1')
