@@ -108,6 +108,8 @@ MUTANTS = [
     Mutant('ends_of_lines', old=NAMES, new='cycle(file.read_text().splitlines(True))',
            expect='the end of the line is still in it', breaks='announce'),
     Mutant('never_spun', old='rclpy.spin(node)', new='node.get_clock()', expect='ended by itself', breaks='announce'),
+    Mutant('no_python', old='create_timer(0.5, ', new='create_timer(0.5 ', breaks='announce',
+           expect='comma? (patrol/announce.py, line 17)'),
     Mutant('message_not_declared', old='<depend>std_msgs</depend>', new='',
            expect='Your code imports std_msgs, and package.xml does not declare it', breaks='dependencies'),
     Mutant('index_not_declared', old='<exec_depend>ament_index_python</exec_depend>', new='',

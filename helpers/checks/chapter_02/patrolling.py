@@ -395,7 +395,9 @@ def _ended(output: str) -> tuple[str, str]:
             'get_package_share_directory("patrol"), wherever it is started.',
             'stations',
         )
-    return f'`ros2 run patrol announce` ended by itself, with: {last}', 'announce'
+    places = re.findall(r'File "[^"]*/(patrol/[\w/]+\.py)", line (\d+)', output)
+    place = ' ({}, line {})'.format(*places[-1]) if places else ''
+    return f'`ros2 run patrol announce` ended by itself, with: {last}{place}', 'announce'
 
 
 def _pauses(stamps: list[float]) -> list[float]:
@@ -421,6 +423,8 @@ def judge_dependencies(learner) -> None:
     declared = builds.declared(builds.manifest('package.xml', found['package.xml']))
     to_run = builds.to_run(declared)
     imported = _imports(text for path, text in found.items() if _runs(path)) & _ros_packages() - {NAME}
+    if not imported:
+        _readable(found)
     with about('dependencies'):
         expect(imported, 'Your code imports no ROS package, so there is nothing to declare: the node is missing.')
         for name in sorted(imported):
@@ -456,6 +460,17 @@ def _imports(texts: Iterable[str]) -> set[str]:
             elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
                 found.add(node.module.partition('.')[0])
     return found
+
+
+def _readable(found: dict[str, str]) -> None:
+    """Each module can be parsed; else the node cannot start: rule `announce`."""
+    for path, text in found.items():
+        try:
+            ast.parse(text if _runs(path) else '')
+        except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
+            place = f', line {line}' if (line := getattr(error, 'lineno', None)) else ''
+            problem = f'{type(error).__name__}: {getattr(error, "msg", error)}'
+            expect(False, f'Python cannot read what your code imports. {problem} ({path}{place})', 'announce')
 
 
 def _ros_packages() -> set[str]:
