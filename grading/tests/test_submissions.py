@@ -539,7 +539,7 @@ def test_what_cannot_be_read_is_that_submissions_own(tmp_path):
 
 
 def test_what_submit_packs_can_be_graded(tmp_path):
-    packed = submit.pack('ada', tmp_path / 'ada.zip', test=False)
+    packed = submit.pack('ada', tmp_path / 'ada.zip')
     read = submissions.read(packed.path)
     exercises = list(manifest.load().values())
     assert read.label == 'ada' and read.programs(exercises, exercises).without[exercises[0].id][0] == 'not_attempted'
