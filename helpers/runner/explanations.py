@@ -68,6 +68,10 @@ _CALLED_WITH = {
     'subscription': 'the message: def on_message(self, message)',
 }
 _NUMBER = 'A number of seconds is no duration: write Duration(seconds=…), or compare with .nanoseconds / 1e9.'
+_WITH = (
+    'What stands behind `with` cannot stand there. If it is rclpy.init(): that works from the distribution after Jazzy '
+    'on. Here write rclpy.init() in a line of its own, and rclpy.try_shutdown() at the end.'
+)
 # (type of the exception, what its text is, the sentence): {0} is the first group of the pattern.
 _SENTENCES = (
     (
@@ -238,6 +242,8 @@ _SENTENCES = (
         'The first argument of Node is the name of the node, a string. Is your constructor called __init__, with two '
         "underscores on each side, and does it begin with super().__init__('name')?",
     ),
+    ('TypeError', r"'NoneType' object does not support the context manager protocol", _WITH),
+    ('AttributeError', r'__enter__$', _WITH),  # the same in Python 3.10
     ('TypeError', r"'float' object cannot be interpreted as an integer", 'A whole number is wanted: int(…), or //.'),
     (
         'TypeError',

@@ -14,7 +14,7 @@ from std_msgs.msg import String
 
 from helpers.checks.chapter_02 import builds
 from helpers.kernel.nodes import UNKNOWN
-from helpers.runner import about, broken, disguise, expect
+from helpers.runner import about, broken, disguise, expect, explanations
 from helpers.runner.load import busy
 from helpers.runner.observer import Observer
 from helpers.runner.workspaces import ExerciseWorkspace
@@ -397,7 +397,9 @@ def _ended(output: str) -> tuple[str, str]:
         )
     places = re.findall(r'File "[^"]*/(patrol/[\w/]+\.py)", line (\d+)', output)
     place = ' ({}, line {})'.format(*places[-1]) if places else ''
-    return f'`ros2 run patrol announce` ended by itself, with: {last}{place}', 'announce'
+    kind, _, text = last.partition(': ')
+    more = '' if kind == 'NameError' else explanations.explain(kind, text)
+    return f'`ros2 run patrol announce` ended by itself, with: {last}{place}. {more}'.strip(), 'announce'
 
 
 def _pauses(stamps: list[float]) -> list[float]:

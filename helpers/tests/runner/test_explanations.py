@@ -35,6 +35,7 @@ def node(domain):
 @pytest.mark.parametrize(
     ('line', 'words'),
     [
+        ('with print():\n    pass', 'If it is rclpy.init(): that works from the distribution after Jazzy on'),
         ('node.get_clock().now() > 0.5', 'A number of seconds is no duration'),
         ('Duration(seconds=1) > 0.5', 'write Duration(seconds=…)'),
         ('0.5 < Duration(seconds=1)', 'A number of seconds is no duration'),
