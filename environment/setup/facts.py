@@ -259,6 +259,12 @@ def wire(layout: Layout, environ: Mapping[str, str]) -> Fact:
     if trial.stdout.strip() == 'heard':
         return Fact('a message by ROS', True, 'sent and received')
     reason = (trial.stderr.strip().splitlines() or ['no message within 10 s'])[-1]
+    if reason.startswith(('ImportError', 'ModuleNotFoundError', 'AttributeError')):
+        # Folders of PYTHONPATH come first: a module of another installation, or a yaml.py, stands in for the right one.
+        folders = environ.get('PYTHONPATH', '').split(os.pathsep)
+        foreign = os.pathsep.join(one for one in folders if one and not Path(one).is_relative_to(layout.root))
+        remedy = 'run: unset PYTHONPATH' if foreign else 'run: rm -rf .venv, then ./course'
+        return Fact('a message by ROS', False, reason + (f'; PYTHONPATH is {foreign}' if foreign else ''), remedy)
     usual: dict[str, str] = {}
     startup.give_defaults(usual, str(layout.prefix))
     chosen = [name for name in _ON_THE_WIRE if environ.get(name) not in (None, usual.get(name))]

@@ -1,10 +1,12 @@
 """The doctor's probes, on made-up machines."""
 
+import os
 from pathlib import Path
 
 import pytest
 
 from environment.setup import facts
+from environment.setup.layout import Layout
 from environment.setup.main import ROOT
 
 
@@ -81,6 +83,22 @@ def test_a_probe_that_fails_does_not_end_the_report(monkeypatch):
     found = list(facts.facts(ROOT))
     assert len(found) > 10
     assert any('boom' in fact.text for fact in found)
+
+
+@pytest.mark.parametrize('foreign', [True, False])
+def test_an_import_that_fails_is_not_the_firewalls_fault(tmp_path, foreign):
+    (tmp_path / 'yaml.py').write_text('raise ImportError("another yaml")\n')
+    environ = {**os.environ, 'PYTHONPATH': f':{tmp_path}'}
+    fact = facts.wire(Layout(ROOT) if foreign else _WithPython(tmp_path), environ)
+    assert not fact.ok and 'ImportError: another yaml' in fact.text and 'firewall' not in fact.remedy
+    assert fact.remedy == ('run: unset PYTHONPATH' if foreign else 'run: rm -rf .venv, then ./course')
+    assert (str(tmp_path) in fact.text) is foreign
+
+
+class _WithPython(Layout):
+    """A checkout that has this one's Python."""
+
+    python = ROOT / '.venv' / 'bin' / 'python'
 
 
 def test_this_machine_runs_the_course():
