@@ -261,8 +261,9 @@ def wire(layout: Layout, environ: Mapping[str, str]) -> Fact:
     reason = (trial.stderr.strip().splitlines() or ['no message within 10 s'])[-1]
     if reason.startswith(('ImportError', 'ModuleNotFoundError', 'AttributeError')):
         # Folders of PYTHONPATH come first: a module of another installation, or a yaml.py, stands in for the right one.
-        folders = environ.get('PYTHONPATH', '').split(os.pathsep)
-        foreign = os.pathsep.join(one for one in folders if one and not Path(one).is_relative_to(layout.root))
+        own = [str(layout.root), *filter(None, environ.get('AMENT_PREFIX_PATH', '').split(os.pathsep))]
+        folders = [Path(one) for one in environ.get('PYTHONPATH', '').split(os.pathsep) if one]
+        foreign = os.pathsep.join(str(one) for one in folders if not any(one.is_relative_to(root) for root in own))
         remedy = 'run: unset PYTHONPATH' if foreign else 'run: rm -rf .venv, then ./course'
         return Fact('a message by ROS', False, reason + (f'; PYTHONPATH is {foreign}' if foreign else ''), remedy)
     usual: dict[str, str] = {}

@@ -399,7 +399,8 @@ def _ended(output: str) -> tuple[str, str]:
     place = ' ({}, line {})'.format(*places[-1]) if places else ''
     kind, _, text = last.partition(': ')
     more = '' if kind == 'NameError' else explanations.explain(kind, text)
-    return f'`ros2 run patrol announce` ended by itself, with: {last}{place}. {more}'.strip(), 'announce'
+    said = f'`ros2 run patrol announce` ended by itself, with: {last}{place}'
+    return f'{said.rstrip(".")}. {more}' if more else said, 'announce'
 
 
 def _pauses(stamps: list[float]) -> list[float]:
@@ -467,8 +468,10 @@ def _imports(texts: Iterable[str]) -> set[str]:
 def _readable(found: dict[str, str]) -> None:
     """Each module can be parsed; else the node cannot start: rule `announce`."""
     for path, text in found.items():
+        if not _runs(path):
+            continue
         try:
-            ast.parse(text if _runs(path) else '')
+            ast.parse(text)
         except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
             place = f', line {line}' if (line := getattr(error, 'lineno', None)) else ''
             problem = f'{type(error).__name__}: {getattr(error, "msg", error)}'
