@@ -1,5 +1,5 @@
-"""After a NameError: which cell above would have defined the name, and how to get it back. After an InvalidHandle: what
-has become of the node. After an import that the stop button has cut: why it fails from now on.
+"""After a NameError: which cell above would have defined the name, and how to get it back, or how it is imported. After
+an InvalidHandle: what has become of the node. After an import that the stop button has cut: why it fails from now on.
 
 The kernel `course` loads this as an IPython extension when it starts, as a person who goes on in the middle of a
 notebook after a restart has not imported `helpers` yet.
@@ -39,8 +39,8 @@ def unload_ipython_extension(shell) -> None:
 
 
 def explain(result) -> None:
-    """Say where the name is defined that a cell has missed, if that is in a cell above which has not run; or that its
-    node is destroyed; or that an import was stopped.
+    """Say where the name is defined that a cell has missed, if that is in a cell above which has not run, or from where
+    it is imported; or that its node is destroyed; or that an import was stopped.
 
     :param result: IPython's of the cell; None if it was interrupted before it began
     """
@@ -54,6 +54,7 @@ def explain(result) -> None:
     if not isinstance(error, NameError) or not error.name:
         return
     from helpers.exercises import definitions, resuming
+    from helpers.runner import imports
 
     ran = {cell.source for cell in journal.cells}
     for cell in reversed(resuming.cells_above() or []):
@@ -62,6 +63,8 @@ def explain(result) -> None:
             print(f'`{error.name}` comes from a cell above that has not run since the kernel started: {first}')
             print(ADVICE if error.name in resuming.brought_back(cell) else AGAIN)
             return
+    if advice := imports.advice(error.name):
+        print(advice)
 
 
 def _is_half_imported(error: BaseException | None) -> bool:

@@ -1,7 +1,9 @@
-"""What an exception of the learner's code means, in a sentence more than Python's own. Pure functions."""
+"""What an exception of the learner's code means, in a sentence more than Python's own."""
 
 import re
 from collections.abc import Mapping
+
+from helpers.runner import imports
 
 # Properties of rclpy's Node that have no setter.
 _RESERVED = (
@@ -341,7 +343,8 @@ def explain(kind: str, text: str, early: str = '', absent: Mapping[str, str] | N
         return (absent or {}).get(name) or (
             'The first argument of a method is `self`.'
             if name == 'self'
-            else f'No cell that the check uses defines `{name}`. Is it a typing error, or is a cell gone that came '
+            else imports.advice(name)
+            or f'No cell that the check uses defines `{name}`. Is it a typing error, or is a cell gone that came '
             'with the chapter? A fresh copy of the notebook has all of them.'
         )
     for known, pattern, sentence in _SENTENCES:

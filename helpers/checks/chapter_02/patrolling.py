@@ -14,7 +14,7 @@ from std_msgs.msg import String
 
 from helpers.checks.chapter_02 import builds
 from helpers.kernel.nodes import UNKNOWN
-from helpers.runner import about, broken, disguise, expect, explanations
+from helpers.runner import about, broken, disguise, expect, explanations, imports
 from helpers.runner.load import busy
 from helpers.runner.observer import Observer
 from helpers.runner.workspaces import ExerciseWorkspace
@@ -398,7 +398,8 @@ def _ended(output: str) -> tuple[str, str]:
     places = re.findall(r'File "[^"]*/(patrol/[\w/]+\.py)", line (\d+)', output)
     place = ' ({}, line {})'.format(*places[-1]) if places else ''
     kind, _, text = last.partition(': ')
-    more = '' if kind == 'NameError' else explanations.explain(kind, text)
+    unknown = re.search(r"name '(\w+)' is not defined", text)
+    more = imports.advice(unknown[1]) if unknown else explanations.explain(kind, text)
     said = f'`ros2 run patrol announce` ended by itself, with: {last}{place}'
     return f'{said.rstrip(".")}. {more}' if more else said, 'announce'
 

@@ -124,6 +124,7 @@ def test_call(learner):
         ('self.create_timer(0.5)', 'the period in seconds and the callback'),
         ('self.create_timer(0.5, self.on_goal())', 'without parentheses: self.on_goal, not self.on_goal()'),
         ('self.handle = 3', 'choose another one, such as `self.my_handle`'),
+        ('Twist()', 'Write: from geometry_msgs.msg import Twist'),
         ('nobody_knows()', 'No cell that the check uses defines `nobody_knows`'),
         ('Bool(data=1)', 'Write bool(…) around the value.'),
         ('self.timers = [self.timer]', 'choose another one, such as `self.my_timers`'),

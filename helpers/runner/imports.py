@@ -1,0 +1,81 @@
+"""From where a name is imported that a program uses and nothing defines: after a NameError.
+
+Looked up are the modules of rclpy and tf2, the interfaces that are installed, and what beginners take from Python.
+"""
+
+import importlib
+from contextlib import suppress
+from types import ModuleType
+
+from ament_index_python.packages import get_packages_with_prefixes
+from ament_index_python.resources import get_resource, get_resources
+
+# Those offer what they define, and those offer what parts of theirs define. The first one that has a name counts.
+_MODULES = (
+    'rclpy.node',
+    'rclpy.qos',
+    'rclpy.callback_groups',
+    'rclpy.executors',
+    'rclpy.duration',
+    'rclpy.time',
+    'rclpy.clock',
+    'rclpy.parameter',
+    'rclpy.task',
+    'rclpy.event_handler',
+    'rclpy.exceptions',
+    'math',
+    'collections',
+    'functools',
+    'pathlib',
+    'dataclasses',
+    'enum',
+)
+_PACKAGES = ('rclpy.action', 'rclpy.lifecycle', 'tf2_ros', 'message_filters')
+# Of Python's others many have names that a learner gives to own things: queue, string, code.
+_WHOLE = frozenset(
+    'collections functools itertools json math os pathlib random re rclpy subprocess sys threading time'.split()
+)
+_ALIASES = {'np': 'numpy', 'plt': 'matplotlib.pyplot'}
+_ROSIDL = 'rosidl_interfaces'  # the resource in which a package lists its interfaces: msg/String.msg
+_MOST = 3
+
+
+def lines_for(name: str) -> list[str]:
+    """Lines that import `name`, such as ``from rclpy.qos import QoSProfile``: at most three, the likeliest first.
+
+    Empty if no module has it from which a learner would take it.
+    """
+    if name in _ALIASES:
+        return [f'import {_ALIASES[name]} as {name}']
+    if name in _WHOLE or name in get_packages_with_prefixes():
+        return [f'import {name}']
+    if len(name) < 2 or name.startswith('_'):
+        return []
+    modules = [module for module in (*_MODULES, *_PACKAGES) if _offers(module, name)][:1]
+    return [f'from {module} import {name}' for module in [*modules, *_interface_modules(name)][:_MOST]]
+
+
+def advice(name: str) -> str:
+    """A sentence with the lines that import `name`; '' if there are none."""
+    lines = lines_for(name)
+    return f'Nothing imports `{name}` here. Write: {" or ".join(lines)}' if lines else ''
+
+
+def _offers(module: str, name: str) -> bool:
+    with suppress(ImportError):  # a machine without tf2
+        value = getattr(importlib.import_module(module), name, None)
+        # A constant does not tell where it is defined.
+        here = module in _PACKAGES or getattr(value, '__module__', module) == module
+        return value is not None and not isinstance(value, ModuleType) and here
+    return False
+
+
+def _interface_modules(name: str) -> list[str]:
+    """The modules of all installed interfaces of this name, such as ``geometry_msgs.msg``; examples come last."""
+    found = set()
+    for package in get_resources(_ROSIDL):
+        for line in get_resource(_ROSIDL, package)[0].splitlines():
+            kind, _, file = line.partition('/')
+            if file.rpartition('.')[0] == name:
+                found.add(f'{package}.{kind}')
+    return sorted(found, key=lambda module: ('example' in module or 'test_msgs' in module, module))
