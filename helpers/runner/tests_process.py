@@ -21,7 +21,7 @@ from pathlib import Path
 
 from environment.setup.startup import HOME
 from helpers.kernel import domains
-from helpers.runner import preloading, servers, start_processes
+from helpers.runner import preloading, scratch, servers, start_processes
 from helpers.runner.forked import Forked
 
 PLAIN = 'helpers.runner.start_processes:start'  # the launcher without a sandbox
@@ -151,12 +151,9 @@ class TestsProcess:
         """Start it for `job` (see `helpers.runner.tester`). A module of a launcher may have a `start_tests`, too."""
         with ExitStack() as stack:
             domain = stack.enter_context(domains.claim())
-            self.cwd = stack.enter_context(tempfile.TemporaryDirectory(prefix='course-tests-'))
+            self.cwd = stack.enter_context(scratch.folder('course-tests-'))
             # Where the learner's side may write.
-            place = folder_for_programs()
-            home = stack.enter_context(
-                tempfile.TemporaryDirectory(prefix='course-', dir=place, ignore_cleanup_errors=True)
-            )
+            home = stack.enter_context(scratch.folder('course-', folder_for_programs()))
             self._printed = stack.enter_context(open(Path(self.cwd, 'printed'), 'w+b'))
             self.events, events = os.pipe()
             stack.callback(os.close, self.events)
