@@ -80,7 +80,10 @@ def summary(exercise: ExerciseResult) -> str:
     if exercise.verdict == verdicts.INVALID_SUBMISSION and not exercise.tests:
         return exercise.message
     if exercise.verdict == verdicts.GRADER_ERROR:
-        return 'The check itself failed, not your code. Run it again; if it stays so, tell your instructor.'
+        return (
+            'The check itself failed, not your code. Run it again; if it stays so, run `./course doctor` in a '
+            'terminal, or tell your instructor.'
+        )
     return f'{kept if exercise.rules else f"{passed} of {total} tests passed"}: {_WORDS[exercise.verdict]}.'
 
 

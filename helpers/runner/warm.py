@@ -22,9 +22,12 @@ MOST_DESCRIPTORS = 8  # that come with one request
 def main() -> None:
     name, descriptor = sys.argv[1], int(sys.argv[2])
     os.set_inheritable(descriptor, False)
-    side = importlib.import_module(name)
-    preloading.warm_up()
-    side.warm_up()
+    try:
+        side = importlib.import_module(name)
+        preloading.warm_up()
+        side.warm_up()
+    except ImportError as error:  # of a ROS that is not whole, or hidden by folders of PYTHONPATH
+        sys.exit(f'course: ROS cannot be loaded: {error}. To see why, run in the terminal: ./course doctor')
     preloading.keep()
     serve(socket.socket(fileno=descriptor), side)
     leave(0)

@@ -2,6 +2,7 @@
 
 import os
 import signal
+import socket
 import subprocess
 import sys
 from types import SimpleNamespace
@@ -9,6 +10,7 @@ from types import SimpleNamespace
 import psutil
 import pytest
 
+from helpers import paths
 from helpers.runner import session, start_processes, tests_process
 from helpers.tests import small
 
@@ -132,3 +134,17 @@ def test_they_end_with_a_killed_owner():
         found = [psutil.Process(int(pid)) for pid in owner.stdout.readline().split()]
         os.kill(owner.pid, signal.SIGKILL)
         assert len(found) == 2 and not psutil.wait_procs(found, timeout=30)[1]
+
+
+def test_a_ros_that_cannot_be_loaded_is_told_in_one_line(tmp_path):
+    """A folder of PYTHONPATH, say, hides a module that rclpy needs."""
+    (tmp_path / 'yaml.py').write_text('raise ImportError("not the right yaml")')
+    environment = os.environ | {'PYTHONPATH': os.pathsep.join([str(tmp_path), str(paths.ROOT)])}
+    ours, theirs = socket.socketpair()
+    with ours, theirs:
+        command = [sys.executable, '-m', 'helpers.runner.warm', 'helpers.runner.plain_tests', str(theirs.fileno())]
+        done = subprocess.run(command, env=environment, capture_output=True, text=True, pass_fds=[theirs.fileno()])
+    assert done.returncode == 1
+    assert done.stderr == (
+        'course: ROS cannot be loaded: not the right yaml. To see why, run in the terminal: ./course doctor\n'
+    )
