@@ -5,6 +5,7 @@
     bob,3.1,,-1,handed in twice
 
 `points` is the mark itself, `delta` is added to it; one of the two. YAML is a list of the same: `- {learner: ada, …}`.
+Columns may be separated by `;` or tabs, too, as spreadsheets of other languages save them.
 """
 
 import csv
@@ -52,13 +53,23 @@ def load(path: Path, points: dict[str, float]) -> list[Adjustment]:
     try:
         text = path.read_text(encoding='utf-8-sig')
         rows = plain_yaml.read(text) if path.suffix in ('.yaml', '.yml') else _csv(text)
-    except (OSError, UnicodeDecodeError, yaml.YAMLError, csv.Error) as error:
+    except UnicodeDecodeError:
+        raise AdjustmentError(f'{path} is not in UTF-8: save it again, as "CSV UTF-8"') from None
+    except (OSError, yaml.YAMLError, csv.Error) as error:
         raise AdjustmentError(f'{path} cannot be read: {getattr(error, "strerror", None) or error}') from None
     if rows is None:
         return []
     if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
         raise AdjustmentError(f'{path}: expected a list of {", ".join(FIELDS)}')
-    return [_read(f'{path}, entry {number}', row, points) for number, row in enumerate(rows, 1)]
+    adjustments = [_read(f'{path}, entry {number}', row, points) for number, row in enumerate(rows, 1)]
+    set_by: dict[tuple[str, str], int] = {}
+    for number, one in enumerate(adjustments, 1):
+        if one.points is not None and set_by.setdefault((one.learner, one.exercise), number) != number:
+            raise AdjustmentError(
+                f'{path}, entry {number}: the mark of {one.learner} in {one.exercise} is set in entry '
+                f'{set_by[one.learner, one.exercise]}, too'
+            )
+    return adjustments
 
 
 def check(adjustments: Iterable[Adjustment], learners: Iterable[str]) -> None:
@@ -73,7 +84,9 @@ def check(adjustments: Iterable[Adjustment], learners: Iterable[str]) -> None:
 
 
 def _csv(text: str) -> list[dict]:
-    return list(csv.DictReader(io.StringIO(text, newline=''), strict=True))
+    header = text.partition('\n')[0]
+    delimiter = max(',;\t', key=header.count)
+    return list(csv.DictReader(io.StringIO(text, newline=''), delimiter=delimiter, strict=True))
 
 
 def _read(where: str, row: dict, points: dict[str, float]) -> Adjustment:

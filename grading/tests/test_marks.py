@@ -96,6 +96,10 @@ def test_adjustments(tmp_path):
     expected = [Adjustment('ada', '3.2', 4.5, None, 'right, on paper'), Adjustment('bob', '3.1', None, -1.0, 'twice')]
     text = 'learner,exercise,points,delta,reason\nada,3.2,4.5,,"right, on paper"\nbob,3.1,,-1,twice\n'
     assert adjustments.load(written(tmp_path, '\ufeff' + text, 'a.csv'), POINTS) == expected
+    for delimiter in ';\t':
+        text = 'learner,exercise,points,delta,reason\nada,3.2,4.5,,"right, on paper"\nbob,3.1,,-1,twice\n'
+        text = text.replace(', ', '& ').replace(',', delimiter).replace('& ', ', ')
+        assert adjustments.load(written(tmp_path, text, 'a.csv'), POINTS) == expected
     text = """
 - {learner: ada, exercise: '3.2', points: 4.5, reason: 'right, on paper'}
 - {learner: bob, exercise: '3.1', delta: -1, reason: twice}
@@ -129,6 +133,22 @@ def test_adjustments_that_cannot_be_used(tmp_path, row, problem):
     with pytest.raises(AdjustmentError) as error:
         adjustments.load(written(tmp_path, f'- {row}'), POINTS)
     assert problem in str(error.value) and 'file.yaml' in str(error.value)
+
+
+def test_a_mark_that_is_set_twice(tmp_path):
+    """It may be changed after it was set; of two that set it, nobody can say which one is meant."""
+    head = 'learner,exercise,points,delta,reason\n'
+    twice = written(tmp_path, head + 'ada,3.2,1,,x\nbob,3.2,1,,x\nada,3.2,2,,y\n', 'twice.csv')
+    with pytest.raises(AdjustmentError, match='entry 3: the mark of ada in 3.2 is set in entry 1, too'):
+        adjustments.load(twice, POINTS)
+    assert len(adjustments.load(written(tmp_path, head + 'ada,3.2,1,,x\nada,3.2,,1,y\n', 'a.csv'), POINTS)) == 2
+
+
+def test_adjustments_of_another_encoding(tmp_path):
+    path = tmp_path / 'a.csv'
+    path.write_bytes('learner,exercise,points,delta,reason\njosé,3.2,1,,x\n'.encode('latin-1'))
+    with pytest.raises(AdjustmentError, match='not in UTF-8'):
+        adjustments.load(path, POINTS)
 
 
 @pytest.mark.parametrize(
