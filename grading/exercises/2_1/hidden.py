@@ -3,6 +3,7 @@
 import pytest
 
 from helpers.checks.chapter_02 import greeting
+from helpers.checks.chapter_02.test_2_1 import test_rest  # noqa: F401 - they draw other inputs here
 
 pytestmark = pytest.mark.exercise('2.1')
 
@@ -42,12 +43,3 @@ def test_battery(learner):
     The module is greeter.power.battery, and the function need not be called main. The folder must be installed, too.
     """
     greeting.judge_program(learner, 'battery')
-
-
-@pytest.mark.rules('rest')
-def test_rest(learner):
-    """Name, version, modules, marker and package.xml are installed as before.
-
-    Only the list console_scripts needs new lines.
-    """
-    greeting.judge_rest(learner)

@@ -3,6 +3,7 @@
 import pytest
 
 from helpers.checks.chapter_02 import docking
+from helpers.checks.chapter_02.test_2_3 import test_charge, test_dock  # noqa: F401 - they draw other inputs here
 
 pytestmark = pytest.mark.exercise('2.3')
 
@@ -14,24 +15,6 @@ def test_declarations(learner):
     std_msgs is needed for both; the generators to build, the runtime to run.
     """
     docking.judge_declared(learner)
-
-
-@pytest.mark.rules('charge', 'full', 'std-msgs')
-def test_charge(learner):
-    """Charge has the fields of the specification, in its order, and the constant FULL with the value 100.
-
-    A field is a type, a space and a name. A constant is written with capital letters and `=`.
-    """
-    docking.judge_charge(learner)
-
-
-@pytest.mark.rules('request', 'response', 'default')
-def test_dock(learner):
-    """Dock has the fields of the specification; the speed of a request is 0.2 if nobody sets it.
-
-    In a .srv file, `---` divides the request from the response. A default value stands after the name.
-    """
-    docking.judge_dock(learner)
 
 
 @pytest.mark.rules('both', 'std-msgs')

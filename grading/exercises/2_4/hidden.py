@@ -2,7 +2,13 @@
 
 import pytest
 
-from helpers.checks.chapter_02 import builds, reporting
+from helpers.checks.chapter_02 import reporting
+from helpers.checks.chapter_02.test_2_4 import (  # noqa: F401 - they draw other inputs here
+    test_called_later,
+    test_comes_from_library,
+    test_library_stands_alone,
+    test_needed_at_run_time,
+)
 
 pytestmark = pytest.mark.exercise('2.4')
 
@@ -16,25 +22,6 @@ def test_order(learner):
     reporting.judge_order(learner)
 
 
-@pytest.mark.rules('needs', 'nothing-else')
-def test_needed_at_run_time(learner):
-    """odometry says that wheel_math must be there when it runs, and declares nothing else.
-
-    exec_depend, or depend.
-    """
-    reporting.judge_needs(learner)
-
-
-@pytest.mark.rules('nothing-else', 'order', 'build-type')
-def test_library_stands_alone(learner):
-    """wheel_math needs nobody; the build type of both packages is ament_python.
-
-    A dependency goes in one direction.
-    """
-    reporting.judge_alone(learner)
-    builds.check_build_types(learner)
-
-
 @pytest.mark.rules('argument', 'prints')
 @pytest.mark.weight(2)
 def test_other_numbers(learner):
@@ -43,21 +30,3 @@ def test_other_numbers(learner):
     import distance from wheel_math.geometry, and take the ticks from sys.argv.
     """
     reporting.judge_report(learner, zero=True)
-
-
-@pytest.mark.rules('argument')
-def test_called_later(learner):
-    """main takes the ticks from the command line when it is called, and not when its module is imported.
-
-    Read sys.argv inside of main.
-    """
-    reporting.judge_call(learner)
-
-
-@pytest.mark.rules('library', 'argument', 'prints')
-def test_comes_from_library(learner):
-    """The report says what distance of wheel_math returns for the ticks.
-
-    With another library below it, the same program says something else.
-    """
-    reporting.judge_library(learner)

@@ -3,6 +3,7 @@
 import pytest
 
 from helpers.checks.chapter_06 import mast
+from helpers.checks.chapter_06.test_6_1 import test_numbers, test_upwards  # noqa: F401 - they draw other inputs here
 
 pytestmark = pytest.mark.exercise('6.1')
 
@@ -35,24 +36,6 @@ def test_camera(learner):
     Convert with math.radians. By the right-hand rule a positive pitch turns the nose down.
     """
     mast.judge_camera(mast.Mast(learner))
-
-
-@pytest.mark.rules('places', 'tilt')
-def test_upwards(learner):
-    """Also for a mast of a few centimetres, and a camera that looks up: a negative tilt.
-
-    No number needs a case of its own.
-    """
-    mast.judge_upwards(learner)
-
-
-@pytest.mark.rules('places', 'tilt', 'lidar', 'optical')
-def test_numbers(learner):
-    """Each mast has its own height and tilt, whatever they are: 0, large, or with others in the same program.
-
-    No number needs a case of its own.
-    """
-    mast.judge_numbers(learner)
 
 
 @pytest.mark.rules('lidar')

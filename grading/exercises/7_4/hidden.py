@@ -4,6 +4,7 @@ import pytest
 
 from helpers.checks.chapter_07 import stacks
 from helpers.checks.chapter_07.findings import compare
+from helpers.checks.chapter_07.test_7_4 import test_interrupt  # noqa: F401 - they draw other inputs here
 from helpers.programs import faults
 from helpers.runner import about
 
@@ -102,12 +103,3 @@ def test_no_server(learner):
     wait_for_service(timeout_sec=…) returns False if there is none.
     """
     stacks.judge_no_server(learner, 'hidden')
-
-
-@pytest.mark.rules('interrupt')
-def test_interrupt(learner):
-    """Ctrl+C ends the client while it waits.
-
-    An `except` without a name catches KeyboardInterrupt, too.
-    """
-    stacks.judge_interrupt(learner)

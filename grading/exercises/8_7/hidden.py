@@ -5,6 +5,7 @@ import pytest
 from helpers.checks.chapter_08 import stations
 from helpers.checks.chapter_08.node_options import check_options
 from helpers.checks.chapter_08.parameters import Parameters
+from helpers.checks.chapter_08.test_8_7 import test_values_at_the_start  # noqa: F401 - they draw other inputs here
 from helpers.runner import about, expect
 
 pytestmark = [pytest.mark.exercise('8.7'), pytest.mark.wiring(type='names', qos='latched', namespace='names')]
@@ -20,15 +21,6 @@ def test_parameters(learner):
     with about('parameters'):
         stations.Keeper(learner)
     stations.judge_table(learner, '', Parameters(learner, '/delivery_robot'))
-
-
-@pytest.mark.rules('parameters')
-def test_values_at_the_start(learner):
-    """Values that are given at the start take the place of the defaults.
-
-    declare_parameter looks for them, if it is not told to ignore them.
-    """
-    stations.judge_start(learner)
 
 
 @pytest.mark.rules('status', 'status-period', 'latched')

@@ -171,6 +171,8 @@ self.state = 'idle'
         if not goal.is_cancel_requested:
             self.state = 'idle'
         """, expect="expected 'idle'", breaks='state', also='next', alone=True),
+    Mutant('distance_of_no_round', old='step, distance, end = self.place(goal.request.station), 0, -1.0, None',
+           new='step, end = self.place(goal.request.station), 0, None', breaks='lost', expect='distance'),
     Mutant('lost_once_lost_for_ever',
            edits=(("if self.state != 'idle' or", "if self.state != 'idle' or self.given_up or"),
             ('super().__init__(**options)', 'super().__init__(**options)\nself.given_up = False\n'),

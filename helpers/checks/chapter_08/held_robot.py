@@ -68,6 +68,7 @@ def judge_held(learner, seconds: float) -> None:
     _judge_border(held, goal.result.message)
     _judge_there_already(held)
     _judge_short_loss(held)
+    _judge_lost_at_once(held)
     _judge_long_drive(held, seconds)
 
 
@@ -175,6 +176,20 @@ def _judge_there_already(held: Held) -> None:
         'where the robot has not driven.',
         'stands',
     )
+
+
+def _judge_lost_at_once(held: Held) -> None:
+    """The rules `lost` and `stands`, of a robot that is lost before it has driven for its goal."""
+    held.stand(*AWAY)
+    held.learner.run(0.35, step=0.05)  # the place is 0.45 s old: for one moment more it is known
+    held.commands.clear()
+    goal = held.go('next')
+    with about('lost'):
+        held.learner.run(0.3)
+    told = 'A goal was accepted, and 0.1 s later where() was None.'
+    expect(goal.status == 'aborted', f'{told} The goal is {goal.status or "still running"}, expected aborted.', 'lost')
+    last = [(one.linear.x, one.angular.z) for one in held.commands.messages][-1:]
+    expect(last == [(0.0, 0.0)], f'{told} It was aborted without a drive(0.0, 0.0): before every end.', 'stands')
 
 
 def _judge_short_loss(held: Held) -> None:
