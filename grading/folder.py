@@ -43,6 +43,13 @@ class _Lines(logging.Formatter):
         return clean(super().format(record), MAX_OUTPUT).replace('\n', '\n    ')
 
 
+class _LogFile(logging.FileHandler):
+    """What cannot be written ends the run, as with any other file of the folder: a disk is full, say."""
+
+    def handleError(self, record: logging.LogRecord) -> None:
+        raise  # noqa: PLE0704 - logging calls this where it has caught the error
+
+
 class Folder:
     """Where results go."""
 
@@ -70,7 +77,7 @@ class Folder:
             for left in self.path.rglob(f'.*{whole_file.TEMPORARY}'):  # of a run that was killed
                 left.unlink()
             log = logging.Logger('grade', logging.INFO)
-            handler = logging.FileHandler(self.path / 'run.log', encoding='utf-8')
+            handler = _LogFile(self.path / 'run.log', encoding='utf-8')
             handler.setFormatter(_Lines('%(asctime)s %(levelname)s %(message)s'))
             log.addHandler(handler)
             try:

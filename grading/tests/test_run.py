@@ -202,6 +202,13 @@ def test_a_folder_that_cannot_be_used(course, tmp_path):
         run(course, tmp_path / 'out', 'ada')
 
 
+def test_a_log_that_cannot_be_written_ends_the_run(tmp_path):
+    """A disk is full: the results could not be kept either."""
+    (tmp_path / 'run.log').symlink_to('/dev/full')
+    with pytest.raises(OSError, match='No space left'), folder.Folder(tmp_path).open() as log:
+        log.info('one submission to grade')
+
+
 @pytest.mark.parametrize('faults', [1, 2])
 def test_what_fails_is_tried_once_more(course, tmp_path, monkeypatch, faults):
     calls = []
