@@ -4,6 +4,7 @@ Looked up are the modules of rclpy and tf2, the interfaces that are installed, a
 """
 
 import importlib
+from collections.abc import Iterable
 from contextlib import suppress
 from types import ModuleType
 
@@ -47,7 +48,7 @@ def lines_for(name: str) -> list[str]:
     """
     if name in _ALIASES:
         return [f'import {_ALIASES[name]} as {name}']
-    if name in _WHOLE or name in get_packages_with_prefixes():
+    if name in _WHOLE or name in _packages():
         return [f'import {name}']
     if len(name) < 2 or name.startswith('_'):
         return []
@@ -62,7 +63,7 @@ def advice(name: str) -> str:
 
 
 def _offers(module: str, name: str) -> bool:
-    with suppress(ImportError):  # a machine without tf2
+    with suppress(Exception):  # what cannot be imported offers nothing, whatever is wrong with it
         value = getattr(importlib.import_module(module), name, None)
         # A constant does not tell where it is defined.
         here = module in _PACKAGES or getattr(value, '__module__', module) == module
@@ -70,10 +71,16 @@ def _offers(module: str, name: str) -> bool:
     return False
 
 
+def _packages() -> Iterable[str]:
+    with suppress(OSError):  # no ROS is sourced
+        return get_packages_with_prefixes()
+    return ()
+
+
 def _interface_modules(name: str) -> list[str]:
     """The modules of all installed interfaces of this name, such as ``geometry_msgs.msg``; examples come last."""
     found = set()
-    for package in get_resources(_ROSIDL):
+    for package in _packages() and get_resources(_ROSIDL):
         for line in get_resource(_ROSIDL, package)[0].splitlines():
             kind, _, file = line.partition('/')
             if file.rpartition('.')[0] == name:

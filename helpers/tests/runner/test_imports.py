@@ -43,6 +43,12 @@ def test_a_name_with_several_meanings_has_several_lines():
     )
 
 
+def test_without_a_sourced_ros(monkeypatch):
+    monkeypatch.delenv('AMENT_PREFIX_PATH')
+    assert imports.lines_for('deque') == ['from collections import deque']
+    assert imports.advice('LaserScan') == ''
+
+
 @pytest.mark.parametrize('name', ['queue', 'count', 'string', 'e', 'node', '_client', 'nobody_knows', '__name__'])
 def test_own_names_are_not_taken_for_those_of_modules(name):
     assert imports.advice(name) == ''
