@@ -1,12 +1,12 @@
 """What counts as a definition: what the check of an exercise, and `resume()`, take from the other cells.
 
-Imports, functions, classes and constants. Everything else only demonstrates something, and runs only where the learner
-runs it. Nothing is executed here.
+Imports, functions, classes and constants, also those that a loop fills. Everything else only demonstrates something,
+and runs only where the learner runs it. Nothing is executed here.
 """
 
 import ast
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Set
 from functools import lru_cache
 
 from helpers.exercises import cell_python
@@ -18,14 +18,19 @@ _VALUE_TYPES = {
     *('QoSProfile', 'Duration', 'Time', 'Path', 'timedelta', 'namedtuple', 'partial', 'array', 'compile'),
     *('Enum', 'IntEnum', 'defaultdict', 'deque'),
     *('bool', 'bytes', 'complex', 'dict', 'float', 'frozenset', 'int', 'list', 'range', 'set', 'str', 'tuple'),
-    *('abs', 'len', 'max', 'min', 'round', 'sorted', 'zip', 'cos', 'degrees', 'radians', 'sin', 'sqrt'),
+    *('abs', 'all', 'any', 'enumerate', 'len', 'max', 'min', 'pow', 'reversed', 'round', 'sorted', 'sum', 'zip'),
+    *('atan', 'atan2', 'ceil', 'cos', 'degrees', 'floor', 'hypot', 'radians', 'sin', 'sqrt', 'tan'),
 }
 _VALUE_METHODS = {'format', 'items', 'join', 'keys', 'split', 'values'}  # of texts and dictionaries
+_BUILDING_METHODS = {  # of lists, sets and dictionaries
+    *('add', 'append', 'clear', 'discard', 'extend', 'insert', 'pop', 'remove', 'reverse', 'setdefault', 'sort'),
+    'update',
+}
 
 
 @lru_cache(maxsize=512)
 def of_cell(cell: NotebookCell) -> tuple[tuple[int, str], ...]:
-    """Imports, functions, classes and constant assignments of a cell; none if it is not Python.
+    """Imports, functions, classes and constants of a cell, and what builds these; none if it is not Python.
 
     Each is its first line's number in the cell, so that line numbers in messages are the learner's, and its text.
     """
@@ -34,14 +39,36 @@ def of_cell(cell: NotebookCell) -> tuple[tuple[int, str], ...]:
     if tree is None:
         return ()
     found = []
+    made: set[str] = set()
     for node in tree.body:
-        if is_definition(node):
+        if is_definition(node) or _builds(node, made):
+            made |= _made(node)
             first = first_line(node)
             part = lines(text)[first - 1 : node.end_lineno]
             if len(part) == 1:  # a neighbour on the same line is cut off
                 part = [part[0].encode()[node.col_offset : node.end_col_offset].decode()]
             found.append((first, ''.join(part).rstrip('\r\n') + '\n'))
     return tuple(found)
+
+
+@lru_cache(maxsize=512)
+def changed_later(cell: NotebookCell) -> frozenset[str]:
+    """The names of the cell's constants that a statement changes which `of_cell` leaves out."""
+    tree = _tree(cell_python.as_python(cell))
+    made, changed = set[str](), set[str]()
+    for node in tree.body if tree is not None else ():
+        if is_definition(node) or _builds(node, made):
+            made |= _made(node)
+            continue
+        for part in ast.walk(node):
+            match part:
+                case ast.Assign(targets=targets):
+                    changed |= {_root(target) for target in targets} & made
+                case ast.AugAssign(target=target):
+                    changed |= {_root(target)} & made
+                case ast.Call(func=ast.Attribute(value=whole, attr=name)) if name in _BUILDING_METHODS:
+                    changed |= {_root(whole)} & made
+    return frozenset(changed)
 
 
 @lru_cache(maxsize=8)
@@ -65,6 +92,15 @@ def names_in(text: str) -> frozenset[str]:
     """The names that a text binds; none if it is not Python."""
     tree = _tree(text)
     return frozenset(defined(tree.body) if tree is not None else ())
+
+
+@lru_cache(maxsize=4096)
+def names_made(text: str) -> frozenset[str]:
+    """The names that one of `of_cell`'s texts binds, or to whose values it adds something."""
+    tree = _tree(text)
+    statements = [node for node in tree.body if isinstance(node, ast.Expr | ast.For | ast.If)] if tree else []
+    calls = [node.func for part in statements for node in ast.walk(part) if isinstance(node, ast.Call)]
+    return names_in(text) | {_root(call) for call in calls if isinstance(call, ast.Attribute)} - {''}
 
 
 @lru_cache(maxsize=4096)
@@ -126,6 +162,45 @@ def is_definition(node: ast.stmt) -> bool:
         case ast.Try(body=body, handlers=handlers, orelse=rest, finalbody=last):  # a library may be missing
             return _only_defines([*body, *(part for handler in handlers for part in handler.body), *rest, *last])
     return False
+
+
+def _builds(node: ast.stmt, made: Set[str]) -> bool:
+    """Whether a statement only goes on with constants that the cell has made before, under the names `made`.
+
+    Of a dictionary that a loop fills, the loop is a part: without it the dictionary would be there, and empty.
+    """
+    match node:
+        case ast.AugAssign(target=target, value=value):
+            return _root(target) in made and _is_constant(target) and _is_constant(value)
+        case ast.Assign(targets=targets, value=value):
+            return all(_root(one) in made and _is_constant(one) for one in targets) and _is_constant(value)
+        case ast.Expr(value=ast.Call(func=ast.Attribute(value=whole, attr=name), args=args, keywords=keywords)):
+            values = [whole, *args, *(keyword.value for keyword in keywords)]
+            return name in _BUILDING_METHODS and _root(whole) in made and all(map(_is_constant, values))
+        case ast.For(target=target, iter=values, body=body, orelse=[]):
+            return _is_name(target) and _is_constant(values) and _all_build(body, made)
+        case ast.If(test=test, body=body, orelse=rest):
+            return _is_constant(test) and _all_build([*body, *rest], made)
+    return False
+
+
+def _made(node: ast.stmt) -> set[str]:
+    """The names that a definition binds; a module that is imported is not the cell's own."""
+    return set() if isinstance(node, ast.Import | ast.ImportFrom) else defined([node])
+
+
+def _all_build(body: list[ast.stmt], made: Set[str]) -> bool:
+    constants = [node for node in body if isinstance(node, ast.Assign) and is_definition(node)]
+    made = {*made, *defined(constants)}
+    others = [node for node in body if not isinstance(node, ast.Pass) and node not in constants]
+    return bool(others) and all(_builds(node, made) for node in others)
+
+
+def _root(target: ast.expr) -> str:
+    """The name of the object that is changed, TABLE of ``TABLE['a'].depth``; '' if it has none."""
+    while isinstance(target, ast.Attribute | ast.Subscript):
+        target = target.value
+    return target.id if isinstance(target, ast.Name) else ''
 
 
 def _only_defines(body: list[ast.stmt]) -> bool:

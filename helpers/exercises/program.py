@@ -122,6 +122,13 @@ def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[Note
     ]
     program.notes = [_on_left_out(exercise, *command) for command in commands[:3]]
     program.notes += [_on_trial(exercise, part) for part in mine if part.left_out][:3]
+    used = definitions.names_used(own)
+    program.notes += [
+        _on_changed(other, name)
+        for other in cells
+        if other is not cell
+        for name in sorted(definitions.changed_later(other) & used)
+    ]
     program.absent = _absent(program.cells, cells, notebook)
     return program
 
@@ -159,10 +166,10 @@ def _needed(below: list[dict], there: list[dict]) -> list[dict]:
 
 
 def _by_name(parts: list[dict]) -> dict[str, list[int]]:
-    """The places of the parts that bind each name."""
+    """The places of the parts that make each name."""
     places: dict[str, list[int]] = {}
     for place, part in enumerate(parts):
-        for name in definitions.names_in(part['source']):
+        for name in definitions.names_made(part['source']):
             places.setdefault(name, []).append(place)
     return places
 
@@ -246,6 +253,13 @@ def _on_trial(exercise: Exercise, part: trials.Part) -> str:
     return (
         f'Exercise {exercise.id}, line {part.line}: `{line[:60]}` was left out: while a check loads the cell, nothing '
         'spins and no program is started. It is better off in a cell of its own.'
+    )
+
+
+def _on_changed(cell: NotebookCell, name: str) -> str:
+    return (
+        f'`{name}` is changed in {cell.label} by a statement that does not run here: the check has it as it was '
+        f'before. Make `{name}` in the cell of the exercise.'
     )
 
 

@@ -1,7 +1,7 @@
 """What an exception of the learner's code means, in a sentence more than Python's own."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from helpers.runner import imports
 
@@ -292,12 +292,20 @@ _SENTENCES = (
 )
 
 
-def explain(kind: str, text: str, early: str = '', absent: Mapping[str, str] | None = None, callback: str = '') -> str:
+def explain(
+    kind: str,
+    text: str,
+    early: str = '',
+    absent: Mapping[str, str] | None = None,
+    callback: str = '',
+    notes: Sequence[str] = (),
+) -> str:
     """A sentence on an exception of the type `kind` with this text; '' if there is nothing to add.
 
     `early`: where the program read the result of a future that had none yet. `absent`: by name, why a name
     is not there that some cell binds. `callback`: of what it is the callback, if rclpy has called it and it has begun
-    with no line of its own, such as `timer of 0.5 s`.
+    with no line of its own, such as `timer of 0.5 s`. `notes`: what happened in cells with the missing name that
+    could not be run.
     """
     if kind == 'AttributeError' and (
         found := re.search(r"property '(\w+)' of (?:.* has no setter|Node)|can't set attribute '?(\w+)?", text)
@@ -344,6 +352,7 @@ def explain(kind: str, text: str, early: str = '', absent: Mapping[str, str] | N
             'The first argument of a method is `self`.'
             if name == 'self'
             else imports.advice(name)
+            or (f'What may have made `{name}` was not loaded: {notes[0]}.' if notes else '')
             or f'No cell that the check uses defines `{name}`. Is it a typing error, or is a cell gone that came '
             'with the chapter? A fresh copy of the notebook has all of them.'
         )

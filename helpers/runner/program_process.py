@@ -435,7 +435,7 @@ class ProgramProcess:
         notes = problem.get('notes')
         notes = notes[:5] if isinstance(notes, list) and kind in ('NameError', 'ImportError') else []
         called = '' if lines else str(problem.get('callback', ''))[:100]
-        more = explanations.explain(kind, text, str(problem.get('early', ''))[:200], self.absent, called)
+        more = explanations.explain(kind, text, str(problem.get('early', ''))[:200], self.absent, called, notes)
         return LearnerCrashed(
             f'{where.get(problem.get("where"), "Then")} your code raised {error}{at}. {more}'.strip(),
             '\n'.join([_stack(lines), error, *(f'Not loaded: {note}' for note in notes)]),

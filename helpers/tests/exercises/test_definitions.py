@@ -56,6 +56,56 @@ def test_definitions_are_kept(source):
 @pytest.mark.parametrize(
     'source',
     [
+        'TABLE = []\nTABLE.append(1)',
+        'TABLE = {}\nfor n, name in enumerate(NAMES):\n    TABLE[name] = n',
+        'TABLE = {}\nfor n in range(3):\n    half = n / 2\n    if half > 1:\n        TABLE[half] = n',
+        'PERIOD = 0.2\nPERIOD += 0.05',
+        "SEEN = set()\nSEEN.update('abc')",
+        'QOS = QoSProfile(depth=1)\nQOS.depth = 10',
+        'class Settings: pass\nSettings.period = 0.25',
+        'BOTH = [[], []]\nBOTH[0].extend([1, 2])\nBOTH[1] += [3]',
+    ],
+)
+def test_what_builds_a_constant_is_kept_with_it(source):
+    assert '\n'.join(kept(source)) == source
+    for _, text in definitions.of_cell(NotebookCell(source, 1)):
+        assert definitions.names_made(text) & definitions.names_in(source)
+
+
+@pytest.mark.parametrize(
+    'source',
+    [
+        'x = [1]\nx.sort(key=f())',
+        'x = []\nx.append(f())',
+        'x = 1\nx += f()',
+        'x = {}\nfor n in f():\n    x[n] = 1',
+        'x = {}\nfor n in range(3):\n    x[n] = 1\n    print(n)',
+        'x = {}\nfor n in range(3):\n    x[n] = 1\nelse:\n    f()',
+    ],
+)
+def test_what_does_more_is_not(source):
+    assert len(kept(source)) == 1
+    assert definitions.changed_later(NotebookCell(source, 1)) == {'x'}
+
+
+@pytest.mark.parametrize(
+    'source',
+    [
+        'x = []\ny.append(1)',
+        'x = []\nprint(x)',
+        "import os\nos.environ['A'] = 'b'",
+        "import os\nif True:\n    os.environ['A'] = 'b'",
+        'def f(): pass\nf().x = 1',
+    ],
+)
+def test_what_changes_no_constant_is_not_either(source):
+    assert len(kept(source)) == 1
+    assert not definitions.changed_later(NotebookCell(source, 1))
+
+
+@pytest.mark.parametrize(
+    'source',
+    [
         'print(1)',
         'rclpy.init()',
         "node = Node('x')",

@@ -33,7 +33,9 @@ def test_what_the_program_needs_of_the_cells_below():
         small.cell('class Talker:\n    def f(self): return above() + below() + len([])'),
         NotebookCell('import heavy\nUNIT = 1\nprint(3)', 3),
         NotebookCell('import math\ndef below(): return math.pi * FACTOR', 4),
-        NotebookCell('def above(): return 2\ndef unused(): pass\nFACTOR = 3', 5),
+        NotebookCell(
+            'def above(): return 2\ndef unused(): pass\nFACTOR = 1\nFACTOR += 2\nOTHER = []\nOTHER.append(1)', 5
+        ),
         NotebookCell('def len(x): pass', 6),
     )
     assert [part['source'].strip() for part in made.cells] == [
@@ -41,7 +43,8 @@ def test_what_the_program_needs_of_the_cells_below():
         'UNIT = 1',
         'import math',
         'def below(): return math.pi * FACTOR',
-        'FACTOR = 3',
+        'FACTOR = 1',
+        'FACTOR += 2',
         made.cells[-1]['source'].strip(),
     ]
     assert made.cells[-1]['required'] and not made.absent
@@ -195,3 +198,15 @@ def test_untouched_stub():
     for source in (small.STUB, f'# my thoughts\n{small.STUB}\n\n# more'):
         with pytest.raises(NotAttempted):
             build(small.cell(source))
+
+
+def test_a_constant_that_a_demonstration_changes_is_named():
+    """The check has it as it was made: without a word, its values would be a riddle."""
+    answer = small.cell('class Talker:\n    def f(self): return WORDS')
+    made = build(
+        NotebookCell('WORDS = []\nfor word in read(): WORDS.append(word)\nOTHER = []\nOTHER.append(f())', 7), answer
+    )
+    assert made.notes == [
+        '`WORDS` is changed in cell 7 by a statement that does not run here: the check has it as it was before. Make '
+        '`WORDS` in the cell of the exercise.'
+    ]

@@ -161,3 +161,10 @@ def test_a_goal_is_asked_for_its_request():
 )
 def test_nothing_is_said_of_others(kind, text):
     assert explain(kind, text) == ''
+
+
+def test_a_name_whose_cell_could_not_be_run():
+    """Where that cell stands, what it uses is not there yet; this has happened in the notebook, too."""
+    notes = ["cell 7: NameError: name 'QoSProfile' is not defined", "cell 8: NameError: name 'QOS' is not defined"]
+    told = explain('NameError', "name 'QOS' is not defined", notes=notes)
+    assert told == f'What may have made `QOS` was not loaded: {notes[0]}.'

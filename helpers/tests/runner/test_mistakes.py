@@ -297,7 +297,7 @@ def test_a_cell_that_was_not_run_is_named(tmp_path):
 def test_a_name_that_a_demonstration_has_made_is_named(tmp_path):
     """The learner's own cell has run, but is no definition."""
     cells = small.cells(HEAD + '        self.x = SPEED\n\n    def tick(self):\n        pass\n')
-    cells[1:1] = [NotebookCell('SPEED = sum([1, 2])\n', 9)]
+    cells[1:1] = [NotebookCell('def measure(): return 3\nSPEED = measure()\n', 9)]
     report = session.run(cells, [small.exercise()], session.Options(visible=small.write_tests(tmp_path, RUN)))
     message = report.exercises[0].tests[0].message
     assert '`SPEED` is made in cell 9, by a statement that does not run here' in message
