@@ -6,7 +6,7 @@ and runs only where the learner runs it. Nothing is executed here.
 
 import ast
 import re
-from collections.abc import Callable, Iterable, Set
+from collections.abc import Callable, Iterable, Iterator, Set
 from functools import lru_cache
 
 from helpers.exercises import cell_python
@@ -39,10 +39,8 @@ def of_cell(cell: NotebookCell) -> tuple[tuple[int, str], ...]:
     if tree is None:
         return ()
     found = []
-    made: set[str] = set()
-    for node in tree.body:
-        if is_definition(node) or _builds(node, made):
-            made |= _made(node)
+    for node, taken, _ in _judged(tree.body):
+        if taken:
             first = first_line(node)
             part = lines(text)[first - 1 : node.end_lineno]
             if len(part) == 1:  # a neighbour on the same line is cut off
@@ -51,16 +49,24 @@ def of_cell(cell: NotebookCell) -> tuple[tuple[int, str], ...]:
     return tuple(found)
 
 
+def _judged(body: Iterable[ast.stmt]) -> Iterator[tuple[ast.stmt, bool, set[str]]]:
+    """Each statement of a cell, whether `of_cell` takes it, and the names that were made before it."""
+    made, records = set[str](), set[str]()
+    for node in body:
+        taken = is_definition(node) or _builds(node, made) or _is_record(node, records)
+        yield node, taken, made
+        if taken:
+            made |= _made(node)
+            records |= _record_types(node)
+
+
 @lru_cache(maxsize=512)
 def changed_later(cell: NotebookCell) -> frozenset[str]:
     """The names of the cell's constants that a statement changes which `of_cell` leaves out."""
     tree = _tree(cell_python.as_python(cell))
-    made, changed = set[str](), set[str]()
-    for node in tree.body if tree is not None else ():
-        if is_definition(node) or _builds(node, made):
-            made |= _made(node)
-            continue
-        for part in ast.walk(node):
+    changed = set[str]()
+    for node, taken, made in _judged(tree.body if tree is not None else ()):
+        for part in ast.walk(node) if not taken else ():
             match part:
                 case ast.Assign(targets=targets):
                     changed |= {_root(target) for target in targets} & made
@@ -181,6 +187,27 @@ def _builds(node: ast.stmt, made: Set[str]) -> bool:
             return _is_name(target) and _is_constant(values) and _all_build(body, made)
         case ast.If(test=test, body=body, orelse=rest):
             return _is_constant(test) and _all_build([*body, *rest], made)
+    return False
+
+
+def _record_types(node: ast.stmt) -> set[str]:
+    """The names of data classes and named tuples that a statement defines: what is made of constants by them is one."""
+    match node:
+        case ast.ClassDef(name=name, bases=bases, decorator_list=decorators):
+            marks = [*bases, *(mark.func if isinstance(mark, ast.Call) else mark for mark in decorators)]
+        case ast.Assign(targets=[ast.Name(id=name)], value=ast.Call(func=made)):
+            marks = [made]
+        case _:
+            return set()
+    known = {'dataclass', 'NamedTuple', 'namedtuple'}
+    return {name} if any(ast.unparse(mark).rpartition('.')[2] in known for mark in marks) else set()
+
+
+def _is_record(node: ast.stmt, types: Set[str]) -> bool:
+    match node:
+        case ast.Assign(targets=targets, value=ast.Call(func=ast.Name(id=made), args=args, keywords=keywords)):
+            values = [*args, *(keyword.value for keyword in keywords)]
+            return made in types and all(map(_is_name, targets)) and all(map(_is_constant, values))
     return False
 
 

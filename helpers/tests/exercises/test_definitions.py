@@ -64,6 +64,10 @@ def test_definitions_are_kept(source):
         'QOS = QoSProfile(depth=1)\nQOS.depth = 10',
         'class Settings: pass\nSettings.period = 0.25',
         'BOTH = [[], []]\nBOTH[0].extend([1, 2])\nBOTH[1] += [3]',
+        '@dataclass\nclass Config:\n    period: float = 0.25\nCONFIG = Config(period=0.5)\nCONFIG.period /= 2',
+        '@dataclasses.dataclass(frozen=True)\nclass Config:\n    period: float\nONE, TWO = FEW = Config(1.0)',
+        'class Place(NamedTuple):\n    x: float\nHOME = Place(1.0)',
+        "Place = namedtuple('Place', 'x y')\nHOME = Place(1, y=-2)",
     ],
 )
 def test_what_builds_a_constant_is_kept_with_it(source):
@@ -96,6 +100,8 @@ def test_what_does_more_is_not(source):
         "import os\nos.environ['A'] = 'b'",
         "import os\nif True:\n    os.environ['A'] = 'b'",
         'def f(): pass\nf().x = 1',
+        'class Talker(Node): pass\ntalker = Talker()',
+        '@dataclass\nclass Place: pass\nhome = Place(f())',
     ],
 )
 def test_what_changes_no_constant_is_not_either(source):
