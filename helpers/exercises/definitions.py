@@ -21,6 +21,15 @@ _VALUE_TYPES = {
     *('abs', 'all', 'any', 'enumerate', 'len', 'max', 'min', 'pow', 'reversed', 'round', 'sorted', 'sum', 'zip'),
     *('atan', 'atan2', 'ceil', 'cos', 'degrees', 'floor', 'hypot', 'radians', 'sin', 'sqrt', 'tan'),
 }
+# Messages, locks and callback groups: of those that demonstrations make, no program may live by accident. So only what
+# is written as a constant, in capitals, is taken.
+_MADE_AS_CONSTANTS = {
+    *('Bool', 'ColorRGBA', 'Empty', 'Float32', 'Float64', 'Header', 'Int8', 'Int16', 'Int32', 'Int64', 'String'),
+    *('UInt8', 'UInt16', 'UInt32', 'UInt64', 'Point', 'Pose', 'PoseStamped', 'PointStamped', 'Quaternion', 'Transform'),
+    *('TransformStamped', 'Twist', 'TwistStamped', 'Vector3', 'BatteryState', 'JointState', 'LaserScan', 'Range'),
+    *('MapMetaData', 'OccupancyGrid', 'Odometry', 'FloatingPointRange', 'IntegerRange', 'ParameterDescriptor'),
+    *('SetParametersResult', 'Lock', 'RLock', 'MutuallyExclusiveCallbackGroup', 'ReentrantCallbackGroup'),
+}
 _VALUE_METHODS = {'format', 'items', 'join', 'keys', 'split', 'values'}  # of texts and dictionaries
 _BUILDING_METHODS = {  # of lists, sets and dictionaries
     *('add', 'append', 'clear', 'discard', 'extend', 'insert', 'pop', 'remove', 'reverse', 'setdefault', 'sort'),
@@ -159,6 +168,8 @@ def is_definition(node: ast.stmt) -> bool:
     match node:
         case ast.Import() | ast.ImportFrom() | ast.FunctionDef() | ast.AsyncFunctionDef() | ast.ClassDef():
             return True
+        case ast.Assign(targets=[ast.Name(id=name)], value=ast.Call() as value) if name.isupper():
+            return _is_constant(value) or _is_made_as_constant(value)
         case ast.Assign(targets=targets, value=value):
             return all(map(_is_name, targets)) and _is_constant(value)
         case ast.AnnAssign(target=ast.Name(), value=value):
@@ -279,6 +290,15 @@ def _is_constant(node: ast.expr) -> bool:
             known = name in _VALUE_TYPES or isinstance(made, ast.Attribute) and name in _VALUE_METHODS
             return known and all(map(_is_constant, [made, *args, *(keyword.value for keyword in keywords)]))
     return False
+
+
+def _is_made_as_constant(node: ast.expr) -> bool:
+    """Such as ``Twist(linear=Vector3(x=0.5))``, or a constant."""
+    match node:
+        case ast.Call(func=ast.Name(id=name) | ast.Attribute(attr=name), args=args, keywords=keywords):
+            values = [*args, *(keyword.value for keyword in keywords)]
+            return _is_constant(node) or name in _MADE_AS_CONSTANTS and all(map(_is_made_as_constant, values))
+    return _is_constant(node)
 
 
 def _is_loop(loop: ast.comprehension) -> bool:
