@@ -16,10 +16,12 @@ _LINE = re.compile(r'[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+')
 # Calls that make a constant when their arguments are constant: quickly, and of which nobody else notices anything.
 _VALUE_TYPES = {
     *('QoSProfile', 'Duration', 'Time', 'Path', 'timedelta', 'namedtuple', 'partial', 'array', 'compile'),
-    *('Enum', 'IntEnum', 'defaultdict', 'deque'),
+    *('Enum', 'IntEnum', 'Counter', 'OrderedDict', 'defaultdict', 'deque', 'Decimal', 'Fraction', 'Random', 'TypeVar'),
+    *('chain', 'count', 'cycle', 'product', 'repeat', 'itemgetter', 'attrgetter', 'getLogger'),
     *('bool', 'bytes', 'complex', 'dict', 'float', 'frozenset', 'int', 'list', 'range', 'set', 'str', 'tuple'),
     *('abs', 'all', 'any', 'enumerate', 'len', 'max', 'min', 'pow', 'reversed', 'round', 'sorted', 'sum', 'zip'),
-    *('atan', 'atan2', 'ceil', 'cos', 'degrees', 'floor', 'hypot', 'radians', 'sin', 'sqrt', 'tan'),
+    *('acos', 'asin', 'atan', 'atan2', 'ceil', 'cos', 'degrees', 'exp', 'floor', 'hypot', 'log', 'radians', 'sin'),
+    *('sqrt', 'tan', 'arange', 'deg2rad', 'eye', 'full', 'identity', 'linspace', 'ones', 'zeros'),
 }
 # Messages, locks and callback groups: of those that demonstrations make, no program may live by accident. So only what
 # is written as a constant, in capitals, is taken.
