@@ -8,6 +8,7 @@ import ast
 import re
 from collections.abc import Callable, Iterable, Iterator, Set
 from functools import lru_cache
+from itertools import compress
 
 from helpers.exercises import cell_python
 from helpers.exercises.notebooks import NotebookCell
@@ -64,7 +65,7 @@ def _judged(body: Iterable[ast.stmt]) -> Iterator[tuple[ast.stmt, bool, set[str]
     """Each statement of a cell, whether `of_cell` takes it, and the names that were made before it."""
     made, records = set[str](), set[str]()
     for node in body:
-        taken = is_definition(node) or _builds(node, made) or _is_record(node, records)
+        taken = is_definition(node) or _builds(node, made.__contains__) or _is_record(node, records)
         yield node, taken, made
         if taken:
             made |= _made(node)
@@ -183,19 +184,19 @@ def is_definition(node: ast.stmt) -> bool:
     return False
 
 
-def _builds(node: ast.stmt, made: Set[str]) -> bool:
-    """Whether a statement only goes on with constants that the cell has made before, under the names `made`.
+def _builds(node: ast.stmt, made: Callable[[str], bool]) -> bool:
+    """Whether a statement only goes on with constants that the cell has made before: of their names `made` is true.
 
     Of a dictionary that a loop fills, the loop is a part: without it the dictionary would be there, and empty.
     """
     match node:
         case ast.AugAssign(target=target, value=value):
-            return _root(target) in made and _is_constant(target) and _is_constant(value)
+            return made(_root(target)) and _is_constant(target) and _is_constant(value)
         case ast.Assign(targets=targets, value=value):
-            return all(_root(one) in made and _is_constant(one) for one in targets) and _is_constant(value)
+            return all(made(_root(one)) and _is_constant(one) for one in targets) and _is_constant(value)
         case ast.Expr(value=ast.Call(func=ast.Attribute(value=whole, attr=name), args=args, keywords=keywords)):
             values = [whole, *args, *(keyword.value for keyword in keywords)]
-            return name in _BUILDING_METHODS and _root(whole) in made and all(map(_is_constant, values))
+            return name in _BUILDING_METHODS and made(_root(whole)) and all(map(_is_constant, values))
         case ast.For(target=target, iter=values, body=body, orelse=[]):
             return _is_name(target) and _is_constant(values) and _all_build(body, made)
         case ast.If(test=test, body=body, orelse=rest):
@@ -212,8 +213,8 @@ def _record_types(node: ast.stmt) -> set[str]:
             marks = [made]
         case _:
             return set()
-    known = {'dataclass', 'NamedTuple', 'namedtuple'}
-    return {name} if any(ast.unparse(mark).rpartition('.')[2] in known for mark in marks) else set()
+    called = {getattr(mark, 'attr', getattr(mark, 'id', '')) for mark in marks}  # of a name or an attribute
+    return {name} if called & {'dataclass', 'NamedTuple', 'namedtuple'} else set()
 
 
 def _is_record(node: ast.stmt, types: Set[str]) -> bool:
@@ -229,11 +230,11 @@ def _made(node: ast.stmt) -> set[str]:
     return set() if isinstance(node, ast.Import | ast.ImportFrom) else defined([node])
 
 
-def _all_build(body: list[ast.stmt], made: Set[str]) -> bool:
-    constants = [node for node in body if isinstance(node, ast.Assign) and is_definition(node)]
-    made = {*made, *defined(constants)}
-    others = [node for node in body if not isinstance(node, ast.Pass) and node not in constants]
-    return bool(others) and all(_builds(node, made) for node in others)
+def _all_build(body: list[ast.stmt], made: Callable[[str], bool]) -> bool:
+    constant = [isinstance(node, ast.Assign) and is_definition(node) for node in body]
+    own = defined(compress(body, constant))
+    others = [node for node, known in zip(body, constant, strict=True) if not known and not isinstance(node, ast.Pass)]
+    return bool(others) and all(_builds(node, lambda name: name in own or made(name)) for node in others)
 
 
 def _root(target: ast.expr) -> str:
