@@ -24,7 +24,7 @@ def answers(
 
     known = manifest.load()
     if exercise not in known:
-        raise Refusal(f'there is no exercise {exercise}; there are: {", ".join(known)}')
+        raise Refusal(f'there is no exercise {exercise}; there are {manifest.near(exercise, known)}')
     chosen = known[exercise]
     try:
         chosen_answers = [*([] if names else [None]), *trial.answers(exercise, names or ())]

@@ -29,7 +29,7 @@ def check(
         known = manifest.load()
         chosen = [exercise for exercise in known.values() if what in (exercise.id, str(exercise.chapter))]
         if not chosen:
-            raise Refusal(f'there is no exercise {what}; there are: {", ".join(known)}')
+            raise Refusal(f'there is no exercise {what}; there are {manifest.near(what, known)}')
         cells = notebooks.read(notebooks_folder / chosen[0].notebook)
     except (manifest.ManifestError, notebooks.InvalidSubmission) as error:
         raise Refusal(str(error)) from None

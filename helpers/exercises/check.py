@@ -1,6 +1,7 @@
 """`check("3.1")`: the visible tests of an exercise, run against the cells of this kernel."""
 
 import os
+import unicodedata
 from functools import lru_cache
 from pathlib import Path
 
@@ -44,7 +45,8 @@ def _identity(given) -> str:
         raise LookupError(
             f'{given} and {given}0 are the same number. Write quotes: check("{given}") or check("{given}0").'
         )
-    return str(given)
+    # As it was meant: an input method for Chinese may type wide digits and a wide point.
+    return unicodedata.normalize('NFKC', str(given)).strip().rstrip('.')
 
 
 def run_tests(exercise_id: str):
@@ -58,10 +60,8 @@ def run_tests(exercise_id: str):
 
     exercises = manifest.load()
     if exercise_id not in exercises:
-        chapter = exercise_id.partition('.')[0]
-        there = [one for one in exercises if one.partition('.')[0] == chapter] or exercises
         raise LookupError(
-            f'there is no exercise {exercise_id!r}; there are {", ".join(there)}. '
+            f'there is no exercise {exercise_id!r}; there are {manifest.near(exercise_id, exercises)}. '
             '(Sections have numbers of their own: the number of an exercise stands in the heading of its card.)'
         )
     exercise = exercises[exercise_id]

@@ -101,6 +101,15 @@ def load(path: Path = MANIFEST) -> dict[str, Exercise]:
     return {exercise.id: exercise for exercise in exercises}
 
 
+def near(identity: str, exercises: Iterable[str]) -> str:
+    """Which of the exercises may be meant by an id that is none: all of its chapter, else the range of each chapter."""
+    chapters: dict[str, list[str]] = {}
+    for one in exercises:
+        chapters.setdefault(one.partition('.')[0], []).append(one)
+    mine = chapters.get(identity.partition('.')[0])
+    return ', '.join(mine or (f'{ids[0]} to {ids[-1]}' if len(ids) > 1 else ids[0] for ids in chapters.values()))
+
+
 def dumps(exercises: Iterable[Exercise]) -> str:
     """Return the text of the file for ``exercises``, sorted by chapter and number."""
     ordered = sorted(exercises, key=lambda exercise: [int(part) for part in exercise.id.split('.')])

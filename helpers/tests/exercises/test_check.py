@@ -229,7 +229,14 @@ def test_check_never_raises(monkeypatch, capsys):
     check.check(8.10)
     assert 'Write quotes: check("8.1") or check("8.10")' in capsys.readouterr().out
     check.check(99.9)
-    assert "there is no exercise '99.9'" in capsys.readouterr().out
+    assert "there is no exercise '99.9'; there are 1.1 to 1.4, 2.1 to 2.5, " in capsys.readouterr().out
+    check.check('3.10')
+    assert "there is no exercise '3.10'; there are 3.1, 3.2, 3.3, 3.4, 3.5, 3.6. " in capsys.readouterr().out
+    monkeypatch.setattr(check, 'run_tests', lambda exercise_id: print(f'<{exercise_id}>') or 1 / 0)
+    for written in (' 3.1 ', '3.1.', '３．１', 3.1):  # noqa: RUF001 - the wide digits of an input method
+        check.check(written)
+        assert '<3.1>' in capsys.readouterr().out
+    monkeypatch.undo()
     for error, text in ((RuntimeError('boom'), 'The check could not run: boom'), (KeyboardInterrupt(), 'was stopped')):
 
         def fail(exercise_id, error=error):
