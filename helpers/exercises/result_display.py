@@ -88,14 +88,18 @@ def summary(exercise: ExerciseResult) -> str:
 
 
 def standing(exercise: ExerciseResult) -> list[str]:
-    """What stands below the findings: rules that were not looked at, how many are kept, and where the tests are."""
+    """What stands below the findings: what of the cells did not run, which rules were not looked at, how many are kept,
+    and where the tests are.
+    """
     lines = []
+    if exercise.tests and not exercise.passed:
+        lines += exercise.message.splitlines()
     if exercise.tests and exercise.verdict != verdicts.GRADER_ERROR:
         reasons: dict[str, list[str]] = {}
         for rule in exercise.rules:
             if rule.state == results.NOT_LOOKED_AT:
                 reasons.setdefault(rule.why, []).append(rule.name)
-        lines = [
+        lines += [
             f'Right so far: {", ".join(names)}.'
             if why == results.SO_FAR
             else f'Not looked at{" here" if exercise.passed else " yet"}: {", ".join(names)} ({why}).'

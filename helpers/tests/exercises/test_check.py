@@ -105,6 +105,15 @@ def test_what_broke_the_same_rule_in_the_same_way_is_told_once():
         assert text.count('Really.') == text.count('The text is right.') == 1 and 'The same as above.' not in text
 
 
+def test_what_of_the_cells_did_not_run_is_told_with_what_failed():
+    """It may be the cause; whose answer is right need not know it."""
+    for work in (result(rules=rules('kept', 'broken', 'kept')), result()):
+        work = dataclasses.replace(work, message='`TABLE` is changed in cell 3.\n`%time` was left out.')
+        assert '\n  `TABLE` is changed in cell 3.\n  `%time` was left out.\n' in result_display.plain([work])
+        assert '<code>TABLE</code> is changed in cell 3.' in result_display.html([work])
+    assert 'left out' not in result_display.plain([dataclasses.replace(result('passed'), message='It was left out.')])
+
+
 @pytest.mark.parametrize(
     ('exercise', 'text'),
     [
