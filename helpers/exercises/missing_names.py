@@ -63,8 +63,12 @@ def explain(result) -> None:
             print(f'`{error.name}` comes from a cell above that has not run since the kernel started: {first}')
             print(ADVICE if error.name in resuming.brought_back(cell) else AGAIN)
             return
+    import helpers
+
     if advice := imports.advice(error.name):
         print(advice)
+    elif error.name in dir(helpers):
+        print(f'`{error.name}` belongs to the course. Write: from helpers import {error.name}')
 
 
 def _is_half_imported(error: BaseException | None) -> bool:

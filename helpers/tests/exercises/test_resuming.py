@@ -67,6 +67,7 @@ def test_a_missing_name_says_where_it_comes_from(folder, kernel):
     notebook.write_text(notebook.read_text().replace('LATER = 1', 'talker.words'))
     assert kernel.run('talker.words').stdout.endswith('It is part of a demonstration: run that cell again.\n')
     assert kernel.run('undefined_anywhere').stdout == ''
+    assert kernel.run('spin_for(1)').stdout == '`spin_for` belongs to the course. Write: from helpers import spin_for\n'
     missed = kernel.run('qos_profile_sensor_data')
     assert 'Write: from rclpy.qos import qos_profile_sensor_data\n' in missed.stdout
     kernel.ok(CONTINUE)
