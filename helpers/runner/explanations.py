@@ -3,7 +3,7 @@
 import re
 from collections.abc import Mapping, Sequence
 
-from helpers.runner import imports
+from helpers.runner import imports, slips
 
 # Properties of rclpy's Node that have no setter.
 _RESERVED = (
@@ -225,6 +225,16 @@ _SENTENCES = (
     ),
     (
         'TypeError',
+        r"Expected <class '[\w.]+\.(\w+)'>, got <class '[\w.]+\.Metaclass_\w+'>",
+        'A class is given where a message is wanted. A message is made: {0}().',
+    ),
+    (
+        'TypeError',
+        r'module\(\) takes at most 2 arguments',
+        'A module is given as the base of a class. The class is in it: from rclpy.node import Node, class …(Node).',
+    ),
+    (
+        'TypeError',
         r"Expected <class '[\w.]+\.(\w+)'>, got <class 'NoneType'>",
         'There is nothing to publish yet (None), where a {0} is wanted.',
     ),
@@ -299,14 +309,29 @@ def explain(
     absent: Mapping[str, str] | None = None,
     callback: str = '',
     notes: Sequence[str] = (),
+    answer: str = '',
 ) -> str:
     """A sentence on an exception of the type `kind` with this text; '' if there is nothing to add.
 
     `early`: where the program read the result of a future that had none yet. `absent`: by name, why a name
     is not there that some cell binds. `callback`: of what it is the callback, if rclpy has called it and it has begun
     with no line of its own, such as `timer of 0.5 s`. `notes`: what happened in cells with the missing name that
-    could not be run.
+    could not be run. `answer`: the text of the exercise's cell.
     """
+    if kind in ('NameError', 'UnboundLocalError') and (found := re.match(r"(?:name|.*local variable) '(\w+)'", text)):
+        if said := slips.missing_self(found[1], answer):
+            return said
+    if kind == 'AttributeError' and (found := re.match(r"'(\w+)' object has no attribute '([A-Za-z]\w*)'", text)):
+        if re.search(rf'^class {found[1]}\b', answer, re.MULTILINE):
+            return slips.unset_attribute(found[2], answer)
+    if kind == 'AttributeError' and (found := re.match(r"module '([\w.]+)' has no attribute '(\w+)'", text)):
+        return f'It is elsewhere. Write: {lines[0]}' if (lines := imports.lines_for(found[2])) else ''
+    if (
+        kind == 'TypeError'
+        and text.startswith('Node.__init__() missing')
+        and (said := slips.misspelt_constructor(answer))
+    ):
+        return said
     if kind == 'AttributeError' and (
         found := re.search(r"property '(\w+)' of (?:.* has no setter|Node)|can't set attribute '?(\w+)?", text)
     ):

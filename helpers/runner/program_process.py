@@ -237,6 +237,7 @@ class ProgramProcess:
         self.server = server
         self.title = program['title']
         self.absent = program.get('absent', {})
+        self.answer = program.get('answer', '')
         self.key, sock, output = server.fork(preloading.on_demand(program['cells']))
         self.channel = Channel(sock)
         self.output = Output(output, server.limits.output)
@@ -435,7 +436,8 @@ class ProgramProcess:
         notes = problem.get('notes')
         notes = notes[:5] if isinstance(notes, list) and kind in ('NameError', 'ImportError') else []
         called = '' if lines else str(problem.get('callback', ''))[:100]
-        more = explanations.explain(kind, text, str(problem.get('early', ''))[:200], self.absent, called, notes)
+        early = str(problem.get('early', ''))[:200]
+        more = explanations.explain(kind, text, early, self.absent, called, notes, self.answer)
         return LearnerCrashed(
             f'{where.get(problem.get("where"), "Then")} your code raised {error}{at}. {more}'.strip(),
             '\n'.join([_stack(lines), error, *(f'Not loaded: {note}' for note in notes)]),

@@ -93,7 +93,7 @@ def _check_depth(found: list[int], kind: str, topic: str, depth: int, rule: str)
     """The depths that were found are this one."""
     expect(
         0 not in found,
-        f'The queue of your {kind} on {topic} keeps everything (KEEP_ALL), expected the depth {depth}.',
+        f'The queue of your {kind} on {topic} keeps everything (KEEP_ALL) or has the depth 0, expected {depth}.',
         rule,
     )
     expect(

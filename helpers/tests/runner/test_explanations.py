@@ -83,6 +83,7 @@ def node(domain):
         ("node.declare_parameter('rate', 1.0); node.get_parameter('rate') * 2", 'get_parameter(name).value'),
         ("node.declare_parameter('rate', 1.0); 2.0 < node.get_parameter('rate')", 'get_parameter(name).value'),
         ("node.create_publisher('String', 'a', 10)", 'A type is the class itself'),
+        ('import rclpy.node\nclass A(rclpy.node):\n    pass', 'The class is in it: from rclpy.node import Node'),
         ('from std_msgs import String', 'Messages are in std_msgs.msg'),
         ('from my_nodes import Talker', 'a file of your own beside it (my_nodes.py)'),
         ('node.get_clock().now().seconds', '.nanoseconds / 1e9 are seconds'),

@@ -121,6 +121,13 @@ def test_call(learner):
             "self.create_publisher(String, 'chatter')",
             'the queue depth or a QoS profile: create_publisher(String, …, 10)',
         ),
+        (
+            "self.create_publisher(String(), 'chatter', 10)",
+            'the class itself, without parentheses: create_publisher(String',
+        ),
+        ("self.create_publisher(String, 'chatter', 10).publish(String)", 'A message is made: String().'),
+        ('self.tick.missing; self.missing', "object has no attribute 'missing'"),
+        ('timer.cancel()', 'Your class has `self.timer`: is `self.` missing before it?'),
         ('self.create_timer(0.5)', 'the period in seconds and the callback'),
         ('self.create_timer(0.5, self.on_goal())', 'without parentheses: self.on_goal, not self.on_goal()'),
         ('self.handle = 3', 'choose another one, such as `self.my_handle`'),

@@ -1,0 +1,78 @@
+"""What the text of an answer shows of common slips: a missing `self.`, a misspelt name. Nothing is executed."""
+
+import ast
+import difflib
+import warnings
+from functools import lru_cache
+
+_CONSTRUCTORS = frozenset(
+    '_init_ __init _init __init_ _init__ init init__ __init()__ __int__ __inti__ __intit__'.split()
+)
+
+
+def missing_self(name: str, text: str) -> str:
+    """A sentence if the answer has `name` as an attribute of its object, and not as a variable; '' if it has not."""
+    found = _names(text)
+    return f'Your class has `self.{name}`: is `self.` missing before it?' if name in found.attributes else ''
+
+
+def unset_attribute(name: str, text: str) -> str:
+    """A sentence on an attribute that an object does not have: nothing sets it, or something like it is set."""
+    found = _names(text)
+    if name in found.attributes or not found.attributes:
+        return ''
+    if name in found.variables:
+        return f'`{name} = …` makes a variable that the function forgets at its end: write `self.{name} = …`.'
+    there = sorted(found.attributes)
+    near = difflib.get_close_matches(name, there, 1, 0.75) or [one for one in there if one.startswith(name)]
+    said = f'Nothing in your answer sets `{name}`'
+    return f'{said}; there is `{near[0]}`.' if near else f'{said}.'
+
+
+def misspelt_constructor(text: str) -> str:
+    """A sentence if a class has a method that was meant to be `__init__`; '' if none has."""
+    wrong = sorted(_names(text).methods & _CONSTRUCTORS)
+    return (
+        f'Is `{wrong[0]}` the constructor? It is written `__init__`, with two underscores on each side.'
+        if wrong
+        else ''
+    )
+
+
+class _Names(ast.NodeVisitor):
+    def __init__(self) -> None:
+        self.attributes: set[str] = set()  # of `self`, methods included
+        self.methods: set[str] = set()
+        self.variables: set[str] = set()  # of functions
+
+    def visit_ClassDef(self, node: ast.ClassDef) -> None:
+        for part in node.body:
+            if isinstance(part, ast.FunctionDef | ast.AsyncFunctionDef):
+                self.methods.add(part.name)
+                self.attributes.add(part.name)
+            elif isinstance(part, ast.Assign | ast.AnnAssign):
+                targets = part.targets if isinstance(part, ast.Assign) else [part.target]
+                self.attributes |= {target.id for target in targets if isinstance(target, ast.Name)}
+        self.generic_visit(node)
+
+    def visit_Attribute(self, node: ast.Attribute) -> None:
+        if isinstance(node.ctx, ast.Store) and isinstance(node.value, ast.Name) and node.value.id == 'self':
+            self.attributes.add(node.attr)
+        self.generic_visit(node)
+
+    def visit_Name(self, node: ast.Name) -> None:
+        if isinstance(node.ctx, ast.Store):
+            self.variables.add(node.id)
+
+
+@lru_cache(maxsize=8)
+def _names(text: str) -> _Names:
+    found = _Names()
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter('ignore')  # of the learner's text, such as an invalid escape
+            tree = ast.parse(text)
+        found.visit(tree)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        pass  # an answer that is no Python
+    return found

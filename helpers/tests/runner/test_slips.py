@@ -1,0 +1,82 @@
+"""What an answer's text shows of slips: one sentence for each, and none where it shows nothing."""
+
+import pytest
+
+from helpers.runner import slips
+from helpers.runner.explanations import explain
+
+ANSWER = """
+class Beacon(Node):
+    LIMIT = 3
+
+    def __init__(self):
+        super().__init__('beacon')
+        self.count = 0
+        self.publisher = self.create_publisher(String, 'beacon', 10)
+        timer = self.create_timer(0.25, self.on_timer)
+
+    def on_timmer(self):
+        text = f'alive {self.count}'
+"""
+
+
+@pytest.mark.parametrize(
+    ('kind', 'text', 'said'),
+    [
+        (
+            'NameError',
+            "name 'publisher' is not defined",
+            'Your class has `self.publisher`: is `self.` missing before it?',
+        ),
+        (
+            'UnboundLocalError',
+            "cannot access local variable 'count' where it is not associated with a value",
+            'Your class has `self.count`: is `self.` missing before it?',
+        ),
+        (
+            'UnboundLocalError',
+            "local variable 'count' referenced before assignment",  # of Python 3.10
+            'Your class has `self.count`: is `self.` missing before it?',
+        ),
+        ('UnboundLocalError', "cannot access local variable 'text' where it is not associated with a value", ''),
+        (
+            'AttributeError',
+            "'Beacon' object has no attribute 'timer'",
+            '`timer = …` makes a variable that the function forgets at its end: write `self.timer = …`.',
+        ),
+        (
+            'AttributeError',
+            "'Beacon' object has no attribute 'on_timer'",
+            'Nothing in your answer sets `on_timer`; there is `on_timmer`.',
+        ),
+        (
+            'AttributeError',
+            "'Beacon' object has no attribute 'pub'",
+            'Nothing in your answer sets `pub`; there is `publisher`.',
+        ),
+        ('AttributeError', "'Beacon' object has no attribute 'speed'", 'Nothing in your answer sets `speed`.'),
+        ('AttributeError', "'Beacon' object has no attribute 'count'", ''),  # it is set, but later
+        ('AttributeError', "'Other' object has no attribute 'timer'", ''),
+        (
+            'AttributeError',
+            "module 'rclpy' has no attribute 'Node'",
+            'It is elsewhere. Write: from rclpy.node import Node',
+        ),
+        ('AttributeError', "module 'rclpy' has no attribute 'nobody'", ''),
+    ],
+)
+def test_a_slip_in_the_answer_is_named(kind, text, said):
+    assert explain(kind, text, answer=ANSWER) == said
+
+
+@pytest.mark.parametrize('name', ['_init_', '__init', '__int__', 'init'])
+def test_a_misspelt_constructor(name):
+    text = "Node.__init__() missing 1 required positional argument: 'node_name'"
+    said = explain('TypeError', text, answer=ANSWER.replace('__init__(self)', f'{name}(self)'))
+    assert said == f'Is `{name}` the constructor? It is written `__init__`, with two underscores on each side.'
+    assert explain('TypeError', text, answer=ANSWER) == "It takes the name of the node: super().__init__('name')."
+
+
+@pytest.mark.parametrize('text', ['class A(', 'x = 1\0', 'a' + '.b' * 100_000, '(' * 5000, r"'\d'"])
+def test_any_text_can_be_looked_at(text):
+    assert slips.missing_self('x', text) == slips.unset_attribute('x', text) == slips.misspelt_constructor(text) == ''
