@@ -100,6 +100,27 @@ _SENTENCES = (
     ),
     (
         'AttributeError',
+        r"'ServerGoalHandle' object has no attribute '(?:cancell?e?d?|succee?ded|success|aborted|finish(?:ed)?)'",
+        'A goal is ended by one of goal.succeed(), goal.canceled() and goal.abort().',
+    ),
+    (
+        'NotImplementedError',
+        r'(Service|Action) classes can not be instantiated',
+        'As a type it stands without parentheses. The messages of a service are made by ….Request() and ….Response(), '
+        'those of an action by ….Goal(), ….Feedback() and ….Result().',
+    ),
+    (
+        'RuntimeError',
+        r"The (service|action) type provided is not valid \(<class '[\w.]+\.(\w+)_(?:Request|Response|Goal|Result)'>",
+        'The type of the {0} is {1} itself, without a part of it.',
+    ),
+    (
+        'SyntaxError',
+        r"(?:asynchronous comprehension|'await'|'async \w+') outside",
+        '`await` may stand in a function only that begins with `async def`.',
+    ),
+    (
+        'AttributeError',
         r"'ServerGoalHandle' object has no attribute '([a-z]\w*)'",
         'What the client asked for is in the request of the goal: goal.request.{0}.',
     ),
@@ -293,6 +314,11 @@ _SENTENCES = (
         'InvalidParameterValueException',
         r'.*Callback returned an invalid type',
         'A callback that checks parameters returns SetParametersResult(successful=…), on every way.',
+    ),
+    (
+        'AttributeError',
+        rf"'(?:\w+_(?:Request|Response|Goal|Result|Feedback)|{_OF_ROS})' object has no attribute '(\w+)'",
+        'The message has no field `{0}`: `ros2 interface show` prints the fields that it has.',
     ),
     (
         'ParameterNotDeclaredException',

@@ -419,6 +419,7 @@ class ProgramProcess:
         }
         lines = _lines(problem)
         kind, text = str(problem.get('type'))[:100], str(problem.get('text'))[:1000]
+        text = re.sub(r' \(<cell \d+>, line \d+\)$', '', text)  # where it is stands in `lines`
         at = f' at {lines[-1]["cell"]}, line {lines[-1]["line"]}' if lines else ''
         if kind == 'SystemExit':
             return LearnerCrashed(

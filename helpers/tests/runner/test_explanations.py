@@ -83,6 +83,11 @@ def node(domain):
         ("node.declare_parameter('rate', 1.0); node.get_parameter('rate') * 2", 'get_parameter(name).value'),
         ("node.declare_parameter('rate', 1.0); 2.0 < node.get_parameter('rate')", 'get_parameter(name).value'),
         ("node.create_publisher('String', 'a', 10)", 'A type is the class itself'),
+        ('Trigger()', 'As a type it stands without parentheses.'),
+        ('Fibonacci()', 'those of an action by ….Goal()'),
+        ("node.create_service(Trigger.Request, 'a', print)", 'The type of the service is Trigger itself'),
+        ('Trigger.Response().text', 'The message has no field `text`'),
+        ('Twist().angle', 'The message has no field `angle`'),
         ('import rclpy.node\nclass A(rclpy.node):\n    pass', 'The class is in it: from rclpy.node import Node'),
         ('from std_msgs import String', 'Messages are in std_msgs.msg'),
         ('from my_nodes import Talker', 'a file of your own beside it (my_nodes.py)'),
@@ -169,3 +174,20 @@ def test_a_name_whose_cell_could_not_be_run():
     notes = ["cell 7: NameError: name 'QoSProfile' is not defined", "cell 8: NameError: name 'QOS' is not defined"]
     told = explain('NameError', "name 'QOS' is not defined", notes=notes)
     assert told == f'What may have made `QOS` was not loaded: {notes[0]}.'
+
+
+@pytest.mark.parametrize(
+    ('kind', 'text', 'said'),
+    [
+        (
+            'AttributeError',
+            "'ServerGoalHandle' object has no attribute 'cancelled'",
+            'goal.canceled() and goal.abort()',
+        ),
+        ('AttributeError', "'ServerGoalHandle' object has no attribute 'order'", 'goal.request.order'),
+        ('SyntaxError', 'asynchronous comprehension outside of an asynchronous function', 'begins with `async def`'),
+        ('SyntaxError', "'await' outside async function", 'begins with `async def`'),
+    ],
+)
+def test_an_exception_that_needs_more_than_one_line(kind, text, said):
+    assert said in explain(kind, text)
