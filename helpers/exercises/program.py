@@ -128,7 +128,7 @@ def build(cells: list[NotebookCell], exercise: Exercise, notebook: Iterable[Note
         for other in cells
         if other is not cell
         for name in sorted(definitions.changed_later(other) & used)
-    ]
+    ][:3]
     program.absent = _absent(program.cells, cells, notebook)
     return program
 

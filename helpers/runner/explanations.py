@@ -344,19 +344,7 @@ def explain(
     with no line of its own, such as `timer of 0.5 s`. `notes`: what happened in cells with the missing name that
     could not be run. `answer`: the text of the exercise's cell.
     """
-    if kind in ('NameError', 'UnboundLocalError') and (found := re.match(r"(?:name|.*local variable) '(\w+)'", text)):
-        if said := slips.missing_self(found[1], answer):
-            return said
-    if kind == 'AttributeError' and (found := re.match(r"'(\w+)' object has no attribute '([A-Za-z]\w*)'", text)):
-        if re.search(rf'^class {found[1]}\b', answer, re.MULTILINE):
-            return slips.unset_attribute(found[2], answer)
-    if kind == 'AttributeError' and (found := re.match(r"module '([\w.]+)' has no attribute '(\w+)'", text)):
-        return f'It is elsewhere. Write: {lines[0]}' if (lines := imports.lines_for(found[2])) else ''
-    if (
-        kind == 'TypeError'
-        and text.startswith('Node.__init__() missing')
-        and (said := slips.misspelt_constructor(answer))
-    ):
+    if said := _on_names(kind, text, answer):
         return said
     if kind == 'AttributeError' and (
         found := re.search(r"property '(\w+)' of (?:.* has no setter|Node)|can't set attribute '?(\w+)?", text)
@@ -410,4 +398,18 @@ def explain(
     for known, pattern, sentence in _SENTENCES:
         if kind == known and (found := re.match(pattern, text)):
             return sentence.format(*found.groups())
+    return ''
+
+
+def _on_names(kind: str, text: str, answer: str) -> str:
+    """A sentence on a name that the answer or a module lacks, or has by a slip; '' if there is none."""
+    if kind in ('NameError', 'UnboundLocalError') and (found := re.match(r"(?:name|.*local variable) '(\w+)'", text)):
+        return slips.missing_self(found[1], answer)
+    if kind == 'AttributeError' and (found := re.match(r"'(\w+)' object has no attribute '([A-Za-z]\w*)'", text)):
+        if re.search(rf'^class {found[1]}\b', answer, re.MULTILINE):
+            return slips.unset_attribute(found[2], answer)
+    if kind == 'AttributeError' and (found := re.match(r"module '([\w.]+)' has no attribute '(\w+)'", text)):
+        return f'It is elsewhere. Write: {lines[0]}' if (lines := imports.lines_for(found[2])) else ''
+    if kind == 'TypeError' and text.startswith('Node.__init__() missing'):
+        return slips.misspelt_constructor(answer)
     return ''

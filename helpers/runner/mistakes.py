@@ -209,10 +209,10 @@ def _checked(method, seen: Watch):
         if first_is_type and isinstance(given[parameters[0]], str) and inspect.isclass(given.get(parameters[1])):
             name, kind = given[parameters[0]], given[parameters[1]].__name__
             raise TypeError(f'the type comes first, then the name: {method.__name__}({kind}, {name!r}, …)')
-        if first_is_type and hasattr(given[parameters[0]], 'get_fields_and_field_types'):
-            if not inspect.isclass(given[parameters[0]]):
-                kind = type(given[parameters[0]]).__name__
-                raise TypeError(f'the type is the class itself, without parentheses: {method.__name__}({kind}, …)')
+        first = given[parameters[0]]
+        if first_is_type and hasattr(first, 'get_fields_and_field_types') and not inspect.isclass(first):
+            kind = type(first).__name__
+            raise TypeError(f'the type is the class itself, without parentheses: {method.__name__}({kind}, …)')
         if 'callback' in given and not callable(given['callback']):
             raise TypeError(_no_function(f'{method.__name__}(…)', given['callback']))
         return method(self, *args, **kwargs)

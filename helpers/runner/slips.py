@@ -5,13 +5,13 @@ import difflib
 import warnings
 from functools import lru_cache
 
-_CONSTRUCTORS = frozenset(
-    '_init_ __init _init __init_ _init__ init init__ __init()__ __int__ __inti__ __intit__'.split()
-)
+from rclpy.node import Node
+
+_CONSTRUCTORS = frozenset('_init_ __init _init __init_ _init__ init init__ __int__ __inti__ __intit__'.split())
 
 
 def missing_self(name: str, text: str) -> str:
-    """A sentence if the answer has `name` as an attribute of its object, and not as a variable; '' if it has not."""
+    """A sentence if a class of the answer has an attribute or a method `name`; '' if none has."""
     found = _names(text)
     return f'Your class has `self.{name}`: is `self.` missing before it?' if name in found.attributes else ''
 
@@ -23,8 +23,9 @@ def unset_attribute(name: str, text: str) -> str:
         return ''
     if name in found.variables:
         return f'`{name} = …` makes a variable that the function forgets at its end: write `self.{name} = …`.'
-    there = sorted(found.attributes)
-    near = difflib.get_close_matches(name, there, 1, 0.75) or [one for one in there if one.startswith(name)]
+    own = sorted(found.attributes)
+    there = own + [one for one in dir(Node) if not one.startswith('_')]
+    near = difflib.get_close_matches(name, there, 1, 0.75) or [one for one in own if one.startswith(name)]
     said = f'Nothing in your answer sets `{name}`'
     return f'{said}; there is `{near[0]}`.' if near else f'{said}.'
 
@@ -43,7 +44,15 @@ class _Names(ast.NodeVisitor):
     def __init__(self) -> None:
         self.attributes: set[str] = set()  # of `self`, methods included
         self.methods: set[str] = set()
-        self.variables: set[str] = set()  # of functions
+        self.variables: set[str] = set()  # to which functions assign
+
+    def visit_FunctionDef(self, node: ast.FunctionDef | ast.AsyncFunctionDef) -> None:
+        for part in ast.walk(node):
+            if isinstance(part, ast.Assign):
+                self.variables |= {target.id for target in part.targets if isinstance(target, ast.Name)}
+        self.generic_visit(node)
+
+    visit_AsyncFunctionDef = visit_FunctionDef
 
     def visit_ClassDef(self, node: ast.ClassDef) -> None:
         for part in node.body:
@@ -59,10 +68,6 @@ class _Names(ast.NodeVisitor):
         if isinstance(node.ctx, ast.Store) and isinstance(node.value, ast.Name) and node.value.id == 'self':
             self.attributes.add(node.attr)
         self.generic_visit(node)
-
-    def visit_Name(self, node: ast.Name) -> None:
-        if isinstance(node.ctx, ast.Store):
-            self.variables.add(node.id)
 
 
 @lru_cache(maxsize=8)

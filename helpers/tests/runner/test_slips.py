@@ -6,6 +6,7 @@ from helpers.runner import slips
 from helpers.runner.explanations import explain
 
 ANSWER = """
+OUTSIDE = 3
 class Beacon(Node):
     LIMIT = 3
 
@@ -55,6 +56,12 @@ class Beacon(Node):
             'Nothing in your answer sets `pub`; there is `publisher`.',
         ),
         ('AttributeError', "'Beacon' object has no attribute 'speed'", 'Nothing in your answer sets `speed`.'),
+        ('AttributeError', "'Beacon' object has no attribute 'OUTSIDE'", 'Nothing in your answer sets `OUTSIDE`.'),
+        (
+            'AttributeError',
+            "'Beacon' object has no attribute 'create_publsher'",
+            'Nothing in your answer sets `create_publsher`; there is `create_publisher`.',
+        ),
         ('AttributeError', "'Beacon' object has no attribute 'count'", ''),  # it is set, but later
         ('AttributeError', "'Other' object has no attribute 'timer'", ''),
         (
