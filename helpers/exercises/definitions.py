@@ -11,29 +11,10 @@ from functools import lru_cache
 from itertools import compress
 
 from helpers.exercises import cell_python
+from helpers.exercises.constant_syntax import is_constant, is_made_as_constant, is_name
 from helpers.exercises.notebooks import NotebookCell
 
 _LINE = re.compile(r'[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+')
-# Calls that make a constant when their arguments are constant: quickly, and of which nobody else notices anything.
-_VALUE_TYPES = {
-    *('QoSProfile', 'Duration', 'Time', 'Path', 'timedelta', 'namedtuple', 'partial', 'array', 'compile'),
-    *('Enum', 'IntEnum', 'Counter', 'OrderedDict', 'defaultdict', 'deque', 'Decimal', 'Fraction', 'Random', 'TypeVar'),
-    *('chain', 'count', 'cycle', 'product', 'repeat', 'itemgetter', 'attrgetter', 'getLogger'),
-    *('bool', 'bytes', 'complex', 'dict', 'float', 'frozenset', 'int', 'list', 'range', 'set', 'str', 'tuple'),
-    *('abs', 'all', 'any', 'enumerate', 'len', 'max', 'min', 'pow', 'reversed', 'round', 'sorted', 'sum', 'zip'),
-    *('acos', 'asin', 'atan', 'atan2', 'ceil', 'cos', 'degrees', 'exp', 'floor', 'hypot', 'log', 'radians', 'sin'),
-    *('sqrt', 'tan', 'arange', 'deg2rad', 'eye', 'full', 'identity', 'linspace', 'ones', 'zeros'),
-}
-# Messages, locks and callback groups: of those that demonstrations make, no program may live by accident. So only what
-# is written as a constant, in capitals, is taken.
-_MADE_AS_CONSTANTS = {
-    *('Bool', 'ColorRGBA', 'Empty', 'Float32', 'Float64', 'Header', 'Int8', 'Int16', 'Int32', 'Int64', 'String'),
-    *('UInt8', 'UInt16', 'UInt32', 'UInt64', 'Point', 'Pose', 'PoseStamped', 'PointStamped', 'Quaternion', 'Transform'),
-    *('TransformStamped', 'Twist', 'TwistStamped', 'Vector3', 'BatteryState', 'JointState', 'LaserScan', 'Range'),
-    *('MapMetaData', 'OccupancyGrid', 'Odometry', 'FloatingPointRange', 'IntegerRange', 'ParameterDescriptor'),
-    *('SetParametersResult', 'Lock', 'RLock', 'MutuallyExclusiveCallbackGroup', 'ReentrantCallbackGroup'),
-}
-_VALUE_METHODS = {'format', 'items', 'join', 'keys', 'split', 'values'}  # of texts and dictionaries
 _BUILDING_METHODS = {  # of lists, sets and dictionaries
     *('add', 'append', 'clear', 'discard', 'extend', 'insert', 'pop', 'remove', 'reverse', 'setdefault', 'sort'),
     'update',
@@ -172,13 +153,13 @@ def is_definition(node: ast.stmt) -> bool:
         case ast.Import() | ast.ImportFrom() | ast.FunctionDef() | ast.AsyncFunctionDef() | ast.ClassDef():
             return True
         case ast.Assign(targets=[ast.Name(id=name)], value=ast.Call() as value) if name.isupper():
-            return _is_constant(value) or _is_made_as_constant(value)
+            return is_constant(value) or is_made_as_constant(value)
         case ast.Assign(targets=targets, value=value):
-            return all(map(_is_name, targets)) and _is_constant(value)
+            return all(map(is_name, targets)) and is_constant(value)
         case ast.AnnAssign(target=ast.Name(), value=value):
-            return value is None or _is_constant(value)
+            return value is None or is_constant(value)
         case ast.If(test=test, body=body, orelse=rest):  # such as a version of Python
-            return _is_constant(test) and _only_defines([*body, *rest])
+            return is_constant(test) and _only_defines([*body, *rest])
         case ast.Try(body=body, handlers=handlers, orelse=rest, finalbody=last):  # a library may be missing
             return _only_defines([*body, *(part for handler in handlers for part in handler.body), *rest, *last])
     return False
@@ -191,16 +172,16 @@ def _builds(node: ast.stmt, made: Callable[[str], bool]) -> bool:
     """
     match node:
         case ast.AugAssign(target=target, value=value):
-            return made(_root(target)) and _is_constant(target) and _is_constant(value)
+            return made(_root(target)) and is_constant(target) and is_constant(value)
         case ast.Assign(targets=targets, value=value):
-            return all(made(_root(one)) and _is_constant(one) for one in targets) and _is_constant(value)
+            return all(made(_root(one)) and is_constant(one) for one in targets) and is_constant(value)
         case ast.Expr(value=ast.Call(func=ast.Attribute(value=whole, attr=name), args=args, keywords=keywords)):
             values = [whole, *args, *(keyword.value for keyword in keywords)]
-            return name in _BUILDING_METHODS and made(_root(whole)) and all(map(_is_constant, values))
+            return name in _BUILDING_METHODS and made(_root(whole)) and all(map(is_constant, values))
         case ast.For(target=target, iter=values, body=body, orelse=[]):
-            return _is_name(target) and _is_constant(values) and _all_build(body, made)
+            return is_name(target) and is_constant(values) and _all_build(body, made)
         case ast.If(test=test, body=body, orelse=rest):
-            return _is_constant(test) and _all_build([*body, *rest], made)
+            return is_constant(test) and _all_build([*body, *rest], made)
     return False
 
 
@@ -221,7 +202,7 @@ def _is_record(node: ast.stmt, types: Set[str]) -> bool:
     match node:
         case ast.Assign(targets=targets, value=ast.Call(func=ast.Name(id=made), args=args, keywords=keywords)):
             values = [*args, *(keyword.value for keyword in keywords)]
-            return made in types and all(map(_is_name, targets)) and all(map(_is_constant, values))
+            return made in types and all(map(is_name, targets)) and all(map(is_constant, values))
     return False
 
 
@@ -246,64 +227,3 @@ def _root(target: ast.expr) -> str:
 
 def _only_defines(body: list[ast.stmt]) -> bool:
     return all(isinstance(node, ast.Pass) or is_definition(node) for node in body)
-
-
-def _is_name(target: ast.expr) -> bool:
-    """Names that are bound: an attribute of an object is none, which a demonstration has made."""
-    match target:
-        case ast.Tuple(elts=parts) | ast.List(elts=parts):
-            return all(map(_is_name, parts))
-        case ast.Starred(value=part):
-            return _is_name(part)
-    return isinstance(target, ast.Name)
-
-
-def _is_constant(node: ast.expr) -> bool:
-    """A literal, names and attributes, what is computed of these by signs, or a value such as a QoSProfile of them."""
-    match node:
-        case ast.Constant() | ast.Name():
-            return True
-        case ast.Attribute(value=value) | ast.UnaryOp(operand=value) | ast.Starred(value=value):
-            return _is_constant(value)
-        case ast.BinOp(left=left, right=right):
-            return _is_constant(left) and _is_constant(right)
-        case ast.Compare(left=left, comparators=others):
-            return all(map(_is_constant, [left, *others]))
-        case ast.IfExp(test=test, body=one, orelse=other):
-            return all(map(_is_constant, [test, one, other]))
-        case ast.Subscript(value=value, slice=key):
-            return _is_constant(value) and _is_constant(key)
-        case ast.Slice(lower=lower, upper=upper, step=step):
-            return all(part is None or _is_constant(part) for part in (lower, upper, step))
-        case ast.Tuple(elts=items) | ast.List(elts=items) | ast.Set(elts=items):
-            return all(map(_is_constant, items))
-        case ast.BoolOp(values=items) | ast.JoinedStr(values=items):
-            return all(map(_is_constant, items))
-        case ast.FormattedValue(value=value, format_spec=spec):
-            return _is_constant(value) and (spec is None or _is_constant(spec))
-        case ast.ListComp(elt=item, generators=loops) | ast.SetComp(elt=item, generators=loops):
-            return _is_constant(item) and all(map(_is_loop, loops))
-        case ast.DictComp(key=key, value=value, generators=loops):
-            return _is_constant(key) and _is_constant(value) and all(map(_is_loop, loops))
-        case ast.Dict(keys=keys, values=values):
-            return all(_is_constant(item) for item in [*keys, *values] if item is not None)
-        case ast.Lambda():
-            return True
-        case ast.Call(func=ast.Name(id=name) | ast.Attribute(attr=name) as made, args=args, keywords=keywords):
-            known = name in _VALUE_TYPES or isinstance(made, ast.Attribute) and name in _VALUE_METHODS
-            return known and all(map(_is_constant, [made, *args, *(keyword.value for keyword in keywords)]))
-    return False
-
-
-def _is_made_as_constant(node: ast.expr) -> bool:
-    """Such as ``Twist(linear=Vector3(x=0.5))``, or a constant."""
-    match node:
-        case ast.Call(func=ast.Name(id=name) | ast.Attribute(attr=name), args=args, keywords=keywords):
-            values = [*args, *(keyword.value for keyword in keywords)]
-            return _is_constant(node) or name in _MADE_AS_CONSTANTS and all(map(_is_made_as_constant, values))
-    return _is_constant(node)
-
-
-def _is_loop(loop: ast.comprehension) -> bool:
-    """A part of a comprehension that goes through a constant."""
-    return not loop.is_async and _is_name(loop.target) and all(map(_is_constant, [loop.iter, *loop.ifs]))
