@@ -9,7 +9,7 @@ from environment.setup.layout import Layout
 
 HOOK = '_course_startup'
 KERNEL = 'course'
-EXTENSION = 'helpers.exercises.missing_names'  # says what to do about names that a restart has taken away
+EXTENSION = 'helpers.exercises.cell_errors'  # explains errors of cells, such as names that a restart has taken away
 PROFILE = Path(__file__).with_name('fastdds.xml')
 SETTINGS = Path(__file__).with_name('jupyterlab.json')  # what JupyterLab does unless its user says otherwise
 

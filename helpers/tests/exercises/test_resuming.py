@@ -53,7 +53,7 @@ def test_a_cell_that_was_never_saved_is_told(folder, kernel):
 
 
 def test_a_missing_name_says_where_it_comes_from(folder, kernel):
-    kernel.ok('%load_ext helpers.exercises.missing_names')
+    kernel.ok('%load_ext helpers.exercises.cell_errors')
     missed = kernel.run(CELLS[4] + '\nanswer()')
     assert missed.error == 'NameError' and missed.stdout == '', 'this cell is in no notebook'
     notebook = folder / '90_small.ipynb'
@@ -88,7 +88,7 @@ import numpy
 
 def test_an_import_that_was_stopped_is_told(kernel):
     """A compiled package cannot be imported again then."""
-    kernel.ok('%load_ext helpers.exercises.missing_names')
+    kernel.ok('%load_ext helpers.exercises.cell_errors')
     circular = "raise ImportError(\"cannot import name 'x' from partially initialized module 'y'\")"
     assert kernel.run(circular).stdout == '', 'nothing was stopped: it is a fault of the program itself'
     assert kernel.run(STOPPED_IMPORT).error == 'KeyboardInterrupt'
@@ -101,14 +101,14 @@ def test_an_import_that_was_stopped_is_told(kernel):
 
 def test_a_cell_interrupted_before_it_begins(folder, kernel):
     """IPython then has no result for those who listen to the ends of cells."""
-    kernel.ok('%load_ext helpers.exercises.missing_names\nimport helpers.exercises.check')
+    kernel.ok('%load_ext helpers.exercises.cell_errors\nimport helpers.exercises.check')
     told = kernel.ok('get_ipython().events.trigger("post_run_cell", None)')
     assert told.stdout == told.stderr == ''
 
 
 def test_a_node_that_was_destroyed_is_told(kernel):
     """Cells that are run out of order meet it; rclpy's own message names no node."""
-    kernel.ok('%load_ext helpers.exercises.missing_names\nimport helpers, rclpy\nhelpers.ros.start()')
+    kernel.ok('%load_ext helpers.exercises.cell_errors\nimport helpers, rclpy\nhelpers.ros.start()')
     kernel.ok('node = rclpy.create_node("gone")\nnode.destroy_node()')
     missed = kernel.run('node.get_topic_names_and_types()')
     assert missed.error == 'InvalidHandle' and 'Run the cell that makes it again' in missed.stdout

@@ -1,5 +1,6 @@
-"""After a NameError: which cell above would have defined the name, and how to get it back, or how it is imported. After
-an InvalidHandle: what has become of the node. After an import that the stop button has cut: why it fails from now on.
+"""Explains what the errors of a cell do not say. After a NameError: which cell above would have defined the name, and
+how to get it back, or how it is imported. After an InvalidHandle: what has become of the node. After an import that the
+stop button has cut: why it fails from now on.
 
 The kernel `course` loads this as an IPython extension when it starts, as a person who goes on in the middle of a
 notebook after a restart has not imported `helpers` yet.
