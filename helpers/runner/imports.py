@@ -50,10 +50,15 @@ def lines_for(name: str) -> list[str]:
         return [f'import {_ALIASES[name]} as {name}']
     if name in _WHOLE or name in _packages():
         return [f'import {name}']
+    return [f'from {module} import {name}' for module in modules_of(name)]
+
+
+def modules_of(name: str) -> list[str]:
+    """The modules that offer `name`, such as ``rclpy.qos``: at most three, the likeliest first."""
     if len(name) < 2 or name.startswith('_'):
         return []
     modules = [module for module in (*_MODULES, *_PACKAGES) if _offers(module, name)][:1]
-    return [f'from {module} import {name}' for module in [*modules, *_interface_modules(name)][:_MOST]]
+    return [*modules, *_interface_modules(name)][:_MOST]
 
 
 def advice(name: str) -> str:

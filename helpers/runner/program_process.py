@@ -438,7 +438,8 @@ class ProgramProcess:
         notes = notes[:5] if isinstance(notes, list) and kind in ('NameError', 'ImportError') else []
         called = '' if lines else str(problem.get('callback', ''))[:100]
         early = str(problem.get('early', ''))[:200]
-        more = explanations.explain(kind, text, early, self.absent, called, notes, self.answer)
+        code = lines[-1]['code'] if lines else ''
+        more = explanations.explain(kind, text, early, self.absent, called, notes, self.answer, code)
         return LearnerCrashed(
             f'{where.get(problem.get("where"), "Then")} your code raised {error}{at}. {more}'.strip(),
             '\n'.join([_stack(lines), error, *(f'Not loaded: {note}' for note in notes)]),

@@ -19,6 +19,8 @@ def missing_self(name: str, text: str) -> str:
 def unset_attribute(name: str, text: str) -> str:
     """A sentence on an attribute that an object does not have: nothing sets it, or something like it is set."""
     found = _names(text)
+    if name in found.setters:
+        return _too_late(name, sorted(found.setters[name]))
     if name in found.attributes or not found.attributes:
         return ''
     if name in found.variables:
@@ -28,6 +30,12 @@ def unset_attribute(name: str, text: str) -> str:
     near = difflib.get_close_matches(name, there, 1, 0.75) or [one for one in own if one.startswith(name)]
     said = f'Nothing in your answer sets `{name}`'
     return f'{said}; there is `{near[0]}`.' if near else f'{said}.'
+
+
+def _too_late(name: str, setters: list[str]) -> str:
+    if '__init__' in setters:
+        return f'`self.{name}` is asked for before `__init__` has set it, or `__init__` does not set it each time.'
+    return f'Only `{setters[0]}` sets `self.{name}`, and it has not run yet. Set a first value in `__init__`.'
 
 
 def misspelt_constructor(text: str) -> str:
@@ -45,12 +53,16 @@ class _Names(ast.NodeVisitor):
         self.attributes: set[str] = set()  # of `self`, methods included
         self.methods: set[str] = set()
         self.variables: set[str] = set()  # to which functions assign
+        self.setters: dict[str, set[str]] = {}  # attribute of `self`: the functions that set it
+        self._function = ''
 
     def visit_FunctionDef(self, node: ast.FunctionDef | ast.AsyncFunctionDef) -> None:
         for part in ast.walk(node):
             if isinstance(part, ast.Assign):
                 self.variables |= {target.id for target in part.targets if isinstance(target, ast.Name)}
+        around, self._function = self._function, node.name
         self.generic_visit(node)
+        self._function = around
 
     visit_AsyncFunctionDef = visit_FunctionDef
 
@@ -64,9 +76,13 @@ class _Names(ast.NodeVisitor):
                 self.attributes |= {target.id for target in targets if isinstance(target, ast.Name)}
         self.generic_visit(node)
 
+    def visit_AugAssign(self, node: ast.AugAssign) -> None:
+        self.visit(node.value)  # `self.count += 1` wants a value that is there
+
     def visit_Attribute(self, node: ast.Attribute) -> None:
         if isinstance(node.ctx, ast.Store) and isinstance(node.value, ast.Name) and node.value.id == 'self':
             self.attributes.add(node.attr)
+            self.setters.setdefault(node.attr, set()).add(self._function)
         self.generic_visit(node)
 
 

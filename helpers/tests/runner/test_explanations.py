@@ -8,17 +8,19 @@ from helpers.runner.explanations import explain
 
 IMPORTS = """
 from example_interfaces.action import Fibonacci
-from rcl_interfaces.msg import SetParametersResult
-from geometry_msgs.msg import Twist
+from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
+from geometry_msgs.msg import TransformStamped, Twist
 from nav_msgs.msg import OccupancyGrid
 from rclpy.action import ActionClient
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.duration import Duration
 from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile
 from rclpy.time import Time
+from sensor_msgs.msg import LaserScan, Range
 from std_msgs.msg import Bool, Float64, Header, String
 from std_srvs.srv import SetBool, Trigger
-from tf2_ros import Buffer
+from tf2_ros import Buffer, StaticTransformBroadcaster
 """
 
 
@@ -88,6 +90,27 @@ def node(domain):
         ("node.create_service(Trigger.Request, 'a', print)", 'The type of the service is Trigger itself'),
         ('Trigger.Response().text', 'The message has no field `text`'),
         ('Twist().angle', 'The message has no field `angle`'),
+        ('Range().maxrange', 'The message has no field `maxrange`; there is `max_range`.'),
+        ('LaserScan().rangs', 'there is `ranges`'),
+        ('LaserScan().distances', 'Its fields: header, angle_min'),
+        ('TransformStamped().add_done_callback(print)', 'This is the message itself, and no future'),
+        ('LaserScan().ranges < 0.5', 'Look at each of them'),
+        ('2.0 - Twist.linear', 'A class is given where an object of it is wanted'),
+        ('SetParametersResult(False)', 'given by their names: SetParametersResult(…=…)'),
+        ('StaticTransformBroadcaster()', 'It takes the node: StaticTransformBroadcaster(self)'),
+        ('StaticTransformBroadcaster(node).send_transform(1)', 'there is `sendTransform`'),
+        ('StaticTransformBroadcaster(node).sendTransform(1, 2)', 'one transform, or a list'),
+        ('Buffer(30.0)', 'write Duration(seconds=…)'),
+        ("Buffer().lookup_transform_full('a', Time(), 'b', Time())", 'the source frame and its time'),
+        ('node.get_clock().now() - Time(seconds=1)', 'Two times are of different clocks'),
+        ('QoSProfile(durability=DurabilityPolicy.VOLATILE)', 'QoSProfile(depth=…, …)'),
+        ('import threading\nwith threading.Lock:\n    pass', 'parentheses are missing'),
+        ("node.get_name['a']", 'parentheses, not with brackets'),
+        ("node.declare_parameter('a', ParameterDescriptor())", 'its default value, and then its descriptor'),
+        ("node.declare_parameters('', [('a', 1.0, 'fast')])", 'and a ParameterDescriptor'),
+        ("node.declare_parameter('a', 1.0); node.get_parameter('a').double_value", 'get_parameter(name).value'),
+        ("{'node': 1}.node", "It is a dictionary: write …['node']."),
+        ('TRANSIENT_LOCAL', 'Write: DurabilityPolicy.TRANSIENT_LOCAL'),
         ('import rclpy.node\nclass A(rclpy.node):\n    pass', 'The class is in it: from rclpy.node import Node'),
         ('from std_msgs import String', 'Messages are in std_msgs.msg'),
         ('from my_nodes import Talker', 'a file of your own beside it (my_nodes.py)'),
@@ -115,6 +138,9 @@ def node(domain):
         ('OccupancyGrid(data=[[1], [2]])', 'no other lists or texts in it'),
         ('count = 3; count()', 'leave out the parentheses'),
         ('range(2.0)', 'A whole number is wanted'),
+        ('DurabilityPolicy.TRANSIENTLOCAL', 'DurabilityPolicy has `TRANSIENT_LOCAL`, and no `TRANSIENTLOCAL`'),
+        ('DurabilityPolicy.LATCHED', 'DurabilityPolicy has BEST_AVAILABLE, SYSTEM_DEFAULT, TRANSIENT_LOCAL'),
+        ("QoSProfile(depth=1, durability='transient_local')", 'durability=DurabilityPolicy.TRANSIENT_LOCAL'),
         ("node.get_parameter('rate')", 'A parameter is declared before anything reads it'),
         (
             "node.add_on_set_parameters_callback(lambda parameters: True); node.declare_parameter('rate', 1.0)",
@@ -125,7 +151,8 @@ def node(domain):
 def test_what_is_raised_is_explained(node, line, words):
     with pytest.raises(Exception) as raised:  # noqa: PT011 (which one it is, the line decides)
         exec(IMPORTS + line, {'node': node})
-    assert words in explain(type(raised.value).__name__, str(raised.value)), repr(raised.value)
+    said = explain(type(raised.value).__name__, str(raised.value), answer=line, line=line)
+    assert words in said, repr(raised.value)
 
 
 @pytest.mark.parametrize(
@@ -156,6 +183,10 @@ def test_a_goal_is_asked_for_its_request():
     ('kind', 'text'),
     [
         ('ValueError', ''),
+        ('AttributeError', 'x'),
+        ('AttributeError', "'dict_keys' object has no attribute 'sort'"),
+        ('AttributeError', "type object 'Own' has no attribute 'LIMIT'"),
+        ('TypeError', 'Own.__init__() takes 1 positional argument but 2 were given'),
         ('TypeError', "unsupported operand type(s) for -: 'str' and 'int'"),
         ('TypeError', "'list' object is not callable"),
         ('AttributeError', "'Futures' object has no attribute 'x'"),

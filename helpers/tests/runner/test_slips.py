@@ -18,6 +18,10 @@ class Beacon(Node):
 
     def on_timmer(self):
         text = f'alive {self.count}'
+        self.rounds += 1
+
+    def on_reset(self, message):
+        self.start = self.get_clock().now()
 """
 
 
@@ -62,7 +66,17 @@ class Beacon(Node):
             "'Beacon' object has no attribute 'create_publsher'",
             'Nothing in your answer sets `create_publsher`; there is `create_publisher`.',
         ),
-        ('AttributeError', "'Beacon' object has no attribute 'count'", ''),  # it is set, but later
+        (
+            'AttributeError',
+            "'Beacon' object has no attribute 'count'",
+            '`self.count` is asked for before `__init__` has set it, or `__init__` does not set it each time.',
+        ),
+        (
+            'AttributeError',
+            "'Beacon' object has no attribute 'start'",
+            'Only `on_reset` sets `self.start`, and it has not run yet. Set a first value in `__init__`.',
+        ),
+        ('AttributeError', "'Beacon' object has no attribute 'rounds'", 'Nothing in your answer sets `rounds`.'),
         ('AttributeError', "'Other' object has no attribute 'timer'", ''),
         (
             'AttributeError',

@@ -1,0 +1,90 @@
+"""What the messages, enumerations and objects of ROS have: after a misspelt field, member or method."""
+
+import difflib
+import importlib
+import re
+from collections.abc import Iterable
+from typing import Any
+
+from helpers.runner import imports
+
+_ENUMERATIONS = (
+    *('DurabilityPolicy', 'ReliabilityPolicy', 'HistoryPolicy', 'LivelinessPolicy', 'GoalResponse', 'CancelResponse'),
+    'TransitionCallbackReturn',
+)
+_PACKAGES = 'tf2_ros', 'message_filters'  # of ROS that offer their classes themselves; Python's modules have no dots
+_NAMED_VALUES = 'Duration', 'QoSProfile', 'Time'  # classes of rclpy
+_OF_FUTURES = frozenset('add_done_callback done result exception cancelled'.split())
+_MOST = 12  # fields that are listed
+
+
+def attribute(kind: str, name: str) -> str:
+    """A sentence on `name`, which an object of the class `kind` does not have; '' if that is no class of ROS.
+
+    :param kind: as Python says it in an AttributeError, such as 'Range' or 'SetStation_Request'.
+    """
+    found = _class(kind)
+    if found is None:
+        return ''
+    if hasattr(found, 'get_fields_and_field_types'):
+        return _field(name, list(found.get_fields_and_field_types()))
+    near = _nearest(name, dir(found))
+    return f'A {kind} has no `{name}`; there is `{near}`.' if near else ''
+
+
+def named_values(kind: str) -> str:
+    """A sentence if the values of a class of ROS are given by their names only, as those of messages; else ''."""
+    named = kind in _NAMED_VALUES or hasattr(_class(kind), 'get_fields_and_field_types')
+    return f'Its values are given by their names: {kind}(…=…).' if named else ''
+
+
+def member(name: str, answer: str, kind: str = '') -> str:
+    """A sentence on a member that an enumeration or a message does not have, such as DurabilityPolicy.TRANSIENTLOCAL.
+
+    :param answer: the learner's text, in which the class stands before it if `kind` is not known.
+    """
+    wanted = re.search(rf'\b(\w+)\.{re.escape(name)}\b', answer) if not kind else None
+    kind = wanted[1] if wanted else kind
+    found = _class(kind)
+    if found is None:
+        return ''
+    there = [one for one in dir(found) if one.isupper() and not one.startswith('_') and one != 'SLOT_TYPES']
+    near = _nearest(name, there)
+    return f'{kind} has {f"`{near}`" if near else ", ".join(there)}, and no `{name}`.' if there else ''
+
+
+def enumeration_of(name: str) -> str:
+    """A sentence if `name` alone is the name of a member, such as TRANSIENT_LOCAL; '' if it is none."""
+    if not name.isupper():
+        return ''
+    kinds = [kind for kind in _ENUMERATIONS if name in getattr(_class(kind), '__members__', ())]
+    written = ' or '.join(f'{kind}.{name}' for kind in kinds)
+    return f'`{name}` is one of the values of {" and of ".join(kinds)}. Write: {written}' if kinds else ''
+
+
+def _class(kind: str) -> Any:
+    """The class of ROS with this name, the likeliest of several; None if there is none."""
+    whole, _, part = kind.partition('_')
+    for module in imports.modules_of(whole):
+        found = getattr(importlib.import_module(module), whole, None)
+        found = getattr(found, part, None) if part else found
+        if isinstance(found, type) and ('.' in module or module in _PACKAGES):
+            return found
+    return None
+
+
+def _field(name: str, fields: list[str]) -> str:
+    if name in _OF_FUTURES:
+        return 'This is the message itself, and no future: the answer is there already.'
+    said = f'The message has no field `{name}`'
+    if near := _nearest(name, fields):
+        return f'{said}; there is `{near}`.'
+    names = ', '.join(fields[:_MOST]) + (' …' if len(fields) > _MOST else '')
+    return f'{said}. Its fields: {names}.' if fields else f'{said}, and no other one.'
+
+
+def _nearest(name: str, there: Iterable[str]) -> str:
+    """The name that is meant, perhaps: the same in other letters, or a similar one; '' if there is none."""
+    known = [one for one in there if not one.startswith('_')]
+    plain = {one.replace('_', '').lower(): one for one in known}
+    return plain.get(name.replace('_', '').lower()) or next(iter(difflib.get_close_matches(name, known, 1, 0.75)), '')
