@@ -34,7 +34,7 @@ _MODULES = (
 _PACKAGES = ('rclpy.action', 'rclpy.lifecycle', 'tf2_ros', 'message_filters')
 # Of Python's others many have names that a learner gives to own things: queue, string, code.
 _WHOLE = frozenset(
-    'collections functools itertools json math os pathlib random re rclpy subprocess sys threading time'.split()
+    'collections functools itertools json math os pathlib pytest random re rclpy subprocess sys threading time'.split()
 )
 _ALIASES = {'np': 'numpy', 'plt': 'matplotlib.pyplot'}
 _ROSIDL = 'rosidl_interfaces'  # the resource in which a package lists its interfaces: msg/String.msg

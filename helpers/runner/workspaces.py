@@ -54,8 +54,7 @@ class Done:
     @property
     def last_line(self) -> str:
         """The last line that tells something: where Python and the tools put the error."""
-        telling = [line for line in self.lines if not line.startswith('[ros2run]')]
-        return telling[-1][:300] if telling else ''
+        return last_line(self.output)
 
     @property
     def where(self) -> str:
@@ -63,6 +62,18 @@ class Done:
         frames = _FRAME.findall(self.output.rpartition('Traceback (most')[2]) if self.status else []
         own = [(path, line) for path, line in frames if '/install/' in path or '/src/' in path]
         return f'in {PurePosixPath(own[-1][0]).name}, line {own[-1][1]}, ' if own else ''
+
+
+def last_line(output: str) -> str:
+    """The last line that tells something, of an exception its first one; '' if nothing was printed."""
+    lines = [line.rstrip() for line in output.splitlines() if line.strip(' ^~')]
+    telling = [line for line in lines if not line.startswith('[ros2run]')]
+    if not telling:
+        return ''
+    # Of an exception some lines may follow, such as a name with a mark below the letter that is wrong.
+    raised = [line for line in telling if _RAISED.match(line)]
+    last = raised[-1] if raised and telling[-1][0].isspace() else telling[-1]
+    return last.strip()[:300]
 
 
 def package(folder: Path) -> dict[str, str]:
@@ -358,6 +369,7 @@ def _constant(answer: str, name: str) -> str | None:
 _CMAKE = re.compile(r'CMake Error(?: at (CMakeLists\.txt):(\d+))?[^\n]*\n((?:[ \t]*\n|  [^\n]*\n){1,40})')
 _NEVER_CALLED = re.compile(r"setup\(\)'? was never called")
 _SETUP = re.compile(r'^error in \S+ setup command: (.+)$', re.MULTILINE)
+_RAISED = re.compile(r'[\w.]+(?:Error|Exception): ')
 _FRAME = re.compile(r'File "([^"\n]{1,400}\.py)", line (\d{1,6})')
 _IN_A_STRING = re.compile(r'File "<string>", line (\d+)')
 _TELLING = re.compile(r'^.*(?:[Ee]rror\b|No such file|not found).*$', re.MULTILINE)

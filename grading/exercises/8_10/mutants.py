@@ -81,6 +81,8 @@ MUTANTS = [
             Node(package='mujoco_world', executable='world', parameters=[
                 {name: LaunchConfiguration(name) for name in ('scene', 'real_time_factor')}]),
         """, expect='world.launch.py of the package mujoco_world was not included', breaks='world', alone=True),
+    Mutant('default_as_a_number', old="default_value='1.0'", new='default_value=1.0',
+           expect='TypeError: expected a text', breaks='robot'),
     Mutant('declared_too_late', edits=(("DeclareLaunchArgument('scene', default_value='rooms'),", ''),
             (ROBOT, "DeclareLaunchArgument('scene', default_value='rooms'),\n" + ROBOT)),
            expect='Declare each argument before', breaks='arguments', alone=True),

@@ -26,6 +26,13 @@ def cause(output: str, reason: Callable[[str], str]) -> tuple[str, str]:
             f'The line of `{found[1]}` has no `=`, so it is a field, and fields have small letters. A constant has a '
             '`=` before its value.'
         ), 'full' if found[1] == 'FULL' else _rule(output)
+    if found := re.search(r"'(\w+)' is an invalid field name", text):
+        return f'`{found[1]}` cannot be the name of a field: it has small letters, digits and single _ only.', _rule(
+            output
+        )
+    if found := re.search(r"InvalidResourceName: '(float|int|uint|double|long|str|text)' is an invalid", text):
+        known = {'float': 'float32 and float64', 'double': 'float64'}.get(found[1], 'int32, uint8, string and others')
+        return f'There is no type {found[1]} in interfaces: ROS has {known}.', _rule(output)
     if found := re.search(r'InvalidResourceName: (\w+)/(?:msg|srv)/(\w+)', text):
         return f'In an interface file the type is written without /msg/: `{found[1]}/{found[2]}`.', 'charge'
     if "KeyError: 'std_msgs'" in text:
@@ -55,6 +62,8 @@ def cause(output: str, reason: Callable[[str], str]) -> tuple[str, str]:
             f'CMakeLists.txt names the file {found[1]}, and there is none. The files are msg/Charge.msg and '
             'srv/Dock.srv.'
         ), 'both'
+    if re.search(r'CMake Warning.*No project\(\) command is present', text):
+        return 'CMakeLists.txt has no line project(dock_interfaces), which comes second.', 'both'
     if found := re.search(r'Unknown CMake command "(\w+)"', text):
         package = {'rosidl_generate_interfaces': 'rosidl_default_generators'}.get(found[1], 'ament_cmake')
         return f'CMake does not know {found[1]}: find_package({package} REQUIRED) must come before it.', 'both'

@@ -11,7 +11,7 @@ from std_srvs.srv import Trigger
 
 from helpers.checks.chapter_07.findings import compare
 from helpers.programs.faults import words
-from helpers.runner import expect
+from helpers.runner import expect, workspaces
 from helpers.runner.load import busy
 from helpers.runner.observer import Observer
 
@@ -363,10 +363,12 @@ class _Running:
         """How it has ended; it is ended if it still runs."""
         status = self.task.wait(0) if self.ended else None
         self.task.end()
-        lines = [line.strip() for line in self.task.output.splitlines() if line.strip()]
-        said = [line for line in lines if line not in (WAITS, ASKED) and not line.startswith(MADE)]
+        lines = [line for line in self.task.output.splitlines() if line.strip()]
+        said = [line for line in lines if line.strip() not in (WAITS, ASKED) and not line.startswith(MADE)]
         took = (self.ended or time.monotonic()) - (self.begun or self._start)
-        return Ended(said[-1] if said else '', 'none' if status is None else str(status), took, seconds, name, word)
+        return Ended(
+            workspaces.last_line('\n'.join(said)), 'none' if status is None else str(status), took, seconds, name, word
+        )
 
 
 class _LateServer:
@@ -481,7 +483,15 @@ def judge_answer(learner, of: str) -> None:
         f'{told}. The client may wait {done.seconds:g} s for each, and printed `{done.printed}` after {done.took:.1f} '
         's: wait as long as the command line says.',
     )
-    expect(done.status != 'none', f'{told}, and the client did not end then: the answer ends the wait.')
+    expect(
+        done.status != 'none',
+        f'{told}, and the client did not end then: the answer ends the wait.'
+        + (
+            ' While `call` waits, nobody spins, so no answer comes: use call_async, and spin until its future is done.'
+            if re.search(r'\.call\(', learner.text('CLIENT_PY'))
+            else ''
+        ),
+    )
     expect(
         (done.printed, done.status) == (f'answer: {done.word}', '0'),
         f'{told}; the client printed `{done.printed}` and ended with status {done.status}.',

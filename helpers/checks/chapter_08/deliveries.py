@@ -11,7 +11,7 @@ from ament_index_python.packages import get_package_share_directory
 from delivery_interfaces.action import GoToStation
 from delivery_interfaces.srv import SetStation
 
-from helpers.checks.chapter_08 import executables, parameter_files
+from helpers.checks.chapter_08 import launch_output, parameter_files
 from helpers.runner import expect, stand_ins
 from helpers.runner.load import busy
 from helpers.runner.observer import Observer
@@ -207,7 +207,7 @@ def launched(learner) -> dict:
     told = known[key]
     return {
         **told,
-        'last': executables.telling(told['log']),
+        'last': launch_output.telling(told['log']),
         'included': _mark(stand_ins.of(learner).text('world')) in told['log'],
     }
 
@@ -241,12 +241,12 @@ def by_the_file(learner, defaults: dict[str, float]) -> dict:
         (
             'InvalidParameterTypeException',
             'A value in DELIVERY_YAML has the wrong type: all are doubles, 30.0, not 30.'
-            + executables.wrong_type(output),
+            + launch_output.wrong_type(output),
         ),
         ("Couldn't parse params file", f'ROS cannot read DELIVERY_YAML. {parameter_files.why_unreadable(text)}'),
     ):
         expect(word not in output, f'With your parameter file, no node starts. {why}', 'types')
-    expect(found, f'A node with your parameter file ended with: {executables.telling(output)}', 'types')
+    expect(found, f'A node with your parameter file ended with: {launch_output.telling(output)}', 'types')
     return json.loads(found)
 
 

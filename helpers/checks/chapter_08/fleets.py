@@ -10,7 +10,7 @@ import signal
 from pathlib import Path
 from typing import Any
 
-from helpers.checks.chapter_08 import executables, parameter_files
+from helpers.checks.chapter_08 import launch_output, parameter_files
 from helpers.runner import about, expect, stand_ins
 from helpers.runner.load import busy
 from helpers.runner.observer import Observer
@@ -73,13 +73,14 @@ def launched(learner) -> dict[str, dict]:
     expect(
         'InvalidParameterTypeException' not in log,
         'A governor did not start: a value in FLEET_YAML has the wrong '
-        f'type. rate and max_linear are doubles: 1.0, and not 1.{executables.wrong_type(log)}',
+        f'type. rate and max_linear are doubles: 1.0, and not 1.{launch_output.wrong_type(log)}',
         'types',
     )
+    missing = launch_output.missing_parameter_file(log)
     expect(
-        not executables.lacks_parameter_file(log),
-        'The launch file names a parameter file that is not there. The sources of the package are gone, so name the '
-        'installed file: FindPackageShare finds its folder.',
+        not missing,
+        f'The launch file names a parameter file that is not there: {missing}. The sources of the package are gone, so '
+        'name the installed file: FindPackageShare finds its folder.',
         'installed-file',
     )
     expect(
@@ -91,7 +92,7 @@ def launched(learner) -> dict[str, dict]:
     names = [report['node'] for report in reports]
     expect(
         names,
-        f'`ros2 launch fleet fleet.launch.py` started no governor. Its output ends: {executables.telling(log)}',
+        f'`ros2 launch fleet fleet.launch.py` started no governor. Its output ends: {launch_output.telling(log)}',
         'nodes',
     )
     expect(
@@ -130,7 +131,9 @@ def alone(learner, *namespaces: str) -> dict[str, dict]:
     arguments = '--ros-args', stand_ins.FILE_OPTION, 'fleet.yaml', '-r'
     log, reports = _reports(learner, [Start(PROGRAM, (*arguments, f'__ns:={one}'), files) for one in namespaces])
     found = {report['node'].removesuffix('/governor'): report for report in reports}
-    expect({*namespaces} <= found.keys(), f'A governor with your parameter file ended with: {executables.telling(log)}')
+    expect(
+        {*namespaces} <= found.keys(), f'A governor with your parameter file ended with: {launch_output.telling(log)}'
+    )
     return found
 
 

@@ -6,7 +6,7 @@ from rclpy.parameter import Parameter
 
 from helpers.checks.chapter_08.parameter_files import shown
 from helpers.checks.chapter_08.parameters import Parameters, check_bounds
-from helpers.runner import about, expect
+from helpers.runner import about, expect, explanations
 from helpers.runner.verdicts import LearnerCrashed
 
 TABLE = (
@@ -549,7 +549,7 @@ def judge_rules(governed: Governed) -> None:
             expect(
                 any(name in answer.reason for name in names),
                 f'The request {shown(values)} was refused with the reason {answer.reason!r}, which does not name '
-                f'{names[0]}.',
+                f'{names[0]}. {explanations.explain("InvalidParameterValueException", answer.reason)}'.strip(),
                 'reason',
             )
             kept = {name: parameters.get(name) for name in now}

@@ -83,13 +83,15 @@ class Planted:
                 f'{what} ({name}). Give each wait and each loop a bound.',
                 self.rule,
             )
+            missing = outcome.missing_name if self.told else ''
             saw = f' This failed: {outcome.reason}.' if self.told and outcome.reason else ''
             expect(
                 outcome.status == 0 or name != OWN,
-                f'A test of yours fails with your own {what}.{saw} Is the {what} wrong, or the test?',
+                f'A test of yours fails with your own {what}.{saw} '
+                + (missing or f'Is the {what} wrong, or the test?'),
                 self.rule,
             )
-            why = (
+            why = missing or (
                 'Wait for what must come, and ask for nothing that is not in the specification.'
                 if self.subject.ros
                 else f'Compare computed numbers with pytest.approx, and ask for nothing that is not in the {said}.'

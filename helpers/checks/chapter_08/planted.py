@@ -23,7 +23,7 @@ from typing import Any
 from ament_index_python import get_packages_with_prefixes
 
 from helpers.kernel import domains
-from helpers.runner import disguise, expect
+from helpers.runner import disguise, expect, imports
 from helpers.runner.functions import Served, stub
 from helpers.runner.load import busy
 from helpers.runner.workspaces import package
@@ -88,16 +88,22 @@ class Outcome:
     @property
     def reason(self) -> str:
         """The name and the line of the test that failed, and what pytest says of it; '' if that is not known."""
-        named = re.findall(r'^FAILED \S+?::(.+?)(?: - (.*))?$', self.output, re.MULTILINE)
+        named = re.findall(r'^(?:FAILED|ERROR) \S+?::(.+?)(?: - (.*))?$', self.output, re.MULTILINE)
         placed = re.findall(r'test_\w+\.py:(\d+): (.*)$', self.output, re.MULTILINE)
         name, said = named[-1] if named else ('', '')
         line, error = placed[-1] if placed else ('', '')
+        error = error or next(iter(re.findall(r"^E +(fixture '.*' not found)", self.output, re.MULTILINE)), '')
         if not said or said.endswith('...'):  # cut at the width of a terminal
             said = error or said
         said = said.strip()[:200]
         return ', '.join([*([f'your test {name}'] if name else []), *([f'line {line}'] if line else [])]) + (
             f': {said}' if said else ''
         )
+
+    @property
+    def missing_name(self) -> str:
+        """A sentence on a name that the learner's tests use and nothing defines; '' if none is missing."""
+        return _missing_name(self.reason)
 
 
 def judge(
@@ -265,11 +271,23 @@ def _outcome(task, limit: float) -> Outcome:
     return Outcome(ENDED if status is None else status, task.output[-1200:])
 
 
+def _missing_name(said: str) -> str:
+    if found := re.search(r"fixture '(.*)' not found", said):
+        return f'A parameter of a test is a fixture, or is named in parametrize, and nothing is called `{found[1]}`.'
+    if found := re.search(r"NameError: name '(\w+)' is not defined", said):
+        return imports.advice(found[1]) or (
+            f'Nothing in your tests defines `{found[1]}`. An import is missing, or it is a fixture: then it is a '
+            'parameter of the test function.'
+        )
+    return ''
+
+
 def _unreadable(said: str) -> str:
     """Why pytest could not even begin, from what it said: the error, and the line of the tests where that is known."""
-    errors = re.findall(r'^E +(\w*(?:Error|Exception)\b.*)$', said, re.MULTILINE) or re.findall(
-        r'^.*Error.*$', said, re.MULTILINE
-    )
+    patterns = r'^E +(\w*(?:Error|Exception)\b.*)$', r'^.*Error.*$', r'^In \S+?::(.*)$', r'^E +(\S.*)$'
+    errors = next((found for found in (re.findall(one, said, re.MULTILINE) for one in patterns) if found), [])
     place = re.search(r'test_\w+\.py", line \d+|test_\w+\.py:\d+', said)
     where = re.sub(r'", line ', ':', place[0]) if place else ''
-    return ' '.join([(errors or [''])[0].strip()[:200], *([f'({where})'] if where else [])])
+    error = (errors or ['it says why in the notebook'])[0].strip()[:200]
+    told = f'{error} ({where})' if where else error
+    return f'{told}. {_missing_name(error)}' if _missing_name(error) else told

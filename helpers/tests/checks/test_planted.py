@@ -28,11 +28,46 @@ PLACED = '/home/ws/test/test_limit.py:21: {}\n'
             '/home/ws/test/conftest.py:40: Failed: it took too long\n' + NAMED.format('Failed: it took...'),
             'your test test_limit[0.6]: Failed: it took...',
         ),
+        (
+            "E       fixture 'benhc' not found\nERROR test/test_limit.py::test_free\n",
+            "your test test_free: fixture 'benhc' not found",
+        ),
         ('Killed\n', ''),
     ],
 )
 def test_the_reason_says_what_was_compared_where_that_is_known(output, reason):
     assert Outcome(1, output).reason == reason
+
+
+@pytest.mark.parametrize(
+    ('said', 'words'),
+    [
+        ("NameError: name 'pytest' is not defined", 'Write: import pytest'),
+        ("NameError: name 'isclose' is not defined", 'Write: from math import isclose'),
+        ("NameError: name 'bench' is not defined", 'then it is a parameter of the test function'),
+        ("fixture 'benhc' not found", 'and nothing is called `benhc`'),
+    ],
+)
+def test_a_missing_name_is_explained(said, words):
+    assert words in Outcome(1, PLACED.format(said) + NAMED.format(said)).missing_name
+
+
+@pytest.mark.parametrize(
+    ('output', 'told'),
+    [
+        (
+            "In test/test_limit.py::test_limit: function uses no argument 'speed'\nERROR test/test_limit.py\n",
+            "test_limit: function uses no argument 'speed'",
+        ),
+        (
+            "test/test_limit.py:9: in <module>\nE   NameError: name 'pytest' is not defined\n",
+            "NameError: name 'pytest' is not defined (test_limit.py:9). Nothing imports `pytest` here. "
+            'Write: import pytest',
+        ),
+    ],
+)
+def test_why_pytest_could_not_begin(output, told):
+    assert planted._unreadable(output) == told
 
 
 class Learner:

@@ -116,3 +116,21 @@ def test_where_a_program_ended(frame, status, where):
         f'Traceback (most recent call last):\n  File "{frame}", line 7, in main\nIndexError: list index out of range\n'
     )
     assert workspaces.Done('ros2 run odometry report', status, output).where == where
+
+
+@pytest.mark.parametrize(
+    ('output', 'line'),
+    [
+        ('', ''),
+        ('one\n  two  \n\n', 'two'),
+        ('ValueError: no\n[ros2run]: Process exited with failure 1\n', 'ValueError: no'),
+        (
+            'Traceback (most …\nrclpy.exceptions.InvalidTopicNameException: Invalid topic name: it has a dot:\n'
+            "  'bea.con'\n      ^\n",
+            'rclpy.exceptions.InvalidTopicNameException: Invalid topic name: it has a dot:',
+        ),
+        ('ValueError: no\nfound it all the same\n', 'found it all the same'),
+    ],
+)
+def test_the_last_line_that_tells_something(output, line):
+    assert workspaces.Done('python3 drive.py', 1, output).last_line == line
