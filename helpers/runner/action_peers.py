@@ -74,6 +74,12 @@ class Goal:
         """Whether the goal was rejected, or its result has come."""
         return self.accepted is False or self.finished is not None
 
+    @property
+    def why_aborted(self) -> str:
+        """For the end of a message, where the goal was not to be aborted: how that happens by accident."""
+        said = ' A goal whose execute callback returns without succeed(), canceled() or abort() is aborted.'
+        return said if self.status == 'aborted' else ''
+
     def cancel(self) -> Cancel:
         """Ask the server to cancel this goal, and return at once; `settle` or `run` brings the answer."""
         return self.client.cancel(self.id, self)

@@ -51,7 +51,7 @@ def check_cancel(learner, client, goal: Goal, story: str) -> None:
     expect(cancel.answer == 'accepted', f'{story}the cancel request was refused.', 'cancel')
     expect(
         goal.status == 'canceled',
-        f'{story}0.2 s later it is {goal.status or "still running"}, expected canceled.',
+        f'{story}0.2 s later it is {goal.status or "still running"}, expected canceled.{goal.why_aborted}',
         'cancel',
     )
     expect(

@@ -213,7 +213,7 @@ class Printer:
             'look at all goals that wait, in each step.',
             rule,
         )
-        expect(goal.status == 'canceled', f'{told}ended as {goal.status}, expected canceled.', rule)
+        expect(goal.status == 'canceled', f'{told}ended as {goal.status}, expected canceled.{goal.why_aborted}', rule)
         pages = list(goal.result.sequence)
         expect(not pages, f'{told}was cancelled while it waited, and its result is {pages}, expected [].', rule)
 
@@ -276,7 +276,7 @@ class Printer:
         goal, told = job.goal, self._told(job)
         expect(
             goal.status in (None, 'succeeded'),
-            f'{told}ended as {goal.status}, expected succeeded.',
+            f'{told}ended as {goal.status}, expected succeeded.{goal.why_aborted}',
             self._disturbed(job, 'end'),
         )
         pages = list(goal.result.sequence) if goal.result else None
@@ -304,7 +304,7 @@ class Printer:
         )
         expect(
             goal.status == 'canceled',
-            f'{told}was cancelled while it ran, and ended as {goal.status}, not canceled.',
+            f'{told}was cancelled while it ran, and ended as {goal.status}, not canceled.{goal.why_aborted}',
             rule,
         )
         pages = list(goal.result.sequence)

@@ -24,7 +24,9 @@ def check_goal(goal, story='', rule='') -> None:
     heard = [round(stamp - goal.sent, 3) for stamp in goal.stamps]
     due = [n / 2 for n in up_to(order)]
     expect(
-        goal.status in ('succeeded', None) or rule, f'{words}ended as {goal.status}, expected succeeded.', 'succeeds'
+        goal.status in ('succeeded', None) or rule,
+        f'{words}ended as {goal.status}, expected succeeded.{goal.why_aborted}',
+        'succeeds',
     )
     expect(
         goal.status == 'succeeded',
@@ -141,7 +143,7 @@ def check_cancel(learner, client, order, count, seconds) -> None:
     )
     expect(
         goal.status == 'canceled',
-        f'{words}0.5 s later it is {goal.status or "still running"}, expected canceled.',
+        f'{words}0.5 s later it is {goal.status or "still running"}, expected canceled.{goal.why_aborted}',
         'cancel',
     )
     expect(numbers(goal) == up_to(count), f'{words}The result is {numbers(goal)}, expected {up_to(count)}.', 'cancel')

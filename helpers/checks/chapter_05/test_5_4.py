@@ -281,7 +281,7 @@ def _cancel(learner, robot, seconds, distance, x, way):
     expect(
         goal.status == 'succeeded',
         f'The robot is {inside:.3f} m from the place; 0.3 s later the goal is '
-        f'{goal.status or "still running"}, expected succeeded.',
+        f'{goal.status or "still running"}, expected succeeded.{goal.why_aborted}',
         'arrive',
     )
     robot.check_end(goal, 'A goal succeeded: ', inside)
@@ -323,7 +323,7 @@ def test_simulated_robot(learner):
     expect(goal.accepted, f'{words}the goal was rejected, after some that were outside of the field.', 'next')
     expect(
         goal.status == 'succeeded',
-        f'{words}the goal is {goal.status or "still running"} after 5 s, expected succeeded.',
+        f'{words}the goal is {goal.status or "still running"} after 5 s, expected succeeded.{goal.why_aborted}',
         'arrive',
     )
     near = sim.distance(x, y)

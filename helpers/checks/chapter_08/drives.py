@@ -64,7 +64,8 @@ class Drives:
 
     def ended(self, goal, status: str, rule: str, when: str) -> None:
         """Fail unless the goal has ended so, and the robot stands, and says so."""
-        expect(goal.status == status, f'{when} the goal is {goal.status or "still running"}, expected {status}.', rule)
+        is_now = goal.status or 'still running'
+        expect(goal.status == status, f'{when} the goal is {is_now}, expected {status}.{goal.why_aborted}', rule)
         sent = [(command.linear.x, command.angular.z) for command in self.commands.messages]
         expect(
             sent and sent[-1] == (0.0, 0.0),
