@@ -100,7 +100,7 @@ def standing(exercise: ExerciseResult) -> list[str]:
             if rule.state == results.NOT_LOOKED_AT:
                 reasons.setdefault(rule.why, []).append(rule.name)
         lines += [
-            f'Right so far: {", ".join(names)}.'
+            f'Nothing wrong so far: {", ".join(names)}.'
             if why == results.SO_FAR
             else f'Not looked at{" here" if exercise.passed else " yet"}: {", ".join(names)} ({why}).'
             for why, names in reasons.items()

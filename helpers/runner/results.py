@@ -42,7 +42,7 @@ class TestResult:
 
 
 KEPT, BROKEN, NOT_LOOKED_AT = 'kept', 'broken', 'not_looked_at'
-SO_FAR = 'right so far'  # why a rule is not looked at: only a part of its test has run
+SO_FAR = 'nothing wrong so far'  # why a rule is not looked at: only a part of its test has run, and found no fault
 
 
 @dataclass

@@ -64,7 +64,7 @@ def test_all_kept(tmp_path):
     ('old', 'new', 'wanted', 'why', 'hint'),
     [
         ('str(self.count)', "'x'", {'texts': 'broken', 'rate': 'not_looked_at'}, 'what breaks “texts” hides it', True),
-        ('0.5', '1.0', {'texts': 'not_looked_at', 'rate': 'broken'}, 'right so far', False),
+        ('0.5', '1.0', {'texts': 'not_looked_at', 'rate': 'broken'}, 'nothing wrong so far', False),
         ("String, 'chatter'", "Bool, 'chatter'", {'topic': 'broken', 'texts': 'not_looked_at'}, '', False),
         (
             "self.create_publisher(String, 'chatter', 10)",
