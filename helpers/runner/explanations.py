@@ -138,13 +138,19 @@ def explain(
             else imports.advice(name)
             or ros_members.enumeration_of(name)
             or (f'What may have made `{name}` was not loaded: {notes[0]}.' if notes else '')
-            or f'No cell that the check uses defines `{name}`. Is it a typing error, or is a cell gone that came '
-            'with the chapter? A fresh copy of the notebook has all of them.'
+            or f'No cell that the check uses defines `{name}`. {_meant(name, answer)}'
         )
     for known, pattern, sentence in SENTENCES:
         if kind == known and (found := re.match(pattern, text)):
             return sentence.format(*found.groups())
     return _on_ros(kind, text, answer, line)
+
+
+def _meant(name: str, answer: str) -> str:
+    if near := slips.near_name(name, answer) or imports.nearest(name):
+        return f'Is `{near}` meant?'
+    lost = 'is a cell gone that came with the chapter? A fresh copy of the notebook has all of them.'
+    return f'Is it a typing error, or {lost}'
 
 
 def _on_ros(kind: str, text: str, answer: str, line: str) -> str:

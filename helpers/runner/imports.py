@@ -6,10 +6,13 @@ Looked up are the modules of rclpy and tf2, the interfaces that are installed, a
 import importlib
 from collections.abc import Iterable
 from contextlib import suppress
+from functools import cache
 from types import ModuleType
 
 from ament_index_python.packages import get_packages_with_prefixes
 from ament_index_python.resources import get_resource, get_resources
+
+from helpers.runner import similar
 
 # Those offer what they define, and those offer what parts of theirs define. The first one that has a name counts.
 _MODULES = (
@@ -65,6 +68,23 @@ def advice(name: str) -> str:
     """A sentence with the lines that import `name`; '' if there are none."""
     lines = lines_for(name)
     return f'Nothing imports `{name}` here. Write: {" or ".join(lines)}' if lines else ''
+
+
+def nearest(name: str) -> str:
+    """The name that is meant, perhaps, of all that `lines_for` would propose; '' if none is like it."""
+    return similar.nearest(name, _offered(), 0.85)
+
+
+@cache
+def _offered() -> frozenset[str]:
+    found = {*_WHOLE, *_ALIASES, *_packages()}
+    for module in (*_MODULES, *_PACKAGES):
+        with suppress(Exception):
+            found |= {name for name in dir(importlib.import_module(module)) if _offers(module, name)}
+    for package in _packages() and get_resources(_ROSIDL):
+        files = [line.partition('/')[2] for line in get_resource(_ROSIDL, package)[0].splitlines()]
+        found |= {file.rpartition('.')[0] for file in files if '/' not in file}
+    return frozenset(name for name in found if not name.startswith('_'))
 
 
 def _offers(module: str, name: str) -> bool:

@@ -1,12 +1,10 @@
 """What the messages, enumerations and objects of ROS have: after a misspelt field, member or method."""
 
-import difflib
 import importlib
 import re
-from collections.abc import Iterable
 from typing import Any
 
-from helpers.runner import imports
+from helpers.runner import imports, similar
 
 _ENUMERATIONS = (
     *('DurabilityPolicy', 'ReliabilityPolicy', 'HistoryPolicy', 'LivelinessPolicy', 'GoalResponse', 'CancelResponse'),
@@ -28,7 +26,7 @@ def attribute(kind: str, name: str) -> str:
         return ''
     if hasattr(found, 'get_fields_and_field_types'):
         return _field(name, list(found.get_fields_and_field_types()))
-    near = _nearest(name, dir(found))
+    near = similar.nearest(name, dir(found))
     return f'A {kind} has no `{name}`; there is `{near}`.' if near else ''
 
 
@@ -49,7 +47,7 @@ def member(name: str, answer: str, kind: str = '') -> str:
     if found is None:
         return ''
     there = [one for one in dir(found) if one.isupper() and not one.startswith('_') and one != 'SLOT_TYPES']
-    near = _nearest(name, there)
+    near = similar.nearest(name, there)
     return f'{kind} has {f"`{near}`" if near else ", ".join(there)}, and no `{name}`.' if there else ''
 
 
@@ -77,14 +75,7 @@ def _field(name: str, fields: list[str]) -> str:
     if name in _OF_FUTURES:
         return 'This is the message itself, and no future: the answer is there already.'
     said = f'The message has no field `{name}`'
-    if near := _nearest(name, fields):
+    if near := similar.nearest(name, fields):
         return f'{said}; there is `{near}`.'
     names = ', '.join(fields[:_MOST]) + (' …' if len(fields) > _MOST else '')
     return f'{said}. Its fields: {names}.' if fields else f'{said}, and no other one.'
-
-
-def _nearest(name: str, there: Iterable[str]) -> str:
-    """The name that is meant, perhaps: the same in other letters, or a similar one; '' if there is none."""
-    known = [one for one in there if not one.startswith('_')]
-    plain = {one.replace('_', '').lower(): one for one in known}
-    return plain.get(name.replace('_', '').lower()) or next(iter(difflib.get_close_matches(name, known, 1, 0.75)), '')

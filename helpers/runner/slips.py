@@ -1,11 +1,13 @@
 """What the text of an answer shows of common slips: a missing `self.`, a misspelt name. Nothing is executed."""
 
 import ast
-import difflib
+import builtins
 import warnings
 from functools import lru_cache
 
 from rclpy.node import Node
+
+from helpers.runner import similar
 
 _CONSTRUCTORS = frozenset('_init_ __init _init __init_ _init__ init init__ __int__ __inti__ __intit__'.split())
 
@@ -14,6 +16,11 @@ def missing_self(name: str, text: str) -> str:
     """A sentence if a class of the answer has an attribute or a method `name`; '' if none has."""
     found = _names(text)
     return f'Your class has `self.{name}`: is `self.` missing before it?' if name in found.attributes else ''
+
+
+def near_name(name: str, text: str) -> str:
+    """A name of the answer, or of Python, that is meant by a misspelt one, perhaps; '' if none is like it."""
+    return similar.nearest(name, (_names(text).names | set(dir(builtins))) - {name}, 0.8)
 
 
 def unset_attribute(name: str, text: str) -> str:
@@ -26,10 +33,10 @@ def unset_attribute(name: str, text: str) -> str:
     if name in found.variables:
         return f'`{name} = …` makes a variable that the function forgets at its end: write `self.{name} = …`.'
     own = sorted(found.attributes)
-    there = own + [one for one in dir(Node) if not one.startswith('_')]
-    near = difflib.get_close_matches(name, there, 1, 0.75) or [one for one in own if one.startswith(name)]
+    there = [*own, *dir(Node)]
+    near = similar.nearest(name, there) or next((one for one in own if one.startswith(name)), '')
     said = f'Nothing in your answer sets `{name}`'
-    return f'{said}; there is `{near[0]}`.' if near else f'{said}.'
+    return f'{said}; there is `{near}`.' if near else f'{said}.'
 
 
 def _too_late(name: str, setters: list[str]) -> str:
@@ -53,6 +60,7 @@ class _Names(ast.NodeVisitor):
         self.attributes: set[str] = set()  # of `self`, methods included
         self.methods: set[str] = set()
         self.variables: set[str] = set()  # to which functions assign
+        self.names: set[str] = set()  # all that it uses or binds
         self.setters: dict[str, set[str]] = {}  # attribute of `self`: the functions that set it
         self._function = ''
 
@@ -75,6 +83,16 @@ class _Names(ast.NodeVisitor):
                 targets = part.targets if isinstance(part, ast.Assign) else [part.target]
                 self.attributes |= {target.id for target in targets if isinstance(target, ast.Name)}
         self.generic_visit(node)
+
+    def visit_Name(self, node: ast.Name) -> None:
+        self.names.add(node.id)
+
+    def visit_arg(self, node: ast.arg) -> None:
+        self.names.add(node.arg)
+        self.generic_visit(node)
+
+    def visit_alias(self, node: ast.alias) -> None:
+        self.names.add((node.asname or node.name).partition('.')[0])
 
     def visit_AugAssign(self, node: ast.AugAssign) -> None:
         self.visit(node.value)  # `self.count += 1` wants a value that is there

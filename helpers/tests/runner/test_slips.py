@@ -78,6 +78,20 @@ class Beacon(Node):
         ),
         ('AttributeError', "'Beacon' object has no attribute 'rounds'", 'Nothing in your answer sets `rounds`.'),
         ('AttributeError', "'Other' object has no attribute 'timer'", ''),
+        ('NameError', "name 'textt' is not defined", 'No cell that the check uses defines `textt`. Is `text` meant?'),
+        ('NameError', "name 'Sting' is not defined", 'No cell that the check uses defines `Sting`. Is `String` meant?'),
+        (
+            'NameError',
+            "name 'TransformBroadcster' is not defined",
+            'No cell that the check uses defines `TransformBroadcster`. Is `TransformBroadcaster` meant?',
+        ),
+        ('NameError', "name 'lenn' is not defined", 'No cell that the check uses defines `lenn`. Is `len` meant?'),
+        (
+            'NameError',
+            "name 'node' is not defined",  # a variable that was never made, and not the class Node
+            'No cell that the check uses defines `node`. Is it a typing error, or is a cell gone that came with the '
+            'chapter? A fresh copy of the notebook has all of them.',
+        ),
         (
             'AttributeError',
             "module 'rclpy' has no attribute 'Node'",
