@@ -9,7 +9,7 @@ from tf2_ros import StaticTransformBroadcaster
 from visualization_msgs.msg import Marker as MarkerMsg
 from visualization_msgs.msg import MarkerArray as MarkerArrayMsg
 
-from helpers import wait_for
+from helpers import spin_for, wait_for
 from helpers.show.views import LaserScan, Marker, MarkerArray, RobotModel, TfView
 from helpers.tests.show.views.test_displays import ROBOT, marker, scan
 
@@ -19,7 +19,19 @@ def problem(view, text: str) -> None:
     try:
         wait_for(lambda: text in '\n'.join(view.problems), timeout=30.0)
     except TimeoutError:
-        raise AssertionError(f'it never said: {text}; now it says {view.problems}') from None
+        raise AssertionError(f'it never said: {text}; now it says {view.problems}; there are {_publishers()}') from None
+
+
+def _publishers() -> list[str]:
+    """All publishers that a new node finds, for a message: one of a program that nobody awaits has its own name."""
+    node = rclpy.create_node('asks')
+    spin_for(1.0, node)
+    return [
+        f'{info.node_name} on {topic} ({info.qos_profile.reliability.name})'
+        for topic, _ in node.get_topic_names_and_types()
+        for info in node.get_publishers_info_by_topic(topic)
+        if topic not in ('/rosout', '/parameter_events')
+    ]
 
 
 def test_scan_robot_and_marker_are_in_the_picture(ros):
