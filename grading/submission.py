@@ -26,8 +26,9 @@ from unicodedata import normalize
 from grading import reader
 from grading.late import is_stamp, stamp
 from grading.record import Attempt
-from helpers.exercises import migration, notebooks, packages, program
+from helpers.exercises import notebooks, packages, program
 from helpers.exercises.manifest import Exercise
+from helpers.exercises.migration_files import BACKUP
 from helpers.exercises.notebooks import InvalidSubmission, NotebookCell
 from helpers.exercises.submit import LEARNER
 from helpers.runner import results, verdicts
@@ -289,7 +290,7 @@ def _aside(name: str) -> bool:
     """Whether a member of a zip is what programs have put aside: hidden files and folders, and `migrate`'s backups."""
     *folders, last = name.split('/')
     return last.startswith('.') or any(
-        (folder.startswith('.') and folder.strip('.')) or folder == '__MACOSX' or folder.startswith(migration.BACKUP)
+        (folder.startswith('.') and folder.strip('.')) or folder == '__MACOSX' or folder.startswith(BACKUP)
         for folder in folders
     )
 

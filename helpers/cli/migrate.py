@@ -20,10 +20,11 @@ def migrate(
     from rich.console import Console
 
     from helpers.exercises import manifest, migration
+    from helpers.exercises.migration_report import MigrationError
 
     try:
         report = migration.migrate(old, notebooks_folder, dry_run=dry_run)
-    except (migration.MigrationError, manifest.ManifestError) as error:
+    except (MigrationError, manifest.ManifestError) as error:
         raise Refusal(str(error)) from None
     console = Console(highlight=False, soft_wrap=True)
     for one in report.exercises:

@@ -10,50 +10,26 @@ Nothing that the learner wrote is lost: an answer without a place becomes a raw 
 """
 
 import copy
-import json
 import re
-import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
-from environment.setup import whole_file
 from helpers import paths
-from helpers.exercises import cell_ids, definitions, file_answers, manifest, notebooks, packages, program
+from helpers.exercises import (
+    cell_ids,
+    definitions,
+    file_answers,
+    manifest,
+    migration_files,
+    notebooks,
+    packages,
+    program,
+)
+from helpers.exercises.migration_report import CarriedOver, MigrationError, MigrationReport
 from helpers.runner.text import clean
 
 MOST_POINTS = 1000  # that anybody declares
-BACKUP = 'backup-'  # how the names of folders with earlier notebooks begin
-_CHAPTER = re.compile(r'(\d\d)_\w+\.ipynb')
 _TITLE = re.compile(r'\s*#\s*Exercise\s+[\d.]+\s*:\s*(.+?)\s*$', re.IGNORECASE | re.MULTILINE)
-
-
-class MigrationError(Exception):
-    """Nothing can be carried over; the message names the lack and the remedy."""
-
-
-@dataclass(frozen=True)
-class CarriedOver:
-    """What became of one exercise."""
-
-    exercise: str  # its id in this version; in the old one if it is gone
-    said: str
-    lost: bool = False  # the learner has to do something
-
-
-@dataclass
-class MigrationReport:
-    """What was carried over."""
-
-    exercises: list[CarriedOver] = field(default_factory=list)
-    own: dict[str, int] = field(default_factory=dict)  # cells of the learner's own, by notebook
-    notes: list[str] = field(default_factory=list)
-    written: list[Path] = field(default_factory=list)  # notebooks
-    packages: list[Path] = field(default_factory=list)  # folders that were made
-    backup: Path | None = None  # the folder with the notebooks as they were before
-
-    def sort(self) -> None:
-        """Put the exercises into their order."""
-        self.exercises.sort(key=lambda one: [int(part) for part in one.exercise.split('.')])
 
 
 @dataclass(frozen=True)
@@ -84,18 +60,18 @@ def migrate(
     :param known: this version's exercises; those of the course if not given.
     :raises MigrationError: there is no notebook, one cannot be read or written, or both folders are the same.
     """
-    source = _notebooks_of(old)
+    source = migration_files.notebooks_of(old)
     if source.resolve() == folder.resolve():
         raise MigrationError(
             f'{source} holds the notebooks of this version itself: unpack the new version beside the '
             'old one, and give the old one.'
         )
     known = manifest.load() if known is None else known
-    before = {path.name: _read(path) for path in _chapters(source)}
-    target = {path.name: _read(path) for path in _chapters(folder)}
+    before = {path.name: migration_files.read(path) for path in migration_files.chapters(source)}
+    target = {path.name: migration_files.read(path) for path in migration_files.chapters(folder)}
     if not target:
         raise MigrationError(f'{folder} has no notebooks of the course: get a complete copy of the course.')
-    migration = _Migration(before, copy.deepcopy(target), known, _stubs(source))
+    migration = _Migration(before, copy.deepcopy(target), known, migration_files.stubs(source))
     report = migration.run()
     for exercise in known.values():
         if exercise.folder:
@@ -108,7 +84,7 @@ def migrate(
         )
     changed = [name for name in target if migration.target[name] != target[name]]
     if changed and not dry_run:
-        _write(report, folder, {name: migration.target[name] for name in changed})
+        migration_files.write(report, folder, {name: migration.target[name] for name in changed})
     return report
 
 
@@ -394,9 +370,6 @@ def _fresh(cell: dict) -> dict:
     return result
 
 
-# Files
-
-
 def _carry_package(
     report: MigrationReport, exercise: manifest.Exercise, source: Path, folder: Path, dry_run: bool
 ) -> None:
@@ -421,91 +394,4 @@ def _carry_package(
         say(f'carried over: {name}, {len(old.files)} files. Build it there again')
         report.packages.append(folder / name)
         if not dry_run:
-            _write_package(folder / name, old.files)
-
-
-def _write_package(folder: Path, files: dict[str, bytes]) -> None:
-    try:
-        for name, content in files.items():
-            (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            (folder / name).write_bytes(content)
-    except OSError as error:
-        raise MigrationError(f'{error.filename or folder} cannot be written: {error.strerror}.') from None
-
-
-def _chapters(folder: Path) -> list[Path]:
-    return sorted(path for path in folder.glob('*.ipynb') if _CHAPTER.fullmatch(path.name))
-
-
-def _notebooks_of(old: Path) -> Path:
-    for folder in (old, old / 'notebooks'):
-        if folder.is_dir() and _chapters(folder):
-            return folder
-    if old.is_file():
-        raise MigrationError(
-            f'{old} is a file: give the folder of the old course, or of its notebooks. A zip has to be unpacked first.'
-        )
-    raise MigrationError(
-        f'{old} has no notebooks of the course, such as 03_nodes_and_topics.ipynb: give the folder of '
-        'the old course, or of its notebooks.'
-    )
-
-
-def _stubs(folder: Path) -> dict[str, str]:
-    """Digests of the old version's stubs, by exercise; empty if its list of exercises is not beside the notebooks."""
-    path = folder.resolve().parent / manifest.MANIFEST.relative_to(paths.ROOT)
-    try:
-        if not path.is_file() or path.stat().st_size > notebooks.MAX_BYTES:
-            return {}
-        exercises = manifest.load(path)
-    except (manifest.ManifestError, OSError):
-        return {}
-    return {key: exercise.stub for key, exercise in exercises.items()}
-
-
-def _read(path: Path) -> dict:
-    try:
-        if path.is_symlink():  # the old folder may be anybody's, and this one's contents are copied
-            raise notebooks.InvalidSubmission(f'{path.name} is a link to another place: put the file itself there.')
-        data = notebooks.read_bytes(path)
-        notebooks.parse(data, path.name)  # it is a notebook
-    except notebooks.InvalidSubmission as error:
-        raise MigrationError(f'{path.parent}: {error}') from None
-    notebook = json.loads(data.decode('utf-8-sig'))
-    for cell in notebook['cells']:
-        if not isinstance(cell['source'], str):
-            cell['source'] = ''.join(cell['source'])
-        cell['source'] = cell['source'].replace('\r\n', '\n')
-        if not isinstance(cell.get('metadata'), dict):
-            cell['metadata'] = {}
-        if cell.get('id') is None:
-            cell.pop('id', None)
-        pictures = cell.get('attachments', {})
-        if not isinstance(pictures, dict) or not all(isinstance(one, dict) for one in pictures.values()):
-            del cell['attachments']
-    return notebook
-
-
-def _write(report: MigrationReport, folder: Path, changed: dict[str, dict]) -> None:
-    """Copy the notebooks that change into a new folder, then replace each as a whole."""
-    import nbformat
-
-    report.backup = folder / time.strftime(f'{BACKUP}%Y%m%d-%H%M%S')
-    number = 1
-    while report.backup.exists():
-        number += 1
-        report.backup = folder / f'{report.backup.name.partition("_")[0]}_{number}'
-    try:
-        report.backup.mkdir()
-        for name in changed:
-            (report.backup / name).write_bytes((folder / name).read_bytes())
-        for name, notebook in changed.items():
-            text = nbformat.writes(nbformat.from_dict(notebook)).rstrip('\n') + '\n'
-            # Half of a surrogate pair is no UTF-8, and is written as JSON can say it.
-            whole_file.write(folder / name, text.encode('utf-8', 'backslashreplace'))
-            report.written.append(folder / name)
-    except OSError as error:
-        raise MigrationError(
-            f'{error.filename or folder} cannot be written: {error.strerror}. What was there before '
-            f'is in {report.backup}.'
-        ) from None
+            migration_files.write_package(folder / name, old.files)

@@ -23,9 +23,10 @@ from helpers.kernel.nodes import UNKNOWN
 from helpers.runner import action_peers, service_peers, spent, values, wiring
 from helpers.runner import silent_endpoints as silent
 from helpers.runner.arguments import Changed
+from helpers.runner.fork_client import ForkServer
 from helpers.runner.own_endpoints import Recording, Talker
 from helpers.runner.peers import SECOND, Peer
-from helpers.runner.program_process import ForkServer, ProgramProcess
+from helpers.runner.program_process import ProgramProcess
 from helpers.runner.started_nodes import StartedNodes
 from helpers.runner.timeouts import TIMEOUTS, Timeouts
 from helpers.runner.verdicts import LearnerError, Unheard

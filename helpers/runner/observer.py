@@ -14,7 +14,7 @@ from rclpy.node import Node
 from rclpy.parameter import parameter_value_to_python
 
 from helpers.kernel.nodes import UNKNOWN
-from helpers.runner.program_process import Task
+from helpers.runner.fork_client import Task
 
 _LAUNCH = re.compile(r'/launch_ros_\d+')  # ros2 launch's own node
 _STARTED = re.compile(r'^\[INFO\] \[([^]\n]*)-\d+\]: process started with pid', re.MULTILINE)

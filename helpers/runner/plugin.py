@@ -18,9 +18,9 @@ import pytest
 
 from helpers.exercises import manifest
 from helpers.runner import verdicts
+from helpers.runner.fork_client import ForkServer
 from helpers.runner.learner import Learner
 from helpers.runner.load import busy
-from helpers.runner.program_process import ForkServer
 from helpers.runner.seeds import generator
 from helpers.runner.timeouts import AGAIN, TIMEOUTS
 

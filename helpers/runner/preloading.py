@@ -41,6 +41,7 @@ ON_DEMAND = (
     'rosbags.rosbag2',
 )
 TESTS_SIDE = [
+    'helpers.runner.fork_client',
     'helpers.runner.program_process',
     'helpers.runner.plugin',
     'helpers.runner.tester',

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
-from helpers.runner.program_process import Task
+from helpers.runner.fork_client import Task
 
 MAX_STARTS = 40  # that are taken
 MAX_BYTES = 256 * 2**10  # of what one says

@@ -35,7 +35,7 @@ def _prepare(job: dict, descriptor: int):
     limits = start_processes.Limits(**job['limits'])
     started = start(job['domain'], limits)
     from helpers.runner import plugin
-    from helpers.runner.program_process import ForkServer
+    from helpers.runner.fork_client import ForkServer
 
     return ForkServer(started, limits), plugin.reporter(descriptor)
 

@@ -22,8 +22,9 @@ from pathlib import Path, PurePosixPath
 
 from helpers.exercises import packages
 from helpers.runner import values
+from helpers.runner.fork_client import ForkServer, Task
 from helpers.runner.load import busy, starved
-from helpers.runner.program_process import ForkServer, ProgramProcess, Task
+from helpers.runner.program_process import ProgramProcess
 from helpers.runner.text import clean
 from helpers.runner.timeouts import Timeouts
 from helpers.runner.verdicts import InvalidProgram, LearnerCrashed, LearnerError, LearnerTimeout

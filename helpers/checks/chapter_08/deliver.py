@@ -20,9 +20,9 @@ from std_msgs.msg import String
 
 from helpers.checks.chapter_08 import parameter_files
 from helpers.runner import stand_ins
+from helpers.runner.fork_client import Task
 from helpers.runner.load import busy
 from helpers.runner.observer import Observer, processes
-from helpers.runner.program_process import Task
 from helpers.runner.retracing import Way
 from helpers.runner.stand_ins import Start
 

@@ -11,6 +11,7 @@ import pytest
 from helpers import paths
 from helpers.cli import app
 from helpers.exercises import cell_ids, manifest, migration
+from helpers.exercises.migration_report import MigrationError
 
 STUB = '# Exercise 3.1: a beacon\ndef beacon():\n    # Your code here.\n    pass'
 ANSWER = STUB.replace('    # Your code here.\n    pass', '    return 42')
@@ -323,13 +324,13 @@ def test_a_chapter_with_another_name_is_the_same_chapter(case):
 )
 def test_what_cannot_be_used_is_named(case, prepare, message):
     prepare(case)
-    with pytest.raises(migration.MigrationError, match=message):
+    with pytest.raises(MigrationError, match=message):
         case.again()
 
 
 def test_the_same_folder_is_refused(case):
     case.write(case.new, [exercise()])
-    with pytest.raises(migration.MigrationError, match='this version itself'):
+    with pytest.raises(MigrationError, match='this version itself'):
         migration.migrate(case.new, case.new, known={})
 
 
@@ -378,5 +379,5 @@ def test_what_is_no_regular_file_is_refused(tmp_path, kind):
         'large': lambda: path.write_bytes(b' ' * 11 * 2**20),
     }[kind]()
     refused = 'no regular file|a link to another place|more than 10 MB|Is a directory'
-    with pytest.raises(migration.MigrationError, match=refused):
+    with pytest.raises(MigrationError, match=refused):
         migration.migrate(case.old, case.new, known={'3.1': KNOWN})

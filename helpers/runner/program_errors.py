@@ -1,0 +1,173 @@
+"""What went wrong in the learner's process, in words: a LearnerError for each problem that it reports."""
+
+import re
+from collections.abc import Mapping
+
+from helpers.runner import explanations
+from helpers.runner.verdicts import InvalidProgram, LearnerCrashed, LearnerError, LearnerTimeout, Unheard
+
+# Functions in which the callback of a deadlock waits for the answer of a service or an action.
+_WAITS_FOR_ANSWER = ('.call(', 'until_future_complete', '.done()', '.send_goal(', '.get_result(', 'spin_once(')
+
+
+class ProgramErrors:
+    """The errors of one program.
+
+    :param absent: by name, why a name is not there that some cell binds.
+    :param answer: the text of the exercise's cell.
+    """
+
+    def __init__(self, title: str, absent: Mapping[str, str], answer: str):
+        self._title, self._absent, self._answer = title, absent, answer
+
+    def of(self, problem: dict, arguments: dict) -> LearnerError:
+        """The error for a problem that the learner's process has reported; `arguments`: of what it was asked."""
+        name = str(problem.get('name', arguments.get('name', '')))[:200]
+        match problem.get('kind'):
+            case 'missing':
+                return InvalidProgram(self._absent.get(name) or f'{self._title} does not define `{name}`.')
+            case 'waits':
+                return self._waits(problem)
+            case 'no_node':
+                return LearnerError(
+                    f'`{name}(…)` gives {_a(str(problem.get("got"))[:100])}, not a node. '
+                    'A class must inherit from `Node`; a function must return the node.'
+                )
+            case 'no_super':
+                return LearnerError(
+                    f"`{name}` is not initialised as a node: call `super().__init__('…')` first in `__init__`."
+                )
+            case 'not_callable':
+                return LearnerError(f'`{name}` is {_a(str(problem.get("got"))[:100])}, not a function.')
+            case 'busy':
+                return LearnerError(
+                    f'Your node never comes to rest: {problem.get("count")} callbacks ran at one '
+                    'moment of simulated time. Has a timer the period 0, or does a node answer its own '
+                    'messages?'
+                )
+            case 'too_long':
+                return LearnerError(f'What `{name}(…)` returns is too long to be read.')
+            case 'sleeps':
+                return LearnerError(
+                    f'A callback sleeps with time.sleep{_at(problem)}: that is the clock on the wall. '
+                    "While it sleeps, no time passes for the robot. Wait on the node's clock: "
+                    'self.get_clock().sleep_for(…), a rate, or a timer.',
+                    _stack(lines_of(problem)),
+                )
+            case 'exception':
+                return self._exception(problem, name)
+            case 'deaf':
+                return Unheard(
+                    'Your program did not hear in time what was sent to it. Does it do something else '
+                    'meanwhile, in a thread of its own?'
+                )
+        return LearnerCrashed('Your program disturbed its connection to the tests (an error of an unknown kind).')
+
+    def _waits(self, problem: dict) -> LearnerError:
+        """A callback waits for another callback."""
+        call, lines = str(problem.get('call'))[:100], lines_of(problem)
+        what = 'spins' if 'spin' in call else 'waits for an answer'
+        return LearnerTimeout(
+            f'A callback {what}{_at(problem)}. Only another callback can receive what it waits for, and none runs '
+            'before this one has returned: a deadlock, with or without a timeout. Use call_async (or send_goal_async), '
+            'and go on in a done-callback or after `await`.',
+            _stack(lines),
+        )
+
+    def _exception(self, problem: dict, name: str) -> LearnerError:
+        where: dict[str | None, str] = {
+            'load': 'While the cell was run',
+            'constructor': f'While `{name}(…)` was made',
+            'call': f'While `{name}(…)` ran',
+            'execute': 'In an execute callback',
+            'callback': _callback(problem),
+        }
+        lines = lines_of(problem)
+        kind, text = str(problem.get('type'))[:100], str(problem.get('text'))[:1000]
+        text = re.sub(r' \(<cell \d+>, line \d+\)$', '', text)  # where it is stands in `lines`
+        at = f' at {lines[-1]["cell"]}, line {lines[-1]["line"]}' if lines else ''
+        if kind == 'SystemExit':
+            return LearnerCrashed(
+                f'{where.get(problem.get("where"), "Then")} your code called exit(){at}. '
+                'A node must not end its process.',
+                _stack(lines),
+            )
+        if kind == 'EOFError' and 'reading a line' in text:
+            return LearnerCrashed(
+                f'Your code called input(){at}. Nobody is at a keyboard while it is tested: take '
+                'what you need as an argument or a parameter.',
+                _stack(lines),
+            )
+        error = f'{kind}: {text}' if text else kind
+        notes = problem.get('notes')
+        notes = notes[:5] if isinstance(notes, list) and kind in ('NameError', 'ImportError') else []
+        called = '' if lines else str(problem.get('callback', ''))[:100]
+        early = str(problem.get('early', ''))[:200]
+        code = lines[-1]['code'] if lines else ''
+        more = explanations.explain(kind, text, early, self._absent, called, notes, self._answer, code)
+        return LearnerCrashed(
+            f'{where.get(problem.get("where"), "Then")} your code raised {error}{at}. {more}'.strip(),
+            '\n'.join([_stack(lines), error, *(f'Not loaded: {note}' for note in notes)]),
+        )
+
+
+def hanging(op: str, limit: float, arguments: dict, lines: list[dict]) -> LearnerError:
+    """The error of a program that has not answered within `limit` seconds; `lines`: those that it was at."""
+    made = f'`{arguments.get("name")}(…)`'
+    doing = {'load': 'The cell', 'start': made, 'call': made}.get(op, 'A callback')
+    where = ''
+    if lines:
+        last = lines[-1]
+        where = f' It was still at {last["cell"]}, line {last["line"]}: `{last["code"]}`.'
+    asks = any(waiting in line['code'] for line in lines for waiting in _WAITS_FOR_ANSWER)
+    hint = (
+        ' It waits for an answer, which only another callback can receive, and none runs before this one has '
+        'returned: a deadlock. Use call_async, and go on in a done-callback or after `await`.'
+        if op == 'step' and asks
+        else ' A callback must return at once; what has to wait belongs into a timer.'
+        if op == 'step'
+        else " Spinning and waiting are not the node's business: leave them to the program that runs it."
+        if op in ('start', 'load')
+        else ''
+    )
+    return LearnerTimeout(f'{doing} did not return within {limit:g} s.{where}{hint}', _stack(lines))
+
+
+def _a(kind: str) -> str:
+    return 'nothing (None)' if kind == 'NoneType' else f'an object of type `{kind}`'
+
+
+def lines_of(message: dict) -> list[dict]:
+    """The learner's lines in a message, whatever else it may hold."""
+    found = message.get('lines')
+    return (
+        [
+            {key: str(line.get(key, ''))[:300] for key in ('cell', 'line', 'function', 'code')}
+            for line in found[:20]
+            if isinstance(line, dict)
+        ]
+        if isinstance(found, list)
+        else []
+    )
+
+
+def _callback(problem: dict) -> str:
+    """In which callback it was. A done-callback of a future belongs to no node."""
+    if not problem.get('callback'):
+        return 'In a done-callback, or in a task of the executor,'
+    return f'In a callback ({problem["callback"]} of node `{problem.get("node")}`)'
+
+
+def _at(problem: dict) -> str:
+    """Where the innermost of the learner's lines is, to be put into a sentence."""
+    lines = lines_of(problem)
+    return f' at {lines[-1]["cell"]}, line {lines[-1]["line"]}: `{lines[-1]["code"]}`' if lines else ''
+
+
+def _stack(lines: list[dict]) -> str:
+    """The learner's lines as a traceback."""
+    return '\n'.join(
+        f'{line["cell"]}, line {line["line"]}{", in " + line["function"] if line["function"] else ""}\n'
+        f'    {line["code"]}'
+        for line in lines
+    )
