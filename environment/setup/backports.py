@@ -6,7 +6,7 @@ one line takes the place of another.
 
 from pathlib import Path
 
-from environment.setup import action_client, missing_linters, python_tests, signal_end, xacro_errors
+from environment.setup import action_client, context_end, missing_linters, python_tests, signal_end, xacro_errors
 from environment.setup.relocation import replace
 
 # For each patched module its patch, what marks a version that needs none, and the lines at its end.
@@ -15,6 +15,11 @@ _PATCHES = {
         action_client,
         'Lock()',
         '\n\nfrom {name} import patch  # noqa: E402 - ros2/rclpy#1123\n\npatch(ActionClient)\n',
+    ),
+    'rclpy/context.py': (
+        context_end,
+        None,
+        '\n\nfrom {name} import patch  # noqa: E402 - ros2/rclpy#1352\n\npatch(Context)\n',
     ),
     'rclpy/signals.py': (
         signal_end,
@@ -58,7 +63,7 @@ _DISTRIBUTION = {
 
 def text() -> str:
     """All that the patches are made of: when it changes, they are due again."""
-    modules = action_client, missing_linters, python_tests, signal_end, xacro_errors
+    modules = action_client, context_end, missing_linters, python_tests, signal_end, xacro_errors
     files = [__file__, *(module.__file__ for module in modules)]
     return ''.join([*(Path(file).read_text() for file in files), *_DISTRIBUTION.values()])
 

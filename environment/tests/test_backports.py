@@ -7,9 +7,11 @@ import threading
 from pathlib import Path
 
 import pytest
+import rclpy
 from ament_index_python import get_package_prefix
+from rclpy import _rclpy_pybind11
 
-from environment.setup import action_client, backports, signal_end
+from environment.setup import action_client, backports, context_end, signal_end
 from environment.setup.stamps import digest
 
 
@@ -105,6 +107,57 @@ def test_rclpy_itself_is_patched_or_newer():
     from rclpy.action import ActionClient, client
 
     assert hasattr(ActionClient, '_course_patched') or 'Lock()' in open(client.__file__).read()
+    assert hasattr(rclpy.Context.try_shutdown, '__wrapped__')
+
+
+def context_class(error, looks: float = 0):
+    """A class whose `try_shutdown` raises this, and whose context is valid for so many looks after that."""
+
+    class Raising:
+        def __init__(self):
+            self._looks = looks
+
+        def ok(self):
+            self._looks -= 1
+            return self._looks >= 0
+
+        def try_shutdown(self):
+            if error:
+                raise error
+
+    return context_end.patch(Raising)
+
+
+@pytest.mark.parametrize('looks', [0, 3])
+def test_a_context_that_a_signal_shuts_down_meanwhile_is_shut_down(looks):
+    context = context_class(_rclpy_pybind11.RCLError('rcl_shutdown already called'), looks)()
+    context.try_shutdown()
+    assert not context.ok()
+
+
+def test_other_errors_of_the_shutdown_are_told(monkeypatch):
+    monkeypatch.setattr(context_end, 'LONGEST', 0.05)
+    with pytest.raises(_rclpy_pybind11.RCLError, match='no memory'):
+        context_class(_rclpy_pybind11.RCLError('no memory'), float('inf'))().try_shutdown()
+    with pytest.raises(KeyError):
+        context_class(KeyError())().try_shutdown()
+
+
+def test_a_shutdown_between_the_look_and_the_call_is_no_error(domain):
+    """The other one comes while rclpy asks whether the context is valid: a subclass stretches this moment."""
+
+    class Slow(rclpy.Context):
+        def try_shutdown(self):
+            # What rclpy does, with the other one in between.
+            assert self.ok()
+            with self.handle:
+                self.handle.shutdown()
+                self.handle.shutdown()
+
+    context = context_end.patch(Slow)()
+    rclpy.init(context=context, domain_id=domain)
+    context.try_shutdown()
+    assert not context.ok()
 
 
 class Context:
