@@ -75,6 +75,11 @@ class Goal:
         return self.accepted is False or self.finished is not None
 
     @property
+    def ended(self) -> str:
+        """For a message: how it has ended."""
+        return f'ended as {self.status}' if self.status else 'has not ended'
+
+    @property
     def why_aborted(self) -> str:
         """For the end of a message, where the goal was not to be aborted: how that happens by accident."""
         said = ' A goal whose execute callback returns without succeed(), canceled() or abort() is aborted.'

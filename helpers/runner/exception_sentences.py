@@ -16,8 +16,16 @@ SENTENCES = (
         r".*must be of type 'float'",
         'A float field takes no int: write 2.0 instead of 2, or float(…) around the value.',
     ),
-    ('AssertionError', r".*must be of type '(int|bool)'", 'Write {0}(…) around the value.'),
-    ('AssertionError', r".*must be of type 'str'", 'Write str(…) around it, or an f-string.'),
+    (
+        'AssertionError',
+        r".*must be of type '(int|bool)'",
+        'Write {0}(…) around the value; of a message take the field that holds it.',
+    ),
+    (
+        'AssertionError',
+        r".*must be of type 'str'",
+        'Write str(…) around it, or an f-string; of a message take the field that holds it.',
+    ),
     (
         'AssertionError',
         r".*must be a sub message of type '(?:Time|Duration)'",
@@ -53,6 +61,41 @@ SENTENCES = (
         'SyntaxError',
         r"(?:asynchronous comprehension|'await'|'async \w+') outside",
         '`await` may stand in a function only that begins with `async def`.',
+    ),
+    (
+        'AttributeError',
+        r"'ClientGoalHandle' object has no attribute '\w*cancel\w*'",
+        'A client asks for the end of its goal with cancel_goal_async().',
+    ),
+    (
+        'AttributeError',
+        r"'ClientGoalHandle' object has no attribute '\w*result\w*'",
+        'A client asks for the result of its goal with get_result_async().',
+    ),
+    (
+        'AttributeError',
+        r"'(?:builtin_function_or_|)(?:function|method)' object has no attribute",
+        'This is a function. Parentheses call it, and what it returns has more: future.result().…',
+    ),
+    (
+        'AttributeError',
+        r"'(?:property|getset_descriptor|member_descriptor)' object has no attribute",
+        'A class stands where an object of it is wanted: parentheses are missing, as in Twist().',
+    ),
+    (
+        'AttributeError',
+        r"'xml\.etree\.ElementTree\.Element' object has no attribute '(\w+)'",
+        "What stands in the tag of an element is read with get('{0}'), what stands in the element with .text.",
+    ),
+    (
+        'AttributeError',
+        r"'tuple' object has no attribute",
+        'The parts of a plain tuple have numbers, [0], [1] …, and no names.',
+    ),
+    (
+        'AttributeError',
+        r".* object has no attribute 'add_entity'",
+        'A callback group is an object, such as MutuallyExclusiveCallbackGroup().',
     ),
     (
         'AttributeError',
@@ -214,6 +257,12 @@ SENTENCES = (
         'TypeError',
         r"'(?:list|tuple|str)' object cannot be interpreted as an integer",
         'A whole number is wanted. Where it is to be one of a list, the list has no other lists or texts in it.',
+    ),
+    ('TypeError', r"'(?:bool|int|float)' object is not iterable", 'A list, or something else with parts, is wanted.'),
+    (
+        'TypeError',
+        r".* not 'xml\.etree\.ElementTree\.Element'",
+        "This is a whole element. Of it take a value: get('value'), or .text.",
     ),
     (
         'TypeError',

@@ -161,6 +161,10 @@ def _on_ros(kind: str, text: str, answer: str, line: str) -> str:
         return ros_members.member(found[2], answer, found[1] or '')
     if kind == 'TypeError' and (found := re.match(r'(\w+)\.__init__\(\) takes 1 positional argument but', text)):
         return ros_members.named_values(found[1])
+    if kind == 'TypeError' and (found := re.match(r".*'(\w+)' and '(\w+)'", text)):
+        # Time and Duration are also classes of rclpy, which can be compared.
+        if any(one not in ('Time', 'Duration') and ros_members.is_message(one) for one in found.groups()):
+            return 'A message stands where a value is wanted: take one of its fields.'
     if kind == 'AssertionError' and not text and 'QoSProfile(' in line:
         return 'The parts of a QoSProfile have types of their own, such as durability=DurabilityPolicy.TRANSIENT_LOCAL.'
     return ''

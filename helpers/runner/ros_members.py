@@ -21,18 +21,20 @@ def attribute(kind: str, name: str) -> str:
 
     :param kind: as Python says it in an AttributeError, such as 'Range' or 'SetStation_Request'.
     """
-    found = _class(kind)
-    if found is None:
-        return ''
-    if hasattr(found, 'get_fields_and_field_types'):
-        return _field(name, list(found.get_fields_and_field_types()))
-    near = similar.nearest(name, dir(found))
+    if messages := _fields(kind):
+        return _field(name, messages)
+    near = similar.nearest(name, dir(_class(kind)))
     return f'A {kind} has no `{name}`; there is `{near}`.' if near else ''
+
+
+def is_message(kind: str) -> bool:
+    """Whether a message, or a part of a service or an action, has this name."""
+    return bool(_fields(kind))
 
 
 def named_values(kind: str) -> str:
     """A sentence if the values of a class of ROS are given by their names only, as those of messages; else ''."""
-    named = kind in _NAMED_VALUES or hasattr(_class(kind), 'get_fields_and_field_types')
+    named = kind in _NAMED_VALUES or is_message(kind)
     return f'Its values are given by their names: {kind}(…=…).' if named else ''
 
 
@@ -47,7 +49,7 @@ def member(name: str, answer: str, kind: str = '') -> str:
     if found is None:
         return ''
     there = [one for one in dir(found) if one.isupper() and not one.startswith('_') and one != 'SLOT_TYPES']
-    near = similar.nearest(name, there)
+    near = similar.nearest(name.upper(), there)
     return f'{kind} has {f"`{near}`" if near else ", ".join(there)}, and no `{name}`.' if there else ''
 
 
@@ -62,20 +64,34 @@ def enumeration_of(name: str) -> str:
 
 def _class(kind: str) -> Any:
     """The class of ROS with this name, the likeliest of several; None if there is none."""
+    return next(iter(_classes(kind)), None)
+
+
+def _classes(kind: str) -> list[Any]:
     whole, _, part = kind.partition('_')
+    found = []
     for module in imports.modules_of(whole):
-        found = getattr(importlib.import_module(module), whole, None)
-        found = getattr(found, part, None) if part else found
-        if isinstance(found, type) and ('.' in module or module in _PACKAGES):
-            return found
-    return None
+        one = getattr(importlib.import_module(module), whole, None)
+        one = getattr(one, part, None) if part else one
+        if isinstance(one, type) and ('.' in module or module in _PACKAGES):
+            found.append(one)
+    return found
 
 
-def _field(name: str, fields: list[str]) -> str:
+def _fields(kind: str) -> list[tuple[str, ...]]:
+    """The fields of each message with this name: there is a Pose in geometry_msgs, and another one in turtlesim."""
+    messages = [one for one in _classes(kind) if hasattr(one, 'get_fields_and_field_types')]
+    return sorted({tuple(one.get_fields_and_field_types()) for one in messages})
+
+
+def _field(name: str, messages: list[tuple[str, ...]]) -> str:
     if name in _OF_FUTURES:
         return 'This is the message itself, and no future: the answer is there already.'
     said = f'The message has no field `{name}`'
-    if near := similar.nearest(name, fields):
+    if near := similar.nearest(name, {field for fields in messages for field in fields}):
         return f'{said}; there is `{near}`.'
+    if len(messages) > 1:
+        return f'{said}: `ros2 interface show` prints the fields that it has.'
+    fields = messages[0]
     names = ', '.join(fields[:_MOST]) + (' …' if len(fields) > _MOST else '')
     return f'{said}. Its fields: {names}.' if fields else f'{said}, and no other one.'

@@ -37,9 +37,7 @@ def test_orders(learner):
     for goal in goals:
         order = goal.request.order
         expect(goal.accepted, f'The order {order} was rejected.', 'orders')
-        expect(
-            goal.status == 'succeeded', f'The goal of order {order} ended as {goal.status}, expected succeeded.', 'end'
-        )
+        expect(goal.status == 'succeeded', f'The goal of order {order} {goal.ended}, expected succeeded.', 'end')
         numbers = list(goal.result.sequence)
         expect(
             numbers == SERIES[:order],
@@ -104,7 +102,7 @@ def test_limits(learner):
     learner.run(23.6, step=0.5)
     expect(
         list(good[1].result.sequence) == SERIES if good[1].result else False,
-        f'The goal of order 47 ended as {good[1].status} with {good[1].result and list(good[1].result.sequence)}, '
+        f'The goal of order 47 {good[1].ended} with {good[1].result and list(good[1].result.sequence)}, '
         'expected all 47 numbers, each one the exact sum of the two before it.',
         'numbers',
     )
@@ -142,7 +140,7 @@ def test_cancel_at_any_step(learner):
             'on after the cancel request.',
             'partial',
         )
-        expect(goal.status == 'canceled', f'A goal cancelled in step {step} ended as {goal.status}.', 'cancel')
+        expect(goal.status == 'canceled', f'A goal cancelled in step {step} {goal.ended}.', 'cancel')
         expect(
             numbers == SERIES[:step],
             f'A goal cancelled after {SERIES[:step]} has the result {numbers}: return the numbers so far.',
@@ -195,7 +193,7 @@ def test_cancel_races(learner):
     learner.run(0.6)
     expect(
         first.answer == 'accepted' and goal.status == 'canceled',
-        f'A goal that was cancelled twice ended as {goal.status}, expected canceled.',
+        f'A goal that was cancelled twice {goal.ended}, expected canceled.',
         'cancel',
     )
     expect(second.done, 'The second cancel request for a goal was not answered.', 'cancel')
@@ -220,10 +218,10 @@ def test_two_clients(learner):
     learner.run(0.5)
     mine.cancel()
     learner.run(2.0)
-    expect(mine.status == 'canceled', f'The cancelled goal of one client ended as {mine.status}.', 'cancel')
+    expect(mine.status == 'canceled', f'The cancelled goal of one client {mine.ended}.', 'cancel')
     expect(
         other.status == 'succeeded' and list(other.result.sequence) == [0, 1, 1],
-        f'One client cancelled; the goal of the other client ended as {other.status}, expected succeeded.',
+        f'One client cancelled; the goal of the other client {other.ended}, expected succeeded.',
         'goals',
     )
     goals = [left.send(order=9), right.send(order=9)]
@@ -252,5 +250,5 @@ def test_restart(learner):
     expect(not lost.done, 'The goal of the server that ended has a result.')
     expect(
         goal.status == 'succeeded' and list(goal.result.sequence) == [0, 1],
-        f'After a restart of the server the goal of order 2 ended as {goal.status}.',
+        f'After a restart of the server the goal of order 2 {goal.ended}.',
     )

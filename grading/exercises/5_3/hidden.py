@@ -67,7 +67,7 @@ def check_replaced(learner, client, order, count, newer):
     expect(len(old.feedback) <= count, 'The old goal sent feedback after the new one had come.', 'stops')
     expect(
         old.status == 'aborted',
-        f'The old goal ended as {old.status}, expected aborted: a newer one has taken its place.',
+        f'The old goal {old.ended}, expected aborted: a newer one has taken its place.',
         'aborted',
     )
     expect(
@@ -78,7 +78,7 @@ def check_replaced(learner, client, order, count, newer):
     learner.run(0.5 * newer - 0.4)
     expect(
         new.status == 'succeeded' and list(new.result.sequence) == up_to(newer),
-        f'The new goal ended as {new.status}, expected succeeded with {up_to(newer)}. Each goal counts for itself.',
+        f'The new goal {new.ended}, expected succeeded with {up_to(newer)}. Each goal counts for itself.',
         'newest',
     )
     took = new.finished - new.sent
@@ -114,11 +114,11 @@ def test_many_goals(learner):
     expect(all(goal.accepted for goal in goals), 'A goal was rejected because another one ran.', 'newest')
     expect(
         goals[2].status == 'aborted' and list(goals[2].result.sequence) == [1],
-        f'The third of three goals had counted to 1 when the fourth came; it ended as {goals[2].status}.',
+        f'The third of three goals had counted to 1 when the fourth came; it {goals[2].ended}.',
         'aborted',
     )
-    expect(goals[3].status == 'succeeded', f'The last goal ended as {goals[3].status}, expected succeeded.', 'newest')
-    expect(after.status == 'succeeded', f'A goal that came when nothing ran ended as {after.status}.', 'newest')
+    expect(goals[3].status == 'succeeded', f'The last goal {goals[3].ended}, expected succeeded.', 'newest')
+    expect(after.status == 'succeeded', f'A goal that came when nothing ran {after.ended}.', 'newest')
 
 
 @pytest.mark.rules('newest', 'aborted')
@@ -148,7 +148,7 @@ def test_rejected_goals_disturb_nobody(learner):
     expect([other.accepted for other in bad] == [False, False], 'An order below 1 was accepted.', 'orders')
     expect(
         goal.status == 'succeeded',
-        f'A goal was rejected, and the goal that ran ended as {goal.status}: only an accepted goal takes over.',
+        f'A goal was rejected, and the goal that ran {goal.ended}: only an accepted goal takes over.',
         'rejected',
     )
 
@@ -179,7 +179,7 @@ def test_cancel(learner):
         cancel = goal.cancel()
         learner.run(0.5)
         expect(cancel.answer == 'accepted', f'{words}The cancel request was not accepted.', 'cancel')
-        expect(goal.status == 'canceled', f'{words}It ended as {goal.status}, expected canceled.', 'cancel')
+        expect(goal.status == 'canceled', f'{words}It {goal.ended}, expected canceled.', 'cancel')
         expect(
             list(goal.result.sequence) == up_to(count), f'{words}The result is {list(goal.result.sequence)}.', 'cancel'
         )
@@ -191,13 +191,13 @@ def test_cancel(learner):
     learner.run(1.6)
     expect(
         after.status == 'succeeded',
-        f'A goal was cancelled, and at the same moment a new one came. The new one ended as {after.status}, expected '
+        f'A goal was cancelled, and at the same moment a new one came. The new one {after.ended}, expected '
         'succeeded: what the old goal does at its end must not touch the new one.',
         'newest',
     )
     after = client.send(order=1)
     learner.run(0.6)
-    expect(after.status == 'succeeded', f'The goal after a cancelled one ended as {after.status}.', 'newest')
+    expect(after.status == 'succeeded', f'The goal after a cancelled one {after.ended}.', 'newest')
 
 
 @pytest.mark.rules('count', 'feedback', 'succeeds')
@@ -212,7 +212,7 @@ def test_alone(learner):
     order = learner.random.randint(2, 6)
     goal = client.send(order=order)
     learner.run(order / 2 + 1.0)
-    expect(goal.status in (None, 'succeeded'), f'A goal alone ended as {goal.status}, expected succeeded.', 'succeeds')
+    expect(goal.status in (None, 'succeeded'), f'A goal alone {goal.ended}, expected succeeded.', 'succeeds')
     expect(
         goal.status and list(goal.result.sequence) == up_to(order),
         f'A goal of order {order} did not end with {up_to(order)}.',
@@ -250,8 +250,8 @@ def test_two_clients(learner):
     learner.run(1.5)
     expect(
         (first.status, second.status) == ('aborted', 'succeeded'),
-        f'Two clients sent a goal each; they ended as {first.status} and {second.status}, '
-        'expected aborted and succeeded.',
+        f'Two clients sent a goal each; the first one {first.ended}, expected aborted, and the second one '
+        f'{second.ended}, expected succeeded.',
     )
 
 
@@ -280,4 +280,4 @@ def test_restart(learner):
     learner.start('NewestWins', threads=True, remap={'__ns': '/shop'})
     goal = client.send(order=1)
     learner.run(1.0)
-    expect(goal.status == 'succeeded', f'After a restart of the server a goal ended as {goal.status}.')
+    expect(goal.status == 'succeeded', f'After a restart of the server a goal {goal.ended}.')

@@ -15,6 +15,10 @@ NEWEST = 'test_newest_wins'
 OTHERS = ('newest', 'aborted', 'stops', 'rejected', 'cancel', 'names')
 
 MUTANTS = [
+    Mutant('accepted_and_forgotten', breaks='count', also=(*OTHERS, 'succeeds'), old='''
+            self.newest = goal
+            goal.execute()
+        ''', new='self.newest = goal', expect='must call goal.execute()'),
     Mutant('no_cancel_when_late', breaks='cancel', edits=(
            ('cancel_callback=lambda goal: CancelResponse.ACCEPT)', 'cancel_callback=self.on_cancel)'),
            ('def on_accepted(self, goal):', '''

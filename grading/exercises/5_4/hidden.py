@@ -55,7 +55,7 @@ def test_arrive(learner):
         expect(goal.accepted, f'Goal {number + 1}, ({x:.1f}, {y:.1f}), was rejected.', 'next')
         expect(
             goal.status == 'succeeded',
-            f'The goal ({x:.1f}, {y:.1f}) ended as {goal.status}, expected succeeded within 6 s.',
+            f'The goal ({x:.1f}, {y:.1f}) {goal.ended}, expected succeeded within 6 s.',
             'arrive',
         )
         distance = sim.distance(x, y)
@@ -194,7 +194,7 @@ def test_one_at_a_time(learner):
         f'{[first.accepted, second.accepted, third.accepted].count(True)} were accepted, expected the first only.',
         'busy',
     )
-    expect(first.status == 'succeeded', f'The first goal ended as {first.status}, expected succeeded.', 'arrive')
+    expect(first.status == 'succeeded', f'The first goal {first.ended}, expected succeeded.', 'arrive')
     far = sim.distance(7.0, 5.5)
     expect(
         far < 1.0,  # it stood at (5.5, 5.5); the places of the others lie far behind
@@ -227,7 +227,7 @@ def test_near_and_late(learner):
     )
     expect(
         not goal.done,
-        f'The turtle was {distance:.2f} m away from the place, and the goal ended as {goal.status}: it arrives when '
+        f'The turtle was {distance:.2f} m away from the place, and the goal {goal.ended}: it arrives when '
         'the distance is below 0.1 m.',
         'arrive',
     )
@@ -273,8 +273,7 @@ def test_cancelled_before(learner):
     expect(goal.done, 'After 20.6 s the goal still runs.', 'give-up')
     expect(
         goal.status == 'aborted',
-        f'After 20 s the turtle was {near:.2f} m away from the place: the goal ended as {goal.status}, expected '
-        'aborted.',
+        f'After 20 s the turtle was {near:.2f} m away from the place: the goal {goal.ended}, expected aborted.',
         'give-up',
     )
     took = goal.finished - goal.sent
@@ -296,7 +295,7 @@ def test_cancelled_before(learner):
         zeros = [command for command in commands.messages if not command.linear.x and not command.angular.z]
         expect(
             goal.done and len(zeros) == 1,
-            f'A goal ended as {goal.status} before the turtle had moved for it, and {len(zeros)} commands of zeros '
+            f'A goal {goal.ended} before the turtle had moved for it, and {len(zeros)} commands of zeros '
             'came, expected one before every end.',
             'zeros',
         )
@@ -322,16 +321,12 @@ def test_stuck(learner):
     expect(175 <= len(commands) <= 182, f'{len(commands)} commands came in 18 s, expected one every 0.1 s.', 'steer')
     expect(
         not goal.done,
-        f'The goal ended as {goal.status} after {goal.finished or 0:g} s, expected to be given up after 20 s.',
+        f'The goal {goal.ended} after {goal.finished or 0:g} s, expected to be given up after 20 s.',
         'give-up',
     )
     learner.run(4.0)
     expect(goal.done, 'The turtle did not move for 22 s, and the goal still runs.', 'give-up')
-    expect(
-        goal.status == 'aborted',
-        f'The turtle never came near; the goal ended as {goal.status}, expected aborted.',
-        'give-up',
-    )
+    expect(goal.status == 'aborted', f'The turtle never came near; the goal {goal.ended}, expected aborted.', 'give-up')
     expect(
         goal.finished - goal.sent == pytest.approx(20.0, abs=0.5),
         f'The goal was given up after {goal.finished - goal.sent:g} s, expected 20 s.',
@@ -391,7 +386,7 @@ def test_poses(learner):
     learner.run(0.3)
     expect(
         not goal.done,
-        f'The turtle was {outside:.3f} m from the place, the same way in x and in y; the goal ended as {goal.status}.',
+        f'The turtle was {outside:.3f} m from the place, the same way in x and in y; the goal {goal.ended}.',
         'arrive',
     )
     poses.send(Pose(x=9.0 - 0.8 * inside, y=1.0 - 0.6 * inside, linear_velocity=draw.uniform(0.5, 2.0)))  # it moves

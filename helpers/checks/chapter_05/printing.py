@@ -213,7 +213,7 @@ class Printer:
             'look at all goals that wait, in each step.',
             rule,
         )
-        expect(goal.status == 'canceled', f'{told}ended as {goal.status}, expected canceled.{goal.why_aborted}', rule)
+        expect(goal.status == 'canceled', f'{told}{goal.ended}, expected canceled.{goal.why_aborted}', rule)
         pages = list(goal.result.sequence)
         expect(not pages, f'{told}was cancelled while it waited, and its result is {pages}, expected [].', rule)
 
@@ -276,7 +276,7 @@ class Printer:
         goal, told = job.goal, self._told(job)
         expect(
             goal.status in (None, 'succeeded'),
-            f'{told}ended as {goal.status}, expected succeeded.{goal.why_aborted}',
+            f'{told}{goal.ended}, expected succeeded.{goal.why_aborted}',
             self._disturbed(job, 'end'),
         )
         pages = list(goal.result.sequence) if goal.result else None
@@ -304,7 +304,7 @@ class Printer:
         )
         expect(
             goal.status == 'canceled',
-            f'{told}was cancelled while it ran, and ended as {goal.status}, not canceled.{goal.why_aborted}',
+            f'{told}was cancelled while it ran, and {goal.ended}, not canceled.{goal.why_aborted}',
             rule,
         )
         pages = list(goal.result.sequence)
@@ -434,7 +434,7 @@ def _judge_rush(goal, begin: int, words: str) -> None:
     pages = list(goal.result.sequence)
     expect(
         goal.status == 'succeeded' and pages == [1],
-        f'{words}Then the goal that came ended as {goal.status} with {pages}, expected succeeded with [1].',
+        f'{words}Then the goal that came {goal.ended} with {pages}, expected succeeded with [1].',
         'lock',
     )
     count = len(goal.feedback)

@@ -24,8 +24,7 @@ def check_goal(goal, rule='') -> None:
     expect(goal.done, f'The goal of order {order} did not end within {order / 2 + 1} s.', rule or 'rate')
     expect(
         goal.status == 'succeeded',
-        f'The goal of order {order} ended as {goal.status}, expected succeeded. Call '
-        'succeed() before you return the result.',
+        f'The goal of order {order} {goal.ended}, expected succeeded. Call succeed() before you return the result.',
         rule or 'end',
     )
     expect(
@@ -129,7 +128,7 @@ def _check_largest(learner, goal):
     )
     expect(
         numbers(goal) == SERIES,
-        f'The goal of order 47 ended as {goal.status} with {len(numbers(goal))} numbers, expected 47.',
+        f'The goal of order 47 {goal.ended} with {len(numbers(goal))} numbers, expected 47.',
         'numbers',
     )
     check_longest_feedback(goal)
@@ -180,11 +179,7 @@ def test_cancel(learner):
             f'{numbers(goal)}. Look at is_cancel_requested after each wait, before you add a number.',
             'partial',
         )
-        expect(
-            goal.status == 'canceled',
-            f'{words}It ended as {goal.status}, expected canceled: call canceled().',
-            'cancel',
-        )
+        expect(goal.status == 'canceled', f'{words}It {goal.ended}, expected canceled: call canceled().', 'cancel')
         expect(
             numbers(goal) == SERIES[:step],
             f'{words}The result is {numbers(goal)}, expected the numbers so far.',

@@ -25,14 +25,15 @@ def check_goal(goal, story='', rule='') -> None:
     due = [n / 2 for n in up_to(order)]
     expect(
         goal.status in ('succeeded', None) or rule,
-        f'{words}ended as {goal.status}, expected succeeded.{goal.why_aborted}',
+        f'{words}{goal.ended}, expected succeeded.{goal.why_aborted}',
         'succeeds',
     )
     expect(
-        goal.status == 'succeeded',
-        f'{words}ended as {goal.status}, expected succeeded after {order / 2} s.',
+        goal.status or 'executing' in goal.statuses,
+        f'{words}was accepted, and never begun: handle_accepted_callback must call goal.execute().',
         rule or 'count',
     )
+    expect(goal.status == 'succeeded', f'{words}{goal.ended}, expected succeeded after {order / 2} s.', rule or 'count')
     expect(
         numbers(goal) == up_to(order),
         f'{words}has the result {numbers(goal)}, expected {up_to(order)}.',
@@ -324,7 +325,7 @@ def check_replaced(learner, client, order, count, newer) -> None:
     )
     expect(
         old.status == 'aborted',
-        f'{words}the first goal ended as {old.status}, expected aborted: a newer one has taken its place.',
+        f'{words}the first goal {old.ended}, expected aborted: a newer one has taken its place.',
         'aborted',
     )
     expect(

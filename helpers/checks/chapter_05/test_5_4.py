@@ -202,7 +202,7 @@ def _give_up(learner, robot, goal):
     learner.run(8.0)
     expect(
         not goal.done,
-        f'A robot that does not move: the goal ended as {goal.status} after {(goal.finished or 0) - goal.sent:.1f} s, '
+        f'A robot that does not move: the goal {goal.ended} after {(goal.finished or 0) - goal.sent:.1f} s, '
         'expected 20 s. The goal before it had been cancelled: each goal has 20 s of its own.',
         'give-up',
     )
@@ -226,7 +226,7 @@ def _give_up(learner, robot, goal):
     expect(goal.done, 'A robot that does not move: the goal still runs after 20.5 s.', 'give-up')
     expect(
         goal.status == 'aborted',
-        f'After 20 s a robot was {near:.2f} m away from the place: the goal ended as {goal.status}, expected aborted.',
+        f'After 20 s a robot was {near:.2f} m away from the place: the goal {goal.ended}, expected aborted.',
         'give-up',
     )
     took = goal.finished - goal.sent
@@ -272,7 +272,7 @@ def _cancel(learner, robot, seconds, distance, x, way):
     expect(goal.accepted, 'A goal that came after a cancelled one was rejected.', 'next')
     expect(
         not goal.done,
-        f'A goal {outside:.3f} m away (the same way in x and in y) ended as {goal.status}, expected to go on until '
+        f'A goal {outside:.3f} m away (the same way in x and in y) {goal.ended}, expected to go on until '
         'the distance is below 0.1 m.',
         'arrive',
     )

@@ -133,7 +133,7 @@ def test_call(learner):
         ('self.handle = 3', 'choose another one, such as `self.my_handle`'),
         ('Twist()', 'Write: from geometry_msgs.msg import Twist'),
         ('nobody_knows()', 'No cell that the check uses defines `nobody_knows`'),
-        ('Bool(data=1)', 'Write bool(…) around the value.'),
+        ('Bool(data=1)', 'Write bool(…) around the value; of a message take the field that holds it.'),
         ('self.timers = [self.timer]', 'choose another one, such as `self.my_timers`'),
         ('self.clients = {}', 'choose another one, such as `self.my_clients`'),
         ('Float64(data=2)', 'write 2.0 instead of 2'),
