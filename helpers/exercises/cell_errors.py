@@ -1,10 +1,13 @@
 """Explains what the errors of a cell do not say. After a NameError: which cell above would have defined the name, and
 how to get it back, or how it is imported. After an InvalidHandle: what has become of the node. After an import that the
-stop button has cut: why it fails from now on.
+stop button has cut: why it fails from now on. After other errors: what the check of an exercise would say.
 
 The kernel `course` loads this as an IPython extension when it starts, as a person who goes on in the middle of a
 notebook after a restart has not imported `helpers` yet.
 """
+
+import re
+import traceback
 
 from helpers.kernel import journal
 
@@ -28,7 +31,7 @@ _stopped = False  # whether a cell has been stopped in this kernel
 
 
 def load_ipython_extension(shell) -> None:
-    """Explain each NameError, InvalidHandle and cut import of a cell from now on; idempotent."""
+    """Explain the errors of cells from now on; idempotent."""
     unload_ipython_extension(shell)
     shell.events.register('post_run_cell', explain)
 
@@ -40,36 +43,66 @@ def unload_ipython_extension(shell) -> None:
 
 
 def explain(result) -> None:
-    """Say where the name is defined that a cell has missed, if that is in a cell above which has not run, or from where
-    it is imported; or that its node is destroyed; or that an import was stopped.
+    """Say what the error of a cell means, if there is more to say than Python does.
 
     :param result: IPython's of the cell; None if it was interrupted before it began
     """
     global _stopped
     error = result.error_in_exec if result else None
+    _stopped |= isinstance(error, KeyboardInterrupt)
     if type(error).__name__ == 'InvalidHandle':  # rclpy's; cells run out of order, or one is run again alone
         print(DESTROYED)
-    _stopped |= isinstance(error, KeyboardInterrupt)
-    if _is_half_imported(error):
+    elif _is_half_imported(error):
         print(HALF_IMPORTED)
-    if not isinstance(error, NameError) or not error.name:
-        return
+    elif isinstance(error, NameError) and error.name:
+        _explain_name(error.name)
+    elif isinstance(error, Exception):
+        _explain_error(error, result.info.raw_cell)
+
+
+def _explain_name(name: str) -> None:
+    """Say where a missing name is defined, if that is in a cell above which has not run, or from where it is imported,
+    or what name is meant.
+    """
     from helpers.exercises import definitions, resuming
-    from helpers.runner import imports
+    from helpers.runner import imports, similar
 
     ran = {cell.source for cell in journal.cells}
     for cell in reversed(resuming.cells_above() or []):
-        if cell.source not in ran and error.name in definitions.names_in(cell.source):
+        if cell.source not in ran and name in definitions.names_in(cell.source):
             first = cell.source.strip().partition('\n')[0]
-            print(f'`{error.name}` comes from a cell above that has not run since the kernel started: {first}')
-            print(ADVICE if error.name in resuming.brought_back(cell) else AGAIN)
+            print(f'`{name}` comes from a cell above that has not run since the kernel started: {first}')
+            print(ADVICE if name in resuming.brought_back(cell) else AGAIN)
             return
     import helpers
 
-    if advice := imports.advice(error.name):
+    here = [one for cell in journal.cells for one in definitions.names_in(cell.source)]
+    if advice := imports.advice(name):
         print(advice)
-    elif error.name in dir(helpers):
-        print(f'`{error.name}` belongs to the course. Write: from helpers import {error.name}')
+    elif name in dir(helpers):
+        print(f'`{name}` belongs to the course. Write: from helpers import {name}')
+    elif near := similar.nearest(name, here, 0.8) or imports.nearest(name):
+        print(f'Nothing is called `{name}` here. Is `{near}` meant?')
+
+
+def _explain_error(error: Exception, cell: str) -> None:
+    """Say what the check of an exercise would say of this error."""
+    if isinstance(error, ModuleNotFoundError):  # of that it says what counts when the exercise is judged
+        return
+    try:
+        from helpers.runner import explanations
+    except ImportError:  # no ROS can be loaded here
+        return
+    text = str(error)
+    owner = re.match(r"'(\w+)' object has no attribute", text)
+    texts = [cell, *(one.source for one in reversed(journal.cells))]
+    defining = (one for one in texts if owner and re.search(rf'^class {owner[1]}\b', one, re.MULTILINE))
+    lines = [frame.line for frame in traceback.extract_tb(error.__traceback__) if frame.line and frame.line in cell]
+    said = explanations.explain(
+        type(error).__name__, text, answer=next(defining, cell), line=lines[-1] if lines else ''
+    )
+    if said:
+        print(said)
 
 
 def _is_half_imported(error: BaseException | None) -> bool:

@@ -35,7 +35,7 @@ def unset_attribute(name: str, text: str) -> str:
     own = sorted(found.attributes)
     there = [*own, *dir(Node)]
     near = similar.nearest(name, there) or next((one for one in own if one.startswith(name)), '')
-    said = f'Nothing in your answer sets `{name}`'
+    said = f'Nothing in your code sets `{name}`'
     return f'{said}; there is `{near}`.' if near else f'{said}.'
 
 

@@ -1,7 +1,5 @@
 """After a restart of the kernel: names that are missing are explained, and `resume` brings them back."""
 
-import sys
-
 import nbformat
 import pytest
 
@@ -72,44 +70,3 @@ def test_a_missing_name_says_where_it_comes_from(folder, kernel):
     assert 'Write: from rclpy.qos import qos_profile_sensor_data\n' in missed.stdout
     kernel.ok(CONTINUE)
     kernel.ok('Talker()')
-
-
-STOPPED_IMPORT = """
-import signal
-signal.signal(signal.SIGALRM, signal.default_int_handler)
-class Stop:
-    def find_spec(self, name, *rest):
-        if name == 'numpy.dtypes':
-            signal.raise_signal(signal.SIGALRM)
-import sys; sys.meta_path.insert(0, Stop())
-import numpy
-"""
-
-
-def test_an_import_that_was_stopped_is_told(kernel):
-    """A compiled package cannot be imported again then."""
-    kernel.ok('%load_ext helpers.exercises.cell_errors')
-    circular = "raise ImportError(\"cannot import name 'x' from partially initialized module 'y'\")"
-    assert kernel.run(circular).stdout == '', 'nothing was stopped: it is a fault of the program itself'
-    assert kernel.run(STOPPED_IMPORT).error == 'KeyboardInterrupt'
-    kernel.ok('del sys.meta_path[0]')
-    missed = kernel.run('import numpy')
-    error = 'RuntimeError' if sys.version_info < (3, 11) else 'ImportError'  # of numpy 2.2, and of later ones
-    assert missed.error == error and missed.stdout.startswith('A package was stopped in the middle')
-    assert kernel.run(circular).stdout.startswith('A package was stopped')
-
-
-def test_a_cell_interrupted_before_it_begins(folder, kernel):
-    """IPython then has no result for those who listen to the ends of cells."""
-    kernel.ok('%load_ext helpers.exercises.cell_errors\nimport helpers.exercises.check')
-    told = kernel.ok('get_ipython().events.trigger("post_run_cell", None)')
-    assert told.stdout == told.stderr == ''
-
-
-def test_a_node_that_was_destroyed_is_told(kernel):
-    """Cells that are run out of order meet it; rclpy's own message names no node."""
-    kernel.ok('%load_ext helpers.exercises.cell_errors\nimport helpers, rclpy\nhelpers.ros.start()')
-    kernel.ok('node = rclpy.create_node("gone")\nnode.destroy_node()')
-    missed = kernel.run('node.get_topic_names_and_types()')
-    assert missed.error == 'InvalidHandle' and 'Run the cell that makes it again' in missed.stdout
-    assert kernel.run('1 / 0').stdout == ''

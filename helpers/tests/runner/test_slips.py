@@ -52,19 +52,19 @@ class Beacon(Node):
         (
             'AttributeError',
             "'Beacon' object has no attribute 'on_timer'",
-            'Nothing in your answer sets `on_timer`; there is `on_timmer`.',
+            'Nothing in your code sets `on_timer`; there is `on_timmer`.',
         ),
         (
             'AttributeError',
             "'Beacon' object has no attribute 'pub'",
-            'Nothing in your answer sets `pub`; there is `publisher`.',
+            'Nothing in your code sets `pub`; there is `publisher`.',
         ),
-        ('AttributeError', "'Beacon' object has no attribute 'speed'", 'Nothing in your answer sets `speed`.'),
-        ('AttributeError', "'Beacon' object has no attribute 'OUTSIDE'", 'Nothing in your answer sets `OUTSIDE`.'),
+        ('AttributeError', "'Beacon' object has no attribute 'speed'", 'Nothing in your code sets `speed`.'),
+        ('AttributeError', "'Beacon' object has no attribute 'OUTSIDE'", 'Nothing in your code sets `OUTSIDE`.'),
         (
             'AttributeError',
             "'Beacon' object has no attribute 'create_publsher'",
-            'Nothing in your answer sets `create_publsher`; there is `create_publisher`.',
+            'Nothing in your code sets `create_publsher`; there is `create_publisher`.',
         ),
         (
             'AttributeError',
@@ -76,7 +76,7 @@ class Beacon(Node):
             "'Beacon' object has no attribute 'start'",
             'Only `on_reset` sets `self.start`, and it has not run yet. Set a first value in `__init__`.',
         ),
-        ('AttributeError', "'Beacon' object has no attribute 'rounds'", 'Nothing in your answer sets `rounds`.'),
+        ('AttributeError', "'Beacon' object has no attribute 'rounds'", 'Nothing in your code sets `rounds`.'),
         ('AttributeError', "'Other' object has no attribute 'timer'", ''),
         ('NameError', "name 'textt' is not defined", 'No cell that the check uses defines `textt`. Is `text` meant?'),
         ('NameError', "name 'Sting' is not defined", 'No cell that the check uses defines `Sting`. Is `String` meant?'),

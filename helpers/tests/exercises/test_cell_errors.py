@@ -1,0 +1,55 @@
+"""What the kernel says of the error of a cell. For names that a restart has taken away, see test_resuming.py."""
+
+import sys
+
+STOPPED_IMPORT = """
+import signal
+signal.signal(signal.SIGALRM, signal.default_int_handler)
+class Stop:
+    def find_spec(self, name, *rest):
+        if name == 'numpy.dtypes':
+            signal.raise_signal(signal.SIGALRM)
+import sys; sys.meta_path.insert(0, Stop())
+import numpy
+"""
+
+
+def test_an_import_that_was_stopped_is_told(kernel):
+    """A compiled package cannot be imported again then."""
+    kernel.ok('%load_ext helpers.exercises.cell_errors')
+    circular = "raise ImportError(\"cannot import name 'x' from partially initialized module 'y'\")"
+    assert kernel.run(circular).stdout == '', 'nothing was stopped: it is a fault of the program itself'
+    assert kernel.run(STOPPED_IMPORT).error == 'KeyboardInterrupt'
+    kernel.ok('del sys.meta_path[0]')
+    missed = kernel.run('import numpy')
+    error = 'RuntimeError' if sys.version_info < (3, 11) else 'ImportError'  # of numpy 2.2, and of later ones
+    assert missed.error == error and missed.stdout.startswith('A package was stopped in the middle')
+    assert kernel.run(circular).stdout.startswith('A package was stopped')
+
+
+def test_a_cell_interrupted_before_it_begins(kernel):
+    """IPython then has no result for those who listen to the ends of cells."""
+    kernel.ok('%load_ext helpers.exercises.cell_errors\nimport helpers.exercises.check')
+    told = kernel.ok('get_ipython().events.trigger("post_run_cell", None)')
+    assert told.stdout == told.stderr == ''
+
+
+def test_a_node_that_was_destroyed_is_told(kernel):
+    """Cells that are run out of order meet it; rclpy's own message names no node."""
+    kernel.ok('%load_ext helpers.exercises.cell_errors\nimport helpers, rclpy\nhelpers.ros.start()')
+    kernel.ok('node = rclpy.create_node("gone")\nnode.destroy_node()')
+    missed = kernel.run('node.get_topic_names_and_types()')
+    assert missed.error == 'InvalidHandle' and 'Run the cell that makes it again' in missed.stdout
+    assert kernel.run('1 / 0').stdout == ''
+
+
+def test_other_errors_are_explained_as_by_the_check(kernel):
+    kernel.ok('%load_ext helpers.exercises.cell_errors\nimport helpers\nfrom std_msgs.msg import String')
+    field = kernel.run("String().dat = 'hello'")
+    assert field.error == 'AttributeError' and field.stdout == 'The message has no field `dat`; there is `data`.\n'
+    kernel.ok('class Lamp:\n    def __init__(self):\n        self.lit = False')
+    lamp = kernel.run('Lamp().litt')
+    assert lamp.stdout == 'Nothing in your code sets `litt`; there is `lit`.\n'
+    near = kernel.run("Strin(data='hello')")
+    assert near.error == 'NameError' and near.stdout == 'Nothing is called `Strin` here. Is `String` meant?\n'
+    assert kernel.run('import nobody_has_this').stdout == kernel.run('[].nothing').stdout == ''
