@@ -9,7 +9,7 @@ notebook after a restart has not imported `helpers` yet.
 import re
 import traceback
 
-from helpers.kernel import journal
+from helpers.kernel import callback_errors, journal
 
 ADVICE = """To bring back what the cells above define, without their demonstrations, run in a cell here:
     from helpers import resume; resume()"""
@@ -31,38 +31,49 @@ _stopped = False  # whether a cell has been stopped in this kernel
 
 
 def load_ipython_extension(shell) -> None:
-    """Explain the errors of cells from now on; idempotent."""
+    """Explain the errors of cells, and of callbacks, from now on; idempotent."""
     unload_ipython_extension(shell)
     shell.events.register('post_run_cell', explain)
+    callback_errors.further_hints.append(sentence)
 
 
 def unload_ipython_extension(shell) -> None:
     """Explain no more."""
     if explain in shell.events.callbacks['post_run_cell']:
         shell.events.unregister('post_run_cell', explain)
+    if sentence in callback_errors.further_hints:
+        callback_errors.further_hints.remove(sentence)
 
 
 def explain(result) -> None:
-    """Say what the error of a cell means, if there is more to say than Python does.
+    """Print what the error of a cell means, if there is more to say than Python does.
 
     :param result: IPython's of the cell; None if it was interrupted before it began
     """
     global _stopped
     error = result.error_in_exec if result else None
     _stopped |= isinstance(error, KeyboardInterrupt)
+    if said := sentence(error, result.info.raw_cell) if error else '':
+        print(said)
+
+
+def sentence(error: BaseException, cell: str = '') -> str:
+    """What an error means, in a sentence or two; '' if there is no more to say than Python does.
+
+    :param cell: the text of the cell that has raised it; '' if a callback has
+    """
     if type(error).__name__ == 'InvalidHandle':  # rclpy's; cells run out of order, or one is run again alone
-        print(DESTROYED)
-    elif _is_half_imported(error):
-        print(HALF_IMPORTED)
-    elif isinstance(error, NameError) and error.name:
-        _explain_name(error.name)
-    elif isinstance(error, Exception):
-        _explain_error(error, result.info.raw_cell)
+        return DESTROYED
+    if _is_half_imported(error):
+        return HALF_IMPORTED
+    if isinstance(error, NameError) and error.name:
+        return _on_name(error.name)
+    return _as_a_check(error, cell) if isinstance(error, Exception) else ''
 
 
-def _explain_name(name: str) -> None:
-    """Say where a missing name is defined, if that is in a cell above which has not run, or from where it is imported,
-    or what name is meant.
+def _on_name(name: str) -> str:
+    """Where a missing name is defined, if that is in a cell above which has not run, or from where it is imported, or
+    what name is meant.
     """
     from helpers.exercises import definitions, resuming
     from helpers.runner import imports, similar
@@ -71,38 +82,35 @@ def _explain_name(name: str) -> None:
     for cell in reversed(resuming.cells_above() or []):
         if cell.source not in ran and name in definitions.names_in(cell.source):
             first = cell.source.strip().partition('\n')[0]
-            print(f'`{name}` comes from a cell above that has not run since the kernel started: {first}')
-            print(ADVICE if name in resuming.brought_back(cell) else AGAIN)
-            return
+            said = f'`{name}` comes from a cell above that has not run since the kernel started: {first}'
+            return f'{said}\n{ADVICE if name in resuming.brought_back(cell) else AGAIN}'
     import helpers
 
     here = [one for cell in journal.cells for one in definitions.names_in(cell.source)]
     if advice := imports.advice(name):
-        print(advice)
-    elif name in dir(helpers):
-        print(f'`{name}` belongs to the course. Write: from helpers import {name}')
-    elif near := similar.nearest(name, here, 0.8) or imports.nearest(name):
-        print(f'Nothing is called `{name}` here. Is `{near}` meant?')
+        return advice
+    if name in dir(helpers):
+        return f'`{name}` belongs to the course. Write: from helpers import {name}'
+    near = similar.nearest(name, here, 0.8) or imports.nearest(name)
+    return f'Nothing is called `{name}` here. Is `{near}` meant?' if near else ''
 
 
-def _explain_error(error: Exception, cell: str) -> None:
-    """Say what the check of an exercise would say of this error."""
-    if isinstance(error, ModuleNotFoundError):  # of that it says what counts when the exercise is judged
-        return
+def _as_a_check(error: Exception, cell: str) -> str:
+    """What the check of an exercise would say of this error."""
+    # Of a missing module it says what counts when the exercise is judged; an error without a text is in chapter 4.
+    if isinstance(error, ModuleNotFoundError) or not str(error):
+        return ''
     try:
         from helpers.runner import explanations
     except ImportError:  # no ROS can be loaded here
-        return
-    text = str(error)
-    owner = re.match(r"'(\w+)' object has no attribute", text)
+        return ''
+    owner = re.match(r"'(\w+)' object has no attribute", str(error))
     texts = [cell, *(one.source for one in reversed(journal.cells))]
     defining = (one for one in texts if owner and re.search(rf'^class {owner[1]}\b', one, re.MULTILINE))
-    lines = [frame.line for frame in traceback.extract_tb(error.__traceback__) if frame.line and frame.line in cell]
-    said = explanations.explain(
-        type(error).__name__, text, answer=next(defining, cell), line=lines[-1] if lines else ''
-    )
-    if said:
-        print(said)
+    frames = traceback.extract_tb(error.__traceback__)
+    lines = [frame.line for frame in frames if frame.line and any(frame.line in one for one in texts)]
+    line = lines[-1] if lines else ''
+    return explanations.explain(type(error).__name__, str(error), answer=next(defining, cell), line=line)
 
 
 def _is_half_imported(error: BaseException | None) -> bool:

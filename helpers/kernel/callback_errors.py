@@ -2,6 +2,7 @@
 
 import sys
 import traceback
+from collections.abc import Callable
 from pathlib import Path
 
 from helpers.kernel import journal
@@ -15,6 +16,8 @@ _HINTS = (
     ('already spinning', 'One executor is spun twice. Inside a callback do not spin: `await` the future.'),
     ('destruction was requested', 'This node, publisher or client was destroyed: run the cell that creates it again.'),
 )
+# What else can say something about an exception: the sentence, or ''. The kernel's extension adds to these.
+further_hints: list[Callable[[BaseException], str]] = []
 
 
 class CallbackError(RuntimeError):
@@ -54,7 +57,7 @@ class Failure:
         lines = [f'An exception in {self.callback} of node {self.node}', '', *self._traceback_lines()]
         advice = hint(self.error)
         if advice:
-            lines += ['', advice]
+            lines += ['', *advice.splitlines()]
         lines += ['', 'All nodes go on. The next spin_for, wait_for or collect raises this as a CallbackError.']
         box = ''.join(f'│ {line}'.rstrip() + '\n' for line in lines)
         say(f'┌{_RULE}\n{box}└{_RULE}\n')
@@ -74,9 +77,10 @@ def raise_failures(failures: list[Failure]) -> None:
 
 
 def hint(error: BaseException) -> str:
-    """Return one sentence on what to do about a well-known mistake, or ''."""
+    """Return what to do about a well-known mistake, or ''."""
     text = str(error)
-    return next((advice for fragment, advice in _HINTS if fragment in text), '')
+    known = [advice for fragment, advice in _HINTS if fragment in text]
+    return next(iter(known), '') or next((said for ask in further_hints if (said := ask(error))), '')
 
 
 def say(text: str) -> None:

@@ -52,4 +52,8 @@ def test_other_errors_are_explained_as_by_the_check(kernel):
     assert lamp.stdout == 'Nothing in your code sets `litt`; there is `lit`.\n'
     near = kernel.run("Strin(data='hello')")
     assert near.error == 'NameError' and near.stdout == 'Nothing is called `Strin` here. Is `String` meant?\n'
+    kernel.ok('import rclpy\nhelpers.ros.start()\nnode = rclpy.create_node("n")')
+    kernel.ok('def tick():\n    String().dat = 1\n\n\ntimer = node.create_timer(0.01, tick)')
+    late = kernel.run('with helpers.spinning(node):\n    helpers.wait_for(lambda: False)')
+    assert late.error == 'CallbackError' and '│ The message has no field `dat`; there is `data`.' in late.stderr
     assert kernel.run('import nobody_has_this').stdout == kernel.run('[].nothing').stdout == ''
