@@ -28,6 +28,8 @@ def unset_attribute(name: str, text: str) -> str:
     found = _names(text)
     if name in found.setters:
         return _too_late(name, sorted(found.setters[name]))
+    if name in found.changed:
+        return f'`self.{name}` has no value that could be changed: set a first one in `__init__`.'
     if name in found.attributes or not found.attributes:
         return ''
     if name in found.variables:
@@ -62,6 +64,7 @@ class _Names(ast.NodeVisitor):
         self.variables: set[str] = set()  # to which functions assign
         self.names: set[str] = set()  # all that it uses or binds
         self.setters: dict[str, set[str]] = {}  # attribute of `self`: the functions that set it
+        self.changed: set[str] = set()  # attributes of `self` to which something is added
         self._function = ''
 
     def visit_FunctionDef(self, node: ast.FunctionDef | ast.AsyncFunctionDef) -> None:
@@ -95,7 +98,10 @@ class _Names(ast.NodeVisitor):
         self.names.add((node.asname or node.name).partition('.')[0])
 
     def visit_AugAssign(self, node: ast.AugAssign) -> None:
-        self.visit(node.value)  # `self.count += 1` wants a value that is there
+        # `self.count += 1` wants a value that is there
+        if isinstance(node.target, ast.Attribute) and getattr(node.target.value, 'id', '') == 'self':
+            self.changed.add(node.target.attr)
+        self.visit(node.value)
 
     def visit_Attribute(self, node: ast.Attribute) -> None:
         if isinstance(node.ctx, ast.Store) and isinstance(node.value, ast.Name) and node.value.id == 'self':

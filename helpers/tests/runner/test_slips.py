@@ -76,7 +76,11 @@ class Beacon(Node):
             "'Beacon' object has no attribute 'start'",
             'Only `on_reset` sets `self.start`, and it has not run yet. Set a first value in `__init__`.',
         ),
-        ('AttributeError', "'Beacon' object has no attribute 'rounds'", 'Nothing in your code sets `rounds`.'),
+        (
+            'AttributeError',
+            "'Beacon' object has no attribute 'rounds'",
+            '`self.rounds` has no value that could be changed: set a first one in `__init__`.',
+        ),
         ('AttributeError', "'Other' object has no attribute 'timer'", ''),
         ('NameError', "name 'textt' is not defined", 'No cell that the check uses defines `textt`. Is `text` meant?'),
         ('NameError', "name 'Sting' is not defined", 'No cell that the check uses defines `Sting`. Is `String` meant?'),
