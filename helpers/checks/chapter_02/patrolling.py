@@ -208,6 +208,15 @@ def _answer(line: str) -> tuple[str, object, object]:
         return 'something else', line[:80], None
 
 
+def _told(error: str, more: str = '') -> str:
+    """An error, and after it what to do about it: `more`, or what is known of errors of imports and entry points."""
+    if found := re.search(r"No module named '(route|announce)'", error):
+        more = f'With its package the module is called patrol.{found[1]}.'
+    elif "'module' object is not callable" in error or "has no attribute 'main'" in error:
+        more = 'An entry point names a function of the module: patrol.route:main, and that function must be there.'
+    return f'{error.rstrip(".")}. {more}' if more else error
+
+
 def judge_route(learner, *cases: list[str]) -> None:
     """What `ros2 run patrol route` prints for these stations: rule `route`."""
     workspace = built(learner)
@@ -222,8 +231,8 @@ def judge_route(learner, *cases: list[str]) -> None:
             )
             expect(
                 done.status == 0,
-                f'`{command}` ended {done.where}with: {last}'
-                + (' The names are sys.argv[1:].' if 'IndexError' in last else ''),
+                f'`{command}` ended {done.where}with: '
+                + _told(last, 'The names are sys.argv[1:].' if 'IndexError' in last else ''),
             )
             expect(done.lines, f'`{command}` printed nothing: use print.')
             expect(len(done.lines) == 1, f'`{command}` printed {len(done.lines)} lines, expected one: {wanted}')
@@ -388,7 +397,9 @@ def _judge_names(names: list[str], stations: list[str]) -> None:
 def _ended(output: str) -> tuple[str, str]:
     """What to say of a node that has ended, and which rule it breaks."""
     lines = [line.strip() for line in output.splitlines() if line.strip() and not line.startswith('[ros2run]')]
-    last = lines[-1][:300] if lines else 'no message'
+    if not lines:
+        return '`ros2 run patrol announce` ended by itself, without a message. Does it spin?', 'announce'
+    last = lines[-1][:300]
     if re.search('FileNotFoundError|NotADirectoryError|PackageNotFoundError|IsADirectoryError', last):
         return (
             f'`ros2 run patrol announce` ended with: {last}. The program must look for the file in the share folder, '
@@ -399,9 +410,10 @@ def _ended(output: str) -> tuple[str, str]:
     place = ' ({}, line {})'.format(*places[-1]) if places else ''
     kind, _, text = last.partition(': ')
     unknown = re.search(r"name '(\w+)' is not defined", text)
-    more = imports.advice(unknown[1]) if unknown else explanations.explain(kind, text)
-    said = f'`ros2 run patrol announce` ended by itself, with: {last}{place}'
-    return f'{said.rstrip(".")}. {more}' if more else said, 'announce'
+    more = imports.advice(unknown[1]) if unknown else ''
+    if not unknown and kind != 'ModuleNotFoundError':  # what is said of that is about the cells of a notebook
+        more = explanations.explain(kind, text)
+    return f'`ros2 run patrol announce` ended by itself, with: {_told(last + place, more)}', 'announce'
 
 
 def _pauses(stamps: list[float]) -> list[float]:
@@ -511,7 +523,7 @@ def judge_tests(learner) -> None:
                 every, f'`colcon test` found no test in {TESTS}: pytest takes functions whose names begin with test_.'
             )
             expect(every > skipped, f'All tests in {TESTS} are skipped.')
-            expect(not errors, f'{TESTS} cannot be run: {said}')
+            expect(not errors, f'{TESTS} cannot be run: {_told(said)}')
             expect(not failures, f'{failures} of {every} tests in {TESTS} {_fail(failures)}: {said}')
 
     status, said = _once(learner, '2 < 1')
