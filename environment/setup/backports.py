@@ -1,7 +1,7 @@
 """Patches of installed packages: corrections that the ROS wheels lack, upstream's and ours, and of the test tools.
 
-Each patch of a module is a module that is put beside the packages, and a few lines that put it to use. In a CMake file
-one line takes the place of another.
+Each patch of a module is a module that is put beside the packages, and a few lines that put it to use. Elsewhere one
+text takes the place of another.
 """
 
 from pathlib import Path
@@ -41,13 +41,41 @@ _PATCHES = {
         for program in ('cppcheck', 'uncrustify')
     },
 }
-# For each patched CMake file, below the prefix, the line that is replaced, and the new one.
+# For each patched CMake file, below the prefix, the text that is replaced, and the new one.
 _CMAKE = {
     # CMake's STRINGS ends at the first letter that is not ASCII, unless it is told the encoding: no interface package
     # could be built in a folder such as /home/jörg or ~/机器人.
     'share/rosidl_adapter/cmake/rosidl_adapt_interfaces.cmake': (
         'file(STRINGS "${idl_output}" idl_tuples)',
         'file(STRINGS "${idl_output}" idl_tuples ENCODING UTF-8)',
+    )
+}
+# The same for Python modules, below site-packages.
+_MODULES = {
+    # What makes Python code of interfaces needs a parser. Each node imports this package for its message types, and
+    # waited an eighth of its start for the parser.
+    'rosidl_generator_py/__init__.py': (
+        """\
+try:
+    from .generate_py_impl import generate_py
+    assert generate_py
+    __all__.append('generate_py')
+except ImportError:
+    logger = logging.getLogger('rosidl_generator_py')
+    logger.debug(
+        'Failed to import modules for generating Python structures:\\n' + traceback.format_exc())
+""",
+        """\
+__all__.append('generate_py')
+
+
+def __getattr__(name):
+    if name != 'generate_py':
+        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+    from .generate_py_impl import generate_py
+
+    return generate_py
+""",
     )
 }
 _TESTS = '_course_python_tests'
@@ -75,7 +103,9 @@ def apply(prefix: Path, site: Path) -> list[str]:
     """
     install_python_tests(site)
     modules = [path for path, patch in _PATCHES.items() if _patch(site, path, *patch)]
-    return modules + [path for path, lines in _CMAKE.items() if _patch_cmake(prefix / path, *lines)]
+    texts = [(prefix, path, *change) for path, change in _CMAKE.items()]
+    texts += [(site, path, *change) for path, change in _MODULES.items()]
+    return modules + [path for folder, path, old, new in texts if _replace_text(folder / path, old, new)]
 
 
 def _patch(site: Path, path: str, patch, mark: str | None, tail: str) -> bool:
@@ -93,10 +123,10 @@ def _patch(site: Path, path: str, patch, mark: str | None, tail: str) -> bool:
     return True
 
 
-def _patch_cmake(file: Path, line: str, new: str) -> bool:
-    if not file.is_file() or line not in (old := file.read_text()):
+def _replace_text(file: Path, old: str, new: str) -> bool:
+    if not file.is_file() or old not in (text := file.read_text()):
         return False
-    replace(file, old.replace(line, new).encode())
+    replace(file, text.replace(old, new).encode())
     return True
 
 

@@ -55,6 +55,22 @@ def test_a_client_with_a_lock_is_left_alone(site):
     assert client.read_text() == 'lock = threading.Lock()\n'
 
 
+def test_a_node_does_not_wait_for_what_makes_interfaces():
+    """In a process of its own: here it may be imported already."""
+    code = """
+import sys
+from std_msgs.msg import String
+String.__class__.__import_type_support__()
+print('rosidl_parser.parser' in sys.modules)
+import rosidl_generator_py
+print(sorted(rosidl_generator_py.__all__), hasattr(rosidl_generator_py, 'no_such_name'))
+from rosidl_generator_py import generate_py
+print(callable(generate_py))
+"""
+    done = subprocess.run([sys.executable, '-c', code], capture_output=True, text=True, timeout=60)
+    assert done.stdout.splitlines() == ['False', "['generate_py', 'import_type_support'] False", 'True'], done.stderr
+
+
 def test_without_rclpy_there_is_nothing_to_patch(tmp_path):
     assert backports.apply(tmp_path, tmp_path) == []
 
