@@ -10,11 +10,13 @@ from helpers.paths import ROOT
 
 _FOLDERS = ('helpers', 'grading')  # the second is not in the learner's edition
 _NOT_USED = re.compile(r'/tests/')
-# Half of all that is installed, and nothing that a program of an exercise imports: what draws, serves notebooks, lays
-# out documents, checks types, or works on a cluster.
+# Half of all that is installed, and nothing that a program of an exercise imports: what draws, serves notebooks, checks
+# types, or works on a cluster, and the extensions of OpenGL, a folder for each vendor. babel, docutils and pygments are
+# not among it: setuptools imports them when colcon asks a package for its commands.
 _INSTALLED_NOT_USED = re.compile(
-    '/(tests?|OpenGL|IPython|PIL|aiohttp|babel|bleach|dask|debugpy|distributed|docutils|fontTools|jedi|jupyter[^/]*'
-    '|matplotlib|mpl_toolkits|mypyc?|notebook[^/]*|pip|prompt_toolkit|pygments|snowballstemmer|tornado|wcwidth|websockets)/'
+    '/(tests?|IPython|PIL|aiohttp|bleach|dask|debugpy|distributed|fontTools|jedi|jupyter[^/]*|matplotlib|mpl_toolkits'
+    '|mypyc?|notebook[^/]*|OpenGL/(raw/)?(GL\\w*|WGL)/(?!VERSION/)[A-Z0-9]+|pip|prompt_toolkit|snowballstemmer|tornado'
+    '|wcwidth|websockets)/'
 )
 
 
