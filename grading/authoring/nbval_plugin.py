@@ -4,7 +4,7 @@
 
 Outputs are English and compared without what differs from run to run, a semicolon hides a value as in JupyterLab, the
 cells of one notebook stay in one kernel, tests have the names of their cells (the numbers of the cells of a repeated
-notebook mean nothing), and kernels have sockets of their own.
+notebook mean nothing), kernels have sockets of their own, and several workers begin with what takes longest.
 """
 
 import os
@@ -14,7 +14,7 @@ import nbval.kernel
 import pytest
 from nbval.plugin import IPyNbCell, IPyNbFile
 
-from grading.authoring import outputs
+from grading.authoring import outputs, repeated
 from grading.authoring.kernels import LocalKernelManager
 from helpers import paths
 from helpers.programs.english import ENGLISH
@@ -69,6 +69,20 @@ def pytest_configure(config):
         file.write(outputs.nbval_config(paths.ROOT))
         file.flush()
         config.option.nbval_sanitize_with = file.name
+    if getattr(config.option, 'loadscopereorder', False):  # there is xdist; it would begin with those of most cells
+        config.option.loadscopereorder = False
+
+
+@pytest.hookimpl(trylast=True)  # after conftest's own order, which is that of tests
+def pytest_collection_modifyitems(items):
+    """Begin with the notebooks that take longest: one that began last would run alone, with the processors idle."""
+    last = repeated.TWICE[-1]
+    twice = {item.path for item in items if item.name.endswith(f'-{last}')}
+
+    def seconds(item):
+        return repeated.SECONDS.get(item.path.name[:2], 0) * (2 if item.path in twice else 1)
+
+    items.sort(key=lambda item: -seconds(item))
 
 
 @pytest.hookimpl(optionalhook=True)

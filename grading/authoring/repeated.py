@@ -18,8 +18,8 @@ from grading.authoring import checked
 NEVER, ONCE, TWICE = (), ('first',), ('first', 'second')
 SKIP = 'nbval-skip'
 IGNORE = {'tags': ['nbval-ignore-output']}
-# About how long a run of each chapter takes beside others, in seconds. Only their order matters.
-SECONDS = {'07': 312, '02': 312, '08': 230, '05': 156, '06': 130, '03': 115, '04': 110, '01': 92}
+# About how long a run of each chapter takes beside three others, in seconds. Only their order matters.
+SECONDS = {'07': 103, '08': 73, '05': 72, '04': 53, '03': 46, '06': 46, '02': 45, '01': 41}
 
 
 def repeated(notebook: NotebookNode, folder: Path, runs: tuple[str, ...]) -> NotebookNode:
@@ -80,14 +80,12 @@ def sample(notebooks: list[Path], seed: str) -> Callable[[Path], tuple[str, ...]
 def write(notebooks: list[Path], target: Path, runs: Callable[[Path], tuple[str, ...]] = all_twice) -> list[Path]:
     """Write the repeated form of each notebook below ``target``, in a folder named as its own; return the paths.
 
-    Those that take longest come first: one that began last would run alone at the end, with the other processor idle.
-
     :param runs: the names of a notebook's runs; without one it is left out.
 
     :raises ValueError: a notebook cannot be read; the message names it.
     """
     written = []
-    for path in sorted(notebooks, key=lambda path: -_seconds(path, runs(path))):
+    for path in notebooks:
         if not runs(path):
             continue
         try:
@@ -114,14 +112,9 @@ def nbval_arguments(kernel: str, cell_timeout: float = 180.0) -> list[str]:
         f'--nbval-cell-timeout={cell_timeout:g}',
         f'--timeout={cell_timeout + 30:g}',
         '--dist=loadfile',
-        '--no-loadscope-reorder',  # in the order of the paths; xdist would begin with those of most cells
         '-p',
         'no:cacheprovider',
     ]
-
-
-def _seconds(path: Path, runs: tuple[str, ...]) -> float:
-    return len(runs) * SECONDS.get(path.name[:2], 0)
 
 
 def _cell(identifier, source):

@@ -8,6 +8,7 @@ import sys
 import nbformat
 import pytest
 
+from grading.authoring import execution, repeated
 from helpers import paths
 
 
@@ -38,3 +39,28 @@ def test_the_plain_command_of_nbval_compares_as_the_build_does(tmp_path, workers
     done = subprocess.run(command, cwd=paths.ROOT, env=chinese, capture_output=True, text=True, timeout=170)
     failed = re.findall(r'^FAILED .*::(\S+)', done.stdout, re.MULTILINE)
     assert failed == ['cell-3', 'cell-5'], done.stdout + done.stderr  # another text, and a value in place of a text
+
+
+@pytest.mark.timeout(180)
+@pytest.mark.parametrize('workers', [[], ['-n2']], ids=['one process', 'two workers'])
+def test_what_takes_longest_comes_first(tmp_path, workers):
+    """Chapter 4 twice takes longer than chapter 7, and that longer than chapter 1 with the most cells of all."""
+    cells = {'01_a': 5, '04_b': 2, '07_c': 1, 'other': 6}
+    sources = []
+    for name, count in cells.items():
+        sources.append(tmp_path / 'solutions' / f'{name}.ipynb')
+        sources[-1].parent.mkdir(exist_ok=True)
+        code = [nbformat.v4.new_code_cell('pass', id=f'cell-{number}') for number in range(count)]
+        nbformat.write(nbformat.v4.new_notebook(cells=code), sources[-1])
+    copies = repeated.write(
+        sources, tmp_path / 'copies', lambda path: repeated.TWICE if path.stem == '04_b' else repeated.ONCE
+    )
+    command = [sys.executable, '-m', 'pytest', '-v', *workers, '-p', 'conftest', '--color=no', '-s']
+    command += [*repeated.nbval_arguments(execution.kernel_name()), *map(str, copies)]
+    done = subprocess.run(command, cwd=paths.ROOT, capture_output=True, text=True, timeout=170)
+    assert done.returncode == 0, done.stdout + done.stderr
+    order = list(dict.fromkeys(re.findall(r'(\w+)(?:\.|::)ipynb::', done.stdout)))
+    if not workers:
+        assert order == ['04_b', '07_c', '01_a', 'other'], done.stdout
+    else:  # each of the two begins with one of the first two
+        assert set(order[:2]) == {'04_b', '07_c'}, done.stdout

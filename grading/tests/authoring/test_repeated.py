@@ -170,13 +170,3 @@ def test_a_notebook_that_is_not_drawn_is_not_written(tmp_path):
     nbformat.write(nbformat.v4.new_notebook(), source)
     assert repeated.write([source], tmp_path / 'out', lambda path: ()) == []
     assert repeated.write([source], tmp_path / 'out', lambda path: ('first',)) == [tmp_path / 'out/notebooks/01.ipynb']
-
-
-def test_those_that_take_longest_come_first(tmp_path):
-    """Twice chapter 1 takes less than once chapter 7; a notebook of which no time is known comes last."""
-    found = [tmp_path / name for name in ('01_environment.ipynb', '07_troubleshooting.ipynb', 'other.ipynb')]
-    for path in found:
-        nbformat.write(notebook([]), path)
-    runs = {found[0]: repeated.TWICE, found[1]: repeated.ONCE, found[2]: repeated.ONCE}
-    written = repeated.write(found, tmp_path / 'copies', runs.__getitem__)
-    assert [path.name for path in written] == ['07_troubleshooting.ipynb', '01_environment.ipynb', 'other.ipynb']
