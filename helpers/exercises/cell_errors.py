@@ -1,6 +1,7 @@
 """Explains what the errors of a cell do not say. After a NameError: which cell above would have defined the name, and
-how to get it back, or how it is imported. After an InvalidHandle: what has become of the node. After an import that the
-stop button has cut: why it fails from now on. After other errors: what the check of an exercise would say.
+how to get it back, or why it did not, or how the name is imported. After an InvalidHandle: what has become of the node.
+After an import that the stop button has cut: why it fails from now on. After other errors: what the check of an
+exercise would say.
 
 The kernel `course` loads this as an IPython extension when it starts, as a person who goes on in the middle of a
 notebook after a restart has not imported `helpers` yet.
@@ -28,6 +29,7 @@ _CUT = (
 )
 _CUT_IF_STOPPED = 'partially initialized module'
 _stopped = False  # whether a cell has been stopped in this kernel
+_ended: dict[str, bool] = {}  # the texts of the cells that have run: whether the latest run came to its end
 
 
 def load_ipython_extension(shell) -> None:
@@ -53,6 +55,8 @@ def explain(result) -> None:
     global _stopped
     error = result.error_in_exec if result else None
     _stopped |= isinstance(error, KeyboardInterrupt)
+    if result:
+        _ended[result.info.raw_cell] = bool(result.success)
     if said := sentence(error, result.info.raw_cell) if error else '':
         print(said)
 
@@ -84,6 +88,8 @@ def _on_name(name: str) -> str:
             first = cell.source.strip().partition('\n')[0]
             said = f'`{name}` comes from a cell above that has not run since the kernel started: {first}'
             return f'{said}\n{ADVICE if name in resuming.brought_back(cell) else AGAIN}'
+    if said := _in_a_cell_that_ran(name):
+        return said
     import helpers
 
     here = [one for cell in journal.cells for one in definitions.names_in(cell.source)]
@@ -93,6 +99,28 @@ def _on_name(name: str) -> str:
         return f'`{name}` belongs to the course. Write: from helpers import {name}'
     near = similar.nearest(name, here, 0.8) or imports.nearest(name)
     return f'Nothing is called `{name}` here. Is `{near}` meant?' if near else ''
+
+
+def _in_a_cell_that_ran(name: str) -> str:
+    """Why a name is missing that a cell makes which did run; '' if none does."""
+    from helpers.exercises import definitions
+
+    makers = [cell.source for cell in journal.cells if name in definitions.names_in(cell.source)]
+    if not makers:
+        return ''
+    if makers[-1] == journal.cells[-1].source:
+        if re.search(rf'^\s*{name}\s*[-+*/|]=', makers[-1], re.MULTILINE):
+            return (
+                f'`{name}` has no value yet. Give it a first one, such as {name} = 0, before the line that changes it.'
+            )
+        return f'`{name}` has no value yet: the line of this cell that gives it one has not run.'
+    first = makers[-1].strip().partition('\n')[0]
+    if not _ended.get(makers[-1], True):
+        return (
+            f'`{name}` comes from a cell that ended with an error, before the line that makes `{name}`: {first}\n'
+            'Mend that cell and run it again, then this one.'
+        )
+    return f'`{name}` has been deleted since. This cell makes it; run it again: {first}'
 
 
 def _as_a_check(error: Exception, cell: str) -> str:

@@ -43,6 +43,29 @@ def test_a_node_that_was_destroyed_is_told(kernel):
     assert kernel.run('1 / 0').stdout == ''
 
 
+def test_a_name_of_a_cell_that_ran_is_not_proposed_for_itself(kernel):
+    """The cell failed before, or the name has been deleted, or its line comes later in the same cell."""
+    kernel.ok('%load_ext helpers.exercises.cell_errors\nimport helpers')
+    assert kernel.run('# two numbers\nfirst = 1 / 0\nsecond = 2').error == 'ZeroDivisionError'
+    for name in ('first', 'second'):
+        said = kernel.run(f'{name} + 1').stdout
+        assert said.startswith(f'`{name}` comes from a cell that ended with an error, before the line that makes'), said
+        assert ': # two numbers\nMend that cell and run it again' in said
+    kernel.ok('# two numbers\nfirst = 1\nsecond = 2')
+    kernel.ok('del first')
+    said = kernel.run('first + second').stdout
+    assert said == '`first` has been deleted since. This cell makes it; run it again: # two numbers\n'
+    for late in ('print(total)\ntotal = 3', 'total = total + 3'):
+        said = kernel.run(late).stdout
+        assert said == '`total` has no value yet: the line of this cell that gives it one has not run.\n'
+    said = kernel.run('counted += 1').stdout
+    assert (
+        said
+        == '`counted` has no value yet. Give it a first one, such as counted = 0, before the line that changes it.\n'
+    )
+    assert kernel.run('sum_of = [0]\nprint(sum_off)').stdout == 'Nothing is called `sum_off` here. Is `sum_of` meant?\n'
+
+
 def test_other_errors_are_explained_as_by_the_check(kernel):
     kernel.ok('%load_ext helpers.exercises.cell_errors\nimport helpers\nfrom std_msgs.msg import String')
     field = kernel.run("String().dat = 'hello'")
