@@ -72,7 +72,27 @@ def sentence(error: BaseException, cell: str = '') -> str:
         return HALF_IMPORTED
     if isinstance(error, NameError) and error.name:
         return _on_name(error.name)
+    if isinstance(error, AttributeError) and (said := _on_another_object(error, cell)):
+        return said
     return _as_a_check(error, cell) if isinstance(error, Exception) else ''
+
+
+def _on_another_object(error: AttributeError, cell: str) -> str:
+    """Which cell above that has not run would have given a name its object: another cell gave it one without the
+    attribute; '' if there is none.
+    """
+    from helpers.exercises import definitions, resuming
+
+    ran = {one.source for one in journal.cells}
+    for name in re.findall(rf'\b([^\W\d]\w*)\.{re.escape(error.name or "")}\b', cell):
+        makers = [one.source for one in resuming.cells_above() or [] if name in definitions.names_in(one.source)]
+        if makers and makers[-1] not in ran:
+            first = makers[-1].strip().partition('\n')[0]
+            return (
+                f'`{name}` is of the type {type(error.obj).__name__} here. A cell above, which has not run since the '
+                f'kernel started, makes another `{name}`; run it: {first}'
+            )
+    return ''
 
 
 def _on_name(name: str) -> str:
@@ -115,7 +135,9 @@ def _in_a_cell_that_ran(name: str) -> str:
             )
         return f'`{name}` has no value yet: the line of this cell that gives it one has not run.'
     first = makers[-1].strip().partition('\n')[0]
-    if not _ended.get(makers[-1], True):
+    if makers[-1] not in _ended:  # `resume` has noted it
+        return f'`{name}` comes from a cell above that has run in part, for `resume`: {first}\n{AGAIN}'
+    if not _ended[makers[-1]]:
         return (
             f'`{name}` comes from a cell that ended with an error, before the line that makes `{name}`: {first}\n'
             'Mend that cell and run it again, then this one.'

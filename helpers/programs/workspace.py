@@ -15,6 +15,11 @@ from helpers.programs.belongings import Belongings
 from helpers.programs.processes import BackgroundProcess, background
 
 _PATIENCE = 1.5  # seconds until a build shows how far it is
+_SILENCE = 20.0  # seconds without a new line until a person is told what the command may wait for
+_WAITS = (
+    f'… {_SILENCE:.0f} s without a new line. If the command waits for another program, stop it (■), and run the cell '
+    'that starts that program.'
+)
 _LOG_LINES = 20  # of a failed package
 # Commands of the lesson that write files. During others, which may take long, somebody may work in an editor.
 _WRITES = re.compile(r'pkg create|\b(mkdir|touch|cp|mv|rm|ln|sed|tee)\b|--fix|(?<![0-9&])>')
@@ -97,7 +102,9 @@ class Workspace:
     def run(self, script: str) -> None:
         """Run commands, one a line, in a new terminal whose folder is the workspace; shows them and their output."""
         with self._lesson(bool(_WRITES.search(script))):
-            status = self._finish(self._start(script), lambda: None)
+            silence = _Silence()
+            status = self._finish(self._start(script), silence.look)
+            silence.end()
         if status:
             print(f'[exit status {status}]')
 
@@ -107,7 +114,7 @@ class Workspace:
         :raises BuildError: a package was not built.
         """
         progress = _Progress(self.path / 'log' / 'latest_build')
-        status = self._finish(self._start(' '.join(['colcon build', *arguments])), progress.show)
+        status = self._finish(self._start(' '.join(['colcon build', *arguments])), lambda _: progress.show())
         progress.end()
         if status:
             _show_logs(self.path)
@@ -175,7 +182,7 @@ class Workspace:
 
     @staticmethod
     def _finish(process: BackgroundProcess, meanwhile) -> int:
-        """Print what comes until the process ends, and return its exit status."""
+        """Print what comes until the process ends, calling `meanwhile` with it; return its exit status."""
         shown, running = 0, True
         with process:
             while running:
@@ -188,7 +195,7 @@ class Workspace:
                 for line in process.lines[shown:]:
                     print(line)
                     shown += 1
-                meanwhile()
+                meanwhile(process)
         return process.returncode
 
 
@@ -198,19 +205,15 @@ def _texts_of_cells() -> list[str]:
     return [*written, *(text for cell in journal.cells for _, _, text, _ in file_answers.files(cell.source))]
 
 
-class _Progress:
-    """A line below a build that takes longer: the seconds so far, and the newest line of the log."""
+class _LineBelow:
+    """A line below the output of a cell that runs, in a notebook; it changes, and goes at the end."""
 
-    def __init__(self, log: Path):
-        self.log = log
-        self._begin = time.monotonic()
+    def __init__(self):
         self._display = None
 
-    def show(self) -> None:
-        seconds = time.monotonic() - self._begin
-        if seconds < _PATIENCE or not journal.in_kernel():
+    def show(self, line: str) -> None:
+        if not journal.in_kernel():
             return
-        line = f'… {seconds:.0f} s   {_newest_line(self.log)}'
         if self._display is None:
             from IPython.display import display
 
@@ -221,6 +224,42 @@ class _Progress:
     def end(self) -> None:
         if self._display is not None:
             self._display.update({'text/plain': ''}, raw=True)
+
+
+class _Progress:
+    """Below a build that takes longer: the seconds so far, and the newest line of the log."""
+
+    def __init__(self, log: Path):
+        self.log = log
+        self._begin = time.monotonic()
+        self._below = _LineBelow()
+
+    def show(self) -> None:
+        seconds = time.monotonic() - self._begin
+        if seconds >= _PATIENCE:
+            self._below.show(f'… {seconds:.0f} s   {_newest_line(self.log)}')
+
+    def end(self) -> None:
+        self._below.end()
+
+
+class _Silence:
+    """Below a command that prints nothing for long: what it may wait for, as ROS's own commands wait without end."""
+
+    def __init__(self):
+        self._lines, self._since = 0, time.monotonic()
+        self._below = _LineBelow()
+
+    def look(self, process: BackgroundProcess) -> None:
+        now = time.monotonic()
+        if len(process.lines) != self._lines:
+            self._lines, self._since = len(process.lines), now
+            self._below.end()
+        elif now - self._since > _SILENCE and journal.cells and journal.cells[-1].id:  # not where nbval compares
+            self._below.show(_WAITS)
+
+    def end(self) -> None:
+        self._below.end()
 
 
 def _newest_line(log: Path) -> str:

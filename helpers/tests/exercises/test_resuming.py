@@ -50,6 +50,29 @@ def test_a_cell_that_was_never_saved_is_told(folder, kernel):
     assert 'save the notebook (Ctrl+S)' in kernel.ok('from helpers import resume\nresume()').stdout
 
 
+def test_what_a_demonstration_makes_is_told_after_resume(folder, kernel):
+    kernel.ok('%load_ext helpers.exercises.cell_errors\n' + CONTINUE)
+    kernel.ok(CONTINUE)
+    assert kernel.run('talker.words').stdout == (
+        '`talker` comes from a cell above that has run in part, for `resume`: class Talker:\n'
+        'It is part of a demonstration: run that cell again.\n'
+    )
+
+
+def test_an_object_of_another_cell_is_told(folder, kernel):
+    """Names are used again: who leaves a cell out has what an earlier one made."""
+    notebook = folder / '90_small.ipynb'
+    notebook.write_text(notebook.read_text().replace('print(LATER)', 'print(place.name)'))
+    kernel.ok('%load_ext helpers.exercises.cell_errors\nplace = 3')
+    missed = kernel.run('print(place.name)')
+    assert missed.error == 'AttributeError' and missed.stdout == (
+        '`place` is of the type int here. A cell above, which has not run since the kernel started, makes another '
+        '`place`; run it: place = open("made", "w")\n'
+    )
+    kernel.ok(CELLS[WHOLE])
+    assert '`place`' not in kernel.run('print(place.name_of)').stdout
+
+
 def test_a_missing_name_says_where_it_comes_from(folder, kernel):
     kernel.ok('%load_ext helpers.exercises.cell_errors')
     missed = kernel.run(CELLS[4] + '\nanswer()')

@@ -6,6 +6,8 @@ import pytest
 
 from helpers import Workspace
 from helpers.kernel import journal
+from helpers.kernel.journal import ExecutedCell
+from helpers.programs import workspace
 from helpers.programs.workspace import BuildError
 
 
@@ -229,6 +231,34 @@ def test_messages_call_a_started_program_by_its_last_line(ws):
     begun = ws.start('cd src\nexec echo three words')
     with pytest.raises(RuntimeError, match="^echo three words ended with status 0 before it printed 'four'"):
         begun.wait_for_output('four', timeout=30)
+
+
+@pytest.mark.parametrize('front_end', ['JupyterLab', 'nbval'])
+def test_a_command_that_is_silent_for_long_is_told_what_it_may_wait_for(ws, capsys, monkeypatch, front_end):
+    """The line goes when the command prints again. nbval, which names no cell, compares outputs: there is none."""
+    shown = []
+
+    class Line:
+        def show(self, line):
+            shown.append(line)
+            (ws.path / 'go').touch()
+
+        def end(self):
+            shown.append('')
+
+    monkeypatch.setattr(workspace, '_LineBelow', Line)
+    monkeypatch.setattr(workspace, '_SILENCE', 0.3)
+    cell = ExecutedCell('an-id' if front_end == 'JupyterLab' else None, 'ws.run(…)')
+    monkeypatch.setattr(journal, 'cells', [cell])
+    wait = 'until [ -e go ]; do sleep 0.05; done' if front_end == 'JupyterLab' else 'sleep 0.8'
+    ws.run(f'{wait}\necho came')
+    assert capsys.readouterr().out.endswith('$ echo came\ncame\n')
+    said = [line for line in shown if line]
+    if front_end == 'nbval':
+        assert not said
+    else:
+        assert 'stop it (■), and run the cell that starts that program' in said[0]
+        assert shown.index(said[0]) < len(shown) - 1 and shown[-1] == ''
 
 
 def test_after_the_stop_button_no_further_line_is_run(kernel, tmp_path):
