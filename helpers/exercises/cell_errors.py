@@ -9,7 +9,9 @@ notebook after a restart has not imported `helpers` yet.
 
 import re
 import traceback
+from collections.abc import Iterable
 
+from helpers.exercises import definitions, resuming
 from helpers.kernel import callback_errors, journal
 
 ADVICE = """To bring back what the cells above define, without their demonstrations, run in a cell here:
@@ -67,30 +69,30 @@ def sentence(error: BaseException, cell: str = '') -> str:
     :param cell: the text of the cell that has raised it; '' if a callback has
     """
     if type(error).__name__ == 'InvalidHandle':  # rclpy's; cells run out of order, or one is run again alone
-        return DESTROYED
+        return f'{DESTROYED}\n{_on_a_cell_left_out(definitions.names_used(cell))}'.strip()
     if _is_half_imported(error):
         return HALF_IMPORTED
     if isinstance(error, NameError) and error.name:
         return _on_name(error.name)
-    if isinstance(error, AttributeError) and (said := _on_another_object(error, cell)):
-        return said
-    return _as_a_check(error, cell) if isinstance(error, Exception) else ''
+    if not isinstance(error, Exception):
+        return ''
+    if isinstance(error, AttributeError) and error.name:
+        used = re.findall(rf'\b([^\W\d]\w*)\.{re.escape(error.name)}\b', cell)
+        return _on_a_cell_left_out(used) or _as_a_check(error, cell)
+    return _as_a_check(error, cell) or _on_a_cell_left_out(definitions.names_used(cell))
 
 
-def _on_another_object(error: AttributeError, cell: str) -> str:
-    """Which cell above that has not run would have given a name its object: another cell gave it one without the
-    attribute; '' if there is none.
-    """
-    from helpers.exercises import definitions, resuming
-
+def _on_a_cell_left_out(names: Iterable[str]) -> str:
+    """Which cell above makes one of these names anew and has not run, so an earlier cell's is there; '' if none."""
+    above = resuming.cells_above() or []
     ran = {one.source for one in journal.cells}
-    for name in re.findall(rf'\b([^\W\d]\w*)\.{re.escape(error.name or "")}\b', cell):
-        makers = [one.source for one in resuming.cells_above() or [] if name in definitions.names_in(one.source)]
+    for name in sorted(names):
+        makers = [one.source for one in above if name in definitions.names_in(one.source)]
         if makers and makers[-1] not in ran:
             first = makers[-1].strip().partition('\n')[0]
             return (
-                f'`{name}` is of the type {type(error.obj).__name__} here. A cell above, which has not run since the '
-                f'kernel started, makes another `{name}`; run it: {first}'
+                f'`{name}` is here what an earlier cell has made. The cell above that makes it anew has not run since '
+                f'the kernel started: {first}'
             )
     return ''
 
@@ -99,7 +101,6 @@ def _on_name(name: str) -> str:
     """Where a missing name is defined, if that is in a cell above which has not run, or from where it is imported, or
     what name is meant.
     """
-    from helpers.exercises import definitions, resuming
     from helpers.runner import imports, similar
 
     ran = {cell.source for cell in journal.cells}
@@ -123,8 +124,6 @@ def _on_name(name: str) -> str:
 
 def _in_a_cell_that_ran(name: str) -> str:
     """Why a name is missing that a cell makes which did run; '' if none does."""
-    from helpers.exercises import definitions
-
     makers = [cell.source for cell in journal.cells if name in definitions.names_in(cell.source)]
     if not makers:
         return ''

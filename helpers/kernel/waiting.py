@@ -1,13 +1,12 @@
 """Bounded waits for a notebook cell. The stop button interrupts each of them, and ROS goes on."""
 
-import ast
-import inspect
 import itertools
 import signal
 import threading
 import time
 from contextlib import contextmanager
 
+from helpers.kernel import conditions
 from helpers.kernel import nodes as node_list
 from helpers.kernel.callback_errors import Failure, raise_failures
 from helpers.kernel.executors import StopSignal, Watch, activity, refuse_in_callback
@@ -42,7 +41,7 @@ def wait_for(condition, timeout: float = 5.0, *, message: str = ''):
     :param condition: a function without arguments; called after each callback, and at least every 0.05 s.
     :param timeout: seconds.
     :param message: what is awaited, for the error text.
-    :raises TimeoutError: the condition did not become true in time; names the living nodes.
+    :raises TimeoutError: the condition did not become true in time; says what it lacks, and names the living nodes.
     :raises CallbackError: a callback raised.
     """
     __tracebackhide__ = True
@@ -51,7 +50,9 @@ def wait_for(condition, timeout: float = 5.0, *, message: str = ''):
         raise TypeError('wait_for() takes a function, as in wait_for(lambda: listener.count >= 3)')
     value = _wait(condition, time.monotonic() + timeout)
     if not value:
-        raise TimeoutError(f'waited {timeout:g} s for {message or _source(condition)}; {_situation()}')
+        lacking = '' if message else conditions.lacking(condition)
+        parts = [f'waited {timeout:g} s for {message or conditions.source(condition)}', lacking, _situation()]
+        raise TimeoutError('; '.join(part for part in parts if part))
     return value
 
 
@@ -190,19 +191,6 @@ def _situation() -> str:
     if idle:
         parts.append(f'alive but not spinning, so that no callback runs: {", ".join(idle)}')
     return '; '.join(parts)
-
-
-def _source(condition) -> str:
-    """Show a condition as it is written: a lambda's body, or the function's name."""
-    name = getattr(condition, '__qualname__', type(condition).__name__)
-    if '<lambda>' not in name:
-        return f'{name}()'
-    try:
-        source = ast.parse(inspect.getsource(condition).strip())
-    except (OSError, TypeError, SyntaxError):
-        return 'its condition'
-    bodies = [ast.unparse(part.body) for part in ast.walk(source) if isinstance(part, ast.Lambda)]
-    return bodies[0] if len(bodies) == 1 else 'its condition'
 
 
 def _publishers(node, subscription) -> str:

@@ -66,11 +66,17 @@ def test_an_object_of_another_cell_is_told(folder, kernel):
     kernel.ok('%load_ext helpers.exercises.cell_errors\nplace = 3')
     missed = kernel.run('print(place.name)')
     assert missed.error == 'AttributeError' and missed.stdout == (
-        '`place` is of the type int here. A cell above, which has not run since the kernel started, makes another '
-        '`place`; run it: place = open("made", "w")\n'
+        '`place` is here what an earlier cell has made. The cell above that makes it anew has not run since the kernel '
+        'started: place = open("made", "w")\n'
     )
+    notebook.write_text(notebook.read_text().replace('print(place.name)', 'assert place > 5'))
+    assert kernel.run('assert place > 5').stdout.startswith('`place` is here what an earlier cell has made.')
+    assert kernel.run('raise AttributeError("of place.name")').stdout == ''
+    invalid = 'assert place < 5; raise type("InvalidHandle", (Exception,), {})'
+    notebook.write_text(notebook.read_text().replace('assert place > 5', invalid.replace('"', r'\"')))
+    assert 'has been destroyed' in (said := kernel.run(invalid).stdout) and '`place` is here what an earlier' in said
     kernel.ok(CELLS[WHOLE])
-    assert '`place`' not in kernel.run('print(place.name_of)').stdout
+    assert kernel.run('assert place > 5').stdout == ''
 
 
 def test_a_missing_name_says_where_it_comes_from(folder, kernel):

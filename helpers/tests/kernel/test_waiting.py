@@ -12,6 +12,7 @@ from rclpy.task import Future
 from std_msgs.msg import Int32, String
 
 from helpers import CallbackError, collect, spin_for, spinning, wait_for
+from helpers.kernel import conditions
 from helpers.kernel.nodes import living
 from helpers.tests.sample_nodes import Faulty, Listener, Talker
 
@@ -42,7 +43,7 @@ def test_a_wait_that_fails_says_what_for_and_what_lives():
     with spinning(listener := Listener()), pytest.raises(TimeoutError) as info:
         wait_for(lambda: len(listener.heard) >= 3, timeout=0.1)
     assert str(info.value) == (
-        'waited 0.1 s for len(listener.heard) >= 3; spinning: /listener; '
+        'waited 0.1 s for len(listener.heard) >= 3; len(listener.heard) is 0; spinning: /listener; '
         'alive but not spinning, so that no callback runs: /idle'
     )
     with pytest.raises(TimeoutError, match='waited 0.1 s for a word; alive but not spinning'):
@@ -55,6 +56,35 @@ def test_a_wait_that_fails_says_what_for_and_what_lives():
 def test_a_lambda_is_quoted():
     with pytest.raises(TimeoutError, match=r'for 1 \+ 1 == 3; no node'):
         wait_for(lambda: 1 + 1 == 3, timeout=0.01)
+
+
+THERE, WORDS = True, ['one', 'two']
+
+
+@pytest.mark.parametrize(
+    ('condition', 'said'),
+    [
+        (lambda: THERE and len(WORDS) >= 3, 'len(WORDS) is 2'),
+        (lambda: 'three' in WORDS, "WORDS is ['one', 'two']"),
+        (lambda: THERE and not WORDS, "WORDS is ['one', 'two']"),
+        (lambda: 3 < len(WORDS), 'len(WORDS) is 2'),
+        (lambda: {'one', 'three'} <= set(WORDS), "set(WORDS) is {'one', 'two'}"),
+        (lambda: WORDS[1].startswith('x'), "WORDS[1].startswith('x') is False"),
+        (lambda: False, ''),
+        (lambda: WORDS[7] == 'x', ''),
+        (lambda: any(word == 'x' for word in WORDS), "any((word == 'x' for word in WORDS)) is False"),
+        (lambda: [] or 0, ''),
+    ],
+    ids=lambda value: value if isinstance(value, str) else '',
+)
+def test_what_a_condition_lacks_is_told(condition, said):
+    assert conditions.lacking(condition) == said
+
+
+def test_what_stands_in_a_function_is_found():
+    count = 3
+    assert conditions.lacking(lambda: count == 4) == 'count is 3'
+    assert conditions.lacking(never) == ''
 
 
 def test_wait_for_needs_a_function():
