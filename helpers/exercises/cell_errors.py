@@ -12,6 +12,7 @@ import traceback
 from collections.abc import Iterable
 
 from helpers.exercises import definitions, resuming
+from helpers.exercises.notebooks import NotebookCell
 from helpers.kernel import callback_errors, journal
 
 ADVICE = """To bring back what the cells above define, without their demonstrations, run in a cell here:
@@ -85,16 +86,23 @@ def sentence(error: BaseException, cell: str = '') -> str:
 def _on_a_cell_left_out(names: Iterable[str]) -> str:
     """Which cell above makes one of these names anew and has not run, so an earlier cell's is there; '' if none."""
     above = resuming.cells_above() or []
-    ran = {one.source for one in journal.cells}
     for name in sorted(names):
-        makers = [one.source for one in above if name in definitions.names_in(one.source)]
-        if makers and makers[-1] not in ran:
-            first = makers[-1].strip().partition('\n')[0]
+        makers = [one for one in above if name in definitions.names_in(one.source)]
+        if makers and not _has_run(makers[-1]):
             return (
                 f'`{name}` is here what an earlier cell has made. The cell above that makes it anew has not run since '
-                f'the kernel started: {first}'
+                f'the kernel started: {_first_line(makers[-1])}'
             )
     return ''
+
+
+def _has_run(cell: NotebookCell | journal.ExecutedCell) -> bool:
+    """Whether a cell of the file has run; perhaps with another text, if it was changed and not saved."""
+    return any(cell.source == one.source or (cell.id and cell.id == one.id) for one in journal.cells)
+
+
+def _first_line(cell: NotebookCell | journal.ExecutedCell) -> str:
+    return cell.source.strip().partition('\n')[0]
 
 
 def _on_name(name: str) -> str:
@@ -105,9 +113,11 @@ def _on_name(name: str) -> str:
 
     ran = {cell.source for cell in journal.cells}
     for cell in reversed(resuming.cells_above() or []):
-        if cell.source not in ran and name in definitions.names_in(cell.source):
-            first = cell.source.strip().partition('\n')[0]
-            said = f'`{name}` comes from a cell above that has not run since the kernel started: {first}'
+        if name in definitions.names_in(cell.source) and cell.source not in ran:
+            if _has_run(cell):
+                changed = f'`{name}` comes from a cell above that was changed since it ran: {_first_line(cell)}'
+                return f'{changed}\nRun it again.'
+            said = f'`{name}` comes from a cell above that has not run since the kernel started: {_first_line(cell)}'
             return f'{said}\n{ADVICE if name in resuming.brought_back(cell) else AGAIN}'
     if said := _in_a_cell_that_ran(name):
         return said
@@ -124,24 +134,24 @@ def _on_name(name: str) -> str:
 
 def _in_a_cell_that_ran(name: str) -> str:
     """Why a name is missing that a cell makes which did run; '' if none does."""
-    makers = [cell.source for cell in journal.cells if name in definitions.names_in(cell.source)]
+    makers = [cell for cell in journal.cells if name in definitions.names_in(cell.source)]
     if not makers:
         return ''
-    if makers[-1] == journal.cells[-1].source:
-        if re.search(rf'^\s*{name}\s*[-+*/|]=', makers[-1], re.MULTILINE):
+    maker = makers[-1]
+    if maker is journal.cells[-1]:
+        if re.search(rf'^\s*{name}\s*[-+*/|]=', maker.source, re.MULTILINE):
             return (
                 f'`{name}` has no value yet. Give it a first one, such as {name} = 0, before the line that changes it.'
             )
         return f'`{name}` has no value yet: the line of this cell that gives it one has not run.'
-    first = makers[-1].strip().partition('\n')[0]
-    if makers[-1] not in _ended:  # `resume` has noted it
-        return f'`{name}` comes from a cell above that has run in part, for `resume`: {first}\n{AGAIN}'
-    if not _ended[makers[-1]]:
+    if maker.source not in _ended:  # `resume` has noted it
+        return f'`{name}` comes from a cell above that has run in part, for `resume`: {_first_line(maker)}\n{AGAIN}'
+    if not _ended[maker.source]:
         return (
-            f'`{name}` comes from a cell that ended with an error, before the line that makes `{name}`: {first}\n'
-            'Mend that cell and run it again, then this one.'
+            f'`{name}` comes from a cell that ended with an error, before the line that makes `{name}`: '
+            f'{_first_line(maker)}\nMend that cell and run it again, then this one.'
         )
-    return f'`{name}` has been deleted since. This cell makes it; run it again: {first}'
+    return f'`{name}` has been deleted since. This cell makes it; run it again: {_first_line(maker)}'
 
 
 def _as_a_check(error: Exception, cell: str) -> str:

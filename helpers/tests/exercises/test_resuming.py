@@ -79,6 +79,23 @@ def test_an_object_of_another_cell_is_told(folder, kernel):
     assert kernel.run('assert place > 5').stdout == ''
 
 
+def test_a_cell_that_ran_with_another_text_is_not_said_to_have_been_left_out(folder, kernel):
+    notebook = folder / '90_small.ipynb'
+    identity = nbformat.read(notebook, 4).cells[WHOLE].id
+    notebook.write_text(notebook.read_text().replace('print(LATER)', 'print(place.name)'))
+    kernel.ok(
+        '%load_ext helpers.exercises.cell_errors\nplace = 3\nfrom helpers.kernel import journal\n'
+        f'journal.cells[-1] = journal.cells[-1]._replace(id={identity!r})'
+    )
+    assert '`place`' not in kernel.run('print(place.name)').stdout
+    notebook.write_text(notebook.read_text().replace('place = open', 'place = added = open'))
+    notebook.write_text(notebook.read_text().replace('print(place.name)', 'print(added)'))
+    assert kernel.run('print(added)').stdout == (
+        '`added` comes from a cell above that was changed since it ran: place = added = open("made", "w")\n'
+        'Run it again.\n'
+    )
+
+
 def test_a_missing_name_says_where_it_comes_from(folder, kernel):
     kernel.ok('%load_ext helpers.exercises.cell_errors')
     missed = kernel.run(CELLS[4] + '\nanswer()')
