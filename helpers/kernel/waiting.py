@@ -50,10 +50,15 @@ def wait_for(condition, timeout: float = 5.0, *, message: str = ''):
         raise TypeError('wait_for() takes a function, as in wait_for(lambda: listener.count >= 3)')
     value = _wait(condition, time.monotonic() + timeout)
     if not value:
-        lacking = '' if message else conditions.lacking(condition)
-        parts = [f'waited {timeout:g} s for {message or conditions.source(condition)}', lacking, _situation()]
-        raise TimeoutError('; '.join(part for part in parts if part))
+        raise TimeoutError(_in_vain(condition, timeout, message))
     return value
+
+
+def _in_vain(condition, timeout: float, message: str) -> str:
+    """What is said of a wait whose condition did not become true."""
+    lacking = '' if message else conditions.lacking(condition)
+    parts = [f'waited {timeout:g} s for {message or conditions.source(condition)}', lacking, _situation()]
+    return '; '.join(part for part in parts if part)
 
 
 def collect(topic: str, msg_type, count: int = 1, timeout: float = 5.0, qos=10) -> list:
