@@ -40,36 +40,43 @@ def _prepare(job: dict, descriptor: int):
     return ForkServer(started, limits), plugin.reporter(descriptor)
 
 
-def _run_tests(job: dict, server, report, only: set[str] | None) -> int:
-    """Run pytest; returns its status.
+def arguments(places: list[str]) -> list[str]:
+    """pytest's arguments for the tests in these folders.
 
     Switched off is what only serves pytest's own report: rewritten assertions, the garbage collection at its end; and
-    each conftest.py, which is for the course's own tests.
+    each conftest.py, which is for the course's own tests. Without `--confcutdir` pytest would list the files of each
+    folder above the tests, up to the root of the disk: one of them may not be readable, or hold very many files.
     """
+    return [
+        '-c',
+        os.devnull,
+        '--rootdir',
+        os.getcwd(),
+        *(['--confcutdir', places[0]] if places else []),
+        '--import-mode=importlib',
+        '--strict-markers',
+        '-q',
+        '--continue-on-collection-errors',
+        '--assert=plain',
+        '--noconftest',
+        '-p',
+        'no:unraisableexception',
+        '-p',
+        'no:cacheprovider',
+        '--tb=no',
+        '--no-header',
+        *places,
+    ]
+
+
+def _run_tests(job: dict, server, report, only: set[str] | None) -> int:
+    """Run pytest; returns its status."""
     import pytest
 
     from helpers.runner import plugin
 
     return pytest.main(
-        [
-            '-c',
-            os.devnull,
-            '--rootdir',
-            os.getcwd(),
-            '--import-mode=importlib',
-            '--strict-markers',
-            '-q',
-            '--continue-on-collection-errors',
-            '--assert=plain',
-            '--noconftest',
-            '-p',
-            'no:unraisableexception',
-            '-p',
-            'no:cacheprovider',
-            '--tb=no',
-            '--no-header',
-            *job['tests'],
-        ],
+        arguments(job['tests']),
         plugins=[
             plugin.Plugin(
                 job['programs'],
