@@ -87,7 +87,7 @@ def _on_a_cell_left_out(names: Iterable[str]) -> str:
     """Which cell above makes one of these names anew and has not run, so an earlier cell's is there; '' if none."""
     above = resuming.cells_above() or []
     for name in sorted(names):
-        makers = [one for one in above if name in definitions.names_in(one.source)]
+        makers = [one for one in above if name in definitions.names_given(one.source)]
         if makers and not _has_run(makers[-1]):
             return (
                 f'`{name}` is here what an earlier cell has made. The cell above that makes it anew has not run since '

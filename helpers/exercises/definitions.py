@@ -93,6 +93,12 @@ def names_in(text: str) -> frozenset[str]:
     return frozenset(defined(tree.body) if tree is not None else ())
 
 
+def names_given(text: str) -> frozenset[str]:
+    """The names to which a text gives something of its own: those that it binds, but does not import."""
+    tree = _tree(text)
+    return frozenset().union(*map(_made, tree.body if tree is not None else ()))
+
+
 @lru_cache(maxsize=4096)
 def names_made(text: str) -> frozenset[str]:
     """The names that one of `of_cell`'s texts binds, or to whose values it adds something."""

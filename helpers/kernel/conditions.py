@@ -26,8 +26,7 @@ def lacking(condition) -> str:
     part = _body(condition) if '<lambda>' in getattr(condition, '__qualname__', '') else None
     if part is None:
         return ''
-    around = inspect.getclosurevars(condition)
-    names = {**around.builtins, **around.globals, **around.nonlocals}
+    names = {**condition.__globals__, **inspect.getclosurevars(condition).nonlocals}
 
     def value(expression: ast.expr):
         return eval(compile(ast.Expression(expression), _UNKNOWN, 'eval'), names)  # noqa: S307 - the caller's own code

@@ -79,6 +79,14 @@ def test_an_object_of_another_cell_is_told(folder, kernel):
     assert kernel.run('assert place > 5').stdout == ''
 
 
+def test_a_module_is_the_same_in_whatever_cell_it_is_imported(folder, kernel):
+    notebook = folder / '90_small.ipynb'
+    notebook.write_text(notebook.read_text().replace('print(LATER)', "math.floor('x')"))
+    kernel.ok('%load_ext helpers.exercises.cell_errors\nimport math')
+    missed = kernel.run("math.floor('x')")
+    assert missed.error == 'TypeError' and '`math` is here' not in missed.stdout
+
+
 def test_a_cell_that_ran_with_another_text_is_not_said_to_have_been_left_out(folder, kernel):
     notebook = folder / '90_small.ipynb'
     identity = nbformat.read(notebook, 4).cells[WHOLE].id

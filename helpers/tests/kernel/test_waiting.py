@@ -73,6 +73,7 @@ THERE, WORDS = True, ['one', 'two']
         (lambda: False, ''),
         (lambda: WORDS[7] == 'x', ''),
         (lambda: any(word == 'x' for word in WORDS), "any((word == 'x' for word in WORDS)) is False"),
+        (lambda: not all(word in WORDS for word in WORDS), 'all((word in WORDS for word in WORDS)) is True'),
         (lambda: [] or 0, ''),
     ],
     ids=lambda value: value if isinstance(value, str) else '',
