@@ -84,15 +84,22 @@ def sentence(error: BaseException, cell: str = '') -> str:
 
 
 def _on_a_cell_left_out(names: Iterable[str]) -> str:
-    """Which cell above makes one of these names anew and has not run, so an earlier cell's is there; '' if none."""
+    """Which cell above makes one of these names anew and did not come to it, so an earlier cell's is there; '' if none."""
     above = resuming.cells_above() or []
     for name in sorted(names):
         makers = [one for one in above if name in definitions.names_given(one.source)]
-        if makers and not _has_run(makers[-1]):
-            return (
-                f'`{name}` is here what an earlier cell has made. The cell above that makes it anew has not run since '
-                f'the kernel started: {_first_line(makers[-1])}'
-            )
+        if not makers:
+            continue
+        if not _has_run(makers[-1]):
+            why = 'has not run since the kernel started'
+        elif not _ended.get(makers[-1].source, True):
+            why = 'ended with an error'
+        else:
+            continue
+        return (
+            f'`{name}` is here what an earlier cell has made. The cell above that makes it anew {why}: '
+            f'{_first_line(makers[-1])}'
+        )
     return ''
 
 
@@ -137,8 +144,10 @@ def _in_a_cell_that_ran(name: str) -> str:
     makers = [cell for cell in journal.cells if name in definitions.names_in(cell.source)]
     if not makers:
         return ''
-    maker = makers[-1]
-    if maker is journal.cells[-1]:
+    running = journal.cells[-1]
+    others = [one for one in makers if one.source != running.source and (not one.id or one.id != running.id)]
+    maker = (others or makers)[-1]
+    if not others:
         if re.search(rf'^\s*{name}\s*[-+*/|]=', maker.source, re.MULTILINE):
             return (
                 f'`{name}` has no value yet. Give it a first one, such as {name} = 0, before the line that changes it.'

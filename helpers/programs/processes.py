@@ -89,6 +89,8 @@ class BackgroundProcess:
         except (FileNotFoundError, PermissionError) as error:
             if terminal:
                 os.close(self._keyboard)
+            if cwd is not None and not os.path.isdir(cwd):
+                raise FileNotFoundError(f'there is no folder {cwd}: run the cells above that make it') from None
             # A folder of PATH that may not be read is an error of permissions, too.
             if isinstance(error, PermissionError) and shutil.which(argv[0]):
                 raise

@@ -55,9 +55,15 @@ def test_a_name_of_a_cell_that_ran_is_not_proposed_for_itself(kernel):
     kernel.ok('del first')
     said = kernel.run('first + second').stdout
     assert said == '`first` has been deleted since. This cell makes it; run it again: # two numbers\n'
-    for late in ('print(total)\ntotal = 3', 'total = total + 3'):
+    for name, late in (('total', 'print(total)\ntotal = 3'), ('amount', 'amount = amount + 3')):
         said = kernel.run(late).stdout
-        assert said == '`total` has no value yet: the line of this cell that gives it one has not run.\n'
+        assert said == f'`{name}` has no value yet: the line of this cell that gives it one has not run.\n'
+        assert kernel.run(late).stdout == said, 'the same cell, run again'
+    said = kernel.run('print(second + third)\nthird = second = 3').stdout
+    assert said.startswith('`third` has no value yet')
+    kernel.run('# a failure\nfourth = 1 / 0')
+    said = kernel.run('print(fourth)\nfourth = 5').stdout
+    assert said.startswith('`fourth` comes from a cell that ended with an error') and '# a failure' in said
     said = kernel.run('counted += 1').stdout
     assert (
         said

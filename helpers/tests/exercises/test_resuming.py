@@ -75,8 +75,13 @@ def test_an_object_of_another_cell_is_told(folder, kernel):
     invalid = 'assert place < 5; raise type("InvalidHandle", (Exception,), {})'
     notebook.write_text(notebook.read_text().replace('assert place > 5', invalid.replace('"', r'\"')))
     assert 'has been destroyed' in (said := kernel.run(invalid).stdout) and '`place` is here what an earlier' in said
+    assert kernel.run(CELLS[WHOLE].replace('place', 'raise OSError; place')).error == 'OSError'
+    notebook.write_text(notebook.read_text().replace('place = open', 'raise OSError; place = open'))
+    said = kernel.run(invalid).stdout
+    assert 'The cell above that makes it anew ended with an error: raise OSError; place' in said
+    notebook.write_text(notebook.read_text().replace('raise OSError; ', ''))
     kernel.ok(CELLS[WHOLE])
-    assert kernel.run('assert place > 5').stdout == ''
+    assert '`place`' not in kernel.run(invalid).stdout
 
 
 def test_a_module_is_the_same_in_whatever_cell_it_is_imported(folder, kernel):

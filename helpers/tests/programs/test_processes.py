@@ -52,6 +52,12 @@ def test_an_early_end_shows_status_and_last_lines():
         assert child.returncode == 1
 
 
+def test_a_folder_that_is_not_there_is_told(tmp_path):
+    """Not that there is no Python: the system reports both in the same way."""
+    with pytest.raises(FileNotFoundError, match='there is no folder .*/nowhere: run the cells above that make it'):
+        background([sys.executable, '-c', 'pass'], cwd=tmp_path / 'nowhere')
+
+
 def test_an_unknown_command():
     with pytest.raises(FileNotFoundError, match="no command 'ros3'"):
         background('ros3 run x y')
