@@ -7,6 +7,7 @@ The kernel `course` loads this as an IPython extension when it starts, as a pers
 notebook after a restart has not imported `helpers` yet.
 """
 
+import linecache
 import re
 import traceback
 from collections.abc import Iterable
@@ -32,7 +33,8 @@ _CUT = (
 )
 _CUT_IF_STOPPED = 'partially initialized module'
 _stopped = False  # whether a cell has been stopped in this kernel
-_ended: dict[str, bool] = {}  # the texts of the cells that have run: whether the latest run came to its end
+# The texts of the cells that have run, and the names that the latest run did not reach; None if it came to its end.
+_not_reached: dict[str, frozenset[str] | None] = {}
 
 
 def load_ipython_extension(shell) -> None:
@@ -59,9 +61,18 @@ def explain(result) -> None:
     error = result.error_in_exec if result else None
     _stopped |= isinstance(error, KeyboardInterrupt)
     if result:
-        _ended[result.info.raw_cell] = bool(result.success)
+        text = result.info.raw_cell
+        _not_reached[text] = None if result.success else definitions.names_not_reached(text, _line(text, error))
     if said := sentence(error, result.info.raw_cell) if error else '':
         print(said)
+
+
+def _line(text: str, error: BaseException | None) -> int:
+    """The number of the line of a cell in which an error was raised; one behind its end if it cannot be told."""
+    for frame, line in traceback.walk_tb(error.__traceback__ if error else None):
+        if ''.join(linecache.getlines(frame.f_code.co_filename)).strip() == text.strip():
+            return line
+    return len(text.splitlines()) + 1
 
 
 def sentence(error: BaseException, cell: str = '') -> str:
@@ -84,7 +95,10 @@ def sentence(error: BaseException, cell: str = '') -> str:
 
 
 def _on_a_cell_left_out(names: Iterable[str]) -> str:
-    """Which cell above makes one of these names anew and did not come to it, so an earlier cell's is there; '' if none."""
+    """Which cell above makes one of these names anew and did not come so far; '' if none.
+
+    Then the name is still what an earlier cell has made.
+    """
     above = resuming.cells_above() or []
     for name in sorted(names):
         makers = [one for one in above if name in definitions.names_given(one.source)]
@@ -92,7 +106,7 @@ def _on_a_cell_left_out(names: Iterable[str]) -> str:
             continue
         if not _has_run(makers[-1]):
             why = 'has not run since the kernel started'
-        elif not _ended.get(makers[-1].source, True):
+        elif name in (_not_reached.get(makers[-1].source) or ()):
             why = 'ended with an error'
         else:
             continue
@@ -153,9 +167,9 @@ def _in_a_cell_that_ran(name: str) -> str:
                 f'`{name}` has no value yet. Give it a first one, such as {name} = 0, before the line that changes it.'
             )
         return f'`{name}` has no value yet: the line of this cell that gives it one has not run.'
-    if maker.source not in _ended:  # `resume` has noted it
+    if maker.source not in _not_reached:  # `resume` has noted it
         return f'`{name}` comes from a cell above that has run in part, for `resume`: {_first_line(maker)}\n{AGAIN}'
-    if not _ended[maker.source]:
+    if _not_reached[maker.source] is not None:
         return (
             f'`{name}` comes from a cell that ended with an error, before the line that makes `{name}`: '
             f'{_first_line(maker)}\nMend that cell and run it again, then this one.'

@@ -99,6 +99,15 @@ def names_given(text: str) -> frozenset[str]:
     return frozenset().union(*map(_made, tree.body if tree is not None else ()))
 
 
+def names_not_reached(text: str, line: int) -> frozenset[str]:
+    """Those of `names_given` that have nothing of the text yet if this line of it has raised an error."""
+    tree = _tree(text)
+    after = [node for node in (tree.body if tree is not None else ()) if (node.end_lineno or node.lineno) >= line]
+    if after and after[0].lineno <= line and not isinstance(after[0], ast.Assign | ast.AnnAssign):
+        after = after[1:]  # a block may have made a part of its names
+    return frozenset().union(*map(_made, after))
+
+
 @lru_cache(maxsize=4096)
 def names_made(text: str) -> frozenset[str]:
     """The names that one of `of_cell`'s texts binds, or to whose values it adds something."""

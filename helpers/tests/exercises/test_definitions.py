@@ -191,6 +191,16 @@ def test_commands_within_functions_do_not_cost_them():
     assert namespace['f']() == 3
 
 
+@pytest.mark.parametrize(
+    ('line', 'names'),
+    [(1, {'a', 'b', 'c', 'd', 'f'}), (2, {'b', 'c', 'd', 'f'}), (4, {'f'}), (5, {'f'}), (7, set()), (9, set())],
+)
+def test_the_names_that_are_not_reached_after_an_error(line, names):
+    """A block may have made a part of its names; what is imported is the same in each cell."""
+    text = 'a = 1\nb, c = 1, \\\n    2\nif a:\n    d = 3\nimport os\ndef f(): pass\n'
+    assert definitions.names_not_reached(text, line) == names
+
+
 def test_line_numbers_are_kept():
     cell = NotebookCell('print(1)\n\ndef f():\n    pass\nprint(2)', 1)
     assert definitions.of_cell(cell) == ((3, 'def f():\n    pass\n'),)

@@ -26,6 +26,14 @@ def folder(tmp_path):
     return tmp_path
 
 
+def edit(notebook, old, new):
+    """Replace a text in the cells of a notebook's file."""
+    content = nbformat.read(notebook, 4)
+    for cell in content.cells:
+        cell.source = cell.source.replace(old, new)
+    nbformat.write(content, notebook)
+
+
 def test_what_the_cells_above_define_comes_back(folder, kernel):
     told = kernel.ok(CONTINUE).stdout
     assert 'a demonstration' not in told and 'a long output' not in told
@@ -62,31 +70,35 @@ def test_what_a_demonstration_makes_is_told_after_resume(folder, kernel):
 def test_an_object_of_another_cell_is_told(folder, kernel):
     """Names are used again: who leaves a cell out has what an earlier one made."""
     notebook = folder / '90_small.ipynb'
-    notebook.write_text(notebook.read_text().replace('print(LATER)', 'print(place.name)'))
+    edit(notebook, 'print(LATER)', 'print(place.name)')
     kernel.ok('%load_ext helpers.exercises.cell_errors\nplace = 3')
     missed = kernel.run('print(place.name)')
     assert missed.error == 'AttributeError' and missed.stdout == (
         '`place` is here what an earlier cell has made. The cell above that makes it anew has not run since the kernel '
         'started: place = open("made", "w")\n'
     )
-    notebook.write_text(notebook.read_text().replace('print(place.name)', 'assert place > 5'))
+    edit(notebook, 'print(place.name)', 'assert place > 5')
     assert kernel.run('assert place > 5').stdout.startswith('`place` is here what an earlier cell has made.')
     assert kernel.run('raise AttributeError("of place.name")').stdout == ''
     invalid = 'assert place < 5; raise type("InvalidHandle", (Exception,), {})'
-    notebook.write_text(notebook.read_text().replace('assert place > 5', invalid.replace('"', r'\"')))
+    edit(notebook, 'assert place > 5', invalid)
     assert 'has been destroyed' in (said := kernel.run(invalid).stdout) and '`place` is here what an earlier' in said
     assert kernel.run(CELLS[WHOLE].replace('place', 'raise OSError; place')).error == 'OSError'
-    notebook.write_text(notebook.read_text().replace('place = open', 'raise OSError; place = open'))
+    edit(notebook, 'place = open', 'raise OSError; place = open')
     said = kernel.run(invalid).stdout
     assert 'The cell above that makes it anew ended with an error: raise OSError; place' in said
-    notebook.write_text(notebook.read_text().replace('raise OSError; ', ''))
+    edit(notebook, 'raise OSError; place = open', 'place = open')
+    edit(notebook, CELLS[WHOLE], f'{CELLS[WHOLE]}\nraise OSError')
+    late = f'{CELLS[WHOLE]}\nraise OSError'  # what stands before the error has been made
+    assert kernel.run(late).error == 'OSError' and late in [cell.source for cell in nbformat.read(notebook, 4).cells]
+    assert '`place`' not in kernel.run(invalid).stdout
     kernel.ok(CELLS[WHOLE])
     assert '`place`' not in kernel.run(invalid).stdout
 
 
 def test_a_module_is_the_same_in_whatever_cell_it_is_imported(folder, kernel):
     notebook = folder / '90_small.ipynb'
-    notebook.write_text(notebook.read_text().replace('print(LATER)', "math.floor('x')"))
+    edit(notebook, 'print(LATER)', "math.floor('x')")
     kernel.ok('%load_ext helpers.exercises.cell_errors\nimport math')
     missed = kernel.run("math.floor('x')")
     assert missed.error == 'TypeError' and '`math` is here' not in missed.stdout
@@ -95,14 +107,14 @@ def test_a_module_is_the_same_in_whatever_cell_it_is_imported(folder, kernel):
 def test_a_cell_that_ran_with_another_text_is_not_said_to_have_been_left_out(folder, kernel):
     notebook = folder / '90_small.ipynb'
     identity = nbformat.read(notebook, 4).cells[WHOLE].id
-    notebook.write_text(notebook.read_text().replace('print(LATER)', 'print(place.name)'))
+    edit(notebook, 'print(LATER)', 'print(place.name)')
     kernel.ok(
         '%load_ext helpers.exercises.cell_errors\nplace = 3\nfrom helpers.kernel import journal\n'
         f'journal.cells[-1] = journal.cells[-1]._replace(id={identity!r})'
     )
     assert '`place`' not in kernel.run('print(place.name)').stdout
-    notebook.write_text(notebook.read_text().replace('place = open', 'place = added = open'))
-    notebook.write_text(notebook.read_text().replace('print(place.name)', 'print(added)'))
+    edit(notebook, 'place = open', 'place = added = open')
+    edit(notebook, 'print(place.name)', 'print(added)')
     assert kernel.run('print(added)').stdout == (
         '`added` comes from a cell above that was changed since it ran: place = added = open("made", "w")\n'
         'Run it again.\n'
@@ -114,14 +126,14 @@ def test_a_missing_name_says_where_it_comes_from(folder, kernel):
     missed = kernel.run(CELLS[4] + '\nanswer()')
     assert missed.error == 'NameError' and missed.stdout == '', 'this cell is in no notebook'
     notebook = folder / '90_small.ipynb'
-    notebook.write_text(notebook.read_text().replace('print(LATER)', 'Talker()'))
+    edit(notebook, 'print(LATER)', 'Talker()')
     missed = kernel.run('Talker()')
     assert missed.error == 'NameError'
     assert missed.stdout.startswith(
         '`Talker` comes from a cell above that has not run since the kernel started: class Talker:\n'
     )
     assert 'from helpers import resume; resume()' in missed.stdout
-    notebook.write_text(notebook.read_text().replace('LATER = 1', 'talker.words'))
+    edit(notebook, 'LATER = 1', 'talker.words')
     assert kernel.run('talker.words').stdout.endswith('It is part of a demonstration: run that cell again.\n')
     assert kernel.run('undefined_anywhere').stdout == ''
     assert kernel.run('spin_for(1)').stdout == '`spin_for` belongs to the course. Write: from helpers import spin_for\n'
