@@ -41,18 +41,19 @@ def _prepare(job: dict, descriptor: int):
 
 
 def arguments(places: list[str]) -> list[str]:
-    """pytest's arguments for the tests in these folders.
+    """pytest's arguments for the tests in these folders and files.
 
     Switched off is what only serves pytest's own report: rewritten assertions, the garbage collection at its end; and
     each conftest.py, which is for the course's own tests. Without `--confcutdir` pytest would list the files of each
     folder above the tests, up to the root of the disk: one of them may not be readable, or hold very many files.
     """
+    folders = [place if os.path.isdir(place) else os.path.dirname(place) for place in places]
     return [
         '-c',
         os.devnull,
         '--rootdir',
         os.getcwd(),
-        *(['--confcutdir', places[0]] if places else []),
+        *(['--confcutdir', folders[0]] if folders else []),
         '--import-mode=importlib',
         '--strict-markers',
         '-q',

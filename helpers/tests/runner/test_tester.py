@@ -3,6 +3,8 @@
 import subprocess
 import sys
 
+import pytest
+
 from helpers import paths
 from helpers.runner import tester
 
@@ -18,14 +20,15 @@ print('LISTED', *listed, sep='\\n')
 """
 
 
-def test_folders_above_the_tests_are_not_listed(tmp_path):
+@pytest.mark.parametrize('first', ['a folder', 'a file'])
+def test_folders_above_the_tests_are_not_listed(tmp_path, first):
     """One may not be readable, as /home often is not, or hold very many files."""
     visible, hidden = tmp_path / 'course' / 'checks' / 'chapter_90', tmp_path / 'course' / 'exercises' / '90_1'
     for folder in (visible, hidden):
         folder.mkdir(parents=True)
         (folder / 'test_it.py').write_text('def test_it():\n    pass\n')
     done = subprocess.run(
-        [sys.executable, '-c', LIST, str(visible), str(hidden)],
+        [sys.executable, '-c', LIST, str(visible / 'test_it.py' if first == 'a file' else visible), str(hidden)],
         cwd=paths.ROOT,
         capture_output=True,
         text=True,
