@@ -53,7 +53,7 @@ class LaunchTestItem(pytest.Item):
         parts = []
         for run, result in excinfo.value.results.items():
             failed = [*result.errors, *result.failures]
-            told = [f'{_name(case)} failed\n{text.rstrip()}' for case, text in failed]
+            told = [f'{_name(case)} failed{_why(text)}\n{text.rstrip()}' for case, text in failed]
             if not told and not result.wasSuccessful():
                 told = [f'{run} failed: {getattr(result, "message", "unexpected success")}']
             parts += told
@@ -67,6 +67,13 @@ class LaunchTestItem(pytest.Item):
 def _name(case) -> str:
     is_case = isinstance(case, unittest.TestCase)
     return f'{type(case).__name__}.{case._testMethodName}' if is_case else str(case)
+
+
+def _why(report: str) -> str:
+    """The error of a traceback, after a colon: JUnit files, and so `colcon test-result`, leave the end of it out."""
+    after = report.rpartition('Traceback (most recent call last):')[2].splitlines()
+    error = next((line for line in after if line and not line[0].isspace()), '')
+    return f': {error}' if error else ''
 
 
 class LaunchTestModule(pytest.Module):

@@ -203,7 +203,8 @@ def test_a_case_that_fails_fails_the_test_and_is_named(write, before, after, whe
     path = write(body.replace('self.assertEqual(proc_info[dut].returncode, 0)', after))
     result = run(path)
     assert result.returncode == 1
-    assert where in result.stdout and message in result.stdout and '1 failed' in result.stdout
+    assert re.search(f'{re.escape(where)}: .*{re.escape(message)}', result.stdout), 'in one line, for JUnit files'
+    assert '1 failed' in result.stdout
     assert '+  where' not in result.stdout  # the message says it all, and pytest explains nothing of launch_testing
 
 
